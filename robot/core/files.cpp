@@ -1,0 +1,68 @@
+#include "robot/core/files.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace robot {
+
+Error file_error(std::string_view what, const std::filesystem::path& path, int error_number) {
+  return Error{std::string(what) + " " + path.string() + ": " + std::strerror(error_number)};
+}
+
+FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
+  if (this != &other) {
+    reset();
+    number_ = std::exchange(other.number_, -1);
+  }
+  return *this;
+}
+
+void FileDescriptor::reset() {
+  if (number_ >= 0) ::close(number_);
+  number_ = -1;
+}
+
+Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes) {
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file) return file_error("cannot read", path, errno);
+
+  std::string bytes;
+  char block[65536];
+  while (true) {
+    const ssize_t n = ::read(file.get(), block, sizeof block);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return file_error("cannot read", path, errno);
+    if (n == 0) return bytes;
+    if (bytes.size() + static_cast<std::size_t>(n) > max_bytes)
+      return Error{"cannot read " + path.string() + ": expected at most " + std::to_string(max_bytes) +
+                   " bytes, it holds more"};
+    bytes.append(block, static_cast<std::size_t>(n));
+  }
+}
+
+Result<void> replace_file(const std::filesystem::path& path, std::string_view bytes, unsigned mode) {
+  std::filesystem::path beside = path;
+  beside += ".new";
+  {
+    const FileDescriptor file(
+        ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, static_cast<mode_t>(mode)));
+    if (!file) return file_error("cannot write", beside, errno);
+    while (!bytes.empty()) {
+      const ssize_t n = ::write(file.get(), bytes.data(), bytes.size());
+      if (n < 0 && errno == EINTR) continue;
+      if (n < 0) {
+        const int reason = errno;
+        ::unlink(beside.c_str());
+        return file_error("cannot write", beside, reason);
+      }
+      bytes.remove_prefix(static_cast<std::size_t>(n));
+    }
+  }
+  if (::rename(beside.c_str(), path.c_str()) != 0) return file_error("cannot write", path, errno);
+  return {};
+}
+
+}  // namespace robot

@@ -1,0 +1,65 @@
+// What hides the device a stream goes to or comes from: a file, a local socket, a WebSocket.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "robot/core/result.h"
+#include "robot/memory/channel.h"
+
+namespace robot::logging {
+
+/// One message as it is read from a stream.
+struct Record {
+  std::uint64_t sequence = 0;    // as it was written; a gap tells of messages that were dropped
+  std::uint64_t capture_ns = 0;  // [ns since the epoch] when the data were sensed
+  std::uint64_t publish_ns = 0;  // [ns since the epoch] when it entered the memory that wrote it
+  std::string bytes;
+
+  bool operator==(const Record&) const = default;
+};
+
+/// Where a logger takes the versions of one channel. Used by one thread.
+class OutProvider {
+ public:
+  static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
+
+  virtual ~OutProvider() = default;
+
+  /// Opens the device for the channel `info`. Tried again later if it fails.
+  virtual Result<void> open(const memory::ChannelInfo& info) = 0;
+
+  /// Takes one version; may block. On an Error this version is lost to the stream, later ones may succeed.
+  virtual Result<void> write(const memory::VersionPtr& version) = 0;
+
+  /// When flush() is wanted at the latest [ns, monotonic]; kNever while nothing is held back.
+  virtual std::uint64_t flush_due_ns() const { return kNever; }
+
+  /// Hands what was held back to the device.
+  virtual Result<void> flush() { return {}; }
+
+  /// Ends the stream in good order. Nothing is written afterwards.
+  virtual Result<void> close() = 0;
+
+  /// Ends a blocked write(); later ones fail at once. Any thread.
+  virtual void cancel() {}
+};
+
+/// Where a parser gets the messages of one stream. Used by one thread, except `cancel`.
+class InProvider {
+ public:
+  virtual ~InProvider() = default;
+
+  /// Opens the device; what the stream says of itself.
+  virtual Result<memory::ChannelInfo> open() = 0;
+
+  /// The next message; nothing at the end of the stream or after cancel(). Blocks until there is one.
+  virtual Result<std::optional<Record>> read() = 0;
+
+  /// Ends a blocked read() and all later ones. Any thread.
+  virtual void cancel() {}
+};
+
+}  // namespace robot::logging

@@ -1,0 +1,85 @@
+#include "robot/memory/channel.h"
+
+#include <algorithm>
+#include <cassert>
+#include <mutex>
+#include <utility>
+
+namespace robot::memory {
+namespace {
+
+class RawVersion final : public Version {
+ public:
+  explicit RawVersion(std::string bytes) : bytes_(std::move(bytes)) {}
+  std::string_view bytes() const override { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+}  // namespace
+
+std::string_view name(Delivery delivery) {
+  switch (delivery) {
+    case Delivery::latest: return "latest";
+    case Delivery::fifo: return "fifo";
+    case Delivery::reliable: return "reliable";
+  }
+  return "?";
+}
+
+VersionPtr with_bytes(const Version& original, std::uint64_t sequence, std::string bytes) {
+  auto version = std::make_shared<RawVersion>(std::move(bytes));
+  version->sequence_ = sequence;
+  version->capture_ns_ = original.capture_ns();
+  version->publish_ns_ = original.publish_ns();
+  version->size_bytes_ = version->bytes().size();
+  return version;
+}
+
+void Channel::announce(ChannelInfo info, const Clock& clock) {
+  assert(!clock_ && "a channel is announced once");
+  info_ = std::move(info);
+  clock_ = &clock;
+}
+
+VersionPtr Channel::newest() const {
+  const std::lock_guard guard(newest_lock_);
+  return newest_;
+}
+
+void Channel::attach(Listener& listener) {
+  const std::lock_guard guard(writers_);
+  listeners_.push_back(&listener);
+  if (const VersionPtr version = newest()) listener.on_version(version);
+}
+
+void Channel::detach(Listener& listener) {
+  const std::lock_guard guard(writers_);
+  std::erase(listeners_, &listener);
+}
+
+VersionPtr Channel::publish(std::shared_ptr<Version> version, std::uint64_t capture_ns, std::size_t size_bytes) {
+  assert(clock_ && "a channel is announced before it is written");
+  version->capture_ns_ = capture_ns;
+  version->publish_ns_ = clock_->now_ns();
+  version->size_bytes_ = size_bytes;
+
+  const std::lock_guard guard(writers_);
+  version->sequence_ = ++last_sequence_;
+  VersionPtr shared = std::move(version);
+  for (Listener* listener : listeners_) listener->on_version(shared);
+
+  const std::lock_guard newest_guard(newest_lock_);
+  newest_.swap(shared);
+  return shared;
+}
+
+RawChannel::RawChannel(ChannelInfo info, const Clock& clock) { announce(std::move(info), clock); }
+
+Result<void> RawChannel::write_bytes(std::string_view bytes, std::uint64_t capture_ns) {
+  publish(std::make_shared<RawVersion>(std::string(bytes)), capture_ns, bytes.size());
+  return {};
+}
+
+}  // namespace robot::memory

@@ -1,0 +1,93 @@
+// The robot's whole cognitive state: the table of contents of the robot.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "proto/foresight/agent.pb.h"
+#include "proto/foresight/ball.pb.h"
+#include "proto/foresight/camera.pb.h"
+#include "proto/foresight/game.pb.h"
+#include "proto/foresight/motion.pb.h"
+#include "proto/foresight/pose.pb.h"
+#include "proto/foresight/runtime.pb.h"
+#include "proto/foresight/sensors.pb.h"
+#include "proto/foresight/team.pb.h"
+#include "proto/foresight/truth.pb.h"
+#include "proto/foresight/vision.pb.h"
+#include "robot/memory/channels.h"
+#include "robot/memory/memory_object.h"
+
+namespace robot::memory {
+
+namespace pb = foresight;
+
+/// Everything the robot's threads tell each other.
+/// Units, frames, writers and rates are documented in the .proto of each message.
+///
+/// A new object is one .proto, one member, one `see` line: logs, streams and the viewer then know it.
+struct Memory {
+  MemoryObject<pb::Image> camera_top;
+  MemoryObject<pb::Image> camera_bottom;
+  MemoryObject<pb::CameraMatrix> camera_top_matrix;
+  MemoryObject<pb::CameraMatrix> camera_bottom_matrix;
+  MemoryObject<pb::Joints> joints;
+  MemoryObject<pb::Inertial> inertial;
+  MemoryObject<pb::Fsr> fsr;
+  MemoryObject<pb::Sonar> sonar;
+  MemoryObject<pb::Touch> touch;
+  MemoryObject<pb::Battery> battery;
+  MemoryObject<pb::Odometry> odometry;
+  MemoryObject<pb::Vision> vision;
+  MemoryObject<pb::Ball> ball;
+  MemoryObject<pb::Pose> pose;
+  MemoryObject<pb::Team> team;
+  MemoryObject<pb::GameState> game;
+  MemoryObject<pb::MotionCommand> motion_command;
+  MemoryObject<pb::MotionStatus> motion_status;
+  MemoryObject<pb::DecisionTrace> decision;
+  MemoryObject<pb::ClockSample> clock;
+  MemoryObject<pb::RuntimeStatistics> runtime;
+  MemoryObject<pb::LogText> log;
+  MemoryObject<pb::GroundTruth> truth;
+
+  /// Calls see(name, object, delivery) for each object. A name that starts with '/' is a topic of its own;
+  /// any other is an object of this robot.
+  template <class Visitor>
+  void visit(Visitor&& see) {
+    using enum Delivery;
+    see("camera_top", camera_top, latest);
+    see("camera_bottom", camera_bottom, latest);
+    see("camera_top_matrix", camera_top_matrix, latest);
+    see("camera_bottom_matrix", camera_bottom_matrix, latest);
+    see("joints", joints, fifo);
+    see("inertial", inertial, fifo);
+    see("fsr", fsr, fifo);
+    see("sonar", sonar, fifo);
+    see("touch", touch, fifo);
+    see("battery", battery, latest);
+    see("odometry", odometry, fifo);
+    see("vision", vision, latest);
+    see("ball", ball, latest);
+    see("pose", pose, latest);
+    see("team", team, latest);
+    see("game", game, reliable);
+    see("motion_command", motion_command, fifo);
+    see("motion_status", motion_status, fifo);
+    see("decision", decision, fifo);
+    see("clock", clock, reliable);
+    see("runtime", runtime, latest);
+    see("log", log, reliable);
+    see("/truth/world", truth, latest);
+  }
+
+  /// The memory of robot `robot`, "<team>/<player>"; `clock` is its time base and outlives it.
+  Memory(std::string_view robot, const Clock& clock);
+};
+
+/// Lists every object of `memory` in `channels`, which then keeps the memory alive.
+/// An Error if a topic is taken, such as that of a second memory of the same robot.
+Result<void> list(const std::shared_ptr<Memory>& memory, Channels& channels);
+
+}  // namespace robot::memory
