@@ -2,8 +2,8 @@
 
 #include <cstdio>
 #include <mutex>
+#include <utility>
 
-#include "robot/core/clock.h"
 #include "robot/core/lock.h"
 
 namespace robot {
@@ -38,16 +38,15 @@ void set_report_listener(std::function<void(const Report&)> new_listener) {
   listener = std::move(new_listener);
 }
 
-void Throttle::report(Level level, std::string_view source, std::string_view sentence) {
+void Throttle::report(Level level, std::string_view source, std::string_view sentence, std::uint64_t now_ns) {
   std::uint64_t left_out = 0;
   {
     const std::lock_guard guard(throttle_lock);
-    const std::uint64_t now = monotonic_ns();
-    if (last_ns_ != 0 && now - last_ns_ < kSecond) {
+    if (last_ns_ != 0 && now_ns - last_ns_ < kSecond) {
       ++left_out_;
       return;
     }
-    last_ns_ = now;
+    last_ns_ = now_ns;
     left_out = std::exchange(left_out_, 0);
   }
   if (left_out == 0) return robot::report(level, source, sentence);

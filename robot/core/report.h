@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "robot/core/clock.h"
+
 namespace robot {
 
 enum class Level { debug = 1, info = 2, warning = 3, error = 4 };
@@ -28,7 +30,7 @@ void set_report_listener(std::function<void(const Report&)> listener);
 class Throttle {
  public:
   /// As report(); the next sentence that passes tells how many were left out meanwhile.
-  void report(Level level, std::string_view source, std::string_view sentence);
+  void report(Level level, std::string_view source, std::string_view sentence, std::uint64_t now_ns = monotonic_ns());
 
  private:
   std::uint64_t last_ns_ = 0;

@@ -33,8 +33,8 @@ class Pool {
     std::unique_ptr<T> object = spare_->pop();
     if (!object) object = std::make_unique<T>();
     return std::shared_ptr<T>(object.release(), [spare = spare_](T* used) {
-      std::unique_ptr<T> object(used);
-      spare->push(object);
+      std::unique_ptr<T> returned(used);
+      spare->push(returned);
     });
   }
 

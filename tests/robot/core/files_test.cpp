@@ -1,0 +1,48 @@
+#include "robot/core/files.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace robot {
+namespace {
+
+TEST(Files, GiveBackWhatWasPutThere) {
+  const tests::TemporaryFolder folder;
+  std::string bytes(200'000, 'x');
+  bytes[100'000] = '\0';
+  ASSERT_TRUE(replace_file(folder / "a", bytes));
+  const Result<std::string> read = read_file(folder / "a", 1 << 20);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, bytes);
+}
+
+TEST(Files, AreReplacedWithTheGivenModeAndLeaveNothingBeside) {
+  const tests::TemporaryFolder folder;
+  ASSERT_TRUE(replace_file(folder / "token", "old", 0600));
+  ASSERT_TRUE(replace_file(folder / "token", "new", 0600));
+  EXPECT_EQ(*read_file(folder / "token", 100), "new");
+  struct stat status {};
+  ASSERT_EQ(::stat((folder / "token").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0600u);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(Files, SayWhatCannotBeRead) {
+  const tests::TemporaryFolder folder;
+  const std::string path = (folder / "missing").string();
+  EXPECT_EQ(read_file(path, 10).error(), "cannot read " + path + ": No such file or directory");
+}
+
+TEST(Files, HaveABound) {
+  const tests::TemporaryFolder folder;
+  ASSERT_TRUE(replace_file(folder / "a", "12345"));
+  EXPECT_TRUE(read_file(folder / "a", 5));
+  EXPECT_EQ(read_file(folder / "a", 4).error(),
+            "cannot read " + (folder / "a").string() + ": expected at most 4 bytes, it holds more");
+}
+
+}  // namespace
+}  // namespace robot
