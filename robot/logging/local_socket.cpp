@@ -146,8 +146,9 @@ Result<memory::ChannelInfo> LocalSocketInProvider::open() {
 }
 
 Result<std::optional<Record>> LocalSocketInProvider::read() {
-  while (connection_ || accept()) {
+  while (!broken_ && (connection_ || accept())) {
     Result<std::optional<Frame>> frame = next_frame();
+    broken_ = !frame;
     if (!frame) return Error{frame.error()};
     if (!*frame) {
       connection_.reset();
@@ -155,7 +156,8 @@ Result<std::optional<Record>> LocalSocketInProvider::read() {
       continue;
     }
     if (auto* record = std::get_if<Record>(&**frame)) return std::optional<Record>(std::move(*record));
-    if (std::get<memory::ChannelInfo>(**frame) != info_)
+    broken_ = std::get<memory::ChannelInfo>(**frame) != info_;
+    if (broken_)
       return Error{"local socket " + path_.string() + ": expected the channel " + info_.topic + " again, got " +
                    std::get<memory::ChannelInfo>(**frame).topic};
   }

@@ -54,6 +54,7 @@ class LocalSocketInProvider final : public InProvider {
   memory::ChannelInfo info_;
   FileDescriptor listening_, connection_;
   FrameParser parser_;
+  bool broken_ = false;  // what came makes no sense, so neither does what follows
   std::atomic<bool> cancelled_ = false;
 };
 

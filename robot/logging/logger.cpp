@@ -1,5 +1,6 @@
 #include "robot/logging/logger.h"
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -30,7 +31,9 @@ void Logger::stop() {
 StreamStatus Logger::status() const {
   const std::lock_guard guard(lock_);
   StreamStatus status = status_;
-  status.dropped += queue_.dropped();
+  const std::uint64_t lost = std::min(provider_->lost_afterwards(), status.messages);
+  status.messages -= lost;
+  status.dropped += lost + queue_.dropped();
   status.queued_bytes = queue_.queued_bytes();
   return status;
 }

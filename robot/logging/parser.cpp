@@ -29,13 +29,18 @@ StreamStatus Parser::status() const {
 
 void Parser::run() {
   become_background_thread("parser");
-  const Result<void> carried = carry();
+  if (const Result<void> carried = carry(); !carried) note(carried.error());
   const std::lock_guard guard(lock_);
   status_.ended = true;
-  if (carried || stopping_) return;
+}
+
+/// Tells of something wrong with the stream, unless that is only because it is being stopped.
+void Parser::note(const std::string& problem) {
+  const std::lock_guard guard(lock_);
+  if (stopping_) return;
   status_.failing = true;
-  status_.problem = carried.error();
-  report(Level::error, "logging", carried.error());
+  status_.problem = problem;
+  report(Level::error, "logging", problem);
 }
 
 Result<void> Parser::carry() {
@@ -50,7 +55,10 @@ Result<void> Parser::carry() {
 
   while (true) {
     Result<std::optional<Record>> record = provider_->read();
-    if (!record) return Error{record.error()};
+    if (!record) {
+      note(record.error());
+      continue;
+    }
     if (!*record) return {};
     if (options_.pace && !options_.pace->wait_until_due((*record)->capture_ns)) return {};
     {

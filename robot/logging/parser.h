@@ -30,7 +30,7 @@ struct ParserOptions {
 };
 
 /// Carries the messages of an InProvider into a channel, on a thread of its own, to the end of the stream or until
-/// stopped. What the channel refuses is counted as dropped; an error of the stream itself ends the parser.
+/// stopped. What the channel refuses is counted as dropped; a damage of the stream is told and what is behind it carried on.
 class Parser {
  public:
   Parser(std::unique_ptr<InProvider> provider, ParserOptions options);
@@ -46,6 +46,7 @@ class Parser {
  private:
   void run();
   Result<void> carry();
+  void note(const std::string& problem);
   void count(const Result<void>& entered);
 
   const std::unique_ptr<InProvider> provider_;

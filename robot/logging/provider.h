@@ -43,6 +43,9 @@ class OutProvider {
   /// Ends the stream in good order. Nothing is written afterwards.
   virtual Result<void> close() = 0;
 
+  /// How many messages write() took and the device lost afterwards. Any thread.
+  virtual std::uint64_t lost_afterwards() const { return 0; }
+
   /// Ends a blocked write(); later ones fail at once. Any thread.
   virtual void cancel() {}
 };
@@ -56,6 +59,7 @@ class InProvider {
   virtual Result<memory::ChannelInfo> open() = 0;
 
   /// The next message; nothing at the end of the stream or after cancel(). Blocks until there is one.
+  /// An Error names a damage, once; the next call goes on behind it, or returns nothing where that cannot be.
   virtual Result<std::optional<Record>> read() = 0;
 
   /// Ends a blocked read() and all later ones. Any thread.

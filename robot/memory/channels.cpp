@@ -14,11 +14,14 @@ std::shared_ptr<Channel> find_in(const std::vector<std::shared_ptr<Channel>>& ch
 }  // namespace
 
 Result<void> Channels::add(std::shared_ptr<Channel> channel) {
-  const std::lock_guard guard(lock_);
-  const std::string& topic = channel->info().topic;
-  if (find_in(channels_, topic)) return Error{"channel " + topic + ": the topic is taken by another channel"};
-  channels_.push_back(channel);
-  for (const auto& watcher : watchers_) watcher(channel);
+  const std::lock_guard adding(adding_);
+  {
+    const std::lock_guard guard(lock_);
+    const std::string& topic = channel->info().topic;
+    if (find_in(channels_, topic)) return Error{"channel " + topic + ": the topic is taken by another channel"};
+    channels_.push_back(channel);
+  }
+  for (const auto& [id, watcher] : watchers_) watcher(channel);
   return {};
 }
 
@@ -32,10 +35,16 @@ std::shared_ptr<Channel> Channels::find(std::string_view topic) const {
   return find_in(channels_, topic);
 }
 
-void Channels::watch(std::function<void(const std::shared_ptr<Channel>&)> watcher) {
-  const std::lock_guard guard(lock_);
-  for (const auto& channel : channels_) watcher(channel);
-  watchers_.push_back(std::move(watcher));
+Channels::WatcherId Channels::watch(std::function<void(const std::shared_ptr<Channel>&)> watcher) {
+  const std::lock_guard adding(adding_);
+  for (const auto& channel : all()) watcher(channel);
+  watchers_.emplace(++last_watcher_, std::move(watcher));
+  return last_watcher_;
+}
+
+void Channels::unwatch(WatcherId watcher) {
+  const std::lock_guard adding(adding_);
+  watchers_.erase(watcher);
 }
 
 }  // namespace robot::memory

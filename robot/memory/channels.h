@@ -1,7 +1,9 @@
 // All channels of one process: those of the typed memory and those met at run time.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -23,14 +25,22 @@ class Channels {
   /// The channel of `topic`, or null.
   std::shared_ptr<Channel> find(std::string_view topic) const;
 
+  using WatcherId = std::uint64_t;
+
   /// Calls `watcher` for every channel listed now and for each one added later, by the thread that adds it.
-  /// Watchers stay as long as the list; they must not add channels.
-  void watch(std::function<void(const std::shared_ptr<Channel>&)> watcher);
+  /// A watcher must neither add channels nor watch.
+  WatcherId watch(std::function<void(const std::shared_ptr<Channel>&)> watcher);
+
+  /// After return that watcher is not being called and will not be called again.
+  void unwatch(WatcherId watcher);
 
  private:
-  mutable Mutex lock_;
+  Mutex adding_;  // held while watchers are called; guards the watchers
+  std::map<WatcherId, std::function<void(const std::shared_ptr<Channel>&)>> watchers_;
+  WatcherId last_watcher_ = 0;
+
+  mutable Mutex lock_;  // guards the list, which watchers may read
   std::vector<std::shared_ptr<Channel>> channels_;
-  std::vector<std::function<void(const std::shared_ptr<Channel>&)>> watchers_;
 };
 
 }  // namespace robot::memory

@@ -57,6 +57,14 @@ TEST_F(WholeMemory, WatchersHearOfEveryChannelOnce) {
   EXPECT_EQ(heard.count("/14/2/vortex"), 1u);
 }
 
+TEST_F(WholeMemory, WatchersThatLeftHearNothing) {
+  std::size_t heard = 0;
+  const auto watcher = channels.watch([&](const std::shared_ptr<Channel>&) { ++heard; });
+  channels.unwatch(watcher);
+  ASSERT_TRUE(channels.add(std::make_shared<RawChannel>(ChannelInfo{.topic = "/14/2/vortex"}, clock)));
+  EXPECT_EQ(heard, 0u);
+}
+
 // what a viewer does that was never told of our messages
 TEST_F(WholeMemory, SchemasSufficeToReadTheBytes) {
   memory->visit([&](std::string_view name, auto& object, Delivery) {

@@ -1,0 +1,78 @@
+#include "robot/logging/file_provider.h"
+
+#include <cassert>
+#include <system_error>
+#include <utility>
+
+#include "robot/core/clock.h"
+
+namespace robot::logging {
+
+FileOutProvider::FileOutProvider(std::filesystem::path path, McapOptions options)
+    : path_(std::move(path)), options_(std::move(options)) {}
+
+Result<void> FileOutProvider::open(const memory::ChannelInfo& info) {
+  assert(!writer_ && "a stream is opened once");
+  Result<std::unique_ptr<FileSink>> sink = FileSink::create(path_);
+  if (!sink) return Error{sink.error()};
+  Result<McapWriter> writer = McapWriter::open(std::move(*sink), info, options_);
+  if (!writer) {
+    // the file is ours and empty: it must not be in the way of the next try
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+    return Error{writer.error()};
+  }
+  writer_ = std::move(*writer);
+  return counted({});
+}
+
+Result<void> FileOutProvider::write(const memory::VersionPtr& version) {
+  assert(writer_ && "a stream is opened before it is written");
+  const OutMessage message{version->sequence(), version->capture_ns(), version->publish_ns(), version->bytes()};
+  const Result<void> written = writer_->write(message, monotonic_ns());
+  if (!written) ++refused_;
+  return counted(written);
+}
+
+std::uint64_t FileOutProvider::flush_due_ns() const { return writer_ ? writer_->flush_due_ns() : kNever; }
+
+Result<void> FileOutProvider::flush() { return writer_ ? counted(writer_->flush()) : Result<void>(); }
+
+Result<void> FileOutProvider::close() { return writer_ ? counted(writer_->close()) : Result<void>(); }
+
+/// Makes the writer's counts visible to other threads.
+Result<void> FileOutProvider::counted(Result<void> result) {
+  size_bytes_.store(writer_->size_bytes(), std::memory_order_relaxed);
+  messages_.store(writer_->messages(), std::memory_order_relaxed);
+  // a message that fills a chunk is told of by its write(), those before it in the chunk are not
+  lost_.store(writer_->lost() - refused_, std::memory_order_relaxed);
+  return result;
+}
+
+Result<memory::ChannelInfo> FileInProvider::open() {
+  Result<std::shared_ptr<const FileSource>> source = FileSource::open(path_);
+  if (!source) return Error{source.error()};
+  const Result<McapIndex> index = read_index(**source);
+  if (!index) return Error{index.error()};
+  if (index->channels.size() != 1)
+    return Error{path_.string() + ": expected the recording of one channel, got " +
+                 std::to_string(index->channels.size()) + (index->damage.empty() ? "" : " (" + index->damage + ")")};
+  reader_.emplace(std::move(*source));
+  return channel_info(index->channels.begin()->second, index->schemas);
+}
+
+Result<std::optional<Record>> FileInProvider::read() {
+  assert(reader_ && "a stream is opened before it is read");
+  if (cancelled_.load(std::memory_order_relaxed)) return std::optional<Record>();
+  Result<std::optional<McapMessage>> message = reader_->next();
+  if (!message) return Error{message.error()};
+  if (!*message) return std::optional<Record>();
+  return std::optional<Record>(std::move((*message)->record));
+}
+
+Result<void> FileInProvider::seek(std::uint64_t capture_ns) {
+  assert(reader_ && "a stream is opened before it is read");
+  return reader_->seek(capture_ns);
+}
+
+}  // namespace robot::logging

@@ -1,0 +1,67 @@
+// Streams that are files: one MCAP file for one memory object.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "robot/core/result.h"
+#include "robot/logging/mcap_reader.h"
+#include "robot/logging/mcap_writer.h"
+#include "robot/logging/provider.h"
+
+namespace robot::logging {
+
+/// Records one channel into a new file. An existing file is never overwritten.
+class FileOutProvider final : public OutProvider {
+ public:
+  FileOutProvider(std::filesystem::path path, McapOptions options);
+
+  Result<void> open(const memory::ChannelInfo& info) override;
+  Result<void> write(const memory::VersionPtr& version) override;
+  std::uint64_t flush_due_ns() const override;
+  Result<void> flush() override;
+  Result<void> close() override;
+
+  /// What came of it so far. Any thread.
+  std::uint64_t size_bytes() const { return size_bytes_.load(std::memory_order_relaxed); }
+  std::uint64_t messages() const { return messages_.load(std::memory_order_relaxed); }  // in the file
+  std::uint64_t lost_afterwards() const override { return lost_.load(std::memory_order_relaxed); }
+
+ private:
+  Result<void> counted(Result<void> result);
+
+  std::filesystem::path path_;
+  McapOptions options_;
+  std::optional<McapWriter> writer_;
+  std::uint64_t refused_ = 0;  // messages whose write() failed
+  std::atomic<std::uint64_t> size_bytes_ = 0, messages_ = 0, lost_ = 0;
+};
+
+/// Reads the file of one channel, also one whose writer died.
+class FileInProvider final : public InProvider {
+ public:
+  explicit FileInProvider(std::filesystem::path path) : path_(std::move(path)) {}
+
+  /// An Error if the file does not hold exactly one channel.
+  Result<memory::ChannelInfo> open() override;
+
+  /// As InProvider::read. An Error names a damage, once, after everything before it was delivered;
+  /// the next call goes on behind it.
+  Result<std::optional<Record>> read() override;
+
+  void cancel() override { cancelled_.store(true, std::memory_order_relaxed); }
+
+  /// The next message will be the first captured at `capture_ns` or later. By the thread that reads.
+  Result<void> seek(std::uint64_t capture_ns);
+
+ private:
+  std::filesystem::path path_;
+  std::optional<McapReader> reader_;
+  std::atomic<bool> cancelled_ = false;
+};
+
+}  // namespace robot::logging

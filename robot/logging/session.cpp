@@ -1,0 +1,164 @@
+#include "robot/logging/session.h"
+
+#include <algorithm>
+#include <cctype>
+#include <ctime>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "robot/core/clock.h"
+#include "robot/core/files.h"
+#include "robot/logging/mcap_index.h"
+
+namespace robot::logging {
+namespace {
+
+constexpr std::size_t kMaxSessionJsonBytes = 1 << 20;
+constexpr auto kInteger = nlohmann::json::value_t::number_integer;
+
+/// Letters, digits and a few signs stay; anything else becomes '_'.
+std::string tame(std::string_view text) {
+  std::string tame(text);
+  for (char& c : tame)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_' && c != '.') c = '_';
+  return tame;
+}
+
+StreamFile read_stream(const std::filesystem::path& path) {
+  StreamFile stream{.file = path.filename().string()};
+  std::error_code ignored;
+  stream.size_bytes = std::filesystem::file_size(path, ignored);
+  const Result<std::shared_ptr<const FileSource>> source = FileSource::open(path);
+  if (!source) {
+    stream.damage = source.error();
+    return stream;
+  }
+  const Result<McapIndex> index = read_index(**source);
+  if (!index) {
+    stream.damage = index.error();
+    return stream;
+  }
+  stream.damage = index->damage;
+  if (!index->channels.empty()) {
+    const memory::ChannelInfo channel = channel_info(index->channels.begin()->second, index->schemas);
+    stream.topic = channel.topic;
+    stream.schema = channel.schema.name;
+  }
+  stream.messages = index->statistics.messages;
+  stream.start_ns = index->statistics.start_ns;
+  stream.end_ns = index->statistics.end_ns;
+  return stream;
+}
+
+}  // namespace
+
+std::string to_json(const SessionInfo& info) {
+  return nlohmann::json{{"name", info.name},
+                        {"robot", info.robot},
+                        {"team", info.team},
+                        {"player", info.player},
+                        {"build", info.build},
+                        {"profile", info.profile},
+                        {"start_ns", std::to_string(info.start_ns)},
+                        {"kept", info.kept},
+                        {"complete", info.complete}}
+      .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+MetadataByName metadata_of(const SessionInfo& info) {
+  return {{"foresight.session",
+           {{"name", info.name},
+            {"robot", info.robot},
+            {"team", std::to_string(info.team)},
+            {"player", std::to_string(info.player)},
+            {"build", info.build},
+            {"profile", info.profile},
+            {"start_ns", std::to_string(info.start_ns)}}}};
+}
+
+Result<SessionInfo> parse_session_info(std::string_view text) {
+  const auto json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object()) return Error{"session.json: expected a JSON object"};
+  SessionInfo info;
+  std::string start, wrong;
+  const auto take = [&](const char* key, auto& value, nlohmann::json::value_t type) {
+    const auto found = json.find(key);
+    if (found != json.end() && (found->type() == type || (found->is_number_integer() && type == kInteger)))
+      found->get_to(value);
+    else if (wrong.empty())
+      wrong = key;
+  };
+  using enum nlohmann::json::value_t;
+  take("name", info.name, string);
+  take("robot", info.robot, string);
+  take("team", info.team, kInteger);
+  take("player", info.player, kInteger);
+  take("build", info.build, string);
+  take("profile", info.profile, string);
+  take("start_ns", start, string);
+  take("kept", info.kept, boolean);
+  take("complete", info.complete, boolean);
+  if (!wrong.empty()) return Error{"session.json: '" + wrong + "' is missing or of the wrong type"};
+  info.start_ns = std::strtoull(start.c_str(), nullptr, 10);
+  return info;
+}
+
+std::string_view name(SessionState state) {
+  switch (state) {
+    case SessionState::recording: return "recording";
+    case SessionState::complete: return "complete";
+    case SessionState::recovered: return "recovered";
+    case SessionState::damaged: return "damaged";
+  }
+  return "?";
+}
+
+std::string stream_file_name(std::string_view topic) {
+  if (topic.starts_with('/')) topic.remove_prefix(1);
+  std::string file(topic);
+  std::ranges::replace(file, '/', '.');
+  return tame(file) + ".mcap";
+}
+
+std::string session_folder_name(std::uint64_t start_ns, std::string_view name, std::string_view profile) {
+  const std::time_t seconds = static_cast<std::time_t>(start_ns / kSecond);
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d_%H-%M-%S", &utc);
+  return std::string(text) + "_" + tame(name.empty() ? profile : name);
+}
+
+Result<Session> read_session(const std::filesystem::path& folder, bool being_written) {
+  const Result<std::string> text = read_file(folder / "session.json", kMaxSessionJsonBytes);
+  if (!text) return Error{"session " + folder.string() + ": " + text.error()};
+  Result<SessionInfo> info = parse_session_info(*text);
+  if (!info) return Error{"session " + folder.string() + ": " + info.error()};
+
+  Session session{.folder = folder, .info = std::move(*info)};
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
+    if (entry.path().extension() == ".mcap") session.streams.push_back(read_stream(entry.path()));
+  std::ranges::sort(session.streams, {}, &StreamFile::file);
+
+  session.state = being_written        ? SessionState::recording
+                  : session.info.complete ? SessionState::complete
+                                          : SessionState::recovered;
+  session.start_ns = std::numeric_limits<std::uint64_t>::max();
+  for (const StreamFile& stream : session.streams) {
+    session.size_bytes += stream.size_bytes;
+    if (!stream.damage.empty() && session.state == SessionState::complete) {
+      session.state = SessionState::damaged;
+      session.message = stream.file + ": " + stream.damage;
+    }
+    if (stream.messages == 0) continue;
+    session.start_ns = std::min(session.start_ns, stream.start_ns);
+    session.end_ns = std::max(session.end_ns, stream.end_ns);
+  }
+  if (session.end_ns == 0) session.start_ns = session.end_ns = session.info.start_ns;
+  if (session.state == SessionState::recovered)
+    session.message = "the recording ended without warning; what was on the disk by then is readable";
+  return session;
+}
+
+}  // namespace robot::logging

@@ -1,0 +1,78 @@
+// A session: one run's recordings, one stream per memory object, and what describes them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/logging/mcap_writer.h"
+
+namespace robot::logging {
+
+/// What is known of a session when it begins; kept as `session.json` in its folder.
+struct SessionInfo {
+  std::string name;     // given by a person, may be empty
+  std::string robot;    // "14/2"
+  int team = 0, player = 0;
+  std::string build;    // of the program that recorded it
+  std::string profile;  // "game", "vision", "full", or "import"
+  std::uint64_t start_ns = 0;  // [ns since the epoch]
+  bool kept = false;      // never deleted to make room
+  bool complete = false;  // ended in good order
+
+  bool operator==(const SessionInfo&) const = default;
+};
+
+/// What `session.json` says, and back.
+std::string to_json(const SessionInfo& info);
+Result<SessionInfo> parse_session_info(std::string_view json);
+
+/// The same for the metadata records of each stream: a file that was sent away alone still tells where it comes from.
+MetadataByName metadata_of(const SessionInfo& info);
+
+/// One stream of a session.
+struct StreamFile {
+  std::string topic, file, schema;
+  std::uint64_t messages = 0;
+  std::uint64_t size_bytes = 0;
+  std::uint64_t start_ns = 0, end_ns = 0;  // [ns since the epoch] capture times; both 0 without messages
+  std::string damage;                      // one sentence, empty if the file is sound
+};
+
+enum class SessionState {
+  recording,  // being written now
+  complete,   // ended in good order
+  recovered,  // its writer died; everything it had handed over is readable
+  damaged,    // some of it cannot be read; the rest can
+};
+
+std::string_view name(SessionState state);
+
+/// A session as it lies on the disk.
+struct Session {
+  std::filesystem::path folder;
+  SessionInfo info;
+  SessionState state = SessionState::complete;
+  std::string message;  // what is wrong, one sentence, or empty
+  std::vector<StreamFile> streams;
+  std::uint64_t size_bytes = 0;
+  std::uint64_t start_ns = 0, end_ns = 0;  // [ns since the epoch] of all messages
+
+  /// The name of the folder: what the session is called in addresses.
+  std::string id() const { return folder.filename().string(); }
+};
+
+/// The file name of the stream of `topic`: "/14/2/ball" is in "14.2.ball.mcap".
+/// Characters that a file name or an address should not hold become '_'.
+std::string stream_file_name(std::string_view topic);
+
+/// Reads the session in `folder`. A damaged stream is described as far as it can be read; an Error only if there is
+/// no session at all.
+Result<Session> read_session(const std::filesystem::path& folder, bool being_written = false);
+
+/// A folder name for a session that starts now: UTC, so that names sort by time: "2026-11-21_14-02-11_game".
+std::string session_folder_name(std::uint64_t start_ns, std::string_view name, std::string_view profile);
+
+}  // namespace robot::logging
