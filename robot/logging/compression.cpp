@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kZstdLevel = 1;
 constexpr std::size_t kFirstGrowth = 512 * 1024;  // [bytes] of a decompressed run: our chunks fit at once
-constexpr int kZstdWindowLog = 23;                  // what zstd -19 writes; more would cost a reader too much memory
+constexpr int kZstdWindowLog = 23;                // what zstd -19 writes; more would cost a reader too much memory
 
 struct FreeLz4 {
   void operator()(LZ4F_cctx* context) const { LZ4F_freeCompressionContext(context); }
@@ -138,8 +138,7 @@ struct Compressor::Contexts {
   std::unique_ptr<ZSTD_CCtx, FreeZstd> zstd;
 };
 
-Compressor::Compressor(Compression compression)
-    : compression_(compression), contexts_(std::make_unique<Contexts>()) {
+Compressor::Compressor(Compression compression) : compression_(compression), contexts_(std::make_unique<Contexts>()) {
   LZ4F_cctx* lz4 = nullptr;
   if (compression == Compression::lz4 && !LZ4F_isError(LZ4F_createCompressionContext(&lz4, LZ4F_VERSION)))
     contexts_->lz4.reset(lz4);

@@ -109,8 +109,8 @@ struct MessageIndex {
 struct ChunkIndex {
   static constexpr Op kOp = Op::chunk_index;
   std::uint64_t start_ns = 0, end_ns = 0;
-  std::uint64_t offset = 0;        // of the Chunk record in the file
-  std::uint64_t record_bytes = 0;  // of the whole Chunk record
+  std::uint64_t offset = 0;                // of the Chunk record in the file
+  std::uint64_t record_bytes = 0;          // of the whole Chunk record
   Numbers<std::uint16_t> message_indexes;  // channel, offset of its MessageIndex in the file
   std::uint64_t message_index_bytes = 0;   // of all of them, directly behind the chunk
   std::string compression;
@@ -136,7 +136,7 @@ struct Statistics {
   std::uint64_t messages = 0;
   std::uint16_t schemas = 0;
   std::uint32_t channels = 0, attachments = 0, metadata = 0, chunks = 0;
-  std::uint64_t start_ns = 0, end_ns = 0;    // 0 without messages
+  std::uint64_t start_ns = 0, end_ns = 0;   // 0 without messages
   Numbers<std::uint16_t> channel_messages;  // channel, messages; ascending
 };
 

@@ -66,7 +66,8 @@ Result<mcap::Numbers<std::uint16_t>> count_messages(const ByteSource& source, co
 }
 
 Result<std::vector<mcap::Metadata>> read_metadata(const ByteSource& source, std::vector<mcap::MetadataIndex> indexes) {
-  std::sort(indexes.begin(), indexes.end(), [](const auto& left, const auto& right) { return left.offset < right.offset; });
+  std::sort(indexes.begin(), indexes.end(),
+            [](const auto& left, const auto& right) { return left.offset < right.offset; });
   std::vector<mcap::Metadata> all;
   std::uint64_t free = 0;
   for (const mcap::MetadataIndex& index : indexes) {

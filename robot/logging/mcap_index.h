@@ -18,7 +18,7 @@ using ChannelsById = std::map<std::uint16_t, mcap::Channel>;
 
 /// Where a chunk is and what is in it.
 struct ChunkInfo {
-  mcap::ChunkIndex index;                  // without message indexes if the file lacks them
+  mcap::ChunkIndex index;                 // without message indexes if the file lacks them
   mcap::Numbers<std::uint16_t> messages;  // channel, number of its messages
 };
 

@@ -71,14 +71,16 @@ McapReader::Next McapReader::take(Op op, std::uint64_t content_bytes) {
   position_ += content_bytes;
   if (!skips) return damaged(skips.error());
   content_.resize(content_bytes);
-  if (const auto read = source_->read(offset + mcap::kRecordHeadBytes, content_); !read) return lost_track(read.error());
+  if (const auto read = source_->read(offset + mcap::kRecordHeadBytes, content_); !read)
+    return lost_track(read.error());
   if (whole_ && op != Op::data_end) crc_ = mcap::crc32(content_, crc_);
   return take_from({op, offset, content_});
 }
 
 /// Whether the record at position_ - kRecordHeadBytes holds nothing for us; an Error if it is too large to take in.
 Result<bool> McapReader::can_skip(Op op, std::uint64_t content_bytes) const {
-  const bool wanted = op == Op::schema || op == Op::channel || op == Op::message || op == Op::chunk || op == Op::data_end;
+  const bool wanted =
+      op == Op::schema || op == Op::channel || op == Op::message || op == Op::chunk || op == Op::data_end;
   if (!wanted) return true;
   if (content_bytes > mcap::kMaxRecordBytes)
     return Error{mcap::name(op) + " at byte " + std::to_string(position_ - mcap::kRecordHeadBytes) +
@@ -123,9 +125,8 @@ McapReader::Next McapReader::take_from(const mcap::RecordView& record) {
     case Op::message: {
       const auto message = mcap::decode<mcap::Message>(record.content, record.offset);
       if (!message) return damaged(message.error());
-      if (!channels_.contains(message->channel_id))
-        return damaged("Message at byte " + std::to_string(record.offset) + ": its channel " +
-                       std::to_string(message->channel_id) + " was not described");
+      if (!channels_.contains(message->channel_id)) summary();
+      if (!channels_.contains(message->channel_id)) return unknown_channel(message->channel_id);
       if (message->log_time < from_ns_) return std::optional<McapMessage>();
       return std::optional<McapMessage>(
           {message->channel_id,
@@ -162,14 +163,8 @@ McapReader::Next McapReader::end_of_data(const mcap::RecordView& record) {
 /// The records from position_ on make no sense: goes on at the next chunk that the summary knows, or ends.
 /// The record before may be at fault, by a length that is too large: chunks that it swallowed are found again.
 McapReader::Next McapReader::lost_track(const std::string& sentence) {
-  if (!summary_read_) {
-    summary_read_ = true;
-    if (auto summary = mcap::read_summary(*source_)) summary_ = std::move(*summary);
-  }
   ended_ = true;
-  if (summary_) {
-    for (const mcap::Schema& schema : summary_->schemas) schemas_.emplace(schema.id, schema);
-    for (const mcap::Channel& channel : summary_->channels) channels_.emplace(channel.id, channel);
+  if (summary()) {
     const auto& chunks = summary_->chunk_indexes;
     const auto after = [](std::uint64_t offset, const mcap::ChunkIndex& chunk) { return offset < chunk.offset; };
     auto chunk = std::upper_bound(chunks.begin(), chunks.end(), last_offset_, after);
@@ -178,6 +173,24 @@ McapReader::Next McapReader::lost_track(const std::string& sentence) {
     if (!ended_) last_offset_ = position_ = chunk->offset;
   }
   return damaged(sentence);
+}
+
+/// The summary, for what the data do not tell; its schemas and channels are learned.
+const std::optional<mcap::Summary>& McapReader::summary() {
+  if (summary_read_) return summary_;
+  summary_read_ = true;
+  auto summary = mcap::read_summary(*source_);
+  if (!summary || !*summary) return summary_;
+  summary_ = std::move(*summary);
+  for (const mcap::Schema& schema : summary_->schemas) schemas_.emplace(schema.id, schema);
+  for (const mcap::Channel& channel : summary_->channels) channels_.emplace(channel.id, channel);
+  return summary_;
+}
+
+McapReader::Next McapReader::unknown_channel(std::uint16_t id) {
+  whole_ = false;
+  if (!unknown_channels_.insert(id).second) return std::optional<McapMessage>();
+  return damaged("channel " + std::to_string(id) + " is not described: its messages are left out");
 }
 
 /// Something was left out.

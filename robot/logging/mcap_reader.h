@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "robot/core/result.h"
 #include "robot/logging/byte_source.h"
@@ -51,6 +54,8 @@ class McapReader {
   Next open_chunk(const mcap::RecordView& record);
   Next end_of_data(const mcap::RecordView& record);
   Next lost_track(const std::string& sentence);
+  Next unknown_channel(std::uint16_t id);
+  const std::optional<mcap::Summary>& summary();
   Error damaged(const std::string& sentence);
 
   Result<bool> can_skip(mcap::Op op, std::uint64_t content_bytes) const;
@@ -71,11 +76,12 @@ class McapReader {
   bool whole_ = true;      // nothing was left out so far: the checksum over all data is worth comparing
   std::uint32_t crc_ = 0;  // of the file up to position_, while whole_
 
-  std::optional<mcap::Summary> summary_;  // asked for when track was lost
+  std::optional<mcap::Summary> summary_;  // asked for where the data do not tell enough
   bool summary_read_ = false;
   std::optional<McapIndex> index_;  // asked for by seek
   SchemasById schemas_;
   ChannelsById channels_;
+  std::set<std::uint16_t> unknown_channels_;  // told of already
 };
 
 }  // namespace robot::logging

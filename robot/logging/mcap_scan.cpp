@@ -46,8 +46,7 @@ class Scan {
     if (!bytes) return Error{bytes.error()};
     const auto head = mcap::decode_record_head(*bytes, at_, left);
     if (!head) return Error{head.error()};
-    if (head->op == Op::footer)
-      return Error{"expected a DataEnd before the Footer at byte " + std::to_string(at_)};
+    if (head->op == Op::footer) return Error{"expected a DataEnd before the Footer at byte " + std::to_string(at_)};
     index_.complete = head->op == Op::data_end;
     if (index_.complete) return false;
 
@@ -60,9 +59,11 @@ class Scan {
   Result<void> take(Op op, std::uint64_t length) {
     switch (op) {
       case Op::schema: return take_whole<mcap::Schema>(length, [&](auto& schema) { keep(index_.schemas, schema); });
-      case Op::channel: return take_whole<mcap::Channel>(length, [&](auto& channel) { keep(index_.channels, channel); });
+      case Op::channel:
+        return take_whole<mcap::Channel>(length, [&](auto& channel) { keep(index_.channels, channel); });
       case Op::metadata:
-        return take_whole<mcap::Metadata>(length, [&](auto& metadata) { index_.metadata.push_back(std::move(metadata)); });
+        return take_whole<mcap::Metadata>(length,
+                                          [&](auto& metadata) { index_.metadata.push_back(std::move(metadata)); });
       case Op::chunk: return take_chunk(length);
       case Op::message_index: return take_message_index(length);
       case Op::message: ++index_.unchunked_messages; return {};

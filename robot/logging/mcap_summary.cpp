@@ -147,8 +147,8 @@ Result<std::optional<Summary>> read_summary(const ByteSource& source) {
 
   const std::uint64_t summary_bytes = end->footer_offset - footer.summary_start;
   if (summary_bytes > kMaxRecordBytes)
-    return Error{source.name() + ": expected a summary of at most " + std::to_string(kMaxRecordBytes) +
-                 " bytes, got " + std::to_string(summary_bytes)};
+    return Error{source.name() + ": expected a summary of at most " + std::to_string(kMaxRecordBytes) + " bytes, got " +
+                 std::to_string(summary_bytes)};
   constexpr std::uint64_t kCoveredFooterBytes = kFooterBytes - sizeof footer.summary_crc;
   const Result<std::string> bytes = read_bytes(source, footer.summary_start, summary_bytes + kCoveredFooterBytes);
   if (!bytes) return Error{bytes.error()};

@@ -9,7 +9,6 @@ namespace robot::logging {
 namespace {
 
 constexpr std::uint16_t kSchemaId = 1;
-constexpr std::uint64_t kMessageHeadBytes = mcap::kRecordHeadBytes + 2 + 4 + 8 + 8;
 // leaves room for the messages before it in its chunk, and for what compression may add
 constexpr std::uint64_t kMaxMessageBytes = mcap::kMaxRecordBytes / 2;
 
@@ -81,8 +80,8 @@ Result<void> McapWriter::write(const OutMessage& message, std::uint64_t now_ns) 
   chunk_start_ns_ = std::min(chunk_start_ns_, message.capture_ns);
   chunk_end_ns_ = std::max(chunk_end_ns_, message.capture_ns);
   index_.entries.emplace_back(message.capture_ns, records_.size());
-  const mcap::Message head{channel_id_, static_cast<std::uint32_t>(message.sequence), message.capture_ns,
-                           message.publish_ns, {}};
+  const mcap::Message head{
+      channel_id_, static_cast<std::uint32_t>(message.sequence), message.capture_ns, message.publish_ns, {}};
   mcap::append(records_, head, message.bytes.size());
 
   // the message that fills a chunk is not copied into it: an image goes straight to the file
@@ -145,10 +144,15 @@ Result<mcap::ChunkHead> McapWriter::pack(std::span<const std::string_view> recor
 /// Enters the chunk that now ends the file into the summary.
 void McapWriter::count_chunk(const mcap::ChunkHead& head, std::uint64_t record_bytes, std::uint64_t index_bytes) {
   const std::uint64_t index_offset = good_end_ - index_bytes;
-  mcap::append(summary_.chunk_indexes,
-               mcap::ChunkIndex{head.start_ns, head.end_ns, index_offset - record_bytes, record_bytes,
-                                {{channel_id_, index_offset}}, index_bytes, head.compression, head.packed_bytes,
-                                head.unpacked_bytes});
+  mcap::append(summary_.chunk_indexes, mcap::ChunkIndex{head.start_ns,
+                                                        head.end_ns,
+                                                        index_offset - record_bytes,
+                                                        record_bytes,
+                                                        {{channel_id_, index_offset}},
+                                                        index_bytes,
+                                                        head.compression,
+                                                        head.packed_bytes,
+                                                        head.unpacked_bytes});
   const bool first = statistics_.messages == 0;
   statistics_.start_ns = first ? head.start_ns : std::min(statistics_.start_ns, head.start_ns);
   statistics_.end_ns = std::max(statistics_.end_ns, head.end_ns);

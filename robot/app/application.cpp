@@ -1,0 +1,111 @@
+#include "robot/app/application.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "robot/app/build_id.h"
+
+namespace robot::app {
+namespace {
+
+using nlohmann::json;
+
+std::string text(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
+
+/// 64-bit numbers go as text: a browser's numbers are exact to 53 bits only.
+std::string exact(std::uint64_t value) { return std::to_string(value); }
+
+json describe(const logging::RecordingStatus& status) {
+  return {{"state", name(status.state)},      {"session", status.session},
+          {"profile", status.profile},        {"bytes", status.size_bytes},
+          {"messages", status.messages},      {"dropped", status.dropped},
+          {"mb_per_minute", status.mb_per_minute}, {"message", status.message}};
+}
+
+json describe(const logging::StreamFile& stream, const std::string& session) {
+  return {{"topic", stream.topic},
+          {"file", stream.file},
+          {"url", "/logs/" + session + "/" + stream.file},
+          {"schema", stream.schema},
+          {"messages", stream.messages},
+          {"size_bytes", stream.size_bytes},
+          {"start_ns", exact(stream.start_ns)},
+          {"end_ns", exact(stream.end_ns)},
+          {"damage", stream.damage}};
+}
+
+json describe(const logging::Session& session) {
+  json streams = json::array();
+  for (const logging::StreamFile& stream : session.streams) streams.push_back(describe(stream, session.id()));
+  return {{"session", session.id()},
+          {"name", session.info.name},
+          {"robot", session.info.robot},
+          {"team", session.info.team},
+          {"player", session.info.player},
+          {"build", session.info.build},
+          {"profile", session.info.profile},
+          {"start_ns", exact(session.start_ns)},
+          {"end_ns", exact(session.end_ns)},
+          {"size_bytes", session.size_bytes},
+          {"state", name(session.state)},
+          {"message", session.message},
+          {"kept", session.info.kept},
+          {"url", "/logs/" + session.id() + ".mcap"},
+          {"streams", std::move(streams)}};
+}
+
+/// An assembly as the body of a response.
+class AssemblyBody final : public net::BodySource {
+ public:
+  explicit AssemblyBody(std::shared_ptr<const logging::Assembly> assembly) : assembly_(std::move(assembly)) {}
+
+  std::uint64_t size() const override { return assembly_->size(); }
+
+  Result<std::size_t> read(std::uint64_t offset, char* to, std::size_t size) override {
+    const std::uint64_t left = assembly_->size() - std::min(offset, assembly_->size());
+    const std::size_t count = static_cast<std::size_t>(std::min<std::uint64_t>(size, left));
+    if (Result<void> read = assembly_->read(offset, {to, count}); !read) return Error{read.error()};
+    return count;
+  }
+
+ private:
+  const std::shared_ptr<const logging::Assembly> assembly_;
+};
+
+}  // namespace
+
+std::string Application::status_json() {
+  return text({{"name", identity_.name},
+               {"build", kBuildId},
+               {"session_id", identity_.session_id},
+               {"time_ns", exact(clock_.now_ns())},
+               {"body", identity_.body},
+               {"robots", identity_.robots},
+               {"recording", describe(recorder_ ? recorder_->status() : logging::RecordingStatus{})},
+               {"clients", count_clients_()},
+               {"disk", {{"free_bytes", store_.disk_free_bytes()}, {"log_dir_bytes", store_.size_bytes()}}}});
+}
+
+std::string Application::sessions_json() {
+  json sessions = json::array();
+  for (const logging::Session& session : store_.list()) sessions.push_back(describe(session));
+  return text({{"sessions", std::move(sessions)}});
+}
+
+Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
+  const Result<logging::Session> session = store_.find(request.session);
+  if (!session) return Error{session.error()};
+  if (session->state == logging::SessionState::recording && !request.until_ns)
+    return net::LogFile{.body = nullptr,
+                        .etag = "",
+                        .redirect_until_ns = clock_.now_ns() - logging::Downloads::kLiveMarginNs};
+  std::optional<std::string> file;
+  if (request.stream) file = *request.stream + ".mcap";
+  const auto assembly = downloads_.open(
+      *session, file, {.from_ns = request.from_ns, .to_ns = request.to_ns, .until_ns = request.until_ns});
+  if (!assembly) return Error{assembly.error()};
+  return net::LogFile{
+      .body = std::make_shared<AssemblyBody>(*assembly), .etag = (*assembly)->etag(), .redirect_until_ns = {}};
+}
+
+}  // namespace robot::app

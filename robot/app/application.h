@@ -1,0 +1,46 @@
+// What the server tells of this process: its state, its sessions and their downloads.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "robot/core/clock.h"
+#include "robot/logging/downloads.h"
+#include "robot/logging/recorder.h"
+#include "robot/logging/session_store.h"
+#include "robot/net/application.h"
+
+namespace robot::app {
+
+/// Who this process is.
+struct Identity {
+  std::string name;               // of the program: "foresight-robot"
+  std::string body;               // "replay", "sim", …
+  std::vector<std::string> robots;  // "14/2"
+  std::string session_id;         // of this run of the server
+};
+
+/// Any thread.
+class Application final : public net::Application {
+ public:
+  /// The given ones outlive this; `recorder` may be null where nothing is recorded.
+  Application(Identity identity, const Clock& clock, logging::SessionStore& store, const logging::Recorder* recorder)
+      : identity_(std::move(identity)), clock_(clock), store_(store), recorder_(recorder) {}
+
+  /// How many clients there are; asked for each status. Set before the server starts.
+  void count_clients_by(std::function<std::size_t()> count) { count_clients_ = std::move(count); }
+
+  std::string status_json() override;
+  std::string sessions_json() override;
+  Result<net::LogFile> open_log(const net::LogRequest& request) override;
+
+ private:
+  const Identity identity_;
+  const Clock& clock_;
+  logging::SessionStore& store_;
+  const logging::Recorder* const recorder_;
+  std::function<std::size_t()> count_clients_ = [] { return std::size_t{0}; };
+  logging::Downloads downloads_;
+};
+
+}  // namespace robot::app

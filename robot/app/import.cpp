@@ -1,0 +1,78 @@
+#include "robot/app/import.h"
+
+#include "robot/app/build_id.h"
+#include "robot/core/files.h"
+#include "robot/lab/bhuman2009.h"
+#include "robot/lab/nblog.h"
+#include "robot/lab/session_sink.h"
+#include "robot/lab/synthetic.h"
+#include "robot/logging/session_writer.h"
+
+namespace robot::app {
+namespace {
+
+constexpr std::size_t kMaxRecordingBytes = 2'000'000'000;
+
+std::string format_of(std::string_view bytes) {
+  // an nblog begins with the size of its header in 4 bytes, then the header, which says so
+  if (bytes.size() > 10 && bytes.substr(4, 6) == "(nblog") return "nblog";
+  return "bhuman2009";
+}
+
+Result<lab::ImportReport> import_bytes(const std::string& format, std::string_view bytes, lab::ImportSink& sink) {
+  if (format == "bhuman2009") return lab::import_bhuman2009(bytes, kUndatedEpochNs, sink);
+  if (format == "nblog") return lab::import_nblog(bytes, kUndatedEpochNs, sink);
+  return Error{"import: expected the format bhuman2009, nblog or auto, got '" + format + "'"};
+}
+
+logging::SessionInfo session_info(RobotName robot, std::string name, std::uint64_t start_ns) {
+  return {.name = std::move(name),
+          .robot = robot.text(),
+          .team = robot.team,
+          .player = robot.player,
+          .build = std::string(kBuildId),
+          .profile = "import",
+          .start_ns = start_ns};
+}
+
+/// Opens a session, has it filled, and takes it away again if that failed.
+template <class Fill>
+auto write_session(const std::filesystem::path& folder, logging::SessionInfo info, Fill&& fill)
+    -> decltype(fill(std::declval<lab::ImportSink&>())) {
+  auto writer = logging::SessionWriter::create(folder, info);
+  if (!writer) return Error{writer.error()};
+  lab::SessionSink sink(info.robot, **writer);
+  auto filled = fill(sink);
+  Result<void> closed = (*writer)->close();
+  if (filled && closed) return filled;
+  std::error_code ignored;
+  std::filesystem::remove_all(folder, ignored);
+  return Error{filled ? closed.error() : filled.error()};
+}
+
+}  // namespace
+
+Result<lab::ImportReport> import_recording(const ImportRequest& request) {
+  const Result<std::string> bytes = read_file(request.file, kMaxRecordingBytes);
+  if (!bytes) return Error{"import: " + bytes.error()};
+  const std::string format = request.format == "auto" ? format_of(*bytes) : request.format;
+  return write_session(request.session, session_info(request.robot, request.name, kUndatedEpochNs),
+                       [&](lab::ImportSink& sink) -> Result<lab::ImportReport> {
+                         Result<lab::ImportReport> report = import_bytes(format, *bytes, sink);
+                         if (report && report->messages.empty())
+                           return Error{"import: " + request.file.string() + " holds no message" +
+                                        (report->damage.empty() ? "" : ": " + report->damage)};
+                         if (!report) return Error{"import: " + request.file.string() + ": " + report.error()};
+                         return report;
+                       });
+}
+
+Result<void> synthesize(const std::filesystem::path& session, RobotName robot, double seconds) {
+  if (!(seconds >= 1 && seconds <= 3600))
+    return Error{"synthesize: seconds must be 1 .. 3600, got " + std::to_string(seconds)};
+  const std::uint64_t start_ns = system_ns();
+  return write_session(session, session_info(robot, "synthetic", start_ns),
+                       [&](lab::ImportSink& sink) { return lab::write_synthetic(seconds, start_ns, sink); });
+}
+
+}  // namespace robot::app
