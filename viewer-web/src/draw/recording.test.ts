@@ -1,0 +1,45 @@
+import { expect, test } from "vitest";
+import { sessionsOf } from "../source/http";
+import { lengthOf, otherViewers, startOf } from "./recording";
+
+const kStart_ns = 1795269731000000000n; // 2026-11-21 14:02:11 UTC
+const entry = (more: object) => ({ session: "s", start_ns: String(kStart_ns), ...more });
+
+test("start and length are read from decimal strings of ns, whose digits a number could not hold", () => {
+  const [session] = sessionsOf({ sessions: [entry({ end_ns: String(kStart_ns + 600_499_999_999n) })] })!;
+  expect(startOf(session!, "en-GB", "UTC")).toBe("21 Nov 2026, 14:02:11");
+  expect(lengthOf(session!)).toBe("10:00");
+});
+
+test("an empty or impossible recording has no length", () => {
+  for (const times of [{ start_ns: "", end_ns: "" }, { start_ns: "0", end_ns: "0" }, { end_ns: "1" }, { end_ns: "x" }, { end_ns: 7 }])
+    expect(lengthOf(sessionsOf({ sessions: [entry(times)] })![0]!)).toBe("–");
+});
+
+test("the newest recording comes first, those without a start last", () => {
+  const sessions = sessionsOf({
+    sessions: [entry({ session: "none", start_ns: "" }), entry({ session: "old" }), entry({ session: "new", start_ns: String(kStart_ns + 1n) })],
+  })!;
+  expect(sessions.map(({ session }) => session)).toEqual(["new", "old", "none"]);
+});
+
+test("entries that make no sense are left out, links lead only to the robot itself", () => {
+  const urls = ["javascript:alert(1)", "//evil/x", "/\\evil", "https://evil/", 5, "/logs/s.mcap"];
+  const sessions = sessionsOf({ sessions: [5, null, {}, entry({ state: "odd", streams: urls.map((url) => ({ url })) })] })!;
+  expect(sessions).toHaveLength(1);
+  expect(sessions[0]).toMatchObject({ state: "unknown", kept: false });
+  expect(sessions[0]!.streams.map(({ url }) => url)).toEqual(["", "", "", "", "", "/logs/s.mcap"]);
+  for (const answer of [undefined, 5, [], {}, { sessions: {} }]) expect(sessionsOf(answer)).toBeUndefined();
+});
+
+test("other viewers get the file's address; web pages only where they may read it", () => {
+  const links = (url: string) => otherViewers(url).map((viewer) => new URL(viewer.url));
+  for (const file of ["http://10.0.14.2:8765/logs/a b.mcap", "http://localhost:8765/logs/s.mcap", "https://lab/logs/s.mcap"])
+    for (const link of links(file)) {
+      expect(link.searchParams.get("ds")).toBe("remote-file");
+      expect(link.searchParams.get("ds.url")).toBe(file);
+    }
+  expect(links("http://10.0.14.2:8765/x").map(({ protocol }) => protocol)).toEqual(["lichtblick:", "https:"]);
+  expect(links("http://10.0.14.2:8765/x")[1]!.searchParams.get("openIn")).toBe("desktop");
+  expect(links("http://127.0.0.1:8765/x").map(({ protocol }) => protocol)).toEqual(["https:", "https:"]);
+});

@@ -1,0 +1,61 @@
+// Shows pictures on two stacked canvases, of which the one in use is visible: WebGL for YUYV, 2D for JPEG.
+
+import type { Picture } from "./picture";
+import { rgbaFromYuyv } from "./yuyv";
+import { yuyvPainter, type YuyvPainter } from "./yuyv_gl";
+
+export interface Shown {
+  width: number;
+  height: number;
+}
+
+export class Screen {
+  #painter: YuyvPainter | undefined;
+
+  constructor(
+    readonly shaded: HTMLCanvasElement,
+    readonly flat: HTMLCanvasElement,
+  ) {
+    this.#painter = yuyvPainter(shaded);
+    // a lost context comes back empty: everything is made again
+    shaded.addEventListener("webglcontextlost", (event) => event.preventDefault());
+    shaded.addEventListener("webglcontextrestored", () => (this.#painter = yuyvPainter(shaded)));
+  }
+
+  /** Rejects with what the browser says about a JPEG it cannot decode. */
+  async show(picture: Picture): Promise<Shown> {
+    if (picture.kind === "jpeg") return this.#showJpeg(picture.data);
+    const { data, width, height } = picture;
+    if (this.#painter) {
+      this.#painter.paint(data, width, height);
+      this.#reveal(this.shaded);
+    } else {
+      this.#showFlat(width, height, (ctx) => ctx.putImageData(new ImageData(rgbaFromYuyv(data, width, height), width, height), 0, 0));
+    }
+    return { width, height };
+  }
+
+  /** The canvases cannot be used again. */
+  dispose(): void {
+    this.#painter?.dispose();
+  }
+
+  async #showJpeg(data: Uint8Array): Promise<Shown> {
+    const bitmap = await createImageBitmap(new Blob([data as Uint8Array<ArrayBuffer>], { type: "image/jpeg" }));
+    const { width, height } = bitmap;
+    this.#showFlat(width, height, (ctx) => ctx.drawImage(bitmap, 0, 0));
+    bitmap.close();
+    return { width, height };
+  }
+
+  #showFlat(width: number, height: number, draw: (ctx: CanvasRenderingContext2D) => void): void {
+    if (this.flat.width !== width || this.flat.height !== height) [this.flat.width, this.flat.height] = [width, height];
+    draw(this.flat.getContext("2d", { alpha: false })!);
+    this.#reveal(this.flat);
+  }
+
+  #reveal(canvas: HTMLCanvasElement): void {
+    this.shaded.hidden = canvas !== this.shaded;
+    this.flat.hidden = canvas !== this.flat;
+  }
+}

@@ -1,0 +1,42 @@
+import { expect, test } from "vitest";
+import { Memory } from "../memory/memory";
+import { kPerceptChannel, percept } from "../memory/test_schema";
+import { warningOf } from "./warnings";
+
+const kTopic = kPerceptChannel.topic;
+const kStart_ns = 1_700_000_000_000_000_000n;
+const at_ns = (seconds: number) => kStart_ns + BigInt(Math.round(seconds * 1e9));
+
+/** Ten seconds of an object at 10 Hz that takes `delay` [s] to arrive. */
+function flowing(delay: number) {
+  const memory = new Memory();
+  memory.offer(kPerceptChannel);
+  memory.subscribed(kTopic, true);
+  for (let i = 0; i <= 100; ++i) {
+    memory.clock.heard(at_ns(i / 10), i / 10);
+    memory.arrived(kTopic, at_ns(i / 10 - delay), percept(), i / 10);
+  }
+  return memory;
+}
+const warning = (memory: Memory, now: number, dropped = { inside: 0, recording: 0, viewers: 0 }) =>
+  warningOf(memory.get(kTopic)!, { rate_hz: 10, sequence: 1, dropped }, memory, now);
+
+test("an even, timely flow is no warning, nor is what a viewer was spared", () => {
+  expect(warning(flowing(0.1), 10)).toBeUndefined();
+  expect(warning(flowing(0.1), 10, { inside: 0, recording: 0, viewers: 99 })).toBeUndefined();
+});
+
+test("silence, loss and lateness each have their sentence", () => {
+  expect(warning(flowing(0), 14)).toBe("percept has been silent for 4.00 s; before, it came at 10.0 Hz.");
+  expect(warning(flowing(0), 10, { inside: 1, recording: 0, viewers: 0 })).toMatch("missed 1 message of percept");
+  expect(warning(flowing(0), 10, { inside: 1, recording: 7, viewers: 0 })).toMatch("The recording lost 7 messages");
+  expect(warning(flowing(1.5), 10)).toMatch("percept arrives 1.50 s late");
+});
+
+test("one old value is no late flow", () => {
+  const memory = new Memory();
+  memory.offer(kPerceptChannel);
+  memory.clock.heard(at_ns(100), 0);
+  memory.arrived(kTopic, at_ns(3), percept(), 0);
+  expect(warning(memory, 0.1)).toBeUndefined();
+});

@@ -1,0 +1,67 @@
+import { expect, test } from "vitest";
+import { decoderOf } from "./decoder";
+import { kPerceptChannel, percept } from "./test_schema";
+import { EnumValue, fieldsOf, listOf, numberOf, textOf, wordOf } from "./value";
+
+const decode = decoderOf(kPerceptChannel);
+const decoded = (json?: Parameters<typeof percept>[0]) => decode(percept(json)).fields!;
+
+test("a message of a schema never heard of shows field by field, in the schema's order", () => {
+  const fields = decoded({
+    seen_ns: "18446744073709551615",
+    offset_ns: "-5",
+    x: 1.5,
+    side: "SIDE_OWN",
+    centre: { x: 1, y: -2 },
+    outline: [{ x: 3 }, { y: 4 }],
+    weights: [0.5, 0.25],
+    data: "AQI=",
+    note: "hallo",
+    radius: 0,
+    sides: ["SIDE_OWN", 7],
+    counts: { a: 1, b: 2 },
+    ["__proto__"]: true,
+  });
+  expect([...fields.keys()].slice(0, 4)).toEqual(["seen_ns", "x", "side", "centre"]);
+  expect(fields.get("seen_ns")).toBe(18446744073709551615n);
+  expect(fields.get("offset_ns")).toBe(-5n);
+  expect(numberOf(fields, "x")).toBe(1.5);
+  expect(wordOf(fields, "side")).toBe("own");
+  expect(numberOf(fieldsOf(fields, "centre"), "y")).toBe(-2);
+  expect(listOf(fields, "outline").map((point) => [...point.values()])).toEqual([[3, 0], [0, 4]]);
+  expect(fields.get("weights")).toEqual([0.5, 0.25]);
+  expect(fields.get("data")).toEqual(Uint8Array.of(1, 2));
+  expect(textOf(fields, "note")).toBe("hallo");
+  expect(fields.get("radius")).toBe(0);
+  expect(fields.get("sides")).toEqual([new EnumValue(1, "SIDE_OWN"), new EnumValue(7, undefined)]);
+  expect(fields.get("counts")).toEqual(new Map([["a", 1], ["b", 2]]));
+});
+
+test("of an empty message, what can be absent is absent and the rest holds its default", () => {
+  const fields = decoded();
+  expect(fields.get("radius")).toBeUndefined();
+  expect(fields.get("centre")).toBeUndefined();
+  expect(fields.get("x")).toBe(0);
+  expect(fields.get("side")).toEqual(new EnumValue(0, "SIDE_UNSPECIFIED"));
+  expect(fields.get("outline")).toEqual([]);
+});
+
+test("no truncation of a message throws", () => {
+  const whole = percept({ seen_ns: "1", centre: { x: 1, y: 2 }, note: "hallo", weights: [1, 2, 3] });
+  for (let length = 0; length < whole.length; ++length) {
+    const { fields, error } = decode(whole.subarray(0, length));
+    expect(fields !== undefined || /does not fit its schema 'htwk.Percept'/.test(error!)).toBe(true);
+  }
+});
+
+test("a schema that cannot be read is a sentence that names it", () => {
+  const broken = [
+    { ...kPerceptChannel, schema: "not base64!" },
+    { ...kPerceptChannel, schema: "CgUKA2FiYw" },
+    { ...kPerceptChannel, schema: "" },
+    { ...kPerceptChannel, schemaName: "htwk.Other" },
+    { ...kPerceptChannel, encoding: "cdr" },
+  ];
+  for (const channel of broken)
+    expect(decoderOf(channel)(Uint8Array.of()).error).toMatch(`The schema '${channel.schemaName}' cannot be read: `);
+});

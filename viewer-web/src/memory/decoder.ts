@@ -1,0 +1,78 @@
+// Decoding by reflection: the announced schema is all that is known of a message.
+
+import { createFileRegistry, fromBinary, type DescField, type DescMessage } from "@bufbuild/protobuf";
+import { base64Decode } from "@bufbuild/protobuf/wire";
+import { reflect, type ReflectList, type ReflectMap, type ReflectMessage } from "@bufbuild/protobuf/reflect";
+import { FileDescriptorSetSchema } from "@bufbuild/protobuf/wkt";
+import type { Channel } from "../source/texts";
+import { EnumValue, type Fields, type Value } from "./value";
+
+/** A decoded message, or the sentence that says why there is none. */
+export type Decoded = { fields: Fields; error?: undefined } | { fields?: undefined; error: string };
+
+export type Decoder = (data: Uint8Array) => Decoded;
+
+/** Reads the channel's schema. Never throws, and neither does what it returns: a bad schema or message is a sentence. */
+export function decoderOf(channel: Pick<Channel, "encoding" | "schemaName" | "schema">): Decoder {
+  let schema: DescMessage;
+  try {
+    schema = schemaOf(channel);
+  } catch (error) {
+    const sentence = `The schema '${channel.schemaName}' cannot be read: ${reason(error)}`;
+    return () => ({ error: sentence });
+  }
+  return (data) => {
+    try {
+      return { fields: fieldsOf(reflect(schema, fromBinary(schema, data))) };
+    } catch (error) {
+      return { error: `This message does not fit its schema '${channel.schemaName}': ${reason(error)}` };
+    }
+  };
+}
+
+function schemaOf({ encoding, schemaName, schema }: Pick<Channel, "encoding" | "schemaName" | "schema">): DescMessage {
+  if (encoding !== "protobuf") throw new Error(`its encoding is '${encoding}', expected protobuf`);
+  const registry = createFileRegistry(fromBinary(FileDescriptorSetSchema, base64Decode(schema)));
+  const message = registry.getMessage(schemaName);
+  if (!message) throw new Error("the descriptor set does not contain it");
+  return message;
+}
+
+const reason = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+function fieldsOf(message: ReflectMessage): Fields {
+  return new Map(message.fields.map((field) => [field.name, valueOf(message, field)]));
+}
+
+function valueOf(message: ReflectMessage, field: DescField): Value {
+  switch (field.fieldKind) {
+    case "list":
+      return [...(message.get(field) as ReflectList)].map((item) =>
+        field.listKind === "enum" ? enumOf(field.enum, item as number) : plain(item),
+      );
+    case "map":
+      return new Map(
+        [...(message.get(field) as ReflectMap)].map(([key, item]) => [
+          String(key),
+          field.mapKind === "enum" ? enumOf(field.enum, item as number) : plain(item),
+        ]),
+      );
+    case "enum":
+      return present(message, field) ? enumOf(field.enum, message.get(field)) : undefined;
+    default:
+      return present(message, field) ? plain(message.get(field)) : undefined;
+  }
+}
+
+/** A field that cannot be absent holds its default; one that can (optional, oneof, message) is absent until set. */
+const present = (message: ReflectMessage, field: DescField): boolean =>
+  (field.fieldKind !== "message" && field.presence === kImplicit) || message.isSet(field);
+const kImplicit = 2; // FeatureSet_FieldPresence.IMPLICIT, an enum that would pull in more than it is worth
+
+const enumOf = (type: { value: Record<number, { name: string }> }, number: number): EnumValue =>
+  new EnumValue(number, type.value[number]?.name);
+
+const plain = (value: unknown): Value =>
+  typeof value === "object" && value !== null && !(value instanceof Uint8Array)
+    ? fieldsOf(value as ReflectMessage)
+    : (value as Value);

@@ -1,0 +1,52 @@
+// The sentences the robots said lately. Unlike other objects, the older ones matter too.
+
+import type { MemoryObject, RobotName } from "./memory_object";
+import { numberOf, textOf, wordOf } from "./value";
+
+const kMost = 500; // [sentences] what a person would scroll through
+
+export type LogLevel = "debug" | "info" | "warning" | "error" | "fatal";
+export const kLogLevels: LogLevel[] = ["debug", "info", "warning", "error", "fatal"];
+
+export interface LogEntry {
+  id: number;
+  log_ns: bigint;
+  robot: RobotName;
+  level: LogLevel;
+  text: string;
+  source: string;
+  /** [times] the same was not said in between. */
+  suppressed: number;
+}
+
+export class LogHistory {
+  #entries: LogEntry[] = [];
+  #next = 0;
+
+  clear(): void {
+    this.#entries = [];
+  }
+
+  arrived(object: MemoryObject, log_ns: bigint): void {
+    const decoded = object.decoded();
+    if (!decoded) return;
+    const { fields, error } = decoded;
+    const level = fields ? (wordOf(fields, "level") as LogLevel) : "error";
+    this.#entries.push({
+      id: this.#next++,
+      log_ns,
+      robot: object.robot,
+      level: kLogLevels.includes(level) ? level : "info",
+      text: fields ? textOf(fields, "text") : error,
+      source: fields ? textOf(fields, "source") : "viewer",
+      suppressed: fields ? numberOf(fields, "suppressed") || 0 : 0,
+    });
+    if (this.#entries.length > kMost) this.#entries.splice(0, this.#entries.length - kMost);
+  }
+
+  /** Newest last. */
+  entries(robot: RobotName, least: LogLevel): LogEntry[] {
+    const from = kLogLevels.indexOf(least);
+    return this.#entries.filter((entry) => entry.robot === robot && kLogLevels.indexOf(entry.level) >= from);
+  }
+}

@@ -1,0 +1,70 @@
+import { expect, test } from "vitest";
+import { Memory } from "./memory";
+import { objectOf, robotOf } from "./memory_object";
+import { kPerceptChannel, percept } from "./test_schema";
+
+const channel = (topic: string, metadata: Record<string, string> = {}) => ({ ...kPerceptChannel, topic, metadata });
+const kTopic = kPerceptChannel.topic;
+
+test("a robot is what the metadata says, else the first two parts of the topic", () => {
+  const cases: [string, Record<string, string>, string, string][] = [
+    ["/14/2/ball", {}, "14/2", "ball"],
+    ["/14/2/camera_top/jpeg", { robot: "14/2", object: "camera_top" }, "14/2", "camera_top/jpeg"],
+    ["/odd", { robot: "14/2" }, "14/2", "odd"],
+    ["/truth/world", {}, "", "truth/world"],
+    ["/truth/world", { robot: "truth" }, "", "truth/world"],
+    ["plain", {}, "", "plain"],
+  ];
+  for (const [topic, metadata, robot, object] of cases) {
+    expect(robotOf({ topic, metadata }), topic).toBe(robot);
+    expect(objectOf({ topic, metadata }), topic).toBe(object);
+  }
+});
+
+test("robots are in order of team and player, and share what belongs to none", () => {
+  const memory = new Memory();
+  for (const topic of ["/14/10/ball", "/truth/world", "/14/2/pose", "/14/2/ball", "/3/1/ball"]) memory.offer(channel(topic));
+  expect(memory.robots()).toEqual(["3/1", "14/2", "14/10"]);
+  expect(memory.objectsOf("14/2").map(({ name }) => name)).toEqual(["ball", "pose", "truth/world"]);
+});
+
+test("the newest message counts, is decoded when asked, and a bad one is a sentence until a good one comes", () => {
+  const memory = new Memory();
+  memory.offer(kPerceptChannel);
+  const object = memory.get(kTopic)!;
+  expect(object.decoded()).toBeUndefined();
+  memory.arrived(kTopic, 1n, percept({ x: 1 }), 0);
+  memory.arrived(kTopic, 2n, percept({ x: 2 }), 0.1);
+  expect(object.decoded()!.fields!.get("x")).toBe(2);
+  memory.arrived(kTopic, 3n, Uint8Array.of(0xff), 0.2);
+  expect(object.decoded()!.error).toMatch("does not fit");
+  memory.arrived(kTopic, 4n, percept({ x: 4 }), 0.3);
+  expect(object.decoded()!.fields!.get("x")).toBe(4);
+  expect(object.received).toBe(4);
+});
+
+test("offered again after a reconnect it keeps value and count; with another schema or after a reset it does not", () => {
+  const memory = new Memory();
+  memory.offer(kPerceptChannel);
+  memory.arrived(kTopic, 1n, percept({ x: 1 }), 0);
+  memory.offer({ ...kPerceptChannel, id: 77 });
+  expect(memory.get(kTopic)!.received).toBe(1);
+  memory.offer({ ...kPerceptChannel, schemaName: "htwk.Point" });
+  expect(memory.get(kTopic)!.received).toBe(0);
+  memory.reset();
+  expect(memory.get(kTopic)).toBeUndefined();
+});
+
+test("what came evenly and stopped is overdue; events, and what nobody subscribed to, are not", () => {
+  const overdue = (metadata: Record<string, string>, subscribed: boolean) => {
+    const memory = new Memory();
+    memory.offer(channel(kTopic, metadata));
+    memory.subscribed(kTopic, true);
+    for (let i = 0; i <= 10; ++i) memory.arrived(kTopic, 0n, percept(), i);
+    if (!subscribed) memory.subscribed(kTopic, false);
+    return [14, 16].map((now) => memory.get(kTopic)!.overdue(now));
+  };
+  expect(overdue({ delivery: "latest" }, true)).toEqual([undefined, 6]);
+  expect(overdue({ delivery: "reliable" }, true)).toEqual([undefined, undefined]);
+  expect(overdue({}, false)).toEqual([undefined, undefined]);
+});

@@ -1,0 +1,58 @@
+// What the robot says about its own streams: the object `runtime`, read by field name.
+
+import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "./value";
+
+/** One stream as the robot counts it, also while nobody here is subscribed. */
+export interface StreamStatistics {
+  rate_hz: number;
+  /** How many versions were written: the sequence number of the newest one. */
+  sequence: number;
+  /** Messages that were lost within the robot, in its recording, and on the way to viewers (to all of them). */
+  dropped: { inside: number; recording: number; viewers: number };
+}
+
+export interface RecordingStatistics {
+  /** "off", "recording", "disk_full", or what a later robot may say. */
+  state: string;
+  session: string;
+  profile: string;
+  size_bytes: number;
+  bytes_per_second: number;
+  message: string;
+}
+
+const none = (): StreamStatistics => ({ rate_hz: NaN, sequence: NaN, dropped: { inside: 0, recording: 0, viewers: 0 } });
+const dropped = (fields: Fields): number => numberOf(fields, "dropped") || 0;
+
+export function streamStatistics(runtime: Fields): Map<string, StreamStatistics> {
+  const streams = new Map<string, StreamStatistics>();
+  const of = (fields: Fields): StreamStatistics => {
+    const topic = textOf(fields, "topic");
+    if (!streams.has(topic)) streams.set(topic, none());
+    return streams.get(topic)!;
+  };
+
+  for (const stream of listOf(runtime, "streams")) {
+    const found = of(stream);
+    found.rate_hz = numberOf(stream, "rate_hz");
+    found.sequence = numberOf(stream, "count");
+    for (const consumer of listOf(stream, "consumers")) found.dropped.inside += dropped(consumer);
+  }
+  for (const logger of listOf(runtime, "loggers")) of(logger).dropped.recording += dropped(logger);
+  for (const client of listOf(runtime, "clients"))
+    for (const channel of listOf(client, "channels")) of(channel).dropped.viewers += dropped(channel);
+  return streams;
+}
+
+export function recordingStatistics(runtime: Fields): RecordingStatistics | undefined {
+  const recording = fieldsOf(runtime, "recording");
+  if (recording.size === 0) return undefined;
+  return {
+    state: wordOf(recording, "state"),
+    session: textOf(recording, "session"),
+    profile: textOf(recording, "profile"),
+    size_bytes: numberOf(recording, "size_bytes"),
+    bytes_per_second: numberOf(recording, "bytes_per_second"),
+    message: textOf(recording, "message"),
+  };
+}

@@ -1,0 +1,61 @@
+// Service calls on their way: each ends with one answer, one refusal or one sentence about what went wrong.
+
+const kTimeoutMs = 10000;
+
+interface Call {
+  service: string;
+  resolve(answer: unknown): void;
+  reject(error: Error): void;
+  timer: ReturnType<typeof setTimeout>;
+}
+
+export type Answer = Record<string, unknown>;
+
+export class Calls {
+  #pending = new Map<number, Call>();
+  #next = 0;
+
+  /** Starts a call: its id for the wire, and the answer to come. Rejects with a sentence, also when the service says no. */
+  begin(service: string): { id: number; answer: Promise<Answer> } {
+    const id = this.#next++;
+    const answer = new Promise<unknown>((resolve, reject) => {
+      const timer = setTimeout(() => this.fail(id, `The robot did not answer '${service}' in time.`), kTimeoutMs);
+      this.#pending.set(id, { service, resolve, reject, timer });
+    });
+    return { id, answer: answer.then((value) => accepted(service, value)) };
+  }
+
+  answer(id: number, encoding: string, data: Uint8Array): void {
+    if (encoding !== "json") return this.fail(id, `The robot answered in '${encoding}', expected json.`);
+    let value: unknown;
+    try {
+      value = JSON.parse(new TextDecoder().decode(data));
+    } catch {
+      return this.fail(id, "The robot answered with something that is not JSON.");
+    }
+    this.#end(id)?.resolve(value);
+  }
+
+  fail(id: number, sentence: string): void {
+    this.#end(id)?.reject(new Error(sentence));
+  }
+
+  failAll(sentence: string): void {
+    for (const id of [...this.#pending.keys()]) this.fail(id, sentence);
+  }
+
+  #end(id: number): Call | undefined {
+    const call = this.#pending.get(id);
+    clearTimeout(call?.timer);
+    this.#pending.delete(id);
+    return call;
+  }
+}
+
+/** Our services say no inside a normal answer: {"ok": false, "error": "sentence"}. */
+function accepted(service: string, value: unknown): Answer {
+  if (typeof value !== "object" || value === null) throw new Error(`The robot's answer to '${service}' is not an object.`);
+  const answer = value as Answer;
+  if (answer["ok"] === false) throw new Error(String(answer["error"] ?? `The robot refused '${service}' without saying why.`));
+  return answer;
+}

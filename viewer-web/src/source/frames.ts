@@ -1,0 +1,61 @@
+// Binary frames of the Foxglove WebSocket protocol v1: one opcode byte, then little-endian fields.
+
+/** What the server sends in a binary frame. `data` is a view into the frame, not a copy. */
+export type ServerFrame =
+  | { kind: "message"; subscription: number; log_ns: bigint; data: Uint8Array }
+  | { kind: "time"; now_ns: bigint }
+  | { kind: "response"; service: number; call: number; encoding: string; data: Uint8Array }
+  | { kind: "unknown"; opcode: number }
+  | { kind: "malformed"; why: string };
+
+/** Reads one frame; never throws. An opcode of a later protocol is `unknown`, a frame cut short is `malformed`. */
+export function readFrame(frame: ArrayBuffer): ServerFrame {
+  const view = new DataView(frame);
+  if (view.byteLength === 0) return { kind: "malformed", why: "binary frame: empty, expected an opcode byte" };
+
+  const opcode = view.getUint8(0);
+  const least = { 1: 13, 2: 9, 3: 13 }[opcode];
+  if (least === undefined) return { kind: "unknown", opcode };
+  const short = (expected: number): ServerFrame => ({
+    kind: "malformed",
+    why: `binary frame with opcode ${opcode}: expected at least ${expected} bytes, got ${view.byteLength}`,
+  });
+  if (view.byteLength < least) return short(least);
+
+  switch (opcode) {
+    case 1:
+      return {
+        kind: "message",
+        subscription: view.getUint32(1, true),
+        log_ns: view.getBigUint64(5, true),
+        data: new Uint8Array(frame, 13),
+      };
+    case 2:
+      return { kind: "time", now_ns: view.getBigUint64(1, true) };
+    default: {
+      const encodingEnd = 13 + view.getUint32(9, true);
+      if (view.byteLength < encodingEnd) return short(encodingEnd);
+      return {
+        kind: "response",
+        service: view.getUint32(1, true),
+        call: view.getUint32(5, true),
+        encoding: new TextDecoder().decode(new Uint8Array(frame, 13, encodingEnd - 13)),
+        data: new Uint8Array(frame, encodingEnd),
+      };
+    }
+  }
+}
+
+/** The request frame of a service call; the answer carries the same `call`. */
+export function writeServiceCall(service: number, call: number, encoding: string, data: Uint8Array): Uint8Array {
+  const name = new TextEncoder().encode(encoding);
+  const frame = new Uint8Array(13 + name.length + data.length);
+  const view = new DataView(frame.buffer);
+  view.setUint8(0, 2);
+  view.setUint32(1, service, true);
+  view.setUint32(5, call, true);
+  view.setUint32(9, name.length, true);
+  frame.set(name, 13);
+  frame.set(data, 13 + name.length);
+  return frame;
+}

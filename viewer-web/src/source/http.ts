@@ -1,0 +1,82 @@
+// The robot's HTTP interface: its recordings. Nothing in the answers is trusted.
+
+export interface Stream {
+  topic: string;
+  url: string;
+  messages: number;
+  size_bytes: number;
+}
+
+export type SessionState = "recording" | "complete" | "recovered" | "damaged" | "unknown";
+
+/** One recording on the robot. Times are undefined where nothing was recorded. */
+export interface Session {
+  session: string;
+  name: string;
+  robot: string;
+  profile: string;
+  build: string;
+  start_ns: bigint | undefined;
+  end_ns: bigint | undefined;
+  size_bytes: number;
+  state: SessionState;
+  message: string;
+  kept: boolean;
+  url: string;
+  streams: Stream[];
+}
+
+type Json = Record<string, unknown>;
+
+const isObject = (value: unknown): value is Json => typeof value === "object" && value !== null && !Array.isArray(value);
+const objects = (value: unknown): Json[] => (Array.isArray(value) ? value.filter(isObject) : []);
+const text = (value: unknown): string => (typeof value === "string" ? value : "");
+const amount = (value: unknown): number => (typeof value === "number" ? value : Number(text(value) || NaN));
+const time = (value: unknown): bigint | undefined =>
+  /^[1-9]\d{0,19}$/.test(text(value)) ? BigInt(text(value)) : undefined;
+/** Only paths of the robot itself: a link must not lead to `javascript:` or another host. */
+const path = (value: unknown): string => (/^\/(?![/\\])/.test(text(value)) ? text(value) : "");
+
+const kStates: SessionState[] = ["recording", "complete", "recovered", "damaged"];
+
+/** Reads the answer of /api/sessions, newest first. Undefined when it is none. */
+export function sessionsOf(answer: unknown): Session[] | undefined {
+  if (!isObject(answer) || !Array.isArray(answer["sessions"])) return undefined;
+  return objects(answer["sessions"])
+    .filter((entry) => text(entry["session"]) !== "")
+    .map((entry) => ({
+      session: text(entry["session"]),
+      name: text(entry["name"]),
+      robot: text(entry["robot"]),
+      profile: text(entry["profile"]),
+      build: text(entry["build"]),
+      start_ns: time(entry["start_ns"]),
+      end_ns: time(entry["end_ns"]),
+      size_bytes: amount(entry["size_bytes"]),
+      state: kStates.find((state) => state === entry["state"]) ?? "unknown",
+      message: text(entry["message"]),
+      kept: entry["kept"] === true,
+      url: path(entry["url"]),
+      streams: objects(entry["streams"]).map((stream) => ({
+        topic: text(stream["topic"]),
+        url: path(stream["url"]),
+        messages: amount(stream["messages"]),
+        size_bytes: amount(stream["size_bytes"]),
+      })),
+    }))
+    .sort((a, b) => Number((b.start_ns ?? 0n) - (a.start_ns ?? 0n)) || b.session.localeCompare(a.session));
+}
+
+/** Asks the robot for its recordings. Rejects with a sentence. */
+export async function fetchSessions(): Promise<Session[]> {
+  let response: Response;
+  try {
+    response = await fetch("/api/sessions", { headers: { Accept: "application/json" }, signal: AbortSignal.timeout(10000) });
+  } catch {
+    throw new Error("The robot does not answer.");
+  }
+  if (!response.ok) throw new Error(`The robot refuses to list its recordings (HTTP ${response.status}).`);
+  const sessions = sessionsOf(await response.json().catch(() => undefined));
+  if (!sessions) throw new Error("The robot's list of recordings cannot be read.");
+  return sessions;
+}

@@ -1,0 +1,42 @@
+import { expect, test } from "vitest";
+import { targetOf } from "./target";
+
+const nothing = () => "";
+const kept = (host: string) => (host === "robot" ? "old" : "");
+
+test("the page connects to its own host", () => {
+  expect(targetOf("http://10.0.14.2:8765/#/14/2/camera", nothing)).toMatchObject({
+    url: "ws://10.0.14.2:8765/live",
+    host: "10.0.14.2:8765",
+    ownHost: true,
+  });
+  expect(targetOf("https://lab.example/?x=1", nothing)).toMatchObject({ url: "wss://lab.example/live" });
+});
+
+test("a token goes to the socket and leaves the address", () => {
+  expect(targetOf("http://robot:8765/?token=s%26cret&a=b#/rates", nothing)).toMatchObject({
+    url: "ws://robot:8765/live?token=s%26cret",
+    token: "s&cret",
+    cleanAddress: "http://robot:8765/?a=b#/rates",
+  });
+});
+
+test("the token this tab kept is used, a new one replaces it", () => {
+  expect(targetOf("http://robot/", kept)).toMatchObject({ url: "ws://robot/live?token=old" });
+  expect(targetOf("http://robot/?token=new", kept)).toMatchObject({ url: "ws://robot/live?token=new" });
+});
+
+test("a token kept for one robot is not sent to another host", () => {
+  expect(targetOf("http://robot/?ws=ws://elsewhere/", kept)).toMatchObject({ url: "ws://elsewhere/", token: "" });
+});
+
+test("?ws= names another robot, which is then not the own host", () => {
+  expect(targetOf("http://lab/?ws=ws://other:8765/", nothing)).toMatchObject({ url: "ws://other:8765/", ownHost: false });
+});
+
+test("an address that is none is refused with a sentence", () => {
+  for (const wanted of ["nonsense", "http://robot", "javascript:alert(1)"])
+    expect(targetOf(`http://lab/?ws=${encodeURIComponent(wanted)}`, nothing)).toMatchObject({
+      error: expect.stringContaining(`got '${wanted}'`),
+    });
+});

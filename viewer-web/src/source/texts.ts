@@ -1,0 +1,118 @@
+// Text frames of the Foxglove WebSocket protocol v1: one JSON object with an `op`. Nothing in them is trusted.
+
+/** A stream the server offers. `topic` names it; ids are only good for one connection. */
+export interface Channel {
+  id: number;
+  topic: string;
+  encoding: string;
+  schemaName: string;
+  schema: string;
+  metadata: Record<string, string>;
+}
+
+export interface ServerInfo {
+  name: string;
+  capabilities: string[];
+  metadata: Record<string, string>;
+  sessionId?: string;
+}
+
+export type Level = "info" | "warning" | "error";
+
+export type ServerText =
+  | { op: "serverInfo"; info: ServerInfo }
+  | { op: "advertise"; channels: Channel[]; rejected: number }
+  | { op: "unadvertise"; channelIds: number[] }
+  | { op: "status"; level: Level; message: string; id?: string }
+  | { op: "removeStatus"; statusIds: string[] }
+  | { op: "parameterValues"; parameters: { name: string; value: unknown }[] }
+  | { op: "advertiseServices"; services: { id: number; name: string }[] }
+  | { op: "unadvertiseServices"; serviceIds: number[] }
+  | { op: "serviceCallFailure"; call: number; message: string }
+  | { op: "unknown"; name: string }
+  | { op: "malformed"; why: string };
+
+type Fields = Record<string, unknown>;
+
+const isFields = (value: unknown): value is Fields =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+const isText = (value: unknown): value is string => typeof value === "string";
+const isId = (value: unknown): value is number =>
+  typeof value === "number" && Number.isInteger(value) && value >= 0 && value <= 0xffffffff;
+
+const textOf = (value: unknown): string => (isText(value) ? value : "");
+const listOf = (value: unknown): unknown[] => (Array.isArray(value) ? value : []);
+const textMapOf = (value: unknown): Record<string, string> =>
+  Object.fromEntries(Object.entries(isFields(value) ? value : {}).filter((entry): entry is [string, string] => isText(entry[1])));
+
+function channelOf(value: unknown): Channel[] {
+  if (!isFields(value) || !isId(value["id"]) || !isText(value["topic"]) || value["topic"] === "") return [];
+  return [
+    {
+      id: value["id"],
+      topic: value["topic"],
+      encoding: textOf(value["encoding"]),
+      schemaName: textOf(value["schemaName"]),
+      schema: textOf(value["schema"]),
+      metadata: textMapOf(value["metadata"]),
+    },
+  ];
+}
+
+/** Reads one text frame; never throws. Entries that make no sense are left out (of channels: counted), the rest stands. */
+export function readText(text: string): ServerText {
+  let fields: unknown;
+  try {
+    fields = JSON.parse(text);
+  } catch {
+    return { op: "malformed", why: "text frame: not JSON" };
+  }
+  if (!isFields(fields) || !isText(fields["op"])) return { op: "malformed", why: "text frame: expected an object with 'op'" };
+
+  switch (fields["op"]) {
+    case "serverInfo": {
+      const info: ServerInfo = {
+        name: textOf(fields["name"]),
+        capabilities: listOf(fields["capabilities"]).filter(isText),
+        metadata: textMapOf(fields["metadata"]),
+      };
+      if (isText(fields["sessionId"])) info.sessionId = fields["sessionId"];
+      return { op: "serverInfo", info };
+    }
+    case "advertise": {
+      const offered = listOf(fields["channels"]);
+      const channels = offered.flatMap(channelOf);
+      return { op: "advertise", channels, rejected: offered.length - channels.length };
+    }
+    case "unadvertise":
+      return { op: "unadvertise", channelIds: listOf(fields["channelIds"]).filter(isId) };
+    case "status": {
+      const level = ({ 0: "info", 1: "warning" } as const)[Number(fields["level"])] ?? "error";
+      const message = textOf(fields["message"]);
+      return { op: "status", level, message, ...(isText(fields["id"]) && { id: fields["id"] }) };
+    }
+    case "removeStatus":
+      return { op: "removeStatus", statusIds: listOf(fields["statusIds"]).filter(isText) };
+    case "parameterValues":
+      return {
+        op: "parameterValues",
+        parameters: listOf(fields["parameters"]).flatMap((entry) =>
+          isFields(entry) && isText(entry["name"]) ? [{ name: entry["name"], value: entry["value"] }] : [],
+        ),
+      };
+    case "advertiseServices":
+      return {
+        op: "advertiseServices",
+        services: listOf(fields["services"]).flatMap((entry) =>
+          isFields(entry) && isId(entry["id"]) && isText(entry["name"]) ? [{ id: entry["id"], name: entry["name"] }] : [],
+        ),
+      };
+    case "unadvertiseServices":
+      return { op: "unadvertiseServices", serviceIds: listOf(fields["serviceIds"]).filter(isId) };
+    case "serviceCallFailure":
+      if (!isId(fields["callId"])) return { op: "malformed", why: "serviceCallFailure: 'callId' is not a number" };
+      return { op: "serviceCallFailure", call: fields["callId"], message: textOf(fields["message"]) };
+    default:
+      return { op: "unknown", name: fields["op"] };
+  }
+}

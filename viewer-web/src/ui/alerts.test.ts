@@ -1,0 +1,21 @@
+import { expect, test } from "vitest";
+import { withAlert, withoutAlerts, type Alert } from "./alerts";
+
+const texts = (alerts: Alert[]) => alerts.map(({ text, times }) => `${times}x ${text}`);
+
+test("the same sentence, or another one with the same id, stands once and is counted", () => {
+  let alerts: Alert[] = [];
+  alerts = withAlert(alerts, "warning", "slow");
+  alerts = withAlert(alerts, "error", "12 dropped", "drops");
+  alerts = withAlert(alerts, "warning", "slow");
+  alerts = withAlert(alerts, "error", "13 dropped", "drops");
+  expect(texts(alerts)).toEqual(["2x 13 dropped", "2x slow"]);
+  expect(texts(withoutAlerts(alerts, ["drops"]))).toEqual(["2x slow"]);
+});
+
+test("a flood leaves the newest twenty", () => {
+  let alerts: Alert[] = [];
+  for (let i = 0; i < 100; ++i) alerts = withAlert(alerts, "error", `flood ${i}`);
+  expect(alerts).toHaveLength(20);
+  expect(alerts[0]!.text).toBe("flood 99");
+});

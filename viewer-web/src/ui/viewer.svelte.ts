@@ -1,0 +1,122 @@
+// What the page knows: fed by the client, read by the views. Values of memory objects are plain and read when drawn;
+// only what changes rarely is reactive.
+
+import type { MemoryObject } from "../memory/memory_object";
+import { Memory } from "../memory/memory";
+import { recordingStatistics, streamStatistics, type RecordingStatistics, type StreamStatistics } from "../memory/statistics";
+import { Client, type Connection, type Listener, type Socket } from "../source/client";
+import type { Target } from "../source/target";
+import type { Channel, Level, ServerInfo } from "../source/texts";
+import { withAlert, withoutAlerts, type Alert } from "./alerts";
+import { now } from "./frame.svelte";
+import { hashOf, routeOf, type Route } from "./route";
+
+export class Viewer implements Listener {
+  readonly memory = new Memory();
+  readonly client: Client;
+
+  connectionState = $state.raw<Connection>({ state: "connecting" });
+  /** Why there is no connection; "" while there is one, and before the first try failed. */
+  lost = $state("");
+  info = $state.raw<ServerInfo>();
+  alerts = $state.raw<Alert[]>([]);
+  parameterValues = $state.raw<ReadonlyMap<string, unknown>>(new Map());
+  serviceNames = $state.raw<string[]>([]);
+  route = $state.raw<Route>(routeOf(location.hash));
+  #offers = $state(0); // grows when objects come or go
+
+  robots = $derived.by(() => (this.#offers, this.memory.robots()));
+  /** The chosen robot while it is there, else the first one. */
+  robot = $derived(this.robots.includes(this.route.robot) ? this.route.robot : (this.robots[0] ?? ""));
+  objects: MemoryObject[] = $derived.by(() => (this.#offers, this.memory.objectsOf(this.robot)));
+
+  constructor(readonly target: Target) {
+    this.client = new Client(target.url, this, (url, subprotocols) => new WebSocket(url, subprotocols) as Socket);
+    window.addEventListener("hashchange", () => (this.route = routeOf(location.hash)));
+    this.client.start();
+  }
+
+  go(to: Partial<Route>): void {
+    location.hash = hashOf({ robot: this.robot, view: this.route.view, ...to });
+  }
+
+  say(level: Level, text: string, key?: string): void {
+    this.alerts = withAlert(this.alerts, level, text, key);
+  }
+
+  dismiss(keys: string[]): void {
+    this.alerts = withoutAlerts(this.alerts, keys);
+  }
+
+  /** Calls a service; a failure becomes an alert. True when it was done. */
+  async do(service: string, request: object): Promise<boolean> {
+    try {
+      await this.client.call(service, request);
+      this.dismiss([`service ${service}`]);
+      return true;
+    } catch (error) {
+      this.say("error", (error as Error).message, `service ${service}`);
+      return false;
+    }
+  }
+
+  /** The robot's own count of its streams, by topic; empty until its `runtime` object came. */
+  statistics(): Map<string, StreamStatistics> {
+    const runtime = this.#runtime();
+    return runtime ? streamStatistics(runtime) : new Map();
+  }
+
+  recording(): RecordingStatistics | undefined {
+    const runtime = this.#runtime();
+    return runtime && recordingStatistics(runtime);
+  }
+
+  #runtime() {
+    return this.objects.find(({ name }) => name === "runtime")?.decoded()?.fields;
+  }
+
+  // what the client tells
+
+  connection(connection: Connection): void {
+    this.connectionState = connection;
+    if (connection.state === "open") this.lost = "";
+    if (connection.state === "waiting") this.lost = connection.why;
+  }
+  introduced(info: ServerInfo, fresh: boolean): void {
+    this.info = info;
+    if (!fresh) return;
+    this.memory.reset();
+    this.alerts = [];
+    this.parameterValues = new Map();
+    ++this.#offers;
+  }
+  advertised(channels: Channel[]): void {
+    for (const channel of channels) this.memory.offer(channel);
+    ++this.#offers;
+  }
+  unadvertised(channels: Channel[]): void {
+    for (const { topic } of channels) this.memory.withdraw(topic);
+    ++this.#offers;
+  }
+  subscribed(topic: string, is: boolean): void {
+    this.memory.subscribed(topic, is);
+  }
+  message(topic: string, log_ns: bigint, data: Uint8Array): void {
+    this.memory.arrived(topic, log_ns, data, now());
+  }
+  time(now_ns: bigint): void {
+    this.memory.clock.heard(now_ns, now());
+  }
+  status(level: Level, message: string, id?: string): void {
+    this.say(level, message, id);
+  }
+  removeStatus(ids: string[]): void {
+    this.dismiss(ids);
+  }
+  parameters(values: { name: string; value: unknown }[]): void {
+    this.parameterValues = new Map([...this.parameterValues, ...values.map(({ name, value }) => [name, value] as const)]);
+  }
+  services(names: string[]): void {
+    this.serviceNames = names;
+  }
+}
