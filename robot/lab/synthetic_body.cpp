@@ -22,6 +22,27 @@ double gait(double t) { return std::min(1.0, walker_at(t).speed / kFullSpeed); }
 /// Where in its two steps the walk is, as an angle.
 double phase(double t) { return kTau * t / kStepSeconds; }
 
+/// Where the head is drawn to: sideways -1 .. 1, and 1 where the ball is at the feet.
+struct Look {
+  double aside = 0, near = 0;
+};
+
+/// The mean of half a second, so that the head does not jump with the ball when the referee moves it.
+Look look_at_ball(double t) {
+  constexpr int kSamples = 10;
+  Look mean;
+  for (int i = 0; i < kSamples; ++i) {
+    const auto ball = ball_at(t - 0.05 * i);
+    if (!ball) continue;
+    const Walker walker = walker_at(t - 0.05 * i);
+    const Point seen = relative(ball->position, walker.position, walker.heading);
+    const double distance = std::hypot(seen.x, seen.y);
+    mean.aside += seen.y / distance / kSamples;
+    mean.near += std::clamp(1.2 - distance, 0.0, 1.0) / kSamples;
+  }
+  return mean;
+}
+
 /// Leaning forward through the kick.
 double kick_swing(double t) { return std::max(0.0, 1 - std::abs(t - kKick) / 0.3); }
 
@@ -40,15 +61,9 @@ double Noise::operator()(Stream stream, std::uint64_t step) const {
 }
 
 Bearing bearing_at(double t) {
-  // the head scans, and looks down where the ball is near
-  double nearness = 0;
-  if (const auto ball = ball_at(t)) {
-    const Walker walker = walker_at(t);
-    const Point seen = relative(ball->position, walker.position, walker.heading);
-    nearness = std::clamp(1.2 - std::hypot(seen.x, seen.y), 0.0, 1.0);
-  }
-  return {.head_yaw = 0.7 * std::sin(kTau * t / 4),
-          .head_pitch = 0.16 + 0.08 * std::sin(kTau * t / 2.6) + 0.25 * nearness,
+  const Look look = look_at_ball(t);
+  return {.head_yaw = 1.15 * look.aside + 0.3 * std::sin(kTau * t / 3),
+          .head_pitch = 0.14 + 0.05 * std::sin(kTau * t / 2.6) + 0.3 * look.near,
           .torso_roll = 0.03 * gait(t) * std::sin(phase(t)),
           .torso_pitch = 0.02 + 0.01 * gait(t) * std::sin(2 * phase(t)) + 0.08 * kick_swing(t)};
 }

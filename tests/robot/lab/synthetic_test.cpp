@@ -47,7 +47,7 @@ TEST(SyntheticRobot, HasEveryObjectAtItsRate) {
                                             {"log", 8},
                                             {"ball", counts["ball"]}};
   EXPECT_EQ(counts, expected);
-  EXPECT_GT(counts["ball"], 600);
+  EXPECT_GT(counts["ball"], 450) << "once it was seen the belief stays";
 }
 
 TEST(SyntheticRobot, GivesTheSameBytesWholeOrInParts) {
