@@ -16,10 +16,14 @@ std::string text(const json& value) { return value.dump(-1, ' ', false, json::er
 std::string exact(std::uint64_t value) { return std::to_string(value); }
 
 json describe(const logging::RecordingStatus& status) {
-  return {{"state", name(status.state)},      {"session", status.session},
-          {"profile", status.profile},        {"bytes", status.size_bytes},
-          {"messages", status.messages},      {"dropped", status.dropped},
-          {"mb_per_minute", status.mb_per_minute}, {"message", status.message}};
+  return {{"state", name(status.state)},
+          {"session", status.session},
+          {"profile", status.profile},
+          {"bytes", status.size_bytes},
+          {"messages", status.messages},
+          {"dropped", status.dropped},
+          {"mb_per_minute", status.mb_per_minute},
+          {"message", status.message}};
 }
 
 json describe(const logging::StreamFile& stream, const std::string& session) {
@@ -37,20 +41,13 @@ json describe(const logging::StreamFile& stream, const std::string& session) {
 json describe(const logging::Session& session) {
   json streams = json::array();
   for (const logging::StreamFile& stream : session.streams) streams.push_back(describe(stream, session.id()));
-  return {{"session", session.id()},
-          {"name", session.info.name},
-          {"robot", session.info.robot},
-          {"team", session.info.team},
-          {"player", session.info.player},
-          {"build", session.info.build},
-          {"profile", session.info.profile},
-          {"start_ns", exact(session.start_ns)},
-          {"end_ns", exact(session.end_ns)},
-          {"size_bytes", session.size_bytes},
-          {"state", name(session.state)},
-          {"message", session.message},
-          {"kept", session.info.kept},
-          {"url", "/logs/" + session.id() + ".mcap"},
+  return {{"session", session.id()},         {"name", session.info.name},
+          {"robot", session.info.robot},     {"team", session.info.team},
+          {"player", session.info.player},   {"build", session.info.build},
+          {"profile", session.info.profile}, {"start_ns", exact(session.start_ns)},
+          {"end_ns", exact(session.end_ns)}, {"size_bytes", session.size_bytes},
+          {"state", name(session.state)},    {"message", session.message},
+          {"kept", session.info.kept},       {"url", "/logs/" + session.id() + ".mcap"},
           {"streams", std::move(streams)}};
 }
 
@@ -96,9 +93,8 @@ Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
   const Result<logging::Session> session = store_.find(request.session);
   if (!session) return Error{session.error()};
   if (session->state == logging::SessionState::recording && !request.until_ns)
-    return net::LogFile{.body = nullptr,
-                        .etag = "",
-                        .redirect_until_ns = clock_.now_ns() - logging::Downloads::kLiveMarginNs};
+    return net::LogFile{
+        .body = nullptr, .etag = "", .redirect_until_ns = clock_.now_ns() - logging::Downloads::kLiveMarginNs};
   std::optional<std::string> file;
   if (request.stream) file = *request.stream + ".mcap";
   const auto assembly = downloads_.open(

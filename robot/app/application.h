@@ -14,10 +14,10 @@ namespace robot::app {
 
 /// Who this process is.
 struct Identity {
-  std::string name;               // of the program: "foresight-robot"
-  std::string body;               // "replay", "sim", …
+  std::string name;                 // of the program: "foresight-robot"
+  std::string body;                 // "replay", "sim", …
   std::vector<std::string> robots;  // "14/2"
-  std::string session_id;         // of this run of the server
+  std::string session_id;           // of this run of the server
 };
 
 /// Any thread.

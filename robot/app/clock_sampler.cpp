@@ -8,7 +8,9 @@ namespace {
 /// The kernel slews by at most 500 ppm (adjtimex(2)); reading two clocks one after the other may take a little too.
 constexpr std::int64_t kReadingNs = 1'000'000;
 
-std::int64_t slew_limit_ns(std::uint64_t elapsed_ns) { return static_cast<std::int64_t>(elapsed_ns / 2000) + kReadingNs; }
+std::int64_t slew_limit_ns(std::uint64_t elapsed_ns) {
+  return static_cast<std::int64_t>(elapsed_ns / 2000) + kReadingNs;
+}
 
 }  // namespace
 

@@ -67,12 +67,12 @@ Result<lab::ImportReport> import_recording(const ImportRequest& request) {
                        });
 }
 
-Result<void> synthesize(const std::filesystem::path& session, RobotName robot, double seconds) {
-  if (!(seconds >= 1 && seconds <= 3600))
-    return Error{"synthesize: seconds must be 1 .. 3600, got " + std::to_string(seconds)};
-  const std::uint64_t start_ns = system_ns();
-  return write_session(session, session_info(robot, "synthetic", start_ns),
-                       [&](lab::ImportSink& sink) { return lab::write_synthetic(seconds, start_ns, sink); });
+Result<lab::ImportReport> synthesize(const std::filesystem::path& session, RobotName robot, double seconds) {
+  if (!(seconds >= 1 && seconds <= 600))
+    return Error{"synthesize: seconds must be 1 .. 600, got " + std::to_string(seconds)};
+  const lab::SyntheticRobot::Options options{.seconds = seconds};
+  return write_session(session, session_info(robot, "synthetic", options.epoch_ns),
+                       [&](lab::ImportSink& sink) { return lab::SyntheticRobot(options).write(sink); });
 }
 
 }  // namespace robot::app

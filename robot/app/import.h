@@ -23,7 +23,7 @@ struct ImportRequest {
 Result<lab::ImportReport> import_recording(const ImportRequest& request);
 
 /// Makes a session of `seconds` of a robot that never was.
-Result<void> synthesize(const std::filesystem::path& session, RobotName robot, double seconds);
+Result<lab::ImportReport> synthesize(const std::filesystem::path& session, RobotName robot, double seconds);
 
 /// When the recordings of the formats that tell no date are said to have been made [ns since the epoch]:
 /// 2009-07-01, 0:00 UTC, the summer the B-Human recording is from.

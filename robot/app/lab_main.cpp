@@ -43,8 +43,8 @@ struct ImportCommand {
     const std::filesystem::path folder =
         session.empty() ? std::filesystem::path(out) / logging::session_folder_name(kUndatedEpochNs, shown, "import")
                         : std::filesystem::path(session);
-    const auto report = import_recording(
-        {.format = format, .file = file, .session = folder, .robot = *robot_name, .name = shown});
+    const auto report =
+        import_recording({.format = format, .file = file, .session = folder, .robot = *robot_name, .name = shown});
     if (!report) return fail(report.error());
     print(folder, *report);
     return kDone;
@@ -108,7 +108,7 @@ struct PlayCommand {
 };
 
 struct SynthesizeCommand {
-  std::string session, robot = "0/1";
+  std::string session, robot = "14/2";
   double seconds = 20;
   bool chosen = false;
 
@@ -123,7 +123,7 @@ struct SynthesizeCommand {
   int run() const {
     const Result<RobotName> robot_name = parse_robot_name(robot);
     if (!robot_name) return fail(robot_name.error());
-    const Result<void> made = synthesize(session, *robot_name, seconds);
+    const auto made = synthesize(session, *robot_name, seconds);
     if (!made) return fail(made.error());
     std::printf("%s\n", session.c_str());
     return kDone;

@@ -6,8 +6,8 @@
 
 namespace robot {
 
-inline constexpr std::uint64_t kSecond = 1'000'000'000;      // [ns]
-inline constexpr std::uint64_t kMillisecond = 1'000'000;     // [ns]
+inline constexpr std::uint64_t kSecond = 1'000'000'000;   // [ns]
+inline constexpr std::uint64_t kMillisecond = 1'000'000;  // [ns]
 
 /// The monotonic clock of this machine [ns since some start]. Any thread.
 std::uint64_t monotonic_ns();

@@ -53,7 +53,7 @@ class AssemblyBuilder {
     if (!live && !index->damage.empty()) assembly_.damage_ += (assembly_.damage_.empty() ? "" : "; ") + index->damage;
     if (header_.library.empty()) header_.library = index->header.library;
 
-    if (const Result<void> added = add_channels(*index, source->name()); !added) return added;
+    if (Result<void> added = add_channels(*index, source->name()); !added) return added;
     for (mcap::Metadata& metadata : index->metadata) metadata_.emplace(metadata.name, std::move(metadata));
     const auto file = static_cast<std::uint32_t>(assembly_.files_.size());
     for (ChunkInfo& chunk : index->chunks)
@@ -201,7 +201,7 @@ Result<void> Assembly::read(std::uint64_t offset, std::span<char> into) const {
     const std::uint64_t from = extent.offset + (offset - extent.begin);
     if (extent.file == kMade) {
       std::copy_n(made_.data() + from, piece.size(), piece.data());
-    } else if (const Result<void> done = files_[extent.file]->read(from, piece); !done) {
+    } else if (Result<void> done = files_[extent.file]->read(from, piece); !done) {
       return done;
     }
     into = into.subspan(piece.size());

@@ -14,8 +14,8 @@ std::string text(const std::optional<std::uint64_t>& time_ns) { return time_ns ?
 Result<std::shared_ptr<const Assembly>> Downloads::open(const Session& session,
                                                         const std::optional<std::string>& stream,
                                                         const AssemblyOptions& options) {
-  std::string what = session.folder.string() + ' ' + text(options.from_ns) + ' ' + text(options.to_ns) + ' ' +
-                     text(options.until_ns);
+  std::string what =
+      session.folder.string() + ' ' + text(options.from_ns) + ' ' + text(options.to_ns) + ' ' + text(options.until_ns);
   std::vector<std::filesystem::path> files;
   for (const StreamFile& file : session.streams) {
     if (stream && file.file != *stream) continue;

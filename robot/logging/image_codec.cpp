@@ -20,8 +20,7 @@ struct Planes {
   int width, height;
   std::vector<unsigned char> y, u, v;
 
-  Planes(int w, int h)
-      : width(w), height(h), y(static_cast<std::size_t>(w * h)), u(y.size() / 2), v(y.size() / 2) {}
+  Planes(int w, int h) : width(w), height(h), y(static_cast<std::size_t>(w * h)), u(y.size() / 2), v(y.size() / 2) {}
 };
 
 Planes split(const unsigned char* yuyv, int width, int height) {
@@ -49,8 +48,10 @@ Planes split_half(const unsigned char* yuyv, int width, int height) {
     }
     for (std::size_t pair = 0; pair < static_cast<std::size_t>(planes.width) / 2; ++pair) {
       const std::size_t at = 8 * pair, to = row * static_cast<std::size_t>(planes.width) / 2 + pair;
-      planes.u[to] = static_cast<unsigned char>((above[at + 1] + above[at + 5] + below[at + 1] + below[at + 5] + 2) / 4);
-      planes.v[to] = static_cast<unsigned char>((above[at + 3] + above[at + 7] + below[at + 3] + below[at + 7] + 2) / 4);
+      planes.u[to] =
+          static_cast<unsigned char>((above[at + 1] + above[at + 5] + below[at + 1] + below[at + 5] + 2) / 4);
+      planes.v[to] =
+          static_cast<unsigned char>((above[at + 3] + above[at + 7] + below[at + 3] + below[at + 7] + 2) / 4);
     }
   }
   return planes;
@@ -87,7 +88,8 @@ void ignore(j_common_ptr, int) {}
 bool read_rows(jpeg_decompress_struct& decoder, JpegErrors& errors, std::vector<unsigned char>& rows) {
   if (setjmp(errors.escape)) return false;
   jpeg_start_decompress(&decoder);
-  const std::size_t stride = static_cast<std::size_t>(decoder.output_width) * static_cast<std::size_t>(decoder.output_components);
+  const std::size_t stride =
+      static_cast<std::size_t>(decoder.output_width) * static_cast<std::size_t>(decoder.output_components);
   rows.resize(stride * decoder.output_height);
   while (decoder.output_scanline < decoder.output_height) {
     JSAMPROW row = rows.data() + stride * decoder.output_scanline;

@@ -48,8 +48,8 @@ class Logger {
   const std::shared_ptr<memory::Channel> channel_;
   const std::unique_ptr<OutProvider> provider_;
   VersionQueue queue_;
-  bool open_ = false;                   // used by the thread alone
-  std::uint64_t next_open_ns_ = 0;      // [monotonic], likewise
+  bool open_ = false;               // used by the thread alone
+  std::uint64_t next_open_ns_ = 0;  // [monotonic], likewise
 
   mutable Mutex lock_;  // guards status_
   StreamStatus status_;

@@ -170,10 +170,10 @@ void McapWriter::forget_chunk() {
 /// Appends `pieces`, all or none of them. `crc_after` is the checksum of the file with them.
 Result<void> McapWriter::append(std::span<const std::string_view> pieces, std::uint32_t crc_after) {
   if (torn_) {
-    if (const Result<void> cut = sink_->truncate(good_end_); !cut) return cut;
+    if (Result<void> cut = sink_->truncate(good_end_); !cut) return cut;
     torn_ = false;
   }
-  if (const Result<void> written = sink_->append(pieces); !written) {
+  if (Result<void> written = sink_->append(pieces); !written) {
     // if this fails as well, it is tried again before the next write
     torn_ = !sink_->truncate(good_end_);
     return written;

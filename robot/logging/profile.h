@@ -19,10 +19,11 @@ inline constexpr std::string_view kImageSchema = "foresight.Image";
 struct Profile {
   std::string_view name;
   std::string_view purpose;
-  bool raw_images;         // as the camera delivers them
-  JpegOptions jpeg;        // otherwise
-  float images_per_second; // of each camera, at most
-  double mb_per_minute;    // [10^6 bytes] what both cameras at 30 Hz and all objects take; measured by `scripts/bench half`
+  bool raw_images;          // as the camera delivers them
+  JpegOptions jpeg;         // otherwise
+  float images_per_second;  // of each camera, at most
+  double
+      mb_per_minute;  // [10^6 bytes] what both cameras at 30 Hz and all objects take; measured by `scripts/bench half`
 };
 
 /// All profiles, the smallest first.

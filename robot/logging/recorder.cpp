@@ -70,7 +70,8 @@ Result<std::string> Recorder::start(std::string_view name, std::string_view prof
   info_.start_ns = clock_.now_ns();
   folder_ = store_.folder() / session_folder_name(info_.start_ns, name, profile->name);
   for (int again = 2; std::filesystem::exists(folder_); ++again)
-    folder_ = store_.folder() / (session_folder_name(info_.start_ns, name, profile->name) + "_" + std::to_string(again));
+    folder_ =
+        store_.folder() / (session_folder_name(info_.start_ns, name, profile->name) + "_" + std::to_string(again));
   std::error_code failed;
   std::filesystem::create_directories(folder_, failed);
   if (failed) return Error{"recording: cannot make the folder " + folder_.string() + ": " + failed.message()};
@@ -93,10 +94,9 @@ void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
   // a channel that turns up while a session begins is met twice
   if (std::ranges::find(streams_, path, &Stream::path) != streams_.end()) return;
   std::unique_ptr<OutProvider> provider = std::make_unique<FileOutProvider>(
-      path,
-      McapOptions{.channel_id = static_cast<std::uint16_t>(streams_.size() + 1),
-                  .metadata = metadata_of(info_),
-                  .compression = image ? Compression::none : origin_.compression});
+      path, McapOptions{.channel_id = static_cast<std::uint16_t>(streams_.size() + 1),
+                        .metadata = metadata_of(info_),
+                        .compression = image ? Compression::none : origin_.compression});
   if (image && !profile_.raw_images) provider = thin_images(profile_, std::move(provider));
   streams_.push_back({board_.start_logger(channel, std::move(provider)), path});
 }

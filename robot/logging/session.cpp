@@ -62,7 +62,8 @@ std::string to_json(const SessionInfo& info) {
                         {"start_ns", std::to_string(info.start_ns)},
                         {"kept", info.kept},
                         {"complete", info.complete}}
-      .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+             .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+         "\n";
 }
 
 MetadataByName metadata_of(const SessionInfo& info) {
@@ -141,7 +142,7 @@ Result<Session> read_session(const std::filesystem::path& folder, bool being_wri
     if (entry.path().extension() == ".mcap") session.streams.push_back(read_stream(entry.path()));
   std::ranges::sort(session.streams, {}, &StreamFile::file);
 
-  session.state = being_written        ? SessionState::recording
+  session.state = being_written           ? SessionState::recording
                   : session.info.complete ? SessionState::complete
                                           : SessionState::recovered;
   session.start_ns = std::numeric_limits<std::uint64_t>::max();

@@ -13,14 +13,14 @@ namespace robot::logging {
 
 /// What is known of a session when it begins; kept as `session.json` in its folder.
 struct SessionInfo {
-  std::string name;     // given by a person, may be empty
-  std::string robot;    // "14/2"
+  std::string name;   // given by a person, may be empty
+  std::string robot;  // "14/2"
   int team = 0, player = 0;
-  std::string build;    // of the program that recorded it
-  std::string profile;  // "game", "vision", "full", or "import"
+  std::string build;           // of the program that recorded it
+  std::string profile;         // "game", "vision", "full", or "import"
   std::uint64_t start_ns = 0;  // [ns since the epoch]
-  bool kept = false;      // never deleted to make room
-  bool complete = false;  // ended in good order
+  bool kept = false;           // never deleted to make room
+  bool complete = false;       // ended in good order
 
   bool operator==(const SessionInfo&) const = default;
 };

@@ -119,7 +119,7 @@ class Channel {
   ChannelInfo info_;
   const Clock* clock_ = nullptr;
 
-  Mutex writers_;                      // puts writers in order, guards the next two
+  Mutex writers_;  // puts writers in order, guards the next two
   std::vector<Listener*> listeners_;
   std::uint64_t last_sequence_ = 0;
 

@@ -69,8 +69,7 @@ class MemoryObject final : public Channel {
  public:
   /// Names the object and gives it its time base; `clock` outlives it. Once, before the first write.
   void announce(std::string topic, Delivery delivery, const Clock& clock) {
-    Channel::announce(
-        {.topic = std::move(topic), .schema = schema_of(*T::descriptor()), .delivery = delivery}, clock);
+    Channel::announce({.topic = std::move(topic), .schema = schema_of(*T::descriptor()), .delivery = delivery}, clock);
   }
 
   /// An empty message to fill; its memory has been used before, so filling it allocates nothing in steady state.

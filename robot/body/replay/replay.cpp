@@ -6,19 +6,6 @@
 #include "robot/logging/file_provider.h"
 
 namespace robot::body {
-namespace {
-
-using DestinationResult = Result<std::shared_ptr<memory::Channel>>;
-
-/// The channel of the stream's topic; made when nobody has it yet.
-DestinationResult destination(memory::Channels& channels, const Clock& clock, const memory::ChannelInfo& info) {
-  if (std::shared_ptr<memory::Channel> known = channels.find(info.topic)) return known;
-  auto made = std::make_shared<memory::RawChannel>(info, clock);
-  if (Result<void> added = channels.add(made); !added) return Error{added.error()};
-  return std::shared_ptr<memory::Channel>(made);
-}
-
-}  // namespace
 
 Result<std::unique_ptr<Replay>> Replay::open(const std::filesystem::path& folder, ReplayOptions options) {
   if (!(options.speed >= 0.01 && options.speed <= 1000))
@@ -44,6 +31,17 @@ bool Replay::skipped(const std::string& topic) const {
                              [&](const std::string& object) { return topic.ends_with("/" + object); });
 }
 
+/// The channel of a stream's topic; made when nobody has it yet.
+Result<std::shared_ptr<memory::Channel>> Replay::destination(memory::ChannelInfo info) const {
+  const std::string recorded = "/" + session_.info.robot + "/";
+  if (!options_.robot.empty() && info.topic.starts_with(recorded))
+    info.topic = "/" + options_.robot + "/" + info.topic.substr(recorded.size());
+  if (std::shared_ptr<memory::Channel> known = channels_->find(info.topic)) return known;
+  auto made = std::make_shared<memory::RawChannel>(std::move(info), clock_);
+  if (Result<void> added = channels_->add(made); !added) return Error{added.error()};
+  return std::shared_ptr<memory::Channel>(made);
+}
+
 void Replay::start_parsers() {
   clock_.start();
   // not owned: the parsers end before the clock does
@@ -52,8 +50,7 @@ void Replay::start_parsers() {
     if (stream.messages == 0 || skipped(stream.topic)) continue;
     parsers_.push_back(board_->start_parser(
         std::make_unique<logging::FileInProvider>(session_.folder / stream.file),
-        {.destination = [this](const memory::ChannelInfo& info) { return destination(*channels_, clock_, info); },
-         .pace = pace}));
+        {.destination = [this](const memory::ChannelInfo& info) { return destination(info); }, .pace = pace}));
   }
 }
 
@@ -62,13 +59,13 @@ void Replay::stop_parsers() {
   for (const auto parser : std::exchange(parsers_, {})) board_->stop(parser);
 }
 
-bool Replay::tick() {
-  const bool playing =
-      std::ranges::any_of(parsers_, [this](auto parser) { return !board_->status(parser).ended; });
-  if (playing || !options_.loop) return playing;
+Replay::Tick Replay::tick() {
+  if (std::ranges::any_of(parsers_, [this](auto parser) { return !board_->status(parser).ended; }))
+    return Tick::playing;
+  if (!options_.loop) return Tick::ended;
   stop_parsers();
   start_parsers();
-  return true;
+  return Tick::began_again;
 }
 
 void Replay::stop() {

@@ -16,8 +16,11 @@
 namespace robot::body {
 
 struct ReplayOptions {
-  double speed = 1;  // 1 is real time; 0.01 .. 1000
+  double speed = 1;   // 1 is real time; 0.01 .. 1000
   bool loop = false;  // begin again at the end
+
+  /// The name under which the recorded robot appears here, "14/2"; empty: its own.
+  std::string robot;
 
   /// Objects that this process writes itself, such as "runtime": those of the recording are left out.
   std::vector<std::string> skipped_objects;
@@ -41,8 +44,10 @@ class Replay {
   /// Begins to play into `channels`; both outlive this.
   void start(memory::Channels& channels, logging::LoggingBoard& board);
 
-  /// To be called now and then: begins again at the end if it should. True while there is something to play.
-  bool tick();
+  enum class Tick { playing, ended, began_again };
+
+  /// To be called now and then: begins again at the end if it should.
+  Tick tick();
 
   void stop();
 
@@ -56,6 +61,7 @@ class Replay {
         clock_(session_.start_ns, session_.end_ns, options_.speed) {}
 
   bool skipped(const std::string& topic) const;
+  Result<std::shared_ptr<memory::Channel>> destination(memory::ChannelInfo info) const;
   void start_parsers();
   void stop_parsers();
 

@@ -104,14 +104,14 @@ class GivenProvider final : public InProvider {
 TEST_F(Board, ParserCarriesAStreamIntoAChannelToItsEnd) {
   const auto log_stream = log();
   std::promise<std::string> topic;
-  const auto stream =
-      board.start_parser(std::make_unique<GivenProvider>(std::vector<Record>{{.capture_ns = 1, .bytes = "a"},
-                                                                             {.capture_ns = 2, .bytes = "b"}}),
-                         {.destination = [&](const memory::ChannelInfo& info) -> Result<std::shared_ptr<memory::Channel>> {
-                            topic.set_value(info.topic);
-                            return std::shared_ptr<memory::Channel>(channel);
-                          },
-                          .pace = nullptr});
+  const auto stream = board.start_parser(
+      std::make_unique<GivenProvider>(
+          std::vector<Record>{{.capture_ns = 1, .bytes = "a"}, {.capture_ns = 2, .bytes = "b"}}),
+      {.destination = [&](const memory::ChannelInfo& info) -> Result<std::shared_ptr<memory::Channel>> {
+         topic.set_value(info.topic);
+         return std::shared_ptr<memory::Channel>(channel);
+       },
+       .pace = nullptr});
   EXPECT_EQ(topic.get_future().get(), "/14/2/given");
   arrivals->wait_for(2);
   board.stop(log_stream);
@@ -123,12 +123,12 @@ TEST_F(Board, ParserCarriesAStreamIntoAChannelToItsEnd) {
 }
 
 TEST_F(Board, ParserWithoutADestinationEndsWithTheReason) {
-  const auto stream = board.start_parser(
-      std::make_unique<GivenProvider>(std::vector<Record>{{.bytes = "a"}}),
-      {.destination = [](const memory::ChannelInfo&) -> Result<std::shared_ptr<memory::Channel>> {
-         return Error{"no channel for it"};
-       },
-       .pace = nullptr});
+  const auto stream =
+      board.start_parser(std::make_unique<GivenProvider>(std::vector<Record>{{.bytes = "a"}}),
+                         {.destination = [](const memory::ChannelInfo&) -> Result<std::shared_ptr<memory::Channel>> {
+                            return Error{"no channel for it"};
+                          },
+                          .pace = nullptr});
   while (!board.status(stream).ended) std::this_thread::yield();
   EXPECT_EQ(board.stop(stream).problem, "no channel for it");
 }

@@ -66,7 +66,8 @@ TEST(Jpeg, SurvivesEveryTruncationAndFlippedByte) {
     damaged[at] = static_cast<char>(damaged[at] ^ 0x5a);
     const Result<YuyvImage> decoded = decode_jpeg(damaged);
     if (decoded)
-      EXPECT_EQ(decoded->yuyv.size(), static_cast<std::size_t>(decoded->width) * static_cast<std::size_t>(decoded->height) * 2);
+      EXPECT_EQ(decoded->yuyv.size(),
+                static_cast<std::size_t>(decoded->width) * static_cast<std::size_t>(decoded->height) * 2);
     else
       EXPECT_EQ(decoded.error().substr(0, 6), "JPEG: ");
   }

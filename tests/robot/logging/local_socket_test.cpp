@@ -17,18 +17,16 @@ namespace {
 struct LocalSocket : ::testing::Test {
   /// A logger of what arrives at the far end, and the parser that takes it there.
   LoggingBoard::StreamId listen() {
-    return board.start_parser(std::make_unique<LocalSocketInProvider>(path),
-                              {.destination = [this](const memory::ChannelInfo& info)
-                                   -> Result<std::shared_ptr<memory::Channel>> {
-                                 far = std::make_shared<memory::RawChannel>(info, clock);
-                                 far_log = board.start_logger(far, std::make_unique<tests::KeepingProvider>(arrivals));
-                                 return std::shared_ptr<memory::Channel>(far);
-                               },
-                               .pace = nullptr});
+    return board.start_parser(
+        std::make_unique<LocalSocketInProvider>(path),
+        {.destination = [this](const memory::ChannelInfo& info) -> Result<std::shared_ptr<memory::Channel>> {
+           far = std::make_shared<memory::RawChannel>(info, clock);
+           far_log = board.start_logger(far, std::make_unique<tests::KeepingProvider>(arrivals));
+           return std::shared_ptr<memory::Channel>(far);
+         },
+         .pace = nullptr});
   }
-  LoggingBoard::StreamId connect() {
-    return board.start_logger(near, std::make_unique<LocalSocketOutProvider>(path));
-  }
+  LoggingBoard::StreamId connect() { return board.start_logger(near, std::make_unique<LocalSocketOutProvider>(path)); }
   void wait_for_the_socket() {
     while (!std::filesystem::exists(path)) std::this_thread::yield();
   }

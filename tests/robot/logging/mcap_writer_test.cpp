@@ -238,7 +238,7 @@ void write_on_full_disk(std::uint64_t room, bool can_truncate, Compression compr
     ASSERT_TRUE(writer.write(word(first, 1), 0));
     ASSERT_TRUE(writer.write(word(second, 2), 0));
     const Result<void> flushed = writer.flush();
-    if (flushed) expected += (expected.empty() ? "" : " ") + first + " " + second;
+    if (flushed) expected.append(expected.empty() ? "" : " ").append(first).append(" ").append(second);
     if (!flushed) {
       lost += 2;
       EXPECT_TRUE(flushed.error().ends_with("; messages lost: 2")) << flushed.error();

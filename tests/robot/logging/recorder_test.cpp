@@ -45,7 +45,9 @@ struct Recording : ::testing::Test {
     clock.set(clock.now_ns() + 33 * kMillisecond);
   }
 
-  std::vector<Record> ball_records(const std::string& session) { return read_all(folder.path() / session / "14.2.ball.mcap"); }
+  std::vector<Record> ball_records(const std::string& session) {
+    return read_all(folder.path() / session / "14.2.ball.mcap");
+  }
 
   const tests::TemporaryFolder folder;
   ManualClock clock{kNow};
@@ -53,7 +55,8 @@ struct Recording : ::testing::Test {
   memory::Channels channels;
   LoggingBoard board;
   SessionStore store{folder.path(), 4'000'000'000};
-  Recorder recorder{channels, board, store, clock, {.info = {.robot = "14/2", .team = 14, .player = 2, .build = "abc"}}};
+  Recorder recorder{
+      channels, board, store, clock, {.info = {.robot = "14/2", .team = 14, .player = 2, .build = "abc"}}};
 };
 
 TEST_F(Recording, KeepsEveryVersionOfEveryObject) {
@@ -259,8 +262,8 @@ struct OldSessions : Recording {
     const std::uint64_t start = kNow - age_hours * 3600 * kSecond;
     const fs::path path = folder.path() / session_folder_name(start, "old", "game");
     fs::create_directories(path);
-    std::ofstream(path / "session.json")
-        << to_json({.robot = "14/2", .profile = "game", .start_ns = start, .kept = kept, .complete = true});
+    std::ofstream(path / "session.json") << to_json(
+        {.robot = "14/2", .profile = "game", .start_ns = start, .kept = kept, .complete = true});
     std::ofstream(path / "ballast") << std::string(bytes, 'x');
     return path.filename().string();
   }

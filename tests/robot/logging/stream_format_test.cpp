@@ -39,8 +39,7 @@ TEST_F(Stream, GivesBackWhatWentInWhateverThePieces) {
     }
     ASSERT_EQ(frames.size(), 2u) << "pieces of " << piece;
     EXPECT_EQ(std::get<memory::ChannelInfo>(frames[0]), channel->info());
-    EXPECT_EQ(std::get<Record>(frames[1]),
-              (Record{.sequence = 1, .capture_ns = 7, .publish_ns = 9, .bytes = "hello"}));
+    EXPECT_EQ(std::get<Record>(frames[1]), (Record{.sequence = 1, .capture_ns = 7, .publish_ns = 9, .bytes = "hello"}));
   }
 }
 

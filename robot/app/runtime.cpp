@@ -1,0 +1,119 @@
+#include "robot/app/runtime.h"
+
+#include <csignal>
+#include <cstdio>
+#include <utility>
+
+#include "robot/app/build_id.h"
+#include "robot/app/recording_control.h"
+#include "robot/core/report.h"
+#include "robot/net/derived_channels.h"
+
+namespace robot::app {
+namespace {
+
+constexpr std::uint64_t kTickNs = kSecond / 10;
+
+std::string run_id() { return std::to_string(system_ns() / kMillisecond); }
+
+foresight::LogText::Level level_of(Level level) {
+  switch (level) {
+    case Level::debug: return foresight::LogText::LEVEL_DEBUG;
+    case Level::info: return foresight::LogText::LEVEL_INFO;
+    case Level::warning: return foresight::LogText::LEVEL_WARNING;
+    case Level::error: return foresight::LogText::LEVEL_ERROR;
+  }
+  return foresight::LogText::LEVEL_UNSPECIFIED;
+}
+
+net::ServerOptions server_options(const RuntimeOptions& options, net::AccessOptions access) {
+  return {.bind = options.server.bind,
+          .port = options.server.port,
+          .hub = {.name = options.program + " " + options.robot,
+                  .metadata = {{"build", std::string(kBuildId)}, {"body", options.body}, {"robots", options.robot}},
+                  .queues = {}},
+          .access = std::move(access)};
+}
+
+}  // namespace
+
+Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
+    : options_(std::move(options)),
+      clock_(clock),
+      own_(own),
+      store_(options_.log_folder, options_.log_bytes),
+      recorder_(channels_, board_, store_, clock_,
+                {.info = {.robot = options_.robot,
+                          .team = options_.team,
+                          .player = options_.player,
+                          .build = std::string(kBuildId)}}),
+      application_(
+          {.name = options_.program, .body = options_.body, .robots = {options_.robot}, .session_id = run_id()}, clock_,
+          store_, options_.records ? &recorder_ : nullptr),
+      statistics_(channels_, clock_, board_, store_, options_.records ? &recorder_ : nullptr),
+      clock_sampler_(system_ns() - monotonic_ns()) {
+  add_image_parameters(parameters_);
+  if (options_.records) add_recording_control(recorder_, store_, parameters_, services_);
+  net::add_clock_sync(services_, clock_, [this](const net::PeerClock& peer) {
+    foresight::ClockSample sample;
+    sample.set_source(foresight::ClockSample::SOURCE_PEER);
+    sample.set_monotonic_ns(monotonic_ns());
+    sample.set_system_ns(system_ns());
+    sample.set_peer(peer.peer);
+    sample.set_offset_ns(peer.offset_ns);
+    if (peer.round_trip_ns) sample.set_round_trip_ns(*peer.round_trip_ns);
+    own_.clock.write(sample, clock_.now_ns());
+  });
+  set_report_listener([this](const Report& report) { write_log(report); });
+}
+
+Runtime::~Runtime() {
+  set_report_listener({});
+  if (server_) server_->stop();
+}
+
+void Runtime::write_log(const Report& report) {
+  foresight::LogText text;
+  text.set_level(level_of(report.level));
+  text.set_source(report.source);
+  text.set_text(report.sentence);
+  own_.log.write(text, clock_.now_ns());
+}
+
+Result<void> Runtime::start() {
+  Result<net::AccessOptions> access = access_options(options_.server);
+  if (!access) return Error{access.error()};
+  server_ = std::make_unique<net::Server>(server_options(options_, std::move(*access)), channels_,
+                                          net::derived_channels(parameters_), streams_, clock_, parameters_, services_,
+                                          application_);
+  application_.count_clients_by([this] { return server_->statistics().clients.size(); });
+  if (Result<void> started = server_->start(); !started) return started;
+  std::printf("http://localhost:%u/\n", server_->port());
+  std::fflush(stdout);
+  return {};
+}
+
+void Runtime::run(const std::function<bool()>& tick) {
+  // taken by sigtimedwait below instead of ending the process at once
+  sigset_t ends;
+  sigemptyset(&ends);
+  sigaddset(&ends, SIGINT);
+  sigaddset(&ends, SIGTERM);
+  std::uint64_t next_second = monotonic_ns();
+  while (tick()) {
+    if (monotonic_ns() >= next_second) {
+      every_second();
+      next_second += kSecond;
+    }
+    const timespec wait{.tv_sec = 0, .tv_nsec = kTickNs};
+    if (sigtimedwait(&ends, nullptr, &wait) > 0) return;
+  }
+}
+
+void Runtime::every_second() {
+  own_.clock.write(clock_sampler_.sample(monotonic_ns(), system_ns()), clock_.now_ns());
+  own_.runtime.write(statistics_.collect(server_->statistics()), clock_.now_ns());
+  if (options_.records) store_.make_room(0, clock_.now_ns());
+}
+
+}  // namespace robot::app

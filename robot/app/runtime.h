@@ -1,0 +1,93 @@
+// Everything one process runs: who runs what, and how often.
+//
+//   thread            from      does                                                          how often
+//   main              run()     statistics, clock samples, room on the disk; the body's tick   once a second; 10 Hz
+//   net               Server    sockets: HTTP, WebSocket                                       when there is something
+//   net disk, streams Server    reads downloads; starts and stops loggers for clients          when asked
+//   log <object>      board     carries one memory object to a file                            each version
+//   log <object>      board     carries one memory object to the server, while it is watched   each version
+//   parser            board     carries one stream of a recording into memory (replay)         each message
+//
+// Loggers, parsers and the net thread run at nice 10: whoever decides and moves comes first.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "robot/app/application.h"
+#include "robot/app/board_streams.h"
+#include "robot/app/clock_sampler.h"
+#include "robot/app/server_settings.h"
+#include "robot/app/statistics.h"
+#include "robot/core/clock.h"
+#include "robot/core/result.h"
+#include "robot/logging/board.h"
+#include "robot/logging/recorder.h"
+#include "robot/logging/session_store.h"
+#include "robot/memory/channels.h"
+#include "robot/memory/memory.h"
+#include "robot/net/parameters.h"
+#include "robot/net/server.h"
+#include "robot/net/services.h"
+
+namespace robot::app {
+
+struct RuntimeOptions {
+  std::string program;  // "foresight-robot"
+  std::string body;     // "replay", …
+  std::string robot;    // "14/2"
+  int team = 0, player = 0;
+  ServerSettings server;
+  std::filesystem::path log_folder = "logs";
+  std::uint64_t log_bytes = 4'000'000'000;  // all sessions together
+  bool records = true;                      // false where recordings are only shown
+};
+
+/// The objects a process writes about itself.
+struct OwnObjects {
+  memory::MemoryObject<foresight::RuntimeStatistics>& runtime;
+  memory::MemoryObject<foresight::ClockSample>& clock;
+  memory::MemoryObject<foresight::LogText>& log;
+};
+
+class Runtime {
+ public:
+  /// `clock` is the time base of all channels; it and `own` outlive the runtime.
+  Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own);
+  ~Runtime();
+
+  memory::Channels& channels() { return channels_; }
+  logging::LoggingBoard& board() { return board_; }
+  logging::Recorder& recorder() { return recorder_; }
+  net::Server& server() { return *server_; }
+
+  /// Opens the port. An Error, in one sentence, if that cannot be.
+  Result<void> start();
+
+  /// Does the housekeeping and calls `tick` ten times a second, until `tick` returns false or the process is told to
+  /// end (SIGINT, SIGTERM).
+  void run(const std::function<bool()>& tick);
+
+ private:
+  void every_second();
+  void write_log(const Report& report);
+
+  const RuntimeOptions options_;
+  const Clock& clock_;
+  OwnObjects own_;
+
+  memory::Channels channels_;
+  logging::LoggingBoard board_;
+  logging::SessionStore store_;
+  logging::Recorder recorder_;
+  BoardStreams streams_{board_};
+  net::Parameters parameters_;
+  net::Services services_;
+  Application application_;
+  Statistics statistics_;
+  ClockSampler clock_sampler_;
+  std::unique_ptr<net::Server> server_;
+};
+
+}  // namespace robot::app

@@ -1,0 +1,77 @@
+#include "robot/app/server_settings.h"
+
+#include <sys/random.h>
+
+#include <cstdlib>
+
+#include "robot/core/files.h"
+
+namespace robot::app {
+namespace {
+
+constexpr std::size_t kTokenBytes = 16, kMaxTokenFileBytes = 4096;
+
+std::filesystem::path state_folder(const ServerSettings& settings) {
+  if (!settings.state_folder.empty()) return settings.state_folder;
+  if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state)
+    return std::filesystem::path(state) / "foresight";
+  if (const char* home = std::getenv("HOME"); home && *home)
+    return std::filesystem::path(home) / ".local/state/foresight";
+  return "/var/lib/foresight";
+}
+
+Result<std::string> make_token() {
+  unsigned char bytes[kTokenBytes];
+  if (getrandom(bytes, sizeof bytes, 0) != static_cast<ssize_t>(sizeof bytes))
+    return Error{"token: the system gave no random numbers"};
+  std::string token;
+  for (const unsigned char byte : bytes) {
+    token.push_back("0123456789abcdef"[byte >> 4]);
+    token.push_back("0123456789abcdef"[byte & 15]);
+  }
+  return token;
+}
+
+/// The token in `folder`, made if there is none.
+Result<std::string> token_in(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "token";
+  std::error_code failed;
+  if (std::filesystem::exists(path, failed)) {
+    Result<std::string> text = read_file(path, kMaxTokenFileBytes);
+    if (!text) return Error{"token: " + text.error()};
+    text->erase(text->find_last_not_of(" \r\n\t") + 1);
+    if (text->size() < 8) return Error{"token: expected at least 8 characters in " + path.string()};
+    return text;
+  }
+  Result<std::string> token = make_token();
+  if (!token) return token;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) return Error{"token: cannot make the folder " + folder.string() + ": " + failed.message()};
+  if (Result<void> written = replace_file(path, *token + "\n", 0600); !written)
+    return Error{"token: " + written.error()};
+  return token;
+}
+
+}  // namespace
+
+void add_server_options(CLI::App& command, ServerSettings& settings) {
+  command.add_option("--bind", settings.bind, "IP addresses to listen on; 0.0.0.0 is all")->capture_default_str();
+  command.add_option("--port", settings.port, "one port for viewer, API, recordings and WebSocket; 0: any free one")
+      ->capture_default_str();
+  command.add_option("--allow-host", settings.allowed_hosts, "further host names of this machine");
+  command.add_option("--allow-origin", settings.allowed_origins, "further pages that may connect, https://host");
+  command.add_option("--state-dir", settings.state_folder, "where the control token is kept");
+  command.add_flag("--protect-reading", settings.protect_reading,
+                   "watching from another machine needs the token too, not only controlling");
+}
+
+Result<net::AccessOptions> access_options(const ServerSettings& settings) {
+  const Result<std::string> token = token_in(state_folder(settings));
+  if (!token) return Error{token.error()};
+  return net::AccessOptions{
+      .origins = {.hosts = settings.allowed_hosts, .origins = settings.allowed_origins, .robots = {}},
+      .control_token = *token,
+      .read_token = settings.protect_reading ? *token : ""};
+}
+
+}  // namespace robot::app

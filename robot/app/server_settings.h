@@ -1,0 +1,28 @@
+// What a person may say about serving, on the command line of every program that serves.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/net/routes.h"
+
+namespace robot::app {
+
+struct ServerSettings {
+  std::vector<std::string> bind = {"127.0.0.1"};
+  std::uint16_t port = 8765;
+  std::vector<std::string> allowed_hosts, allowed_origins;
+  std::filesystem::path state_folder;  // empty: $XDG_STATE_HOME/foresight, or ~/.local/state/foresight
+  bool protect_reading = false;
+};
+
+void add_server_options(CLI::App& command, ServerSettings& settings);
+
+/// Who may do what. Makes the control token on the first start, readable by this user only.
+Result<net::AccessOptions> access_options(const ServerSettings& settings);
+
+}  // namespace robot::app

@@ -1,0 +1,61 @@
+// What the server asks the program it is part of.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "robot/core/result.h"
+#include "robot/logging/provider.h"
+#include "robot/memory/channel.h"
+#include "robot/net/http.h"
+
+namespace robot::net {
+
+/// What `GET /logs/…` asks for. Times are capture times [ns since the epoch].
+struct LogRequest {
+  std::string session;                          // a safe name: no separators, no leading dot
+  std::optional<std::string> stream;            // one stream's file name without ".mcap"; nothing: the whole session
+  std::optional<std::uint64_t> from_ns, to_ns;  // only the chunks that overlap this range
+  std::optional<std::uint64_t> until_ns;        // of a live session: what was recorded up to then
+};
+
+/// The answer: a file to send, or where to look.
+struct LogFile {
+  std::shared_ptr<BodySource> body;
+  std::string etag;                                // without quotes
+  std::optional<std::uint64_t> redirect_until_ns;  // the session is live: ask again with this `until`; no body then
+};
+
+/// Where status, sessions and recordings come from. Called by one thread of the server that may wait for the disk.
+class Application {
+ public:
+  virtual ~Application() = default;
+
+  /// The body of `GET /api/status`: a JSON object.
+  virtual std::string status_json() = 0;
+
+  /// The body of `GET /api/sessions`: a JSON object with "sessions".
+  virtual std::string sessions_json() = 0;
+
+  /// Opens a recording; an Error is told to the client (404).
+  virtual Result<LogFile> open_log(const LogRequest& request) = 0;
+};
+
+/// Who carries channels to providers: the logging board. Called by one thread of the server, never by its I/O thread.
+class Streams {
+ public:
+  using Id = std::uint64_t;
+
+  virtual ~Streams() = default;
+
+  /// Carries every version of `channel` to `provider` from now on, beginning with the newest there is,
+  /// on a thread of its own.
+  virtual Id start(std::shared_ptr<memory::Channel> channel, std::unique_ptr<logging::OutProvider> provider) = 0;
+
+  /// Ends the stream. When this returns the provider is not being used any more.
+  virtual void stop(Id id) = 0;
+};
+
+}  // namespace robot::net

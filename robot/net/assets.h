@@ -1,0 +1,17 @@
+// The files of the viewer, part of the program. Generated when the viewer is built, or no_viewer_assets.cpp.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace robot::net {
+
+struct Asset {
+  std::string_view path, content_type, gzip;  // "/index.html" or "index.html"; the type with its charset; the bytes
+  std::string_view etag;                      // without quotes
+};
+
+extern const Asset kViewerAssets[];
+extern const std::size_t kViewerAssetCount;
+
+}  // namespace robot::net

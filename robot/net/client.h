@@ -1,0 +1,39 @@
+// One client of the live protocol, as the hub sees it: no socket.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "robot/net/client_queue.h"
+#include "robot/net/services.h"
+
+namespace robot::net {
+
+/// What is known of a client when it comes.
+struct ClientIdentity {
+  ClientContext context;  // the id is given by the hub
+  std::string user_agent, subprotocol;
+  bool lossless = false;  // it gets every message or is disconnected
+};
+
+struct Client {
+  Client(ClientIdentity who, const QueueLimits& limits) : identity(std::move(who)), queue(limits, identity.lossless) {}
+
+  ClientIdentity identity;
+  ClientQueue queue;
+  std::map<std::uint32_t, std::uint32_t> channel_of;  // by subscription id
+
+  bool watches_all_parameters = false;
+  std::set<std::string> watched_parameters;
+
+  // round trip, by WebSocket ping: one at a time
+  std::optional<std::uint64_t> ping_sent_ns;  // [monotonic]
+  std::optional<std::uint64_t> round_trip_ns;
+
+  std::uint64_t drops_told = 0, drops_told_ns = 0;  // what the last status said, and when [monotonic]; 0: none stands
+};
+
+}  // namespace robot::net

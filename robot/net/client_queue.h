@@ -1,0 +1,126 @@
+// What waits for one client: the decision what it gets next, and what it does not get.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot/memory/channel.h"
+
+namespace robot::net {
+
+struct QueueLimits {
+  std::size_t fifo_messages = 32;         // per fifo channel; a third of a second of sensors
+  std::size_t reliable_bytes = 1 << 20;   // per reliable channel
+  std::size_t lossless_bytes = 32 << 20;  // of all channels together, of a client that gets everything
+  std::size_t control_bytes = 16 << 20;   // of answers and announcements
+};
+
+/// What is written to the socket next: first `bytes`, then `large`, which is not copied but kept alive by `keeper`.
+struct Batch {
+  std::string bytes;
+  std::string_view large;
+  std::shared_ptr<const void> keeper;
+};
+
+/// The messages that wait for one client, one slot per channel. A slot keeps what its delivery asks for: `latest` the
+/// newest message, `fifo` the last few, `reliable` all. What is next is decided when the socket can take it, not when it
+/// was produced: answers, then events, then small messages, then large ones; channels of a class take turns.
+/// Old data are worse than none; what is passed over is counted. Used by one thread.
+class ClientQueue {
+ public:
+  static constexpr std::size_t kBatchBytes = 64 << 10;  // small frames copied together
+  static constexpr std::size_t kLargeBytes = 16 << 10;  // from this size on a message is referenced, not copied
+
+  enum class Pushed {
+    queued,
+    known,     // this version or a later one was taken before, or nobody subscribed to the channel
+    overflow,  // it may not be left out and there is no room: the client has to go
+  };
+
+  /// A `lossless` client gets every message of every channel.
+  ClientQueue(const QueueLimits& limits, bool lossless) : limits_(limits), lossless_(lossless) {}
+  ClientQueue(const ClientQueue&) = delete;
+  ClientQueue& operator=(const ClientQueue&) = delete;
+
+  /// From now on messages of `channel` are taken, and sent under the number `subscription`.
+  void subscribe(std::uint32_t channel, std::uint32_t subscription, memory::Delivery delivery);
+
+  /// Nothing of `channel` is taken or sent any more; its counts remain.
+  void unsubscribe(std::uint32_t channel);
+
+  /// Takes a version of `channel`.
+  Pushed push(std::uint32_t channel, const memory::VersionPtr& version);
+
+  /// Counts `messages` of `channel` that were lost before they came here.
+  void count_lost(std::uint32_t channel, std::uint64_t messages);
+
+  /// Takes a whole frame that goes before all messages, in order; false if there is no room: the client has to go.
+  bool push_control(std::string frame);
+
+  /// Takes a Time; only the newest is sent.
+  void push_time(std::uint64_t time_ns) { time_ns_ = time_ns; }
+
+  /// Forgets what waits and may be left out: it belongs to a time line that is over.
+  void forget();
+
+  /// Throws away the messages, sends what control frames there are, then `close_frame`, then nothing any more.
+  void finish(std::string close_frame);
+  bool finished() const { return finished_; }
+
+  /// Takes out what is to be written next; false if nothing waits.
+  bool fill(Batch& batch);
+
+  bool empty() const { return control_.empty() && !time_ns_ && messages_ == 0; }
+
+  struct Counts {
+    std::uint32_t channel = 0;
+    std::uint64_t sent = 0;     // [messages] handed to the socket
+    std::uint64_t dropped = 0;  // [messages] passed over, or lost before they came here
+    std::size_t queued_messages = 0, queued_bytes = 0;
+  };
+  /// One entry per channel that was ever subscribed.
+  std::vector<Counts> counts() const;
+  std::uint64_t dropped() const;
+
+ private:
+  enum Lane { events, small, large, kLanes };
+
+  struct Slot {
+    std::uint32_t channel = 0, subscription = 0;
+    memory::Delivery delivery = memory::Delivery::latest;
+    bool subscribed = false;
+    bool in_lane = false;
+    std::deque<memory::VersionPtr> waiting;
+    std::size_t bytes = 0;
+    std::uint64_t last_sequence = 0, sent = 0, dropped = 0;
+  };
+
+  Slot* find(std::uint32_t channel);
+  bool make_room(Slot& slot, std::size_t bytes);
+  void drop_oldest(Slot& slot);
+  void clear(Slot& slot);
+  memory::VersionPtr pop(Slot& slot);
+  void line_up(Slot& slot);
+  bool take_control(Batch& batch);
+  bool take_message(Batch& batch, std::deque<Slot*>& lane);
+  void take_front(Batch& batch, Slot& slot);
+
+  const QueueLimits limits_;
+  const bool lossless_;
+  std::vector<std::unique_ptr<Slot>> slots_;  // by channel id
+  std::array<std::deque<Slot*>, kLanes> lanes_;
+  std::size_t messages_ = 0, message_bytes_ = 0;  // waiting, in all slots
+
+  std::deque<std::string> control_;
+  std::size_t control_bytes_ = 0;
+  std::optional<std::uint64_t> time_ns_;
+  bool finished_ = false;
+};
+
+}  // namespace robot::net

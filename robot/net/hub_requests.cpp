@@ -1,0 +1,123 @@
+// What the hub does when a client asks for something.
+#include <algorithm>
+#include <utility>
+
+#include "robot/net/hub.h"
+
+namespace robot::net {
+
+void Hub::on_text(Client& client, std::string_view text) { handle(client, foxglove::parse_client_text(text)); }
+
+void Hub::on_binary(Client& client, std::string_view bytes) { handle(client, foxglove::parse_client_binary(bytes)); }
+
+void Hub::handle(Client& client, const Result<foxglove::ClientMessage>& message) {
+  if (client.queue.finished()) return;
+  if (!message) return complain(client, message.error());
+  std::visit([&](const auto& content) { handle(client, content); }, *message);
+}
+
+void Hub::handle(Client& client, const foxglove::Subscribe& message) {
+  for (const auto& item : message.subscriptions) subscribe(client, item);
+}
+
+void Hub::subscribe(Client& client, const foxglove::Subscribe::Item& item) {
+  OfferedChannel* channel = channels_.find(item.channel);
+  if (!channel) return complain(client, "subscribe: there is no channel " + std::to_string(item.channel));
+  if (client.channel_of.contains(item.subscription))
+    return complain(client, "subscribe: the subscription id " + std::to_string(item.subscription) + " is in use");
+  if (std::ranges::find(channel->subscribers, &client) != channel->subscribers.end())
+    return complain(client, "subscribe: " + channel->info.topic + " is subscribed already");
+
+  client.channel_of[item.subscription] = channel->id;
+  client.queue.subscribe(channel->id, item.subscription, channel->info.delivery);
+  channel->subscribers.push_back(&client);
+
+  // a new stream begins with the newest message; of a running one the client gets it here
+  if (channel->stream == 0) {
+    channel->last_sequence = 0;
+    channel->stream = streams_.start(channel->id, channel->source, channel->derived ? &*channel->derived : nullptr);
+  } else if (const memory::VersionPtr newest = channel->last_value()) {
+    push(client, channel->id, newest);
+  }
+}
+
+void Hub::handle(Client& client, const foxglove::Unsubscribe& message) {
+  for (const std::uint32_t subscription : message.subscriptions) {
+    const auto found = client.channel_of.extract(subscription);
+    if (!found) {
+      complain(client, "unsubscribe: there is no subscription " + std::to_string(subscription));
+      continue;
+    }
+    client.queue.unsubscribe(found.mapped());
+    remove_subscriber(*channels_.find(found.mapped()), client);
+  }
+}
+
+void Hub::tell_parameters(Client& client, const std::vector<std::string>& names, const std::optional<std::string>& id) {
+  std::vector<std::pair<std::string, ParameterValue>> values;
+  for (const std::string& name : names)
+    if (auto value = parameters_.get(name)) values.emplace_back(name, *std::move(value));
+  say(client, foxglove::parameter_values(values, id));
+}
+
+void Hub::handle(Client& client, const foxglove::GetParameters& message) {
+  tell_parameters(client, message.names.empty() ? parameters_.names() : message.names, message.id);
+}
+
+// the answer holds the actual values, whatever became of the wish
+void Hub::handle(Client& client, const foxglove::SetParameters& message) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : message.parameters) {
+    names.push_back(name);
+    if (!client.identity.context.may_control) {
+      complain(client,
+               "parameter '" + name.substr(0, 100) +
+                   "': control from another machine needs the control token: add ?token=<token> to the address");
+    } else if (!value) {
+      complain(client, "parameter '" + name.substr(0, 100) + "': expected true, false, a number or a text");
+    } else if (const auto set = parameters_.set(name, *value); !set) {
+      complain(client, set.error());
+    }
+  }
+  tell_parameters(client, names, message.id);
+}
+
+void Hub::handle(Client& client, const foxglove::WatchParameters& message) {
+  if (message.names.empty()) {
+    client.watches_all_parameters = message.watch;
+    client.watched_parameters.clear();
+  }
+  // only names that exist are kept: a client cannot fill our memory
+  for (const std::string& name : message.names) {
+    if (!message.watch)
+      client.watched_parameters.erase(name);
+    else if (parameters_.get(name))
+      client.watched_parameters.insert(name);
+  }
+}
+
+void Hub::handle(Client& client, const foxglove::ServiceCall& message) {
+  if (!services_.has(message.service)) {
+    const std::string sentence = "there is no service " + std::to_string(message.service);
+    say(client, foxglove::service_call_failure(message.service, message.call, sentence));
+    return complain(client, sentence);  // viewers show this one
+  }
+  const std::string answer = message.encoding == "json"
+                                 ? services_.call(message.service, message.payload, client.identity.context)
+                                 : failure("service: expected the encoding 'json'").dump();
+  say_binary(client, foxglove::service_response(message.service, message.call, "json", answer));
+}
+
+void Hub::handle(Client& client, const foxglove::ClientPublish&) {
+  complain(client, "this server takes no messages from clients");
+}
+
+void Hub::handle(Client& client, const foxglove::PlaybackControl&) {
+  complain(client, "this server does not play back");
+}
+
+void Hub::handle(Client& client, const foxglove::Unsupported& message) {
+  complain(client, "this server does not announce what '" + message.op + "' needs");
+}
+
+}  // namespace robot::net

@@ -1,0 +1,156 @@
+#include "robot/net/routes.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "robot/net/asset_files.h"
+#include "robot/net/session_page.h"
+
+namespace robot::net {
+namespace {
+
+constexpr std::string_view kLogs = "/logs/";
+
+// what tells about the robot; the rest is the viewer
+bool is_data(std::string_view path) { return path.starts_with("/api/") || path.starts_with("/logs"); }
+
+bool is_safe_name(std::string_view name) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||
+           c == '-';
+  };
+  return !name.empty() && name.size() <= 200 && name.front() != '.' && std::ranges::all_of(name, allowed);
+}
+
+Result<std::optional<std::uint64_t>> parse_time(const Target& target, const char* name) {
+  const std::string text = target.parameter(name);
+  if (text.empty()) return std::optional<std::uint64_t>();
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size())
+    return Error{"logs: '" + std::string(name) + "' must be a time in ns since the epoch"};
+  return std::optional(value);
+}
+
+// the same request once more, for what is recorded up to `until_ns`
+std::string location(const Target& target, std::uint64_t until_ns) {
+  return target.path + "?" + (target.query.empty() ? "" : target.query + "&") + "until=" + std::to_string(until_ns);
+}
+
+}  // namespace
+
+Access access_of(const AccessOptions& options, std::string_view address, std::string_view token) {
+  const bool loopback = is_loopback(address);
+  const bool control = loopback || same_token(token, options.control_token);
+  return {.loopback = loopback,
+          .may_watch = control || options.read_token.empty() || same_token(token, options.read_token),
+          .may_control = control};
+}
+
+bool Routes::may_wait(const HttpRequest& request) {
+  const auto target = parse_target(request.target);
+  return target && is_data(target->path);
+}
+
+HttpResponse Routes::answer(const HttpRequest& request, std::string_view address) const {
+  // a second Host header could be the one somebody else goes by
+  if (std::ranges::count(request.headers, "host", &Headers::value_type::first) != 1)
+    return error_response(400, "HTTP request: expected one Host header");
+  if (auto accepted = check_host(access_.origins, *request.header("host")); !accepted)
+    return error_response(403, accepted.error());
+
+  HttpResponse response;
+  if (const auto target = parse_target(request.target))
+    response = route(request, *target, address);
+  else
+    response = error_response(400, target.error());
+  add_cross_origin_headers(request, response);
+  return response;
+}
+
+HttpResponse Routes::route(const HttpRequest& request, const Target& target, std::string_view address) const {
+  if (request.method == "OPTIONS") {
+    return {.status = 204, .headers = {{"Allow", "GET, HEAD, OPTIONS"}}};
+  }
+  if (request.method != "GET" && request.method != "HEAD") {
+    HttpResponse refused = error_response(405, "HTTP request: expected GET, HEAD or OPTIONS");
+    refused.headers.emplace_back("Allow", "GET, HEAD, OPTIONS");
+    return refused;
+  }
+
+  // the viewer itself is no secret, what it shows may be
+  if (auto asset = asset_response(assets_, request, target.path)) return *std::move(asset);
+  if (is_data(target.path) && !access_of(access_, address, target.parameter("token")).may_watch)
+    return error_response(401, "reading from this robot needs its read token: add ?token=<token> to the address");
+
+  if (target.path == "/api/status") return text_response(200, "application/json", application_.status_json());
+  if (target.path == "/api/sessions") return text_response(200, "application/json", application_.sessions_json());
+  if (target.path == "/logs" || target.path == kLogs) return answer_sessions(request, target);
+  if (target.path.starts_with(kLogs)) return answer_log(request, target);
+  return error_response(404, "there is nothing at this path");
+}
+
+HttpResponse Routes::answer_sessions(const HttpRequest& request, const Target& target) const {
+  std::string sessions = application_.sessions_json();
+  if (request.has_token("accept", "application/json"))
+    return text_response(200, "application/json", std::move(sessions));
+  const std::string query = target.parameter("token").empty() ? "" : target.query;
+  return text_response(200, "text/html; charset=utf-8", session_page(sessions, query));
+}
+
+HttpResponse Routes::answer_log(const HttpRequest& request, const Target& target) const {
+  const auto log_request = parse_log_request(target);
+  if (!log_request) return error_response(404, log_request.error());
+  auto file = application_.open_log(*log_request);
+  if (!file) return error_response(404, file.error());
+  if (file->redirect_until_ns)
+    return {.status = 307,
+            .headers = {{"Location", location(target, *file->redirect_until_ns)}, {"Cache-Control", "no-store"}}};
+
+  const std::string name = log_request->session + (log_request->stream ? "." + *log_request->stream : "") + ".mcap";
+  HttpResponse response =
+      body_response(request, std::move(file->body), "\"" + file->etag + "\"", "application/octet-stream");
+  response.headers.emplace_back("Content-Disposition", "attachment; filename=\"" + name + "\"");
+  return response;
+}
+
+// pages of accepted origins may read what we serve: Lichtblick opens recordings by their address
+void Routes::add_cross_origin_headers(const HttpRequest& request, HttpResponse& response) const {
+  const auto origin = request.header("origin");
+  if (!origin || !check_origin(access_.origins, origin, request.header("host").value_or(""))) return;
+  response.headers.emplace_back("Access-Control-Allow-Origin", *origin);
+  response.headers.emplace_back("Access-Control-Expose-Headers",
+                                "Accept-Ranges, Content-Length, Content-Range, ETag, Content-Type");
+  if (request.method == "OPTIONS") {
+    response.headers.emplace_back("Access-Control-Allow-Methods", "GET, HEAD, OPTIONS");
+    response.headers.emplace_back("Access-Control-Allow-Headers", "Range, If-Range, If-None-Match, Accept");
+    response.headers.emplace_back("Access-Control-Max-Age", "600");
+  }
+  response.headers.emplace_back("Vary", "Origin");
+}
+
+Result<LogRequest> parse_log_request(const Target& target) {
+  constexpr std::string_view kEnding = ".mcap";
+  std::string_view rest = target.path;
+  if (!rest.starts_with(kLogs) || !rest.ends_with(kEnding))
+    return Error{"logs: expected a path like /logs/<session>.mcap"};
+  rest.remove_prefix(kLogs.size());
+  rest.remove_suffix(kEnding.size());
+
+  LogRequest request;
+  const std::size_t slash = rest.find('/');
+  request.session = rest.substr(0, slash);
+  if (slash != std::string_view::npos) request.stream = rest.substr(slash + 1);
+  if (!is_safe_name(request.session) || (request.stream && !is_safe_name(*request.stream)))
+    return Error{"logs: names consist of letters, digits, '.', '_' and '-' and do not begin with '.'"};
+
+  for (const auto& [name, field] :
+       {std::pair{"from", &LogRequest::from_ns}, {"to", &LogRequest::to_ns}, {"until", &LogRequest::until_ns}}) {
+    const auto time = parse_time(target, name);
+    if (!time) return Error{time.error()};
+    request.*field = *time;
+  }
+  return request;
+}
+
+}  // namespace robot::net

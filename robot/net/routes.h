@@ -1,0 +1,59 @@
+// Which request gets which answer.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "robot/net/application.h"
+#include "robot/net/assets.h"
+#include "robot/net/http.h"
+#include "robot/net/origin_policy.h"
+
+namespace robot::net {
+
+/// Who may do what from beyond this machine.
+struct AccessOptions {
+  OriginPolicy origins;
+  std::string control_token;  // for parameters and services; empty: nobody from beyond loopback
+  std::string read_token;     // for watching and recordings; empty: everybody
+};
+
+/// What the other end of a connection may do.
+struct Access {
+  bool loopback = false;
+  bool may_watch = false;
+  bool may_control = false;
+};
+
+/// Decides by the address of the other end and the token it gives.
+Access access_of(const AccessOptions& options, std::string_view address, std::string_view token);
+
+/// Answers everything but WebSocket upgrades. Any thread.
+class Routes {
+ public:
+  /// All three outlive the routes.
+  Routes(const AccessOptions& access, std::span<const Asset> assets, Application& application)
+      : access_(access), assets_(assets), application_(application) {}
+
+  /// Whether answer() may wait for the disk.
+  static bool may_wait(const HttpRequest& request);
+
+  /// The answer to `request` from `address`.
+  HttpResponse answer(const HttpRequest& request, std::string_view address) const;
+
+ private:
+  HttpResponse route(const HttpRequest& request, const Target& target, std::string_view address) const;
+  HttpResponse answer_log(const HttpRequest& request, const Target& target) const;
+  HttpResponse answer_sessions(const HttpRequest& request, const Target& target) const;
+  void add_cross_origin_headers(const HttpRequest& request, HttpResponse& response) const;
+
+  const AccessOptions& access_;
+  std::span<const Asset> assets_;
+  Application& application_;
+};
+
+/// Reads the path and query of `GET /logs/…mcap`.
+Result<LogRequest> parse_log_request(const Target& target);
+
+}  // namespace robot::net

@@ -1,0 +1,16 @@
+// The list of recordings as a page, for people without the viewer.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace robot::net {
+
+/// The HTML of `sessions_json`, the body of `GET /api/sessions`. Every text is escaped. `query` is appended to the links
+/// (it holds the read token, if one is needed).
+std::string session_page(std::string_view sessions_json, std::string_view query);
+
+/// `text` so that HTML shows it as it is, also within quotes.
+std::string escaped(std::string_view text);
+
+}  // namespace robot::net

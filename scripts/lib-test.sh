@@ -1,0 +1,100 @@
+# The parts that scripts/test and scripts/check are made of; sourced, never run.
+# Every step runs, also after one has failed, and leaves a note in build/results; the totals are added up at the end.
+# shellcheck shell=bash
+. "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+
+results=$root/build/results
+
+# step KIND NAME COMMAND…: runs the command, says how long it took and notes whether it failed.
+#   prepare   counts only when it fails (a build)
+#   check     counts as one test
+#   tests     its tests are counted from what it writes to build/results/NAME.*
+step() {
+  local kind=$1 name=$2 outcome=passed started=$SECONDS
+  shift 2
+  say "== $name"
+  "$@" || outcome=failed
+  say "   $outcome after $((SECONDS - started)) s"
+  printf '%s\t%s\t%s\n' "$outcome" "$kind" "$name" >>"$results/steps.txt"
+  [[ $outcome == passed ]]
+}
+
+begin_steps() {
+  rm -rf "$results"
+  mkdir -p "$results"
+}
+
+# Prints failures, skips and the totals; status 1 if anything failed.
+end_steps() { node "$root/scripts/lib-totals.mjs" "$results"; }
+
+# Options that scripts/test and scripts/check share, and the recordings they speak of.
+# shellcheck disable=SC2034  # read by those who source this
+setup_options=()
+# shellcheck disable=SC2034
+test_options() {
+  local argument
+  for argument in "$@"; do
+    case $argument in
+      --yes) setup_options=(--yes) ;;
+      --require-data) export FORESIGHT_REQUIRE_DATA=1 ;;
+      --help | -h) show_help && exit 0 ;;
+      *) die "unknown argument '$argument'; see scripts/${0##*/} --help" ;;
+    esac
+  done
+  if [[ -n ${FORESIGHT_DATA:-} ]]; then
+    [[ -d $FORESIGHT_DATA ]] || die "FORESIGHT_DATA names the folder of real recordings, but '$FORESIGHT_DATA' is none"
+    FORESIGHT_DATA=$(cd "$FORESIGHT_DATA" && pwd)
+    export FORESIGHT_DATA
+  fi
+}
+
+# run_ctest NAME PRESET [OPTION…]: the C++ tests of build/PRESET. Shows what did not pass.
+run_ctest() {
+  local name=$1 preset=$2
+  shift 2
+  on_fixed_addresses ctest --test-dir "$root/build/$preset" -j 2 --timeout 300 --no-tests=error --output-on-failure \
+    --output-junit "$results/$name.junit.xml" "$@" 2>&1 |
+    sed -u -E '/^ *Start +[0-9]+: /d; / Passed +[0-9.]+ sec *$/d; /^Internal ctest changing/d'
+}
+
+# run_node_tests NAME FILE…
+run_node_tests() {
+  local name=$1
+  shift
+  node --test --test-reporter=spec --test-reporter-destination="$results/$name.txt" \
+    --test-reporter=tap --test-reporter-destination="$results/$name.tap" "$@" || { cat "$results/$name.txt"; return 1; }
+}
+
+run_vitest() {
+  (cd "$root/viewer-web" &&
+    npx --no-install vitest run --reporter=default --reporter=json --outputFile.json="$results/viewer.vitest.json") \
+    >"$results/viewer.txt" 2>&1 || { cat "$results/viewer.txt"; return 1; }
+}
+
+# Runs quietly; what it printed is shown only when it fails.
+quietly() {
+  local talk
+  talk=$("$@" 2>&1) || { printf '%s\n' "$talk"; return 1; }
+}
+
+# What scripts/test does after the set-up, and scripts/check before its own steps.
+test_steps() {
+  if step prepare 'build dev' "$root/scripts/build" dev; then
+    step tests 'C++' run_ctest 'C++' dev || true
+  fi
+
+  # the viewer itself was built with the programs that serve it
+  if step prepare 'viewer packages' "$root/scripts/viewer-packages"; then
+    step check 'viewer types' quietly npm --prefix "$root/viewer-web" run --silent check || true
+    step tests 'viewer' run_vitest || true
+  fi
+
+  # the checks have tests too; they need nothing but node
+  step tests 'checks' run_node_tests checks "$root"/tests/check/*.test.mjs || true
+
+  local browser_tests=("$root"/tests/e2e/*.test.mjs)
+  if [[ -e ${browser_tests[0]} ]]; then
+    export FORESIGHT_BIN=$root/build/dev/bin
+    step tests 'browser' run_node_tests browser "${browser_tests[@]}" || true
+  fi
+}

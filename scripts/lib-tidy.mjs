@@ -1,0 +1,55 @@
+// Which files clang-tidy has not passed yet, for scripts/check.
+//
+//   node scripts/lib-tidy.mjs BUILD_FOLDER TIDY_FOLDER
+//
+// Prints a line `MARK FILE` for each of our source files that must be looked at: if clang-tidy likes FILE, make the
+// empty file MARK, and it will not be printed again until the file, a header it includes, how it is compiled, the
+// configuration or clang-tidy itself changed. TIDY_FOLDER also receives the compile_commands.json to use.
+import { execFileSync } from "node:child_process";
+import { createHash } from "node:crypto";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join, relative, resolve } from "node:path";
+
+const [buildFolder, tidyFolder] = process.argv.slice(2).map((path) => resolve(path));
+const root = resolve(".");
+mkdirSync(join(tidyFolder, "passed"), { recursive: true });
+
+const isOurs = (path) => /^(robot|sim|tests)\//.test(relative(root, path));
+const commands = JSON.parse(readFileSync(join(buildFolder, "compile_commands.json"), "utf8"))
+  .filter(({ file }) => isOurs(file))
+  // a precompiled header of one compiler means nothing to another; the files include what they use anyway
+  .map((entry) => ({ ...entry, command: entry.command.replace(/ -Winvalid-pch| -include \S*cmake_pch\.hxx/g, "") }));
+writeFileSync(join(tidyFolder, "compile_commands.json"), JSON.stringify(commands, null, 1));
+
+/** What each object file was made from, as ninja recorded it: object → paths of headers. */
+function headersOfObjects() {
+  const headers = new Map();
+  let object;
+  const told = execFileSync("ninja", ["-C", buildFolder, "-t", "deps"], { encoding: "utf8", maxBuffer: 1 << 30 });
+  for (const line of told.split("\n")) {
+    const start = /^(\S.*): #deps /.exec(line);
+    if (start) headers.set((object = start[1]), []);
+    else if (line.startsWith("    ")) headers.get(object)?.push(resolve(buildFolder, line.trim()));
+  }
+  return headers;
+}
+
+const hashes = new Map();
+/** Of the file's content; "" if it is gone. */
+function hashOf(path) {
+  if (!hashes.has(path))
+    hashes.set(path, existsSync(path) ? createHash("sha256").update(readFileSync(path)).digest("hex") : "");
+  return hashes.get(path);
+}
+
+const headers = headersOfObjects();
+const version = execFileSync("clang-tidy", ["--version"], { encoding: "utf8" });
+const configuration = readFileSync(join(root, ".clang-tidy"), "utf8");
+for (const { file, command, output } of commands) {
+  const object = output ?? / -o (\S+)/.exec(command)?.[1];
+  // the system's headers change only with its packages; ours and the generated ones are within the repository
+  const used = (headers.get(object) ?? []).filter((path) => path.startsWith(`${root}/`)).sort();
+  const key = createHash("sha256").update(JSON.stringify([version, configuration, command, ...[file, ...used].map(hashOf)]));
+  const mark = join(tidyFolder, "passed", key.digest("hex"));
+  if (!existsSync(mark)) console.log(`${mark} ${file}`);
+}

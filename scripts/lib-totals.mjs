@@ -1,0 +1,91 @@
+// Adds up what the steps of scripts/test and scripts/check left in build/results.
+//
+//   node scripts/lib-totals.mjs FOLDER
+//
+// Prints each failure, why tests were skipped, and last `N passed, N failed, N skipped`. Status 1 if anything failed.
+// With FORESIGHT_REQUIRE_DATA=1 a test that was skipped for want of recordings counts as failed: such a test says
+// FORESIGHT_DATA in its reason.
+import { existsSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+
+const folder = process.argv[2];
+const read = (name) => (existsSync(join(folder, name)) ? readFileSync(join(folder, name), "utf8") : undefined);
+
+const unescape = (text) =>
+  text.replace(/&(lt|gt|quot|apos|amp|#10);/g, (_, name) => ({ lt: "<", gt: ">", quot: '"', apos: "'", amp: "&", "#10": "\n" })[name]);
+
+/** The tests of a JUnit file as ctest writes it. */
+function* fromCtest(xml) {
+  for (const [, attributes, body = ""] of xml.matchAll(/<testcase ([^>]*?)(?:\/>|>([\s\S]*?)<\/testcase>)/g)) {
+    const attribute = (name) => unescape(new RegExp(`\\b${name}="([^"]*)"`).exec(attributes)?.[1] ?? "");
+    const name = attribute("name");
+    const status = attribute("status");
+    if (status === "run") yield { name, outcome: "passed" };
+    else if (status === "fail") yield { name, outcome: "failed" };
+    else {
+      // ctest calls it "not run" too when a program is missing: only what a test said itself is a skip
+      const said = /<skipped message="SKIP_/.test(body) || status === "disabled";
+      const output = unescape(/<system-out>([\s\S]*?)<\/system-out>/.exec(body)?.[1] ?? "");
+      const reason = /: Skipped\n([\s\S]*?)\n+\[ {2}SKIPPED/.exec(output)?.[1].trim() ?? "no reason given";
+      yield said ? { name, outcome: "skipped", reason } : { name: `${name} (could not be started)`, outcome: "failed" };
+    }
+  }
+}
+
+/** The tests of Vitest's JSON. */
+function* fromVitest(json) {
+  for (const file of JSON.parse(json).testResults) {
+    if (file.status === "failed" && file.assertionResults.length === 0) yield { name: file.name, outcome: "failed" };
+    for (const test of file.assertionResults) {
+      const outcome = test.status === "passed" || test.status === "failed" ? test.status : "skipped";
+      yield { name: test.fullName, outcome, reason: "no reason given" };
+    }
+  }
+}
+
+/** The tests of TAP as node writes it; those inside a suite or another test count, the one around them does not. */
+function* fromTap(tap) {
+  const depthOf = (line) => line.length - line.trimStart().length;
+  const lines = tap.split("\n").filter((line) => /^ *(not )?ok \d+/.test(line));
+  for (const [index, line] of lines.entries()) {
+    // a line comes after those of what is inside it
+    if (index > 0 && depthOf(lines[index - 1]) > depthOf(line)) continue;
+    const [, not, name, skip, reason] = /^ *(not )?ok \d+(?: - (.*?))?(?: # (SKIP|TODO)(?: (.*))?)?$/.exec(line);
+    yield { name, outcome: skip ? "skipped" : not ? "failed" : "passed", reason: reason ?? "no reason given" };
+  }
+}
+
+/** The tests of one step by whatever file it left; undefined if it left none. */
+function testsOf(name) {
+  for (const [ending, parse] of [[".junit.xml", fromCtest], [".vitest.json", fromVitest], [".tap", fromTap]]) {
+    const text = read(name + ending);
+    if (text !== undefined) return [...parse(text)];
+  }
+  return undefined;
+}
+
+const all = [];
+for (const line of (read("steps.txt") ?? "").split("\n").filter(Boolean)) {
+  const [outcome, kind, name] = line.split("\t");
+  const tests = kind === "tests" ? (testsOf(name) ?? []) : kind === "check" || outcome === "failed" ? [{ name: "", outcome }] : [];
+  // a step may fail without any of its tests: it crashed, or found none
+  if (outcome === "failed" && !tests.some((test) => test.outcome === "failed")) tests.push({ name: "", outcome: "failed" });
+  all.push(...tests.map((test) => ({ ...test, name: test.name ? `${name}: ${test.name}` : name })));
+}
+
+if (process.env.FORESIGHT_REQUIRE_DATA === "1")
+  for (const test of all)
+    if (test.outcome === "skipped" && test.reason.includes("FORESIGHT_DATA")) {
+      test.outcome = "failed";
+      test.name += " (skipped for want of recordings, which FORESIGHT_REQUIRE_DATA forbids)";
+    }
+
+const having = (outcome) => all.filter((test) => test.outcome === outcome);
+console.log("");
+const reasons = new Map();
+for (const test of having("skipped")) reasons.set(test.reason, [...(reasons.get(test.reason) ?? []), test.name]);
+for (const [reason, names] of reasons)
+  console.log(`skipped: ${names[0]}${names.length > 1 ? ` and ${names.length - 1} more` : ""}: ${reason.replace(/\s+/g, " ")}`);
+for (const test of having("failed")) console.log(`FAILED: ${test.name}`);
+console.log(`${having("passed").length} passed, ${having("failed").length} failed, ${having("skipped").length} skipped`);
+process.exitCode = having("failed").length || all.length === 0 ? 1 : 0;

@@ -1,0 +1,51 @@
+# What the scripts share; sourced, never run.
+# shellcheck shell=bash disable=SC2034
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+say() { printf '%s\n' "$*"; }
+
+# Bad usage or input: one sentence for the person who must fix it, exit status 2.
+die() {
+  printf '%s: %s\n' "${0##*/}" "$*" >&2
+  exit 2
+}
+
+# The comment at the head of a script is its help: one text, kept where it is read.
+show_help() { sed -n '2,/^[^#]/{/^#/s/^#[ ]\{0,1\}//p}' "$0"; }
+
+# Compile jobs that fit: one per core, and 1.5 GB of memory each (a Beast file takes 1.35 GB with debug information).
+compile_jobs() {
+  local jobs memory_kb limit_bytes fitting
+  jobs=$(nproc)
+  memory_kb=$(awk '/^MemAvailable:/ { print $2 }' /proc/meminfo 2>/dev/null || true)
+  # inside a container its own limit counts, not the machine's memory
+  limit_bytes=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || true)
+  if [[ $limit_bytes =~ ^[0-9]+$ && -n $memory_kb ]] && ((limit_bytes / 1024 < memory_kb)); then
+    memory_kb=$((limit_bytes / 1024))
+  fi
+  if [[ -n $memory_kb ]]; then
+    fitting=$((memory_kb / 1500000))
+    if ((fitting < jobs)); then jobs=$fitting; fi
+  fi
+  if ((jobs < 1)); then jobs=1; fi
+  printf '%s\n' "$jobs"
+}
+
+# Runs a command on fixed addresses where the kernel lets us: GCC's thread sanitizer refuses to start when the kernel
+# places a program's parts at addresses it did not foresee.
+on_fixed_addresses() {
+  if setarch "$(uname -m)" -R true 2>/dev/null; then
+    setarch "$(uname -m)" -R "$@"
+  else
+    "$@"
+  fi
+}
+
+# Our C and C++ files, each ended by a NUL character.
+all_code() {
+  local folder folders=()
+  for folder in robot sim tests; do if [[ -d $root/$folder ]]; then folders+=("$folder"); fi; done
+  (cd "$root" && find "${folders[@]}" -type f \( -name '*.h' -o -name '*.c' -o -name '*.cpp' \) -print0)
+}

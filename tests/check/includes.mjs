@@ -1,0 +1,138 @@
+// Who may include whom: reads every #include, every link of a CMake target and every import of the viewer, and says
+// in a sentence which of them crosses a border it must not cross.
+//
+//   node tests/check/run.mjs includes
+import { readFileSync } from "node:fs";
+import { join, posix } from "node:path";
+import { filesBelow } from "./files.mjs";
+
+/**
+ * The table. A folder may include itself, what is below it, and what its row lists; `everything` is for leaves, which
+ * nobody else may include. A folder gets its row in the commit that brings its first file, and is in nobody's list before.
+ */
+export const rows = {
+  proto: [],
+  "robot/core": [],
+  "robot/memory": ["robot/core", "proto"],
+  "robot/logging": ["robot/core", "robot/memory", "proto"],
+  "robot/net": ["robot/core", "robot/memory", "robot/logging", "proto"],
+  "robot/body": ["robot/core", "robot/memory", "robot/logging", "proto"],
+  "robot/lab": ["robot/core", "robot/memory", "robot/logging", "robot/net", "proto"],
+  "robot/app": "everything",
+  tests: "everything",
+};
+
+/** Libraries that only these folders know: by the first part of an #include, by the first part of a CMake target. */
+export const libraries = [{ name: "Boost", include: "boost/", target: "Boost::", folders: ["robot/net", "tests"] }];
+
+/** The row that rules over `path`, or undefined. */
+function rowOf(path, table) {
+  let folder = path;
+  while (folder !== "." && !(folder in table)) folder = posix.dirname(folder);
+  return folder === "." ? undefined : folder;
+}
+
+/** Undefined if files of row `from` may use those of row `to`, else the reason why not. */
+function reasonAgainst(from, to, table) {
+  if (from === to || from === "tests") return undefined;
+  if (table[to] === "everything") return `${to} is a leaf that nobody includes`;
+  if (table[from] === "everything" || table[from].includes(to)) return undefined;
+  return `${from} may only use ${table[from].length ? table[from].join(", ") : "nothing of ours"}`;
+}
+
+const isCode = (path) => /\.(h|hpp|c|cc|cpp)$/.test(path);
+const isScript = (path) => /\.(ts|js|mjs|svelte)$/.test(path);
+const lineOf = (text, index) => text.slice(0, index).split("\n").length;
+
+function* includesIn(text) {
+  for (const match of text.matchAll(/^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]/gm))
+    yield { quoted: match[1] === '"', path: match[2], line: lineOf(text, match.index) };
+}
+
+function* checkCode(path, text, { table, folders }) {
+  const from = rowOf(posix.dirname(path), table);
+  if (!from) {
+    yield `${path}: no row of the table in tests/check/includes.mjs is about this folder; add one with what it may include`;
+    return;
+  }
+  const topLevels = new Set([...folders].map((folder) => folder.split("/")[0]));
+  for (const include of includesIn(text)) {
+    const where = `${path}:${include.line}: includes ${include.quoted ? `"${include.path}"` : `<${include.path}>`}`;
+
+    const library = libraries.find((library) => include.path.startsWith(library.include));
+    if (library && !library.folders.includes(from))
+      yield `${where}, but only ${library.folders.join(", ")} may know ${library.name}`;
+
+    const ours = topLevels.has(include.path.split("/")[0]);
+    if (include.quoted && !ours && !library)
+      yield `${where}, but our files are included by their path from the top of the repository, others' with <…>`;
+    if (!ours) continue;
+    const to = rowOf(posix.dirname(include.path), table);
+    const reason = to ? reasonAgainst(from, to, table) : "no row of the table is about that folder";
+    if (reason) yield `${where}, but ${reason}`;
+  }
+}
+
+/** The commands of a CMakeLists.txt: name, words, line. */
+function* commandsIn(text) {
+  const code = text.replace(/#.*$/gm, "");
+  for (const match of code.matchAll(/\b([a-z_]+)\s*\(([^()]*)\)/gi))
+    yield { name: match[1].toLowerCase(), words: match[2].split(/\s+/).filter(Boolean), line: lineOf(code, match.index) };
+}
+
+function* checkLinks(path, text, { table, folderOfTarget }) {
+  const from = rowOf(posix.dirname(path), table);
+  if (!from) return; // the top levels only gather
+  for (const { name, words, line } of commandsIn(text)) {
+    if (name !== "target_link_libraries") continue;
+    for (const word of words.slice(1)) {
+      const where = `${path}:${line}: links ${words[0]} with ${word}`;
+
+      const library = libraries.find((library) => word.startsWith(library.target));
+      if (library && !library.folders.includes(from))
+        yield `${where}, but only ${library.folders.join(", ")} may know ${library.name}`;
+
+      const to = folderOfTarget.has(word) && rowOf(folderOfTarget.get(word), table);
+      const reason = to && reasonAgainst(from, to, table);
+      if (reason) yield `${where}, but ${reason}`;
+    }
+  }
+}
+
+/** The viewer learns schemas from whoever it is connected to: it imports nothing from outside its folder. */
+function* checkImports(path, text) {
+  for (const match of text.matchAll(/\b(?:from|import)\s*\(?\s*["']([^"']+)["']/g)) {
+    const target = match[1];
+    const outside = target.startsWith(".") && !posix.join(posix.dirname(path), target).startsWith("viewer-web/");
+    if (outside || target.startsWith("/"))
+      yield `${path}:${lineOf(text, match.index)}: imports "${target}", but viewer-web uses nothing outside its folder`;
+  }
+}
+
+/** One sentence per violation in the repository at `root`; none if everything is as `table` says. */
+export function violations(root, table = rows) {
+  const files = filesBelow(root);
+  const folders = new Set(files.map((path) => posix.dirname(path)));
+  const read = (path) => readFileSync(join(root, path), "utf8");
+
+  const folderOfTarget = new Map();
+  const cmake = files.filter((path) => posix.basename(path) === "CMakeLists.txt");
+  for (const path of cmake)
+    for (const { name, words } of commandsIn(read(path)))
+      if (name === "add_library" || name === "add_executable") folderOfTarget.set(words[0], posix.dirname(path));
+
+  const sentences = [];
+  const repository = { table, folders, folderOfTarget };
+  for (const path of files) {
+    if (isCode(path)) sentences.push(...checkCode(path, read(path), repository));
+    if (path.startsWith("viewer-web/src/") && isScript(path)) sentences.push(...checkImports(path, read(path)));
+  }
+  for (const path of cmake) sentences.push(...checkLinks(path, read(path), repository));
+
+  // a rule about something that is not there cannot be kept or broken, and misleads whoever reads the table
+  const named = new Set([...Object.keys(table), ...Object.values(table).flatMap((row) => (row === "everything" ? [] : row))]);
+  for (const folder of named)
+    if (!files.some((path) => path.startsWith(`${folder}/`)))
+      sentences.push(`tests/check/includes.mjs: the table names ${folder}, which does not exist; it comes with its first file`);
+  return sentences;
+}

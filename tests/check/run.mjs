@@ -1,0 +1,17 @@
+// Runs one check on this repository: a sentence per finding, and status 1 if there is any.
+//
+//   node tests/check/run.mjs includes|documents|lock_files
+import { fileURLToPath } from "node:url";
+import { missingPaths } from "./documents.mjs";
+import { violations } from "./includes.mjs";
+import { addresses } from "./lock_files.mjs";
+
+const checks = { includes: violations, documents: missingPaths, lock_files: addresses };
+const name = process.argv[2];
+if (!(name in checks)) {
+  console.error(`expected one of ${Object.keys(checks).join(", ")}, got '${name ?? ""}'`);
+  process.exit(2);
+}
+const sentences = checks[name](fileURLToPath(new URL("../..", import.meta.url)));
+for (const sentence of sentences) console.error(sentence);
+process.exitCode = sentences.length ? 1 : 0;

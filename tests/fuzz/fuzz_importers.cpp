@@ -1,0 +1,30 @@
+// Recordings of other teams are read as they come. The first byte chooses the importer.
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "robot/lab/bhuman2009.h"
+#include "robot/lab/nblog.h"
+
+namespace {
+
+struct Swallow final : robot::lab::ImportSink {
+  robot::Result<void> message(std::string_view, std::uint64_t, const google::protobuf::Message& value) override {
+    volatile std::size_t size = value.ByteSizeLong();
+    static_cast<void>(size);
+    return {};
+  }
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+  Swallow sink;
+  if (data[0] % 2 == 0)
+    static_cast<void>(robot::lab::import_bhuman2009(bytes, 0, sink));
+  else
+    static_cast<void>(robot::lab::import_nblog(bytes, 0, sink));
+  return 0;
+}
