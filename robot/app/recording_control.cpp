@@ -56,10 +56,4 @@ void add_recording_control(logging::Recorder& recorder, logging::SessionStore& s
   });
 }
 
-void add_image_parameters(net::Parameters& parameters) {
-  parameters.declare("jpeg_quality", std::int64_t{75}, {.min = 1, .max = 100});
-  parameters.declare("jpeg_rate_hz", 15.0, {.min = 0.1, .max = 30});
-  parameters.declare("jpeg_width", std::int64_t{640}, {.min = 320, .max = 640});
-}
-
 }  // namespace robot::app

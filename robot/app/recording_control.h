@@ -13,7 +13,4 @@ namespace robot::app {
 void add_recording_control(logging::Recorder& recorder, logging::SessionStore& store, net::Parameters& parameters,
                            net::Services& services);
 
-/// The parameters of what is derived from camera images: jpeg_quality, jpeg_rate_hz, jpeg_width.
-void add_image_parameters(net::Parameters& parameters);
-
 }  // namespace robot::app

@@ -52,7 +52,7 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
           store_, options_.records ? &recorder_ : nullptr),
       statistics_(channels_, clock_, board_, store_, options_.records ? &recorder_ : nullptr),
       clock_sampler_(system_ns() - monotonic_ns()) {
-  add_image_parameters(parameters_);
+  net::declare_image_parameters(parameters_);
   if (options_.records) add_recording_control(recorder_, store_, parameters_, services_);
   net::add_clock_sync(services_, clock_, [this](const net::PeerClock& peer) {
     foresight::ClockSample sample;
@@ -83,9 +83,10 @@ void Runtime::write_log(const Report& report) {
 Result<void> Runtime::start() {
   Result<net::AccessOptions> access = access_options(options_.server);
   if (!access) return Error{access.error()};
-  server_ = std::make_unique<net::Server>(server_options(options_, std::move(*access)), channels_,
-                                          net::derived_channels(parameters_), streams_, clock_, parameters_, services_,
-                                          application_);
+  server_ = std::make_unique<net::Server>(
+      server_options(options_, std::move(*access)), channels_,
+      [this](const memory::ChannelInfo& source) { return net::derived_channels(source, parameters_); }, streams_,
+      clock_, parameters_, services_, application_);
   application_.count_clients_by([this] { return server_->statistics().clients.size(); });
   if (Result<void> started = server_->start(); !started) return started;
   std::printf("http://localhost:%u/\n", server_->port());

@@ -21,6 +21,7 @@
 #include "robot/app/server_settings.h"
 #include "robot/app/statistics.h"
 #include "robot/core/clock.h"
+#include "robot/core/report.h"
 #include "robot/core/result.h"
 #include "robot/logging/board.h"
 #include "robot/logging/recorder.h"

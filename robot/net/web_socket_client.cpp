@@ -199,7 +199,7 @@ bool WebSocketClient::on_frame(Opcode opcode, std::string payload) {
   return false;
 }
 
-Result<std::optional<WebSocketClient::Message>> WebSocketClient::receive() {
+Result<std::optional<WebSocketClient::Message>> WebSocketClient::receive(std::uint64_t deadline_ns) {
   while (true) {
     if (!pongs_.empty())
       // a server that is gone is noticed when it is read
@@ -211,11 +211,11 @@ Result<std::optional<WebSocketClient::Message>> WebSocketClient::receive() {
     }
     if (closed_) return std::optional<Message>();
 
-    const auto ready = wait(POLLIN, kForever);
+    const auto ready = wait(POLLIN, deadline_ns);
     if (!ready) return Error{ready.error()};
     if (!*ready) return std::optional<Message>();
     char block[65536];
-    const auto size = read_some(block, sizeof block, kForever);
+    const auto size = read_some(block, sizeof block, deadline_ns);
     if (!size) return Error{size.error()};
     if (*size == 0) return Error{name_ + ": the connection ended without a goodbye"};
     const auto violation = parser_.feed(

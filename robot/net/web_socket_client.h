@@ -43,8 +43,8 @@ class WebSocketClient {
   Result<void> connect(std::string_view url, std::uint64_t timeout_ns);
 
   /// The next message. Nothing when the server has closed the connection in good order or cancel() was called; then
-  /// closed() may tell why. Pings are answered here.
-  Result<std::optional<Message>> receive();
+  /// closed() may tell why. An Error when none has come until monotonic_ns() is `deadline_ns`. Pings are answered here.
+  Result<std::optional<Message>> receive(std::uint64_t deadline_ns = UINT64_MAX);
 
   Result<void> send(Opcode opcode, std::string_view payload);
 

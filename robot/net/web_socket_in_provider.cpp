@@ -21,11 +21,12 @@ Result<memory::ChannelInfo> WebSocketInProvider::open() {
   return std::move(channel->info);
 }
 
-// the server lists its channels at once; a Time frame after them says that the list is over
+// the server lists its channels at once; what it sends after them, such as a Time, says that the list is over
 Result<foxglove::Advertised> WebSocketInProvider::find_channel() {
+  const std::uint64_t deadline_ns = monotonic_ns() + timeout_ns_;
   std::string offered;
   while (true) {
-    auto message = client_.receive();
+    auto message = client_.receive(deadline_ns);
     if (!message) return Error{message.error()};
     if (!*message) return Error{topic_ + ": the connection was closed before it was offered"};
     if ((*message)->opcode == Opcode::binary) break;

@@ -1,0 +1,66 @@
+// What several tests of robot/net need.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robot/core/clock.h"
+#include "robot/memory/channel.h"
+#include "robot/net/application.h"
+
+namespace tests {
+
+inline robot::memory::ChannelInfo channel_info(std::string topic, robot::memory::Delivery delivery) {
+  return {.topic = std::move(topic),
+          .schema = {.name = "test.Thing", .encoding = "protobuf", .bytes = "schema"},
+          .delivery = delivery};
+}
+
+/// A channel whose versions are taken out by hand.
+class TestChannel {
+ public:
+  explicit TestChannel(std::string topic = "/14/2/test", robot::memory::Delivery delivery = robot::memory::Delivery::latest)
+      : channel(std::make_shared<robot::memory::RawChannel>(channel_info(std::move(topic), delivery), clock)) {}
+
+  robot::memory::VersionPtr write(std::string_view bytes) {
+    static_cast<void>(channel->write_bytes(bytes, ++capture_ns).operator bool());
+    return channel->newest();
+  }
+
+  robot::ManualClock clock{1000};
+  std::uint64_t capture_ns = 0;
+  std::shared_ptr<robot::memory::RawChannel> channel;
+};
+
+/// Bytes in memory as a log.
+class TextSource final : public robot::net::BodySource {
+ public:
+  explicit TextSource(std::string text) : text_(std::move(text)) {}
+  std::uint64_t size() const override { return text_.size(); }
+  robot::Result<std::size_t> read(std::uint64_t offset, char* to, std::size_t size) override {
+    return text_.copy(to, size, offset);
+  }
+
+ private:
+  std::string text_;
+};
+
+/// Two sessions: "old" is complete, "live" is being written. `body` is what a recording holds.
+class TestApplication final : public robot::net::Application {
+ public:
+  std::string status_json() override { return R"({"name":"test"})"; }
+  std::string sessions_json() override {
+    return R"({"sessions":[{"session":"old","name":"<b>final</b>","url":"/logs/old.mcap","size_bytes":1500000,"start_ns":"1700000000000000000","state":"complete","streams":[{"topic":"/14/2/ball","url":"/logs/old/14.2.ball.mcap","messages":3,"size_bytes":10}]}]})";
+  }
+  robot::Result<robot::net::LogFile> open_log(const robot::net::LogRequest& request) override {
+    if (request.session == "live" && !request.until_ns) return robot::net::LogFile{.redirect_until_ns = 77};
+    if (request.session != "old" && request.session != "live") return robot::Error{"there is no session " + request.session};
+    return robot::net::LogFile{.body = std::make_shared<TextSource>(body), .etag = "e1"};
+  }
+
+  std::string body = "0123456789";
+};
+
+}  // namespace tests
