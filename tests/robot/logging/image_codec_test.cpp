@@ -33,7 +33,7 @@ TEST(Jpeg, GivesBackAlmostTheSamePicture) {
   // a border column of chroma is smoothed against its neighbour, so the frame is left out
   for (int y = 1; y < 239; ++y)
     for (int byte = 8; byte < 632; ++byte) {
-      const std::size_t at = static_cast<std::size_t>(y * 640 + byte);
+      const std::size_t at = static_cast<std::size_t>(y) * 640 + static_cast<std::size_t>(byte);
       ASSERT_LE(difference(decoded->yuyv[at], picture[at]), 6) << "row " << y << " byte " << byte;
     }
 }

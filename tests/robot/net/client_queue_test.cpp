@@ -25,7 +25,8 @@ std::string drained(ClientQueue& queue, std::size_t batches = SIZE_MAX) {
     if (opcode == Opcode::text || !data) return log += payload, true;
     if (!*data) return log += "time", true;
     const std::string_view content = (*data)->payload;
-    log += std::to_string((*data)->subscription) + ":" + std::string(content.size() > 20 ? content.substr(0, 1) : content);
+    log +=
+        std::to_string((*data)->subscription) + ":" + std::string(content.size() > 20 ? content.substr(0, 1) : content);
     return true;
   });
   EXPECT_FALSE(violation);
@@ -66,7 +67,8 @@ TEST_F(ClientQueueTest, FifoKeepsTheLastFewInOrder) {
 }
 
 TEST_F(ClientQueueTest, ReliableOverflowsInsteadOfDropping) {
-  EXPECT_EQ(queue.push(3, events.write("12345678901234567890")), ClientQueue::Pushed::queued);  // alone it may be larger
+  EXPECT_EQ(queue.push(3, events.write("12345678901234567890")),
+            ClientQueue::Pushed::queued);  // alone it may be larger
   EXPECT_EQ(queue.push(3, events.write("x")), ClientQueue::Pushed::overflow);
   EXPECT_EQ(drained(queue), "13:12345678901234567890");
   EXPECT_EQ(queue.push(3, events.write("123")), ClientQueue::Pushed::queued);

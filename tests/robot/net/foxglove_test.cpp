@@ -24,7 +24,8 @@ const std::string kKeyValue = R"({"key": "value"})";
 
 TEST(Foxglove, ServerBytesMatchTheGoldenVectors) {
   EXPECT_EQ(hex(time(1234567890)), "02d202964900000000");
-  EXPECT_EQ(hex(service_response(10, 12, "json", kKeyValue)), "030a0000000c000000040000006a736f6e7b226b6579223a202276616c7565227d");
+  EXPECT_EQ(hex(service_response(10, 12, "json", kKeyValue)),
+            "030a0000000c000000040000006a736f6e7b226b6579223a202276616c7565227d");
   EXPECT_EQ(hex(asset_response(10, std::string("data"))), "040a000000000000000064617461");
   EXPECT_EQ(hex(asset_response(10, Error{"oh no"})), "040a00000001050000006f68206e6f");
   EXPECT_EQ(hex(playback_state(Playback::playing, 12345, 1, false, "")), "050039300000000000000000803f0000000000");
@@ -37,10 +38,14 @@ TEST(Foxglove, ServerBytesMatchTheGoldenVectors) {
 
 TEST(Foxglove, ClientBytesMatchTheGoldenVectors) {
   EXPECT_EQ(hex(to_bytes(ClientPublish{30, kKeyValue})), "011e0000007b226b6579223a202276616c7565227d");
-  EXPECT_EQ(hex(to_bytes(ServiceCall{10, 12, "json", kKeyValue})), "020a0000000c000000040000006a736f6e7b226b6579223a202276616c7565227d");
-  EXPECT_EQ(hex(to_bytes(PlaybackControl{true, 1, {}, "some-id"})), "03000000803f00000000000000000007000000736f6d652d6964");
-  EXPECT_EQ(hex(to_bytes(PlaybackControl{false, 1, {}, "some-id"})), "03010000803f00000000000000000007000000736f6d652d6964");
-  EXPECT_EQ(hex(to_bytes(PlaybackControl{true, 1, 123456789, "some-id"})), "03000000803f0115cd5b070000000007000000736f6d652d6964");
+  EXPECT_EQ(hex(to_bytes(ServiceCall{10, 12, "json", kKeyValue})),
+            "020a0000000c000000040000006a736f6e7b226b6579223a202276616c7565227d");
+  EXPECT_EQ(hex(to_bytes(PlaybackControl{true, 1, {}, "some-id"})),
+            "03000000803f00000000000000000007000000736f6d652d6964");
+  EXPECT_EQ(hex(to_bytes(PlaybackControl{false, 1, {}, "some-id"})),
+            "03010000803f00000000000000000007000000736f6d652d6964");
+  EXPECT_EQ(hex(to_bytes(PlaybackControl{true, 1, 123456789, "some-id"})),
+            "03000000803f0115cd5b070000000007000000736f6d652d6964");
 }
 
 TEST(Foxglove, ClientBytesAreReadBack) {
@@ -56,14 +61,16 @@ TEST(Foxglove, ClientBytesAreReadBack) {
 }
 
 TEST(Foxglove, ClientBytesSurviveEveryTruncation) {
-  for (const std::string& whole : {to_bytes(ServiceCall{10, 12, "json", ""}), to_bytes(PlaybackControl{true, 1, 5, "id"})})
+  for (const std::string& whole :
+       {to_bytes(ServiceCall{10, 12, "json", ""}), to_bytes(PlaybackControl{true, 1, 5, "id"})})
     for (std::size_t n = 0; n < whole.size(); ++n) EXPECT_FALSE(parse_client_binary(whole.substr(0, n)));
   EXPECT_EQ(parse_client_binary("\x02\x01").error(), "request: a binary message with opcode 2 is cut short at 2 bytes");
   EXPECT_EQ(parse_client_binary("\x09").error(), "request: the binary opcode 9 is not known");
 }
 
 TEST(Foxglove, ClientTextsAreRead) {
-  const auto subscribe = parse_client_text(R"({"op":"subscribe","subscriptions":[{"id":0,"channelId":3},{"id":1,"channelId":4}]})");
+  const auto subscribe =
+      parse_client_text(R"({"op":"subscribe","subscriptions":[{"id":0,"channelId":3},{"id":1,"channelId":4}]})");
   ASSERT_TRUE(subscribe);
   EXPECT_EQ(std::get<Subscribe>(*subscribe).subscriptions.at(1).channel, 4u);
   const auto set = parse_client_text(
@@ -97,12 +104,14 @@ TEST(Foxglove, WrongTextsAreNamed) {
       {"{}", "request: expected a JSON object with 'op', got one without"},
       {R"({"op":7})", "request: expected a JSON object with 'op', got one without"},
       {R"({"op":"dance"})", "request: the op 'dance' is not known"},
-      {R"({"op":"subscribe"})", "request: 'subscriptions' must be an array of {id, channelId}, both numbers 0 .. 4294967295"},
+      {R"({"op":"subscribe"})",
+       "request: 'subscriptions' must be an array of {id, channelId}, both numbers 0 .. 4294967295"},
       {R"({"op":"subscribe","subscriptions":[{"id":-1,"channelId":1}]})",
        "request: 'subscriptions' must be an array of {id, channelId}, both numbers 0 .. 4294967295"},
       {R"({"op":"subscribe","subscriptions":[{"id":4294967296,"channelId":1}]})",
        "request: 'subscriptions' must be an array of {id, channelId}, both numbers 0 .. 4294967295"},
-      {R"({"op":"unsubscribe","subscriptionIds":["a"]})", "request: 'subscriptionIds' must be an array of numbers 0 .. 4294967295"},
+      {R"({"op":"unsubscribe","subscriptionIds":["a"]})",
+       "request: 'subscriptionIds' must be an array of numbers 0 .. 4294967295"},
       {R"({"op":"getParameters","parameterNames":[1]})", "request: 'parameterNames' must be an array of texts"},
       {R"({"op":"setParameters","parameters":[{}]})", "request: 'parameters' must be an array of {name, value}"},
   };
@@ -115,15 +124,17 @@ TEST(Foxglove, WrongTextsAreNamed) {
 
 TEST(Foxglove, DeeplyNestedTextIsNoDanger) {
   EXPECT_FALSE(parse_client_text(std::string(500'000, '[')));
-  EXPECT_FALSE(parse_client_text(R"({"op":"subscribe","x":)" + std::string(300'000, '[') + std::string(300'000, ']') + "}"));
+  EXPECT_FALSE(
+      parse_client_text(R"({"op":"subscribe","x":)" + std::string(300'000, '[') + std::string(300'000, ']') + "}"));
 }
 
 TEST(Foxglove, AnAdvertisementIsReadBack) {
-  const Advertised channel{.id = 5,
-                           .info = {.topic = "/14/2/game",
-                                    .schema = {.name = "foresight.GameState", .encoding = "protobuf", .bytes = std::string("\0\1\xff", 3)},
-                                    .delivery = memory::Delivery::reliable},
-                           .metadata = {{"delivery", "reliable"}, {"robot", "14/2"}}};
+  const Advertised channel{
+      .id = 5,
+      .info = {.topic = "/14/2/game",
+               .schema = {.name = "foresight.GameState", .encoding = "protobuf", .bytes = std::string("\0\1\xff", 3)},
+               .delivery = memory::Delivery::reliable},
+      .metadata = {{"delivery", "reliable"}, {"robot", "14/2"}}};
   const auto channels = parse_advertise(advertise({advertised_channel(channel)}));
   ASSERT_TRUE(channels);
   ASSERT_EQ(channels->size(), 1u);

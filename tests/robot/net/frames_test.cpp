@@ -21,7 +21,8 @@ std::string events(Sender sender, std::string_view bytes, std::size_t portion = 
   };
   while (!bytes.empty()) {
     const std::string_view now = bytes.substr(0, portion);
-    if (const auto violation = parser.feed(now, sink)) log += (log.empty() ? "!" : " !") + std::to_string(violation->close_code);
+    if (const auto violation = parser.feed(now, sink))
+      log += (log.empty() ? "!" : " !") + std::to_string(violation->close_code);
     bytes.remove_prefix(now.size());
   }
   return log;
@@ -47,7 +48,8 @@ std::string raw(std::initializer_list<int> bytes) {
 
 TEST(Frames, MatchTheExamplesOfRfc6455) {
   EXPECT_EQ(plain(Opcode::text, "Hello"), "\x81\x05Hello");
-  EXPECT_EQ(events(Sender::client, raw({0x81, 0x85, 0x37, 0xfa, 0x21, 0x3d, 0x7f, 0x9f, 0x4d, 0x51, 0x58})), "text:Hello");
+  EXPECT_EQ(events(Sender::client, raw({0x81, 0x85, 0x37, 0xfa, 0x21, 0x3d, 0x7f, 0x9f, 0x4d, 0x51, 0x58})),
+            "text:Hello");
   EXPECT_EQ(events(Sender::server, raw({0x01, 0x03, 'H', 'e', 'l', 0x80, 0x02, 'l', 'o'})), "text:Hello");
   EXPECT_EQ(plain(Opcode::binary, std::string(256, 'x')).substr(0, 4), raw({0x82, 0x7e, 0x01, 0x00}));
   EXPECT_EQ(plain(Opcode::binary, std::string(65536, 'x')).substr(0, 10), raw({0x82, 0x7f, 0, 0, 0, 0, 0, 1, 0, 0}));
@@ -59,7 +61,8 @@ TEST(Frames, MeanTheSameHoweverTheyAreCut) {
   bytes += masked(Opcode::text, "fra", false) + masked(Opcode::ping, "now") + masked(Opcode::continuation, "g", false);
   bytes += masked(Opcode::continuation, "ments") + masked(Opcode::pong, "") + masked(Opcode::text, "");
   const std::string expected = "text:first binary:300 ping:now text:fragments pong: text:";
-  for (std::size_t portion = 1; portion <= bytes.size(); ++portion) EXPECT_EQ(events(Sender::client, bytes, portion), expected);
+  for (std::size_t portion = 1; portion <= bytes.size(); ++portion)
+    EXPECT_EQ(events(Sender::client, bytes, portion), expected);
 }
 
 TEST(Frames, ComeBackFromBothDirectionsAtEverySize) {
@@ -74,22 +77,24 @@ TEST(Frames, ViolationsAreNamed) {
   const struct {
     std::string bytes, expected;
   } cases[] = {
-      {raw({0xc1, 0x80, 0, 0, 0, 0}), "!1002"},                                  // a reserved bit
-      {raw({0x83, 0x80, 0, 0, 0, 0}), "!1002"},                                  // an opcode that is not defined
-      {raw({0x8b, 0x80, 0, 0, 0, 0}), "!1002"},                                  // a control opcode that is not defined
-      {"\x81\x05Hello", "!1002"},                                                // a client that does not mask
-      {raw({0x09, 0x80, 0, 0, 0, 0}), "!1002"},                                  // a fragmented ping
-      {raw({0x89, 0xfe, 0, 126, 0, 0, 0, 0}), "!1002"},                          // a ping of 126 bytes
-      {masked(Opcode::continuation, "x"), "!1002"},                              // nothing to continue
-      {masked(Opcode::text, "a", false) + masked(Opcode::text, "b"), "!1002"},   // a message within a message
-      {raw({0x82, 0xfe, 0, 125, 0, 0, 0, 0}), "!1002"},                          // a length longer than needed
-      {raw({0x82, 0xff, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 0, 0, 0, 0}), "!1002"},    // likewise, of 8 bytes
-      {raw({0x82, 0xff, 0x80, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}), "!1002"},       // the highest bit of a length
-      {raw({0x82, 0xff, 0, 0, 0, 0x7f, 0, 0, 0, 0, 0, 0, 0, 0}), "!1009"},       // 500 GB
-      {masked(Opcode::binary, std::string(1001, 'x')), "!1009"},                 // a message beyond the cap
-      {masked(Opcode::binary, std::string(600, 'x'), false) + masked(Opcode::continuation, std::string(401, 'x')), "!1009"},
+      {raw({0xc1, 0x80, 0, 0, 0, 0}), "!1002"},                                 // a reserved bit
+      {raw({0x83, 0x80, 0, 0, 0, 0}), "!1002"},                                 // an opcode that is not defined
+      {raw({0x8b, 0x80, 0, 0, 0, 0}), "!1002"},                                 // a control opcode that is not defined
+      {"\x81\x05Hello", "!1002"},                                               // a client that does not mask
+      {raw({0x09, 0x80, 0, 0, 0, 0}), "!1002"},                                 // a fragmented ping
+      {raw({0x89, 0xfe, 0, 126, 0, 0, 0, 0}), "!1002"},                         // a ping of 126 bytes
+      {masked(Opcode::continuation, "x"), "!1002"},                             // nothing to continue
+      {masked(Opcode::text, "a", false) + masked(Opcode::text, "b"), "!1002"},  // a message within a message
+      {raw({0x82, 0xfe, 0, 125, 0, 0, 0, 0}), "!1002"},                         // a length longer than needed
+      {raw({0x82, 0xff, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 0, 0, 0, 0}), "!1002"},   // likewise, of 8 bytes
+      {raw({0x82, 0xff, 0x80, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}), "!1002"},      // the highest bit of a length
+      {raw({0x82, 0xff, 0, 0, 0, 0x7f, 0, 0, 0, 0, 0, 0, 0, 0}), "!1009"},      // 500 GB
+      {masked(Opcode::binary, std::string(1001, 'x')), "!1009"},                // a message beyond the cap
+      {masked(Opcode::binary, std::string(600, 'x'), false) + masked(Opcode::continuation, std::string(401, 'x')),
+       "!1009"},
       {masked(Opcode::text, "\xff"), "!1007"},
-      {masked(Opcode::text, "\xc3", false) + masked(Opcode::continuation, "\xb6"), "text:\xc3\xb6"},  // one character, two frames
+      {masked(Opcode::text, "\xc3", false) + masked(Opcode::continuation, "\xb6"),
+       "text:\xc3\xb6"},  // one character, two frames
       {masked(Opcode::close, "x"), "!1002"},
       {masked(Opcode::close, close_payload(1005, "")), "!1002"},
       {masked(Opcode::close, close_payload(999, "")), "!1002"},

@@ -21,7 +21,8 @@ inline robot::memory::ChannelInfo channel_info(std::string topic, robot::memory:
 /// A channel whose versions are taken out by hand.
 class TestChannel {
  public:
-  explicit TestChannel(std::string topic = "/14/2/test", robot::memory::Delivery delivery = robot::memory::Delivery::latest)
+  explicit TestChannel(std::string topic = "/14/2/test",
+                       robot::memory::Delivery delivery = robot::memory::Delivery::latest)
       : channel(std::make_shared<robot::memory::RawChannel>(channel_info(std::move(topic), delivery), clock)) {}
 
   robot::memory::VersionPtr write(std::string_view bytes) {
@@ -56,7 +57,8 @@ class TestApplication final : public robot::net::Application {
   }
   robot::Result<robot::net::LogFile> open_log(const robot::net::LogRequest& request) override {
     if (request.session == "live" && !request.until_ns) return robot::net::LogFile{.redirect_until_ns = 77};
-    if (request.session != "old" && request.session != "live") return robot::Error{"there is no session " + request.session};
+    if (request.session != "old" && request.session != "live")
+      return robot::Error{"there is no session " + request.session};
     return robot::net::LogFile{.body = std::make_shared<TextSource>(body), .etag = "e1"};
   }
 

@@ -1,0 +1,81 @@
+#include "robot/app/application.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "robot/logging/session_writer.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robot::app {
+namespace {
+
+using nlohmann::json;
+
+struct ServedSession : ::testing::Test {
+  ServedSession() {
+    auto writer = logging::SessionWriter::create(folder / "one", {.name = "\"<b>\xff", .robot = "14/2"});
+    EXPECT_TRUE((*writer)->write({.topic = "/14/2/a"}, 9'007'199'254'740'993, "a"));
+    EXPECT_TRUE((*writer)->close());
+  }
+  const tests::TemporaryFolder folder;
+  ManualClock clock{9'007'199'254'740'993};
+  logging::SessionStore store{folder.path(), 1'000'000'000};
+  Application application{
+      {.name = "foresight-test", .body = "none", .robots = {"14/2"}, .session_id = "7"}, clock, store, nullptr};
+};
+
+TEST_F(ServedSession, StatusTellsWhoWeAre) {
+  application.count_clients_by([] { return std::size_t{3}; });
+  const json status = json::parse(application.status_json());
+  EXPECT_EQ(status["name"], "foresight-test");
+  EXPECT_EQ(status["robots"], json::array({"14/2"}));
+  EXPECT_EQ(status["clients"], 3);
+  EXPECT_EQ(status["recording"]["state"], "off");
+}
+
+// a browser's numbers end at 2^53
+TEST_F(ServedSession, TimesAreExact) {
+  EXPECT_EQ(json::parse(application.status_json())["time_ns"], "9007199254740993");
+  EXPECT_EQ(json::parse(application.sessions_json())["sessions"][0]["start_ns"], "9007199254740993");
+}
+
+TEST_F(ServedSession, SessionsAreListedWhateverTheirNames) {
+  const json session = json::parse(application.sessions_json())["sessions"][0];
+  EXPECT_EQ(session["session"], "one");
+  EXPECT_EQ(session["url"], "/logs/one.mcap");
+  EXPECT_EQ(session["streams"][0]["url"], "/logs/one/14.2.a.mcap");
+  EXPECT_EQ(session["streams"][0]["messages"], 1);
+}
+
+TEST_F(ServedSession, ABodyIsReadFromAnywhere) {
+  const auto file = application.open_log({.session = "one"});
+  ASSERT_TRUE(file) << file.error();
+  std::string whole(file->body->size(), '\0');
+  ASSERT_EQ(*file->body->read(0, whole.data(), whole.size()), whole.size());
+  for (std::uint64_t offset = 0; offset <= whole.size(); ++offset) {
+    char byte = 0;
+    const auto read = file->body->read(offset, &byte, 1);
+    ASSERT_TRUE(read);
+    ASSERT_EQ(*read, offset < whole.size() ? 1u : 0u);
+    if (*read == 0) continue;
+    ASSERT_EQ(byte, whole[offset]);
+  }
+}
+
+TEST_F(ServedSession, ALiveOneRedirectsToWhatIsSureToBeWritten) {
+  store.set_recording("one");
+  const auto file = application.open_log({.session = "one"});
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->redirect_until_ns, 9'007'199'254'740'993 - logging::Downloads::kLiveMarginNs);
+  EXPECT_TRUE(application.open_log({.session = "one", .until_ns = 9'007'199'254'740'993})->body);
+}
+
+TEST_F(ServedSession, WhatIsNotThereIsSaid) {
+  EXPECT_EQ(application.open_log({.session = "two"}).error(), "session: there is none called 'two'");
+  EXPECT_EQ(application.open_log({.session = "one", .stream = "b"}).error(),
+            "session one: there is no stream 'b.mcap'");
+}
+
+}  // namespace
+}  // namespace robot::app

@@ -1,0 +1,160 @@
+// A recording goes through live memory and comes out as it went in.
+#include "robot/body/replay/replay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "proto/foresight/ball.pb.h"
+#include "robot/logging/file_provider.h"
+#include "robot/logging/recorder.h"
+#include "robot/logging/session_writer.h"
+#include "robot/memory/memory.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robot::body {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kStart = 1'700'000'000 * kSecond;
+
+std::vector<logging::Record> read_all(const fs::path& stream) {
+  logging::FileInProvider file(stream);
+  std::vector<logging::Record> records;
+  EXPECT_TRUE(file.open());
+  while (true) {
+    Result<std::optional<logging::Record>> record = file.read();
+    if (!record || !*record) return records;
+    records.push_back(std::move(**record));
+  }
+}
+
+struct Replaying : ::testing::Test {
+  Replaying() {
+    auto writer = logging::SessionWriter::create(recorded, {.robot = "14/2", .team = 14, .player = 2});
+    const memory::ChannelInfo ball_info = memory::Memory("14/2", ManualClock()).ball.info();
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      foresight::Ball ball;
+      ball.set_x(static_cast<float>(i));
+      EXPECT_TRUE((*writer)->write(ball_info, kStart + i * 10 * kMillisecond, ball.SerializeAsString()));
+      if (i % 3 != 0) continue;
+      EXPECT_TRUE((*writer)->write({.topic = "/14/2/vortex", .message_encoding = "json"},
+                                   kStart + i * 10 * kMillisecond, "{\"unknown\": true}"));
+    }
+    EXPECT_TRUE((*writer)->close());
+  }
+
+  std::unique_ptr<Replay> open(ReplayOptions options) {
+    auto replay = Replay::open(recorded, std::move(options));
+    EXPECT_TRUE(replay) << replay.error();
+    return std::move(*replay);
+  }
+
+  static void wait_for_the_end(Replay& replay) {
+    while (replay.tick() == Replay::Tick::playing) std::this_thread::yield();
+  }
+
+  const tests::TemporaryFolder folder;
+  const fs::path recorded = folder / "recorded", again = folder / "again";
+  memory::Channels channels;
+  logging::LoggingBoard board;
+};
+
+TEST_F(Replaying, GivesEachMessageToTheTypedMemoryAndOthersAChannelOfTheirOwn) {
+  const auto replay = open({.speed = 100});
+  const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
+  ASSERT_TRUE(list(memory, channels));
+  replay->start(channels, board);
+  wait_for_the_end(*replay);
+  EXPECT_EQ(memory->ball.read()->value().x(), 299);
+  EXPECT_EQ(memory->ball.read()->capture_ns(), kStart + 2990 * kMillisecond);
+  EXPECT_EQ(channels.find("/14/2/vortex")->newest()->bytes(), "{\"unknown\": true}");
+  EXPECT_EQ(replay->messages(), 400u);
+}
+
+TEST_F(Replaying, RecordedAnewIsTheSame) {
+  const auto replay = open({.speed = 20});
+  const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
+  ASSERT_TRUE(list(memory, channels));
+  logging::SessionStore store(again, 1'000'000'000'000);
+  logging::Recorder recorder(channels, board, store, replay->clock(), {});
+  const Result<std::string> session = recorder.start("", "full");
+  ASSERT_TRUE(session) << session.error();
+  replay->start(channels, board);
+  wait_for_the_end(*replay);
+  ASSERT_TRUE(recorder.stop());
+  for (const char* file : {"14.2.ball.mcap", "14.2.vortex.mcap"}) {
+    const auto before = read_all(recorded / file), after = read_all(again / *session / file);
+    ASSERT_EQ(before.size(), after.size()) << file;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      EXPECT_EQ(before[i].bytes, after[i].bytes);
+      EXPECT_EQ(before[i].capture_ns, after[i].capture_ns);
+      EXPECT_EQ(after[i].sequence, i + 1);
+    }
+  }
+}
+
+TEST_F(Replaying, KeepsThePaceOfTheCaptureTimes) {
+  const auto replay = open({.speed = 5});
+  replay->start(channels, board);
+  const std::uint64_t began = monotonic_ns();
+  wait_for_the_end(*replay);
+  // never early; how late it may be depends on the machine
+  EXPECT_GE(monotonic_ns() - began + 50 * kMillisecond, 2990 * kMillisecond / 5);
+}
+
+TEST_F(Replaying, ItsClockIsTheTimeOfTheRecording) {
+  const auto replay = open({.speed = 100});
+  EXPECT_EQ(replay->clock().now_ns(), kStart);
+  replay->start(channels, board);
+  wait_for_the_end(*replay);
+  EXPECT_LE(replay->clock().now_ns(), kStart + 2990 * kMillisecond);
+  replay->stop();
+  EXPECT_EQ(replay->clock().now_ns(), kStart + 2990 * kMillisecond);
+}
+
+TEST_F(Replaying, BeginsAgainWhereItShould) {
+  const auto replay = open({.speed = 1000, .loop = true});
+  replay->start(channels, board);
+  Replay::Tick tick = Replay::Tick::playing;
+  while (tick == Replay::Tick::playing) tick = replay->tick();
+  EXPECT_EQ(tick, Replay::Tick::began_again);
+}
+
+TEST_F(Replaying, CanBeStoppedAtAnyTime) {
+  const auto replay = open({.speed = 0.01});
+  replay->start(channels, board);
+  replay->stop();
+  EXPECT_LT(replay->messages(), 400u);
+}
+
+TEST_F(Replaying, LeavesOutWhatThisProcessWritesItself) {
+  const auto replay = open({.speed = 1000, .skipped_objects = {"ball"}});
+  replay->start(channels, board);
+  wait_for_the_end(*replay);
+  EXPECT_EQ(channels.find("/14/2/ball"), nullptr);
+  EXPECT_NE(channels.find("/14/2/vortex"), nullptr);
+}
+
+TEST_F(Replaying, ShowsItsRobotUnderAnotherName) {
+  const auto replay = open({.speed = 1000, .robot = "5/3"});
+  replay->start(channels, board);
+  wait_for_the_end(*replay);
+  EXPECT_EQ(channels.find("/14/2/ball"), nullptr);
+  EXPECT_NE(channels.find("/5/3/ball"), nullptr);
+}
+
+TEST_F(Replaying, SaysWhatIsWrong) {
+  EXPECT_EQ(Replay::open(recorded, {.speed = 0}).error(), "replay: speed must be 0.01 .. 1000, got 0.000000");
+  EXPECT_EQ(Replay::open(folder / "none", {}).error(), "session " + (folder / "none").string() + ": cannot read " +
+                                                           (folder / "none" / "session.json").string() +
+                                                           ": No such file or directory");
+  ASSERT_TRUE((*logging::SessionWriter::create(folder / "empty", {}))->close());
+  EXPECT_EQ(Replay::open(folder / "empty", {}).error(),
+            "replay: expected a session with messages, " + (folder / "empty").string() + " has none");
+}
+
+}  // namespace
+}  // namespace robot::body
