@@ -80,8 +80,7 @@ Result<void> run(const RobotOptions& options) {
   if (options.plan) return {};
   if (Result<void> started = runtime.start(); !started) return started;
   if (options.record)
-    if (const auto session = runtime.recorder().start(options.name, options.profile); !session)
-      return Error{session.error()};
+    if (Result<void> recording = runtime.record(options.name, options.profile); !recording) return recording;
   (*replay)->start(runtime.channels(), runtime.board());
   runtime.run([&] {
     if ((*replay)->tick() == body::Replay::Tick::began_again) runtime.server().restart_time();

@@ -94,6 +94,13 @@ Result<void> Runtime::start() {
   return {};
 }
 
+Result<void> Runtime::record(std::string_view name, std::string_view profile) {
+  const Result<std::string> session = recorder_.start(name, profile);
+  if (!session) return Error{session.error()};
+  parameters_.update("recording", true);
+  return {};
+}
+
 void Runtime::run(const std::function<bool()>& tick) {
   // taken by sigtimedwait below instead of ending the process at once
   sigset_t ends;

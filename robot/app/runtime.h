@@ -60,11 +60,14 @@ class Runtime {
 
   memory::Channels& channels() { return channels_; }
   logging::LoggingBoard& board() { return board_; }
-  logging::Recorder& recorder() { return recorder_; }
+  const logging::Recorder& recorder() const { return recorder_; }
   net::Server& server() { return *server_; }
 
   /// Opens the port. An Error, in one sentence, if that cannot be.
   Result<void> start();
+
+  /// Begins a session, as a person would by the service start_recording.
+  Result<void> record(std::string_view name, std::string_view profile);
 
   /// Does the housekeeping and calls `tick` ten times a second, until `tick` returns false or the process is told to
   /// end (SIGINT, SIGTERM).

@@ -89,11 +89,9 @@ TEST_F(RoutesTest, TheListOfRecordingsIsAPageWithNothingOfOthersInIt) {
   EXPECT_NE(html.find("&lt;b&gt;final&lt;/b&gt;"), std::string::npos);
   EXPECT_EQ(html.find("<b>"), std::string::npos);
   EXPECT_NE(html.find("2023-11-14 22:13:20 UTC"), std::string::npos);
-  const std::string evil = session_page(R"({"sessions":[{"session":"x","url":"javascript:alert(1)"
-},7,null]
-})", "");
+  const std::string evil = session_page(R"x({"sessions":[{"session":"x","url":"javascript:alert(1)"},7,null]})x", "");
   EXPECT_EQ(evil.find("javascript"), std::string::npos);
-EXPECT_NE(session_page("nonsense", "").find("</html>"), std::string::npos);
+  EXPECT_NE(session_page("nonsense", "").find("</html>"), std::string::npos);
 }
 
 TEST_F(RoutesTest, RecordingsAreSentWithRanges) {
