@@ -17,9 +17,9 @@ constexpr float kUnloadedFsr = 0.28f;    // [kg, about] what a sensor reads that
 constexpr float kNoEcho = 1000;          // [mm]
 constexpr std::uint32_t kMaxSide = 640;  // [px] these cameras had no more
 
-template <class T, std::size_t count>
-std::array<T, count> array_at(std::string_view bytes, std::size_t offset) {
-  std::array<T, count> values;
+template <class T, std::size_t Count>
+std::array<T, Count> array_at(std::string_view bytes, std::size_t offset) {
+  std::array<T, Count> values;
   std::memcpy(values.data(), bytes.data() + offset, sizeof(values));
   return values;
 }
@@ -67,7 +67,7 @@ std::string half_width(std::string_view yuyv) {
 
 std::size_t expected_size(std::uint8_t id) {
   switch (id) {
-    case kProcessBegin: return 1;
+    case kProcessBegin:
     case kProcessFinished: return 1;
     case kJointData: return 180;
     case kSensorData: return 146;

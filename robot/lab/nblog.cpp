@@ -137,9 +137,9 @@ class Importer {
   }
 
   /// Warns where the header writes another value than the payload has.
-  template <std::size_t count>
-  void compare(const Expression& block, const std::vector<float>& fields, const std::string_view (&names)[count]) {
-    for (std::size_t i = 0; i < count; ++i) {
+  template <std::size_t Count>
+  void compare(const Expression& block, const std::vector<float>& fields, const std::string_view (&names)[Count]) {
+    for (std::size_t i = 0; i < Count; ++i) {
       const auto written = block.number(names[i]);
       const double tolerance = 1e-5 + 1e-6 * std::abs(static_cast<double>(fields[i]));
       if (written && std::abs(*written - fields[i]) > tolerance)

@@ -110,7 +110,7 @@ class Canvas {
   std::string yuyv() const {
     std::string bytes;
     bytes.reserve(2 * pixels_.size());
-    const auto byte = [](double value) { return static_cast<char>(static_cast<unsigned char>(value + 0.5)); };
+    const auto byte = [](double value) { return static_cast<char>(static_cast<unsigned char>(std::lround(value))); };
     for (std::size_t i = 0; i + 1 < pixels_.size(); i += 2) {
       const Colour &left = pixels_[i], &right = pixels_[i + 1];
       bytes += byte(left.y);

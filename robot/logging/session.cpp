@@ -14,7 +14,7 @@ namespace robot::logging {
 namespace {
 
 constexpr std::size_t kMaxSessionJsonBytes = 1 << 20;
-constexpr auto kInteger = nlohmann::json::value_t::number_integer;
+using Type = nlohmann::json::value_t;
 
 /// Letters, digits and a few signs stay; anything else becomes '_'.
 std::string tame(std::string_view text) {
@@ -82,23 +82,22 @@ Result<SessionInfo> parse_session_info(std::string_view text) {
   if (!json.is_object()) return Error{"session.json: expected a JSON object"};
   SessionInfo info;
   std::string start, wrong;
-  const auto take = [&](const char* key, auto& value, nlohmann::json::value_t type) {
+  const auto take = [&](const char* key, auto& value, Type type) {
     const auto found = json.find(key);
-    if (found != json.end() && (found->type() == type || (found->is_number_integer() && type == kInteger)))
+    if (found != json.end() && (found->type() == type || (found->is_number_integer() && type == Type::number_integer)))
       found->get_to(value);
     else if (wrong.empty())
       wrong = key;
   };
-  using enum nlohmann::json::value_t;
-  take("name", info.name, string);
-  take("robot", info.robot, string);
-  take("team", info.team, kInteger);
-  take("player", info.player, kInteger);
-  take("build", info.build, string);
-  take("profile", info.profile, string);
-  take("start_ns", start, string);
-  take("kept", info.kept, boolean);
-  take("complete", info.complete, boolean);
+  take("name", info.name, Type::string);
+  take("robot", info.robot, Type::string);
+  take("team", info.team, Type::number_integer);
+  take("player", info.player, Type::number_integer);
+  take("build", info.build, Type::string);
+  take("profile", info.profile, Type::string);
+  take("start_ns", start, Type::string);
+  take("kept", info.kept, Type::boolean);
+  take("complete", info.complete, Type::boolean);
   if (!wrong.empty()) return Error{"session.json: '" + wrong + "' is missing or of the wrong type"};
   info.start_ns = std::strtoull(start.c_str(), nullptr, 10);
   return info;
