@@ -89,7 +89,9 @@ Result<void> Runtime::start() {
       clock_, parameters_, services_, application_);
   application_.count_clients_by([this] { return server_->statistics().clients.size(); });
   if (Result<void> started = server_->start(); !started) return started;
-  std::printf("http://localhost:%u/\n", server_->port());
+  const std::string& address = options_.server.bind.front();
+  const bool by_name = address == "127.0.0.1" || address == "0.0.0.0" || address == "::" || address == "::1";
+  std::printf("http://%s:%u/\n", by_name ? "localhost" : address.c_str(), server_->port());
   std::fflush(stdout);
   return {};
 }

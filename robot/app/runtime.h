@@ -3,7 +3,7 @@
 //   thread            from      does                                                          how often
 //   main              run()     statistics, clock samples, room on the disk; the body's tick   once a second; 10 Hz
 //   net               Server    sockets: HTTP, WebSocket                                       when there is something
-//   net disk, streams Server    reads downloads; starts and stops loggers for clients          when asked
+//   net <helper>      Server    reads downloads; starts and stops loggers; control             when asked
 //   log <object>      board     carries one memory object to a file                            each version
 //   log <object>      board     carries one memory object to the server, while it is watched   each version
 //   parser            board     carries one stream of a recording into memory (replay)         each message
@@ -16,7 +16,6 @@
 #include <string>
 
 #include "robot/app/application.h"
-#include "robot/app/board_streams.h"
 #include "robot/app/clock_sampler.h"
 #include "robot/app/server_settings.h"
 #include "robot/app/statistics.h"
@@ -28,6 +27,7 @@
 #include "robot/logging/session_store.h"
 #include "robot/memory/channels.h"
 #include "robot/memory/memory.h"
+#include "robot/net/board_streams.h"
 #include "robot/net/parameters.h"
 #include "robot/net/server.h"
 #include "robot/net/services.h"
@@ -85,7 +85,7 @@ class Runtime {
   logging::LoggingBoard board_;
   logging::SessionStore store_;
   logging::Recorder recorder_;
-  BoardStreams streams_{board_};
+  net::BoardStreams streams_{board_};
   net::Parameters parameters_;
   net::Services services_;
   Application application_;

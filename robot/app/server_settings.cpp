@@ -55,11 +55,18 @@ Result<std::string> token_in(const std::filesystem::path& folder) {
 }  // namespace
 
 void add_server_options(CLI::App& command, ServerSettings& settings) {
-  command.add_option("--bind", settings.bind, "IP addresses to listen on; 0.0.0.0 is all")->capture_default_str();
+  command.add_option("--bind", settings.bind, "IP address to listen on, may be given several times; 0.0.0.0 is all")
+      ->allow_extra_args(false)
+      ->capture_default_str();
   command.add_option("--port", settings.port, "one port for viewer, API, recordings and WebSocket; 0: any free one")
       ->capture_default_str();
-  command.add_option("--allow-host", settings.allowed_hosts, "further host names of this machine");
-  command.add_option("--allow-origin", settings.allowed_origins, "further pages that may connect, https://host");
+  command
+      .add_option("--allow-host", settings.allowed_hosts,
+                  "a further host name of this machine; may be given several times")
+      ->allow_extra_args(false);
+  command
+      .add_option("--allow-origin", settings.allowed_origins, "a further page that may connect, https://host; likewise")
+      ->allow_extra_args(false);
   command.add_option("--state-dir", settings.state_folder, "where the control token is kept");
   command.add_flag("--protect-reading", settings.protect_reading,
                    "watching from another machine needs the token too, not only controlling");
@@ -68,10 +75,13 @@ void add_server_options(CLI::App& command, ServerSettings& settings) {
 Result<net::AccessOptions> access_options(const ServerSettings& settings) {
   const Result<std::string> token = token_in(state_folder(settings));
   if (!token) return Error{token.error()};
+  const Result<std::string> cookie = make_token();
+  if (!cookie) return Error{cookie.error()};
   return net::AccessOptions{
       .origins = {.hosts = settings.allowed_hosts, .origins = settings.allowed_origins, .robots = {}},
       .control_token = *token,
-      .read_token = settings.protect_reading ? *token : ""};
+      .read_token = settings.protect_reading ? *token : "",
+      .read_cookie = settings.protect_reading ? *cookie : ""};
 }
 
 }  // namespace robot::app

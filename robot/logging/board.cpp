@@ -7,7 +7,7 @@ namespace robot::logging {
 
 LoggingBoard::StreamId LoggingBoard::start_logger(std::shared_ptr<memory::Channel> channel,
                                                   std::unique_ptr<OutProvider> provider, std::size_t queue_bytes) {
-  return add(std::make_unique<Logger>(std::move(channel), std::move(provider), queue_bytes));
+  return add(std::make_unique<Logger>(std::move(channel), std::move(provider), queue_bytes, &bell_));
 }
 
 LoggingBoard::StreamId LoggingBoard::start_parser(std::unique_ptr<InProvider> provider, ParserOptions options) {

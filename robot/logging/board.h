@@ -43,6 +43,7 @@ class LoggingBoard {
 
   StreamId add(Stream stream);
 
+  Bell bell_;  // before the loggers: it outlives them
   mutable Mutex lock_;
   std::map<StreamId, std::shared_ptr<Stream>> streams_;
   StreamId last_id_ = 0;

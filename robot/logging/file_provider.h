@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "robot/core/clock.h"
 #include "robot/core/result.h"
 #include "robot/logging/mcap_reader.h"
 #include "robot/logging/mcap_writer.h"
@@ -18,10 +19,14 @@ namespace robot::logging {
 /// Records one channel into a new file. An existing file is never overwritten.
 class FileOutProvider final : public OutProvider {
  public:
+  /// Messages are collected into chunks anyway: nobody is woken at once for less than a quarter of one.
+  static constexpr Patience kPatience{.time_ns = 100 * kMillisecond, .bytes = 64 * 1024};
+
   FileOutProvider(std::filesystem::path path, McapOptions options);
 
   Result<void> open(const memory::ChannelInfo& info) override;
   Result<void> write(const memory::VersionPtr& version) override;
+  Patience patience() const override { return kPatience; }
   std::uint64_t flush_due_ns() const override;
   Result<void> flush() override;
   Result<void> close() override;

@@ -10,12 +10,15 @@
 
 namespace robot::logging {
 
-Logger::Logger(std::shared_ptr<memory::Channel> channel, std::unique_ptr<OutProvider> provider, std::size_t queue_bytes)
+Logger::Logger(std::shared_ptr<memory::Channel> channel, std::unique_ptr<OutProvider> provider, std::size_t queue_bytes,
+               Bell* bell)
     : channel_(std::move(channel)),
       provider_(std::move(provider)),
-      queue_(queue_bytes),
+      bell_(bell),
+      queue_(queue_bytes, bell ? std::optional(provider_->patience()) : std::nullopt),
       status_{.topic = channel_->info().topic},
       thread_([this] { run(); }) {
+  if (bell_) bell_->add(queue_);
   channel_->attach(queue_);
 }
 
@@ -23,6 +26,7 @@ Logger::~Logger() { stop(); }
 
 void Logger::stop() {
   channel_->detach(queue_);
+  if (bell_) bell_->remove(queue_);
   queue_.close();
   provider_->cancel();
   if (thread_.joinable()) thread_.join();

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "robot/core/lock.h"
+#include "robot/logging/bell.h"
 #include "robot/logging/provider.h"
 #include "robot/logging/version_queue.h"
 #include "robot/memory/channel.h"
@@ -29,7 +30,9 @@ struct StreamStatus {
 class Logger {
  public:
   /// Starts at once, with the newest version there is. At most `queue_bytes` wait while the device is slow.
-  Logger(std::shared_ptr<memory::Channel> channel, std::unique_ptr<OutProvider> provider, std::size_t queue_bytes);
+  /// With a `bell`, which outlives the logger, no writer ever wakes its thread.
+  Logger(std::shared_ptr<memory::Channel> channel, std::unique_ptr<OutProvider> provider, std::size_t queue_bytes,
+         Bell* bell = nullptr);
 
   /// As stop().
   ~Logger();
@@ -47,6 +50,7 @@ class Logger {
 
   const std::shared_ptr<memory::Channel> channel_;
   const std::unique_ptr<OutProvider> provider_;
+  Bell* const bell_;
   VersionQueue queue_;
   bool open_ = false;               // used by the thread alone
   std::uint64_t next_open_ns_ = 0;  // [monotonic], likewise

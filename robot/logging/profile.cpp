@@ -15,7 +15,7 @@ constexpr std::array kProfiles{
             .raw_images = false,
             .jpeg = {.width = 320, .quality = 60},
             .images_per_second = 5,
-            .mb_per_minute = 12},
+            .mb_per_minute = 11},
     Profile{.name = "vision",
             .purpose = "for work on vision: all objects, both cameras as full-size JPEG at 30 Hz",
             .raw_images = false,
@@ -48,6 +48,7 @@ class ThinnedImages final : public OutProvider {
     return stream_->write(memory::with_bytes(*version, ++sequence_, image_.SerializeAsString()));
   }
 
+  Patience patience() const override { return stream_->patience(); }
   std::uint64_t flush_due_ns() const override { return stream_->flush_due_ns(); }
   Result<void> flush() override { return stream_->flush(); }
   Result<void> close() override { return stream_->close(); }
@@ -55,13 +56,14 @@ class ThinnedImages final : public OutProvider {
   void cancel() override { stream_->cancel(); }
 
  private:
-  /// At most so many a second, without drifting away from a camera whose frames come a little early or late.
+  /// So many a second, without drifting away from a camera whose frames come a little early or late; what a camera that
+  /// was held up left out may follow.
   bool due(std::uint64_t capture_ns) {
     const auto period_ns = static_cast<std::uint64_t>(1e9f / profile_.images_per_second);
     const bool went_back = capture_ns + period_ns < next_ns_;
     if (capture_ns + period_ns / 8 < next_ns_ && !went_back) return false;
-    next_ns_ = std::max(next_ns_, capture_ns - std::min(capture_ns, period_ns / 2)) + period_ns;
-    if (went_back) next_ns_ = capture_ns + period_ns;
+    const bool begins = next_ns_ == 0 || went_back;
+    next_ns_ = begins ? capture_ns + period_ns : std::max(next_ns_, capture_ns - 2 * period_ns) + period_ns;
     return true;
   }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "robot/core/result.h"
+#include "robot/logging/version_queue.h"
 #include "robot/memory/channel.h"
 
 namespace robot::logging {
@@ -33,6 +34,9 @@ class OutProvider {
 
   /// Takes one version; may block. On an Error this version is lost to the stream, later ones may succeed.
   virtual Result<void> write(const memory::VersionPtr& version) = 0;
+
+  /// How long versions may gather before write() is called for them.
+  virtual Patience patience() const { return {}; }
 
   /// When flush() is wanted at the latest [ns, monotonic]; kNever while nothing is held back.
   virtual std::uint64_t flush_due_ns() const { return kNever; }

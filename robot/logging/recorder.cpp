@@ -57,7 +57,7 @@ Result<std::string> Recorder::start(std::string_view name, std::string_view prof
   const Result<Profile> profile = profile_named(profile_name);
   if (!profile) return Error{profile.error()};
   const std::lock_guard guard(lock_);
-  if (recording_) return Error{"recording: expected none to be running, " + folder_.filename().string() + " is"};
+  if (recording_) return Error{"recording: the session " + folder_.filename().string() + " is being recorded already"};
   const Room room = room_for(*profile);
   if (room.minutes < 1) return Error{"recording: " + room.sentence};
   for (const std::string& gone :
@@ -84,6 +84,7 @@ Result<std::string> Recorder::start(std::string_view name, std::string_view prof
   recording_ = true;
   store_.set_recording(folder_.filename().string());
   for (const auto& channel : channels_.all()) add(channel);
+  report(Level::info, "logging", "recording the session " + folder_.filename().string());
   return folder_.filename().string();
 }
 
@@ -96,7 +97,9 @@ void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
   std::unique_ptr<OutProvider> provider = std::make_unique<FileOutProvider>(
       path, McapOptions{.channel_id = static_cast<std::uint16_t>(streams_.size() + 1),
                         .metadata = metadata_of(info_),
-                        .compression = image ? Compression::none : origin_.compression});
+                        .compression = image ? Compression::none : origin_.compression,
+                        // together one second: so much is lost at most when somebody pulls the plug
+                        .chunk_time_ns = kSecond - FileOutProvider::kPatience.time_ns});
   if (image && !profile_.raw_images) provider = thin_images(profile_, std::move(provider));
   streams_.push_back({board_.start_logger(channel, std::move(provider)), path});
 }
@@ -104,6 +107,7 @@ void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
 Result<std::string> Recorder::stop() {
   const std::lock_guard guard(lock_);
   if (!recording_) return Error{"recording: there is none to stop"};
+  report(Level::info, "logging", "the session " + folder_.filename().string() + " ends");
   for (const Stream& stream : streams_) board_.stop(stream.id);
   recording_ = false;
   store_.set_recording("");

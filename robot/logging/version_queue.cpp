@@ -8,15 +8,29 @@
 namespace robot::logging {
 
 void VersionQueue::on_version(const memory::VersionPtr& version) {
-  const std::lock_guard guard(lock_);
-  if (closed_) return;
-  while (!versions_.empty() && bytes_ + version->size_bytes() > max_bytes_) {
-    bytes_ -= versions_.front()->size_bytes();
-    versions_.pop_front();
-    ++dropped_;
+  {
+    const std::lock_guard guard(lock_);
+    if (closed_) return;
+    while (!versions_.empty() && bytes_ + version->size_bytes() > max_bytes_) {
+      bytes_ -= versions_.front()->size_bytes();
+      versions_.pop_front();
+      ++dropped_;
+    }
+    bytes_ += version->size_bytes();
+    versions_.push_back(version);
   }
-  bytes_ += version->size_bytes();
-  versions_.push_back(version);
+  // whoever wakes up finds the lock free: to hand it over would hold the writer up
+  if (!patience_) filled_.notify_one();
+}
+
+void VersionQueue::ring(std::uint64_t now_ns) {
+  {
+    // a writer or reader is at it now: next time
+    const std::unique_lock guard(lock_, std::try_to_lock);
+    if (!guard || versions_.empty()) return;
+    if (noticed_ns_ == 0) noticed_ns_ = now_ns;
+    if (patience_ && bytes_ < patience_->bytes && now_ns < noticed_ns_ + patience_->time_ns) return;
+  }
   filled_.notify_one();
 }
 
@@ -27,6 +41,7 @@ memory::VersionPtr VersionQueue::pop(std::uint64_t deadline_ns) {
   memory::VersionPtr version = std::move(versions_.front());
   versions_.pop_front();
   bytes_ -= version->size_bytes();
+  noticed_ns_ = 0;
   return version;
 }
 

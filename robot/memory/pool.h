@@ -12,12 +12,15 @@
 namespace robot::memory {
 
 /// Lends out objects of type T and takes them back when the last shared pointer to one is gone.
-/// At most `kSpare` wait for their next use; what comes back beyond that is freed by the thread that let go of it,
-/// except within a `KeepAll`. What is lent may outlive the pool. Any thread.
+/// A few wait for their next use: as many as a logger that writes every now and then holds at once, of large ones fewer.
+/// What comes back beyond that is freed by the thread that let go of it, except within a `KeepAll`.
+/// What is lent may outlive the pool. Any thread.
 template <class T>
 class Pool {
  public:
   static constexpr std::size_t kSpare = 4;
+  static constexpr std::size_t kSpareOfSmall = 32;
+  static constexpr std::size_t kSmallBytes = 16 << 10;
 
   /// While one lives, its thread gives everything back to the pools and frees nothing.
   class KeepAll {
@@ -44,6 +47,12 @@ class Pool {
     return value;
   }
 
+  static std::size_t spare_of(const T& object) {
+    if constexpr (requires { object.size_bytes(); })
+      if (object.size_bytes() < kSmallBytes) return kSpareOfSmall;
+    return kSpare;
+  }
+
   class Spare {
    public:
     std::unique_ptr<T> pop() {
@@ -57,7 +66,7 @@ class Pool {
     /// An object that is not kept is freed when the caller's pointer goes, outside the lock.
     void push(std::unique_ptr<T>& object) {
       const std::lock_guard guard(lock_);
-      if (objects_.size() < kSpare || keep_all()) objects_.push_back(std::move(object));
+      if (objects_.size() < spare_of(*object) || keep_all()) objects_.push_back(std::move(object));
     }
 
    private:

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -19,12 +20,14 @@ struct ClientIdentity {
   bool lossless = false;  // it gets every message or is disconnected
 };
 
-struct Client {
+struct Client : std::enable_shared_from_this<Client> {
   Client(ClientIdentity who, const QueueLimits& limits) : identity(std::move(who)), queue(limits, identity.lossless) {}
 
   ClientIdentity identity;
   ClientQueue queue;
   std::map<std::uint32_t, std::uint32_t> channel_of;  // by subscription id
+
+  int waiting_requests = 0;  // that are done in the background and not answered yet
 
   bool watches_all_parameters = false;
   std::set<std::string> watched_parameters;
@@ -33,7 +36,9 @@ struct Client {
   std::optional<std::uint64_t> ping_sent_ns;  // [monotonic]
   std::optional<std::uint64_t> round_trip_ns;
 
-  std::uint64_t drops_told = 0, drops_told_ns = 0;  // what the last status said, and when [monotonic]; 0: none stands
+  // messages passed over, as they were counted last, when that was [monotonic], and whether a status about them stands
+  std::uint64_t drops_counted = 0, drops_counted_ns = 0;
+  bool drops_stand = false;
 };
 
 }  // namespace robot::net

@@ -141,7 +141,7 @@ HttpResponse error_response(int status, std::string sentence) {
 
 std::string response_head(const HttpResponse& response, bool keep_alive) {
   std::string head = "HTTP/1.1 " + std::to_string(response.status) + " " + reason(response.status) + "\r\n";
-  for (const auto& [name, value] : response.headers) head += name + ": " + value + "\r\n";
+  for (const auto& [name, value] : response.headers) head.append(name).append(": ").append(value).append("\r\n");
   if (response.status != 204 && response.status != 304)
     head += "Content-Length: " + std::to_string(response.body_size()) + "\r\n";
   head += kSecurityHeaders;

@@ -75,7 +75,7 @@ void HttpConnection::upgrade(const HttpRequest& request) {
     return respond(refusal.status == 200 ? error_response(400, agreed.error()) : std::move(refusal));
   }
 
-  const Access access = access_of(context_.options.access, remote_.address, target->parameter("token"));
+  const Access access = access_of(context_.options.access, remote_.address, request, *target);
   ClientIdentity identity{
       .context = {.address = remote_.text(), .loopback = access.loopback, .may_control = access.may_control},
       .user_agent = std::string(request.header("user-agent").value_or("").substr(0, 200)),
@@ -101,7 +101,7 @@ Result<Upgrade> HttpConnection::agree(const HttpRequest& request, const Target& 
   if (auto accepted = check_host(access.origins, host); !accepted) return refuse(403, accepted.error());
   if (auto accepted = check_origin(access.origins, request.header("origin"), host); !accepted)
     return refuse(403, accepted.error());
-  if (!access_of(access, remote_.address, target.parameter("token")).may_watch)
+  if (!access_of(access, remote_.address, request, target).may_watch)
     return refuse(401, "watching this robot needs its read token: add ?token=<token> to the address");
   if (context_.web_sockets.size() >= context_.options.max_clients)
     return refuse(503,

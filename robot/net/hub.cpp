@@ -11,17 +11,19 @@ namespace {
 
 constexpr std::size_t kChannelsPerAdvertise = 100;
 constexpr std::uint64_t kDropsEvery = 5 * kSecond;  // between two statuses about drops
+constexpr std::uint64_t kDropsWorthTelling = 10;    // a page that opens misses a few, which is as it should be
 constexpr std::string_view kDropsId = "drops";
 
 }  // namespace
 
 Hub::Hub(HubOptions options, Parameters& parameters, const Services& services, const Clock& clock,
-         StreamControl& streams)
+         StreamControl& streams, InBackground in_background)
     : options_(std::move(options)),
       parameters_(parameters),
       services_(services),
       clock_(clock),
       streams_(streams),
+      in_background_(std::move(in_background)),
       session_(system_ns() / kMillisecond) {}
 
 void Hub::add_channel(const std::shared_ptr<memory::Channel>& channel, const Derive& derive) {
@@ -165,19 +167,19 @@ void Hub::on_pong(Client& client, std::uint64_t now_ns) {
 
 // one status that stands while messages are lost, and goes when that has ended
 void Hub::tell_drops(Client& client, std::uint64_t now_ns) {
-  if (client.drops_told_ns != 0 && now_ns - client.drops_told_ns < kDropsEvery) return;
+  if (now_ns - client.drops_counted_ns < kDropsEvery) return;
   const std::uint64_t dropped = client.queue.dropped();
-  if (dropped == client.drops_told) {
-    if (client.drops_told_ns != 0) say(client, foxglove::remove_status(kDropsId));
-    client.drops_told_ns = 0;
-    return;
+  const std::uint64_t recent = dropped - std::exchange(client.drops_counted, dropped);
+  client.drops_counted_ns = now_ns;
+  if (recent >= kDropsWorthTelling) {
+    const std::string sentence = std::to_string(recent) + " messages were passed over for newer ones in the last " +
+                                 std::to_string(kDropsEvery / kSecond) +
+                                 " s: the connection takes fewer than it asked for";
+    say(client, foxglove::status(foxglove::StatusLevel::warning, sentence, kDropsId));
+  } else if (client.drops_stand) {
+    say(client, foxglove::remove_status(kDropsId));
   }
-  const std::string sentence =
-      std::to_string(dropped - client.drops_told) +
-      " messages were passed over for newer ones: the connection takes fewer than it asked for";
-  say(client, foxglove::status(foxglove::StatusLevel::warning, sentence, kDropsId));
-  client.drops_told = dropped;
-  client.drops_told_ns = now_ns;
+  client.drops_stand = recent >= kDropsWorthTelling;
 }
 
 void Hub::parameter_changed(const std::string& name) {

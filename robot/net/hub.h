@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -31,8 +32,12 @@ struct HubOptions {
 /// the sockets looks into all of them after each call. Used by one thread, the server's I/O thread.
 class Hub {
  public:
+  /// Does `work` on a thread that may wait, one piece after the other, then `then` on the hub's own.
+  using InBackground = std::function<void(std::function<void()> work, std::function<void()> then)>;
+
   /// What is referenced outlives the hub.
-  Hub(HubOptions options, Parameters& parameters, const Services& services, const Clock& clock, StreamControl& streams);
+  Hub(HubOptions options, Parameters& parameters, const Services& services, const Clock& clock, StreamControl& streams,
+      InBackground in_background);
 
   /// Offers `channel`, and what `derive` makes of it, to everybody.
   void add_channel(const std::shared_ptr<memory::Channel>& channel, const Derive& derive);
@@ -89,6 +94,9 @@ class Hub {
   void handle(Client& client, const foxglove::Unsubscribe& message);
   void handle(Client& client, const foxglove::GetParameters& message);
   void handle(Client& client, const foxglove::SetParameters& message);
+  void answer(Client& client, const foxglove::ServiceCall& call, const std::string& text);
+  void in_turn(Client& client, std::function<std::string()> work,
+               std::function<void(Client&, const std::string&)> then);
   void handle(Client& client, const foxglove::WatchParameters& message);
   void handle(Client& client, const foxglove::ServiceCall& message);
   void handle(Client& client, const foxglove::ClientPublish& message);
@@ -101,6 +109,7 @@ class Hub {
   const Services& services_;
   const Clock& clock_;
   StreamControl& streams_;
+  const InBackground in_background_;
 
   ChannelTable channels_;
   std::vector<std::shared_ptr<Client>> clients_;

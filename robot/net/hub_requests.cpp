@@ -64,22 +64,52 @@ void Hub::handle(Client& client, const foxglove::GetParameters& message) {
   tell_parameters(client, message.names.empty() ? parameters_.names() : message.names, message.id);
 }
 
+/// Does `work`, which may wait for the disk, in the background, and then `then` with what came of it, if the client is
+/// still there.
+void Hub::in_turn(Client& client, std::function<std::string()> work,
+                  std::function<void(Client&, const std::string&)> then) {
+  constexpr int kMaxWaiting = 32;  // a client cannot fill our memory
+  if (client.waiting_requests >= kMaxWaiting)
+    return complain(client, "too many requests at once: expected at most " + std::to_string(kMaxWaiting));
+  ++client.waiting_requests;
+  const auto result = std::make_shared<std::string>();
+  in_background_([work = std::move(work), result] { *result = work(); },
+                 [client = client.weak_from_this(), then = std::move(then), result] {
+                   const std::shared_ptr<Client> present = client.lock();
+                   if (!present) return;
+                   --present->waiting_requests;
+                   then(*present, *result);
+                 });
+}
+
 // the answer holds the actual values, whatever became of the wish
 void Hub::handle(Client& client, const foxglove::SetParameters& message) {
   std::vector<std::string> names;
   for (const auto& [name, value] : message.parameters) {
     names.push_back(name);
+    const std::string shown = "parameter '" + name.substr(0, 100) + "'";
     if (!client.identity.context.may_control) {
       complain(client,
-               "parameter '" + name.substr(0, 100) +
-                   "': control from another machine needs the control token: add ?token=<token> to the address");
+               shown + ": control from another machine needs the control token: add ?token=<token> to the address");
     } else if (!value) {
-      complain(client, "parameter '" + name.substr(0, 100) + "': expected true, false, a number or a text");
-    } else if (const auto set = parameters_.set(name, *value); !set) {
-      complain(client, set.error());
+      complain(client, shown + ": expected true, false, a number or a text");
+    } else {
+      in_turn(
+          client,
+          [this, name = name, value = *value] {
+            const auto set = parameters_.set(name, value);
+            return set ? std::string() : set.error();
+          },
+          [this](Client& present, const std::string& refusal) {
+            if (!refusal.empty()) complain(present, refusal);
+          });
     }
   }
-  tell_parameters(client, names, message.id);
+  in_turn(
+      client, [] { return std::string(); },
+      [this, names = std::move(names), id = message.id](Client& present, const std::string&) {
+        tell_parameters(present, names, id);
+      });
 }
 
 void Hub::handle(Client& client, const foxglove::WatchParameters& message) {
@@ -102,10 +132,20 @@ void Hub::handle(Client& client, const foxglove::ServiceCall& message) {
     say(client, foxglove::service_call_failure(message.service, message.call, sentence));
     return complain(client, sentence);  // viewers show this one
   }
-  const std::string answer = message.encoding == "json"
-                                 ? services_.call(message.service, message.payload, client.identity.context)
-                                 : failure("service: expected the encoding 'json'").dump();
-  say_binary(client, foxglove::service_response(message.service, message.call, "json", answer));
+  if (message.encoding != "json")
+    return answer(client, message, failure("service: expected the encoding 'json'").dump());
+  if (!services_.may_wait(message.service))
+    return answer(client, message, services_.call(message.service, message.payload, client.identity.context));
+  in_turn(
+      client,
+      [this, message, context = client.identity.context] {
+        return services_.call(message.service, message.payload, context);
+      },
+      [this, message](Client& present, const std::string& text) { answer(present, message, text); });
+}
+
+void Hub::answer(Client& client, const foxglove::ServiceCall& call, const std::string& text) {
+  say_binary(client, foxglove::service_response(call.service, call.call, "json", text));
 }
 
 void Hub::handle(Client& client, const foxglove::ClientPublish&) {

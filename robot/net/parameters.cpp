@@ -57,7 +57,8 @@ Result<void> check(std::string_view name, const ParameterValue& value, const Par
 
 void Parameters::declare(std::string name, ParameterValue initial, ParameterRule rule) {
   const std::lock_guard guard(lock_);
-  [[maybe_unused]] const bool added = entries_.try_emplace(std::move(name), std::move(initial), std::move(rule)).second;
+  [[maybe_unused]] const bool added =
+      entries_.try_emplace(std::move(name), Entry{std::move(initial), std::move(rule)}).second;
   assert(added && "a parameter is declared once");
 }
 

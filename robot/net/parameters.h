@@ -23,7 +23,7 @@ struct ParameterRule {
   std::vector<std::string> choices;  // of texts; empty: any
 
   /// Does what the new value asks for, before it is stored; an Error refuses the value. Called by the thread that sets,
-  /// without locks. Empty: nothing is to be done.
+  /// without locks; the server sets on a thread that may wait. Empty: nothing is to be done.
   std::function<Result<void>(const ParameterValue&)> apply = {};
 };
 

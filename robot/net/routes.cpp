@@ -37,13 +37,31 @@ std::string location(const Target& target, std::uint64_t until_ns) {
   return target.path + "?" + (target.query.empty() ? "" : target.query + "&") + "until=" + std::to_string(until_ns);
 }
 
+/// The cookie called `name`; empty if there is none.
+std::string_view cookie(const HttpRequest& request, std::string_view name) {
+  std::string_view rest = request.header("cookie").value_or("");
+  while (!rest.empty()) {
+    const std::string_view pair = rest.substr(0, rest.find(';'));
+    rest.remove_prefix(std::min(rest.size(), pair.size() + 1));
+    const std::string_view trimmed = pair.substr(std::min(pair.find_first_not_of(' '), pair.size()));
+    if (trimmed.starts_with(name) && trimmed.substr(name.size()).starts_with('='))
+      return trimmed.substr(name.size() + 1);
+  }
+  return {};
+}
+
+constexpr std::string_view kCookie = "foresight_reader";
+
 }  // namespace
 
-Access access_of(const AccessOptions& options, std::string_view address, std::string_view token) {
+Access access_of(const AccessOptions& options, std::string_view address, const HttpRequest& request,
+                 const Target& target) {
+  const std::string token = target.parameter("token");
   const bool loopback = is_loopback(address);
   const bool control = loopback || same_token(token, options.control_token);
   return {.loopback = loopback,
-          .may_watch = control || options.read_token.empty() || same_token(token, options.read_token),
+          .may_watch = control || options.read_token.empty() || same_token(token, options.read_token) ||
+                       same_token(cookie(request, kCookie), options.read_cookie),
           .may_control = control};
 }
 
@@ -60,12 +78,23 @@ HttpResponse Routes::answer(const HttpRequest& request, std::string_view address
     return error_response(403, accepted.error());
 
   HttpResponse response;
-  if (const auto target = parse_target(request.target))
+  if (const auto target = parse_target(request.target)) {
     response = route(request, *target, address);
-  else
+    add_cookie(*target, response);
+  } else {
     response = error_response(400, target.error());
+  }
   add_cross_origin_headers(request, response);
   return response;
+}
+
+// whoever came with a token need not bring it again to read: it stays out of links that people pass on
+void Routes::add_cookie(const Target& target, HttpResponse& response) const {
+  const std::string token = target.parameter("token");
+  if (access_.read_cookie.empty()) return;
+  if (!same_token(token, access_.control_token) && !same_token(token, access_.read_token)) return;
+  response.headers.emplace_back(
+      "Set-Cookie", std::string(kCookie) + "=" + access_.read_cookie + "; Path=/; HttpOnly; SameSite=Strict");
 }
 
 HttpResponse Routes::route(const HttpRequest& request, const Target& target, std::string_view address) const {
@@ -80,22 +109,21 @@ HttpResponse Routes::route(const HttpRequest& request, const Target& target, std
 
   // the viewer itself is no secret, what it shows may be
   if (auto asset = asset_response(assets_, request, target.path)) return *std::move(asset);
-  if (is_data(target.path) && !access_of(access_, address, target.parameter("token")).may_watch)
+  if (is_data(target.path) && !access_of(access_, address, request, target).may_watch)
     return error_response(401, "reading from this robot needs its read token: add ?token=<token> to the address");
 
   if (target.path == "/api/status") return text_response(200, "application/json", application_.status_json());
   if (target.path == "/api/sessions") return text_response(200, "application/json", application_.sessions_json());
-  if (target.path == "/logs" || target.path == kLogs) return answer_sessions(request, target);
+  if (target.path == "/logs" || target.path == kLogs) return answer_sessions(request);
   if (target.path.starts_with(kLogs)) return answer_log(request, target);
   return error_response(404, "there is nothing at this path");
 }
 
-HttpResponse Routes::answer_sessions(const HttpRequest& request, const Target& target) const {
+HttpResponse Routes::answer_sessions(const HttpRequest& request) const {
   std::string sessions = application_.sessions_json();
   if (request.has_token("accept", "application/json"))
     return text_response(200, "application/json", std::move(sessions));
-  const std::string query = target.parameter("token").empty() ? "" : target.query;
-  return text_response(200, "text/html; charset=utf-8", session_page(sessions, query));
+  return text_response(200, "text/html; charset=utf-8", session_page(sessions));
 }
 
 HttpResponse Routes::answer_log(const HttpRequest& request, const Target& target) const {

@@ -17,6 +17,10 @@ struct AccessOptions {
   OriginPolicy origins;
   std::string control_token;  // for parameters and services; empty: nobody from beyond loopback
   std::string read_token;     // for watching and recordings; empty: everybody
+
+  /// What a browser that came with a good token is given as a cookie, so that it may go on reading without the token
+  /// in every address; gives no control. A secret of this run; empty: no cookies.
+  std::string read_cookie;
 };
 
 /// What the other end of a connection may do.
@@ -26,8 +30,9 @@ struct Access {
   bool may_control = false;
 };
 
-/// Decides by the address of the other end and the token it gives.
-Access access_of(const AccessOptions& options, std::string_view address, std::string_view token);
+/// Decides by the address of the other end and by the token or the cookie it brings.
+Access access_of(const AccessOptions& options, std::string_view address, const HttpRequest& request,
+                 const Target& target);
 
 /// Answers everything but WebSocket upgrades. Any thread.
 class Routes {
@@ -45,7 +50,8 @@ class Routes {
  private:
   HttpResponse route(const HttpRequest& request, const Target& target, std::string_view address) const;
   HttpResponse answer_log(const HttpRequest& request, const Target& target) const;
-  HttpResponse answer_sessions(const HttpRequest& request, const Target& target) const;
+  HttpResponse answer_sessions(const HttpRequest& request) const;
+  void add_cookie(const Target& target, HttpResponse& response) const;
   void add_cross_origin_headers(const HttpRequest& request, HttpResponse& response) const;
 
   const AccessOptions& access_;

@@ -42,7 +42,14 @@ class Server::Core {
         parameters_(parameters),
         inbox_(std::make_shared<Inbox>(options_.inbox_bytes, [this] { asio::post(io_, [this] { drain(); }); })),
         streams_(streams, inbox_),
-        hub_(options_.hub, parameters, services, clock, streams_),
+        control_("net control"),
+        hub_(options_.hub, parameters, services, clock, streams_,
+             [this](std::function<void()> work, std::function<void()> then) {
+               control_.post([inbox = inbox_, work = std::move(work), then = std::move(then)] {
+                 work();
+                 inbox->post(then);
+               });
+             }),
         routes_(options_.access, options_.assets, application),
         disk_("net disk"),
         context_{.options = options_, .routes = routes_, .hub = hub_, .io = io_, .disk = disk_},
@@ -80,6 +87,7 @@ class Server::Core {
   asio::io_context io_{1};
   std::shared_ptr<Inbox> inbox_;
   StreamControl streams_;
+  Worker control_;
   Hub hub_;
   Routes routes_;
   Worker disk_;
@@ -217,8 +225,10 @@ void Server::Core::stop() {
   }
   inbox_->close();  // loggers that wait for room go on
   streams_.finish();
-  disk_.forget();
-  disk_.finish();
+  for (Worker* worker : {&control_, &disk_}) {
+    worker->forget();
+    worker->finish();
+  }
 }
 
 void Server::Core::begin_stop() {

@@ -39,8 +39,8 @@ struct ServerOptions {
   std::span<const Asset> assets = {kViewerAssets, kViewerAssetCount};
 };
 
-/// Serves HTTP and the Foxglove protocol on one thread of its own, with two helpers: one waits for the disk, one for
-/// loggers that start and stop.
+/// Serves HTTP and the Foxglove protocol on one thread of its own, with three helpers: one waits for the disk, one for
+/// loggers that start and stop, one does what people ask for.
 class Server {
  public:
   /// What is referenced outlives the server, and `services` are complete. Channels may come later.

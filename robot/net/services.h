@@ -28,7 +28,8 @@ nlohmann::json failure(std::string_view sentence);
 /// The list of services. Added before the server starts, then only read.
 class Services {
  public:
-  /// Gets a JSON object and gives one. Called by the server's I/O thread: it must not wait for anything.
+  /// Gets a JSON object and gives one. Services for control run one after the other on a thread that may wait for the
+  /// disk; those for everybody run on the server's I/O thread and must not wait for anything.
   using Handler = std::function<nlohmann::json(const nlohmann::json& request, const ClientContext& client)>;
 
   enum class For { everybody, control };  // control: needs the token beyond loopback
@@ -39,6 +40,7 @@ class Services {
   std::vector<foxglove::Service> list() const;
 
   bool has(std::uint32_t id) const { return id >= 1 && id <= services_.size(); }
+  bool may_wait(std::uint32_t id) const { return services_.at(id - 1).whom == For::control; }
 
   /// The answer of service `id` (it exists) to `request`, as JSON text. What goes wrong, goes into the answer.
   std::string call(std::uint32_t id, std::string_view request, const ClientContext& client) const;

@@ -34,30 +34,30 @@ std::string shown_time(const std::string& ns) {
   return shown;
 }
 
-std::string link(const std::string& url, std::string_view query, const std::string& name) {
+std::string link(const std::string& url, const std::string& name) {
   if (!url.starts_with('/')) return escaped(name);  // our own links only
-  return "<a href=\"" + escaped(url) + (query.empty() ? "" : "?" + escaped(query)) + "\">" + escaped(name) + "</a>";
+  return "<a href=\"" + escaped(url) + "\">" + escaped(name) + "</a>";
 }
 
-std::string streams(const Json& session, std::string_view query) {
+std::string streams(const Json& session) {
   const auto list = session.find("streams");
   if (list == session.end() || !list->is_array() || list->empty()) return "";
   std::string html = "<details><summary>" + std::to_string(list->size()) + " streams</summary><ul>\n";
   for (const Json& stream : *list)
     if (stream.is_object())
-      html += "<li>" + link(text(stream, "url"), query, text(stream, "topic")) + " " +
+      html += "<li>" + link(text(stream, "url"), text(stream, "topic")) + " " +
               std::to_string(static_cast<long long>(number(stream, "messages"))) + " messages, " +
               megabytes(number(stream, "size_bytes")) + "\n";
   return html + "</ul></details>";
 }
 
-std::string row(const Json& session, std::string_view query) {
-  std::string html = "<tr><td>" + link(text(session, "url"), query, text(session, "session"));
+std::string row(const Json& session) {
+  std::string html = "<tr><td>" + link(text(session, "url"), text(session, "session"));
   const std::string cells[] = {text(session, "name"), text(session, "robot"), shown_time(text(session, "start_ns")),
                                megabytes(number(session, "size_bytes")),
                                text(session, "state") + " " + text(session, "message")};
   for (const std::string& cell : cells) html += "<td>" + escaped(cell);
-  return html + "<td>" + streams(session, query) + "\n";
+  return html + "<td>" + streams(session) + "\n";
 }
 
 }  // namespace
@@ -75,15 +75,16 @@ std::string escaped(std::string_view text) {
   return html;
 }
 
-std::string session_page(std::string_view sessions_json, std::string_view query) {
+std::string session_page(std::string_view sessions_json) {
   std::string html =
-      "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Recordings</title>\n<h1>Recordings</h1>\n"
+      "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Recordings</title>\n<link rel=\"icon\" "
+      "href=\"/favicon.svg\" type=\"image/svg+xml\">\n<h1>Recordings</h1>\n"
       "<p>Each is one MCAP file; Foxglove and Lichtblick open it, too. <a href=\"/\">To the viewer</a>\n"
       "<table>\n<tr><th>recording<th>name<th>robot<th>begin<th>size<th>state<th>streams\n";
   const Json json = Json::parse(sessions_json, nullptr, /*allow_exceptions=*/false);
   const Json sessions = json.is_object() ? json.value("sessions", Json::array()) : Json::array();
   for (const Json& session : sessions)
-    if (session.is_object()) html += row(session, query);
+    if (session.is_object()) html += row(session);
   return html + "</table>\n</html>\n";
 }
 

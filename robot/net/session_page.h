@@ -6,9 +6,8 @@
 
 namespace robot::net {
 
-/// The HTML of `sessions_json`, the body of `GET /api/sessions`. Every text is escaped. `query` is appended to the links
-/// (it holds the read token, if one is needed).
-std::string session_page(std::string_view sessions_json, std::string_view query);
+/// The HTML of `sessions_json`, the body of `GET /api/sessions`. Every text is escaped.
+std::string session_page(std::string_view sessions_json);
 
 /// `text` so that HTML shows it as it is, also within quotes.
 std::string escaped(std::string_view text);

@@ -191,7 +191,10 @@ Result<void> WebSocketClient::send(Opcode opcode, std::string_view payload) {
 }
 
 bool WebSocketClient::on_frame(Opcode opcode, std::string payload) {
-  if (opcode == Opcode::text || opcode == Opcode::binary) received_.push_back({opcode, std::move(payload)});
+  if (opcode == Opcode::text || opcode == Opcode::binary) {
+    received_.push_back({opcode, std::move(payload)});
+    return true;
+  }
   if (opcode == Opcode::ping) append_masked_frame(pongs_, Opcode::pong, payload, 0x5bd1e995);
   if (opcode != Opcode::close) return true;
   closed_ = parse_close(payload);

@@ -3,9 +3,9 @@
 namespace robot::net {
 
 Result<void> WebSocketOutProvider::write(const memory::VersionPtr& version) {
-  version->bytes();  // serialised here, not by the I/O thread
-  if (inbox_->put({channel_, stream_, version}, cancelled_)) return {};
-  return Error{"server: the stream is closed"};
+  version->bytes();                                       // serialised here, not by the I/O thread
+  inbox_->put({channel_, stream_, version}, cancelled_);  // when cancelled nobody watches any more: nothing is lost
+  return {};
 }
 
 Result<void> ConvertingOutProvider::write(const memory::VersionPtr& version) {

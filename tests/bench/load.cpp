@@ -26,7 +26,8 @@ std::string picture(unsigned seed) {
   for (std::size_t y = 0; y < kHeight; ++y)
     for (std::size_t x = 0; x < kWidth; ++x) {
       const bool line = (x + seed * 8) % 160 < 6 || y % 120 < 4;
-      const std::size_t luma = (line ? 200 : 90) + random() % 14, chroma = 120 + random() % 2;
+      const std::size_t turf = (x / 2 * 2654435761 + y / 2 * 40503 + seed) % 4093 % 18;
+      const std::size_t luma = (line ? 200 : 80) + turf + random() % 12, chroma = 120 + random() % 2;
       bytes[(y * kWidth + x) * 2] = static_cast<char>(luma);
       bytes[(y * kWidth + x) * 2 + 1] = static_cast<char>(chroma);
     }
@@ -178,8 +179,7 @@ void Load::write_frame(std::uint64_t now_ns, std::uint64_t count) {
   if (count % 15 != 0) return;
   write(memory_.game, counting_time(now_ns, count / 15), costs_,
         [&](pb::GameState& value) { value.set_seconds_remaining(frame); });
-  write(memory_.log, capture_ns, costs_,
-        [&](pb::LogText& value) { value.set_text("frame " + std::to_string(count)); });
+  write(memory_.log, capture_ns, costs_, [&](pb::LogText& value) { value.set_text("frame " + std::to_string(count)); });
 }
 
 void Load::write_sensors(std::uint64_t now_ns, std::uint64_t count) {
@@ -199,8 +199,7 @@ void Load::write_sensors(std::uint64_t now_ns, std::uint64_t count) {
   write(memory_.inertial, capture_ns, motion_costs_, [&](pb::Inertial& inertial) {
     inertial.set_accelerometer_x(noise()), inertial.set_accelerometer_y(noise());
     inertial.set_accelerometer_z(9.81f + noise()), inertial.set_gyroscope_x(noise());
-    inertial.set_gyroscope_y(noise()), inertial.set_gyroscope_z(noise());
-    inertial.set_angle_x(noise()), inertial.set_angle_y(noise());
+    inertial.set_gyroscope_y(noise()), inertial.set_torso_roll(noise()), inertial.set_torso_pitch(noise());
   });
   write(memory_.fsr, capture_ns, motion_costs_, [&](pb::Fsr& fsr) {
     fsr.set_left_front_left(noise()), fsr.set_left_front_right(noise());
@@ -213,8 +212,7 @@ void Load::write_sensors(std::uint64_t now_ns, std::uint64_t count) {
   });
   write(memory_.motion_status, capture_ns, motion_costs_,
         [&](pb::MotionStatus& status) { status.set_remaining(noise()); });
-  write(memory_.touch, capture_ns, motion_costs_,
-        [&](pb::Touch& touch) { touch.set_chest_button(count % 500 == 0); });
+  write(memory_.touch, capture_ns, motion_costs_, [&](pb::Touch& touch) { touch.set_chest_button(count % 500 == 0); });
   write(memory_.sonar, capture_ns, motion_costs_, [&](pb::Sonar& sonar) { sonar.set_left(noise()); });
   write(memory_.battery, capture_ns, motion_costs_, [&](pb::Battery& battery) { battery.set_charge(0.9f); });
 }

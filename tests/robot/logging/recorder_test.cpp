@@ -97,7 +97,7 @@ TEST_F(Recording, DescribesItself) {
 
 TEST_F(Recording, RunsOnlyOnceAtATime) {
   const std::string id = *recorder.start("", "game");
-  EXPECT_EQ(recorder.start("", "game").error(), "recording: expected none to be running, " + id + " is");
+  EXPECT_EQ(recorder.start("", "game").error(), "recording: the session " + id + " is being recorded already");
   ASSERT_TRUE(recorder.stop());
   EXPECT_EQ(recorder.stop().error(), "recording: there is none to stop");
 }
@@ -147,6 +147,23 @@ TEST_F(Recording, InAGameImagesAreSmallAndFew) {
     EXPECT_EQ(image.width(), 320u);
     EXPECT_EQ(image.height(), 240u);
   }
+}
+
+// a thread that was held up writes its images late and close together: no image of a 30 Hz camera is one too many
+TEST_F(Recording, ForVisionLateImagesAreRecordedToo) {
+  const std::string id = *recorder.start("", "vision");
+  std::mt19937 random(1);
+  std::uint64_t last = 0;
+  for (std::uint64_t i = 0; i < 60; ++i) {
+    auto image = memory->camera_top.draft();
+    image->set_encoding(pb::Image::ENCODING_JPEG);
+    image->set_data("jpeg");
+    const std::uint64_t late = i % 4 == 3 ? random() % 60 * kMillisecond : 0;
+    last = std::max(last + kMillisecond, kNow + i * kSecond / 30 + late);
+    memory->camera_top.write(std::move(image), last);
+  }
+  ASSERT_TRUE(recorder.stop());
+  EXPECT_EQ(read_all(folder.path() / id / "14.2.camera_top.mcap").size(), 60u);
 }
 
 // the system clock does not matter: capture times come from the session's own clock

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <thread>
 
 #include "robot/core/clock.h"
@@ -64,6 +66,36 @@ TEST_F(Queue, WakesAReaderThatWaits) {
   write(10);
   reader.join();
   channel->detach(queue);
+}
+
+TEST_F(Queue, TheBellWakesAPatientReaderWhenItsTimeIsOver) {
+  VersionQueue patient{1000, Patience{.time_ns = 50, .bytes = 100}};
+  channel->attach(patient);
+  std::atomic<bool> woken = false;
+  std::thread reader([&] {
+    EXPECT_NE(patient.pop(kNever), nullptr);
+    woken = true;
+  });
+  write(10);
+  patient.ring(1000);  // from now on it has waited
+  // until the reader sleeps there is nobody to be woken
+  while (!woken) patient.ring(1050);
+  reader.join();
+  channel->detach(patient);
+}
+
+TEST_F(Queue, MuchThatWaitsEndsPatience) {
+  VersionQueue patient{1000, Patience{.time_ns = kSecond, .bytes = 100}};
+  channel->attach(patient);
+  std::atomic<bool> woken = false;
+  std::thread reader([&] {
+    EXPECT_NE(patient.pop(kNever), nullptr);
+    woken = true;
+  });
+  write(100);
+  while (!woken) patient.ring(1);
+  reader.join();
+  channel->detach(patient);
 }
 
 TEST_F(Queue, ClosingWakesAReaderThatWaits) {

@@ -189,6 +189,20 @@ TEST(Pool, FreesNothingInAWriterAndLittleIsKeptElsewhere) {
   EXPECT_EQ(alive, 10) << "ten are spare already, so each further one goes";
 }
 
+TEST(Pool, KeepsMoreOfWhatIsSmall) {
+  static int alive = 0;
+  struct Sized {
+    Sized() { ++alive; }
+    ~Sized() { --alive; }
+    std::size_t size_bytes() const { return 100; }
+  };
+  Pool<Sized> pool;
+  std::vector<std::shared_ptr<Sized>> lent;
+  for (int i = 0; i < 100; ++i) lent.push_back(pool.take());
+  lent.clear();
+  EXPECT_EQ(alive, static_cast<int>(Pool<Sized>::kSpareOfSmall));
+}
+
 TEST(WithBytes, KeepsTheTimesOfTheOriginal) {
   ManualClock clock(9);
   RawChannel channel({.topic = "/1/1/x"}, clock);

@@ -76,7 +76,7 @@ TEST(Token, DecidesWhoMayWatchAndControl) {
       {none, "::ffff:127.0.0.1", "", true, true},
   };
   for (const auto& [options, address, token, watch, control] : cases) {
-    const Access access = access_of(options, address, token);
+    const Access access = access_of(options, address, {}, {.path = "/", .query = "", .parameters = {{"token", token}}});
     EXPECT_EQ(access.may_watch, watch) << address << " " << token;
     EXPECT_EQ(access.may_control, control) << address << " " << token;
   }

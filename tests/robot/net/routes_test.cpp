@@ -28,7 +28,7 @@ std::string gzip(std::string_view text) {
 class RoutesTest : public testing::Test {
  protected:
   tests::TestApplication application;
-  AccessOptions access{.control_token = "c", .read_token = "r"};
+  AccessOptions access{.control_token = "c", .read_token = "r", .read_cookie = "k"};
   const std::string page = gzip("<h1>viewer</h1>"), script = gzip("run()");
   const Asset assets[2] = {{"/index.html", "text/html; charset=utf-8", page, "i1"},
                            {"assets/app-1a2b.js", "text/javascript", script, "s1"}};
@@ -85,13 +85,13 @@ TEST_F(RoutesTest, TheApiSpeaksJson) {
 TEST_F(RoutesTest, TheListOfRecordingsIsAPageWithNothingOfOthersInIt) {
   const HttpResponse response = get("/logs/?token=r", {}, "10.0.0.9");
   const std::string html = text(response);
-  EXPECT_NE(html.find("<a href=\"/logs/old.mcap?token=r\">old</a>"), std::string::npos);
+  EXPECT_NE(html.find("<a href=\"/logs/old.mcap\">old</a>"), std::string::npos);
   EXPECT_NE(html.find("&lt;b&gt;final&lt;/b&gt;"), std::string::npos);
   EXPECT_EQ(html.find("<b>"), std::string::npos);
   EXPECT_NE(html.find("2023-11-14 22:13:20 UTC"), std::string::npos);
-  const std::string evil = session_page(R"x({"sessions":[{"session":"x","url":"javascript:alert(1)"},7,null]})x", "");
+  const std::string evil = session_page(R"x({"sessions":[{"session":"x","url":"javascript:alert(1)"},7,null]})x");
   EXPECT_EQ(evil.find("javascript"), std::string::npos);
-  EXPECT_NE(session_page("nonsense", "").find("</html>"), std::string::npos);
+  EXPECT_NE(session_page("nonsense").find("</html>"), std::string::npos);
 }
 
 TEST_F(RoutesTest, RecordingsAreSentWithRanges) {
@@ -129,6 +129,17 @@ TEST_F(RoutesTest, DataNeedTheReadTokenTheViewerDoesNot) {
     EXPECT_EQ(get(path + std::string("?token=c"), {}, "10.0.0.9").status, 200) << path;
   }
   EXPECT_EQ(get("/", {}, "10.0.0.9").status, 200);
+}
+
+TEST_F(RoutesTest, ABrowserThatBroughtATokenMayGoOnReadingByItsCookie) {
+  const std::string cookie = header(get("/?token=c", {}, "10.0.0.9"), "Set-Cookie");
+  EXPECT_EQ(cookie, "foresight_reader=k; Path=/; HttpOnly; SameSite=Strict");
+  EXPECT_EQ(header(get("/?token=x", {}, "10.0.0.9"), "Set-Cookie"), "");
+  EXPECT_EQ(header(get("/", {}, "10.0.0.9"), "Set-Cookie"), "");
+  EXPECT_EQ(get("/logs/", {{"cookie", "a=b; foresight_reader=k"}}, "10.0.0.9").status, 200);
+  for (const char* wrong :
+       {"foresight_reader=", "foresight_reader=x", "foresight_reader", "xforesight_reader=k", ";;", "="})
+    EXPECT_EQ(get("/logs/", {{"cookie", wrong}}, "10.0.0.9").status, 401) << wrong;
 }
 
 TEST_F(RoutesTest, OnlyOurNamesAreServed) {

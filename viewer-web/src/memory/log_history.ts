@@ -44,9 +44,9 @@ export class LogHistory {
     if (this.#entries.length > kMost) this.#entries.splice(0, this.#entries.length - kMost);
   }
 
-  /** Newest last. */
+  /** What this robot said, and what the server of no robot did. Newest last. */
   entries(robot: RobotName, least: LogLevel): LogEntry[] {
     const from = kLogLevels.indexOf(least);
-    return this.#entries.filter((entry) => entry.robot === robot && kLogLevels.indexOf(entry.level) >= from);
+    return this.#entries.filter((entry) => (entry.robot === robot || entry.robot === "") && kLogLevels.indexOf(entry.level) >= from);
   }
 }

@@ -13,6 +13,7 @@ test("a robot is what the metadata says, else the first two parts of the topic",
     ["/odd", { robot: "14/2" }, "14/2", "odd"],
     ["/truth/world", {}, "", "truth/world"],
     ["/truth/world", { robot: "truth" }, "", "truth/world"],
+    ["/lab/1/runtime", { object: "lab/1/runtime" }, "", "lab/1/runtime"],
     ["plain", {}, "", "plain"],
   ];
   for (const [topic, metadata, robot, object] of cases) {
@@ -23,9 +24,18 @@ test("a robot is what the metadata says, else the first two parts of the topic",
 
 test("robots are in order of team and player, and share what belongs to none", () => {
   const memory = new Memory();
-  for (const topic of ["/14/10/ball", "/truth/world", "/14/2/pose", "/14/2/ball", "/3/1/ball"]) memory.offer(channel(topic));
+  for (const topic of ["/14/10/ball", "/truth/world", "/lab/1/log", "/14/2/pose", "/14/2/ball", "/3/1/ball"]) memory.offer(channel(topic));
   expect(memory.robots()).toEqual(["3/1", "14/2", "14/10"]);
-  expect(memory.objectsOf("14/2").map(({ name }) => name)).toEqual(["ball", "pose", "truth/world"]);
+  expect(memory.objectsOf("14/2").map(({ name }) => name)).toEqual(["ball", "pose", "lab/1/log", "truth/world"]);
+});
+
+test("what a robot said and what the server said is told together, other robots' sentences are not", () => {
+  const memory = new Memory();
+  for (const topic of ["/14/2/log", "/lab/1/log", "/14/3/log", "/14/2/log/foxglove"]) {
+    memory.offer(channel(topic, topic.endsWith("foxglove") ? { derived: "true" } : {}));
+    memory.arrived(topic, 1n, percept(), 0);
+  }
+  expect(memory.log.entries("14/2", "debug")).toHaveLength(2);
 });
 
 test("the newest message counts, is decoded when asked, and a bad one is a sentence until a good one comes", () => {

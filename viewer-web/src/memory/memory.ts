@@ -66,4 +66,4 @@ export class Memory {
   }
 }
 
-const isLog = (object: MemoryObject): boolean => object.name === "log" && !object.derived;
+const isLog = (object: MemoryObject): boolean => object.kind === "log" && !object.derived;

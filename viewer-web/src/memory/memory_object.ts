@@ -4,13 +4,12 @@ import type { Channel } from "../source/texts";
 import { decoderOf, type Decoded, type Decoder } from "./decoder";
 import { Rate } from "./rate";
 
-/** `""` for what belongs to no single robot, such as /truth/world. */
+/** `""` for what belongs to no single robot, such as /truth/world and what the lab's server says of itself. */
 export type RobotName = string;
 
-/** What the channel's metadata says, else the first two parts of the topic: "14/2" of "/14/2/ball". */
+/** What the channel's metadata says, else team and player, if the topic begins with them: "14/2" of "/14/2/ball". */
 export function robotOf(channel: Pick<Channel, "topic" | "metadata">): RobotName {
-  const said = channel.metadata["robot"];
-  const name = said || channel.topic.split("/").slice(1, -1).slice(0, 2).join("/");
+  const name = channel.metadata["robot"] || /^\/(\d+\/\d+)\//.exec(channel.topic)?.[1] || "";
   return name.includes("/") ? name : "";
 }
 
@@ -23,6 +22,8 @@ export function objectOf(channel: Pick<Channel, "topic" | "metadata">): string {
 export class MemoryObject {
   readonly robot: RobotName;
   readonly name: string;
+  /** What kind of object it is: "runtime" of /14/2/runtime and of /lab/1/runtime. */
+  readonly kind: string;
   /** Made by the server out of another object, only while somebody subscribes. */
   readonly derived: boolean;
   /** One image per message: too much to subscribe to unasked. */
@@ -41,6 +42,7 @@ export class MemoryObject {
   constructor(readonly channel: Channel) {
     this.robot = robotOf(channel);
     this.name = objectOf(channel);
+    this.kind = this.name.slice(this.name.lastIndexOf("/") + 1);
     this.derived = channel.metadata["derived"] === "true";
     this.isImage = /(^|\.)(Raw|Compressed)?Image$/.test(channel.schemaName);
   }

@@ -1,6 +1,8 @@
 import { expect, test } from "vitest";
-import { recordingStatistics, streamStatistics } from "./statistics";
-import { EnumValue, type Fields, type Value } from "./value";
+import { MemoryObject } from "./memory_object";
+import { allStreamStatistics, recordingStatistics, runtimesOf, streamStatistics } from "./statistics";
+import { kPerceptChannel, percept } from "./test_schema";
+import { EnumValue, textOf, type Fields, type Value } from "./value";
 
 const fields = (entries: Record<string, Value>): Fields => new Map(Object.entries(entries));
 
@@ -34,4 +36,21 @@ test("the recording's state is the word without the enum's prefix", () => {
 test("a runtime object of quite another shape is no statistics, not an error", () => {
   for (const odd of [5, "text", [1, 2], undefined])
     expect(streamStatistics(fields({ streams: odd, loggers: odd, clients: odd })).size).toBe(0);
+});
+
+test("any object `runtime` tells: first the server's own, then the robot's", () => {
+  const objects = ["/14/2/ball", "/14/2/runtime", "/lab/1/runtime", "/lab/1/clock", "/5/1/runtime"].map((topic) => {
+    const object = new MemoryObject({ ...kPerceptChannel, topic });
+    if (!topic.startsWith("/5")) object.arrived(1n, percept({ note: topic }), 0); // of one nothing came yet
+    return object;
+  });
+  expect(runtimesOf(objects).map((runtime) => textOf(runtime, "note"))).toEqual(["/lab/1/runtime", "/14/2/runtime"]);
+  expect(runtimesOf([])).toEqual([]);
+});
+
+test("where two tell of the same stream the first counts, what only one tells of is known", () => {
+  const runtime = (counts: Record<string, number>) =>
+    fields({ streams: Object.entries(counts).map(([topic, count]) => fields({ topic, count })) });
+  const all = allStreamStatistics([runtime({ "/14/2/ball": 5 }), runtime({ "/14/2/ball": 900, "/14/2/pose": 7 })]);
+  expect([...all].map(([topic, { sequence }]) => `${topic} ${sequence}`).sort()).toEqual(["/14/2/ball 5", "/14/2/pose 7"]);
 });

@@ -1,5 +1,6 @@
 // What the robot says about its own streams: the object `runtime`, read by field name.
 
+import type { MemoryObject } from "./memory_object";
 import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "./value";
 
 /** One stream as the robot counts it, also while nobody here is subscribed. */
@@ -23,6 +24,20 @@ export interface RecordingStatistics {
 
 const none = (): StreamStatistics => ({ rate_hz: NaN, sequence: NaN, dropped: { inside: 0, recording: 0, viewers: 0 } });
 const dropped = (fields: Fields): number => numberOf(fields, "dropped") || 0;
+
+/**
+ * What is known of the server's doings, by whom: first what the server says of itself. When a recording is played that
+ * is the lab's server; the robot's own `runtime` then tells how it was on the robot.
+ */
+export const runtimesOf = (objects: MemoryObject[]): Fields[] =>
+  objects
+    .filter(({ kind, derived }) => kind === "runtime" && !derived)
+    .sort((a, b) => Number(a.robot !== "") - Number(b.robot !== ""))
+    .flatMap((object) => object.decoded()?.fields ?? []);
+
+/** Of all streams, by topic; where two tell of the same one, the first of `runtimes` counts. */
+export const allStreamStatistics = (runtimes: Fields[]): Map<string, StreamStatistics> =>
+  new Map(runtimes.toReversed().flatMap((runtime) => [...streamStatistics(runtime)]));
 
 export function streamStatistics(runtime: Fields): Map<string, StreamStatistics> {
   const streams = new Map<string, StreamStatistics>();

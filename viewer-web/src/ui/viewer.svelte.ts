@@ -3,7 +3,7 @@
 
 import type { MemoryObject } from "../memory/memory_object";
 import { Memory } from "../memory/memory";
-import { recordingStatistics, streamStatistics, type RecordingStatistics, type StreamStatistics } from "../memory/statistics";
+import { allStreamStatistics, recordingStatistics, runtimesOf, type RecordingStatistics, type StreamStatistics } from "../memory/statistics";
 import { Client, type Connection, type Listener, type Socket } from "../source/client";
 import type { Target } from "../source/target";
 import type { Channel, Level, ServerInfo } from "../source/texts";
@@ -60,19 +60,14 @@ export class Viewer implements Listener {
     }
   }
 
-  /** The robot's own count of its streams, by topic; empty until its `runtime` object came. */
+  /** The server's own count of its streams, by topic; empty until a `runtime` object came. */
   statistics(): Map<string, StreamStatistics> {
-    const runtime = this.#runtime();
-    return runtime ? streamStatistics(runtime) : new Map();
+    return allStreamStatistics(runtimesOf(this.objects));
   }
 
   recording(): RecordingStatistics | undefined {
-    const runtime = this.#runtime();
+    const [runtime] = runtimesOf(this.objects);
     return runtime && recordingStatistics(runtime);
-  }
-
-  #runtime() {
-    return this.objects.find(({ name }) => name === "runtime")?.decoded()?.fields;
   }
 
   // what the client tells

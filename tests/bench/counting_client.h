@@ -1,0 +1,114 @@
+// A viewer that looks at nothing and counts everything: cheap enough to run ten of them beside the server.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "robot/core/clock.h"
+#include "robot/core/files.h"
+#include "robot/core/result.h"
+#include "robot/net/frames.h"
+
+namespace bench {
+
+/// Cuts a server's bytes into messages without keeping what they carry.
+class FrameCounter {
+ public:
+  /// What a binary message begins with: opcode, subscription, log time.
+  static constexpr std::size_t kHeadBytes = 13;
+
+  struct Message {
+    robot::net::Opcode opcode = robot::net::Opcode::binary;
+    std::uint64_t size = 0;  // [bytes] of the payload
+    std::string_view text;   // the payload; of binary messages only the first kHeadBytes
+    bool is(robot::net::Opcode other) const { return opcode == other; }
+  };
+
+  /// Calls `sink(message)` for each message that ends within `bytes`.
+  template <class Sink>
+  void feed(std::string_view bytes, Sink&& sink) {
+    while (!bytes.empty()) {
+      if (left_ == 0 && !take_header(bytes)) return;
+      take_payload(bytes);
+      if (left_ == 0) sink(Message{opcode_, size_, kept_});
+    }
+  }
+
+ private:
+  bool take_header(std::string_view& bytes);
+  void take_payload(std::string_view& bytes);
+
+  std::string header_;  // of the frame that begins
+  robot::net::Opcode opcode_ = robot::net::Opcode::binary;
+  std::uint64_t size_ = 0, left_ = 0;
+  std::string kept_;
+};
+
+/// What a client saw of one topic.
+struct TopicCount {
+  std::uint64_t messages = 0, bytes = 0;
+  std::uint64_t missed = 0;  // messages between those it got, see counting_time(); 0 where they do not count
+  std::uint64_t first_ns = 0, last_ns = 0;  // capture times
+  std::vector<std::uint32_t> ages_us;       // on arrival
+};
+
+/// What of a server's channels a client watches.
+struct Watch {
+  bool objects = true;  // all memory objects but images
+  bool images = false;  // camera_top, camera_bottom as they are
+  bool jpeg = false;    // camera_top/jpeg, camera_bottom/jpeg
+
+  bool wants(std::string_view topic) const;
+};
+
+/// Reads "objects,images,jpeg" or a part of it; "nothing" watches nothing.
+robot::Result<Watch> parse_watch(std::string_view text);
+
+class CountingClient {
+ public:
+  struct Options {
+    std::string url;
+    Watch watch;
+    int receive_buffer_bytes = 0;                   // of the kernel; 0: as it likes
+    std::map<std::string, std::string> parameters;  // to set first: name, JSON value
+  };
+
+  CountingClient(Options options, const robot::Clock& clock) : options_(std::move(options)), clock_(clock) {}
+
+  /// Connects and asks for what is watched as soon as it is offered.
+  robot::Result<void> connect();
+
+  /// Reads once, at most `most_bytes`, what has come. False when the connection has ended; reason() says why.
+  bool read(std::size_t most_bytes = SIZE_MAX);
+
+  void close() { socket_.reset(); }
+  int socket() const { return socket_.get(); }
+
+  std::uint64_t messages() const { return messages_; }
+  std::uint64_t bytes() const { return bytes_; }
+  const std::string& reason() const { return reason_; }
+  const std::map<std::string, TopicCount>& topics() const { return topics_; }
+  const std::vector<std::string>& statuses() const { return statuses_; }
+
+ private:
+  void on_message(const FrameCounter::Message& message);
+  void on_data(std::string_view head, std::uint64_t payload_bytes);
+  void on_text(std::string_view text);
+  void send(robot::net::Opcode opcode, std::string_view payload);
+
+  const Options options_;
+  const robot::Clock& clock_;
+  robot::FileDescriptor socket_;
+  FrameCounter frames_;
+  std::uint64_t messages_ = 0, bytes_ = 0;
+  std::string reason_;
+  std::map<std::string, TopicCount> topics_;
+  std::vector<TopicCount*> by_subscription_;
+  std::vector<std::string> statuses_;  // what the server said, warnings and errors
+};
+
+}  // namespace bench

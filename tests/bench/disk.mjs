@@ -1,0 +1,64 @@
+// A disk that is really slow: ext4 in a file, mounted `sync` (each write waits for the device), its device throttled by
+// the kernel, and frozen for a moment every now and then. Needs root; without, bench_runtime slows its own writes down.
+import { existsSync, mkdirSync, readFileSync, rmdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { atEnd, command, scratch } from "./programs.mjs";
+
+/** Puts a limit on writes to `device` for a group of processes; the words that start a program in that group. */
+function throttle(device, bytesPerSecond) {
+  const number = command("lsblk", "-dno", "MAJ:MIN", device).trim();
+  const second = existsSync("/sys/fs/cgroup/cgroup.controllers");
+  const group = join("/sys/fs/cgroup", second ? "" : "blkio", `foresight-bench-${process.pid}`);
+  if (second) writeFileSync("/sys/fs/cgroup/cgroup.subtree_control", "+io");
+  mkdirSync(group);
+  atEnd(() => rmdirSync(group));
+  if (second) writeFileSync(join(group, "io.max"), `${number} wbps=${bytesPerSecond}`);
+  else writeFileSync(join(group, "blkio.throttle.write_bps_device"), `${number} ${bytesPerSecond}`);
+  return ["sh", "-c", `echo $$ > ${group}/cgroup.procs && exec "$@"`, "sh"];
+}
+
+function mounted(sizeMb, bytesPerSecond) {
+  const image = join(scratch, "disk.ext4");
+  const folder = join(scratch, "disk");
+  command("truncate", "-s", `${sizeMb}M`, image);
+  command("mkfs.ext4", "-q", image);
+  mkdirSync(folder);
+  const device = command("losetup", "--find", "--show", image).trim();
+  atEnd(() => command("losetup", "--detach", device));
+  command("mount", "-o", "sync,noatime", device, folder);
+  atEnd(() => command("umount", folder));
+  return { folder, before: throttle(device, bytesPerSecond) };
+}
+
+/**
+ * `words` say what it is; `folder` is on it; `before` and `args` are for the program that writes to it; call `stop()`.
+ * Stalls take `stallMs` and begin every `stallEvery` seconds.
+ */
+export function slowDisk({ sizeMb, bytesPerSecond, stallMs, stallEvery }) {
+  const rate = `${(bytesPerSecond / 1e6).toFixed(1)} MB/s, ${Math.round(stallMs)} ms stalls every ${stallEvery.toFixed(2)} s`;
+  try {
+    if (process.getuid() !== 0) throw new Error("it needs root");
+    const disk = mounted(sizeMb, bytesPerSecond);
+    const freezing = setInterval(() => {
+      try {
+        command("sh", "-c", `fsfreeze -f ${disk.folder} && sleep ${stallMs / 1000}; fsfreeze -u ${disk.folder}`);
+      } catch {
+        // it was frozen by the stall before, still
+      }
+    }, stallEvery * 1000);
+    return { ...disk, args: [], words: `ext4 mounted sync on a throttled device: ${rate}`, stop: () => clearInterval(freezing) };
+  } catch (error) {
+    const why = error.message.trim().split("\n").at(-1);
+    return {
+      folder: join(scratch, "disk-made-slow"),
+      before: [],
+      args: ["--disk-mb-per-second", bytesPerSecond / 1e6, "--disk-stall-ms", stallMs, "--disk-stall-every", stallEvery],
+      words: `this machine's disk, made slow in the program (no throttled device: ${why}): ${rate}`,
+      stop: () => {},
+    };
+  }
+}
+
+/** What the kernel says of a process's memory [MB], by name, such as VmRSS. */
+export const memoryOf = (pid, name) =>
+  Number(readFileSync(`/proc/${pid}/status`, "utf8").match(new RegExp(`${name}:\\s+(\\d+)`))[1]) / 1000;

@@ -1,0 +1,43 @@
+// Two servers that send the same messages to the same clients as fast as they can: what does a message cost them?
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace bench {
+
+inline constexpr std::size_t kMaxFanoutClients = 16;
+
+/// What the server and its clients, two processes, tell each other. In shared memory.
+struct FanoutShared {
+  std::atomic<std::uint16_t> port = 0;  // 0: the server is not ready yet
+  std::atomic<bool> ended = false;
+  std::atomic<std::uint64_t> received[kMaxFanoutClients] = {};  // [messages]
+
+  /// What the slowest of `clients` has, or all have together.
+  std::uint64_t least(std::size_t clients) const {
+    std::uint64_t least = UINT64_MAX;
+    for (std::size_t i = 0; i < clients; ++i) least = received[i] < least ? received[i].load() : least;
+    return least;
+  }
+  std::uint64_t total(std::size_t clients) const {
+    std::uint64_t total = 0;
+    for (std::size_t i = 0; i < clients; ++i) total += received[i];
+    return total;
+  }
+};
+
+struct FanoutLoad {
+  std::size_t payload_bytes = 64;
+  std::size_t clients = 1;
+};
+
+/// Both serve until `shared.ended`: they set `shared.port` when clients may come, and begin with the first.
+
+/// net::Server, with a producer that hands versions to it as fast as it takes them.
+void serve_ours(const FanoutLoad& load, FanoutShared& shared);
+
+/// The plain way: a Beast WebSocket stream per client, one async_write per message.
+void serve_beast(const FanoutLoad& load, FanoutShared& shared);
+
+}  // namespace bench

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "robot/core/thread.h"
+#include "robot/net/server.h"
+#include "tests/bench/fanout.h"
+
+namespace bench {
+namespace {
+
+using robot::memory::Channel;
+using robot::memory::VersionPtr;
+namespace net = robot::net;
+
+/// A version whose bytes were there before it was.
+class PremadeVersion final : public robot::memory::Version {
+ public:
+  explicit PremadeVersion(std::string_view bytes) : bytes_(bytes) {}
+  std::string_view bytes() const override { return bytes_; }
+
+ private:
+  std::string_view bytes_;
+};
+
+/// Makes its versions once and sends them round and round, each time under the next number.
+class PremadeChannel final : public Channel {
+ public:
+  PremadeChannel(std::size_t versions, std::size_t payload_bytes, const robot::Clock& clock)
+      : clock_(clock), payload_(payload_bytes, 'x') {
+    announce({.topic = "/14/2/fanout",
+              .schema = {.name = "bench.Bytes", .encoding = "", .bytes = ""},
+              .delivery = robot::memory::Delivery::fifo},
+             clock);
+    for (std::size_t i = 0; i < versions; ++i) versions_.push_back(std::make_shared<PremadeVersion>(payload_));
+  }
+
+  /// Nothing when the oldest is still on its way.
+  VersionPtr next() {
+    std::shared_ptr<PremadeVersion>& version = versions_[at_];
+    if (version.use_count() > 1) return nullptr;
+    at_ = (at_ + 1) % versions_.size();
+    publish(version, clock_.now_ns(), payload_.size());
+    return version;
+  }
+
+  robot::Result<void> write_bytes(std::string_view, std::uint64_t) override { return {}; }
+
+ private:
+  const robot::Clock& clock_;
+  const std::string payload_;
+  std::vector<std::shared_ptr<PremadeVersion>> versions_;
+  std::size_t at_ = 0;
+};
+
+/// In the place of the logging board: hands on without end, but never more than the clients' queues hold.
+class SaturatingStreams final : public net::Streams {
+ public:
+  SaturatingStreams(PremadeChannel& channel, const FanoutLoad& load, FanoutShared& shared)
+      : channel_(channel), load_(load), shared_(shared), window_(window(load)) {}
+  ~SaturatingStreams() override { stop(1); }
+
+  /// [messages] at most on their way to the slowest client.
+  static std::size_t window(const FanoutLoad& load) {
+    return std::min<std::size_t>(32768, (8u << 20) / load.payload_bytes);
+  }
+
+  Id start(std::shared_ptr<Channel>, std::unique_ptr<robot::logging::OutProvider> provider) override {
+    provider_ = std::move(provider);
+    thread_ = std::thread([this] { produce(); });
+    return 1;
+  }
+
+  void stop(Id) override {
+    stopped_ = true;
+    if (provider_) provider_->cancel();
+    if (thread_.joinable()) thread_.join();
+    provider_.reset();
+  }
+
+ private:
+  void produce() {
+    robot::become_background_thread("producer");
+    // all clients are there before it begins: each gets everything
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    for (std::uint64_t sent = 0; !stopped_;) {
+      const bool room = sent < shared_.least(load_.clients) + window_;
+      const VersionPtr version = room ? channel_.next() : nullptr;
+      if (!version) {
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
+        continue;
+      }
+      if (!provider_->write(version)) return;
+      ++sent;
+    }
+  }
+
+  PremadeChannel& channel_;
+  const FanoutLoad load_;
+  FanoutShared& shared_;
+  const std::size_t window_;
+  std::unique_ptr<robot::logging::OutProvider> provider_;
+  std::atomic<bool> stopped_ = false;
+  std::thread thread_;
+};
+
+class NoApplication final : public net::Application {
+ public:
+  std::string status_json() override { return "{}"; }
+  std::string sessions_json() override { return "{}"; }
+  robot::Result<net::LogFile> open_log(const net::LogRequest&) override { return robot::Error{"there are none"}; }
+};
+
+}  // namespace
+
+void serve_ours(const FanoutLoad& load, FanoutShared& shared) {
+  const robot::SessionClock clock;
+  const auto channel = std::make_shared<PremadeChannel>(2 * SaturatingStreams::window(load), load.payload_bytes, clock);
+  robot::memory::Channels channels;
+  static_cast<void>(channels.add(channel).operator bool());
+  SaturatingStreams streams(*channel, load, shared);
+  net::Parameters parameters;
+  const net::Services services;
+  NoApplication application;
+  net::Server server(
+      {.port = 0}, channels, [](const auto&) { return std::vector<net::Derived>(); }, streams, clock, parameters,
+      services, application);
+  if (auto started = server.start(); !started) {
+    std::fprintf(stderr, "bench_fanout: %s\n", started.error().c_str());
+    return;
+  }
+  shared.port = server.port();
+  while (!shared.ended) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  server.stop();
+}
+
+}  // namespace bench

@@ -1,0 +1,78 @@
+// Starts the programs of the benches and takes in their reports.
+import { execFileSync, spawn } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const programs = fileURLToPath(new URL("../../build/release/bin/", import.meta.url));
+
+/** A folder that goes when we do. */
+export const scratch = mkdtempSync(join(tmpdir(), "foresight-bench."));
+
+const running = new Set();
+const undo = [() => rmSync(scratch, { recursive: true, force: true })];
+
+/** Calls `action` when this process ends, the last one first. */
+export const atEnd = (action) => undo.push(action);
+
+process.on("exit", () => {
+  for (const child of running) child.kill("SIGKILL");
+  for (const action of undo.reverse()) {
+    try {
+      action();
+    } catch {
+      // the next one all the same
+    }
+  }
+});
+for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"]) process.on(signal, () => process.exit(130));
+
+export const sleep = (seconds) => new Promise((done) => setTimeout(done, seconds * 1000));
+
+/** Runs a command of the system to its end; its output, or an Error with what it said. */
+export const command = (name, ...args) => execFileSync(name, args, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+
+/**
+ * Starts a program of ours. `before` are words in front of its name (ip netns exec …).
+ * `report` becomes the JSON of its last line, `firstLine` its first line.
+ */
+export function start(name, args, before = []) {
+  const words = [...before, programs + name, ...args.map(String)];
+  const child = spawn(words[0], words.slice(1), { stdio: ["ignore", "pipe", "inherit"] });
+  running.add(child);
+  let text = "";
+  const ended = new Promise((done) => child.on("close", (code) => (running.delete(child), done(code))));
+  const firstLine = new Promise((done, fail) => {
+    child.stdout.on("data", (data) => ((text += data), text.includes("\n") && done(text.slice(0, text.indexOf("\n")))));
+    child.on("close", () => fail(new Error(`${name} ended before it was ready`)));
+  });
+  firstLine.catch(() => {}); // not everybody waits for it
+  const report = ended.then((code) => {
+    if (code !== 0) throw new Error(`${name} ended with status ${code}: ${words.join(" ")}`);
+    return JSON.parse(text.trim().split("\n").at(-1));
+  });
+  report.catch(() => {}); // whoever waits for it later gets the error then
+  return { pid: child.pid, firstLine, report, stop: () => child.kill("SIGTERM") };
+}
+
+let sessions = 0;
+
+/** A robot under load: `args` of bench_runtime beside address and folders. `address` and `before` are of a network. */
+export async function startRobot(args, { address = "127.0.0.1", before = [], logs } = {}) {
+  const state = join(scratch, "state");
+  const folder = logs ?? join(scratch, `logs${++sessions}`);
+  const robot = start("bench_runtime", ["--bind", address, "--port", 0, "--state-dir", state, "--log-dir", folder, ...args], before);
+  const port = (await robot.firstLine).match(/:(\d+)\//)[1];
+  const token = readFileSync(join(state, "token"), "utf8").trim();
+  const report = robot.report.finally(() => logs || rmSync(folder, { recursive: true, force: true }));
+  report.catch(() => {});
+  return { ...robot, report, url: (query = "") => `ws://${address}:${port}/?token=${token}${query}` };
+}
+
+/**
+ * Viewers. They stand for other machines, so they get out of the robot's way where they share its processor:
+ * they run at the lowest priority.
+ */
+export const startClients = (url, args, { before = [] } = {}) =>
+  start("bench_client", ["--url", url, ...args], [...before, "nice", "-n", "19"]);

@@ -1,0 +1,25 @@
+// node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N]; see scripts/bench.
+import { fanout } from "./fanout.mjs";
+import { half } from "./half.mjs";
+import { interference } from "./interference.mjs";
+import { shaped } from "./shaped.mjs";
+import { soak } from "./soak.mjs";
+import { streaming } from "./streaming.mjs";
+
+const benches = { streaming, half, interference, shaped, fanout, soak };
+
+const [name, ...words] = process.argv.slice(2);
+const options = {};
+for (let i = 0; i < words.length; i += 2) options[words[i].slice(2)] = Number(words[i + 1]);
+
+let met = true;
+for (const bench of name === "all" ? Object.values(benches) : [benches[name]]) {
+  try {
+    met = (await bench(options)) && met;
+  } catch (error) {
+    console.error(`bench: ${error.message}`);
+    met = false;
+  }
+}
+// no program is left that would keep us
+process.exit(met ? 0 : 1);

@@ -1,0 +1,225 @@
+// Recordings over HTTP, as browsers, download managers and other viewers ask for them.
+import assert from "node:assert/strict";
+import http from "node:http";
+import net from "node:net";
+import { test } from "node:test";
+import { Live } from "./live.mjs";
+import { readSession, readStreamed } from "./mcap.mjs";
+import { download, play, request, robot, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
+
+/** A server with one complete recording, and the whole of it. */
+async function served(t) {
+  const folder = temporaryFolder(t);
+  const server = await play(t, folder, await synthesize(folder, { seconds: 1 }), "--speed", "1000");
+  const path = "/logs/synthetic.mcap";
+  const { headers, body, status } = await request(server, path);
+  assert.equal(status, 200);
+  return { server, folder, path, whole: body, etag: headers.etag, headers };
+}
+
+const get = (server, path, headers, method = "GET") => request(server, path, { headers, method });
+
+test("a download says what it is: size, type, name, tag, and that ranges are taken", async (t) => {
+  const { server, path, whole, headers, etag } = await served(t);
+  assert.equal(headers["content-length"], String(whole.length));
+  assert.equal(headers["accept-ranges"], "bytes");
+  assert.equal(headers["content-type"], "application/octet-stream");
+  assert.equal(headers["content-disposition"], 'attachment; filename="synthetic.mcap"');
+  assert.equal(headers["content-encoding"], undefined);
+  assert.match(etag, /^"[^"]+"$/);
+  assert.equal((await request(server, path)).headers.etag, etag);
+  assert.equal(readStreamed(whole).topics.size, 17);
+
+  const head = await get(server, path, {}, "HEAD");
+  assert.deepEqual([head.status, head.headers["content-length"], head.headers.etag, head.body.length], [200, String(whole.length), etag, 0]);
+  const stream = await request(server, "/logs/synthetic/14.2.fsr.mcap");
+  assert.deepEqual([...readStreamed(stream.body).topics.keys()], ["/14/2/fsr"]);
+  assert.equal(stream.headers["content-disposition"], 'attachment; filename="synthetic.14.2.fsr.mcap"');
+});
+
+test("ranges: first, last, middle, past the end, and those that cannot be", async (t) => {
+  const { server, path, whole } = await served(t);
+  const size = whole.length;
+  const cases = [
+    ["bytes=0-0", 0, 1],
+    ["bytes=0-99", 0, 100],
+    ["bytes=100-", 100, size],
+    ["bytes=-10", size - 10, size],
+    [`bytes=-${size + 10}`, 0, size],
+    [`bytes=${size - 1}-${size + 99}`, size - 1, size],
+  ];
+  for (const [range, begin, end] of cases) {
+    const part = await get(server, path, { range });
+    assert.equal(part.status, 206, range);
+    assert.equal(part.headers["content-range"], `bytes ${begin}-${end - 1}/${size}`, range);
+    assert.ok(part.body.equals(whole.subarray(begin, end)), range);
+  }
+  for (const range of [`bytes=${size}-`, "bytes=-0", `bytes=${size + 5}-${size + 9}`]) {
+    const none = await get(server, path, { range });
+    assert.deepEqual([none.status, none.headers["content-range"]], [416, `bytes */${size}`], range);
+  }
+  // what is no range of bytes, or several, is answered with the whole, as RFC 9110 allows
+  for (const range of ["bytes=5-2", "bytes=a-b", "lines=1-2", "bytes=0-1,5-6", "bytes=-", "bytes=0-99999999999999999999999"])
+    assert.equal((await get(server, path, { range })).status, 200, range);
+  const head = await get(server, path, { range: "bytes=0-9" }, "HEAD");
+  assert.ok([200, 206].includes(head.status) && head.body.length === 0);
+});
+
+test("any ranges one after the other are the whole", async (t) => {
+  const { server, path, whole } = await served(t);
+  let seed = 1; // the same cuts each time
+  const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+  const pieces = [];
+  for (let at = 0; at < whole.length; ) {
+    const end = Math.min(whole.length, at + Math.ceil(random() ** 3 * 400000));
+    pieces.push((await get(server, path, { range: `bytes=${at}-${end - 1}` })).body);
+    at = end;
+  }
+  assert.ok(pieces.length > 20);
+  assert.ok(Buffer.concat(pieces).equals(whole));
+});
+
+test("conditions: what is still the same is not sent twice, what has changed is sent whole", async (t) => {
+  const { server, path, whole, etag } = await served(t);
+  for (const tags of [etag, `W/${etag}`, `"other", ${etag}`, "*"]) {
+    const same = await get(server, path, { "if-none-match": tags });
+    assert.deepEqual([same.status, same.body.length, same.headers.etag], [304, 0, etag], tags);
+  }
+  assert.equal((await get(server, path, { "if-none-match": '"other"' })).status, 200);
+
+  const range = "bytes=10-19";
+  assert.equal((await get(server, path, { range, "if-range": etag })).status, 206);
+  const changed = await get(server, path, { range, "if-range": '"other"' });
+  assert.equal(changed.status, 200);
+  assert.ok(changed.body.equals(whole));
+});
+
+test("pages of accepted origins may read recordings: CORS", async (t) => {
+  const { server, path } = await served(t);
+  const lichtblick = "http://localhost:8080";
+  const { headers } = await get(server, path, { origin: lichtblick, range: "bytes=0-9" });
+  assert.equal(headers["access-control-allow-origin"], lichtblick);
+  const exposed = headers["access-control-expose-headers"].toLowerCase();
+  for (const name of ["accept-ranges", "content-length", "content-range", "etag"]) assert.ok(exposed.includes(name), name);
+  assert.match(headers.vary, /Origin/);
+
+  const preflight = { origin: lichtblick, "access-control-request-method": "GET", "access-control-request-headers": "range" };
+  const allowed = await get(server, path, preflight, "OPTIONS");
+  assert.ok(allowed.status === 204 && /range/i.test(allowed.headers["access-control-allow-headers"]));
+  const stranger = await get(server, path, { ...preflight, origin: "https://evil.example" }, "OPTIONS");
+  assert.equal(stranger.headers["access-control-allow-origin"], undefined);
+});
+
+test("a recording that grows is redirected to a part that does not, byte for byte", async (t) => {
+  const folder = temporaryFolder(t);
+  const server = await robot(t, folder, await synthesize(folder, { seconds: 8 }), "--record", "--profile", "full");
+  const { session } = (await statusOf(server)).recording;
+  const path = `/logs/${session}.mcap`;
+  const redirected = () => request(server, path);
+
+  // early there may be nothing old enough; then until something is
+  const location = await until(async () => {
+    const { status, headers } = await redirected();
+    assert.equal(status, 307);
+    assert.match(headers.location, new RegExp(`^${path}\\?until=\\d+$`));
+    const { topics } = readStreamed(await download(server, headers.location));
+    return (topics.get("/14/2/joints")?.messages.length ?? 0) > 50 && headers.location;
+  }, "joints in the download");
+  assert.equal((await redirected()).headers["cache-control"], "no-store");
+  assert.match((await request(server, `${path}?from=1`)).headers.location, /\?from=1&until=\d+$/);
+
+  const first = await request(server, location);
+  const size_bytes = async () => (await statusOf(server)).recording.bytes;
+  const before = await size_bytes();
+  await until(async () => (await size_bytes()) > before, "the recording to grow");
+  const second = await request(server, location);
+  assert.equal(second.headers.etag, first.headers.etag);
+  assert.ok(second.body.equals(first.body));
+
+  // a download that is continued meanwhile stays whole, too
+  const tail = await get(server, location, { range: "bytes=1000-", "if-range": first.headers.etag });
+  assert.equal(tail.status, 206);
+  assert.ok(Buffer.concat([first.body.subarray(0, 1000), tail.body]).equals(first.body));
+  const until_ns = BigInt(/until=(\d+)/.exec(location)[1]);
+  for (const { messages } of readStreamed(first.body).topics.values()) assert.ok(messages.every(({ logTime }) => logTime <= until_ns));
+});
+
+test("a recording whose robot was killed lacks less than its last second", async (t) => {
+  const folder = temporaryFolder(t);
+  const session = await synthesize(folder, { seconds: 8 });
+  const robotServer = await robot(t, folder, session, "--record", "--profile", "full");
+  const live = await Live.open(t, robotServer);
+  const { session: id } = (await statusOf(robotServer)).recording;
+  const start_ns = [...readSession(session).values()].flatMap(({ messages }) => messages).reduce((start, { logTime }) => (logTime < start ? logTime : start), 2n ** 63n);
+  await live.until(() => live.times.at(-1) > start_ns + 3_000_000_000n, "three seconds of recording");
+  const { time_ns } = await statusOf(robotServer); // at speed 1 capture times run like ours
+  robotServer.kill("SIGKILL");
+  await within(robotServer.ended, "the end");
+
+  // another robot finds it
+  const server = await robot(t, folder, session, "--speed", "1000");
+  const [found] = await sessionsOf(server);
+  assert.deepEqual([found.session, found.state], [id, "recovered"]);
+  assert.match(found.message, /ended without warning/);
+  const { topics } = readStreamed(await download(server, found.url));
+  // a quarter of a second more than promised, for a busy machine
+  const safe_ns = BigInt(time_ns) - 1_250_000_000n;
+  for (const [topic, { messages }] of readSession(session)) {
+    if (["/14/2/log", "/14/2/runtime", "/14/2/clock"].includes(topic)) continue;
+    const expected = messages.filter(({ logTime }) => logTime <= safe_ns);
+    const got = topics.get(topic)?.messages ?? [];
+    assert.ok(got.length >= expected.length, `${topic}: ${got.length} of ${expected.length} messages`);
+    assert.ok(expected.every(({ logTime, data }, i) => got[i].logTime === logTime && got[i].data.equals(data)), topic);
+  }
+});
+
+/** Sends `head` as it is and gives all that comes back: http.request would tidy it up. */
+function raw(server, head) {
+  const socket = net.connect(server.port, "127.0.0.1");
+  let text = "";
+  return within(
+    new Promise((resolve, reject) => {
+      socket.on("data", (bytes) => (text += bytes.toString("latin1")));
+      socket.on("error", reject);
+      socket.on("close", () => resolve(text));
+      socket.write(head);
+    }),
+    "the answer to a raw request",
+  ).finally(() => socket.destroy());
+}
+
+test("no path leads out of the log folder", async (t) => {
+  const { server } = await served(t);
+  const paths = [
+    "/logs/../synthetic/session.json", "/logs/%2e%2e/state/token", "/logs/..%2fstate%2ftoken", "/logs/synthetic/..%2f..%2fstate/token",
+    "/logs/synthetic/../../state/token", "/logs/%2e%2e%2fstate%2ftoken.mcap", "/logs/..\\state\\token.mcap", "/logs/....//state/token.mcap",
+    "/logs/../../../../etc/passwd", "//etc/passwd", "/logs//etc/passwd.mcap", "/logs/%00.mcap", "/logs/synthetic%00.mcap", "/logs/%252e%252e%252fstate.mcap",
+    "/logs/synthetic/session.json", "/logs/.hidden.mcap", "/logs/synthetic/.mcap", "/assets/../../state/token", "/assets/%2e%2e/index.html",
+    "/logs/synthetic.mcap/../../state/token", "http://localhost/../state/token", "logs/synthetic.mcap", "/logs/state/token.mcap", "*", "",
+  ];
+  for (const path of paths) {
+    const answer = await raw(server, `GET ${path} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n`);
+    assert.match(answer, /^HTTP\/1\.1 40[04] /, path);
+    assert.doesNotMatch(answer, /[0-9a-f]{32}|root:|"complete"/, path);
+  }
+});
+
+test("who goes away in the middle of a download harms nobody", async (t) => {
+  const { server, path, whole } = await served(t);
+  const abort = () =>
+    new Promise((resolve) => {
+      const sent = http.get({ host: "127.0.0.1", port: server.port, path, agent: false }, (response) => {
+        response.once("data", () => resolve(sent.destroy()));
+        response.on("error", () => {});
+      });
+      sent.on("error", () => {});
+    });
+  for (let i = 0; i < 5; ++i) await within(Promise.all(Array.from({ length: 10 }, abort)), "ten aborted downloads");
+  assert.ok((await download(server, path)).equals(whole));
+  assert.equal((await statusOf(server)).clients, 0);
+});
+
+test("many downloads at once are all whole", async (t) => {
+  const { server, path, whole } = await served(t);
+  for (const body of await Promise.all(Array.from({ length: 12 }, () => download(server, path)))) assert.ok(body.equals(whole));
+});

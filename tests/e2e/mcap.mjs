@@ -1,0 +1,90 @@
+// Recordings as @mcap/core reads them, which knows nothing of ours.
+import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { require } from "./support.mjs";
+
+const { McapIndexedReader, McapStreamReader, McapWriter } = require("@mcap/core");
+const lz4 = require("@foxglove/wasm-lz4").default ?? require("@foxglove/wasm-lz4");
+const zstd = require("@foxglove/wasm-zstd");
+await Promise.all([lz4.isLoaded, zstd.isLoaded]);
+
+const decompressHandlers = {
+  lz4: (bytes, size) => lz4(bytes, Number(size)),
+  zstd: (bytes, size) => zstd.decompress(bytes, Number(size)),
+};
+
+class Contents {
+  /** topic -> {schema, messages}, messages as they lie in the file */
+  topics = new Map();
+  metadata = new Map();
+  chunks = [];
+  #channels = new Map();
+  #schemas = new Map();
+
+  take(record) {
+    if (record.type === "Schema") this.#schemas.set(record.id, record);
+    if (record.type === "Metadata") this.metadata.set(record.name, Object.fromEntries(record.metadata));
+    if (record.type === "Chunk") this.chunks.push({ start: record.messageStartTime, end: record.messageEndTime });
+    if (record.type === "Channel" && !this.#channels.has(record.id)) {
+      const stream = { schema: this.#schemas.get(record.schemaId), messages: [] };
+      this.#channels.set(record.id, stream);
+      this.topics.set(record.topic, stream);
+    }
+    if (record.type === "Message") this.#channels.get(record.channelId).messages.push(plain(record));
+  }
+}
+
+const plain = ({ sequence, logTime, publishTime, data }) => ({ sequence, logTime, publishTime, data: Buffer.from(data) });
+
+/** All of a file, from the front as if it came over a wire; every checksum is checked. */
+export function readStreamed(bytes) {
+  const reader = new McapStreamReader({ includeChunks: true, decompressHandlers, validateCrcs: true });
+  const contents = new Contents();
+  reader.append(bytes);
+  for (let record; (record = reader.nextRecord()); ) contents.take(record);
+  if (!reader.done()) throw new Error("the MCAP has no end");
+  return contents;
+}
+
+/** All of a file by its index, as viewers seek in it: messages by topic, in the order of their log times. */
+export async function readIndexed(bytes) {
+  const readable = {
+    size: async () => BigInt(bytes.length),
+    read: async (offset, size) => new Uint8Array(bytes.subarray(Number(offset), Number(offset + size))),
+  };
+  const reader = await McapIndexedReader.Initialize({ readable, decompressHandlers });
+  const messages = new Map([...reader.channelsById.values()].map(({ topic }) => [topic, []]));
+  for await (const message of reader.readMessages()) messages.get(reader.channelsById.get(message.channelId).topic).push(plain(message));
+  return messages;
+}
+
+/** All streams of a session on the disk, by topic. */
+export function readSession(folder) {
+  const files = readdirSync(folder).filter((file) => file.endsWith(".mcap"));
+  return new Map(files.flatMap((file) => [...readStreamed(readFileSync(join(folder, file))).topics]));
+}
+
+/** Writes a session with one stream, as a program that is none of ours would: `schema` is {name, data}. */
+export async function writeSession(folder, { name, topic, schema, messages }) {
+  mkdirSync(folder);
+  const pieces = [];
+  let size = 0n;
+  const writer = new McapWriter({
+    writable: {
+      position: () => size,
+      write: async (bytes) => {
+        pieces.push(Buffer.from(bytes));
+        size += BigInt(bytes.length);
+      },
+    },
+  });
+  await writer.start({ profile: "", library: "somebody else" });
+  const schemaId = await writer.registerSchema({ encoding: "protobuf", ...schema });
+  const channelId = await writer.registerChannel({ topic, messageEncoding: "protobuf", schemaId, metadata: new Map() });
+  for (const [sequence, { logTime, data }] of messages.entries())
+    await writer.addMessage({ channelId, sequence: sequence + 1, logTime, publishTime: logTime, data });
+  await writer.end();
+  writeFileSync(join(folder, "stream.mcap"), Buffer.concat(pieces));
+  const info = { name, robot: "14/2", team: 14, player: 2, build: "", profile: "full", kept: false, complete: true };
+  writeFileSync(join(folder, "session.json"), JSON.stringify({ ...info, start_ns: String(messages[0].logTime) }));
+}

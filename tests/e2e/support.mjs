@@ -1,0 +1,162 @@
+// What the tests of the programs share: folders, recordings, running programs, waiting.
+//
+// The programs are looked for in the folder that FORESIGHT_BIN names. Nothing here sleeps for a fixed time and hopes:
+// a test waits for what it needs to become true, and a time limit only says when to give up.
+import { execFile, spawn } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
+import http from "node:http";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { promisify } from "node:util";
+
+export const root = fileURLToPath(new URL("../..", import.meta.url));
+const bin = resolve(process.env.FORESIGHT_BIN ?? join(root, "build/dev/bin"));
+
+/** Packages are those of the viewer: there is no second list of them. */
+export const require = createRequire(join(root, "viewer-web/package.json"));
+
+/** Option of a test that needs real recordings. */
+export const needsData = { skip: process.env.FORESIGHT_DATA ? false : "FORESIGHT_DATA names no folder of real recordings" };
+export const dataFile = (path) => join(process.env.FORESIGHT_DATA, path);
+
+const endings = new WeakMap(); // test -> actions
+
+/** Does `action` when the test has ended, the last one first: a program ends before its folder goes. */
+export function atEnd(t, action) {
+  if (!endings.has(t)) {
+    endings.set(t, []);
+    t.after(async () => {
+      const failures = [];
+      for (const ending of endings.get(t).reverse()) await Promise.resolve().then(ending).catch((error) => failures.push(error));
+      if (failures.length > 0) throw failures[0];
+    });
+  }
+  endings.get(t).push(action);
+}
+
+/** A folder of the test's own, gone afterwards. */
+export function temporaryFolder(t) {
+  const folder = mkdtempSync(join(tmpdir(), "foresight-"));
+  atEnd(t, () => rmSync(folder, { recursive: true, force: true }));
+  return folder;
+}
+
+const kPatienceMs = 20000; // far more than anything takes; only a failure waits so long
+
+/** The first true value of `condition`, asked again and again. */
+export async function until(condition, what, patience_ms = kPatienceMs) {
+  const end = performance.now() + patience_ms;
+  for (;;) {
+    const value = await condition();
+    if (value) return value;
+    if (performance.now() > end) throw new Error(`waited ${patience_ms / 1000} s in vain: ${what}`);
+    await new Promise((done) => setTimeout(done, 20));
+  }
+}
+
+/** Rejects if `promise` is not settled in time: a test that hangs says what it hung on. */
+export function within(promise, what, patience_ms = kPatienceMs) {
+  let timer;
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new Error(`waited ${patience_ms / 1000} s in vain: ${what}`)), patience_ms);
+  });
+  return Promise.race([promise, late]).finally(() => clearTimeout(timer));
+}
+
+/** Runs a program to its end: {status, stdout, stderr}. */
+export async function run(program, ...args) {
+  try {
+    return { status: 0, ...(await promisify(execFile)(join(bin, program), args, { timeout: kPatienceMs })) };
+  } catch (error) {
+    return { status: error.code, stdout: error.stdout, stderr: error.stderr };
+  }
+}
+
+async function made(session, ...args) {
+  const { status, stderr } = await run("foresight-lab", ...args);
+  if (status !== 0) throw new Error(stderr);
+  return session;
+}
+
+/** A recording of the robot 14/2 that never was, in `folder`/`name`. Its first seconds: it stands, then walks. */
+export const synthesize = (folder, { name = "synthetic", seconds = 2 } = {}) =>
+  made(join(folder, name), "synthesize", join(folder, name), "--seconds", String(seconds));
+
+/** 33 s of a real Nao of 2009, as robot 14/2. */
+export const importReal = (folder) =>
+  made(join(folder, "real"), "import", "bhuman2009", dataFile("bhuman2009/logfile.log"), "--session", join(folder, "real"), "--robot", "14/2");
+
+/**
+ * Starts a program that serves, on a free port unless `args` name one, and waits for its address. It is stopped with the
+ * test; a program that then does not end well fails the test.
+ */
+export async function start(t, folder, program, ...args) {
+  const options = ["--state-dir", join(folder, "state"), ...(args.includes("--port") ? [] : ["--port", "0"])];
+  if (program === "foresight-robot") options.push("--log-dir", join(folder, "logs"));
+  const child = spawn(join(bin, program), [...args, ...options], { stdio: ["ignore", "pipe", "pipe"] });
+  const server = { pid: child.pid, output: "", kill: (signal) => child.kill(signal) };
+  for (const stream of [child.stdout, child.stderr]) stream.on("data", (bytes) => (server.output += bytes));
+  server.ended = new Promise((resolve) => child.on("close", (status, signal) => resolve({ status, signal })));
+
+  server.stop = async () => {
+    child.kill("SIGCONT"); // a stopped one could not hear the rest
+    child.kill("SIGTERM");
+    try {
+      return await within(server.ended, `the end of ${program} after SIGTERM`, 5000);
+    } catch (error) {
+      child.kill("SIGKILL");
+      throw error;
+    }
+  };
+  atEnd(t, async () => {
+    if (child.exitCode !== null || child.signalCode !== null) return;
+    const { status } = await server.stop();
+    if (status !== 0) throw new Error(`${program} ended with ${status}: ${server.output}`);
+  });
+
+  const gone = server.ended.then(({ status }) => {
+    throw new Error(`${program} ended with status ${status}: ${server.output}`);
+  });
+  gone.catch(() => {});
+  const line = until(() => /^http:\/\/[\w.]+:(\d+)\/$/m.exec(server.output), `the address of ${program}`);
+  server.port = Number((await Promise.race([line, gone]))[1]);
+  server.http = `http://localhost:${server.port}`;
+  return server;
+}
+
+/** foresight-lab play. */
+export const play = (t, folder, session, ...args) => start(t, folder, "foresight-lab", "play", session, ...args);
+
+/** foresight-robot with the body of a recording; sessions go to `folder`/logs. */
+export const robot = (t, folder, session, ...args) => start(t, folder, "foresight-robot", "--body", "replay", "--session", session, ...args);
+
+/** One HTTP request with nothing added or followed: {status, headers, body}. `options` are those of http.request. */
+export function request(server, path, { address = "127.0.0.1", ...options } = {}) {
+  return within(
+    new Promise((resolve, reject) => {
+      const sent = http.request({ host: address, port: server.port, path, agent: false, ...options }, (response) => {
+        const pieces = [];
+        response.on("data", (piece) => pieces.push(piece));
+        response.on("error", reject);
+        response.on("end", () => resolve({ status: response.statusCode, headers: response.headers, body: Buffer.concat(pieces) }));
+      });
+      sent.on("error", reject);
+      sent.end();
+    }),
+    `the answer to ${path}`,
+  );
+}
+
+export const getJson = async (server, path, options) => JSON.parse((await request(server, path, options)).body);
+export const statusOf = (server) => getJson(server, "/api/status");
+export const sessionsOf = async (server) => (await getJson(server, "/api/sessions")).sessions;
+
+/** A download as a person gets it: redirects of live sessions are followed. */
+export async function download(server, path) {
+  const first = await request(server, path);
+  const last = first.status === 307 ? await request(server, first.headers.location) : first;
+  if (last.status !== 200) throw new Error(`${path}: status ${last.status}: ${last.body}`);
+  return last.body;
+}

@@ -1,0 +1,36 @@
+// Whatever a client or a server of the live protocol says, as text or in binary: no crash, no exception.
+#include <cstdint>
+#include <string_view>
+
+#include "robot/net/encoding.h"
+#include "robot/net/foxglove_client.h"
+#include "robot/net/foxglove_server.h"
+#include "robot/net/handshake.h"
+#include "robot/net/origin_policy.h"
+#include "robot/net/services.h"
+#include "robot/net/session_page.h"
+#include "robot/net/web_socket_client.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  namespace net = robot::net;
+  static const robot::ManualClock clock(1);
+  static const net::Services services = [] {
+    net::Services list;
+    net::add_clock_sync(list, clock, {});
+    return list;
+  }();
+
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  net::foxglove::parse_client_text(bytes).operator bool();
+  net::foxglove::parse_client_binary(bytes).operator bool();
+  net::foxglove::parse_advertise(bytes).operator bool();
+  net::foxglove::parse_message_data(bytes).operator bool();
+  net::from_base64(bytes).operator bool();
+  net::parse_web_socket_url(bytes).operator bool();
+  net::check_web_socket_response(bytes, "dGhlIHNhbXBsZSBub25jZQ==").operator bool();
+  net::check_host({}, bytes).operator bool();
+  net::check_origin({}, bytes, "nao.local").operator bool();
+  net::session_page(bytes);
+  services.call(1, bytes, {});
+  return 0;
+}
