@@ -86,7 +86,8 @@ class ClientQueue {
   };
   /// One entry per channel that was ever subscribed.
   std::vector<Counts> counts() const;
-  std::uint64_t dropped() const;
+  std::uint64_t dropped() const;  // of all channels
+  std::uint64_t sent() const;     // likewise
 
  private:
   enum Lane { events, small, large, kLanes };
