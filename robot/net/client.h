@@ -37,7 +37,7 @@ struct Client : std::enable_shared_from_this<Client> {
   std::optional<std::uint64_t> round_trip_ns;
 
   // messages passed over, as they were counted last, when that was [monotonic], and whether a status about them stands
-  std::uint64_t drops_counted = 0, drops_counted_ns = 0;
+  std::uint64_t drops_counted = 0, sent_counted = 0, drops_counted_ns = 0;
   bool drops_stand = false;
 };
 

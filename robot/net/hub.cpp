@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t kChannelsPerAdvertise = 100;
 constexpr std::uint64_t kDropsEvery = 5 * kSecond;  // between two statuses about drops
-constexpr std::uint64_t kDropsWorthTelling = 10;    // a page that opens misses a few, which is as it should be
+// newest wins is how it should be: a page that opens or a busy machine passes over a few
+constexpr std::uint64_t kDropsWorthTelling = 10, kPartWorthTelling = 20;  // so many messages, a twentieth of all
 constexpr std::string_view kDropsId = "drops";
 
 }  // namespace
@@ -170,8 +171,10 @@ void Hub::tell_drops(Client& client, std::uint64_t now_ns) {
   if (now_ns - client.drops_counted_ns < kDropsEvery) return;
   const std::uint64_t dropped = client.queue.dropped();
   const std::uint64_t recent = dropped - std::exchange(client.drops_counted, dropped);
+  const std::uint64_t sent = client.queue.sent() - std::exchange(client.sent_counted, client.queue.sent());
+  const bool worth_telling = recent >= kDropsWorthTelling && recent * kPartWorthTelling >= sent;
   client.drops_counted_ns = now_ns;
-  if (recent >= kDropsWorthTelling) {
+  if (worth_telling) {
     const std::string sentence = std::to_string(recent) + " messages were passed over for newer ones in the last " +
                                  std::to_string(kDropsEvery / kSecond) +
                                  " s: the connection takes fewer than it asked for";
@@ -179,7 +182,7 @@ void Hub::tell_drops(Client& client, std::uint64_t now_ns) {
   } else if (client.drops_stand) {
     say(client, foxglove::remove_status(kDropsId));
   }
-  client.drops_stand = recent >= kDropsWorthTelling;
+  client.drops_stand = worth_telling;
 }
 
 void Hub::parameter_changed(const std::string& name) {

@@ -12,6 +12,7 @@ inline constexpr std::size_t kMaxFanoutClients = 16;
 struct FanoutShared {
   std::atomic<std::uint16_t> port = 0;  // 0: the server is not ready yet
   std::atomic<bool> ended = false;
+  std::atomic<std::uint64_t> making_ns = 0;  // CPU time in which messages were made: it does not count
   std::atomic<std::uint64_t> received[kMaxFanoutClients] = {};  // [messages]
 
   /// What the slowest of `clients` has, or all have together.

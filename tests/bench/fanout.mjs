@@ -6,8 +6,8 @@ const kRounds = 3;
 
 export async function fanout({ seconds = 3 }) {
   const report = new Report("fanout", "how many messages does a second of CPU time carry, beside one async_write per message?");
-  console.log("   counted: CPU time of the whole server process, producer included, and messages that arrived; the clients");
-  console.log("   are another process. The same bytes, the same number of clients, in turns.");
+  console.log("   counted: CPU time of the whole server process, the thread that feeds it included but not the making of the");
+  console.log("   messages, and messages that arrived. Clients are another process; the same bytes, as many clients, in turns.");
   for (const [bytes, bar] of [[64, 10], [1024, 3]])
     for (const clients of [1, 4]) {
       const found = { ours: [], beast: [] };
