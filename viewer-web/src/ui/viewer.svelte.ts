@@ -5,6 +5,7 @@ import type { MemoryObject } from "../memory/memory_object";
 import { Memory } from "../memory/memory";
 import { allStreamStatistics, recordingStatistics, runtimesOf, type RecordingStatistics, type StreamStatistics } from "../memory/statistics";
 import { Client, type Connection, type Listener, type Socket } from "../source/client";
+import { ClockExchange } from "../source/clock_exchange";
 import type { Target } from "../source/target";
 import type { Channel, Level, ServerInfo } from "../source/texts";
 import { withAlert, withoutAlerts, type Alert } from "./alerts";
@@ -23,6 +24,7 @@ export class Viewer implements Listener {
   parameterValues = $state.raw<ReadonlyMap<string, unknown>>(new Map());
   serviceNames = $state.raw<string[]>([]);
   route = $state.raw<Route>(routeOf(location.hash));
+  #clock = new ClockExchange((request) => this.client.call("clock_sync", request));
   #offers = $state(0); // grows when objects come or go
 
   robots = $derived.by(() => (this.#offers, this.memory.robots()));
@@ -113,5 +115,7 @@ export class Viewer implements Listener {
   }
   services(names: string[]): void {
     this.serviceNames = names;
+    if (names.includes("clock_sync")) this.#clock.start();
+    else this.#clock.stop();
   }
 }
