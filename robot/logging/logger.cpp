@@ -16,16 +16,17 @@ Logger::Logger(std::shared_ptr<memory::Channel> channel, std::unique_ptr<OutProv
       provider_(std::move(provider)),
       bell_(bell),
       queue_(queue_bytes, bell ? std::optional(provider_->patience()) : std::nullopt),
+      gate_(*provider_, queue_),
       status_{.topic = channel_->info().topic},
       thread_([this] { run(); }) {
   if (bell_) bell_->add(queue_);
-  channel_->attach(queue_);
+  channel_->attach(gate_);
 }
 
 Logger::~Logger() { stop(); }
 
 void Logger::stop() {
-  channel_->detach(queue_);
+  channel_->detach(gate_);
   if (bell_) bell_->remove(queue_);
   queue_.close();
   provider_->cancel();

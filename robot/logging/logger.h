@@ -25,7 +25,7 @@ struct StreamStatus {
   std::string problem;             // one sentence, empty while all is well
 };
 
-/// Carries every version of a channel to an OutProvider, on a thread of its own, until stopped.
+/// Carries every version of a channel that an OutProvider wants to it, on a thread of its own, until stopped.
 /// A device that fails is tried again with the next version; what it refused is counted as dropped.
 class Logger {
  public:
@@ -43,6 +43,19 @@ class Logger {
   StreamStatus status() const;
 
  private:
+  /// Lets into the queue what the provider wants.
+  class Gate final : public memory::Listener {
+   public:
+    Gate(OutProvider& provider, VersionQueue& queue) : provider_(provider), queue_(queue) {}
+    void on_version(const memory::VersionPtr& version) override {
+      if (provider_.wants(*version)) queue_.on_version(version);
+    }
+
+   private:
+    OutProvider& provider_;
+    VersionQueue& queue_;
+  };
+
   void run();
   void write(const memory::VersionPtr& version);
   bool open();
@@ -52,6 +65,7 @@ class Logger {
   const std::unique_ptr<OutProvider> provider_;
   Bell* const bell_;
   VersionQueue queue_;
+  Gate gate_;
   bool open_ = false;               // used by the thread alone
   std::uint64_t next_open_ns_ = 0;  // [monotonic], likewise
 

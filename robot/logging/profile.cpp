@@ -38,8 +38,9 @@ class ThinnedImages final : public OutProvider {
 
   Result<void> open(const memory::ChannelInfo& info) override { return stream_->open(info); }
 
+  bool wants(const memory::Version& version) override { return due(version.capture_ns()); }
+
   Result<void> write(const memory::VersionPtr& version) override {
-    if (!due(version->capture_ns())) return {};
     if (!image_.ParseFromArray(version->bytes().data(), static_cast<int>(version->bytes().size())))
       return Error{"camera image: expected a foresight.Image, got " + std::to_string(version->size_bytes()) +
                    " bytes that are none"};
@@ -84,8 +85,9 @@ class ThinnedImages final : public OutProvider {
 
   const Profile profile_;
   const std::unique_ptr<OutProvider> stream_;
+  std::uint64_t next_ns_ = 0;  // of the writer's thread, see wants(); the rest is the logger's
   foresight::Image image_;
-  std::uint64_t next_ns_ = 0, sequence_ = 0;
+  std::uint64_t sequence_ = 0;
 };
 
 }  // namespace

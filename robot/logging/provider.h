@@ -32,6 +32,10 @@ class OutProvider {
   /// Opens the device for the channel `info`. Tried again later if it fails.
   virtual Result<void> open(const memory::ChannelInfo& info) = 0;
 
+  /// Whether `version` is to be carried at all: what is not wanted takes no room in a queue. Called by the writer's
+  /// thread for each version, in order; returns at once. What it remembers is its own.
+  virtual bool wants(const memory::Version& /*version*/) { return true; }
+
   /// Takes one version; may block. On an Error this version is lost to the stream, later ones may succeed.
   virtual Result<void> write(const memory::VersionPtr& version) = 0;
 

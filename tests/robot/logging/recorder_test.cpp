@@ -133,10 +133,8 @@ TEST_F(Recording, InAGameImagesAreSmallAndFew) {
     image->set_height(480);
     image->set_data(std::string(614'400, '\x80'));
     memory->camera_top.write(std::move(image), kNow + static_cast<std::uint64_t>(i) * kSecond / 30);
-    // the logger keeps up: the queue is not what is tested here
-    while (board.statuses().front().messages < static_cast<std::uint64_t>(i) + 1) std::this_thread::yield();
   }
-  ASSERT_TRUE(recorder.stop());
+  ASSERT_TRUE(recorder.stop());  // all eleven fit into the queue, whether the logger keeps up or not
   const std::vector<Record> records = read_all(folder.path() / id / "14.2.camera_top.mcap");
   ASSERT_EQ(records.size(), 11u) << "two seconds at 5 Hz, both ends";
   for (std::size_t i = 0; i < records.size(); ++i) {

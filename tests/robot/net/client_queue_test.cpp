@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "net_support.h"
 #include "robot/net/foxglove_server.h"
 #include "robot/net/frames.h"
+#include "tests/robot/net/net_support.h"
 
 namespace robot::net {
 namespace {

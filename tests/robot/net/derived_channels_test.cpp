@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "net_support.h"
 #include "proto/foresight/camera.pb.h"
 #include "proto/foresight/runtime.pb.h"
 #include "proto/foxglove/CompressedImage.pb.h"
@@ -10,6 +9,7 @@
 #include "proto/foxglove/RawImage.pb.h"
 #include "robot/logging/image_codec.h"
 #include "robot/memory/schema.h"
+#include "tests/robot/net/net_support.h"
 
 namespace robot::net {
 namespace {

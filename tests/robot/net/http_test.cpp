@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "net_support.h"
 #include "robot/net/http_parser.h"
+#include "tests/robot/net/net_support.h"
 
 namespace robot::net {
 namespace {

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "net_support.h"
 #include "robot/net/foxglove_server.h"
 #include "robot/net/frames.h"
+#include "tests/robot/net/net_support.h"
 
 namespace robot::net {
 namespace {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include "net_support.h"
 #include "robot/net/asset_files.h"
 #include "robot/net/handshake.h"
 #include "robot/net/session_page.h"
+#include "tests/robot/net/net_support.h"
 
 namespace robot::net {
 namespace {

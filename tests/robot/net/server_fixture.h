@@ -13,13 +13,13 @@
 #include <string>
 #include <vector>
 
-#include "net_support.h"
 #include "robot/core/files.h"
 #include "robot/memory/channels.h"
 #include "robot/net/board_streams.h"
 #include "robot/net/foxglove_client.h"
 #include "robot/net/server.h"
 #include "robot/net/web_socket_client.h"
+#include "tests/robot/net/net_support.h"
 
 namespace tests {
 

@@ -7,7 +7,7 @@
 
 #include "robot/net/encoding.h"
 #include "robot/net/web_socket_in_provider.h"
-#include "server_fixture.h"
+#include "tests/robot/net/server_fixture.h"
 
 namespace robot::net {
 namespace {
