@@ -51,24 +51,6 @@ json describe(const logging::Session& session) {
           {"streams", std::move(streams)}};
 }
 
-/// An assembly as the body of a response.
-class AssemblyBody final : public net::BodySource {
- public:
-  explicit AssemblyBody(std::shared_ptr<const logging::Assembly> assembly) : assembly_(std::move(assembly)) {}
-
-  std::uint64_t size() const override { return assembly_->size(); }
-
-  Result<std::size_t> read(std::uint64_t offset, char* to, std::size_t size) override {
-    const std::uint64_t left = assembly_->size() - std::min(offset, assembly_->size());
-    const std::size_t count = static_cast<std::size_t>(std::min<std::uint64_t>(size, left));
-    if (Result<void> read = assembly_->read(offset, {to, count}); !read) return Error{read.error()};
-    return count;
-  }
-
- private:
-  const std::shared_ptr<const logging::Assembly> assembly_;
-};
-
 }  // namespace
 
 std::string Application::status_json() {
@@ -100,8 +82,7 @@ Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
   const auto assembly = downloads_.open(
       *session, file, {.from_ns = request.from_ns, .to_ns = request.to_ns, .until_ns = request.until_ns});
   if (!assembly) return Error{assembly.error()};
-  return net::LogFile{
-      .body = std::make_shared<AssemblyBody>(*assembly), .etag = (*assembly)->etag(), .redirect_until_ns = {}};
+  return net::LogFile{.body = *assembly, .etag = (*assembly)->etag(), .redirect_until_ns = {}};
 }
 
 }  // namespace robot::app

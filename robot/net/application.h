@@ -23,7 +23,7 @@ struct LogRequest {
 
 /// The answer: a file to send, or where to look.
 struct LogFile {
-  std::shared_ptr<BodySource> body;
+  std::shared_ptr<const logging::ByteSource> body;
   std::string etag;                                // without quotes
   std::optional<std::uint64_t> redirect_until_ns;  // the session is live: ask again with this `until`; no body then
 };

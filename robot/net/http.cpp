@@ -186,8 +186,8 @@ std::pair<RangeOutcome, ByteRange> parse_range(std::string_view header, std::uin
   return {RangeOutcome::part, {*first, end - *first + 1}};
 }
 
-HttpResponse body_response(const HttpRequest& request, std::shared_ptr<BodySource> source, const std::string& etag,
-                           std::string_view content_type) {
+HttpResponse body_response(const HttpRequest& request, std::shared_ptr<const logging::ByteSource> source,
+                           const std::string& etag, std::string_view content_type) {
   const std::uint64_t size = source->size();
   HttpResponse response{.headers = {{"Content-Type", std::string(content_type)},
                                     {"Accept-Ranges", "bytes"},

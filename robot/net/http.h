@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "robot/core/result.h"
+#include "robot/logging/byte_source.h"
 
 namespace robot::net {
 
@@ -30,21 +31,9 @@ struct HttpRequest {
   bool has_token(std::string_view name, std::string_view token) const;
 };
 
-/// Bytes that are read piece by piece while they are sent. Used by one thread at a time.
-class BodySource {
- public:
-  virtual ~BodySource() = default;
-
-  /// How many bytes there are; does not change.
-  virtual std::uint64_t size() const = 0;
-
-  /// Reads up to `size` bytes from `offset` on into `to`; returns how many, at least 1 unless `offset` is at the end.
-  virtual Result<std::size_t> read(std::uint64_t offset, char* to, std::size_t size) = 0;
-};
-
-/// A part of a BodySource.
+/// A part of bytes that are read piece by piece while they are sent.
 struct BodyPart {
-  std::shared_ptr<BodySource> source;
+  std::shared_ptr<const logging::ByteSource> source;
   std::uint64_t offset = 0, size = 0;
 };
 
@@ -91,8 +80,8 @@ std::pair<RangeOutcome, ByteRange> parse_range(std::string_view header, std::uin
 
 /// The response to GET or HEAD of `source`: whole, part (206) or neither (416), by Range, If-Range and If-None-Match.
 /// `etag` comes with its quotes.
-HttpResponse body_response(const HttpRequest& request, std::shared_ptr<BodySource> source, const std::string& etag,
-                           std::string_view content_type);
+HttpResponse body_response(const HttpRequest& request, std::shared_ptr<const logging::ByteSource> source,
+                           const std::string& etag, std::string_view content_type);
 
 /// Whether If-None-Match of `request` names `etag`, so that 304 is the answer.
 bool not_modified(const HttpRequest& request, std::string_view etag);

@@ -155,14 +155,13 @@ void HttpConnection::read_piece() {
   context_.disk.post(
       [self = shared_from_this(), source = part.source, offset = part.offset + body_sent_, wanted, piece = piece_] {
         piece->resize(wanted);
-        const auto size = source->read(offset, piece->data(), wanted);
-        const std::size_t got = size ? std::min(*size, wanted) : 0;
-        boost::asio::post(self->context_.io, [self, got] {
+        const bool whole = static_cast<bool>(source->read(offset, *piece));
+        boost::asio::post(self->context_.io, [self, whole] {
           if (self->state_ != State::answering) return;
-          if (got == 0) return self->close();  // the client sees that bytes are missing
-          self->body_sent_ += got;
+          if (!whole) return self->close();  // the client sees that bytes are missing
+          self->body_sent_ += self->piece_->size();
           self->deadline_ns_ = monotonic_ns() + self->context_.options.idle_timeout_ns;
-          self->write(std::string_view(*self->piece_).substr(0, got), {});
+          self->write(*self->piece_, {});
         });
       });
 }

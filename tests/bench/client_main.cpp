@@ -86,8 +86,9 @@ class Seat {
       leaves_ns_ = now_ns + static_cast<std::uint64_t>(stay * 1e9);
       stalls_ = random_() % 8 == 0;  // some viewers sleep
     }
-    ++connections_;
-    return client_->connect();
+    auto connected = client_->connect();
+    if (connected) ++connections_;
+    return connected;
   }
 
   /// What it may read now [bytes]: those who are slow get a little every now and then.
@@ -105,7 +106,8 @@ class Seat {
 
   /// Leaves and comes again when it is time, or when it was sent away.
   void move_on(std::uint64_t now_ns) {
-    if (options_.lifetime <= 0 || (now_ns < leaves_ns_ && !gone_)) return;
+    // who was sent away tries again after a moment
+    if (options_.lifetime <= 0 || now_ns < (gone_ ? since_ns_ + kSecond / 2 : leaves_ns_)) return;
     messages_ += client_->messages();
     gone_ = !sit(now_ns);
   }

@@ -35,6 +35,7 @@ std::string picture(unsigned seed) {
 }
 
 void sleep_until(std::uint64_t time_ns) {
+  if (time_ns <= monotonic_ns()) return;  // a timer that is over already still costs 20 us on a virtual machine
   const timespec until{.tv_sec = static_cast<time_t>(time_ns / kSecond),
                        .tv_nsec = static_cast<long>(time_ns % kSecond)};
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) != 0) {

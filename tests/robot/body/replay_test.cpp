@@ -7,10 +7,10 @@
 #include <thread>
 
 #include "proto/foresight/ball.pb.h"
-#include "robot/logging/file_provider.h"
 #include "robot/logging/recorder.h"
 #include "robot/logging/session_writer.h"
 #include "robot/memory/memory.h"
+#include "tests/support/read_stream.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robot::body {
@@ -19,17 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kStart = 1'700'000'000 * kSecond;
-
-std::vector<logging::Record> read_all(const fs::path& stream) {
-  logging::FileInProvider file(stream);
-  std::vector<logging::Record> records;
-  EXPECT_TRUE(file.open());
-  while (true) {
-    Result<std::optional<logging::Record>> record = file.read();
-    if (!record || !*record) return records;
-    records.push_back(std::move(**record));
-  }
-}
 
 struct Replaying : ::testing::Test {
   Replaying() {
@@ -86,7 +75,7 @@ TEST_F(Replaying, RecordedAnewIsTheSame) {
   wait_for_the_end(*replay);
   ASSERT_TRUE(recorder.stop());
   for (const char* file : {"14.2.ball.mcap", "14.2.vortex.mcap"}) {
-    const auto before = read_all(recorded / file), after = read_all(again / *session / file);
+    const auto before = tests::read_stream(recorded / file), after = tests::read_stream(again / *session / file);
     ASSERT_EQ(before.size(), after.size()) << file;
     for (std::size_t i = 0; i < before.size(); ++i) {
       EXPECT_EQ(before[i].bytes, after[i].bytes);

@@ -11,8 +11,8 @@
 #include <random>
 
 #include "proto/foresight/camera.pb.h"
-#include "robot/logging/file_provider.h"
 #include "robot/memory/memory.h"
+#include "tests/support/read_stream.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_channel.h"
 
@@ -23,17 +23,6 @@ namespace fs = std::filesystem;
 namespace pb = foresight;
 
 constexpr std::uint64_t kNow = 1'700'000'000 * kSecond;
-
-std::vector<Record> read_all(const fs::path& stream) {
-  FileInProvider file(stream);
-  std::vector<Record> records;
-  EXPECT_TRUE(file.open());
-  while (true) {
-    Result<std::optional<Record>> record = file.read();
-    if (!record || !*record) return records;
-    records.push_back(std::move(**record));
-  }
-}
 
 struct Recording : ::testing::Test {
   Recording() { EXPECT_TRUE(list(memory, channels)); }
@@ -46,7 +35,7 @@ struct Recording : ::testing::Test {
   }
 
   std::vector<Record> ball_records(const std::string& session) {
-    return read_all(folder.path() / session / "14.2.ball.mcap");
+    return tests::read_stream(folder.path() / session / "14.2.ball.mcap");
   }
 
   const tests::TemporaryFolder folder;
@@ -112,7 +101,7 @@ TEST_F(Recording, ObjectsThatTurnUpLaterJoin) {
   ASSERT_TRUE(channels.add(late));
   ASSERT_TRUE(late->write_bytes("unknown to us", clock.now_ns()));
   ASSERT_TRUE(recorder.stop());
-  EXPECT_EQ(read_all(folder.path() / id / "14.2.late.mcap").at(0).bytes, "unknown to us");
+  EXPECT_EQ(tests::read_stream(folder.path() / id / "14.2.late.mcap").at(0).bytes, "unknown to us");
 }
 
 TEST_F(Recording, TwoSessionsOfOneSecondDoNotMeet) {
@@ -135,7 +124,7 @@ TEST_F(Recording, InAGameImagesAreSmallAndFew) {
     memory->camera_top.write(std::move(image), kNow + static_cast<std::uint64_t>(i) * kSecond / 30);
   }
   ASSERT_TRUE(recorder.stop());  // all eleven fit into the queue, whether the logger keeps up or not
-  const std::vector<Record> records = read_all(folder.path() / id / "14.2.camera_top.mcap");
+  const std::vector<Record> records = tests::read_stream(folder.path() / id / "14.2.camera_top.mcap");
   ASSERT_EQ(records.size(), 11u) << "two seconds at 5 Hz, both ends";
   for (std::size_t i = 0; i < records.size(); ++i) {
     EXPECT_EQ(records[i].sequence, i + 1);
@@ -161,7 +150,7 @@ TEST_F(Recording, ForVisionLateImagesAreRecordedToo) {
     memory->camera_top.write(std::move(image), last);
   }
   ASSERT_TRUE(recorder.stop());
-  EXPECT_EQ(read_all(folder.path() / id / "14.2.camera_top.mcap").size(), 60u);
+  EXPECT_EQ(tests::read_stream(folder.path() / id / "14.2.camera_top.mcap").size(), 60u);
 }
 
 // the system clock does not matter: capture times come from the session's own clock
@@ -216,7 +205,7 @@ TEST(RecordingKilled, IsReadableAndItsIndexIsMadeAnew) {
   ASSERT_EQ(sessions.size(), 1u);
   EXPECT_EQ(sessions[0].state, SessionState::recovered);
   EXPECT_EQ(sessions[0].message, "the recording ended without warning; what was on the disk by then is readable");
-  EXPECT_EQ(read_all(sessions[0].folder / "14.2.ball.mcap").size(), 500u);
+  EXPECT_EQ(tests::read_stream(sessions[0].folder / "14.2.ball.mcap").size(), 500u);
 }
 
 /// A small disk of its own, where this is allowed.
@@ -267,7 +256,7 @@ TEST_F(Recording, AFullDiskIsSaidAndRecordingGoesOnWhenThereIsRoom) {
   const RecordingStatus before = recorder.status();
   EXPECT_GT(before.dropped, 0u);
   ASSERT_TRUE(recorder.stop());
-  const std::vector<Record> records = read_all(folder.path() / *session / "14.2.blobs.mcap");
+  const std::vector<Record> records = tests::read_stream(folder.path() / *session / "14.2.blobs.mcap");
   EXPECT_GT(records.back().sequence, records.size()) << "what was lost shows as a gap";
 }
 

@@ -68,7 +68,7 @@ std::string header(const HttpResponse& response, std::string_view name) {
 
 HttpResponse ask(Headers headers) {
   return body_response({.method = "GET", .headers = std::move(headers)},
-                       std::make_shared<tests::TextSource>("0123456789"), "\"e1\"", "application/octet-stream");
+                       std::make_shared<logging::MemorySource>("0123456789"), "\"e1\"", "application/octet-stream");
 }
 
 TEST(Body, IsSentWholeInPartOrNotAtAll) {

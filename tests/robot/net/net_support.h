@@ -35,19 +35,6 @@ class TestChannel {
   std::shared_ptr<robot::memory::RawChannel> channel;
 };
 
-/// Bytes in memory as a log.
-class TextSource final : public robot::net::BodySource {
- public:
-  explicit TextSource(std::string text) : text_(std::move(text)) {}
-  std::uint64_t size() const override { return text_.size(); }
-  robot::Result<std::size_t> read(std::uint64_t offset, char* to, std::size_t size) override {
-    return text_.copy(to, size, offset);
-  }
-
- private:
-  std::string text_;
-};
-
 /// Two sessions: "old" is complete, "live" is being written. `body` is what a recording holds.
 class TestApplication final : public robot::net::Application {
  public:
@@ -59,7 +46,7 @@ class TestApplication final : public robot::net::Application {
     if (request.session == "live" && !request.until_ns) return robot::net::LogFile{.redirect_until_ns = 77};
     if (request.session != "old" && request.session != "live")
       return robot::Error{"there is no session " + request.session};
-    return robot::net::LogFile{.body = std::make_shared<TextSource>(body), .etag = "e1"};
+    return robot::net::LogFile{.body = std::make_shared<robot::logging::MemorySource>(body), .etag = "e1"};
   }
 
   std::string body = "0123456789";
