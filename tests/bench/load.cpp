@@ -16,6 +16,7 @@ using robot::thread_cpu_ns;
 
 namespace pb = foresight;
 
+constexpr std::uint64_t kFilling = 2 * kSecond;  // until pools and queues have what they need in steady state
 constexpr std::size_t kWidth = 640, kHeight = 480;
 
 /// A field with lines, and the noise of a camera: 640x480 YUYV that takes about 42 kB as a JPEG of quality 75, as
@@ -40,6 +41,15 @@ void sleep_until(std::uint64_t time_ns) {
                        .tv_nsec = static_cast<long>(time_ns % kSecond)};
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) != 0) {
   }
+}
+
+/// Computes for about 1.5 us, as much as a write.
+WriteCost cost_of_computing() {
+  const std::uint64_t wall_0 = monotonic_ns(), cpu_0 = thread_cpu_ns();
+  volatile double sink = 0;
+  for (int i = 0; i < 300; ++i) sink = sink + static_cast<double>(i);
+  const std::uint64_t cpu_1 = thread_cpu_ns(), wall_1 = monotonic_ns();
+  return {static_cast<std::uint32_t>(cpu_1 - cpu_0), static_cast<std::uint32_t>(wall_1 - wall_0)};
 }
 
 /// Computes for so much of this thread's CPU time.
@@ -81,12 +91,13 @@ void Load::run(const char* name, double rate_hz, Step&& step) {
 
 void Load::start() {
   running_ = true;
+  if (options_.measure) measure_from_ns_ = monotonic_ns() + kFilling;
   if (options_.cameras > 0 || options_.objects)
     threads_.emplace_back([this] {
       std::uint64_t last = 0;
       run("cognition", 30, [&](std::uint64_t now_ns, std::uint64_t count) {
         const std::uint64_t started = monotonic_ns();
-        if (last != 0 && options_.measure) periods_us_.push_back(static_cast<std::uint32_t>((started - last) / 1000));
+        if (last != 0 && measures()) periods_us_.push_back(static_cast<std::uint32_t>((started - last) / 1000));
         last = started;
         if (options_.work > 0) compute_for(static_cast<std::uint64_t>(options_.work * 1e9 / 30));
         write_frame(now_ns, count);
@@ -113,7 +124,7 @@ void Load::stop() {
 
 template <class Object, class Fill>
 void Load::write(Object& object, std::uint64_t capture_ns, std::vector<WriteCost>& costs, Fill&& fill) {
-  if (!options_.measure) {
+  if (!measures()) {
     auto draft = object.draft();
     fill(*draft);
     return object.write(std::move(draft), capture_ns);
@@ -128,6 +139,7 @@ void Load::write(Object& object, std::uint64_t capture_ns, std::vector<WriteCost
   const std::uint64_t cpu_3 = thread_cpu_ns(), wall_3 = monotonic_ns();
   costs.push_back({static_cast<std::uint32_t>(cpu_1 - cpu_0 + cpu_3 - cpu_2),
                    static_cast<std::uint32_t>(wall_1 - wall_0 + wall_3 - wall_2)});
+  if (&costs == &costs_) control_costs_.push_back(cost_of_computing());
 }
 
 void Load::write_frame(std::uint64_t now_ns, std::uint64_t count) {
@@ -140,7 +152,7 @@ void Load::write_frame(std::uint64_t now_ns, std::uint64_t count) {
       image.set_height(kHeight);
       image.set_data(pictures_[count % pictures_.size()]);
     });
-    if (options_.measure) image_costs_.push_back(costs_.back());
+    if (!costs_.empty()) image_costs_.push_back(costs_.back());
   }
   if (!options_.objects) return;
   for (auto* matrix : {&memory_.camera_top_matrix, &memory_.camera_bottom_matrix})

@@ -41,7 +41,7 @@ class Load {
     double truth_hz = 0;  // of ground truth
     double work = 0;      // [cores] that cognition computes beside writing, such as 0.7
     double speed = 1;     // so many times the usual rates; the clock has to run as fast
-    bool measure = true;  // keep what each write cost
+    bool measure = true;  // keep what each write cost, once the pools are filled
   };
 
   Load(robot::memory::Memory& memory, const robot::Clock& clock, Options options);
@@ -59,7 +59,10 @@ class Load {
 
   // once stopped
   const std::vector<WriteCost>& costs() const { return costs_; }
-  const std::vector<WriteCost>& image_costs() const { return image_costs_; }    // those of the images, also in costs()
+  const std::vector<WriteCost>& image_costs() const { return image_costs_; }  // those of the images, also in costs()
+  // those of computing for about as long as a write takes, right after each: what the machine itself adds, interrupts
+  // above all
+  const std::vector<WriteCost>& control_costs() const { return control_costs_; }
   const std::vector<std::uint32_t>& periods_us() const { return periods_us_; }  // between the starts of two frames
 
  private:
@@ -69,6 +72,8 @@ class Load {
   void write_sensors(std::uint64_t now_ns, std::uint64_t count);
   void write_truth(std::uint64_t now_ns, std::uint64_t count);
 
+  bool measures() const { return robot::monotonic_ns() >= measure_from_ns_; }
+
   template <class Object, class Fill>
   void write(Object& object, std::uint64_t capture_ns, std::vector<WriteCost>& costs, Fill&& fill);
 
@@ -76,9 +81,10 @@ class Load {
   const robot::Clock& clock_;
   const Options options_;
   std::vector<std::string> pictures_;  // they change, as a camera's do
-  std::vector<WriteCost> costs_, image_costs_, motion_costs_, truth_costs_;
+  std::vector<WriteCost> costs_, image_costs_, control_costs_, motion_costs_, truth_costs_;
   std::vector<std::uint32_t> periods_us_;
   std::atomic<std::uint64_t> frames_ = 0;
+  std::uint64_t measure_from_ns_ = UINT64_MAX;  // [monotonic]
   std::atomic<bool> running_ = false;
   std::vector<std::thread> threads_;
 };

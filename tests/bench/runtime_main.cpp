@@ -195,6 +195,7 @@ Result<json> run(const Options& options) {
               {"period_p99_ms", percentile(load.periods_us(), 0.99) * 1e-3},
               {"period_max_ms", percentile(load.periods_us(), 1) * 1e-3},
               {"write", costs_json(load.costs())},
+              {"control", costs_json(load.control_costs())},
               {"image_write", costs_json(load.image_costs())},
               {"written", written_json(runtime.channels())}};
   if (!records) return report;

@@ -7,6 +7,7 @@ const kDays = 14;
 const kConnectionsPerDay = 100;
 const kSessionsPerDay = 20;
 const kTruthHz = 10;
+const kLogMb = 60; // a few days of it: most of the time old sessions go for new ones
 
 /** How much more is taken at the end than in the middle [MB]. */
 function growth(samples) {
@@ -29,6 +30,7 @@ function judge(report, { found, viewers }, expected = 0) {
   report.figure("messages received", viewers.messages);
   report.figure("connections", viewers.connections);
   report.figure("sessions", found.recorded.sessions);
+  report.figure("recordings on the disk at the end", found.recorded.disk_bytes / 1e6, "MB");
   report.figure("sessions that are damaged", found.recorded.damaged, "", { exactly: 0 });
   report.figure("messages lost to the disk", found.recorded.dropped, "", { exactly: 0 });
   report.figure("resident set, largest, image buffers included", Math.max(...found.memory_mb), "MB", { atMost: 64 });
@@ -56,7 +58,7 @@ async function twoWeeks(speed) {
   judge(
     report,
     await run(
-      ["--no-objects", "--cameras", 0, "--truth-hz", kTruthHz, "--speed", speed, "--profile", "game", "--log-mb", 300,
+      ["--no-objects", "--cameras", 0, "--truth-hz", kTruthHz, "--speed", speed, "--profile", "game", "--log-mb", kLogMb,
         "--session-seconds", seconds / (kDays * kSessionsPerDay)],
       ["--clients", seats, "--lifetime", lifetime, "--watch", "objects"],
       seconds,

@@ -256,10 +256,11 @@ Blob orange(const pb::Image& image) {
   for (std::size_t pair = 0; pair < image.data().size() / 4; ++pair) {
     const auto cb = static_cast<unsigned char>(image.data()[4 * pair + 1]);
     const auto cr = static_cast<unsigned char>(image.data()[4 * pair + 3]);
-    if (cr < 155 || cb > 112 || 2 * pair / image.width() > 200) continue;
+    const std::size_t row = 2 * pair / image.width();
+    if (cr < 155 || cb > 112 || row > 200) continue;
     const int u = static_cast<int>(2 * pair % image.width());
     blob.u += 2 * (u + 1);
-    blob.v += 2 * (static_cast<double>(2 * pair / image.width()) + 0.5);
+    blob.v += 2 * (static_cast<double>(row) + 0.5);
     left = std::min(left, u);
     right = std::max(right, u + 2);
     blob.pixels += 2;

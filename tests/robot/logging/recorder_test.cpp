@@ -232,7 +232,8 @@ TEST_F(Recording, IsRefusedWhereNotEvenAMinuteFits) {
 TEST_F(Recording, AFullDiskIsSaidAndRecordingGoesOnWhenThereIsRoom) {
   const SmallDisk disk(folder.path(), "size=60m");
   if (!disk.mounted) GTEST_SKIP() << "needs the right to mount a small tmpfs";
-  std::ofstream(folder / "ballast") << std::string(20'000'000, 'x');
+  const std::string part(4'000'000, 'x');
+  std::ofstream(folder / "ballast") << part << part << part << part << part;
   const auto blobs = tests::make_channel(clock, "/14/2/blobs");
   ASSERT_TRUE(channels.add(blobs));
   const Result<std::string> session = recorder.start("", "game");
