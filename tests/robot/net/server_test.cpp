@@ -313,9 +313,13 @@ TEST_F(ServerTest, StopsWithClientsThatWatchStallOrDownload) {
     while (!done) write(*state, image);
   });
   EXPECT_TRUE(peer.next_data());
-  server->stop();
-  server->stop();
+  // the goodbye reaches whoever reads on while the server stops
+  std::thread stopping([&] {
+    server->stop();
+    server->stop();
+  });
   EXPECT_EQ(peer.wait_closed(), kGoingAway);
+  stopping.join();
   done = true;
   writer.join();
   EXPECT_TRUE(silent.wait_closed());
