@@ -73,9 +73,10 @@ export class Report {
     console.log("\n" + table([["figure", "value", "unit", "bar", ""], ...rows]));
     const file = `${here}results/${slug}.csv`;
     mkdirSync(`${here}results`, { recursive: true });
-    if (!existsSync(file)) appendFileSync(file, "date,build,kernel,cores,bench,figure,value,unit,bar,met\n");
+    if (!existsSync(file)) appendFileSync(file, "date,build,kernel,cores,bench,options,figure,value,unit,bar,met\n");
     const date = new Date().toISOString().slice(0, 19) + "Z";
-    const known = [date, build(), machine.kernel, machine.cores, this.bench];
+    // a quick look is no measurement: the options tell them apart
+    const known = [date, build(), machine.kernel, machine.cores, this.bench, process.argv.slice(3).join(" ")];
     const cell = (text) => (/[",]/.test(text) ? `"${String(text).replaceAll('"', '""')}"` : text);
     for (const row of this.#rows)
       appendFileSync(
