@@ -15,7 +15,7 @@ constexpr std::array kProfiles{
             .raw_images = false,
             .jpeg = {.width = 320, .quality = 60},
             .images_per_second = 5,
-            .mb_per_minute = 11},
+            .mb_per_minute = 10},
     Profile{.name = "vision",
             .purpose = "for work on vision: all objects, both cameras as full-size JPEG at 30 Hz",
             .raw_images = false,
