@@ -37,7 +37,7 @@ export const runtimesOf = (objects: MemoryObject[]): Fields[] =>
 
 /** Of all streams, by topic; where two tell of the same one, the first of `runtimes` counts. */
 export const allStreamStatistics = (runtimes: Fields[]): Map<string, StreamStatistics> =>
-  new Map(runtimes.toReversed().flatMap((runtime) => [...streamStatistics(runtime)]));
+  new Map([...runtimes].reverse().flatMap((runtime) => [...streamStatistics(runtime)]));
 
 export function streamStatistics(runtime: Fields): Map<string, StreamStatistics> {
   const streams = new Map<string, StreamStatistics>();
