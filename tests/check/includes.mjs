@@ -12,6 +12,16 @@ import { filesBelow } from "./files.mjs";
  */
 export const rows = {
   proto: [],
+  "sim/math": [],
+  "sim/field": ["sim/math"],
+  "sim/world": ["sim/math", "sim/field"],
+  "sim/motion": ["sim/math", "sim/field", "sim/world"],
+  "sim/agent": ["sim/math", "sim/field", "sim/motion", "sim/world"],
+  "sim/perception": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent"],
+  "sim/referee": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent"],
+  "sim/match": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee"],
+  "sim/io": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee", "sim/match", "robot/core"],
+  "sim/app": "everything",
   "robot/core": [],
   "robot/memory": ["robot/core", "proto"],
   "robot/logging": ["robot/core", "robot/memory", "proto"],

@@ -1,0 +1,80 @@
+// What a robot believes: all that an agent may know.
+//
+// In the simulator the cognitive controller writes it, on the robot its memory does. Frames: `robot` is on the ground
+// between the feet, +x forward, +y left; `team_field` has its origin at the centre, +x towards the opponents' goal.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/field/rules.h"
+#include "sim/math/tick.h"
+#include "sim/math/vec2.h"
+
+namespace sim::agent {
+
+inline constexpr int kMaxMates = kMaxPlayers - 1;
+
+/// Where the ball is believed to be, by one's own eyes.
+struct Ball {
+  Vec2 position;                // [m, robot]
+  Vec2 velocity;                // [m/s, robot's axes] over ground
+  float variance = 0;           // [m²] of the position along each axis
+  float covariance = 0;         // [m²/s] between position and velocity along each axis
+  float velocity_variance = 0;  // [m²/s²]
+  float heat = 0;               // [0..1] how likely an opponent is to kick it soon
+  Tick seen = kNever;           // when an image last showed it; kNever: not once
+  bool visible = false;         // the newest image shows it
+  std::uint8_t frames = 0;      // images in a row that did (visible) or did not, at most 255
+};
+
+/// Where the robot believes it is.
+struct Pose {
+  Pose2 pose;                   // [team_field]
+  float deviation = 0;          // [m] standard deviation of the position along each axis
+  float deviation_heading = 0;  // [rad]
+};
+
+/// What a teammate last told.
+struct Mate {
+  Pose2 pose;                       // [team_field]
+  Vec2 ball;                        // [m, team_field] where it believed the ball
+  float time_to_ball = 0;           // [s] that it said it needs
+  Tick sent = kNever;               // when it told; kNever: never heard
+  std::uint16_t ball_age = 0xffff;  // [ticks] since it had seen the ball when it told; 0xffff: never
+  std::uint8_t role = 0;            // agent::Role
+  bool active = false;              // was not penalised when it told
+};
+
+/// Where an opponent was last seen.
+struct Opponent {
+  Vec2 position;       // [m, team_field]
+  Tick seen = kNever;  // kNever: not yet
+};
+
+/// One robot's beliefs. `mates` are the teammates by number, itself left out: of player 3, mates[2] is player 4.
+struct Beliefs {
+  Ball ball;
+  Pose pose;
+  Mate mates[kMaxMates];
+  Opponent opponents[kMaxPlayers];  // by number: that a robot tells its opponents apart is an idealisation
+};
+
+/// What the GameController tells a robot, and who the robot is.
+struct Game {
+  enum class Phase : std::uint8_t { initial, ready, set, playing, finished };
+  enum class SetPlay : std::uint8_t { none, kick_off, kick_in, goal_kick, corner_kick };
+
+  Phase phase = Phase::initial;
+  SetPlay set_play = SetPlay::none;
+  bool own_kick = false;  // kick-off or set play is ours
+  bool penalised = false;
+  std::uint8_t player = 1;   // [1..7]; 1 keeps the goal
+  std::uint8_t players = 4;  // a side
+  std::uint8_t half = 1;
+  std::uint8_t own_score = 0;
+  std::uint8_t opponent_score = 0;
+  float remaining = 0;    // [s] of the half
+  float since_phase = 0;  // [s] since phase or set play last changed
+};
+
+}  // namespace sim::agent

@@ -1,0 +1,60 @@
+// The field: lines, goals and areas, as data.
+#pragma once
+
+#include "sim/math/vec2.h"
+
+namespace sim::field {
+
+/// Lengths [m] between the middles of lines, as a rule book draws them.
+/// Frame field: origin at the centre, +x towards the goal the home team attacks in the first half, +y left of it.
+struct Field {
+  float length;  // between the goal lines
+  float width;   // between the touch lines
+  float border;  // carpet beyond the lines
+  float line_width;
+  float centre_circle_radius;
+  float goal_area_length;  // from the goal line into the field
+  float goal_area_width;
+  float penalty_area_length;  // 0: the field has none
+  float penalty_area_width;
+  float penalty_mark;  // distance from the goal line
+  float goal_width;    // between the middles of the posts
+  float goal_depth;
+  float post_radius;
+
+  /// Calls see(name, value, unit, least, most) for each value.
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("length", self.length, "m", 2.f, 30.f);
+    see("width", self.width, "m", 2.f, 20.f);
+    see("border", self.border, "m", 0.f, 3.f);
+    see("line_width", self.line_width, "m", 0.01f, 0.2f);
+    see("centre_circle_radius", self.centre_circle_radius, "m", 0.1f, 3.f);
+    see("goal_area_length", self.goal_area_length, "m", 0.f, 5.f);
+    see("goal_area_width", self.goal_area_width, "m", 0.f, 10.f);
+    see("penalty_area_length", self.penalty_area_length, "m", 0.f, 8.f);
+    see("penalty_area_width", self.penalty_area_width, "m", 0.f, 16.f);
+    see("penalty_mark", self.penalty_mark, "m", 0.3f, 6.f);
+    see("goal_width", self.goal_width, "m", 0.5f, 4.f);
+    see("goal_depth", self.goal_depth, "m", 0.1f, 2.f);
+    see("post_radius", self.post_radius, "m", 0.01f, 0.2f);
+  }
+};
+
+/// A mark on the field that a robot can locate itself by.
+struct Mark {
+  enum class Kind : unsigned char { post, corner, circle, penalty_mark };
+  Kind kind;
+  Vec2 position;  // [m, field]
+};
+inline constexpr int kMaxMarks = 40;
+
+/// All marks of a field: 4 posts, the L and T corners of lines, the centre circle, the penalty marks; symmetric about
+/// both axes.
+struct Marks {
+  Mark marks[kMaxMarks];
+  int count = 0;
+};
+Marks marks_of(const Field& field);
+
+}  // namespace sim::field

@@ -1,0 +1,21 @@
+// The simulator on one screen.
+#pragma once
+
+#include "sim/agent/trace.h"
+#include "sim/match/params.h"
+#include "sim/match/state.h"
+#include "sim/referee/event.h"
+
+namespace sim {
+
+/// The state in which a game begins. The rules say how many robots there are; the key says everything else.
+State begin(const Params& params, RandomKey key, referee::Events& events);
+
+/// One tick, 1/30 s: perceive, decide, communicate, move, judge. Allocates nothing.
+/// `traced` with `trace`: the decision of that robot in this tick is explained.
+void step(const Params& params, State& state, referee::Events& events, int traced = -1, agent::Trace* trace = nullptr);
+
+/// The game is over.
+bool finished(const State& state);
+
+}  // namespace sim

@@ -1,0 +1,53 @@
+// Points, directions and poses in the plane.
+#pragma once
+
+#include <cmath>
+
+#include "sim/math/angles.h"
+
+namespace sim {
+
+/// A point [m], a velocity [m/s] or a direction, in the frame its name tells.
+struct Vec2 {
+  float x = 0;
+  float y = 0;
+
+  friend bool operator==(const Vec2&, const Vec2&) = default;
+};
+
+constexpr Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+constexpr Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+constexpr Vec2 operator-(Vec2 a) { return {-a.x, -a.y}; }
+constexpr Vec2 operator*(float factor, Vec2 a) { return {factor * a.x, factor * a.y}; }
+constexpr Vec2& operator+=(Vec2& a, Vec2 b) { return a = a + b; }
+constexpr Vec2& operator-=(Vec2& a, Vec2 b) { return a = a - b; }
+
+constexpr float dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+/// > 0 when `b` is counter-clockwise of `a`.
+constexpr float cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+constexpr float squared_length(Vec2 a) { return dot(a, a); }
+inline float length(Vec2 a) { return std::sqrt(dot(a, a)); }
+inline float distance(Vec2 a, Vec2 b) { return length(b - a); }
+
+/// The unit vector at `angle` [rad] from +x.
+inline Vec2 direction(float angle) { return {cos(angle), sin(angle)}; }
+/// [rad], (-π, π]; 0 of the zero vector.
+inline float angle_of(Vec2 a) { return atan2(a.y, a.x); }
+/// `a` turned by the angle of the unit vector `facing`: from a frame that faces there into the frame around it.
+constexpr Vec2 turned(Vec2 a, Vec2 facing) {
+  return {a.x * facing.x - a.y * facing.y, a.x * facing.y + a.y * facing.x};
+}
+/// The inverse of `turned`.
+constexpr Vec2 turned_back(Vec2 a, Vec2 facing) {
+  return {a.x * facing.x + a.y * facing.y, a.y * facing.x - a.x * facing.y};
+}
+
+/// Where something is and where it faces; as a transform it leads from its own frame into the one around it.
+struct Pose2 {
+  Vec2 position;
+  float heading = 0;  // [rad] (-π, π]
+
+  friend bool operator==(const Pose2&, const Pose2&) = default;
+};
+
+}  // namespace sim

@@ -1,0 +1,115 @@
+// What a robot's body can do: walk, head and kicks, as data.
+#pragma once
+
+namespace sim::motion {
+
+inline constexpr int kMaxKicks = 8;
+
+/// Speeds are what the robot can reach, commands are clipped to them.
+struct Walk {
+  float forward;            // [m/s]
+  float backward;           // [m/s]
+  float sideward;           // [m/s]
+  float turn_rate;          // [rad/s]
+  float acceleration;       // [m/s²]
+  float turn_acceleration;  // [rad/s²]
+  float turn_cost;          // [0..1] share of the translation that the greatest turn rate costs, linear
+  float slow_down;          // [m] from the destination of walk_to at which it begins to slow down
+  float step_duration;      // [s] noise is drawn once per step
+  float speed_noise;        // standard deviation, as share of the speed, drawn per step
+  float turn_noise;         // [rad/s] standard deviation per step while walking
+  float start_delay;        // [s] from the command to the first motion
+  float stop_delay;         // [s] from the command to standing
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("forward", self.forward, "m/s", 0.01f, 3.f);
+    see("backward", self.backward, "m/s", 0.01f, 3.f);
+    see("sideward", self.sideward, "m/s", 0.01f, 3.f);
+    see("turn_rate", self.turn_rate, "rad/s", 0.05f, 6.f);
+    see("acceleration", self.acceleration, "m/s²", 0.05f, 20.f);
+    see("turn_acceleration", self.turn_acceleration, "rad/s²", 0.05f, 60.f);
+    see("turn_cost", self.turn_cost, "", 0.f, 1.f);
+    see("slow_down", self.slow_down, "m", 0.01f, 2.f);
+    see("step_duration", self.step_duration, "s", 0.1f, 2.f);
+    see("speed_noise", self.speed_noise, "", 0.f, 0.5f);
+    see("turn_noise", self.turn_noise, "rad/s", 0.f, 1.f);
+    see("start_delay", self.start_delay, "s", 0.f, 2.f);
+    see("stop_delay", self.stop_delay, "s", 0.f, 2.f);
+  }
+};
+
+/// Limits are those of the joints; near the shoulders the yaw is limited further (NB corpus/Kinematics.h).
+struct Head {
+  float yaw_limit;    // [rad] to each side
+  float pitch_up;     // [rad] < 0
+  float pitch_down;   // [rad] > 0
+  float yaw_speed;    // [rad/s]
+  float pitch_speed;  // [rad/s]
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("yaw_limit", self.yaw_limit, "rad", 0.1f, 3.1f);
+    see("pitch_up", self.pitch_up, "rad", -1.5f, 0.f);
+    see("pitch_down", self.pitch_down, "rad", 0.f, 1.5f);
+    see("yaw_speed", self.yaw_speed, "rad/s", 0.1f, 20.f);
+    see("pitch_speed", self.pitch_speed, "rad/s", 0.1f, 20.f);
+  }
+};
+
+/// One kick, described for the left foot; the right foot's is its mirror image.
+struct Kick {
+  char name[16];
+  float ball_x;               // [m, robot] where the ball must lie
+  float ball_y;               // [m, robot]
+  float gate_x;               // [m] half size of the region in which the kick is as good as here
+  float gate_y;               // [m]
+  float delay;                // [s] from the command to the foot touching the ball
+  float duration;             // [s] from the command to being able to walk again
+  float range;                // [m] how far the ball rolls from there
+  float range_deviation;      // standard deviation, as share of the range
+  float direction;            // [rad, robot] where the ball goes
+  float direction_deviation;  // [rad]
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("ball_x", self.ball_x, "m", -0.3f, 0.5f);
+    see("ball_y", self.ball_y, "m", -0.3f, 0.3f);
+    see("gate_x", self.gate_x, "m", 0.005f, 0.2f);
+    see("gate_y", self.gate_y, "m", 0.005f, 0.2f);
+    see("delay", self.delay, "s", 0.f, 3.f);
+    see("duration", self.duration, "s", 0.1f, 6.f);
+    see("range", self.range, "m", 0.1f, 12.f);
+    see("range_deviation", self.range_deviation, "", 0.f, 0.6f);
+    see("direction", self.direction, "rad", -3.15f, 3.15f);
+    see("direction_deviation", self.direction_deviation, "rad", 0.f, 1.f);
+  }
+};
+
+/// Falling, which the thesis leaves out; figures are estimates until they are measured.
+struct Falls {
+  float per_minute_walking;   // [1/min] while walking alone
+  float per_second_touching;  // [1/s] while pressed against another robot
+  float lying;                // [s] before it begins to get up
+  float getting_up;           // [s]
+  float failure;              // [0..1] probability that an attempt fails and is repeated
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("per_minute_walking", self.per_minute_walking, "1/min", 0.f, 60.f);
+    see("per_second_touching", self.per_second_touching, "1/s", 0.f, 10.f);
+    see("lying", self.lying, "s", 0.f, 30.f);
+    see("getting_up", self.getting_up, "s", 0.f, 30.f);
+    see("failure", self.failure, "", 0.f, 0.95f);
+  }
+};
+
+struct Model {
+  Walk walk;
+  Head head;
+  int kick_count;
+  Kick kicks[kMaxKicks];
+  Falls falls;
+};
+
+}  // namespace sim::motion

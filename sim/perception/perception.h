@@ -1,0 +1,48 @@
+// The cognitive controller: world → beliefs.
+#pragma once
+
+#include "sim/agent/beliefs.h"
+#include "sim/agent/mind.h"
+#include "sim/field/field.h"
+#include "sim/field/rules.h"
+#include "sim/math/tick.h"
+#include "sim/perception/cognition.h"
+#include "sim/perception/model.h"
+#include "sim/world/effects.h"
+#include "sim/world/model.h"
+#include "sim/world/world.h"
+
+namespace sim::perception {
+
+/// What perceiving depends on; none of it changes during a game.
+struct Means {
+  const Model& model;
+  const Effects& effects;
+  const field::Field& field;
+  const field::Marks& marks;
+  const ContactModel& contact;
+  const BallModel& ball;
+};
+
+/// The robot comes onto the field (at the start, or back from a penalty): it knows roughly where it stands, and nothing
+/// of the ball.
+void enter(const Means& means, const World& world, int robot, agent::Beliefs& beliefs, Cognition& cognition);
+
+/// The beliefs of a robot `steps` ticks after the last time: predicted by odometry, then corrected by the image of
+/// `world.tick`. Cheap when nothing is in view.
+void perceive(const Means& means, const World& world, int robot, Tick steps, agent::Beliefs& beliefs,
+              Cognition& cognition);
+
+/// What the robot would tell its team now.
+agent::Mate packet_of(const agent::Beliefs& beliefs, const agent::Mind& mind, bool penalised, Tick now);
+/// Whether it may and wants to send: the year's interval, and an even share of what is left of the budget.
+/// `sent` [packets] by the team so far, `remaining` [s] of the game.
+bool sends(const field::Rules& rules, const Effects& effects, const Cognition& cognition, int sent, float remaining,
+           Tick now);
+/// [ticks] from sending to arriving; an event of the sender.
+Tick delay_of(const Model& model, const Effects& effects, const World& world, int sender);
+/// Puts a packet of `sender` into the beliefs of `receiver`, unless it is lost on the way to it.
+void receive(const Model& model, const Effects& effects, const World& world, const agent::Mate& packet, int sender,
+             int receiver, agent::Beliefs& beliefs);
+
+}  // namespace sim::perception

@@ -1,0 +1,30 @@
+// The referee: which rule is due, and what it does. One rule per file in this folder.
+#pragma once
+
+#include "sim/agent/beliefs.h"
+#include "sim/field/rules.h"
+#include "sim/referee/book.h"
+#include "sim/referee/event.h"
+#include "sim/world/model.h"
+#include "sim/world/world.h"
+
+namespace sim::referee {
+
+/// What judging depends on; none of it changes during a game.
+struct Means {
+  const field::Rules& rules;
+  const BallModel& ball;
+  const ContactModel& contact;
+};
+
+/// Opens a game: everybody outside at the touch line, ready for the kick-off of the side that the key draws.
+void open(const Means& means, World& world, Book& book, Events& events);
+
+/// Looks at the world after everybody moved and applies the rules that are due. Moves the ball and removed robots;
+/// where those come back, `perception::enter` is called by whoever steps the game.
+void judge(const Means& means, World& world, Book& book, Tally& tally, Events& events);
+
+/// What the GameController tells a robot now.
+agent::Game game_for(const field::Rules& rules, const World& world, const Book& book, int robot);
+
+}  // namespace sim::referee

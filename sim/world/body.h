@@ -1,0 +1,36 @@
+// A robot's body, as it truly is.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/math/tick.h"
+#include "sim/math/vec2.h"
+
+namespace sim {
+
+/// Frame: field; its velocity in its own.
+struct Body {
+  enum class Doing : std::uint8_t { standing, starting, walking, stopping, kicking, fallen, getting_up, removed };
+
+  Vec2 position;         // [m]
+  float heading = 0;     // [rad] (-π, π]
+  Vec2 facing{1, 0};     // the unit vector at `heading`
+  Vec2 velocity;         // [m/s, robot] as it walks now
+  float turn_rate = 0;   // [rad/s]
+  float head_yaw = 0;    // [rad] > 0 left
+  float head_pitch = 0;  // [rad] > 0 down
+  Vec2 look{1, 0};       // [robot] the unit vector at `head_yaw`
+  Doing doing = Doing::standing;
+  std::uint8_t kick = 0;      // kicking: index into the kick table
+  bool kick_left = false;     // kicking: with the left foot
+  bool kick_done = false;     // kicking: the foot has passed where the ball should be
+  float kick_gain = 1;        // kicking: share of the range
+  Tick since = 0;             // when it began to do this
+  Vec2 noise{1, 1};           // of the present step: factors of forward and sideward speed
+  float turn_noise = 0;       // [rad/s] of the present step
+  float walked = 0;           // [m] in this game
+  std::uint8_t touching = 0;  // ticks in a row pressed against another robot, at most 255
+  std::uint8_t pushing = 0;   // [1/5 s] it has been running into one
+};
+
+}  // namespace sim

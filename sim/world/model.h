@@ -1,0 +1,40 @@
+// How balls and bodies behave, as data.
+#pragma once
+
+namespace sim {
+
+struct BallModel {
+  float radius;            // [m]
+  float deceleration;      // [m/s²] of rolling, constant
+  float post_restitution;  // [0..1] share of the speed kept by bouncing
+  float robot_restitution;
+  float stop_speed;  // [m/s] below which it snaps into a dimple and lies
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("radius", self.radius, "m", 0.01f, 0.2f);
+    see("deceleration", self.deceleration, "m/s²", 0.01f, 3.f);
+    see("post_restitution", self.post_restitution, "", 0.f, 1.f);
+    see("robot_restitution", self.robot_restitution, "", 0.f, 1.f);
+    see("stop_speed", self.stop_speed, "m/s", 0.f, 0.2f);
+  }
+};
+
+struct ContactModel {
+  float robot_radius;     // [m] robots touch at twice this distance
+  float foot_radius;      // [m] to the ball's middle less its radius: where the ball is touched
+  float lying_radius;     // [m] of a robot that has fallen
+  float official_radius;  // [m] of the walking referee
+  float push_deviation;   // [rad] direction of a ball that is walked into
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("robot_radius", self.robot_radius, "m", 0.05f, 0.5f);
+    see("foot_radius", self.foot_radius, "m", 0.02f, 0.5f);
+    see("lying_radius", self.lying_radius, "m", 0.05f, 0.6f);
+    see("official_radius", self.official_radius, "m", 0.05f, 0.6f);
+    see("push_deviation", self.push_deviation, "rad", 0.f, 1.5f);
+  }
+};
+
+}  // namespace sim

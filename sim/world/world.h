@@ -1,0 +1,56 @@
+// What is so: the ball, the bodies, the time. Beliefs about it are in sim/agent/beliefs.h.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/field/rules.h"
+#include "sim/math/random.h"
+#include "sim/math/tick.h"
+#include "sim/math/vec2.h"
+#include "sim/world/ball.h"
+#include "sim/world/body.h"
+
+namespace sim {
+
+inline constexpr int kMaxRobots = 2 * kMaxPlayers;
+
+enum class Side : std::uint8_t { home, away };
+constexpr Side other(Side side) { return side == Side::home ? Side::away : Side::home; }
+
+constexpr Side side_of(int robot) { return robot < kMaxPlayers ? Side::home : Side::away; }
+/// [1..7]
+constexpr int player_of(int robot) { return robot % kMaxPlayers + 1; }
+constexpr int robot_of(Side side, int player) { return (side == Side::home ? 0 : kMaxPlayers) + player - 1; }
+
+/// The walking referee, where that effect is on. Frame: field.
+struct Official {
+  Vec2 position{1e6f, 1e6f};  // [m]
+  Vec2 velocity;              // [m/s]
+};
+
+struct World {
+  RandomKey key;
+  Tick tick = 0;
+  std::int32_t players = 0;        // a side
+  float home_attacks = 1;          // which way the home side attacks now: +1 towards +x of `field`, -1 towards -x
+  std::uint8_t touched = kNobody;  // robot that touched the ball in this tick, kicks included; kNobody: none
+  std::uint8_t kicked = kNobody;   // robot whose foot met the ball in this tick
+  std::uint8_t whiffed = kNobody;  // robot whose foot missed it in this tick
+  Ball ball;
+  Official official;
+  Body bodies[kMaxRobots];  // [0, players) are home 1.., [kMaxPlayers, kMaxPlayers + players) away 1..
+};
+
+/// Calls see(robot) for the index of each robot that plays this game, on the field or removed: home 1.., away 1...
+template <class See>
+void for_each_robot(int players, See&& see) {
+  for (int robot = 0; robot < players; ++robot) see(robot);
+  for (int robot = kMaxPlayers; robot < kMaxPlayers + players; ++robot) see(robot);
+}
+
+/// Which way a side attacks now: a point of its `team_field` times this is the point in `field`, and back.
+constexpr float attack_sign(const World& world, Side side) {
+  return side == Side::home ? world.home_attacks : -world.home_attacks;
+}
+
+}  // namespace sim
