@@ -26,6 +26,7 @@ export const rows = {
   "robot/memory": ["robot/core", "proto"],
   "robot/logging": ["robot/core", "robot/memory", "proto"],
   "robot/net": ["robot/core", "robot/memory", "robot/logging", "proto"],
+  "robot/agent": ["robot/core", "robot/memory", "proto", "sim/math", "sim/field", "sim/motion", "sim/world", "sim/agent", "sim/perception", "sim/referee", "sim/match"],
   "robot/body": ["robot/core", "robot/memory", "robot/logging", "proto"],
   "robot/lab": ["robot/core", "robot/memory", "robot/logging", "robot/net", "proto"],
   "robot/app": "everything",
