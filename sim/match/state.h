@@ -4,6 +4,7 @@
 // (sim/match/params.h).
 #pragma once
 
+#include <cstdint>
 #include <type_traits>
 
 #include "sim/agent/beliefs.h"
@@ -21,6 +22,8 @@ struct Robot {
   agent::Beliefs beliefs;           // what it thinks is so
   agent::Mind mind;                 // what it remembers
   perception::Cognition cognition;  // how wrong it is
+  std::uint8_t rest = 0;            // [ticks] until it perceives, decides and moves again; 0: now (sim/match/pace.h)
+  std::uint8_t lag = 1;             // [ticks] since it last did
 };
 
 struct State {

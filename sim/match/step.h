@@ -18,6 +18,10 @@ inline constexpr int kEverybody = -2;
 /// kMaxRobots, by index; who does not decide in this tick leaves his as it was.
 void step(const Params& params, State& state, referee::Events& events, int traced = -1, agent::Trace* trace = nullptr);
 
+/// The robot comes onto the field where its body stands, and begins anew: it knows roughly where that is, and nothing
+/// else. `begin` and `step` do it where it is due; others after they placed a body.
+void enter(const Params& params, State& state, int robot);
+
 /// The game is over.
 bool finished(const State& state);
 

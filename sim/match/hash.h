@@ -1,0 +1,36 @@
+// A number that tells two states apart.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "sim/match/state.h"
+
+namespace sim {
+
+/// Takes in numbers one by one; the same numbers in the same order give the same hash on every machine. Multiply and
+/// rotate, then an avalanche: every bit of every number moves every bit of the hash.
+class Hash {
+ public:
+  void add(std::uint64_t number) {
+    hash_ = (hash_ ^ (number * 0x9e3779b97f4a7c15u)) * 0xff51afd7ed558ccdu;
+    hash_ = hash_ << 29 | hash_ >> 35;
+  }
+  std::uint64_t value() const {
+    std::uint64_t value = hash_;
+    value = (value ^ (value >> 33)) * 0xc4ceb9fe1a85ec53u;
+    value = (value ^ (value >> 29)) * 0x94d049bb133111ebu;
+    return value ^ (value >> 32);
+  }
+
+ private:
+  std::uint64_t hash_ = 0x243f6a8885a308d3u;  // digits of π
+};
+
+/// Of every field of a state, bit by bit.
+std::uint64_t hash_of(const State& state);
+
+/// 16 hexadecimal digits.
+std::string hex(std::uint64_t hash);
+
+}  // namespace sim

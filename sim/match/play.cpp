@@ -1,0 +1,56 @@
+#include "sim/match/play.h"
+
+namespace sim {
+namespace {
+
+void count(Result& result, const referee::Event& event) {
+  ++result.events[static_cast<int>(event.kind)][static_cast<int>(event.side)];
+}
+
+/// All but the events.
+void sum_up(const State& state, Result& result) {
+  result.tally = state.tally;
+  result.ticks = state.world.tick;
+  result.over = finished(state);
+  for (int side = 0; side < 2; ++side) {
+    result.score[side] = state.book.score[side];
+    result.packets[side] = state.book.packets[side];
+  }
+  for_each_robot(state.world.players, [&](int robot) {
+    result.walked[static_cast<int>(side_of(robot))] += state.world.bodies[robot].walked;
+  });
+}
+
+Result play_on(const Params& params, State& state, Tick most, Result result) {
+  const Tick end = most < kNever - state.world.tick ? state.world.tick + most : kNever;
+  play(
+      params, state, [&](const State& now) { return now.world.tick >= end; },
+      [&](const referee::Event& event) { count(result, event); });
+  sum_up(state, result);
+  return result;
+}
+
+}  // namespace
+
+float Result::possession(Side side) const {
+  const std::uint32_t all = tally.possession[0] + tally.possession[1];
+  return all == 0 ? 0 : static_cast<float>(tally.possession[static_cast<int>(side)]) / static_cast<float>(all);
+}
+
+Result result_of(const State& state) {
+  Result result{};
+  sum_up(state, result);
+  return result;
+}
+
+Result play_on(const Params& params, State& state, Tick most) { return play_on(params, state, most, Result{}); }
+
+Result play_game(const Params& params, RandomKey key) {
+  Result result{};
+  referee::Events events;
+  State state = begin(params, key, events);
+  for (int i = 0; i < events.count; ++i) count(result, events.list[static_cast<std::size_t>(i)]);
+  return play_on(params, state, kNever, result);
+}
+
+}  // namespace sim

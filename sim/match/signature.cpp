@@ -1,0 +1,71 @@
+#include "sim/match/signature.h"
+
+#include "sim/match/hash.h"
+#include "sim/match/play.h"
+#include "sim/match/situation.h"
+
+namespace sim {
+namespace {
+
+constexpr std::uint64_t kSeed = 2012;
+
+template <class List>
+const auto& pick(const List& list, std::uint32_t word) {
+  return list[word % list.size()];
+}
+
+/// One effect in four is not what the file says.
+void turn_effects_over(Effects& effects, std::uint32_t word) {
+  Effects::visit(effects, [&](const char*, bool& effect, const char*, bool, bool) {
+    if (word % 4 == 0) effect = !effect;
+    word = word * 0x9e3779b1u >> 3;
+  });
+}
+
+void add(Hash& hash, const referee::Event& event) {
+  hash.add(static_cast<std::uint64_t>(event.kind));
+  hash.add(event.tick);
+  hash.add(event.robot);
+}
+
+}  // namespace
+
+Scenario scenario(const Ingredients& ingredients, int number) {
+  const RandomKey key{kSeed + static_cast<std::uint64_t>(number)};
+  const auto what = draw(key, kNobody, Event::situation, 1);
+  const auto how = draw(key, kNobody, Event::situation, 2);
+
+  // rules and behaviours in turn, so that each comes up; the rest as drawn
+  Scenario made;
+  const auto n = static_cast<std::uint32_t>(number);
+  Params& params = made.params;
+  params.rules = pick(ingredients.rules, n / 2);
+  params.rules.players = 1 + static_cast<int>(what[0] % kMaxPlayers);
+  params.marks = field::marks_of(params.rules.field);
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    params.teams[side].behaviour = pick(ingredients.behaviours, n + side * (1 + n / 8));
+    params.teams[side].models = pick(ingredients.models, what[1 + side]);
+    turn_effects_over(params.teams[side].models.effects, how[side]);
+  }
+  params.pace = how[2] % 2 == 0 ? Pace::every_tick : Pace::thinned;
+
+  referee::Events events;
+  made.start = number % 2 == 0 ? begin(params, key, events) : random_situation(params, key);
+  return made;
+}
+
+std::uint64_t signature_of(const Ingredients& ingredients) {
+  Hash hash;
+  for (int number = 0; number < kScenarios; ++number) {
+    auto [params, state] = scenario(ingredients, number);
+    referee::Events events;
+    for (int i = 1; i <= kScenarioSteps; ++i) {
+      step(params, state, events);
+      for (int event = 0; event < events.count; ++event) add(hash, events.list[static_cast<std::size_t>(event)]);
+      if (i % 30 == 0) hash.add(hash_of(state));
+    }
+  }
+  return hash.value();
+}
+
+}  // namespace sim

@@ -1,0 +1,75 @@
+#include "sim/match/situation.h"
+
+#include "sim/match/step.h"
+
+namespace sim {
+namespace {
+
+/// [m] between the middles of two robots, of robot and ball, and from the lines.
+constexpr float kRoom = 0.5f;
+constexpr float kFastest = 2;  // [m/s]
+
+/// Four numbers in [-1, 1), the `number`-th of a robot.
+struct Four {
+  float values[4];
+};
+Four four(RandomKey key, int robot, std::uint32_t number) {
+  const auto words = draw(key, static_cast<std::uint32_t>(robot), Event::situation, number);
+  return {{2 * uniform(words[0]) - 1, 2 * uniform(words[1]) - 1, 2 * uniform(words[2]) - 1, 2 * uniform(words[3]) - 1}};
+}
+
+bool is_free(const World& world, Vec2 place, const bool (&placed)[kMaxRobots]) {
+  if (squared_length(place - world.ball.position) < kRoom * kRoom) return false;
+  for (int robot = 0; robot < kMaxRobots; ++robot)
+    if (placed[robot] && squared_length(place - world.bodies[robot].position) < kRoom * kRoom) return false;
+  return true;
+}
+
+}  // namespace
+
+void start_play(const Params& params, State& state) {
+  referee::Book& book = state.book;
+  const World& world = state.world;
+  book.phase = agent::Game::Phase::playing;
+  book.set_play = agent::Game::SetPlay::none;
+  book.ball_free = true;
+  book.last_toucher = kNobody;
+  book.phase_since = book.told_phase_since = book.last_touch_tick = book.still_since = book.stuck_since = world.tick;
+  book.stuck_at = world.ball.position;
+  for_each_robot(world.players, [&](int robot) {
+    if (world.bodies[robot].doing != Body::Doing::removed) enter(params, state, robot);
+  });
+}
+
+State random_situation(const Params& params, RandomKey key) {
+  referee::Events events;
+  State state = begin(params, key, events);
+  World& world = state.world;
+  const Vec2 reach{params.rules.field.length / 2 - kRoom, params.rules.field.width / 2 - kRoom};
+  const auto place = [&](const Four& drawn) { return Vec2{reach.x * drawn.values[0], reach.y * drawn.values[1]}; };
+
+  const Four of_ball = four(key, kNobody, 0);
+  world.ball = {};
+  world.ball.position = place(of_ball);
+  world.ball.velocity = (kFastest * of_ball.values[2]) * direction(kPi * of_ball.values[3]);
+  for (Vec2& past : world.ball.past) past = world.ball.position;
+
+  // everybody at the first place drawn that is free
+  bool placed[kMaxRobots] = {};
+  for_each_robot(world.players, [&](int robot) {
+    std::uint32_t number = 0;
+    Four drawn = four(key, robot, number);
+    while (!is_free(world, place(drawn), placed)) drawn = four(key, robot, ++number);
+    Body& body = world.bodies[robot];
+    body = {};
+    body.position = place(drawn);
+    body.heading = kPi * drawn.values[2];
+    body.facing = direction(body.heading);
+    placed[robot] = true;
+  });
+
+  start_play(params, state);
+  return state;
+}
+
+}  // namespace sim

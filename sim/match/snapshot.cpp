@@ -1,0 +1,112 @@
+#include "sim/match/snapshot.h"
+
+#include <cmath>
+
+#include "sim/match/fields.h"
+#include "sim/match/hash.h"
+#include "sim/motion/model.h"
+
+namespace sim {
+namespace {
+
+constexpr std::uint32_t kMagic = 'F' | 'S' << 8 | 'I' << 16 | 'M' << 24;
+
+void put(std::vector<std::uint8_t>& bytes, std::uint64_t number, std::size_t size) {
+  for (std::size_t i = 0; i < size; ++i) bytes.push_back(static_cast<std::uint8_t>(number >> (8 * i)));
+}
+
+/// The next number of `size` bytes; the caller knows that there are so many.
+std::uint64_t take(std::span<const std::uint8_t>& bytes, std::size_t size) {
+  std::uint64_t number = 0;
+  for (std::size_t i = 0; i < size; ++i) number |= std::uint64_t{bytes[i]} << (8 * i);
+  bytes = bytes.subspan(size);
+  return number;
+}
+
+std::uint64_t hash_of_bytes(std::span<const std::uint8_t> bytes) {
+  Hash hash;
+  for (const std::uint8_t byte : bytes) hash.add(byte);
+  return hash.value();
+}
+
+/// Of the whole snapshot; every state has the same.
+std::size_t snapshot_size() {
+  std::size_t size = 4 + 4 + 8;
+  const State any{};
+  visit_fields(any, [&](const FieldPath&, auto field) { size += sizeof field; });
+  return size;
+}
+
+template <class Field>
+bool is_valid(Field field, std::uint64_t bits) {
+  if constexpr (std::is_same_v<Field, float>) {
+    return std::isfinite(field);
+  } else if constexpr (std::is_same_v<Field, bool>) {
+    return bits <= 1;
+  } else if constexpr (std::is_enum_v<Field>) {
+    return bits <= last_of<Field>();
+  } else {
+    return true;
+  }
+}
+
+bool is_robot(std::uint8_t index) { return index < kMaxRobots || index == kNobody; }
+
+/// What is an index or a count; empty, or the name of the one that leads outside its array.
+std::string lost_index(const State& state) {
+  const World& world = state.world;
+  if (world.players < 1 || world.players > kMaxPlayers) return "world.players";
+  if (std::abs(world.home_attacks) != 1) return "world.home_attacks";
+  if (!is_robot(world.touched) || !is_robot(world.kicked) || !is_robot(world.whiffed)) return "world.touched";
+  if (!is_robot(state.book.last_toucher)) return "book.last_toucher";
+  for (int i = 0; i < kMaxRobots; ++i) {
+    const Robot& robot = state.robots[i];
+    if (world.bodies[i].kick >= motion::kMaxKicks) return "world.bodies.kick";
+    if (robot.command.kick >= motion::kMaxKicks || robot.mind.kick >= motion::kMaxKicks) return "robots.command.kick";
+  }
+  return {};
+}
+
+Restored refused(std::string sentence) { return {std::nullopt, "snapshot: " + std::move(sentence)}; }
+
+}  // namespace
+
+std::vector<std::uint8_t> snapshot_of(const State& state) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(snapshot_size());
+  put(bytes, kMagic, 4);
+  put(bytes, kSnapshotVersion, 4);
+  visit_fields(state, [&](const FieldPath&, auto field) { put(bytes, bits_of(field), sizeof field); });
+  put(bytes, hash_of_bytes(bytes), 8);
+  return bytes;
+}
+
+Restored restore(std::span<const std::uint8_t> bytes) {
+  // is it one at all, of this version, and whole?
+  if (bytes.size() < 8) return refused("expected at least 8 bytes, got " + std::to_string(bytes.size()));
+  std::span<const std::uint8_t> rest = bytes;
+  if (take(rest, 4) != kMagic) return refused("does not begin with FSIM");
+  if (const auto version = take(rest, 4); version != kSnapshotVersion)
+    return refused("expected version " + std::to_string(kSnapshotVersion) + ", got " + std::to_string(version));
+  if (bytes.size() != snapshot_size())
+    return refused("expected " + std::to_string(snapshot_size()) + " bytes, got " + std::to_string(bytes.size()));
+  std::span<const std::uint8_t> tail = bytes.last(8);
+  if (take(tail, 8) != hash_of_bytes(bytes.first(bytes.size() - 8)))
+    return refused("its bytes do not have the hash at its end; it was damaged");
+
+  // field by field, none of them impossible
+  State state;
+  std::string wrong;
+  visit_fields(state, [&](const FieldPath& path, auto& field) {
+    using Field = std::remove_reference_t<decltype(field)>;
+    const std::uint64_t bits = take(rest, sizeof(Field));
+    const bool representable = !std::is_same_v<Field, bool> || bits <= 1;
+    if (representable) field = field_of<Field>(bits);
+    if ((!representable || !is_valid(field, bits)) && wrong.empty()) wrong = path.text();
+  });
+  if (wrong.empty()) wrong = lost_index(state);
+  if (!wrong.empty()) return refused(wrong + " is not a possible value");
+  return {state, {}};
+}
+
+}  // namespace sim
