@@ -57,4 +57,31 @@ struct Marks {
 };
 Marks marks_of(const Field& field);
 
+// Below, a goal is named by the sign of its x: +1 or -1.
+
+/// The middles of the four posts: the goal at +x first, of each goal the post at +y first. [m, field]
+inline constexpr int kPosts = 4;
+constexpr Vec2 post_of(const Field& field, int post) {
+  return {(post < 2 ? 0.5f : -0.5f) * field.length, (post % 2 == 0 ? 0.5f : -0.5f) * field.goal_width};
+}
+
+/// The point is on the field, whose lines belong to it, or at most `margin` [m] outside.
+constexpr bool inside_field(const Field& field, Vec2 point, float margin = 0) {
+  const float x = 0.5f * (field.length + field.line_width) + margin;
+  const float y = 0.5f * (field.width + field.line_width) + margin;
+  return -x <= point.x && point.x <= x && -y <= point.y && point.y <= y;
+}
+
+/// The point is in the goal area, lines included, in front of the goal `side`.
+constexpr bool inside_goal_area(const Field& field, Vec2 point, float side) {
+  const float from_line = 0.5f * field.length - side * point.x;
+  const float y = 0.5f * (field.goal_area_width + field.line_width);
+  return -0.5f * field.line_width <= from_line && from_line <= field.goal_area_length + 0.5f * field.line_width &&
+         -y <= point.y && point.y <= y;
+}
+
+/// The goal into which a ball that moved straight `from` there `to` here [m, field] went: it is a goal as soon as the
+/// whole ball is behind the line, between the posts. 0: into none in this move.
+float goal_entered(const Field& field, Vec2 from, Vec2 to, float ball_radius);
+
 }  // namespace sim::field

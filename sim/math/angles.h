@@ -2,14 +2,21 @@
 //
 // The C library's differ between processors (its run-time FMA dispatch), so `sim` never calls them; `sqrt` is exact
 // everywhere and is the only one it may use. All are odd or even to the bit, as mathematics has it: a mirrored game
-// is the mirrored game.
+// is the mirrored game. Each is a range reduction (Cody and Waite) and a minimax polynomial (Remez), without tables.
 #pragma once
+
+#include <bit>
+#include <cfloat>
+#include <cmath>
+#include <cstdint>
 
 namespace sim {
 
+static_assert(FLT_EVAL_METHOD == 0, "floats must not be computed with more bits than they have");
+
 inline constexpr float kPi = 3.14159265358979f;
 
-/// For |angle| <= 1000 rad within 2 ulp of 1 (absolute error <= 2.4e-7).
+/// For |angle| <= 1000 rad within 2 ulp of 1 (absolute error <= 1.2e-7).
 float sin(float angle);
 float cos(float angle);
 /// Both at once, for little more than one.
@@ -18,14 +25,118 @@ struct SinCos {
   float cos;
 };
 SinCos sin_cos(float angle);
-/// [rad] (-π, π], within 3e-7; 0 for (0, 0).
+/// [rad] [-π, π], within 3e-7; 0 for (0, 0) and π for a negative `x` with `y` = 0 or -0: -π is only what an angle a
+/// little above it is rounded to.
 float atan2(float y, float x);
 /// Natural, within 2 ulp for normal numbers > 0.
 float log(float x);
 /// Within 2 ulp for -87 <= x <= 88, clamped beyond.
 float exp(float x);
 
-/// `angle` as the equal one in (-π, π], for |angle| <= 1000 rad.
+/// `angle` as the equal one in (-π, π], for |angle| <= 1000 rad; one in there stays what it is.
 float normalized(float angle);
+
+// How they do it. Inline, because they are what a step spends much of its time with.
+
+namespace detail {
+
+// adding it rounds to a whole number, ties to even and so the same way on both sides of 0; that number is in the low
+// bits of the sum
+inline constexpr float kRound = 0x1.8p23f;
+
+// π/2 in three parts: few enough bits in the first two for exact products with whole numbers up to 2000
+inline constexpr float kHalfPiHigh = 0x1.92p0f;
+inline constexpr float kHalfPiMiddle = 0x1.fb4p-12f;
+inline constexpr float kHalfPiLow = 0x1.4442d2p-24f;
+
+/// Of a rest in [-π/4, π/4] and the number of quarter turns before it.
+inline SinCos sin_cos_of_rest(float rest, std::uint32_t quarters) {
+  const float square = rest * rest;
+  const float sine = rest + rest * square * (-0x1.55554p-3f + square * (0x1.1105a8p-7f - square * 0x1.98d6b8p-13f));
+  const float cosine =
+      1.f - 0.5f * square + square * square * (0x1.55554ap-5f - square * (0x1.6c0c82p-10f - square * 0x1.99ff4p-16f));
+
+  // an odd number of quarters swaps the two, the second bit turns the signs; in bits, because branches would be random
+  const std::uint32_t swap = 0u - (quarters & 1u);
+  const auto sine_bits = std::bit_cast<std::uint32_t>(sine), cosine_bits = std::bit_cast<std::uint32_t>(cosine);
+  const std::uint32_t difference = (sine_bits ^ cosine_bits) & swap;
+  return {std::bit_cast<float>((sine_bits ^ difference) ^ ((quarters & 2u) << 30)),
+          std::bit_cast<float>((cosine_bits ^ difference) ^ (((quarters + 1u) & 2u) << 30))};
+}
+
+}  // namespace detail
+
+inline SinCos sin_cos(float angle) {
+  const float shifted = angle * (2.f / kPi) + detail::kRound;
+  const float quarters = shifted - detail::kRound;
+  const float rest =
+      ((angle - quarters * detail::kHalfPiHigh) - quarters * detail::kHalfPiMiddle) - quarters * detail::kHalfPiLow;
+  return detail::sin_cos_of_rest(rest, std::bit_cast<std::uint32_t>(shifted));
+}
+
+inline float sin(float angle) { return sin_cos(angle).sin; }
+inline float cos(float angle) { return sin_cos(angle).cos; }
+
+inline float atan2(float y, float x) {
+  const float across = std::fabs(y), along = std::fabs(x);
+  const bool steep = across > along;
+  const float longer = steep ? across : along;
+  if (longer == 0) return 0;
+
+  // the arcus tangent of a slope of at most 1
+  const float slope = (steep ? along : across) / longer;
+  const float square = slope * slope, fourth = square * square;
+  const float low = -0x1.5550f2p-2f + square * 0x1.98d61p-3f;
+  const float middle = -0x1.1e3d88p-3f + square * 0x1.912bf4p-4f;
+  const float high = -0x1.d947e4p-5f + square * (0x1.797d32p-6f - square * 0x1.1d6f7p-8f);
+  float angle = slope + slope * square * (low + fourth * (middle + fourth * high));
+
+  // to the octant in which the point lies
+  if (steep) angle = kPi / 2 - angle;
+  if (x < 0) angle = kPi - angle;
+  return y < 0 ? -angle : angle;
+}
+
+inline float log(float x) {
+  // x = 2^exponent * (1 + rest) with 1 + rest in [√½, √2)
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  const std::int32_t exponent = static_cast<std::int32_t>(bits - 0x3f3504f3u) >> 23;
+  const float rest = std::bit_cast<float>(bits - (static_cast<std::uint32_t>(exponent) << 23)) - 1.f;
+
+  const float square = rest * rest, fourth = square * square;
+  const float low = (0x1.55554ap-2f - rest * 0x1.00022p-2f) + square * (0x1.99a596p-3f - rest * 0x1.54788cp-3f);
+  const float high = (0x1.226e4cp-3f - rest * 0x1.0ce07ap-3f) + square * (0x1.07d0dep-3f - rest * 0x1.41eddcp-4f);
+  const float cubic = rest * square * (low + fourth * high);
+
+  // the logarithm of 2 in two parts, the first exact in the product
+  const auto doublings = static_cast<float>(exponent);
+  return doublings * 0x1.63p-1f + (rest - (0.5f * square - (cubic - doublings * 0x1.bd0106p-13f)));
+}
+
+inline float exp(float x) {
+  const float clamped = x < -87.f ? -87.f : x > 88.f ? 88.f : x;
+  const float shifted = clamped * 0x1.715476p0f + detail::kRound;
+  const float doublings = shifted - detail::kRound;
+  const float rest = (clamped - doublings * 0x1.63p-1f) + doublings * 0x1.bd0106p-13f;
+
+  const float square = rest * rest;
+  const float tail = (0x1.fffffcp-2f + rest * 0x1.55549p-3f) +
+                     square * ((0x1.5558f4p-5f + rest * 0x1.123a6cp-7f) + square * 0x1.6a234cp-10f);
+  const float power = 1.f + (rest + square * tail);
+  return power * std::bit_cast<float>((std::bit_cast<std::uint32_t>(shifted) + 127u) << 23);
+}
+
+inline float normalized(float angle) {
+  if (-kPi < angle && angle <= kPi) return angle;
+  const float shifted = angle * (0.5f / kPi) + detail::kRound;
+  const float turns = shifted - detail::kRound;
+  const float rest = ((angle - turns * (4 * detail::kHalfPiHigh)) - turns * (4 * detail::kHalfPiMiddle)) -
+                     turns * (4 * detail::kHalfPiLow);
+
+  // what lies a rounding error beyond the border is on the other side
+  if (rest > kPi) return rest - 2 * kPi;
+  if (rest <= -kPi) return rest + 2 * kPi;
+  return rest;
+}
 
 }  // namespace sim

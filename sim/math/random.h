@@ -6,7 +6,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+
+#include "sim/math/angles.h"
 
 namespace sim {
 
@@ -48,6 +51,12 @@ inline constexpr std::uint8_t kNobody = 255;
 /// [0, 1) of 24 bits.
 constexpr float uniform(std::uint32_t word) { return static_cast<float>(word >> 8) * 0x1p-24f; }
 /// Two independent draws of the standard normal distribution, from two words (Box and Muller); |value| < 6.
-std::array<float, 2> normals(std::uint32_t first, std::uint32_t second);
+inline std::array<float, 2> normals(std::uint32_t first, std::uint32_t second) {
+  const float radius = std::sqrt(-2.f * log(static_cast<float>((first >> 8) + 1) * 0x1p-24f));
+  // the upper two bits are the quarter of the circle, the others a place in it
+  const float rest = static_cast<float>(static_cast<std::int32_t>(second << 2)) * (kPi * 0x1p-33f);
+  const SinCos place = detail::sin_cos_of_rest(rest, second >> 30);
+  return {radius * place.cos, radius * place.sin};
+}
 
 }  // namespace sim

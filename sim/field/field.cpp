@@ -1,0 +1,60 @@
+#include "sim/field/field.h"
+
+namespace sim::field {
+
+namespace {
+
+void add(Marks& marks, Mark::Kind kind, float x, float y) { marks.marks[marks.count++] = {kind, {x, y}}; }
+
+/// One on each side of the field.
+void add_two(Marks& marks, Mark::Kind kind, float x) {
+  add(marks, kind, x, 0);
+  add(marks, kind, -x, 0);
+}
+
+/// One in each quarter of the field.
+void add_four(Marks& marks, Mark::Kind kind, float x, float y) {
+  add(marks, kind, x, y);
+  add(marks, kind, x, -y);
+  add(marks, kind, -x, y);
+  add(marks, kind, -x, -y);
+}
+
+/// The corners of a rectangle before each goal: those in the field and those where its sides meet the goal line.
+void add_area(Marks& marks, const Field& field, float length, float width) {
+  if (length <= 0) return;
+  add_four(marks, Mark::Kind::corner, 0.5f * field.length, 0.5f * width);
+  add_four(marks, Mark::Kind::corner, 0.5f * field.length - length, 0.5f * width);
+}
+
+}  // namespace
+
+Marks marks_of(const Field& field) {
+  Marks marks;
+  add_four(marks, Mark::Kind::post, 0.5f * field.length, 0.5f * field.goal_width);
+  add_four(marks, Mark::Kind::corner, 0.5f * field.length, 0.5f * field.width);
+
+  // where the middle line meets the touch lines
+  add(marks, Mark::Kind::corner, 0, 0.5f * field.width);
+  add(marks, Mark::Kind::corner, 0, -0.5f * field.width);
+
+  add_area(marks, field, field.goal_area_length, field.goal_area_width);
+  add_area(marks, field, field.penalty_area_length, field.penalty_area_width);
+  add(marks, Mark::Kind::circle, 0, 0);
+  add_two(marks, Mark::Kind::penalty_mark, 0.5f * field.length - field.penalty_mark);
+  return marks;
+}
+
+float goal_entered(const Field& field, Vec2 from, Vec2 to, float ball_radius) {
+  const float side = to.x < 0 ? -1.f : 1.f;
+  const float line = 0.5f * (field.length + field.line_width) + ball_radius;
+  const float before = side * from.x, after = side * to.x;
+  if (!(before <= line && line < after)) return 0;
+
+  // where it was when it was over the line
+  const float share = (line - before) / (after - before);
+  const float y = from.y + share * (to.y - from.y);
+  return std::fabs(y) < 0.5f * field.goal_width ? side : 0.f;
+}
+
+}  // namespace sim::field

@@ -1,0 +1,154 @@
+#include <cmath>
+
+#include "sim/world/contact.h"
+
+namespace sim {
+
+namespace {
+
+// after so many rebounds within one tick the ball is stuck between things and stays where it is until the next
+constexpr int kMostRebounds = 4;
+// [m] an overlap up to this is none
+constexpr float kTolerance = 1e-5f;
+
+/// What a ball can hit: a body or a post.
+struct Obstacle {
+  Vec2 position;       // [m, field]
+  Vec2 velocity;       // [m/s, field]
+  float reach;         // [m] from its middle to that of a ball that touches it
+  float keeps;         // share of the speed that a ball keeps
+  std::uint8_t robot;  // kNobody: a post
+};
+
+struct Obstacles {
+  Obstacle list[kMaxRobots + 1];
+  int count = 0;
+};
+
+struct Moving {
+  Vec2 position;
+  Vec2 velocity;
+};
+
+/// When and how deep a ball meets an obstacle.
+struct Meeting {
+  float time = 0;   // [s] from now
+  float depth = 0;  // [m²] of an overlap that is there already
+
+  bool before(const Meeting& other) const { return time < other.time || (time == other.time && depth > other.depth); }
+};
+
+/// What the ball may meet on its way of this tick around `middle`, [m] at most `half` to each side.
+Obstacles obstacles_near(const field::Field& field, const BallModel& ball, const ContactModel& contact,
+                         const World& world, Vec2 middle, float half) {
+  Obstacles near;
+  for_each_robot(world.players, [&](int robot) {
+    const Body& body = world.bodies[robot];
+    const bool lies = body.doing == Body::Doing::fallen || body.doing == Body::Doing::getting_up;
+    const float reach = (lies ? contact.lying_radius : contact.foot_radius) + ball.radius;
+    if (squared_length(body.position - middle) >= (reach + half) * (reach + half)) return;
+    if (body.doing == Body::Doing::removed) return;
+    near.list[near.count++] = {body.position, turned(body.velocity, body.facing), reach, ball.robot_restitution,
+                               static_cast<std::uint8_t>(robot)};
+  });
+
+  const Vec2 post{std::copysign(0.5f * field.length, middle.x), std::copysign(0.5f * field.goal_width, middle.y)};
+  const float reach = field.post_radius + ball.radius;
+  if (squared_length(post - middle) < (reach + half) * (reach + half))
+    near.list[near.count++] = {post, {}, reach, ball.post_restitution, kNobody};
+  return near;
+}
+
+/// Whether the ball meets the obstacle within `time` [s], and when.
+bool meets(const Moving& ball, const Obstacle& obstacle, float time, Meeting& meeting) {
+  const Vec2 offset = ball.position - obstacle.position;
+  const float outside = squared_length(offset) - obstacle.reach * obstacle.reach;
+  if (outside < -2 * kTolerance * obstacle.reach) {
+    meeting = {0, -outside};
+    return true;
+  }
+
+  // it comes nearer, over ground and as the body sees it
+  const float nearing = dot(offset, ball.velocity);
+  if (nearing >= 0 || dot(offset, ball.velocity - obstacle.velocity) >= 0) return false;
+  const float squared_speed = squared_length(ball.velocity);
+  const float root = nearing * nearing - squared_speed * outside;
+  if (root < 0) return false;
+  meeting = {std::fmax(0.f, (-nearing - std::sqrt(root)) / squared_speed), 0};
+  return meeting.time <= time;
+}
+
+/// The ball just outside the obstacle, thrown back or pushed along.
+Moving rebound(Moving ball, const Obstacle& obstacle, const ContactModel& contact, const Effects& effects,
+               const World& world) {
+  const Vec2 offset = ball.position - obstacle.position;
+  const float gap = length(offset);
+  const Vec2 away = gap > 0 ? (1 / gap) * offset : Vec2{1, 0};
+  ball.position = obstacle.position + obstacle.reach * away;
+
+  // as the obstacle sees it, the ball keeps its sideward speed and turns the other round
+  const float own = dot(obstacle.velocity, away);
+  const float relative = dot(ball.velocity, away) - own;
+  if (relative >= 0) return ball;
+  ball.velocity += (-(1 + obstacle.keeps) * relative) * away;
+
+  // a foot in motion hits it somewhere
+  if (own > 0 && effects.push_noise) {
+    const auto words = draw(world.key, obstacle.robot, Event::push_noise, world.tick);
+    const float deviation = contact.push_deviation * normals(words[0], words[1])[0];
+    ball.velocity = turned(ball.velocity, direction(deviation));
+    const float speed = dot(ball.velocity, away);
+    if (speed < own) ball.velocity += (own - speed) * away;
+  }
+  return ball;
+}
+
+}  // namespace
+
+void bounce_ball(const field::Field& field, const BallModel& ball, const ContactModel& contact, const Effects& effects,
+                 World& world) {
+  // the way of this tick; |x| + |y| is at least its length
+  const Vec2 way = kTickDuration * world.ball.velocity;
+  const float half = 0.5f * (std::fabs(way.x) + std::fabs(way.y));
+  const Obstacles near = obstacles_near(field, ball, contact, world, world.ball.position - 0.5f * way, half);
+  if (near.count == 0) return;
+
+  Moving moving{world.ball.position - way, world.ball.velocity};
+  float left = kTickDuration;
+  for (int round = 0; round < kMostRebounds; ++round) {
+    // the first that it meets; if it meets two at once, what each of them does counts half
+    Meeting first{left, -1};
+    int met[kMaxRobots + 1], count = 0;
+    for (int i = 0; i < near.count; ++i) {
+      Meeting meeting;
+      if (!meets(moving, near.list[i], left, meeting) || first.before(meeting)) continue;
+      if (meeting.before(first)) count = 0;
+      first = meeting;
+      met[count++] = i;
+    }
+    if (count == 0) {
+      if (round == 0) return;
+      moving.position += left * moving.velocity;
+      break;
+    }
+
+    moving.position += first.time * moving.velocity;
+    left -= first.time;
+    Moving sum;
+    std::uint8_t touched = kNobody;
+    for (int i = 0; i < count; ++i) {
+      const Obstacle& obstacle = near.list[met[i]];
+      const Moving one = rebound(moving, obstacle, contact, effects, world);
+      sum.position += one.position;
+      sum.velocity += one.velocity;
+      if (obstacle.robot != kNobody && (touched == kNobody || world.tick % 2 == 1)) touched = obstacle.robot;
+    }
+    moving.position = (1 / static_cast<float>(count)) * sum.position;
+    moving.velocity = (1 / static_cast<float>(count)) * sum.velocity;
+    if (touched != kNobody) world.touched = touched;
+  }
+  world.ball.position = moving.position;
+  world.ball.velocity = moving.velocity;
+}
+
+}  // namespace sim

@@ -1,0 +1,31 @@
+#include "sim/world/contact.h"
+
+namespace sim {
+
+namespace {
+
+constexpr float kDistance = 1.5f;  // [m] that it keeps from the ball
+constexpr float kSpeed = 1;        // [m/s]
+constexpr float kAbsent = 1e5f;    // [m] a referee so far away has not come yet
+
+}  // namespace
+
+void walk_official(const field::Field& field, World& world) {
+  Official& official = world.official;
+  if (official.position.x > kAbsent) {
+    const auto words = draw(world.key, kNobody, Event::official, 0);
+    official = {{((words[0] & 1) != 0 ? 0.25f : -0.25f) * field.length, 0}, {}};
+  }
+
+  // to the nearest place that is far enough from the ball
+  const Vec2 from_ball = official.position - world.ball.position;
+  const float gap = length(from_ball);
+  const Vec2 away = gap > 0 ? (1 / gap) * from_ball : Vec2{1, 0};
+  const float step = kSpeed * kTickDuration;
+  const float wanted = kDistance - gap;
+  const float done = wanted < -step ? -step : wanted > step ? step : wanted;
+  official.velocity = (done * kTicksPerSecond) * away;
+  official.position += done * away;
+}
+
+}  // namespace sim
