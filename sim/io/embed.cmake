@@ -1,0 +1,22 @@
+# Writes OUTPUT, a C++ file that holds the files FILES ("models/match", below FOLDER, without ".json") as texts.
+set(entries "")
+foreach(file IN LISTS FILES)
+  file(READ ${FOLDER}/${file}.json text)
+  get_filename_component(kind ${file} DIRECTORY)
+  get_filename_component(name ${file} NAME)
+  string(APPEND entries "    {\"${kind}\", \"${name}\", R\"json(${text})json\"},\n")
+endforeach()
+file(WRITE ${OUTPUT} "#include \"sim/io/embedded.h\"
+
+namespace sim::io {
+namespace {
+
+constexpr Embedded kFiles[] = {
+${entries}};
+
+}  // namespace
+
+std::span<const Embedded> embedded_files() { return kFiles; }
+
+}  // namespace sim::io
+")

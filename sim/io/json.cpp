@@ -1,0 +1,75 @@
+#include "sim/io/json.h"
+
+#include <charconv>
+#include <set>
+#include <vector>
+
+namespace sim::io {
+
+using robot::Error;
+using robot::Result;
+
+namespace {
+
+constexpr int kMaxDepth = 64;
+
+/// Watches a text being parsed for what is valid JSON and yet wrong.
+class Watch {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+    using enum Json::parse_event_t;
+    if (depth > kMaxDepth && wrong_.empty()) wrong_ = "nested deeper than " + std::to_string(kMaxDepth);
+    if (event == object_start) keys_.emplace_back();
+    if (event == object_end) keys_.pop_back();
+    if (event == key && !keys_.back().insert(parsed.get<std::string>()).second && wrong_.empty())
+      wrong_ = "'" + parsed.get<std::string>() + "' stands twice in one object";
+    return true;
+  }
+  const std::string& wrong() const { return wrong_; }
+
+ private:
+  std::vector<std::set<std::string>> keys_;  // of the objects that are open
+  std::string wrong_;
+};
+
+/// What a parser complains of, without the number of its complaint.
+std::string complaint(std::string_view what) {
+  const std::size_t end = what.find("] ");
+  return std::string(end == what.npos ? what : what.substr(end + 2));
+}
+
+}  // namespace
+
+Result<Json> parse_object(std::string_view text, const std::string& called) {
+  try {
+    Watch watch;
+    Json json = Json::parse(text, std::ref(watch));
+    if (!watch.wrong().empty()) return Error{called + ": " + watch.wrong()};
+    if (!json.is_object()) return Error{called + ": expected a JSON object, got " + shown(json)};
+    return json;
+  } catch (const Json::exception& error) {
+    return Error{called + ": not JSON: " + complaint(error.what())};
+  }
+}
+
+std::string printed(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+std::string shown(const Json& json) {
+  constexpr std::size_t kLongest = 40;
+  const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "…";
+}
+
+std::string short_text(float value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+double short_number(float value) {
+  const std::string text = short_text(value);
+  double number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+}  // namespace sim::io

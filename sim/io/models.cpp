@@ -1,0 +1,146 @@
+#include "sim/io/models.h"
+
+#include <cstring>
+
+#include "sim/io/reader.h"
+#include "sim/io/source.h"
+#include "sim/io/variation.h"
+
+namespace sim::io {
+
+using robot::Error;
+using robot::Result;
+
+namespace {
+
+constexpr int kMostBases = 8;  // one upon the other
+constexpr std::string_view kHead[] = {"name", "about", "based_on"};
+
+/// Calls see(name, struct) for each section but the kicks.
+template <class AnyModels, class See>
+void visit_sections(AnyModels& models, See&& see) {
+  see("effects", models.effects);
+  see("ball", models.ball);
+  see("contact", models.contact);
+  see("walk", models.motion.walk);
+  see("head", models.motion.head);
+  see("falls", models.motion.falls);
+  see("camera", models.perception.camera);
+  see("ball_detection", models.perception.ball);
+  see("robot_detection", models.perception.robots);
+  see("noise", models.perception.noise);
+  see("ball_filter", models.perception.filter);
+  see("localisation", models.perception.localisation);
+  see("radio", models.perception.radio);
+}
+
+int index_of(const motion::Model& model, const std::string& kick) {
+  for (int i = 0; i < model.kick_count; ++i)
+    if (kick == model.kicks[i].name) return i;
+  return -1;
+}
+
+/// Those that are there already change, others come behind them.
+void read_kicks(Reader& reader, const Json& kicks, motion::Model& model) {
+  if (!reader.is_object(kicks, "kicks")) return;
+  for (const auto& [name, kick] : kicks.items()) {
+    const int known = index_of(model, name);
+    const int index = known < 0 ? model.kick_count : known;
+    motion::Kick& into = model.kicks[std::min(index, motion::kMaxKicks - 1)];
+    if (index == motion::kMaxKicks)
+      return reader.refuse("kicks: expected at most " + std::to_string(motion::kMaxKicks) + ", got one more: '" + name +
+                           "'");
+    if (name.empty() || name.size() >= sizeof into.name)
+      return reader.refuse("kicks: a name must have 1 .. " + std::to_string(sizeof into.name - 1) + " bytes, got '" +
+                           name + "'");
+    reader.read(kick, "kicks." + name, known < 0 ? Fields::all : Fields::some, into);
+    std::memset(into.name, 0, sizeof into.name);
+    std::memcpy(into.name, name.data(), name.size());
+    model.kick_count = std::max(model.kick_count, index + 1);
+  }
+}
+
+/// Over `models`, which hold what the description is based on; `fields` are all when that is nothing.
+void read_models(Reader& reader, const Json& json, Fields fields, Models& models) {
+  std::vector<std::string_view> known(std::begin(kHead), std::end(kHead));
+  visit_sections(models, [&](const char* name, auto& section) {
+    known.push_back(name);
+    if (const Json* found = reader.find(json, name, fields)) reader.read(*found, name, fields, section);
+  });
+  known.push_back("kicks");
+  if (const Json* kicks = reader.find(json, "kicks", fields)) read_kicks(reader, *kicks, models.motion);
+  reader.refuse_unknown(json, "", known);
+}
+
+/// The text at `key`; empty if there is none.
+std::string text_at(Reader& reader, const Json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found == json.end()) return {};
+  if (!found->is_string()) reader.refuse(std::string(key) + " must be a text, got " + shown(*found));
+  return found->is_string() ? found->get<std::string>() : "";
+}
+
+Result<Models> parse_upon(std::string_view text, const std::string& called, int bases) {
+  Result<Json> json = parse_object(text, called);
+  if (!json) return Error{json.error()};
+  Reader reader(called);
+  Models models{};
+  const std::string based_on = text_at(reader, *json, "based_on");
+  if (!based_on.empty()) {
+    if (bases == kMostBases) return Error{called + ": based_on goes round, or on for ever"};
+    const Result<Source> source = find_source("models", "models", based_on);
+    if (!source) return Error{called + ": based_on: " + source.error()};
+    Result<Models> base = parse_upon(source->text, source->called, bases + 1);
+    if (!base) return base;
+    models = std::move(*base);
+  }
+  models.name = text_at(reader, *json, "name");
+  if (models.name.empty()) reader.refuse("name is missing");
+  text_at(reader, *json, "about");
+  read_models(reader, *json, based_on.empty() ? Fields::all : Fields::some, models);
+  if (!reader.good()) return reader.error();
+  return models;
+}
+
+/// An effect needs no section in front of it.
+Json with_effects_below(const Json& changes) {
+  Json sorted = Json::object();
+  for (const auto& [name, value] : changes.items())
+    if (value.is_object())
+      sorted[name].update(value);
+    else
+      sorted["effects"][name] = value;
+  return sorted;
+}
+
+}  // namespace
+
+Result<Models> parse_models(std::string_view text, const std::string& called) { return parse_upon(text, called, 0); }
+
+Result<Models> load_models(const std::string& name) {
+  const std::string called = "models '" + name + "'";
+  const Result<Variation> variation = parse_variation(name, called);
+  if (!variation) return Error{variation.error()};
+  if (!variation->number.is_null()) return Error{called + ": models take no number behind a colon"};
+  const Result<Source> source = find_source("models", "models", variation->name);
+  if (!source) return Error{source.error()};
+  Result<Models> models = parse_models(source->text, source->called);
+  if (!models || variation->changes.empty()) return models;
+
+  Reader reader(called);
+  read_models(reader, with_effects_below(variation->changes), Fields::some, *models);
+  if (!reader.good()) return reader.error();
+  models->name += name.substr(variation->name.size());
+  return models;
+}
+
+std::string print_models(const Models& models) {
+  Json json = {{"name", models.name}};
+  visit_sections(models, [&](const char* name, const auto& section) { json[name] = written(section); });
+  Json& kicks = json["kicks"] = Json::object();
+  for (int i = 0; i < models.motion.kick_count; ++i)
+    kicks[models.motion.kicks[i].name] = written(models.motion.kicks[i]);
+  return printed(json);
+}
+
+}  // namespace sim::io

@@ -1,0 +1,87 @@
+// Structs from JSON and back, by their own list of fields: visit(self, see(name, value, unit, least, most)).
+//
+// An entry is a plain value, or {"value": …, "unit": "m/s", "source": "who measured it"}; whoever gives a unit gives
+// the right one.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/io/json.h"
+
+namespace sim::io {
+
+/// Whether all fields must be there, or only those that change something.
+enum class Fields { all, some };
+
+/// Reads from one description and keeps the first thing that is wrong with it.
+class Reader {
+ public:
+  /// `called` opens the sentence: "models 'match'".
+  explicit Reader(std::string called) : called_(std::move(called)) {}
+
+  bool good() const { return problem_.empty(); }
+  robot::Error error() const { return {called_ + ": " + problem_}; }
+  /// Says that something is wrong, unless something was before.
+  void refuse(const std::string& problem) {
+    if (good()) problem_ = problem;
+  }
+
+  /// The fields of `into` from `object`, which stands at `path` ("" is the top). Keys that are neither fields nor
+  /// among `others` are refused.
+  template <class Struct>
+  void read(const Json& object, const std::string& path, Fields fields, Struct& into,
+            std::initializer_list<std::string_view> others = {}) {
+    if (!is_object(object, path)) return;
+    std::vector<std::string_view> known(others);
+    Struct::visit(into, [&](const char* name, auto& value, const char* unit, auto least, auto most) {
+      known.push_back(name);
+      if (const auto entry = object.find(name); entry != object.end())
+        read_value(*entry, below(path, name), unit, least, most, value);
+      else if (fields == Fields::all)
+        refuse(below(path, name) + " is missing, expected " + range(least, most, unit));
+    });
+    refuse_unknown(object, path, known);
+  }
+
+  /// The object at `name` of `parent`; nullptr, and then refused if `fields` are all: there is none.
+  const Json* find(const Json& parent, const char* name, Fields fields);
+
+  bool is_object(const Json& json, const std::string& path);
+  void refuse_unknown(const Json& object, const std::string& path, const std::vector<std::string_view>& known);
+
+  /// "walk" and "forward" are "walk.forward".
+  static std::string below(const std::string& path, std::string_view name);
+
+ private:
+  static std::string range(float least, float most, std::string_view unit);
+  static std::string range(int least, int most, std::string_view unit);
+  static std::string range(bool least, bool most, std::string_view unit);
+
+  /// The value itself of an entry, or nullptr.
+  const Json* value_of(const Json& entry, const std::string& path, std::string_view unit);
+  void read_value(const Json& entry, const std::string& path, const char* unit, float least, float most, float& into);
+  void read_value(const Json& entry, const std::string& path, const char* unit, int least, int most, int& into);
+  void read_value(const Json& entry, const std::string& path, const char* unit, bool least, bool most, bool& into);
+
+  const std::string called_;
+  std::string problem_;
+};
+
+Json entry_of(float value, std::string_view unit);
+Json entry_of(int value, std::string_view unit);
+Json entry_of(bool value, std::string_view unit);
+
+/// What `read` reads back.
+template <class Struct>
+Json written(const Struct& from) {
+  Json object = Json::object();
+  Struct::visit(from, [&](const char* name, const auto& value, const char* unit, auto, auto) {
+    object[name] = entry_of(value, unit);
+  });
+  return object;
+}
+
+}  // namespace sim::io

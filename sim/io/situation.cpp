@@ -1,0 +1,297 @@
+#include "sim/io/situation.h"
+
+#include <algorithm>
+#include <array>
+
+#include "robot/core/files.h"
+#include "sim/io/reader.h"
+#include "sim/io/source.h"
+#include "sim/match/situation.h"
+#include "sim/match/step.h"
+#include "sim/perception/perception.h"
+
+namespace sim::io {
+
+using robot::Error;
+using robot::Result;
+
+namespace {
+
+using Phase = agent::Game::Phase;
+using SetPlay = agent::Game::SetPlay;
+
+// by enumerator
+constexpr std::array kPhases = {"initial", "ready", "set", "playing", "finished"};
+constexpr std::array kSetPlays = {"none", "kick_off", "kick_in", "goal_kick", "corner_kick"};
+constexpr std::array kSides = {"home", "away"};
+
+constexpr float kKnownDeviation = 0.1f;  // [m] and [m/s] of what was just seen
+
+struct Clock {
+  int half = 1;
+  float clock = 0;
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("half", self.half, "", 1, 4);
+    see("clock", self.clock, "", 0.f, 36000.f);
+  }
+};
+
+struct Score {
+  int home = 0, away = 0;
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("home", self.home, "", 0, 255);
+    see("away", self.away, "", 0, 255);
+  }
+};
+
+struct Place {
+  float x = 0, y = 0;
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("x", self.x, "", -20.f, 20.f);
+    see("y", self.y, "", -20.f, 20.f);
+  }
+};
+
+struct Velocity {
+  float velocity_x = 0, velocity_y = 0;
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("velocity_x", self.velocity_x, "", -20.f, 20.f);
+    see("velocity_y", self.velocity_y, "", -20.f, 20.f);
+  }
+};
+
+struct Standing {
+  int player = 1;
+  float heading = 0, penalised = 0;
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("player", self.player, "", 1, kMaxPlayers);
+    see("heading", self.heading, "", -3.1415927f, 3.1415927f);
+    see("penalised", self.penalised, "", 0.f, 3600.f);
+  }
+};
+
+/// The enumerator called by the text at `key`; `otherwise` if there is none.
+template <class Enum, std::size_t kCount>
+Enum name_at(Reader& reader, const Json& object, const char* key, const std::array<const char*, kCount>& names,
+             Enum otherwise) {
+  const auto found = object.find(key);
+  if (found == object.end()) return otherwise;
+  for (std::size_t i = 0; i < kCount; ++i)
+    if (*found == names[i]) return static_cast<Enum>(i);
+  reader.refuse(std::string(key) + " must be one of " + listed({names.begin(), names.end()}) + ", got " +
+                shown(*found));
+  return otherwise;
+}
+
+/// Makes a state step by step from what a description says.
+class Scene {
+ public:
+  Scene(Reader& reader, const Params& params) : reader_(reader), params_(params) {}
+
+  State build(const Json& json) {
+    referee::Events events;
+    state_ = begin(params_, {.seed = seed_in(json)}, events);
+    read_game(json);
+    if (const Json* ball = reader_.find(json, "ball", Fields::all)) read_ball(*ball);
+    if (const Json* robots = reader_.find(json, "robots", Fields::all)) read_robots(*robots);
+    reader_.refuse_unknown(
+        json, "", {"about", "seed", "phase", "set_play", "kicking", "half", "clock", "score", "ball", "robots"});
+    if (!reader_.good()) return state_;
+    start_play(params_, state_);
+    set_phase(json);
+    tell_everybody();
+    return state_;
+  }
+
+ private:
+  std::uint64_t seed_in(const Json& json) {
+    const auto seed = json.find("seed");
+    if (seed == json.end()) return 0;
+    if (!seed->is_number_unsigned()) reader_.refuse("seed must be a whole number from 0, got " + shown(*seed));
+    return seed->is_number_unsigned() ? seed->get<std::uint64_t>() : 0;
+  }
+
+  void read_game(const Json& json) {
+    referee::Book& book = state_.book;
+    Clock clock;
+    read_some(json, "", clock, {"half", "clock"});
+    if (clock.half > params_.rules.halves)
+      reader_.refuse("half must be at most " + std::to_string(params_.rules.halves) + " by these rules, got " +
+                     std::to_string(clock.half));
+    if (clock.clock > params_.rules.half_duration)
+      reader_.refuse("clock must be at most " + short_text(params_.rules.half_duration) + " [s] by these rules, got " +
+                     short_text(clock.clock));
+    Score score;
+    if (const auto found = json.find("score"); found != json.end()) reader_.read(*found, "score", Fields::some, score);
+
+    set_phase(json);
+    book.half = static_cast<std::uint8_t>(clock.half);
+    book.clock = ticks(clock.clock);
+    book.score[0] = static_cast<std::uint8_t>(score.home);
+    book.score[1] = static_cast<std::uint8_t>(score.away);
+    state_.world.home_attacks = clock.half % 2 == 1 ? 1.f : -1.f;
+  }
+
+  void set_phase(const Json& json) {
+    referee::Book& book = state_.book;
+    book.phase = name_at(reader_, json, "phase", kPhases, Phase::playing);
+    book.set_play = name_at(reader_, json, "set_play", kSetPlays, SetPlay::none);
+    book.kicking = name_at(reader_, json, "kicking", kSides, Side::home);
+    book.last_touch = book.kicking;
+    book.ball_free = book.set_play == SetPlay::none;
+  }
+
+  /// Those of `into`'s fields that are there, from an object that holds others as well.
+  template <class Struct>
+  void read_some(const Json& object, const std::string& path, Struct& into, const std::vector<const char*>& keys,
+                 Fields fields = Fields::some) {
+    if (!reader_.is_object(object, path)) return;
+    Json own = Json::object();
+    for (const char* key : keys)
+      if (const auto found = object.find(key); found != object.end()) own[key] = *found;
+    reader_.read(own, path, fields, into);
+  }
+
+  void read_ball(const Json& json) {
+    Place place;
+    Velocity velocity;
+    read_some(json, "ball", place, {"x", "y"}, Fields::all);
+    read_some(json, "ball", velocity, {"velocity_x", "velocity_y"});
+    reader_.refuse_unknown(json, "ball", {"x", "y", "velocity_x", "velocity_y"});
+
+    sim::place(state_.world.ball, {place.x, place.y});
+    state_.world.ball.velocity = {velocity.velocity_x, velocity.velocity_y};
+  }
+
+  void read_robots(const Json& json) {
+    if (!json.is_array()) return reader_.refuse("robots must be a list, got " + shown(json));
+    for_each_robot(state_.world.players, [&](int robot) { take_away(robot, kNever); });
+    for (std::size_t i = 0; i < json.size() && reader_.good(); ++i)
+      read_robot(json[i], "robots[" + std::to_string(i) + "]");
+  }
+
+  void read_robot(const Json& json, const std::string& path) {
+    if (!reader_.is_object(json, path)) return;
+    Place place;
+    Standing standing;
+    read_some(json, path, place, {"x", "y"}, Fields::all);
+    read_some(json, path, standing, {"player", "heading", "penalised"});
+    for (const char* key : {"side", "player"})
+      if (!json.contains(key)) reader_.refuse(path + "." + key + " is missing");
+    const Side side = name_at(reader_, json, "side", kSides, Side::home);
+    reader_.refuse_unknown(json, path, {"side", "player", "x", "y", "heading", "penalised"});
+    if (standing.player > state_.world.players)
+      reader_.refuse(path + ".player must be at most " + std::to_string(state_.world.players) + " in this game, got " +
+                     std::to_string(standing.player));
+    if (!reader_.good()) return;
+
+    const int robot = robot_of(side, standing.player);
+    if (named_[robot]) return reader_.refuse(path + " names the same robot as one before it");
+    named_[robot] = true;
+    Body& body = state_.world.bodies[robot];
+    body = {};
+    body.position = {place.x, place.y};
+    body.heading = standing.heading;
+    body.facing = direction(standing.heading);
+    state_.book.penalised_until[robot] = 0;
+    if (standing.penalised > 0) take_away(robot, std::max<Tick>(ticks(standing.penalised), 1));
+  }
+
+  void take_away(int robot, Tick until) {
+    state_.world.bodies[robot].doing = Body::Doing::removed;
+    state_.book.penalised_until[robot] = until;
+  }
+
+  /// Everybody knows where it stands, sees the ball and hears what its team sees.
+  void tell_everybody() {
+    const World& world = state_.world;
+    for_each_robot(world.players, [&](int robot) {
+      const Body& body = world.bodies[robot];
+      if (body.doing == Body::Doing::removed) return;
+      agent::Ball& ball = state_.robots[robot].beliefs.ball;
+      ball = {};
+      ball.position = turned_back(world.ball.position - body.position, body.facing);
+      ball.velocity = turned_back(world.ball.velocity, body.facing);
+      ball.variance = ball.velocity_variance = kKnownDeviation * kKnownDeviation;
+      ball.seen = world.tick;
+    });
+    for_each_robot(world.players, [&](int sender) {
+      const Robot& robot = state_.robots[sender];
+      const bool away = world.bodies[sender].doing == Body::Doing::removed;
+      const agent::Mate packet = perception::packet_of(robot.beliefs, robot.mind, away, world.tick);
+      for_each_robot(world.players, [&](int receiver) {
+        if (receiver == sender || side_of(receiver) != side_of(sender)) return;
+        // of player 3, mates[2] is player 4
+        const int mate = sender < receiver ? player_of(sender) - 1 : player_of(sender) - 2;
+        if (!away) state_.robots[receiver].beliefs.mates[mate] = packet;
+      });
+    });
+  }
+
+  Reader& reader_;
+  const Params& params_;
+  State state_;
+  bool named_[kMaxRobots] = {};
+};
+
+}  // namespace
+
+Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params) {
+  const Result<Json> json = parse_object(text, called);
+  if (!json) return Error{json.error()};
+  Reader reader(called);
+  const State state = Scene(reader, params).build(*json);
+  if (!reader.good()) return reader.error();
+  return state;
+}
+
+Result<State> load_situation(const std::string& path, const Params& params) {
+  const std::string called = "situation '" + path + "'";
+  const Result<std::string> text = robot::read_file(path, kMaxFileBytes);
+  if (!text) return Error{called + ": " + text.error()};
+  return parse_situation(*text, called, params);
+}
+
+std::string save_situation(const State& state) {
+  const World& world = state.world;
+  const referee::Book& book = state.book;
+  const auto name = [](const auto& names, auto enumerator) { return names[static_cast<std::size_t>(enumerator)]; };
+  Json json = {{"seed", world.key.seed},
+               {"phase", name(kPhases, book.phase)},
+               {"set_play", name(kSetPlays, book.set_play)},
+               {"kicking", name(kSides, book.kicking)},
+               {"half", book.half},
+               {"clock", short_number(static_cast<float>(book.clock) * kTickDuration)},
+               {"score", {{"home", book.score[0]}, {"away", book.score[1]}}},
+               {"ball",
+                {{"x", short_number(world.ball.position.x)},
+                 {"y", short_number(world.ball.position.y)},
+                 {"velocity_x", short_number(world.ball.velocity.x)},
+                 {"velocity_y", short_number(world.ball.velocity.y)}}},
+               {"robots", Json::array()}};
+  for_each_robot(world.players, [&](int robot) {
+    const Body& body = world.bodies[robot];
+    const Tick until = book.penalised_until[robot];
+    if (until == kNever) return;
+    Json said = {{"side", name(kSides, side_of(robot))},
+                 {"player", player_of(robot)},
+                 {"x", short_number(body.position.x)},
+                 {"y", short_number(body.position.y)},
+                 {"heading", short_number(body.heading)}};
+    if (until > world.tick) said["penalised"] = short_number(age(until, world.tick));
+    json["robots"].push_back(std::move(said));
+  });
+  return printed(json);
+}
+
+}  // namespace sim::io
