@@ -18,15 +18,26 @@ struct Means {
 };
 
 /// Moves one body `steps` ticks on, up to the tick after `world.tick + steps - 1`, as `command` says: walk, head, kick,
-/// falling and getting up. A kick whose foot reaches the ball sets its velocity, `world.kicked` and `world.touched`;
-/// one that misses sets `world.whiffed`. No body is ever faster than its model's speeds.
+/// falling and getting up. No body is ever faster than its model's speeds; many ticks at once lead where single ones do.
+///
+/// walk_to leads to a place seen from where the body stands when this is called: whoever decides tells it again each
+/// time, with what is left to go. Farther than 0.4 m away the body turns to the destination and walks ahead; nearer it
+/// walks in any direction while turning to the heading it shall have. It stands within 1 cm and 2°.
+///
+/// A kick begins at once, whatever the body was doing, and is not interrupted. Its foot meets the ball in the tick that
+/// begins `delay` later: a hit sets the ball's velocity, `world.kicked` and `world.touched`, a miss `world.whiffed`
+/// (whoever steps the world clears these). Whoever is down ignores commands and gets up by itself.
+///
+/// Effects: walk_acceleration also stands for what turning costs and for slowing down before a destination. Draws from
+/// the events walk_noise (number: index of the walk step), kick_noise, fall and get_up (number: tick).
 void move(const Means& means, const Command& command, int robot, Tick steps, World& world);
 
 /// The kick of that name, or -1.
 int find_kick(const Model& model, const char* name);
 
 /// [s] that the body needs from where it stands to `target` [m, robot], turning to `heading` [rad, robot] on the way;
-/// what agents and roles reckon with. Within 20 % of what walk_to then takes without noise.
+/// what agents and roles reckon with. Within 20 % of what walk_to then takes from standing, with all effects of walking
+/// but the noise.
 float time_to_reach(const Walk& walk, Vec2 target, float heading);
 
 }  // namespace sim::motion
