@@ -79,22 +79,23 @@ inline float cos(float angle) { return sin_cos(angle).cos; }
 
 inline float atan2(float y, float x) {
   const float across = std::fabs(y), along = std::fabs(x);
-  const bool steep = across > along;
-  const float longer = steep ? across : along;
+  const float longer = across > along ? across : along, shorter = across > along ? along : across;
   if (longer == 0) return 0;
 
   // the arcus tangent of a slope of at most 1
-  const float slope = (steep ? along : across) / longer;
+  const float slope = shorter / longer;
   const float square = slope * slope, fourth = square * square;
   const float low = -0x1.5550f2p-2f + square * 0x1.98d61p-3f;
   const float middle = -0x1.1e3d88p-3f + square * 0x1.912bf4p-4f;
   const float high = -0x1.d947e4p-5f + square * (0x1.797d32p-6f - square * 0x1.1d6f7p-8f);
-  float angle = slope + slope * square * (low + fourth * (middle + fourth * high));
+  const float angle = slope + slope * square * (low + fourth * (middle + fourth * high));
 
-  // to the octant in which the point lies
-  if (steep) angle = kPi / 2 - angle;
-  if (x < 0) angle = kPi - angle;
-  return y < 0 ? -angle : angle;
+  // to the octant in which the point lies: on from the axis before it or back from the one behind it; in bits, because
+  // branches would be random
+  const std::uint32_t steep = across > along, behind = x < 0, right = y < 0;
+  const float axis = std::bit_cast<float>(((0u - steep) & 0x3fc90fdbu) | ((0u - (behind & ~steep)) & 0x40490fdbu));
+  const float turned = axis + std::bit_cast<float>(std::bit_cast<std::uint32_t>(angle) ^ ((steep ^ behind) << 31));
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(turned) ^ (right << 31));
 }
 
 inline float log(float x) {

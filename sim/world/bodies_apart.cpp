@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "sim/world/contact.h"
@@ -10,24 +11,51 @@ namespace {
 constexpr float kTouch = 0.01f;
 // [m] overlaps up to this are left
 constexpr float kTolerance = 0.0005f;
-// a heap of all robots needs about fifty
+// [m] who is farther apart than this need not be looked at until somebody has moved half of it
+constexpr float kMargin = 0.1f;
+// a heap of all robots needs some dozens
 constexpr int kMostPasses = 500;
-// displacements are summed as whole numbers of this unit [1/m]: their sum does not depend on the order
+// shifts are summed as whole numbers of this unit [1/m]: their sum does not depend on the order
 constexpr float kUnits = 0x1p24f;
+
+// as many as are looked at together
+constexpr int kBlock = 4;
+constexpr int kRoom = (kMaxRobots + kBlock - 1) / kBlock * kBlock;
 
 /// Who is on the field, packed: most of the time it takes a look to see that nobody is near anybody.
 struct Circles {
   int count = 0;
-  float x[kMaxRobots];
-  float y[kMaxRobots];
-  float radius[kMaxRobots];
-  std::uint8_t robot[kMaxRobots];
+  float x[kRoom];
+  float y[kRoom];
+  float radius[kRoom];
+  std::uint8_t robot[kRoom];
+
+  Vec2 middle(int i) const { return {x[i], y[i]}; }
+};
+
+/// Where things are that do not give way.
+struct Things {
+  Vec2 post;  // the one in the quarter of the field where x and y are positive
+  float post_radius;
+  Vec2 official;
+  float official_radius;
+
+  Vec2 from_post(Vec2 middle) const { return {std::fabs(middle.x) - post.x, std::fabs(middle.y) - post.y}; }
+};
+
+/// Who is near whom, and near things.
+struct Neighbours {
+  int pairs = 0;
+  int at_things = 0;
+  std::uint8_t first[kMaxRobots * (kMaxRobots - 1) / 2];
+  std::uint8_t second[kMaxRobots * (kMaxRobots - 1) / 2];
+  std::uint8_t at_thing[kMaxRobots];
 };
 
 struct Shifts {
+  float worst = 0;  // [m] the greatest overlap
   std::int32_t x[kMaxRobots] = {};
   std::int32_t y[kMaxRobots] = {};
-  float worst = 0;  // [m] the greatest overlap
 
   void add(int i, Vec2 shift) {
     x[i] += static_cast<std::int32_t>(shift.x * kUnits);
@@ -35,7 +63,7 @@ struct Shifts {
   }
 };
 
-Circles circles_of(const ContactModel& contact, World& world) {
+Circles circles_of(const ContactModel& contact, const World& world) {
   Circles circles;
   for_each_robot(world.players, [&](int robot) {
     const Body& body = world.bodies[robot];
@@ -47,126 +75,147 @@ Circles circles_of(const ContactModel& contact, World& world) {
     circles.radius[i] = lies ? contact.lying_radius : contact.robot_radius;
     circles.robot[i] = static_cast<std::uint8_t>(robot);
   });
+  // the rest of the last block is far from everything
+  for (int i = circles.count; i % kBlock != 0; ++i) circles.x[i] = circles.y[i] = 1e9f;
   return circles;
 }
 
-/// From the nearest post to the circle, in the quarter of the field where x and y are positive.
-Vec2 from_post(const field::Field& field, const Circles& circles, int i) {
-  return {std::fabs(circles.x[i]) - 0.5f * field.length, std::fabs(circles.y[i]) - 0.5f * field.goal_width};
+/// Whether anybody may touch anything: quick, as if all were as large as the largest, and a block at a time.
+bool anything_near(const ContactModel& contact, const Things& things, const Circles& circles) {
+  const float radius = std::max(contact.robot_radius, contact.lying_radius);
+  const float robots = (2 * radius + kTouch) * (2 * radius + kTouch);
+  const float posts = (radius + things.post_radius) * (radius + things.post_radius);
+  const float official = (radius + things.official_radius) * (radius + things.official_radius);
+
+  std::uint32_t near = 0;
+  for (int block = 0; block < circles.count; block += kBlock) {
+    std::uint32_t hits[kBlock];
+    for (int lane = 0; lane < kBlock; ++lane) {
+      const Vec2 middle = circles.middle(block + lane);
+      hits[lane] = (squared_length(things.from_post(middle)) < posts ? 1u : 0u) +
+                   (squared_length(middle - things.official) < official ? 1u : 0u);
+    }
+    const int end = std::min(block + kBlock, circles.count);
+    for (int i = 0; i < end; ++i)
+      for (int lane = 0; lane < kBlock; ++lane)
+        hits[lane] += squared_length(circles.middle(block + lane) - circles.middle(i)) < robots ? 1u : 0u;
+    for (const std::uint32_t count : hits) near += count;
+  }
+  // everybody is near himself
+  return near > static_cast<std::uint32_t>(circles.count);
 }
 
-bool anything_near(const field::Field& field, float official_radius, Vec2 official, const Circles& circles) {
-  bool near = false;
+Neighbours neighbours_of(const Things& things, const Circles& circles) {
+  Neighbours near;
+  const auto within = [](Vec2 apart, float reach) {
+    return squared_length(apart) < (reach + kMargin) * (reach + kMargin);
+  };
   for (int i = 0; i < circles.count; ++i) {
+    const Vec2 middle = circles.middle(i);
     for (int j = i + 1; j < circles.count; ++j) {
-      const Vec2 apart{circles.x[j] - circles.x[i], circles.y[j] - circles.y[i]};
-      const float reach = circles.radius[i] + circles.radius[j] + kTouch;
-      near |= squared_length(apart) < reach * reach;
+      if (!within(circles.middle(j) - middle, circles.radius[i] + circles.radius[j])) continue;
+      near.first[near.pairs] = static_cast<std::uint8_t>(i);
+      near.second[near.pairs++] = static_cast<std::uint8_t>(j);
     }
-    const float post_reach = circles.radius[i] + field.post_radius;
-    near |= squared_length(from_post(field, circles, i)) < post_reach * post_reach;
-    const float official_reach = circles.radius[i] + official_radius;
-    near |= squared_length(Vec2{circles.x[i], circles.y[i]} - official) < official_reach * official_reach;
+    if (within(things.from_post(middle), circles.radius[i] + things.post_radius) ||
+        within(middle - things.official, circles.radius[i] + things.official_radius))
+      near.at_thing[near.at_things++] = static_cast<std::uint8_t>(i);
   }
   return near;
 }
 
 /// It walks, and within 60° of where the other one is.
-bool runs_into(const Body& body, Vec2 other) {
-  const Vec2 velocity = turned(body.velocity, body.facing), to_other = other - body.position;
-  const float towards = dot(velocity, to_other);
-  return towards > 0 && towards * towards > 0.25f * squared_length(velocity) * squared_length(to_other);
+bool runs_into(const Body& body, const Body& other) {
+  const Vec2 to_other = turned_back(other.position - body.position, body.facing);
+  const float towards = dot(body.velocity, to_other);
+  return towards > 0 && towards * towards > 0.25f * squared_length(body.velocity) * squared_length(to_other);
 }
 
-void count_touches(const Circles& circles, World& world) {
+void count_touches(const Circles& circles, const Neighbours& near, World& world) {
   bool touching[kMaxRobots] = {}, pushing[kMaxRobots] = {};
-  for (int i = 0; i < circles.count; ++i) {
-    for (int j = i + 1; j < circles.count; ++j) {
-      const Vec2 apart{circles.x[j] - circles.x[i], circles.y[j] - circles.y[i]};
-      const float reach = circles.radius[i] + circles.radius[j] + kTouch;
-      if (squared_length(apart) >= reach * reach) continue;
-      const Body &first = world.bodies[circles.robot[i]], &second = world.bodies[circles.robot[j]];
-      touching[i] = touching[j] = true;
-      pushing[i] |= runs_into(first, second.position);
-      pushing[j] |= runs_into(second, first.position);
-    }
+  for (int pair = 0; pair < near.pairs; ++pair) {
+    const int i = near.first[pair], j = near.second[pair];
+    const float reach = circles.radius[i] + circles.radius[j] + kTouch;
+    if (squared_length(circles.middle(j) - circles.middle(i)) >= reach * reach) continue;
+    const Body &first = world.bodies[circles.robot[i]], &second = world.bodies[circles.robot[j]];
+    touching[i] = touching[j] = true;
+    if (runs_into(first, second)) pushing[i] = true;
+    if (runs_into(second, first)) pushing[j] = true;
   }
 
-  // `pushing` counts fifths of a second, that is every sixth tick
+  // `pushing` counts fifths of a second: every sixth tick
   const bool counts = world.tick % 6 == 0;
   for (int i = 0; i < circles.count; ++i) {
     Body& body = world.bodies[circles.robot[i]];
-    body.touching = !touching[i] ? 0 : body.touching == 255 ? 255 : static_cast<std::uint8_t>(body.touching + 1);
+    body.touching = touching[i] ? static_cast<std::uint8_t>(std::min(body.touching + 1, 255)) : std::uint8_t{0};
     if (!pushing[i])
       body.pushing = 0;
-    else if (counts && body.pushing < 255)
-      ++body.pushing;
+    else if (counts)
+      body.pushing = static_cast<std::uint8_t>(std::min(body.pushing + 1, 255));
   }
 }
 
-void part_from_robots(const Circles& circles, Shifts& shifts) {
-  for (int i = 0; i < circles.count; ++i) {
-    for (int j = i + 1; j < circles.count; ++j) {
-      const Vec2 apart{circles.x[j] - circles.x[i], circles.y[j] - circles.y[i]};
-      const float reach = circles.radius[i] + circles.radius[j];
-      const float squared = squared_length(apart);
-      if (squared >= reach * reach) continue;
-      const float gap = std::sqrt(squared);
-      const Vec2 away = gap > 0 ? (1 / gap) * apart : Vec2{1, 0};
-      const Vec2 shift = (0.5f * (reach - gap)) * away;
-      shifts.worst = std::fmax(shifts.worst, reach - gap);
-      shifts.add(i, -shift);
-      shifts.add(j, shift);
-    }
-  }
-}
-
-/// `apart` leads from something that does not move to circle i.
-Vec2 shift_away(Vec2 apart, float reach, Vec2 otherwise, Shifts& shifts) {
+/// By how much `apart`, from something else to a middle, must grow. `otherwise`: which way, if there is none.
+Vec2 missing(Vec2 apart, float reach, Vec2 otherwise, Shifts& shifts) {
   const float squared = squared_length(apart);
   if (squared >= reach * reach) return {};
   const float gap = std::sqrt(squared);
-  shifts.worst = std::fmax(shifts.worst, reach - gap);
+  shifts.worst = std::max(shifts.worst, reach - gap);
   return (reach - gap) * (gap > 0 ? (1 / gap) * apart : otherwise);
 }
 
-void part_from_things(const field::Field& field, float official_radius, Vec2 official, const Circles& circles,
-                      Shifts& shifts) {
-  for (int i = 0; i < circles.count; ++i) {
-    const Vec2 folded =
-        shift_away(from_post(field, circles, i), circles.radius[i] + field.post_radius, {-1, 0}, shifts);
-    shifts.add(i, {std::copysign(1.f, circles.x[i]) * folded.x, std::copysign(1.f, circles.y[i]) * folded.y});
-    shifts.add(i, shift_away(Vec2{circles.x[i], circles.y[i]} - official, circles.radius[i] + official_radius, {1, 0},
-                             shifts));
+/// What the places of all demand of each.
+Shifts shifts_of(const Things& things, const Circles& circles, const Neighbours& near) {
+  Shifts shifts;
+  for (int pair = 0; pair < near.pairs; ++pair) {
+    const int i = near.first[pair], j = near.second[pair];
+    const Vec2 half =
+        0.5f * missing(circles.middle(j) - circles.middle(i), circles.radius[i] + circles.radius[j], {1, 0}, shifts);
+    shifts.add(i, -half);
+    shifts.add(j, half);
   }
+  for (int index = 0; index < near.at_things; ++index) {
+    const int i = near.at_thing[index];
+    const Vec2 middle = circles.middle(i);
+    const Vec2 folded = missing(things.from_post(middle), circles.radius[i] + things.post_radius, {-1, 0}, shifts);
+    shifts.add(i, {std::copysign(1.f, middle.x) * folded.x, std::copysign(1.f, middle.y) * folded.y});
+    shifts.add(i, missing(middle - things.official, circles.radius[i] + things.official_radius, {1, 0}, shifts));
+  }
+  return shifts;
 }
 
 }  // namespace
 
 void keep_bodies_apart(const field::Field& field, const ContactModel& contact, World& world) {
   Circles circles = circles_of(contact, world);
-  const Vec2 official = world.official.position;
-  if (!anything_near(field, contact.official_radius, official, circles)) {
+  const Things things{field::post_of(field, 0), field.post_radius, world.official.position, contact.official_radius};
+  if (!anything_near(contact, things, circles)) {
     for (int i = 0; i < circles.count; ++i) {
       Body& body = world.bodies[circles.robot[i]];
       body.touching = body.pushing = 0;
     }
     return;
   }
-  count_touches(circles, world);
+  Neighbours near = neighbours_of(things, circles);
+  count_touches(circles, near, world);
 
-  // everybody moves at once, by what the same places of all demand, until nothing is left to part
+  // all move at once, again and again, until nothing is left to part
+  float moved = 0;
   for (int pass = 0; pass < kMostPasses; ++pass) {
-    Shifts shifts;
-    part_from_robots(circles, shifts);
-    part_from_things(field, contact.official_radius, official, circles, shifts);
+    const Shifts shifts = shifts_of(things, circles, near);
     if (shifts.worst <= kTolerance) break;
+    std::int32_t farthest = 0;
     for (int i = 0; i < circles.count; ++i) {
       circles.x[i] += static_cast<float>(shifts.x[i]) * (1 / kUnits);
       circles.y[i] += static_cast<float>(shifts.y[i]) * (1 / kUnits);
+      farthest = std::max(farthest, std::abs(shifts.x[i]) + std::abs(shifts.y[i]));
     }
+    moved += static_cast<float>(farthest) * (1 / kUnits);
+    if (moved <= kMargin / 2) continue;
+    near = neighbours_of(things, circles);
+    moved = 0;
   }
-  for (int i = 0; i < circles.count; ++i) world.bodies[circles.robot[i]].position = {circles.x[i], circles.y[i]};
+  for (int i = 0; i < circles.count; ++i) world.bodies[circles.robot[i]].position = circles.middle(i);
 }
 
 }  // namespace sim

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "sim/world/contact.h"
@@ -42,14 +43,15 @@ struct Meeting {
 Obstacles obstacles_near(const field::Field& field, const BallModel& ball, const ContactModel& contact,
                          const World& world, Vec2 middle, float half) {
   Obstacles near;
+  const float farthest = std::max(contact.foot_radius, contact.lying_radius) + ball.radius + half;
   for_each_robot(world.players, [&](int robot) {
     const Body& body = world.bodies[robot];
-    const bool lies = body.doing == Body::Doing::fallen || body.doing == Body::Doing::getting_up;
-    const float reach = (lies ? contact.lying_radius : contact.foot_radius) + ball.radius;
-    if (squared_length(body.position - middle) >= (reach + half) * (reach + half)) return;
+    if (squared_length(body.position - middle) >= farthest * farthest) return;
     if (body.doing == Body::Doing::removed) return;
-    near.list[near.count++] = {body.position, turned(body.velocity, body.facing), reach, ball.robot_restitution,
-                               static_cast<std::uint8_t>(robot)};
+    const bool lies = body.doing == Body::Doing::fallen || body.doing == Body::Doing::getting_up;
+    near.list[near.count++] = {body.position, turned(body.velocity, body.facing),
+                               (lies ? contact.lying_radius : contact.foot_radius) + ball.radius,
+                               ball.robot_restitution, static_cast<std::uint8_t>(robot)};
   });
 
   const Vec2 post{std::copysign(0.5f * field.length, middle.x), std::copysign(0.5f * field.goal_width, middle.y)};
