@@ -59,15 +59,16 @@ void visit_members(Struct& whole, See&& see) {
     see("touched", touched), see("kicked", kicked), see("whiffed", whiffed);
     see("ball", ball), see("official", official), see("bodies", bodies);
   } else if constexpr (std::is_same_v<Type, referee::Book>) {
-    auto& [phase, set_play, kicking, first_kick_off, last_touch, last_toucher, half, ball_free, phase_since, clock,
-           told_phase_since, last_touch_tick, still_since, stuck_since, stuck_at, score, packets, penalties,
-           penalised_until] = whole;
+    auto& [phase, set_play, kicking, first_kick_off, last_touch, last_toucher, half, ball_free, phase_since,
+           playing_since, clock, told_phase_since, last_touch_tick, last_touch_at, ball_before, still_since,
+           stuck_since, stuck_at, score, packets, penalties, penalised_until] = whole;
     see("phase", phase), see("set_play", set_play), see("kicking", kicking), see("first_kick_off", first_kick_off);
     see("last_touch", last_touch), see("last_toucher", last_toucher), see("half", half), see("ball_free", ball_free);
-    see("phase_since", phase_since), see("clock", clock), see("told_phase_since", told_phase_since);
-    see("last_touch_tick", last_touch_tick), see("still_since", still_since), see("stuck_since", stuck_since);
-    see("stuck_at", stuck_at), see("score", score), see("packets", packets), see("penalties", penalties);
-    see("penalised_until", penalised_until);
+    see("phase_since", phase_since), see("playing_since", playing_since), see("clock", clock);
+    see("told_phase_since", told_phase_since), see("last_touch_tick", last_touch_tick);
+    see("last_touch_at", last_touch_at), see("ball_before", ball_before), see("still_since", still_since);
+    see("stuck_since", stuck_since), see("stuck_at", stuck_at), see("score", score), see("packets", packets);
+    see("penalties", penalties), see("penalised_until", penalised_until);
   } else if constexpr (std::is_same_v<Type, referee::Tally>) {
     auto& [kicks, whiffs, shots, possession, in_play, seen] = whole;
     see("kicks", kicks), see("whiffs", whiffs), see("shots", shots), see("possession", possession);
@@ -102,9 +103,9 @@ void visit_members(Struct& whole, See&& see) {
     see("search_side", search_side), see("search_since", search_since), see("kick_direction", kick_direction);
     see("kick", kick), see("aligned", aligned);
   } else if constexpr (std::is_same_v<Type, perception::Cognition>) {
-    auto& [odometry_scale, turn_scale, walked, turned, flipped, last_packet, packet_due, packet] = whole;
-    see("odometry_scale", odometry_scale), see("turn_scale", turn_scale), see("walked", walked);
-    see("turned", turned), see("flipped", flipped), see("last_packet", last_packet), see("packet_due", packet_due);
+    auto& [odometry_scale, turn_scale, last, walked, turned, since_look, flipped, packet_due, packet] = whole;
+    see("odometry_scale", odometry_scale), see("turn_scale", turn_scale), see("last", last), see("walked", walked);
+    see("turned", turned), see("since_look", since_look), see("flipped", flipped), see("packet_due", packet_due);
     see("packet", packet);
   } else if constexpr (std::is_same_v<Type, Robot>) {
     auto& [command, beliefs, mind, cognition, rest, lag] = whole;

@@ -5,7 +5,7 @@
 
 namespace sim {
 
-inline constexpr int kEventKinds = static_cast<int>(referee::Event::Kind::end) + 1;
+inline constexpr int kEventKinds = static_cast<int>(referee::Event::Kind::placed) + 1;
 
 /// What a game, or a part of one, came to. Pairs are by Side.
 struct Result {

@@ -35,7 +35,8 @@ void start_play(const Params& params, State& state) {
   book.ball_free = true;
   book.last_toucher = kNobody;
   book.phase_since = book.told_phase_since = book.last_touch_tick = book.still_since = book.stuck_since = world.tick;
-  book.stuck_at = world.ball.position;
+  book.playing_since = world.tick;
+  book.stuck_at = book.last_touch_at = book.ball_before = world.ball.position;
   for_each_robot(world.players, [&](int robot) {
     if (world.bodies[robot].doing != Body::Doing::removed) enter(params, state, robot);
   });
@@ -46,23 +47,21 @@ State random_situation(const Params& params, RandomKey key) {
   State state = begin(params, key, events);
   World& world = state.world;
   const Vec2 reach{params.rules.field.length / 2 - kRoom, params.rules.field.width / 2 - kRoom};
-  const auto place = [&](const Four& drawn) { return Vec2{reach.x * drawn.values[0], reach.y * drawn.values[1]}; };
+  const auto place_of = [&](const Four& drawn) { return Vec2{reach.x * drawn.values[0], reach.y * drawn.values[1]}; };
 
   const Four of_ball = four(key, kNobody, 0);
-  world.ball = {};
-  world.ball.position = place(of_ball);
+  place(world.ball, place_of(of_ball));
   world.ball.velocity = (kFastest * of_ball.values[2]) * direction(kPi * of_ball.values[3]);
-  for (Vec2& past : world.ball.past) past = world.ball.position;
 
   // everybody at the first place drawn that is free
   bool placed[kMaxRobots] = {};
   for_each_robot(world.players, [&](int robot) {
     std::uint32_t number = 0;
     Four drawn = four(key, robot, number);
-    while (!is_free(world, place(drawn), placed)) drawn = four(key, robot, ++number);
+    while (!is_free(world, place_of(drawn), placed)) drawn = four(key, robot, ++number);
     Body& body = world.bodies[robot];
     body = {};
-    body.position = place(drawn);
+    body.position = place_of(drawn);
     body.heading = kPi * drawn.values[2];
     body.facing = direction(body.heading);
     placed[robot] = true;

@@ -52,17 +52,20 @@ bool is_valid(Field field, std::uint64_t bits) {
 
 bool is_robot(std::uint8_t index) { return index < kMaxRobots || index == kNobody; }
 
-/// What is an index or a count; empty, or the name of the one that leads outside its array.
+/// Empty, or the name of a count or index that leads outside its array.
 std::string lost_index(const State& state) {
   const World& world = state.world;
   if (world.players < 1 || world.players > kMaxPlayers) return "world.players";
   if (std::abs(world.home_attacks) != 1) return "world.home_attacks";
-  if (!is_robot(world.touched) || !is_robot(world.kicked) || !is_robot(world.whiffed)) return "world.touched";
+  if (!is_robot(world.touched)) return "world.touched";
+  if (!is_robot(world.kicked)) return "world.kicked";
+  if (!is_robot(world.whiffed)) return "world.whiffed";
   if (!is_robot(state.book.last_toucher)) return "book.last_toucher";
   for (int i = 0; i < kMaxRobots; ++i) {
-    const Robot& robot = state.robots[i];
-    if (world.bodies[i].kick >= motion::kMaxKicks) return "world.bodies.kick";
-    if (robot.command.kick >= motion::kMaxKicks || robot.mind.kick >= motion::kMaxKicks) return "robots.command.kick";
+    const std::string index = "[" + std::to_string(i) + "]";
+    if (world.bodies[i].kick >= motion::kMaxKicks) return "world.bodies" + index + ".kick";
+    if (state.robots[i].command.kick >= motion::kMaxKicks) return "robots" + index + ".command.kick";
+    if (state.robots[i].mind.kick >= motion::kMaxKicks) return "robots" + index + ".mind.kick";
   }
   return {};
 }

@@ -76,7 +76,6 @@ void talk(const Params& params, State& state, int robot) {
     return;
   ++sent;
   self.cognition.packet = perception::packet_of(self.beliefs, self.mind, penalised, now);
-  self.cognition.last_packet = now;
   self.cognition.packet_due = now + perception::delay_of(models.perception, models.effects, state.world, robot);
   if (self.cognition.packet_due == now) deliver(params, state, robot);
 }

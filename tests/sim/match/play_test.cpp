@@ -1,0 +1,91 @@
+#include "sim/match/play.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <vector>
+
+#include "sim/match/fields.h"
+#include "tests/sim/support/games.h"
+
+namespace sim {
+namespace {
+
+using Kind = referee::Event::Kind;
+using test::begun;
+using test::choice_of;
+using test::setup_of;
+
+std::uint32_t of(const Result& result, Kind kind, Side side) {
+  return result.events[static_cast<int>(kind)][static_cast<int>(side)];
+}
+std::uint32_t of(const Result& result, Kind kind) {
+  return of(result, kind, Side::home) + of(result, kind, Side::away);
+}
+
+TEST(Play, GoesToTheEndOfTheGame) {
+  for (const char* rules : {"spl2012", "spl2025"}) {
+    for (const Pace pace : {Pace::every_tick, Pace::thinned}) {
+      const auto setup = setup_of(choice_of(rules, "baseline", "match", pace), 60);
+      const Result result = play_game(setup.params, {1});
+      EXPECT_TRUE(result.over);
+      EXPECT_EQ(of(result, Kind::end), 1u);
+      EXPECT_EQ(of(result, Kind::half_time), static_cast<unsigned>(setup.params.rules.halves) - 1);
+      EXPECT_GE(result.ticks, 2 * ticks(60));
+    }
+  }
+}
+
+TEST(Play, AddsUp) {
+  const auto setup = setup_of(choice_of("spl2012", "baseline", "match"));
+  const Result result = play_game(setup.params, {2});
+  for (const Side side : {Side::home, Side::away}) {
+    const int i = static_cast<int>(side);
+    EXPECT_EQ(of(result, Kind::goal, side), result.score[i]);
+    EXPECT_LE(result.packets[i], setup.params.rules.message_budget);
+    EXPECT_GT(result.packets[i], 0);
+    EXPECT_GT(result.walked[i], 10.f);
+    EXPECT_GT(result.tally.kicks[i], 0);
+  }
+  EXPECT_LE(result.tally.possession[0] + result.tally.possession[1], result.tally.in_play);
+  EXPECT_LE(result.tally.in_play, result.ticks);
+  EXPECT_NEAR(result.possession(Side::home) + result.possession(Side::away), 1, 1e-6);
+}
+
+TEST(Play, InPartsIsTheWholeGame) {
+  const auto setup = setup_of(choice_of("spl2025", "baseline", "match"), 60);
+  State whole = begun(setup.params, 3), parts = whole;
+  const Result at_once = play_on(setup.params, whole);
+  Result sum{};
+  while (!finished(parts)) {
+    const Result part = play_on(setup.params, parts, 1234);
+    for (int kind = 0; kind < kEventKinds; ++kind)
+      for (int side = 0; side < 2; ++side) sum.events[kind][side] += part.events[kind][side];
+  }
+  EXPECT_EQ(difference(whole, parts), "");
+  for (int kind = 0; kind < kEventKinds; ++kind)
+    for (int side = 0; side < 2; ++side) EXPECT_EQ(sum.events[kind][side], at_once.events[kind][side]);
+  EXPECT_EQ(play_on(setup.params, parts).ticks, at_once.ticks) << "a game that is over stays so";
+}
+
+TEST(Play, StopsWhenItIsToldTo) {
+  const auto setup = setup_of(choice_of("spl2012", "baseline", "match"));
+  State state = begun(setup.params, 4);
+  std::vector<referee::Event> heard;
+  const Tick played = play(
+      setup.params, state, [](const State& now) { return now.book.phase == agent::Game::Phase::playing; },
+      [&](const referee::Event& event) { heard.push_back(event); });
+  EXPECT_EQ(state.world.tick, played);
+  ASSERT_EQ(heard.size(), 2u);
+  EXPECT_EQ(heard[0].kind, Kind::set);
+  EXPECT_EQ(heard[1].kind, Kind::playing);
+  EXPECT_EQ(heard[1].tick + 1, played);
+}
+
+TEST(Possession, OfAGameWithoutPlayIsNobodys) {
+  const Result nothing{};
+  EXPECT_EQ(nothing.possession(Side::home), 0);
+}
+
+}  // namespace
+}  // namespace sim

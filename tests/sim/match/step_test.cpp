@@ -1,0 +1,131 @@
+#include "sim/match/step.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/match/fields.h"
+#include "sim/match/hash.h"
+#include "sim/match/situation.h"
+#include "sim/match/snapshot.h"
+#include "tests/sim/support/allocations.h"
+#include "tests/sim/support/games.h"
+
+namespace sim {
+namespace {
+
+using test::after;
+using test::begun;
+using test::choice_of;
+using test::setup_of;
+
+TEST(Step, IsAFunctionOfItsArguments) {
+  for (const Pace pace : {Pace::every_tick, Pace::thinned}) {
+    const auto setup = setup_of(choice_of("spl2025", "baseline", "match", pace));
+    const State once = after(setup.params, begun(setup.params, 7), 3000);
+    const State again = after(setup.params, begun(setup.params, 7), 3000);
+    EXPECT_EQ(difference(once, again), "");
+    EXPECT_EQ(hash_of(once), hash_of(again));
+  }
+}
+
+TEST(Step, WithAnotherKeyIsAnotherGame) {
+  const auto setup = setup_of(choice_of("spl2012", "baseline", "match"));
+  State other = begun(setup.params, 8);
+  other = after(setup.params, other, 3000);
+  other.world.key.seed = 7;
+  EXPECT_NE(difference(after(setup.params, begun(setup.params, 7), 3000), other), "");
+}
+
+TEST(Step, FromASnapshotAnywhereInTheMiddleLeadsToTheSameEnd) {
+  for (const Pace pace : {Pace::every_tick, Pace::thinned}) {
+    const auto setup = setup_of(choice_of("spl2012", "baseline", "match", pace), 60);
+    const State end = after(setup.params, begun(setup.params, 3), kNever);
+    ASSERT_TRUE(finished(end));
+    State state = begun(setup.params, 3);
+    while (!finished(state)) {
+      const Restored restored = restore(snapshot_of(state));
+      ASSERT_TRUE(restored.state) << restored.refusal;
+      EXPECT_EQ(hash_of(after(setup.params, *restored.state, kNever)), hash_of(end)) << "tick " << state.world.tick;
+      state = after(setup.params, state, 997);
+    }
+  }
+}
+
+TEST(Step, LeavesNothingBehindThatIsNotInTheState) {
+  // two games take turns
+  const auto setup = setup_of(choice_of("spl2025", "passing", "match"));
+  State a = begun(setup.params, 1), b = begun(setup.params, 2);
+  for (int i = 0; i < 2000; ++i) {
+    a = after(setup.params, a, 1);
+    b = after(setup.params, b, 1);
+  }
+  EXPECT_EQ(difference(a, after(setup.params, begun(setup.params, 1), 2000)), "");
+  EXPECT_EQ(difference(b, after(setup.params, begun(setup.params, 2), 2000)), "");
+}
+
+TEST(Step, AllocatesNothing) {
+  for (const Pace pace : {Pace::every_tick, Pace::thinned}) {
+    const auto setup = setup_of(choice_of("spl2025", "baseline", "match", pace), 60);
+    State state = begun(setup.params, 5);
+    referee::Events events;
+    const std::size_t before = test::allocations();
+    while (!finished(state)) step(setup.params, state, events);
+    EXPECT_EQ(test::allocations() - before, 0u);
+  }
+}
+
+TEST(Step, ExplainsDecisionsWithoutChangingThem) {
+  const auto setup = setup_of(choice_of("spl2012", "baseline", "match"));
+  State explained = begun(setup.params, 4), plain = explained;
+  referee::Events events;
+  agent::Trace one, all[kMaxRobots];
+  for (int i = 0; i < 1500; ++i) {
+    step(setup.params, plain, events);
+    State copy = explained;
+    step(setup.params, copy, events, 9, &one);
+    step(setup.params, explained, events, kEverybody, all);
+    ASSERT_EQ(difference(plain, explained), "");
+    ASSERT_EQ(difference(copy, explained), "");
+    ASSERT_STREQ(one.skill, all[9].skill);
+    ASSERT_EQ(one.visited.size(), all[9].visited.size());
+    EXPECT_FALSE(one.visited.empty());
+  }
+}
+
+TEST(Step, DoesNotTouchRobotsThatDoNotPlay) {
+  const auto setup = setup_of(choice_of("spl2012", "baseline", "match"), 60);
+  const State start = begun(setup.params, 6);
+  State state = after(setup.params, start, kNever);
+  for (int robot = 0; robot < kMaxRobots; ++robot) {
+    if (robot % kMaxPlayers >= setup.params.rules.players) continue;
+    state.world.bodies[robot] = start.world.bodies[robot];
+    state.robots[robot] = start.robots[robot];
+  }
+  State others = start;
+  for (int robot = 0; robot < kMaxRobots; ++robot) {
+    others.world.bodies[robot] = state.world.bodies[robot];
+    others.robots[robot] = state.robots[robot];
+  }
+  EXPECT_EQ(difference(others, start), "");
+}
+
+TEST(Step, WithPerfectModelsIsBelievedAsItIs) {
+  const auto setup = setup_of(choice_of("spl2012", "baseline", "perfect"));
+  State state = random_situation(setup.params, {11});
+  referee::Events events;
+  for (int i = 0; i < 1000; ++i) {
+    const World before = state.world;
+    step(setup.params, state, events);
+    test::for_each_body(before, [&](int robot, const Body& body) {
+      if (state.world.bodies[robot].doing == Body::Doing::removed || state.world.home_attacks != before.home_attacks)
+        return;
+      const agent::Beliefs& beliefs = state.robots[robot].beliefs;
+      const float sign = attack_sign(before, side_of(robot));
+      EXPECT_LT(distance(sign * beliefs.pose.pose.position, body.position), 1e-4f) << robot;
+      const Vec2 ball = turned_back(before.ball.position - body.position, body.facing);
+      EXPECT_LT(distance(beliefs.ball.position, ball), 1e-4f) << robot << " in tick " << before.tick;
+    });
+  }
+}
+
+}  // namespace
+}  // namespace sim

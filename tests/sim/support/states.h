@@ -1,0 +1,24 @@
+// States for tests: any numbers, mirrored ones, and those in which the sides have changed names.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/match/params.h"
+#include "sim/match/state.h"
+
+namespace sim::test {
+
+/// Every field has some possible value, most of them none that a game would have. A function of `seed`.
+State scrambled(std::uint64_t seed);
+
+/// As seen in a mirror along the x axis: left is right and y is -y.
+State mirrored(const State& state);
+
+/// The same robots do the same in the same places, but those that were home are called away.
+State exchanged(const State& state);
+Params exchanged(const Params& params);
+
+/// What nobody reads any more: the foot of a kick that is over. Equal states may differ in it.
+State without_leftovers(State state);
+
+}  // namespace sim::test
