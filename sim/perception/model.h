@@ -69,24 +69,25 @@ struct BallFilter {
     see("first_velocity", self.first_velocity, "m/s", 0.f, 10.f);
     see("reacquire", self.reacquire, "", 1.f, 100.f);
     see("lost_deviation", self.lost_deviation, "m", 0.1f, 30.f);
-    see("false_per_second", self.false_per_second, "1/s", 0.f, 30.f);
+    see("false_per_second", self.false_per_second, "1/s", 0.f, 3.f);
   }
 };
 
-/// Odometry drifts, marks correct it.
+/// Odometry drifts, marks correct it. That images nearer together than `mark_interval` share their errors is why the
+/// marks are not looked at more often.
 struct Localisation {
   float start_deviation;          // [m] on entering the field
   float start_deviation_heading;  // [rad]
   float bias;                     // standard deviation of the odometry's scale, of this robot in this game
-  float translation_noise;        // standard deviation, as share of the distance walked, per metre^0.5
-  float rotation_noise;           // likewise of the angle turned
+  float translation_noise;        // standard deviation along each axis after a metre; grows with the way's root
+  float rotation_noise;           // standard deviation after a radian; grows with the angle's root
   float rotation_per_metre;       // [rad/m^0.5] heading lost by walking straight
   float mark_interval;            // [s] between two looks at the marks
   float mark_near;                // [0..1] probability of detecting a mark that is in view, next to it
   float mark_range;               // [m] where that has fallen to 0
-  float mark_deviation;           // [m] error of one mark 1 m away, growing with the distance squared
+  float mark_deviation;           // [m] error of one mark 1 m away: half of it at the feet, growing with the square
   float mark_deviation_heading;   // [rad] of one mark
-  float flips_per_minute;         // [1/min] turned round by mistake, while in play
+  float flips_per_minute;         // [1/min] turned round by mistake, while unsure of the pose
   float flip_duration;            // [s] until it is noticed, on average
 
   template <class Self, class See>

@@ -1,0 +1,92 @@
+#include "sim/perception/ball_sight.h"
+
+namespace sim::perception {
+namespace {
+
+// A foot kicks what lies 0.2 m in front of the body (models.md 2.3); Northern Bites' heat of 2012 ended 0.4 m away
+// (lineage.md 2.3).
+constexpr float kKickReach = 0.25f;  // [m] from the middle of an opponent, where the heat is 1
+constexpr float kHeatReach = 0.45f;  // [m] where it has fallen to 0
+
+constexpr float kNearestFalse = 0.3f;  // [m]
+constexpr float kBeyondRange = 2;      // percepts that seem to be so many ranges away are no balls to anybody
+
+/// How much an opponent that is `to_ball` [m, field's axes] away from the ball is about to kick it.
+float heat_of(const Body& opponent, Vec2 to_ball) {
+  const float range = length(to_ball);
+  if (range == 0 || !has_eyes(opponent)) return 0;
+  const float facing = dot(opponent.facing, to_ball) / range;
+  const float near = range <= kKickReach ? 1 : (kHeatReach - range) / (kHeatReach - kKickReach);
+  return facing > 0 ? facing * near : 0;
+}
+
+/// The greatest heat that an opponent gives the ball at this place. [m, field]
+float heat_of(const World& world, Side opponents, Vec2 ball) {
+  float heat = 0;
+  for (int player = 1; player <= world.players; ++player) {
+    const Body& opponent = world.bodies[robot_of(opponents, player)];
+    const Vec2 to_ball = ball - opponent.position;
+    if (squared_length(to_ball) >= kHeatReach * kHeatReach) continue;
+    const float of_one = heat_of(opponent, to_ball);
+    heat = of_one > heat ? of_one : heat;
+  }
+  return heat;
+}
+
+/// Something round, `to_it` from the camera, is between it and the ball.
+bool hides(Vec2 to_it, float radius, const Sighting& ball) {
+  const float along = dot(to_it, ball.to_it);
+  if (along <= 0 || along >= ball.square) return false;
+  const float across = cross(to_it, ball.to_it);
+  return across * across < radius * radius * ball.square;
+}
+
+bool is_hidden(const Means& means, const World& world, Vec2 eye, const Sighting& ball) {
+  if (means.effects.official && hides(world.official.position - eye, means.contact.official_radius, ball)) return true;
+  bool hidden = false;
+  for_each_robot(world.players, [&](int robot) {
+    // the robot itself is at 0 and hides nothing; who lies is lower than the line of sight
+    const Body& body = world.bodies[robot];
+    if (hides(body.position - eye, means.contact.robot_radius, ball)) hidden |= has_eyes(body);
+  });
+  return hidden;
+}
+
+}  // namespace
+
+BallPercept detect_ball(const Means& means, const World& world, int robot, const Sighting& sighting) {
+  const auto& [model, effects, field, marks, contact, ball] = means;
+  const Body& body = world.bodies[robot];
+  if (effects.occlusion && is_hidden(means, world, body.position, sighting)) return {};
+
+  BallPercept percept{.seen = true, .position = turned_back(sighting.to_it, body.facing)};
+  if (effects.missed_ball || effects.ball_noise) {
+    const float range = std::sqrt(sighting.square);
+    const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::ball_seen, world.tick);
+    if (effects.missed_ball && uniform(words[0]) >= probability(model.ball, range)) return {};
+    if (effects.ball_noise) {
+      percept.position = seen_through(image_noise(model, body), percept.position, range, sighting.height,
+                                      kBeyondRange * model.ball.far_range, normals(words[1], words[2]));
+      if (percept.position == Vec2{}) return {};
+    }
+  }
+  percept.velocity = turned_back(world.ball.velocity, body.facing);
+  percept.heat = heat_of(world, other(side_of(robot)), sighting.to_it + body.position);
+  return percept;
+}
+
+BallPercept detect_false_ball(const Means& means, const World& world, int robot) {
+  const Camera& camera = means.model.camera;
+  const Body& body = world.bodies[robot];
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::false_ball, world.tick);
+  const float chance = means.model.filter.false_per_second * static_cast<float>(kFalseInterval) * kTickDuration;
+  if (uniform(words[0]) >= chance) return {};
+
+  const float range = kNearestFalse + uniform(words[1]) * (means.model.ball.far_range - kNearestFalse);
+  const Vec2 place = turned(range * body.look, direction(camera.width * (uniform(words[2]) - 0.5f)));
+  const Sighting sighting{turned(place, body.facing), range * range, camera.height - means.ball.radius};
+  if (!in_view(camera, body, look_of(body), means.model.ball.far_range, sighting)) return {};
+  return {.seen = true, .position = place};
+}
+
+}  // namespace sim::perception

@@ -1,0 +1,102 @@
+// The camera: what is in view, how likely it is detected, and what noise in the image does to a place on the ground.
+//
+// Nothing here needs an angle of what is seen: directions are compared as vectors, elevations as slopes.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "sim/math/angles.h"
+#include "sim/math/vec2.h"
+#include "sim/perception/model.h"
+#include "sim/world/body.h"
+
+namespace sim::perception {
+
+/// It stands or walks upright on the field; nobody else sees anything.
+inline bool has_eyes(const Body& body) { return body.doing < Body::Doing::fallen; }
+
+/// A point as a camera sees it, from the robot's feet.
+struct Sighting {
+  Vec2 to_it;    // [m, field's axes]
+  float square;  // [m²] of its distance
+  float height;  // [m] that the camera is above it
+};
+inline Sighting sighting_of(const Body& body, Vec2 point, float height) {
+  const Vec2 to_it = point - body.position;
+  return {to_it, squared_length(to_it), height};
+}
+
+/// Where a robot looks. [field's axes]
+inline Vec2 look_of(const Body& body) { return turned(body.look, body.facing); }
+
+/// Whether it is `angle` [rad] or more below the horizon. Most cases are decided without a sine.
+inline bool below(float angle, const Sighting& sighting) {
+  if (angle <= 0) return true;
+  if (angle >= kPi / 2) return false;
+  if (angle >= kPi / 4 && sighting.height * sighting.height < sighting.square) return false;
+  const SinCos edge = sin_cos(angle);
+  return sighting.height * edge.cos >= std::sqrt(sighting.square) * edge.sin;
+}
+
+/// cos² of half of `width` [rad], at most 3.1; a series of the quarter, which is below π/4, to 1e-7.
+inline float squared_cosine_of_half(float width) {
+  const float square = width * width * (1.f / 16);
+  const float cosine = 1 - square * (0.5f - square * (1.f / 24 - square * (1.f / 720 - square * (1.f / 40320))));
+  const float half = 2 * cosine * cosine - 1;
+  return half * half;
+}
+
+/// Whether the camera of an upright body that looks to `look` shows it: not farther than `farthest` [m], between the
+/// left and right edge, and the upper and lower one, which turn and nod with the head.
+inline bool in_view(const Camera& camera, const Body& body, Vec2 look, float farthest, const Sighting& sighting) {
+  const float ahead = dot(sighting.to_it, look);
+  if (ahead <= 0 || sighting.square > farthest * farthest) return false;
+  return ahead * ahead >= squared_cosine_of_half(camera.width) * sighting.square &&
+         below(camera.upper_edge + body.head_pitch, sighting) && !below(camera.lower_edge + body.head_pitch, sighting);
+}
+
+/// The probability that something `range` [m] away is detected.
+inline float probability(const Detection& detection, float range) {
+  if (range <= detection.near_range) return detection.near;
+  if (range >= detection.far_range) return range > detection.far_range ? 0 : detection.far;
+  const float share = (range - detection.near_range) / (detection.far_range - detection.near_range);
+  return detection.near + share * (detection.far - detection.near);
+}
+
+/// [rad²] Variances of the elevation and of the bearing under which the image shows things.
+struct ImageNoise {
+  float elevation;
+  float bearing;
+};
+inline ImageNoise image_noise(const Model& model, const Body& body) {
+  const Noise& noise = model.noise;
+  const float pixels = noise.pixels * model.camera.pixel_angle;
+  const float tilt = body.doing == Body::Doing::standing ? noise.tilt : noise.tilt_walking;
+  return {tilt * tilt + pixels * pixels, noise.roll * noise.roll + pixels * pixels};
+}
+
+/// [m²] Variance of a percept along each axis, the mean of range and bearing: an elevation that is off by ε moves what
+/// is d away and h below the camera by ε (d² + h²) / h.
+inline float percept_variance(const ImageNoise& noise, float squared_range, float height) {
+  const float per_radian = (squared_range + height * height) / height;
+  return 0.5f * (per_radian * per_radian * noise.elevation + squared_range * noise.bearing);
+}
+
+/// Where `place` [m, robot], `range` [m] away and `height` [m] below the camera, seems to be: `errors` are of the
+/// elevation and of the bearing, in standard deviations. (0, 0), where nothing is ever seen, when it seems to be above
+/// the horizon or farther than `farthest` [m].
+inline Vec2 seen_through(const ImageNoise& noise, Vec2 place, float range, float height, float farthest,
+                         std::array<float, 2> errors) {
+  // tan(a + ε) of the elevation a with tan a = height / range, and its height / tan as a multiple of the range
+  const float tilt = std::sqrt(noise.elevation) * errors[0];
+  const float slope = height + range * tilt;
+  const float share = height * (range - height * tilt);
+  const float longest = farthest * slope;
+  if (slope <= 0 || share <= 0 || share > longest) return {};
+
+  const float turn = std::sqrt(noise.bearing) * errors[1];
+  return share / (slope * range) * Vec2{place.x - turn * place.y, place.y + turn * place.x};
+}
+
+}  // namespace sim::perception

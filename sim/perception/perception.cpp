@@ -1,0 +1,62 @@
+#include "sim/perception/perception.h"
+
+#include "sim/perception/ball_filter.h"
+#include "sim/perception/ball_sight.h"
+#include "sim/perception/localisation.h"
+#include "sim/perception/robots_sight.h"
+
+namespace sim::perception {
+namespace {
+
+/// The odometry of this robot in this game.
+void draw_odometry(const Localisation& model, const World& world, int robot, Cognition& cognition) {
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::odometry_bias, 0);
+  const auto biases = normals(words[0], words[1]);
+  cognition.odometry_scale = 1 + model.bias * biases[0];
+  cognition.turn_scale = 1 + model.bias * biases[1];
+}
+
+/// Off by as much as somebody who was put down by hand.
+agent::Pose rough_pose(const Localisation& model, const World& world, int robot) {
+  agent::Pose belief{true_pose(world, robot), model.start_deviation, model.start_deviation_heading};
+  // of this event, because no look at the marks draws in the tick in which a robot enters
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::pose_correction, world.tick);
+  const auto shift = normals(words[0], words[1]);
+  const auto twist = normals(words[2], words[3]);
+  belief.pose.position += belief.deviation * Vec2{shift[0], shift[1]};
+  belief.pose.heading = normalized(belief.pose.heading + belief.deviation_heading * twist[0]);
+  return belief;
+}
+
+}  // namespace
+
+void enter(const Means& means, const World& world, int robot, agent::Beliefs& beliefs, Cognition& cognition) {
+  const Body& body = world.bodies[robot];
+  beliefs.ball = unknown_ball(means.model.filter);
+  beliefs.pose = {.pose = true_pose(world, robot)};
+  cognition.last = {body.position, body.heading};
+  cognition.walked = 0;
+  cognition.turned = 0;
+  cognition.since_look = 0;
+  cognition.flipped = false;
+  if (!means.effects.odometry_drift) return;
+  draw_odometry(means.model.localisation, world, robot, cognition);
+  beliefs.pose = rough_pose(means.model.localisation, world, robot);
+}
+
+void perceive(const Means& means, const World& world, int robot, Tick steps, agent::Beliefs& beliefs,
+              Cognition& cognition) {
+  const Body& body = world.bodies[robot];
+
+  // what it expects, by its own odometry
+  const Odometry odometry = read_odometry(body, cognition);
+  predict(means, odometry, steps, beliefs.ball);
+  localise(means, world, robot, steps, odometry, beliefs.pose, cognition);
+
+  // what it sees
+  const BallPercept percept = look_for_ball(means, world, robot, steps);
+  update(means, body, percept, steps, world.tick, beliefs.ball);
+  look_for_opponents(means, world, robot, steps, beliefs);
+}
+
+}  // namespace sim::perception

@@ -1,0 +1,32 @@
+// What a robot sees of its opponents.
+#pragma once
+
+#include "sim/perception/image.h"
+#include "sim/perception/perception.h"
+
+namespace sim::perception {
+
+/// Looks for one opponent and writes down where in `team_field` it believes it saw it: its own pose is a belief.
+/// `missed_ball` and `ball_noise` act as for the ball. That robots hide each other is left out: they are obstacles, and
+/// one behind another is none. `number` tells the looks of a robot apart.
+void look_for_opponent(const Means& means, const World& world, int robot, int opponent, std::uint32_t number,
+                       agent::Beliefs& beliefs);
+
+inline constexpr Tick kGlance = 5;  // [ticks] between two looks for opponents, who are slow
+
+/// Looks for one opponent in each fifth image in turn; without `limited_view` for all in every image.
+inline void look_for_opponents(const Means& means, const World& world, int robot, Tick steps, agent::Beliefs& beliefs) {
+  const int first = robot_of(other(side_of(robot)), 1);
+  const auto players = static_cast<Tick>(world.players);
+  if (!means.effects.limited_view) {
+    for (Tick i = 0; i < players; ++i)
+      look_for_opponent(means, world, robot, first + static_cast<int>(i), world.tick * kMaxPlayers + i, beliefs);
+    return;
+  }
+  // whose turn came since the last image
+  for (Tick turn = world.tick; turn != world.tick - steps; --turn)
+    if (turn % kGlance == 0)
+      look_for_opponent(means, world, robot, first + static_cast<int>(turn / kGlance % players), turn, beliefs);
+}
+
+}  // namespace sim::perception
