@@ -9,6 +9,7 @@ namespace sim::motion {
 namespace {
 
 constexpr float kCameraHeight = 0.45f;  // [m] BH assumedObservationHeight; aiming needs it no better
+constexpr float kYawTolerance = 0.02f;  // [rad] to which look_to aims
 constexpr float kViewCentre = 0.44f;    // [rad] below the horizon with pitch 0: the middle of both cameras' views
 
 struct Angles {
@@ -28,10 +29,24 @@ Nod nod_at(const Head& head, float yaw) {
   return {std::max(up, head.pitch_up), std::min(down, head.pitch_down)};
 }
 
-Angles wanted(const Command& command) {
+// atan2(up, along) within 0.005 for along >= 0: nodding needs it no better
+float elevation(float up, float along) {
+  const float height = std::abs(up);
+  const bool steep = height > along;
+  const float slope = steep ? along / height : height / std::max(along, 1e-6f);
+  const float flat = slope / (1 + 0.28f * slope * slope);
+  return std::copysign(steep ? 0.5f * kPi - flat : flat, up);
+}
+
+Angles wanted(const Command& command, const Body& body) {
   if (command.head == Command::Head::angles) return {command.look[0], command.look[1]};
   const Vec2 point{command.look[0], command.look[1]};
-  return {angle_of(point), atan2(kCameraHeight - command.look[2], length(point)) - kViewCentre};
+  const float along = length(point);
+  const float pitch = elevation(kCameraHeight - command.look[2], along) - kViewCentre;
+
+  // a yaw that is all but right stays: most of the time the head follows what hardly moves
+  const bool right = std::abs(cross(body.look, point)) <= kYawTolerance * along && dot(body.look, point) > 0;
+  return {right ? body.head_yaw : angle_of(point), pitch};
 }
 
 float approach(float from, float to, float most) { return from + std::clamp(to - from, -most, most); }
@@ -54,9 +69,8 @@ float yaw_limit_at(const Head& head, float pitch) {
 }
 
 void turn_head(const Means& means, const Command& command, Tick steps, Body& body) {
-  if (command.head == Command::Head::keep) return;
   const Head& head = means.model.head;
-  Angles to = wanted(command);
+  Angles to = wanted(command, body);
 
   if (means.effects.head_limits) {
     const float dt = static_cast<float>(steps) * kTickDuration;

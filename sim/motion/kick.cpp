@@ -42,14 +42,16 @@ void strike(const Means& means, const Kick& kick, int robot, Tick now, World& wo
   float quality = quality_at(kick, ball, body.kick_left ? 1.f : -1.f);
   if (!means.effects.kick_whiff && (quality >= 0 || within_reach(ball))) quality = 1;
   if (quality < 0) {
-    world.whiffed = static_cast<std::uint8_t>(robot);
+    if (world.whiffed == kNobody || is_named_before(world, robot, world.whiffed))
+      world.whiffed = static_cast<std::uint8_t>(robot);
     return;
   }
 
   // two feet that meet the ball in the same tick add up, and the harder kick counts: no matter who is asked first
   const Vec2 velocity = ball_velocity(means, kick, quality, robot, now, world);
   const bool first = world.kicked == kNobody;
-  if (first || squared_length(velocity) > squared_length(world.ball.velocity)) {
+  const float harder = squared_length(velocity) - squared_length(world.ball.velocity);
+  if (first || harder > 0 || (harder == 0 && is_named_before(world, robot, world.kicked))) {
     world.kicked = static_cast<std::uint8_t>(robot);
     world.touched = world.kicked;
   }

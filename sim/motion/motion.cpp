@@ -12,7 +12,7 @@ void move(const Means& means, const Command& command, int robot, Tick steps, Wor
   if (body.doing == Body::Doing::removed) return;
 
   if (means.effects.falls && !is_down(body)) perhaps_fall(means, robot, world.tick, steps, world);
-  if (!is_down(body)) turn_head(means, command, steps, body);
+  if (command.head != Command::Head::keep && !is_down(body)) turn_head(means, command, steps, body);
 
   const bool kicks = command.body == Command::Body::kick && command.kick < means.model.kick_count;
   if (kicks && !is_down(body) && body.doing != Body::Doing::kicking) begin_kick(command, world.tick, body);

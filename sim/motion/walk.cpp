@@ -39,15 +39,16 @@ Gait within_limits(const Walk& walk, bool turning_costs, float share, Gait gait)
   return gait;
 }
 
-// the speed from which `brake` still stops within `left`, and that does not lead beyond it within `dt`; at most `most`
-float slowing(float left, float most, float brake, float dt) {
-  most = std::min(most, left / dt);
+// the speed from which `brake` still stops within `left`, and that does not lead beyond it within 1 / `rate` [s]; at most
+// `most`
+float slowing(float left, float most, float brake, float rate) {
+  most = std::min(most, left * rate);
   const float squared = 2 * brake * left;
   return squared < most * most ? std::sqrt(squared) : most;
 }
 
 // towards a destination: far away it faces where it goes, near it faces as it shall on arrival
-Gait towards(const Walk& walk, bool limited, float gain, const Errand& errand, float dt) {
+Gait towards(const Walk& walk, bool limited, float gain, const Errand& errand, float rate) {
   const float distance = length(errand.walk);
   const bool far = distance > kNear;
   const Vec2 ahead = distance > 0 ? 1 / distance * errand.walk : Vec2{};
@@ -55,10 +56,10 @@ Gait towards(const Walk& walk, bool limited, float gain, const Errand& errand, f
   // the sine will do for the angle: wherever they differ much the body turns as fast as it can
   const float angle = !far ? errand.turn : ahead.x > 0 ? ahead.y : std::copysign(1.f, ahead.y);
   const float turn_brake = limited ? kBrakes * walk.turn_acceleration : 1e6f;
-  const float turn = slowing(std::abs(angle), walk.turn_rate, turn_brake, dt);
+  const float turn = slowing(std::abs(angle), walk.turn_rate, turn_brake, rate);
 
   const float fastest = std::max({walk.forward, walk.backward, walk.sideward});
-  const float speed = slowing(distance, fastest, limited ? brake_of(walk) : 1e6f, dt);
+  const float speed = slowing(distance, fastest, limited ? brake_of(walk) : 1e6f, rate);
   Gait gait = within_limits(walk, limited, gain, {speed * ahead, std::copysign(turn, angle)});
 
   // a destination behind it is first turned to
@@ -167,14 +168,6 @@ bool change_gear(const Walk& walk, const Effects& effects, bool wanted, Tick now
 
 }  // namespace
 
-Errand errand_of(const Command& command) {
-  Errand errand{command.walk, command.turn};
-  if (command.body != Command::Body::walk_to) return errand;
-  if (errand.turn > kPi) errand.turn -= 2 * kPi;
-  if (errand.turn < -kPi) errand.turn += 2 * kPi;
-  return errand;
-}
-
 Tick walk(const Means& means, const Command& command, int robot, Tick now, Tick left, Errand& errand, World& world) {
   const Walk& model = means.model.walk;
   const Effects& effects = means.effects;
@@ -207,7 +200,7 @@ Tick walk(const Means& means, const Command& command, int robot, Tick now, Tick 
 
   const float dt = static_cast<float>(together) * kTickDuration;
   const float gain = std::clamp(command.gain, 0.f, 1.f);
-  Gait gait = to ? towards(model, effects.walk_acceleration, gain, errand, dt)
+  Gait gait = to ? towards(model, effects.walk_acceleration, gain, errand, 1 / dt)
                  : within_limits(model, effects.walk_acceleration, 1, {errand.walk, errand.turn});
   if (effects.walk_noise) {
     gait.velocity = {gait.velocity.x * body.noise.x, gait.velocity.y * body.noise.y};

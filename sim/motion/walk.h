@@ -25,7 +25,13 @@ struct Errand {
 };
 
 /// `command`'s errand, seen from where the body stands now.
-Errand errand_of(const Command& command);
+inline Errand errand_of(const Command& command) {
+  Errand errand{command.walk, command.turn};
+  if (command.body != Command::Body::walk_to) return errand;
+  if (errand.turn > kPi) errand.turn -= 2 * kPi;
+  if (errand.turn < -kPi) errand.turn += 2 * kPi;
+  return errand;
+}
 
 /// Stands, starts, walks or stops for at most `left` ticks from `now` on, as long as nothing about it changes. Writes
 /// what is left of the errand. Returns how many ticks it took, at least one.
