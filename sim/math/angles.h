@@ -25,7 +25,7 @@ struct SinCos {
   float cos;
 };
 SinCos sin_cos(float angle);
-/// [rad] [-π, π], within 3e-7; 0 for (0, 0) and π for a negative `x` with `y` = 0 or -0: -π is only what an angle a
+/// [rad] [-π, π], within 3.2e-7; 0 for (0, 0) and π for a negative `x` with `y` = 0 or -0: -π is only what an angle a
 /// little above it is rounded to.
 float atan2(float y, float x);
 /// Natural, within 2 ulp for normal numbers > 0.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "sim/world/contact.h"
 
@@ -13,8 +14,8 @@ constexpr float kTouch = 0.01f;
 constexpr float kTolerance = 0.0005f;
 // [m] who is farther apart than this need not be looked at until somebody has moved half of it
 constexpr float kMargin = 0.1f;
-// a heap of all robots needs some dozens
-constexpr int kMostPasses = 500;
+// a heap of all robots needs some dozens, one that is wedged in between a post and the referee some hundreds
+constexpr int kMostPasses = 2000;
 // shifts are summed as whole numbers of this unit [1/m]: their sum does not depend on the order
 constexpr float kUnits = 0x1p24f;
 

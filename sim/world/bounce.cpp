@@ -143,7 +143,8 @@ void bounce_ball(const field::Field& field, const BallModel& ball, const Contact
       const Moving one = rebound(moving, obstacle, contact, effects, world);
       sum.position += one.position;
       sum.velocity += one.velocity;
-      if (obstacle.robot != kNobody && (touched == kNobody || world.tick % 2 == 1)) touched = obstacle.robot;
+      if (obstacle.robot != kNobody && (touched == kNobody || is_named_before(world, obstacle.robot, touched)))
+        touched = obstacle.robot;
     }
     moving.position = (1 / static_cast<float>(count)) * sum.position;
     moving.velocity = (1 / static_cast<float>(count)) * sum.velocity;

@@ -48,6 +48,14 @@ void for_each_robot(int players, See&& see) {
   for (int robot = kMaxPlayers; robot < kMaxPlayers + players; ++robot) see(robot);
 }
 
+/// Of two robots that do the same thing in the same tick, whose it is written down as: the lower number's; of equal
+/// ones that of the side which attacks +x, and in odd ticks of the other. Neither side is favoured, nor any index.
+constexpr bool is_named_before(const World& world, int robot, int another) {
+  const auto attacks_right = [&](int one) { return (side_of(one) == Side::home) == (world.home_attacks > 0); };
+  if (player_of(robot) != player_of(another)) return player_of(robot) < player_of(another);
+  return attacks_right(robot) == (world.tick % 2 == 0) && robot != another;
+}
+
 /// Which way a side attacks now: a point of its `team_field` times this is the point in `field`, and back.
 constexpr float attack_sign(const World& world, Side side) {
   return side == Side::home ? world.home_attacks : -world.home_attacks;
