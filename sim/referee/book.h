@@ -18,19 +18,25 @@ struct Book {
   Side last_touch = Side::home;
   std::uint8_t last_toucher = kNobody;  // index of the robot; kNobody: nobody since the ball was placed
   std::uint8_t half = 1;
-  bool ball_free = true;  // everybody may touch the ball
-  Tick phase_since = 0;
-  Tick clock = 0;             // [ticks] of the half that have run
-  Tick told_phase_since = 0;  // as the robots know it: goals are told late
-  Tick last_touch_tick = 0;
+  bool ball_free = true;                  // everybody may touch the ball
+  Tick phase_since = 0;                   // when phase or set play last changed
+  Tick playing_since = 0;                 // `phase_since` of before the last goal
+  Tick clock = 0;                         // [ticks] of the half that have run
+  Tick told_phase_since = 0;              // as the robots know it: goals are told late
+  Tick last_touch_tick = 0;               // or when the ball was placed
+  Vec2 last_touch_at;                     // [m, field] where the ball was then
+  Vec2 ball_before;                       // [m, field] where the ball was in the last tick
   Tick still_since = 0;                   // since when everybody stands, in ready
-  Tick stuck_since = 0;                   // since when the ball is where `stuck_at` says
-  Vec2 stuck_at;                          // [m, field]
+  Tick stuck_since = 0;                   // since when the ball is about where `stuck_at` says, robots round it
+  Vec2 stuck_at;                          // [m, field]; while the ball is not free: where it was placed
   std::uint8_t score[2] = {0, 0};         // by side
   std::uint16_t packets[2] = {0, 0};      // sent by side
   std::uint16_t penalties[2] = {0, 0};    // given by side
   Tick penalised_until[kMaxRobots] = {};  // a removed robot may come back then; 0: not penalised
 };
+
+/// The clock of play runs: set plays included, kick-offs not yet taken too.
+constexpr bool in_play(const Book& book) { return book.phase == agent::Game::Phase::playing; }
 
 /// What a game is summed up by.
 struct Tally {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "sim/math/tick.h"
@@ -26,10 +27,12 @@ struct Event {
     leaving,
     local_stuck,
     global_stuck,
-    illegal_kick,  // offences
-    returned,      // a penalised robot comes back
-    half_time,
+    illegal_kick,
+    illegal_position,  // offences
+    returned,          // a penalised robot comes back
+    half_time,         // sides have changed, everybody stands at the touch lines again, nobody is penalised
     end,
+    placed,  // a robot that stood illegally in set was carried to the nearest legal place
   };
   Kind kind;
   Side side = Side::home;        // who scored, whose kick it is, whose robot it was

@@ -1,0 +1,27 @@
+// All years: everybody may touch the ball of a kick-off once its side did, or 10 s after it began. Since 2018 the same
+// holds for set plays, after 30 s.
+#pragma once
+
+#include "sim/referee/court.h"
+
+namespace sim::referee::ball_free {
+
+inline bool due(const Court& court) {
+  const Book& book = court.book;
+  if (book.ball_free) return false;
+  if (court.world.touched != kNobody && side_of(court.world.touched) == book.kicking) return true;
+  const bool kick_off = book.set_play == SetPlay::kick_off;
+  return in_phase(court) >= ticks(kick_off ? court.rules.kick_off_duration : court.rules.set_play_duration);
+}
+
+inline void apply(Court& court) {
+  Book& book = court.book;
+  begin_phase(court, Phase::playing);
+  book.ball_free = true;
+  book.set_play = SetPlay::none;
+  book.last_touch_tick = court.world.tick;
+  book.stuck_since = court.world.tick;
+  tell(court, Event::Kind::ball_free, book.kicking, court.world.touched, court.world.ball.position);
+}
+
+}  // namespace sim::referee::ball_free

@@ -1,0 +1,30 @@
+#include "sim/referee/referee.h"
+
+namespace sim::referee {
+
+agent::Game game_for(const field::Rules& rules, const World& world, const Book& book, int robot) {
+  const Side side = side_of(robot);
+  agent::Game game;
+  game.penalised = book.penalised_until[robot] != 0;
+  game.player = static_cast<std::uint8_t>(player_of(robot));
+  game.players = static_cast<std::uint8_t>(rules.players);
+  game.half = book.half;
+  game.own_score = book.score[static_cast<int>(side)];
+  game.opponent_score = book.score[static_cast<int>(other(side))];
+  game.remaining = rules.half_duration - static_cast<float>(book.clock) * kTickDuration;
+
+  // the last goal is not told yet: it is as if play went on
+  if (world.tick < book.told_phase_since) {
+    game.phase = agent::Game::Phase::playing;
+    game.since_phase = age(world.tick, book.playing_since);
+    --(side == book.kicking ? game.opponent_score : game.own_score);
+    return game;
+  }
+  game.phase = book.phase;
+  game.set_play = book.set_play;
+  game.own_kick = book.set_play != agent::Game::SetPlay::none && book.kicking == side;
+  game.since_phase = age(world.tick, book.phase_since);
+  return game;
+}
+
+}  // namespace sim::referee

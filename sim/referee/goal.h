@@ -1,0 +1,21 @@
+// All years: a goal is scored when the whole ball passes over the goal line between the posts. The other side kicks
+// off; in preliminary rounds the clock runs on. Since 2019 robots hear of it late, as they should see or hear it
+// themselves (Rules::goal_message_delay).
+#pragma once
+
+#include "sim/referee/crossing.h"
+
+namespace sim::referee::goal {
+
+inline bool due(const Court&, const Crossing& crossing) {
+  return crossing.goal_line && crossing.from_field && crossing.between_posts;
+}
+
+inline void apply(Court& court, const Crossing& crossing) {
+  const Side scorer = other(defender_of(court, crossing));
+  ++court.book.score[static_cast<int>(scorer)];
+  tell(court, Event::Kind::goal, scorer, court.book.last_toucher, crossing.at);
+  begin_kick_off(court, other(scorer), court.world.tick + ticks(court.rules.goal_message_delay));
+}
+
+}  // namespace sim::referee::goal

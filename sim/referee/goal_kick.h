@@ -1,0 +1,19 @@
+// Since 2018: a ball that an attacker put over the goal line lies at the corner of the goal area, on the side where it
+// went out, for a goal kick of the defenders.
+#pragma once
+
+#include "sim/referee/crossing.h"
+
+namespace sim::referee::goal_kick {
+
+inline bool due(const Court& court, const Crossing& crossing) {
+  return crossing.goal_line && court.book.last_touch != defender_of(court, crossing);
+}
+
+inline void apply(Court& court, const Crossing& crossing) {
+  const Vec2 at{crossing.end * (court.field.length / 2 - court.field.goal_area_length),
+                crossing.line * court.field.goal_area_width / 2};
+  begin_set_play(court, SetPlay::goal_kick, Event::Kind::goal_kick, defender_of(court, crossing), at);
+}
+
+}  // namespace sim::referee::goal_kick

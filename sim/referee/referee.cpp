@@ -1,0 +1,122 @@
+#include "sim/referee/referee.h"
+
+#include "sim/referee/ball_free.h"
+#include "sim/referee/corner_kick.h"
+#include "sim/referee/global_stuck.h"
+#include "sim/referee/goal.h"
+#include "sim/referee/goal_kick.h"
+#include "sim/referee/half_time.h"
+#include "sim/referee/illegal_defender.h"
+#include "sim/referee/illegal_kick.h"
+#include "sim/referee/illegal_position.h"
+#include "sim/referee/kick_in.h"
+#include "sim/referee/leaving_field.h"
+#include "sim/referee/local_stuck.h"
+#include "sim/referee/mercy.h"
+#include "sim/referee/placed_back.h"
+#include "sim/referee/pushing.h"
+#include "sim/referee/ready.h"
+#include "sim/referee/returning.h"
+#include "sim/referee/set.h"
+#include "sim/referee/tally.h"
+
+namespace sim::referee {
+namespace {
+
+void judge_ball(Court& court) {
+  if (illegal_kick::due(court)) illegal_kick::apply(court);
+  if (ball_free::due(court)) ball_free::apply(court);
+  if (ball_is_out(court)) {
+    const Crossing crossing = crossing_of(court);
+    if (goal::due(court, crossing)) {
+      goal::apply(court, crossing);
+      if (mercy::due(court)) mercy::apply(court);
+    } else if (placed_back::due(court, crossing)) {
+      placed_back::apply(court, crossing);
+    } else if (kick_in::due(court, crossing)) {
+      kick_in::apply(court, crossing);
+    } else if (goal_kick::due(court, crossing)) {
+      goal_kick::apply(court, crossing);
+    } else if (corner_kick::due(court, crossing)) {
+      corner_kick::apply(court, crossing);
+    }
+  }
+}
+
+void judge_robots(Court& court) {
+  local_stuck::watch(court);
+  if (local_stuck::due(court)) local_stuck::apply(court);
+  for_each_robot(court.world.players, [&](int robot) {
+    if (!on_field(court, robot)) return;
+    if (pushing::due(court, robot)) {
+      pushing::apply(court, robot);
+    } else if (illegal_defender::due(court, robot)) {
+      illegal_defender::apply(court, robot);
+    } else if (illegal_position::due(court, robot)) {
+      illegal_position::apply(court, robot);
+    }
+  });
+}
+
+void judge_places(Court& court) {
+  for_each_robot(court.world.players, [&](int robot) {
+    if (on_field(court, robot) && leaving_field::due(court, robot)) leaving_field::apply(court, robot);
+  });
+}
+
+}  // namespace
+
+void open(const Means& means, World& world, Book& book, Events& events) {
+  Tally tally;
+  book = Book{};
+  Court court{means.rules, means.rules.field, means.ball, means.contact, world, book, tally, events};
+  world.players = means.rules.players;
+  world.home_attacks = 1;
+  world.ball = Ball{};
+
+  // every other one at the left touch line, as its side sees it
+  for_each_robot(world.players, [&](int robot) {
+    const float left = attack_sign(world, side_of(robot));
+    put_at_touch_line(court, robot, player_of(robot) % 2 == 1 ? left : -left);
+  });
+  const float toss = uniform(draw(world.key, kNobody, sim::Event::kick_off, 0)[0]);
+  book.first_kick_off = toss < 0.5f ? Side::home : Side::away;
+  begin_kick_off(court, book.first_kick_off, world.tick);
+}
+
+void judge(const Means& means, World& world, Book& book, Tally& tally, Events& events) {
+  if (book.phase == Phase::finished) return;
+  Court court{means.rules, means.rules.field, means.ball, means.contact, world, book, tally, events};
+  const bool look = world.tick % kLook == 0;
+
+  // the time
+  half_time::run_clock(book);
+  if (half_time::due(court)) half_time::apply(court);
+
+  // the ball, and who is round it
+  if (in_play(book)) {
+    keep_tally(court);
+    judge_ball(court);
+  }
+  if (in_play(book)) {
+    if (look) judge_robots(court);
+    if (global_stuck::due(court)) global_stuck::apply(court);
+  }
+
+  // before the kick-off
+  ready::watch(court);
+  if (ready::due(court)) {
+    ready::apply(court);
+  } else if (set::due(court)) {
+    set::apply(court);
+  }
+
+  // robots that leave and come back
+  if (look && book.phase != Phase::finished) judge_places(court);
+  for_each_robot(world.players, [&](int robot) {
+    if (returning::due(court, robot)) returning::apply(court, robot);
+  });
+  book.ball_before = world.ball.position;
+}
+
+}  // namespace sim::referee

@@ -1,0 +1,43 @@
+#include "sim/referee/tally.h"
+
+#include <algorithm>
+
+namespace sim::referee {
+
+bool rolls_into_goal(const Court& court, Side side) {
+  const Vec2 from = court.world.ball.position;
+  const Vec2 to = resting_place(court.world.ball, court.ball_model.deceleration);
+  const float line = ball_over_goal_line(court);
+  const float end = ahead(court, side, to);
+  if (end <= line) return false;
+
+  // where it crosses the line; a ball that is over it already does so at once
+  const float begin = ahead(court, side, from);
+  const float share = begin < line ? (line - begin) / (end - begin) : 0;
+  const float y = from.y + share * (to.y - from.y);
+  return std::abs(y) < court.field.goal_width / 2;
+}
+
+void keep_tally(Court& court) {
+  const World& world = court.world;
+  Book& book = court.book;
+  Tally& tally = court.tally;
+
+  if (world.touched != kNobody) {
+    book.last_toucher = world.touched;
+    book.last_touch = side_of(world.touched);
+    book.last_touch_tick = world.tick;
+    book.last_touch_at = world.ball.position;
+  }
+  if (world.kicked != kNobody) {
+    const Side side = side_of(world.kicked);
+    ++tally.kicks[static_cast<int>(side)];
+    if (rolls_into_goal(court, side)) ++tally.shots[static_cast<int>(side)];
+  }
+  if (world.whiffed != kNobody) ++tally.whiffs[static_cast<int>(side_of(world.whiffed))];
+
+  ++tally.in_play;
+  if (book.last_toucher != kNobody) ++tally.possession[static_cast<int>(book.last_touch)];
+}
+
+}  // namespace sim::referee

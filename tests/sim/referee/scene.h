@@ -1,0 +1,59 @@
+// A game without agents: tests put ball and robots where they want them and see what the referee decides.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/referee/referee.h"
+
+namespace sim::referee {
+
+field::Rules rules_2012();
+field::Rules rules_2025();
+
+struct Scene {
+  field::Rules rules;
+  BallModel ball_model{
+      .radius = 0.05f, .deceleration = 0.3f, .post_restitution = 0.5f, .robot_restitution = 0.4f, .stop_speed = 0.01f};
+  ContactModel contact{.robot_radius = 0.15f,
+                       .foot_radius = 0.1f,
+                       .lying_radius = 0.3f,
+                       .official_radius = 0.2f,
+                       .push_deviation = 0.5f};
+  World world;
+  Book book;
+  Tally tally;
+  std::vector<Event> events;  // all so far
+
+  explicit Scene(const field::Rules& given, std::uint64_t seed = 1);
+
+  Means means() const { return {rules, ball_model, contact}; }
+  Ball& ball() { return world.ball; }
+  Body& robot(Side side, int player) { return world.bodies[robot_of(side, player)]; }
+
+  /// One tick in which nobody moves, touched by nobody.
+  void pass();
+  void pass(Tick count) {
+    for (Tick i = 0; i < count; ++i) pass();
+  }
+  void pass_seconds(float seconds) { pass(ticks(seconds)); }
+
+  /// From a fresh scene to a ball that everybody may touch, everybody at the touch lines; forgets the events.
+  void start_play();
+  /// The robot touches the ball in one tick.
+  void touch(Side side, int player);
+  /// The ball, last touched by that robot of which nothing else is asked, goes from one place to another in one tick.
+  void carry(Side side, int player, Vec2 from, Vec2 to);
+  /// The robot stands there.
+  void stand(Side side, int player, Vec2 at);
+
+  /// Names of the events since the last call, each with its side where it is about one: "goal home".
+  std::vector<std::string> told();
+
+ private:
+  std::size_t read_ = 0;
+};
+
+using Names = std::vector<std::string>;
+
+}  // namespace sim::referee
