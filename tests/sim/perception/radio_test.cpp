@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/sim/perception/scene.h"
+
+namespace sim::perception {
+namespace {
+
+field::Rules rules_of(int players, int budget) {
+  field::Rules rules{};
+  rules.players = players;
+  rules.message_budget = budget;
+  rules.message_interval = 1;
+  return rules;
+}
+
+/// All robots of a team send when they may; how many packets that are in a game of `duration` [s].
+int play(const field::Rules& rules, float duration) {
+  const Effects effects = all_effects();
+  Cognition cognitions[kMaxPlayers];
+  int sent = 0;
+  for (Tick now = 0; now < ticks(duration); ++now) {
+    const float remaining = duration - static_cast<float>(now) * kTickDuration;
+    for (int i = 0; i < rules.players; ++i) {
+      if (!sends(rules, effects, cognitions[i], sent, remaining, now)) continue;
+      if (cognitions[i].packet.sent != kNever) {
+        EXPECT_GE(now - cognitions[i].packet.sent, ticks(rules.message_interval));
+      }
+      cognitions[i].packet.sent = now;
+      ++sent;
+    }
+  }
+  return sent;
+}
+
+TEST(Radio, SpendsTheBudgetEvenlyAndNeverMore) {
+  for (const int players : {4, 5, 7}) {
+    const int sent = play(rules_of(players, 1200), 1200);
+    EXPECT_LE(sent, 1200 - 30 + players);
+    EXPECT_GT(sent, 1100) << players;
+  }
+  // shorter, the interval is what limits
+  EXPECT_NEAR(play(rules_of(4, 1200), 120), 4 * 120, 8);
+}
+
+TEST(Radio, WithoutABudgetOnlyTheIntervalLimits) { EXPECT_NEAR(play(rules_of(4, 0), 60), 4 * 60, 4); }
+
+TEST(Radio, WithoutLimitsEveryDecisionIsTold) {
+  Effects effects = all_effects();
+  effects.packet_limit = false;
+  Cognition cognition;
+  cognition.packet.sent = 99;
+  EXPECT_TRUE(sends(rules_of(4, 1200), effects, cognition, 5000, 0, 100));
+}
+
+TEST(Radio, APacketTellsWhatTheRobotBelieves) {
+  agent::Beliefs beliefs;
+  beliefs.pose.pose = {{1, 2}, kPi / 2};
+  agent::Mind mind;
+  mind.role = agent::Role::defender;
+  mind.time_to_ball = 4.5f;
+  agent::Mate packet = packet_of(beliefs, mind, false, 100);
+  EXPECT_EQ(packet.ball_age, 0xffff);
+
+  beliefs.ball.position = {0.5f, 0.25f};
+  beliefs.ball.seen = 70;
+  packet = packet_of(beliefs, mind, false, 100);
+  EXPECT_EQ(packet.pose, beliefs.pose.pose);
+  EXPECT_NEAR(distance(packet.ball, {0.75f, 2.5f}), 0, 1e-6f);
+  EXPECT_EQ(packet.ball_age, 30);
+  EXPECT_EQ(packet.time_to_ball, 4.5f);
+  EXPECT_EQ(packet.role, static_cast<std::uint8_t>(agent::Role::defender));
+  EXPECT_EQ(packet.sent, 100u);
+  EXPECT_TRUE(packet.active);
+  EXPECT_FALSE(packet_of(beliefs, mind, true, 100).active);
+  EXPECT_EQ(packet_of(beliefs, mind, false, 1'000'000).ball_age, 0xfffe);
+}
+
+TEST(Radio, IsFiledUnderTheSender) {
+  Scene scene;
+  scene.effects.packet_loss = false;
+  for (const Side side : {Side::home, Side::away})
+    for (int receiver = 1; receiver <= kMaxPlayers; ++receiver) {
+      agent::Beliefs beliefs;
+      for (int sender = 1; sender <= kMaxPlayers; ++sender) {
+        if (sender == receiver) continue;
+        agent::Mate packet;
+        packet.sent = static_cast<Tick>(sender);
+        receive(scene.model, scene.effects, scene.world, packet, robot_of(side, sender), robot_of(side, receiver),
+                beliefs);
+      }
+      for (int i = 0; i < agent::kMaxMates; ++i)
+        EXPECT_EQ(beliefs.mates[i].sent, static_cast<Tick>(i + 1 < receiver ? i + 1 : i + 2));
+    }
+}
+
+TEST(Radio, LosesPacketsForEachReceiverOnItsOwn) {
+  Scene scene;
+  scene.model.radio.loss = 0.2f;
+  const int packets = 5000;
+  int lost = 0, both = 0;
+  for (int i = 0; i < packets; ++i) {
+    ++scene.world.tick;
+    agent::Mate packet;
+    packet.sent = scene.world.tick;
+    agent::Beliefs second, third;
+    receive(scene.model, scene.effects, scene.world, packet, 0, 1, second);
+    receive(scene.model, scene.effects, scene.world, packet, 0, 2, third);
+    lost += second.mates[0].sent == kNever ? 1 : 0;
+    both += second.mates[0].sent == kNever && third.mates[0].sent == kNever ? 1 : 0;
+  }
+  EXPECT_NEAR(static_cast<float>(lost) / packets, 0.2f, 0.02f);
+  EXPECT_NEAR(static_cast<float>(both) / packets, 0.04f, 0.01f);
+}
+
+TEST(Radio, DelaysAsAnExponentialDoes) {
+  Scene scene;
+  scene.model.radio.delay = 0.5f;
+  double sum = 0;
+  int longer = 0;
+  const int packets = 5000;
+  for (int i = 0; i < packets; ++i) {
+    ++scene.world.tick;
+    const Tick delay = delay_of(scene.model, scene.effects, scene.world, 2);
+    ASSERT_LE(delay, ticks(5 * 0.5f));
+    sum += delay;
+    longer += delay > 15 ? 1 : 0;
+  }
+  EXPECT_NEAR(sum / packets, 15, 0.7);
+  EXPECT_NEAR(static_cast<double>(longer) / packets, std::exp(-15.5 / 15), 0.03);
+  scene.effects.packet_delay = false;
+  EXPECT_EQ(delay_of(scene.model, scene.effects, scene.world, 2), 0u);
+}
+
+}  // namespace
+}  // namespace sim::perception
