@@ -28,11 +28,16 @@ namespace robot::agent {
 
 namespace pb = foresight;
 
-/// Capture times of a simulated game: 30 ticks are a second exactly, and no tick is off by a nanosecond.
+/// Capture times of a simulated game: at speed 1, 30 ticks are a second exactly, and no tick is off by a nanosecond.
 struct Timeline {
   std::uint64_t epoch_ns = 0;  // [ns since the epoch] of tick 0
+  double speed = 1;            // [game seconds per second]
 
-  std::uint64_t at(sim::Tick tick) const { return epoch_ns + std::uint64_t{tick} * 100'000'000 / 3; }
+  std::uint64_t at(sim::Tick tick) const { return epoch_ns + since_start_ns(tick); }
+
+  std::uint64_t since_start_ns(sim::Tick tick) const {
+    return static_cast<std::uint64_t>(static_cast<double>(std::uint64_t{tick} * 100'000'000) / (3 * speed));
+  }
 };
 
 /// Team numbers by sim::Side.

@@ -9,8 +9,10 @@
 
 namespace robot {
 
+void name_thread(std::string_view name) { pthread_setname_np(pthread_self(), std::string(name.substr(0, 15)).c_str()); }
+
 void become_background_thread(std::string_view name) {
-  pthread_setname_np(pthread_self(), std::string(name.substr(0, 15)).c_str());
+  name_thread(name);
   // on Linux a nice value belongs to a thread; lowering the priority needs no rights
   setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), 10);
 }

@@ -13,6 +13,7 @@
 #include "proto/foresight/pose.pb.h"
 #include "proto/foresight/runtime.pb.h"
 #include "proto/foresight/sensors.pb.h"
+#include "proto/foresight/sim.pb.h"
 #include "proto/foresight/team.pb.h"
 #include "proto/foresight/truth.pb.h"
 #include "proto/foresight/vision.pb.h"
@@ -51,6 +52,7 @@ struct Memory {
   MemoryObject<pb::RuntimeStatistics> runtime;
   MemoryObject<pb::LogText> log;
   MemoryObject<pb::GroundTruth> truth;
+  MemoryObject<pb::Simulation> simulation;
 
   /// Calls see(name, object, delivery) for each object. A name that starts with '/' is a topic of its own;
   /// any other is an object of this robot.
@@ -80,6 +82,7 @@ struct Memory {
     see("runtime", runtime, latest);
     see("log", log, reliable);
     see("/truth/world", truth, latest);
+    see("/sim/state", simulation, latest);
   }
 
   /// The memory of robot `robot`, "<team>/<player>"; `clock` is its time base and outlives it.

@@ -27,14 +27,17 @@ export const rows = {
   "robot/logging": ["robot/core", "robot/memory", "proto"],
   "robot/net": ["robot/core", "robot/memory", "robot/logging", "proto"],
   "robot/agent": ["robot/core", "robot/memory", "proto", "sim/math", "sim/field", "sim/motion", "sim/world", "sim/agent", "sim/perception", "sim/referee", "sim/match"],
-  "robot/body": ["robot/core", "robot/memory", "robot/logging", "proto"],
+  "robot/body": ["robot/core", "robot/memory", "robot/logging", "robot/agent", "proto", "sim/math", "sim/world", "sim/agent", "sim/referee", "sim/match", "sim/io"],
   "robot/lab": ["robot/core", "robot/memory", "robot/logging", "robot/net", "proto"],
   "robot/app": "everything",
   tests: "everything",
 };
 
 /** Libraries that only these folders know: by the first part of an #include, by the first part of a CMake target. */
-export const libraries = [{ name: "Boost", include: "boost/", target: "Boost::", folders: ["robot/net", "tests"] }];
+export const libraries = [
+  { name: "Boost", include: "boost/", target: "Boost::", folders: ["robot/net", "tests"] },
+  { name: "Random123", include: "Random123/", target: "Random123::", folders: ["sim/math"] },
+];
 
 /** The row that rules over `path`, or undefined. */
 function rowOf(path, table) {

@@ -1,0 +1,202 @@
+#include "robot/body/sim/sim_body.h"
+
+#include <algorithm>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "robot/core/thread.h"
+#include "sim/math/tick.h"
+
+namespace robot::body {
+namespace {
+
+constexpr double kEachTickShownUpTo = 2;               // [game seconds per second]; beyond, the newest of several is
+constexpr std::uint64_t kShowPeriodNs = kSecond / 60;  // at such speeds
+constexpr std::uint64_t kBreathNs = kMillisecond;      // others get the lock even when the machine is too slow
+
+constexpr const char* kOver = "simulation: the game is over; a reset begins another one";
+
+Result<void> check_speed(double speed) {
+  if (speed >= Pacer::kSlowest && speed <= Pacer::kFastest) return {};
+  return Error{"simulation: 'speed' must be 0.1 .. 100, got " + std::to_string(speed)};
+}
+
+Result<void> check_seed(std::uint64_t seed) {
+  if (seed <= SimBody::kGreatestSeed) return {};
+  return Error{"simulation: 'seed' must be 0 .. " + std::to_string(SimBody::kGreatestSeed) + ", got " +
+               std::to_string(seed)};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SimBody>> SimBody::open(Setup setup, SimOptions options, const SessionClock& clock) {
+  if (Result<void> speed = check_speed(options.speed); !speed) return Error{speed.error()};
+  if (Result<void> seed = check_seed(options.seed); !seed) return Error{seed.error()};
+  const int player = sim::player_of(options.robot);
+  if (player > setup.params().rules.players)
+    return Error{"simulation: in " + setup.rules + " 'player' must be 1 .. " +
+                 std::to_string(setup.params().rules.players) + ", got " + std::to_string(player)};
+  if (setup.teams.home == setup.teams.away)
+    return Error{"simulation: the two teams need different numbers, both have " + std::to_string(setup.teams.home)};
+  return std::unique_ptr<SimBody>(new SimBody(std::move(setup), options, clock));
+}
+
+SimBody::SimBody(Setup setup, SimOptions options, const SessionClock& clock)
+    : options_(options),
+      clock_(clock),
+      game_(std::move(setup), options.seed),
+      memories_(game_.setup(), options.robot, clock),
+      told_(describe(game_.setup())) {
+  pacer_.restart(options_.speed, monotonic_ns());
+  go_on();
+}
+
+SimBody::~SimBody() { stop(); }
+
+void SimBody::start() {
+  const std::lock_guard guard(lock_);
+  running_ = true;
+  go_on();
+  thread_ = std::thread([this] { run(); });
+}
+
+void SimBody::stop() {
+  {
+    const std::lock_guard guard(lock_);
+    running_ = false;
+    changed_.notify_all();
+  }
+  if (thread_.joinable()) thread_.join();
+}
+
+void SimBody::run() {
+  name_thread("simulation");
+  const std::lock_guard guard(lock_);
+  while (running_) {
+    const bool over = game_.finished();
+    if (paused_ || (over && !options_.loop)) {
+      changed_.wait(lock_);
+    } else if (monotonic_ns() < wake_ns_) {
+      changed_.wait_until(lock_, wake_ns_);
+    } else if (over) {
+      begin_next();
+    } else {
+      play_due_ticks();
+    }
+  }
+}
+
+void SimBody::play_due_ticks() {
+  const std::uint64_t now_ns = monotonic_ns();
+  while (pacer_.next_ns() <= now_ns && !game_.finished()) {
+    const std::uint64_t due_ns = pacer_.take(now_ns);
+    game_.tick();
+    const bool last = pacer_.next_ns() > now_ns || game_.finished();
+    if (last || pacer_.speed() <= kEachTickShownUpTo) show(due_ns);
+  }
+  const bool each = pacer_.speed() <= kEachTickShownUpTo;
+  wake_ns_ = std::max(pacer_.next_ns(), each ? monotonic_ns() + kBreathNs : now_ns + kShowPeriodNs);
+  if (game_.finished()) wake_ns_ = monotonic_ns() + options_.rest_ns;
+}
+
+/// Another game, of a seed or from a situation.
+template <class From>
+void SimBody::begin(const From& from) {
+  game_.begin(from);
+  memories_.forget();
+  go_on();
+}
+
+void SimBody::begin_next() {
+  const std::uint64_t seed = game_.state().world.key.seed;
+  begin(seed < kGreatestSeed ? seed + 1 : 0);
+}
+
+/// Writes what the last tick brought, which was due at `monotonic_ns`.
+void SimBody::show(std::uint64_t monotonic_ns) {
+  const std::uint64_t capture_ns = monotonic_ns + clock_.epoch_offset_ns();
+  const sim::Tick tick = game_.state().world.tick;
+  // while the game goes on evenly, times of the past stay what they were to the nanosecond
+  constexpr std::uint64_t kRoundingNs = 100;
+  const std::uint64_t as_before_ns = timeline_.at(tick);
+  const std::uint64_t off_ns = std::max(as_before_ns, capture_ns) - std::min(as_before_ns, capture_ns);
+  if (timeline_.speed != pacer_.speed() || off_ns > kRoundingNs) {
+    timeline_ = {.epoch_ns = 0, .speed = pacer_.speed()};
+    timeline_.epoch_ns = capture_ns - timeline_.since_start_ns(tick);
+  }
+  memories_.write(game_, timeline_);
+  show_state();
+}
+
+void SimBody::show_state() {
+  const sim::State& state = game_.state();
+  told_.set_paused(paused_);
+  told_.set_finished(game_.finished());
+  told_.set_speed(static_cast<float>(pacer_.speed()));
+  told_.set_seed(state.world.key.seed);
+  told_.set_tick(state.world.tick);
+  told_.set_ticks_behind(pacer_.ticks_behind());
+  told_.mutable_home()->set_score(state.book.score[0]);
+  told_.mutable_away()->set_score(state.book.score[1]);
+  memory()->simulation.write(told_, timeline_.at(state.world.tick));
+}
+
+/// After an order: time begins anew, and everybody sees how it stands.
+void SimBody::go_on() {
+  const std::uint64_t now_ns = monotonic_ns();
+  pacer_.restart(pacer_.speed(), now_ns);
+  wake_ns_ = game_.finished() ? now_ns + options_.rest_ns : pacer_.next_ns();
+  show(now_ns);
+  changed_.notify_all();
+}
+
+void SimBody::pause() {
+  const std::lock_guard guard(lock_);
+  paused_ = true;
+  show_state();
+}
+
+Result<void> SimBody::resume() {
+  const std::lock_guard guard(lock_);
+  if (game_.finished()) return Error{kOver};
+  if (std::exchange(paused_, false)) go_on();
+  return {};
+}
+
+Result<void> SimBody::step(std::int64_t ticks) {
+  if (ticks < 1 || ticks > kMostSteps)
+    return Error{"simulation: 'ticks' must be 1 .. " + std::to_string(kMostSteps) + ", got " + std::to_string(ticks)};
+  const std::lock_guard guard(lock_);
+  if (game_.finished()) return Error{kOver};
+  paused_ = true;
+  for (; ticks > 0 && !game_.finished(); --ticks) {
+    game_.tick();
+    show(monotonic_ns());
+  }
+  return {};
+}
+
+Result<void> SimBody::set_speed(double speed) {
+  if (Result<void> checked = check_speed(speed); !checked) return checked;
+  const std::lock_guard guard(lock_);
+  pacer_.restart(speed, monotonic_ns());
+  go_on();
+  return {};
+}
+
+Result<void> SimBody::reset(std::uint64_t seed) {
+  if (Result<void> checked = check_seed(seed); !checked) return checked;
+  const std::lock_guard guard(lock_);
+  begin(seed);
+  return {};
+}
+
+void SimBody::reset(const sim::State& situation) {
+  const std::lock_guard guard(lock_);
+  begin(situation);
+}
+
+foresight::Simulation SimBody::state() const { return memory()->simulation.read()->value(); }
+
+}  // namespace robot::body

@@ -1,0 +1,277 @@
+#include "robot/body/sim/sim_body.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <map>
+#include <set>
+#include <thread>
+
+#include "robot/agent/convert.h"
+#include "robot/memory/channels.h"
+#include "sim/match/situation.h"
+#include "sim/match/step.h"
+#include "tests/robot/body/sim/support.h"
+
+namespace robot::body {
+namespace {
+
+using tests::becomes;
+using tests::kShortRules;
+using tests::Recording;
+using tests::setup;
+
+const SessionClock kClock;
+
+std::unique_ptr<SimBody> body(SimOptions options = {}, Setup with = setup()) {
+  auto opened = SimBody::open(std::move(with), options, kClock);
+  EXPECT_TRUE(opened) << (opened ? "" : opened.error());
+  return std::move(*opened);
+}
+
+std::string truth_of(const sim::State& state) {
+  foresight::GroundTruth truth;
+  agent::to_proto(state.world, {}, truth);
+  return truth.SerializeAsString();
+}
+
+/// The truth after each of `ticks` ticks of the game of `seed`, as the simulator alone plays it; first the beginning.
+std::vector<std::string> played_by_the_simulator(std::uint64_t seed, int ticks) {
+  const Setup with = setup();
+  sim::referee::Events events;
+  sim::State state = sim::begin(with.params(), {seed}, events);
+  std::vector<std::string> truths = {truth_of(state)};
+  for (int tick = 0; tick < ticks; ++tick) {
+    sim::step(with.params(), state, events);
+    truths.push_back(truth_of(state));
+  }
+  return truths;
+}
+
+std::vector<std::string> bytes_of(const Recording& recording) {
+  std::vector<std::string> bytes;
+  for (const Recording::Message& message : recording.messages()) bytes.push_back(message.bytes);
+  return bytes;
+}
+
+TEST(SimBody, PlaysTheGameOfItsSeedTickByTick) {
+  const auto player = body({.seed = 7});
+  const Recording truth(player->memory()->truth);
+  ASSERT_TRUE(player->step(600));
+  EXPECT_EQ(bytes_of(truth), played_by_the_simulator(7, 600));
+}
+
+TEST(SimBody, SpeedChangesNothingOfTheGame) {
+  const auto player = body({.seed = 7, .speed = 100});
+  player->start();
+  ASSERT_TRUE(becomes([&] { return player->state().tick() >= 900; }));
+  player->pause();
+  const int ticks = static_cast<int>(player->state().tick());
+  EXPECT_EQ(player->memory()->truth.read()->bytes(), played_by_the_simulator(7, ticks).back());
+}
+
+TEST(SimBody, EachSteppedTickIsWrittenAndNoOther) {
+  const auto player = body();
+  player->start();
+  player->pause();
+  const std::uint32_t before = player->state().tick();
+  const Recording truth(player->memory()->truth), state(player->memory()->simulation);
+  ASSERT_TRUE(player->step(5));
+  ASSERT_TRUE(player->step(1));
+  EXPECT_EQ(player->state().tick(), before + 6);
+  EXPECT_EQ(truth.messages().size(), 7u);  // the first is what there was
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(truth.messages().size(), 7u);
+  EXPECT_EQ(player->state().tick(), before + 6);
+}
+
+TEST(SimBody, StepPausesAndResumeGoesOn) {
+  const auto player = body();
+  player->start();
+  EXPECT_FALSE(player->state().paused());
+  ASSERT_TRUE(player->step(1));
+  EXPECT_TRUE(player->state().paused());
+  const std::uint32_t tick = player->state().tick();
+  ASSERT_TRUE(player->resume());
+  EXPECT_FALSE(player->state().paused());
+  EXPECT_TRUE(becomes([&] { return player->state().tick() > tick + 2; }));
+}
+
+TEST(SimBody, ResetBeginsTheGameOfASeedAgain) {
+  const auto player = body({.seed = 7});
+  ASSERT_TRUE(player->step(50));
+  for (const std::uint64_t seed : {std::uint64_t{8}, std::uint64_t{7}}) {
+    ASSERT_TRUE(player->reset(seed));
+    EXPECT_EQ(player->state().tick(), 0u);
+    EXPECT_EQ(player->state().seed(), seed);
+    const Recording truth(player->memory()->truth);
+    ASSERT_TRUE(player->step(300));
+    EXPECT_EQ(bytes_of(truth), played_by_the_simulator(seed, 300));
+  }
+  EXPECT_NE(played_by_the_simulator(7, 300), played_by_the_simulator(8, 300));
+}
+
+TEST(SimBody, ASituationIsWhereTheGameGoesOn) {
+  const auto player = body();
+  sim::State state = sim::random_situation(player->setup().params(), {5});
+  player->reset(state);
+  EXPECT_EQ(player->memory()->truth.read()->bytes(), truth_of(state));
+  ASSERT_TRUE(player->step(100));
+  sim::referee::Events events;
+  for (int tick = 0; tick < 100; ++tick) sim::step(player->setup().params(), state, events);
+  EXPECT_EQ(player->memory()->truth.read()->bytes(), truth_of(state));
+  EXPECT_EQ(player->state().seed(), 5u);
+}
+
+TEST(SimBody, EveryRobotIsListedUnderItsName) {
+  const auto player = body({.robot = sim::robot_of(sim::Side::away, 3)});
+  memory::Channels channels;
+  ASSERT_TRUE(player->list(channels));
+  std::map<std::string, int> objects;  // by robot
+  std::set<std::string> own;
+  for (const auto& channel : channels.all()) {
+    const std::string& topic = channel->info().topic;
+    ++objects[topic.substr(0, topic.rfind('/'))];
+    if (topic.starts_with("/5/3/")) own.insert(topic.substr(5));
+  }
+  for (const char* robot : {"/14/1", "/14/2", "/14/3", "/14/4", "/5/1", "/5/2", "/5/4"}) EXPECT_EQ(objects[robot], 8);
+  EXPECT_EQ(own, (std::set<std::string>{"ball", "clock", "decision", "game", "log", "motion_command", "motion_status",
+                                        "odometry", "pose", "runtime", "team"}));
+  EXPECT_TRUE(channels.find("/truth/world"));
+  EXPECT_TRUE(channels.find("/sim/state"));
+  EXPECT_EQ(channels.all().size(), 7u * 8 + 11 + 2);
+  EXPECT_EQ(player->memory()->ball.info().topic, "/5/3/ball");
+}
+
+// without noise a robot believes what is true
+TEST(SimBody, AtEqualCaptureTimesStandABeliefAndItsTruth) {
+  const auto player = body({.robot = 2}, setup("spl2012", "perfect"));
+  const Recording truth(player->memory()->truth), pose(player->memory()->pose), game(player->memory()->game);
+  ASSERT_TRUE(player->step(400));
+  std::map<std::uint64_t, foresight::GroundTruth> truths;
+  for (const auto& [capture_ns, bytes] : truth.messages()) truths[capture_ns].ParseFromString(bytes);
+  foresight::GameState told;
+  told.ParseFromString(game.messages().front().bytes);
+  const float sign = told.attacks_positive_x() ? 1.f : -1.f;
+  std::size_t compared = 0;
+  for (const auto& [capture_ns, bytes] : pose.messages()) {
+    foresight::Pose believed;
+    believed.ParseFromString(bytes);
+    const auto at = truths.find(capture_ns);
+    if (at == truths.end()) continue;
+    for (const auto& robot : at->second.robots()) {
+      if (robot.team() != 14 || robot.player() != 3) continue;
+      EXPECT_NEAR(sign * believed.x(), robot.x(), 1e-4) << compared;
+      EXPECT_NEAR(sign * believed.y(), robot.y(), 1e-4) << compared;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 200u);
+}
+
+TEST(SimBody, CaptureTimesNeverGoBack) {
+  const auto player = body({.seed = 3, .speed = 50});
+  memory::Channels channels;
+  ASSERT_TRUE(player->list(channels));
+  std::vector<std::unique_ptr<Recording>> recordings;
+  for (const auto& channel : channels.all()) recordings.push_back(std::make_unique<Recording>(*channel));
+  player->start();
+  for (const double speed : {100.0, 0.1, 30.0, 1.0}) {
+    ASSERT_TRUE(becomes([&] { return player->memory()->truth.read()->sequence() % 7 == 0; }));
+    ASSERT_TRUE(player->set_speed(speed));
+    ASSERT_TRUE(player->step(3));
+    ASSERT_TRUE(player->reset(11));
+    ASSERT_TRUE(player->step(40));
+    ASSERT_TRUE(player->resume());
+  }
+  player->stop();
+  const std::uint64_t now_ns = kClock.now_ns();
+  for (const auto& recording : recordings) {
+    std::uint64_t last_ns = 0;
+    for (const auto& [capture_ns, bytes] : recording->messages()) {
+      EXPECT_GE(capture_ns, last_ns);
+      EXPECT_LE(capture_ns, now_ns + 1000);
+      last_ns = capture_ns;
+    }
+  }
+}
+
+TEST(SimBody, StandsAtTheEndUntilAReset) {
+  const auto player = body({.seed = 1, .speed = 100}, setup(kShortRules));
+  player->start();
+  ASSERT_TRUE(becomes([&] { return player->state().finished(); }));
+  const std::uint32_t tick = player->state().tick();
+  const std::string over = "simulation: the game is over; a reset begins another one";
+  EXPECT_EQ(player->step(1).error(), over);
+  EXPECT_EQ(player->resume().error(), over);
+  EXPECT_EQ(player->state().tick(), tick);
+  ASSERT_TRUE(player->reset(2));
+  EXPECT_FALSE(player->state().finished());
+  EXPECT_TRUE(becomes([&] { return player->state().finished(); }));
+}
+
+TEST(SimBody, StepEndsWithTheGame) {
+  const auto player = body({}, setup(kShortRules));
+  ASSERT_TRUE(player->step(SimBody::kMostSteps));
+  EXPECT_TRUE(player->state().finished());
+  EXPECT_LT(player->state().tick(), SimBody::kMostSteps);
+}
+
+TEST(SimBody, ALoopPlaysTheNextSeed) {
+  const auto player = body({.seed = 5, .speed = 100, .loop = true, .rest_ns = kMillisecond}, setup(kShortRules));
+  player->start();
+  EXPECT_TRUE(becomes([&] { return player->state().seed() == 7; }));
+}
+
+TEST(SimBody, StopIsPrompt) {
+  for (const bool paused : {false, true}) {
+    const auto player = body({.speed = 0.1});
+    player->start();
+    if (paused) player->pause();
+    const std::uint64_t before_ns = monotonic_ns();
+    player->stop();
+    EXPECT_LT(monotonic_ns() - before_ns, kSecond / 5) << "a period is 333 ms";
+    const std::uint64_t written = player->memory()->truth.read()->sequence();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_EQ(player->memory()->truth.read()->sequence(), written);
+  }
+}
+
+TEST(SimBody, RefusesWhatIsOutOfRangeInASentence) {
+  const auto player = body();
+  EXPECT_EQ(player->step(0).error(), "simulation: 'ticks' must be 1 .. 1800, got 0");
+  EXPECT_EQ(player->step(1801).error(), "simulation: 'ticks' must be 1 .. 1800, got 1801");
+  EXPECT_EQ(player->set_speed(0.05).error(), "simulation: 'speed' must be 0.1 .. 100, got 0.050000");
+  EXPECT_FALSE(player->set_speed(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_FALSE(player->reset(SimBody::kGreatestSeed + 1));
+  const auto open = [](SimOptions options, agent::TeamNumbers teams = {}) {
+    body::Setup with = setup();
+    with.teams = teams;
+    return SimBody::open(std::move(with), options, kClock);
+  };
+  EXPECT_EQ(open({.robot = 4}).error(), "simulation: in spl2012 'player' must be 1 .. 4, got 5");
+  EXPECT_EQ(open({}, {.home = 5, .away = 5}).error(), "simulation: the two teams need different numbers, both have 5");
+  EXPECT_FALSE(open({.speed = 101}));
+}
+
+TEST(SimBody, OrdersComeFromAnyThread) {
+  const auto player = body({.speed = 20});
+  player->start();
+  std::vector<std::thread> people;
+  for (int person = 0; person < 4; ++person)
+    people.emplace_back([&, person] {
+      for (int order = 0; order < 20; ++order) {
+        const Result<void> done = person == 0   ? player->step(3)
+                                  : person == 1 ? player->resume()
+                                  : person == 2 ? player->set_speed(1 + order)
+                                                : player->reset(static_cast<std::uint64_t>(order));
+        EXPECT_TRUE(done);
+        EXPECT_LE(player->state().seed(), 20u);
+      }
+    });
+  for (std::thread& person : people) person.join();
+  player->stop();
+}
+
+}  // namespace
+}  // namespace robot::body
