@@ -13,14 +13,14 @@ enum class Role : std::uint8_t { keeper, chaser, supporter, defender };
 /// Plain data: it is part of the simulator's state.
 struct Mind {
   Role role = Role::supporter;
-  std::uint8_t slot = 0;   // which of several of its role it is, from 0
+  std::uint8_t slot = 8;   // its lane among those of its role, see sim/agent/roles.h: 8 is the middle
   std::uint16_t leaf = 0;  // of the tree: what it does now
   Tick role_since = 0;
   Tick leaf_since = 0;
   float time_to_ball = 1e6f;  // [s] its own estimate, told to teammates
   Vec2 ball;                  // [m, team_field] where it takes the ball to be, by all reports
   Tick ball_seen = kNever;    // of the report behind it
-  float search_side = 1;      // +1 searches to the left, -1 to the right
+  float search_side = 1;      // +1 left, -1 right: where the ball was last, the leg to kick with
   Tick search_since = kNever;
   float kick_direction = 0;  // [rad, team_field] where the ball shall go
   std::uint8_t kick = 0;     // index of the kick it aligns for

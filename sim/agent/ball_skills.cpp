@@ -1,0 +1,160 @@
+#include "sim/agent/ball_skills.h"
+
+#include "sim/agent/features.h"
+#include "sim/agent/head.h"
+#include "sim/agent/walk.h"
+
+namespace sim::agent {
+namespace {
+
+constexpr float kEyesOnBall = 0.7f;      // [m] nearer than this the head does not look away
+constexpr float kStillBall = 0.35f;      // [m/s] a faster ball is not kicked
+constexpr float kFreshBall = 0.7f;       // [s] a ball seen longer ago is not kicked
+constexpr float kUseOfTolerance = 0.7f;  // the approach aims so far inside the tolerance that noise leaves it there
+constexpr float kOtherLeg = 0.03f;       // [m] the ball must lie so far on the other side for the other leg
+
+/// Where the ball shall go: a point, and how far beside it is still good.
+struct Target {
+  Vec2 point;       // [m, team_field]
+  float slack = 0;  // [m] to each side
+};
+
+Target target_of(const View& view, Aim aim, float lead) {
+  const Vec2 ball = view.ball_in_team;
+  switch (aim) {
+    case Aim::goal: return {view.goal()};
+    case Aim::opening: {
+      const Gap gap = widest_gap(view);
+      return {{view.half_length, 0.5f * (gap.right + gap.left)}, 0.35f * (gap.left - gap.right)};
+    }
+    case Aim::away: return {ball + (ball - view.own_goal())};
+    case Aim::mate:
+      if (const int mate = pass_mate(view); mate >= 0) return {view.beliefs.mates[mate].pose.position + Vec2{lead, 0}};
+      break;
+    case Aim::ahead: break;
+  }
+  return {ball + Vec2{1, 0}};
+}
+
+/// The direction in which to send the ball: at the target, but within the tolerance as near to the way in which the
+/// robot comes as can be.
+struct Direction {
+  Vec2 way;         // [robot] unit vector
+  float tolerance;  // [rad] that the target allows
+};
+
+Direction direction_of(const View& view, const Target& target, float tolerance) {
+  const Vec2 to_target = target.point - view.ball_in_team;
+  const float far = length(to_target);
+  const Vec2 straight = far > 1e-3f ? turned_back((1 / far) * to_target, view.facing) : Vec2{1, 0};
+  // the angle of the slack, near enough: how obliquely the goal is seen counts
+  const float slack = far > 0.1f ? target.slack * std::abs(to_target.x) / (far * far) : 0;
+  const float allowed = slack > tolerance ? (slack < 1.2f ? slack : 1.2f) : tolerance;
+
+  const SinCos use = sin_cos(kUseOfTolerance * allowed);
+  const Vec2 coming = view.ball_distance > 1e-3f ? (1 / view.ball_distance) * view.ball : Vec2{1, 0};
+  if (dot(coming, straight) >= use.cos) return {coming, allowed};
+  const float across = cross(straight, coming);
+  const float side = across != 0 ? sign(across) : view.mind.search_side;
+  return {turned(straight, {use.cos, side * use.sin}), allowed};
+}
+
+/// The quickest kick to the front that carries `range`; the longest where none does.
+std::uint8_t choose_kick(const motion::Model& model, float range) {
+  int best = -1;
+  for (int i = 0; i < model.kick_count; ++i) {
+    const motion::Kick& kick = model.kicks[i];
+    if (std::abs(kick.direction) > 0.2f) continue;
+    if (best < 0) {
+      best = i;
+      continue;
+    }
+    const motion::Kick& other = model.kicks[best];
+    const bool reaches = kick.range >= range, other_reaches = other.range >= range;
+    const bool better = reaches && other_reaches ? kick.delay < other.delay : kick.range > other.range;
+    if (reaches != other_reaches ? reaches : better) best = i;
+  }
+  return static_cast<std::uint8_t>(best < 0 ? 0 : best);
+}
+
+/// Remembers what the body is about, and which leg is to do it.
+void intend(const View& view, Mind& mind, Vec2 way) {
+  const Vec2 in_team = turned(way, view.facing);
+  mind.kick_direction = angle_of(in_team);
+  const float side = cross(way, view.ball);
+  if (std::abs(side) > kOtherLeg) mind.search_side = sign(side);
+}
+
+/// To where the ball lies `ahead` [m] in front and `beside` [m] to the left of a robot that faces `way`.
+motion::Command approach(const View& view, const Mind& mind, Vec2 way, float ahead, float beside, float gain) {
+  const Vec2 target = view.ball - ahead * way - beside * left_of(way);
+  const float room = ahead + 0.07f < 0.3f ? ahead + 0.07f : 0.3f;
+  const Vec2 step = round_circle(view.ball, room, target, mind.search_side);
+  // near the ball one fights for it, farther away one goes round whoever is there
+  const float heading = angle_of(way);
+  motion::Command command =
+      view.ball_distance > 0.6f ? walk_in_robot(view, step, heading, gain) : walk_straight(step, heading, gain);
+  view.ball_distance < kEyesOnBall ? keep_eye_on_ball(view, command) : look_at_ball(view, command);
+  return command;
+}
+
+/// What align, kick and pass have in common.
+motion::Command shoot(const View& view, Mind& mind, const Target& target, const Kick& with, bool kicks) {
+  mind.kick = choose_kick(*view.around.motion, with.range);
+  const motion::Kick& kick = view.around.motion->kicks[mind.kick];
+  const Direction direction = direction_of(view, target, with.tolerance);
+  intend(view, mind, direction.way);
+  const bool left = mind.search_side > 0;
+
+  // does the ball lie right, and does the robot face where it may go?
+  const Vec2 straight = unit(turned_back(target.point - view.ball_in_team, view.facing));
+  const bool faces = std::abs(atan2(straight.y, straight.x)) <= direction.tolerance;
+  const bool lies = faces && in_gate(kick, view.ball, left, with.care);
+  mind.aligned = lies ? static_cast<std::uint8_t>(mind.aligned < 255 ? mind.aligned + 1 : 255) : std::uint8_t{0};
+
+  const bool still = squared_length(view.ball_velocity) < kStillBall * kStillBall;
+  const bool fresh = age(view.now, view.beliefs.ball.seen) < kFreshBall;
+  if (kicks && lies && still && fresh && static_cast<float>(mind.aligned) >= with.frames) {
+    motion::Command command;
+    command.body = motion::Command::Body::kick;
+    command.kick = mind.kick, command.kick_left = left;
+    keep_eye_on_ball(view, command);
+    return command;
+  }
+  return approach(view, mind, direction.way, kick.ball_x, left ? kick.ball_y : -kick.ball_y, 1);
+}
+
+}  // namespace
+
+motion::Command walk_to_ball(const View& view, Mind& mind, const WalkToBall& with) {
+  const Direction direction = direction_of(view, target_of(view, with.aim, 0), with.tolerance);
+  intend(view, mind, direction.way);
+  return approach(view, mind, direction.way, with.distance, 0, with.gain);
+}
+
+motion::Command align(const View& view, Mind& mind, const Align& with) {
+  return shoot(view, mind, target_of(view, with.aim, 0), {with.aim, with.tolerance, with.range, 1, 1}, false);
+}
+
+motion::Command kick(const View& view, Mind& mind, const Kick& with) {
+  return shoot(view, mind, target_of(view, with.aim, 0), with, true);
+}
+
+motion::Command dribble(const View& view, Mind& mind, const Dribble& with) {
+  const Direction direction = direction_of(view, target_of(view, with.aim, 0), with.tolerance);
+  intend(view, mind, direction.way);
+  const float off = cross(direction.way, view.ball);
+  const bool behind = dot(direction.way, view.ball) > 0 && std::abs(off) < 0.08f && view.ball_distance < 0.45f;
+  if (!behind) return approach(view, mind, direction.way, 0.2f, 0, with.gain);
+  motion::Command command = walk_straight(view.ball + 0.4f * direction.way, angle_of(direction.way), with.gain);
+  keep_eye_on_ball(view, command);
+  return command;
+}
+
+motion::Command pass(const View& view, Mind& mind, const Pass& with) {
+  const Target target = target_of(view, Aim::mate, with.lead);
+  const float range = distance(target.point, view.ball_in_team);
+  return shoot(view, mind, target, {Aim::mate, with.tolerance, range, with.care, with.frames}, true);
+}
+
+}  // namespace sim::agent

@@ -1,0 +1,101 @@
+#include "sim/agent/roles.h"
+
+namespace sim::agent {
+namespace {
+
+/// A robot as candidate for the roles.
+struct Candidate {
+  float time;  // [s] to the ball; less what it has in hand as the chaser
+  float x;     // [m, team_field]; less what it has in hand as a defender
+  float y;     // [m, team_field]
+  int player;
+  bool defends = false;
+};
+
+/// Which of two comes first; the number settles what a mirrored game leaves the same.
+bool quicker(const Candidate& a, const Candidate& b) {
+  return a.time < b.time || (a.time == b.time && a.player < b.player);
+}
+bool farther_back(const Candidate& a, const Candidate& b) { return a.x < b.x || (a.x == b.x && a.player < b.player); }
+
+Candidate candidate(const Roles& roles, Role role, float time, Vec2 position, int player) {
+  return {.time = role == Role::chaser ? time - roles.hysteresis : time,
+          .x = role == Role::defender ? position.x - roles.order_keep : position.x,
+          .y = position.y,
+          .player = player};
+}
+
+void set_role(Mind& mind, Role role, Tick now) {
+  if (mind.role != role) mind.role_since = now;
+  mind.role = role;
+}
+
+}  // namespace
+
+const char* name_of(Role role) {
+  static constexpr const char* kNames[kRoleCount] = {"keeper", "chaser", "supporter", "defender"};
+  const auto index = static_cast<unsigned>(role);
+  return index < kRoleCount ? kNames[index] : "unknown";
+}
+
+float time_to_ball(const View& view) {
+  const motion::Walk& walk = view.around.motion->walk;
+  const float distance = view.ball_distance > 0.01f ? view.ball_distance : 0.01f;
+  const Vec2 to_ball = (1 / distance) * view.ball;
+  const Vec2 goal_from_ball = unit(view.goal() - view.ball_in_team);
+  const float wrong_side = 1 - dot(turned(to_ball, view.facing), goal_from_ball);
+  return distance / walk.forward + 0.5f * kPi / walk.turn_rate * (1 - to_ball.x) + 0.4f / walk.sideward * wrong_side;
+}
+
+void assign_role(const View& view, Mind& mind) {
+  const Roles& roles = view.settings.roles;
+  mind.time_to_ball = view.ball_known ? time_to_ball(view) : 1e6f;
+  if (view.game.player == 1) {
+    set_role(mind, Role::keeper, view.now);
+    mind.slot = kMiddleLane;
+    return;
+  }
+
+  // everybody in the field, oneself first
+  Candidate all[kMaxPlayers];
+  all[0] = candidate(roles, mind.role, mind.time_to_ball, view.position, view.game.player);
+  int count = 1;
+  view.for_each_mate([&](const Mate& mate, int index) {
+    const int player = view.player_of_mate(index);
+    if (player == 1) return;
+    // who told that it chases has come nearer since
+    const auto role = static_cast<Role>(mate.role);
+    const float since = static_cast<float>(view.now - mate.sent) * kTickDuration;
+    const float left =
+        role == Role::chaser && mate.time_to_ball > since ? mate.time_to_ball - since : mate.time_to_ball;
+    all[count++] = candidate(roles, role, left, mate.pose.position, player);
+  });
+
+  // the quickest chases
+  int chaser = 0;
+  for (int i = 1; i < count; ++i)
+    if (quicker(all[i], all[chaser])) chaser = i;
+  if (chaser == 0) {
+    set_role(mind, Role::chaser, view.now);
+    mind.slot = kMiddleLane;
+    return;
+  }
+
+  // those farthest back defend
+  all[chaser] = all[--count];
+  const int defenders = static_cast<int>(roles.defenders * static_cast<float>(count) + 0.5f);
+  for (int i = 0; i < count; ++i) {
+    int behind = 0;
+    for (int k = 0; k < count; ++k) behind += k != i && farther_back(all[k], all[i]);
+    all[i].defends = behind < defenders;
+  }
+  set_role(mind, all[0].defends ? Role::defender : Role::supporter, view.now);
+
+  // lanes from right to left; level robots share one, so that a mirrored team has mirrored lanes
+  int lane = kMiddleLane;
+  for (int k = 1; k < count; ++k)
+    if (all[k].defends == all[0].defends) lane += (all[k].y < all[0].y) - (all[k].y > all[0].y);
+  mind.slot = static_cast<std::uint8_t>(lane);
+}
+
+}  // namespace sim::agent

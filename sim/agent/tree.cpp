@@ -1,0 +1,99 @@
+#include "sim/agent/tree.h"
+
+#include <cmath>
+
+#include "sim/agent/head.h"
+#include "sim/agent/manners.h"
+#include "sim/agent/place_skills.h"
+#include "sim/agent/roles.h"
+#include "sim/agent/trace.h"
+
+namespace sim::agent {
+namespace {
+
+/// What it takes the ball to be, for when nobody sees it any more; and to which side it went.
+void remember_ball(const View& view, Mind& mind) {
+  if (!view.ball_known) return;
+  mind.ball = view.ball_in_team;
+  mind.ball_seen = view.ball_seen;
+  if (view.ball_distance > 0.6f && std::abs(view.ball.y) > 0.2f) mind.search_side = sign(view.ball.y);
+}
+
+void remember_leaf(Mind& mind, std::uint16_t leaf, Tick now) {
+  if (mind.leaf != leaf) mind.leaf_since = now;
+  mind.leaf = leaf;
+}
+
+Trace::Node explained(const Node& node, const Words& words, float value, bool result) {
+  return {.path = words.path.c_str(),
+          .name = words.name.c_str(),
+          .condition = words.condition.c_str(),
+          .feature = info_of(node.feature).name,
+          .value = value,
+          .threshold = node.threshold,
+          .known = !std::isnan(value),
+          .result = result};
+}
+
+void explain_leaf(const Leaf& leaf, const Words& words, const Mind& mind, Trace& trace) {
+  trace.visited.push_back({.path = words.path.c_str(), .name = words.name.c_str(), .condition = "", .feature = ""});
+  const SkillInfo& skill = info_of(leaf.skill);
+  trace.skill = skill.name;
+  for (int i = 0; i < skill.count; ++i) trace.arguments.push_back({skill.parameters[i].name, leaf.arguments[i]});
+  trace.role = name_of(mind.role);
+}
+
+/// Down the tree to the leaf whose number is returned.
+std::uint16_t walk_down(const Tree& tree, const View& view, Trace* trace) {
+  std::uint16_t at = tree.root;
+  while (!(at & kLeafBit)) {
+    const Node& node = tree.nodes[at];
+    const float value = value_of(node.feature, view);
+    const bool result = holds(node.comparison, value, node.threshold);
+    if (trace) trace->visited.push_back(explained(node, tree.node_words[at], value, result));
+    at = result ? node.yes : node.no;
+  }
+  return static_cast<std::uint16_t>(at & ~kLeafBit);
+}
+
+}  // namespace
+
+bool holds(Comparison comparison, float value, float threshold) {
+  switch (comparison) {
+    case Comparison::less: return value < threshold;
+    case Comparison::at_most: return value <= threshold;
+    case Comparison::greater: return value > threshold;
+    case Comparison::at_least: return value >= threshold;
+    case Comparison::equal: return value == threshold;
+    case Comparison::unequal: return value < threshold || value > threshold;
+  }
+  return false;
+}
+
+motion::Command wait(const View& view, Mind& mind, Trace* trace) {
+  remember_leaf(mind, kNoLeaf, view.now);
+  mind.search_since = kNever;
+  mind.aligned = 0;
+  const bool walks = view.game.phase == Game::Phase::ready && !view.game.penalised;
+  if (trace) trace->skill = walks ? "get_ready" : "stand", trace->role = name_of(mind.role);
+  if (walks) return get_ready(view);
+  return stand(view);
+}
+
+motion::Command TreeBehaviour::decide(const Surroundings& surroundings, const Game& game, const Beliefs& beliefs,
+                                      Tick now, Mind& mind, Trace* trace) const {
+  if (trace) trace->clear();
+  const View view(surroundings, tree_.settings, game, beliefs, now, mind);
+  if (!plays(game)) return wait(view, mind, trace);
+
+  remember_ball(view, mind);
+  assign_role(view, mind);
+  const std::uint16_t number = walk_down(tree_, view, trace);
+  remember_leaf(mind, number, now);
+  const Leaf& leaf = tree_.leaves[number];
+  if (trace) explain_leaf(leaf, tree_.leaf_words[number], mind, *trace);
+  if (leaf.skill != Skill::search_ball) mind.search_since = kNever;
+  return mannerly(view, run(leaf.skill, leaf.arguments, view, mind));
+}
+
+}  // namespace sim::agent

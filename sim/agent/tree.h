@@ -1,0 +1,77 @@
+// A decision tree, compiled: a flat array of comparisons and the leaves they lead to.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/agent/behaviour.h"
+#include "sim/agent/features.h"
+#include "sim/agent/settings.h"
+#include "sim/agent/skills.h"
+
+namespace sim::agent {
+
+enum class Comparison : std::uint8_t { less, at_most, greater, at_least, equal, unequal };
+
+/// Where a comparison leads: a node, or with this bit a leaf. Nodes lead to earlier ones only: a tree cannot be a circle.
+inline constexpr std::uint16_t kLeafBit = 0x8000;
+/// Mind.leaf of a robot that does not play: penalised, or not in the phase playing.
+inline constexpr std::uint16_t kNoLeaf = 0xffff;
+inline constexpr int kMaxNodes = 4096;
+inline constexpr int kMaxLeaves = 4096;
+
+struct Node {
+  Feature feature;
+  Comparison comparison;
+  std::uint16_t yes;
+  std::uint16_t no;
+  float threshold;
+};
+
+struct Leaf {
+  Skill skill = Skill::stand;
+  float arguments[kMaxArguments] = {};
+};
+
+/// The words of a node or leaf, for the trace.
+struct Words {
+  std::string path;
+  std::string name;
+  std::string condition;
+};
+
+struct Tree {
+  std::string name;
+  std::string about;
+  Settings settings;
+  std::vector<Node> nodes;
+  std::vector<Leaf> leaves;
+  std::vector<Words> node_words;
+  std::vector<Words> leaf_words;
+  std::uint16_t root = kLeafBit;
+};
+
+/// Whether a value passes; an unknown one (NaN) never does.
+bool holds(Comparison comparison, float value, float threshold);
+
+/// Plays a tree. In the phases before, between and after play it stands or goes to its place.
+class TreeBehaviour final : public Behaviour {
+ public:
+  explicit TreeBehaviour(Tree tree) : tree_(std::move(tree)) {}
+
+  const std::string& name() const override { return tree_.name; }
+  motion::Command decide(const Surroundings& surroundings, const Game& game, const Beliefs& beliefs, Tick now,
+                         Mind& mind, Trace* trace) const override;
+  const Tree& tree() const { return tree_; }
+
+ private:
+  Tree tree_;
+};
+
+/// What is done outside play: stand; in the phase ready, go to one's place. nullptr trace as in Behaviour::decide.
+motion::Command wait(const View& view, Mind& mind, Trace* trace);
+/// The robot may play now.
+constexpr bool plays(const Game& game) { return game.phase == Game::Phase::playing && !game.penalised; }
+
+}  // namespace sim::agent

@@ -1,0 +1,83 @@
+// A robot's beliefs at one decision, put into the shape that conditions and skills ask for.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/agent/behaviour.h"
+#include "sim/agent/settings.h"
+
+namespace sim::agent {
+
+/// [s] an opponent that was not seen for longer is nowhere.
+inline constexpr float kOpponentMemory = 3;
+inline constexpr int kMaxFeatures = 64;
+
+/// Lives for one decision. What is costly is computed when somebody asks for it, once (features.h).
+struct View {
+  View(const Surroundings& surroundings, const Settings& settings, const Game& game, const Beliefs& beliefs, Tick now,
+       const Mind& mind);
+
+  const Surroundings& around;
+  const Settings& settings;
+  const Game& game;
+  const Beliefs& beliefs;
+  const Mind& mind;
+  Tick now;
+
+  float half_length;  // [m]
+  float half_width;   // [m]
+  Vec2 position;      // [m, team_field] own
+  Vec2 facing;        // [team_field] unit vector at the own heading
+
+  bool ball_known;      // by the own eyes or by a teammate's report, and not forgotten
+  Tick ball_seen;       // when whoever it is from saw it; kNever: nobody did
+  Vec2 ball;            // [m, robot]
+  Vec2 ball_in_team;    // [m, team_field]
+  Vec2 ball_velocity;   // [m/s, team_field]; 0 of a reported ball
+  float ball_distance;  // [m]
+
+  mutable std::uint64_t asked = 0;     // bit per feature: its value is below
+  mutable float values[kMaxFeatures];  // [SI] NaN: not known
+  mutable int pass_mate = -2;          // index into beliefs.mates of who a pass would go to; -1: nobody; -2: not asked
+  mutable float pass_gain = 0;         // [m]
+
+  /// A point of the field seen from the robot, and back; directions likewise without the position.
+  Vec2 to_robot(Vec2 in_team) const { return turned_back(in_team - position, facing); }
+  Vec2 to_team(Vec2 in_robot) const { return position + turned(in_robot, facing); }
+  Vec2 goal() const { return {half_length, 0}; }
+  Vec2 own_goal() const { return {-half_length, 0}; }
+  /// Calls see(position) [m, team_field] for each opponent seen of late.
+  template <class See>
+  void for_each_opponent(See&& see) const {
+    for (int i = 0; i < game.players; ++i) {
+      const Opponent& opponent = beliefs.opponents[i];
+      if (opponent.seen != kNever && now - opponent.seen < ticks(kOpponentMemory)) see(opponent.position);
+    }
+  }
+  /// Calls see(mate, index) for each teammate on the field that was heard of of late.
+  template <class See>
+  void for_each_mate(See&& see) const {
+    const Tick stale = ticks(settings.roles.stale);
+    for (int i = 0; i + 1 < game.players; ++i) {
+      const Mate& mate = beliefs.mates[i];
+      if (mate.active && mate.sent != kNever && now - mate.sent < stale) see(mate, i);
+    }
+  }
+  /// [1..7] of beliefs.mates[index].
+  int player_of_mate(int index) const { return index + 1 < game.player ? index + 1 : index + 2; }
+};
+
+/// -1, 0 or +1.
+constexpr float sign(float value) { return static_cast<float>((value > 0) - (value < 0)); }
+constexpr float clamp(float value, float least, float most) {
+  return value < least ? least : value > most ? most : value;
+}
+/// `a` made 1 long; {1, 0} of the zero vector.
+inline Vec2 unit(Vec2 a) {
+  const float long_ = length(a);
+  return long_ > 1e-6f ? (1 / long_) * a : Vec2{1, 0};
+}
+/// Turned by a right angle to the left.
+constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
+
+}  // namespace sim::agent

@@ -1,0 +1,90 @@
+#include "sim/agent/walk.h"
+
+namespace sim::agent {
+namespace {
+
+constexpr float kLookAhead = 1.5f;     // [m] robots farther away are not yet in the way
+constexpr float kMateMemory = 5;       // [s] a teammate's place is one to avoid
+constexpr float kNearlyThere = 0.35f;  // [rad] of the heading on standing still
+
+/// Whether the straight way to `target` comes nearer to `centre` than `radius` before it ends.
+bool in_the_way(Vec2 centre, float radius, Vec2 target) {
+  const float along = dot(centre, target);
+  const float squared = squared_length(target);
+  if (along <= 0 || along >= squared) return false;
+  const float off = cross(target, centre);
+  return off * off < radius * radius * squared;
+}
+
+}  // namespace
+
+Vec2 round_circle(Vec2 centre, float radius, Vec2 target, float side_if_even) {
+  if (!in_the_way(centre, radius, target)) return target;
+  const float far = length(centre);
+  const Vec2 to_centre = far > 1e-3f ? (1 / far) * centre : Vec2{1, 0};
+  const float offset = cross(centre, target);
+  const float side = offset != 0 ? sign(offset) : side_if_even;
+
+  // along the tangent; on the circle along it, and outwards where it stands inside
+  const float sine = radius < far ? radius / far : 1;
+  const float cosine = std::sqrt(1 - sine * sine);
+  const Vec2 tangent = cosine * to_centre + (side * sine) * left_of(to_centre);
+  const float way = far * cosine > 0.25f ? far * cosine : 0.25f;
+  const Vec2 inside = radius > far ? (radius - far) * to_centre : Vec2{};
+  return way * tangent - inside;
+}
+
+Vec2 round_robots(const View& view, Vec2 target) {
+  const float radius = view.settings.habits.avoid_radius;
+  const float squared = squared_length(target);
+  if (squared < 0.15f * 0.15f) return target;
+
+  // the nearest of those in the way
+  Vec2 nearest;
+  float least = kLookAhead * kLookAhead;
+  const auto consider = [&](Vec2 in_team) {
+    const Vec2 offset = in_team - view.position;
+    const float far = squared_length(offset);
+    if (far >= least) return;
+    const Vec2 robot = turned_back(offset, view.facing);
+    if (in_the_way(robot, radius, target)) nearest = robot, least = far;
+  };
+  view.for_each_opponent(consider);
+  const Tick fresh = ticks(kMateMemory);
+  for (int i = 0; i + 1 < view.game.players; ++i) {
+    const Mate& mate = view.beliefs.mates[i];
+    if (mate.sent != kNever && mate.active && view.now - mate.sent < fresh) consider(mate.pose.position);
+  }
+  if (least >= kLookAhead * kLookAhead) return target;
+  return round_circle(nearest, radius, target, view.mind.search_side);
+}
+
+motion::Command walk_straight(Vec2 target, float heading, float gain) {
+  motion::Command command;
+  command.body = motion::Command::Body::walk_to;
+  command.walk = target, command.turn = heading, command.gain = gain;
+  return command;
+}
+
+motion::Command walk_in_robot(const View& view, Vec2 target, float heading, float gain) {
+  return walk_straight(round_robots(view, target), heading, gain);
+}
+
+motion::Command turn_to(const View& view, Vec2 way) {
+  motion::Command command;
+  const float angle = angle_of(way);
+  if (std::abs(angle) < kNearlyThere) return command;
+  command.body = motion::Command::Body::walk_speed;
+  command.turn = clamp(2 * angle, -view.around.motion->walk.turn_rate, view.around.motion->walk.turn_rate);
+  return command;
+}
+
+motion::Command walk_to_place(const View& view, Vec2 place, Vec2 face, float gain) {
+  const Vec2 target = view.to_robot(place);
+  const Vec2 facing = turned_back(face, view.facing);
+  const float near = view.settings.habits.walk_tolerance;
+  if (squared_length(target) < near * near) return turn_to(view, facing);
+  return walk_in_robot(view, target, angle_of(facing), gain);
+}
+
+}  // namespace sim::agent

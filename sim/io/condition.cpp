@@ -1,0 +1,102 @@
+#include "sim/io/condition.h"
+
+#include "sim/io/words.h"
+
+namespace sim::io {
+
+using agent::Comparison;
+using agent::Feature;
+using agent::FeatureInfo;
+using robot::Error;
+using robot::Result;
+
+namespace {
+
+constexpr std::string_view kBlank = " \t\n\r";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlank);
+  if (first == text.npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlank) + 1 - first);
+}
+
+std::vector<std::string_view> split(std::string_view text, std::string_view between) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at; (at = text.find(between)) != text.npos; text.remove_prefix(at + between.size()))
+    parts.push_back(trimmed(text.substr(0, at)));
+  parts.push_back(trimmed(text));
+  return parts;
+}
+
+std::string quoted(std::string_view text) { return shown(std::string(text)); }
+
+Result<Feature> feature_named(std::string_view name) {
+  const Feature feature = agent::find_feature(name);
+  if (feature != Feature::count) return feature;
+  std::vector<std::string_view> known;
+  for (int i = 0; i < agent::kFeatureCount; ++i) known.emplace_back(info_of(static_cast<Feature>(i)).name);
+  return Error{"no feature " + quoted(name) + hint(name, known)};
+}
+
+/// A comparison as it is written; those that begin with another one come before it.
+struct Operator {
+  std::string_view text;
+  Comparison comparison;
+  bool of_names;
+};
+constexpr Operator kOperators[] = {
+    {"<=", Comparison::at_most, false}, {">=", Comparison::at_least, false},     {"<", Comparison::less, false},
+    {">", Comparison::greater, false},  {" is not ", Comparison::unequal, true}, {" is ", Comparison::equal, true},
+};
+
+/// Of yes-or-no features: "our_kick", "not our_kick".
+Result<Term> parse_yes_no(std::string_view text) {
+  const bool negated = text.starts_with("not ");
+  const Result<Feature> feature = feature_named(negated ? trimmed(text.substr(4)) : text);
+  if (!feature) return Error{feature.error()};
+  const FeatureInfo& info = info_of(*feature);
+  if (info.kind != FeatureInfo::Kind::yes_no)
+    return Error{std::string(info.name) + " must be compared with something, got " + quoted(text)};
+  return Term{*feature, negated ? Comparison::less : Comparison::greater, 0.5f, std::string(text)};
+}
+
+Result<Term> parse_term(std::string_view text, Values& values) {
+  if (text.empty()) return Error{"a comparison is missing"};
+  for (const Operator& each : kOperators) {
+    const std::size_t at = text.find(each.text);
+    if (at == text.npos) continue;
+    const Result<Feature> feature = feature_named(trimmed(text.substr(0, at)));
+    if (!feature) return Error{feature.error()};
+    const FeatureInfo& info = info_of(*feature);
+    if (info.kind == FeatureInfo::Kind::yes_no)
+      return Error{std::string(info.name) + " is yes or no and compared with nothing, got " + quoted(text)};
+    if (each.of_names != (info.kind == FeatureInfo::Kind::name))
+      return Error{std::string(info.name) + " is compared by " + (each.of_names ? "< <= > >=" : "is, is not") +
+                   ", got " + quoted(text)};
+    const Result<float> threshold =
+        values.read(trimmed(text.substr(at + each.text.size())), {info.unit, info.least, info.most, info.names});
+    if (!threshold) return Error{"what " + std::string(info.name) + " is compared with " + threshold.error()};
+    return Term{*feature, each.comparison, *threshold, std::string(text)};
+  }
+  return parse_yes_no(text);
+}
+
+}  // namespace
+
+Result<Condition> parse_condition(std::string_view text, Values& values) {
+  if (text.size() > kMaxConditionBytes)
+    return Error{"must have at most " + std::to_string(kMaxConditionBytes) + " bytes, got " +
+                 std::to_string(text.size())};
+  Condition condition;
+  for (const std::string_view alternative : split(text, " or ")) {
+    std::vector<Term>& terms = condition.alternatives.emplace_back();
+    for (const std::string_view part : split(alternative, " and ")) {
+      Result<Term> term = parse_term(part, values);
+      if (!term) return Error{term.error()};
+      terms.push_back(std::move(*term));
+    }
+  }
+  return condition;
+}
+
+}  // namespace sim::io

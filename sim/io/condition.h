@@ -1,0 +1,32 @@
+// Conditions of a strategy: "role is chaser and ball_distance < 0.35 m".
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "sim/agent/tree.h"
+#include "sim/io/values.h"
+
+namespace sim::io {
+
+/// One comparison.
+struct Term {
+  agent::Feature feature;
+  agent::Comparison comparison;
+  float threshold;
+  std::string text;  // as written
+};
+
+/// Holds if all terms of one of the alternatives hold; none of them is empty.
+struct Condition {
+  std::vector<std::vector<Term>> alternatives;
+};
+
+inline constexpr std::size_t kMaxConditionBytes = 1000;
+
+/// The Error is the end of a sentence that begins with the place of the condition.
+robot::Result<Condition> parse_condition(std::string_view text, Values& values);
+
+}  // namespace sim::io

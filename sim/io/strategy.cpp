@@ -1,0 +1,133 @@
+#include "sim/io/strategy.h"
+
+#include "sim/io/reader.h"
+#include "sim/io/source.h"
+#include "sim/io/strategy_tree.h"
+#include "sim/io/variation.h"
+
+namespace sim::io {
+
+using robot::Error;
+using robot::Result;
+
+namespace {
+
+constexpr int kMostBases = 8;  // one upon the other
+constexpr std::size_t kLongestName = 60;
+constexpr const char* kMerged[] = {"parameters", "roles", "habits", "formation", "subtrees"};
+
+/// The text at `key`; empty if there is none.
+std::string text_at(Reader& reader, const Json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found == json.end()) return {};
+  if (!found->is_string()) reader.refuse(std::string(key) + " must be a text, got " + shown(*found));
+  return found->is_string() ? found->get<std::string>() : "";
+}
+
+/// The places of players 1..: pairs of shares.
+void read_places(Reader& reader, const Json& formation, const char* key, Vec2 (&places)[kMaxPlayers]) {
+  const auto list = formation.find(key);
+  if (list == formation.end()) return;
+  const std::string path = "formation." + std::string(key);
+  if (!list->is_array() || list->size() > kMaxPlayers)
+    return reader.refuse(path + " must be a list of at most " + std::to_string(kMaxPlayers) + " places, got " +
+                         shown(*list));
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const Json& place = (*list)[i];
+    const bool pair = place.is_array() && place.size() == 2 && place[0].is_number() && place[1].is_number();
+    const double x = pair ? place[0].get<double>() : 1, y = pair ? place[1].get<double>() : 0;
+    if (!(x >= -1 && x <= 0 && y >= -1 && y <= 1))
+      return reader.refuse(path + "[" + std::to_string(i) + "] must be [-1 .. 0, -1 .. 1], got " + shown(place));
+    places[i] = {static_cast<float>(x), static_cast<float>(y)};
+  }
+}
+
+/// `json` over `base`, section by section.
+Json merged(Json base, const Json& json) {
+  for (const auto& [key, value] : json.items()) {
+    const bool section = std::find(std::begin(kMerged), std::end(kMerged), key) != std::end(kMerged);
+    if (section && base.contains(key) && base[key].is_object() && value.is_object())
+      base[key].update(value);
+    else
+      base[key] = value;
+  }
+  return base;
+}
+
+/// `whole` with what it is based on; `own` is the part in its own file.
+Result<agent::Tree> compiled(const Json& whole, const Json& own, const std::string& called) {
+  Reader reader(called);
+  agent::Tree tree;
+  reader.refuse_unknown(
+      whole, "", {"name", "about", "based_on", "parameters", "roles", "habits", "formation", "tree", "subtrees"});
+  tree.name = text_at(reader, own, "name");
+  if (tree.name.empty() || tree.name.size() > kLongestName)
+    reader.refuse("name must have 1 .. " + std::to_string(kLongestName) + " bytes");
+  tree.about = text_at(reader, own, "about");
+  for (const char* key : kMerged)
+    if (const auto section = whole.find(key); section != whole.end()) reader.is_object(*section, key);
+  if (!reader.good()) return reader.error();
+
+  if (whole.contains("roles")) reader.read(whole["roles"], "roles", Fields::some, tree.settings.roles);
+  if (whole.contains("habits")) reader.read(whole["habits"], "habits", Fields::some, tree.settings.habits);
+  if (whole.contains("formation")) {
+    reader.refuse_unknown(whole["formation"], "formation", {"ours", "theirs"});
+    read_places(reader, whole["formation"], "ours", tree.settings.formation.ours);
+    read_places(reader, whole["formation"], "theirs", tree.settings.formation.theirs);
+  }
+  if (!reader.good()) return reader.error();
+  if (const std::string problem = compile_tree(whole, own, tree); !problem.empty())
+    return Error{called + ": " + problem};
+  return tree;
+}
+
+/// The description with all it is based on, whose own mistakes are told with their own file.
+Result<Json> whole_of(const Json& own, const std::string& called, int bases) {
+  const auto based_on = own.find("based_on");
+  if (based_on == own.end()) return own;
+  if (!based_on->is_string()) return Error{called + ": based_on must be a text, got " + shown(*based_on)};
+  if (bases == kMostBases) return Error{called + ": based_on goes round, or on for ever"};
+  const Result<Source> source = find_source("strategies", "strategy", based_on->get<std::string>());
+  if (!source) return Error{called + ": based_on: " + source.error()};
+  const Result<Json> json = parse_object(source->text, source->called);
+  if (!json) return Error{json.error()};
+  const Result<Json> base = whole_of(*json, source->called, bases + 1);
+  if (!base) return Error{base.error()};
+  if (const Result<agent::Tree> checked = compiled(*base, *json, source->called); !checked)
+    return Error{checked.error()};
+  return merged(*base, own);
+}
+
+Result<agent::Tree> parse_upon(std::string_view text, const std::string& called, const Json& parameters) {
+  if (text.size() > kMaxFileBytes)
+    return Error{called + ": must have at most " + std::to_string(kMaxFileBytes) + " bytes, got " +
+                 std::to_string(text.size())};
+  Result<Json> own = parse_object(text, called);
+  if (!own) return Error{own.error()};
+  // what is varied is there already, or a typing mistake would go unseen
+  if (!parameters.empty()) own = merged(std::move(*own), Json{{"parameters", parameters}});
+  const Result<Json> whole = whole_of(*own, called, 0);
+  if (!whole) return Error{whole.error()};
+  return compiled(*whole, *own, called);
+}
+
+}  // namespace
+
+Result<agent::Tree> parse_strategy(std::string_view text, const std::string& called) {
+  return parse_upon(text, called, Json::object());
+}
+
+Result<std::unique_ptr<agent::TreeBehaviour>> load_strategy(const std::string& name) {
+  const std::string called = "strategy '" + name + "'";
+  const Result<Variation> variation = parse_variation(name, called);
+  if (!variation) return Error{variation.error()};
+  if (!variation->number.is_null()) return Error{called + ": strategies take no number behind a colon"};
+  const Result<Source> source = find_source("strategies", "strategy", variation->name);
+  if (!source) return Error{source.error()};
+  Result<agent::Tree> tree = parse_upon(source->text, called, variation->changes);
+  if (!tree) return Error{tree.error()};
+  tree->name += name.substr(variation->name.size());
+  return std::make_unique<agent::TreeBehaviour>(std::move(*tree));
+}
+
+}  // namespace sim::io

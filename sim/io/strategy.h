@@ -1,0 +1,43 @@
+// Strategies as JSON: a decision tree, its parameters, and how the team shares the work.
+//
+//   {
+//     "name": "careful",
+//     "about": "waits for a good look",
+//     "based_on": "baseline",                      // optional: what is not said here is as there
+//     "parameters": { "near": "0.35 m", "aim": "goal" },
+//     "roles": { "hysteresis": 1 },                // sim/agent/settings.h, likewise "habits"
+//     "formation": { "ours": [[-0.95, 0], …], "theirs": [[-0.95, 0], …] },
+//     "tree": [                                    // the first whose condition holds
+//       { "if": "not ball_known", "do": "search_ball" },
+//       { "if": "role is keeper and ball_distance < $near", "use": "clear" },
+//       { "if": "ball_bearing > 20 deg or ball_bearing < -20 deg", "then": { … }, "else": { … } },
+//       { "do": "kick", "with": { "aim": "$aim", "tolerance": "10 deg" } }
+//     ],
+//     "subtrees": { "clear": … }
+//   }
+//
+// A rule is a list of rules, or an object: "if" (optional) with "then", "do" (a skill, "with" its arguments) or "use" (a
+// subtree). Where the condition fails, "else" is next, and without one the next rule of the list around it. Conditions
+// compare a feature by < <= > >= is, is not; a yes-or-no feature stands alone or behind "not"; "and" binds closer than
+// "or". Values are numbers in SI, or with deg, cm or min. Every rule may have a "name" for the trace, and an "about".
+//
+// The tables of features and skills are in sim/agent/features.cpp and sim/agent/skills.cpp.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "robot/core/result.h"
+#include "sim/agent/tree.h"
+
+namespace sim::io {
+
+/// The tree in `text`. `called` opens the sentence of an Error, which tells where in the description what is wrong:
+/// "strategy 'mine': tree[2].if: no feature 'bal_age'; did you mean 'ball_age'?"
+robot::Result<agent::Tree> parse_strategy(std::string_view text, const std::string& called);
+
+/// An embedded strategy by name, or a file by path; behind commas parameters that differ: "baseline,near=0.3".
+robot::Result<std::unique_ptr<agent::TreeBehaviour>> load_strategy(const std::string& name);
+
+}  // namespace sim::io

@@ -1,0 +1,238 @@
+#include "sim/io/strategy_tree.h"
+
+#include <set>
+#include <vector>
+
+#include "sim/io/condition.h"
+#include "sim/io/values.h"
+#include "sim/io/words.h"
+
+namespace sim::io {
+namespace {
+
+using agent::Skill;
+using agent::SkillInfo;
+using robot::Result;
+
+constexpr int kMaxDepth = 48;  // of rules within rules, subtrees followed
+constexpr std::string_view kKeys[] = {"name", "about", "if", "then", "else", "do", "with", "use"};
+
+/// What comes where a condition fails and the rule has no "else".
+struct Next {
+  std::uint16_t target = 0;
+  bool exists = false;
+  bool used = false;
+};
+
+/// Where a rule stands.
+struct Place {
+  std::string json;   // "tree[2].then": for whoever must mend it
+  std::string names;  // "baseline/ball known": for the trace
+  int depth = 0;
+
+  Place at(const std::string& more) const { return {json + more, names, depth + 1}; }
+  Place named(std::string_view name) const { return {json, names + "/" + std::string(name), depth}; }
+};
+
+const Json kNothing = Json::object();
+
+const Json& object_at(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_object() ? *found : kNothing;
+}
+
+class Compiler {
+ public:
+  Compiler(const Json& strategy, agent::Tree& tree)
+      : tree_(tree), subtrees_(object_at(strategy, "subtrees")), values_(object_at(strategy, "parameters")) {}
+
+  std::string compile(const Json& strategy, const Json& own) {
+    const auto root = strategy.find("tree");
+    if (root == strategy.end()) return "tree is missing";
+    Next nothing;
+    tree_.root = rules(*root, {"tree", tree_.name, 0}, nothing);
+    refuse_unused(own);
+    return problem_;
+  }
+
+ private:
+  void refuse(const Place& place, const std::string& what) {
+    if (problem_.empty()) problem_ = place.json + ": " + what;
+  }
+
+  /// A rule or a list of them. Returns where a decision enters it.
+  std::uint16_t rules(const Json& json, const Place& place, Next& next) {
+    if (!problem_.empty()) return 0;
+    if (place.depth > kMaxDepth) return refuse(place, "rules are nested too deeply"), std::uint16_t{0};
+    if (json.is_object()) return rule(json, place, next);
+    if (json.is_array()) return list(json, place, next);
+    return refuse(place, "must be a rule or a list of rules, got " + shown(json)), std::uint16_t{0};
+  }
+
+  /// From the last rule to the first, since each must know what comes behind it.
+  std::uint16_t list(const Json& json, const Place& place, Next& next) {
+    if (json.empty()) return refuse(place, "must have at least one rule"), std::uint16_t{0};
+    Next behind = next;
+    for (std::size_t i = json.size(); i-- > 0;) {
+      const bool last = i + 1 == json.size();
+      behind.used = false;
+      const std::uint16_t entry = rules(json[i], place.at("[" + std::to_string(i) + "]"), behind);
+      if (!problem_.empty()) return 0;
+      if (last)
+        next.used |= behind.used;
+      else if (!behind.used)
+        return refuse(place.at("[" + std::to_string(i + 1) + "]"), "is never reached, the rule before always decides"),
+               std::uint16_t{0};
+      behind = {entry, true, false};
+    }
+    return behind.target;
+  }
+
+  std::uint16_t rule(const Json& json, const Place& place, Next& next) {
+    if (!check_keys(json, place)) return 0;
+    const auto condition = json.find("if");
+    if (condition == json.end()) return body(json, named(json, place), next);
+    if (!condition->is_string())
+      return refuse(place.at(".if"), "must be a text, got " + shown(*condition)), std::uint16_t{0};
+    const std::string& text = condition->get_ref<const std::string&>();
+    const Result<Condition> parsed = parse_condition(text, values_);
+    if (!parsed) return refuse(place.at(".if"), parsed.error()), std::uint16_t{0};
+
+    const Place here = json.contains("name") ? named(json, place) : place.named(text);
+    const std::uint16_t yes = body(json, here, next);
+    const auto otherwise = json.find("else");
+    std::uint16_t no = next.target;
+    if (otherwise != json.end())
+      no = rules(*otherwise, place.at(".else"), next);
+    else if (!next.exists)
+      refuse(place, "has no 'else', and no rule behind it says what to do where '" + text + "' fails");
+    else
+      next.used = true;
+    if (!problem_.empty()) return 0;
+    return comparisons(*parsed, here, yes, no);
+  }
+
+  bool check_keys(const Json& json, const Place& place) {
+    const std::vector<std::string_view> known(std::begin(kKeys), std::end(kKeys));
+    for (const auto& [key, value] : json.items())
+      if (std::find(known.begin(), known.end(), key) == known.end())
+        return refuse(place, "no rule has '" + key + "'" + hint(key, known)), false;
+    for (const char* key : {"name", "about"})
+      if (json.contains(key) && !json[key].is_string())
+        return refuse(place.at("." + std::string(key)), "must be a text, got " + shown(json[key])), false;
+    if (json.contains("do") + json.contains("use") + json.contains("then") != 1)
+      return refuse(place, "must have one of 'do', 'use' and 'then'"), false;
+    if (!json.contains("if") && (json.contains("then") || json.contains("else")))
+      return refuse(place, "has 'then' or 'else' without 'if'"), false;
+    if (json.contains("with") && !json.contains("do")) return refuse(place, "has 'with' without 'do'"), false;
+    return true;
+  }
+
+  Place named(const Json& json, const Place& place) {
+    return json.contains("name") ? place.named(json["name"].get_ref<const std::string&>()) : place;
+  }
+
+  /// What a rule does where its condition holds.
+  std::uint16_t body(const Json& json, const Place& place, Next& next) {
+    if (!problem_.empty()) return 0;
+    if (json.contains("then")) return rules(json["then"], place.at(".then"), next);
+    if (json.contains("use")) return use(json["use"], place, next);
+    return leaf(json, place);
+  }
+
+  std::uint16_t use(const Json& name, const Place& place, Next& next) {
+    if (!name.is_string()) return refuse(place.at(".use"), "must be a text, got " + shown(name)), std::uint16_t{0};
+    const std::string& subtree = name.get_ref<const std::string&>();
+    const auto found = subtrees_.find(subtree);
+    if (found == subtrees_.end()) {
+      std::vector<std::string_view> known;
+      for (const auto& [key, value] : subtrees_.items()) known.emplace_back(key);
+      return refuse(place.at(".use"), "no subtree '" + subtree + "'" + hint(subtree, known)), std::uint16_t{0};
+    }
+    for (const std::string& open : open_)
+      if (open == subtree)
+        return refuse(place.at(".use"), "the subtree '" + subtree + "' leads back to itself"), std::uint16_t{0};
+    used_.insert(subtree);
+    open_.push_back(subtree);
+    Place inside = place.named(subtree);
+    inside.json = "subtrees." + subtree, inside.depth += 1;
+    const std::uint16_t entry = rules(*found, inside, next);
+    open_.pop_back();
+    return entry;
+  }
+
+  std::uint16_t leaf(const Json& json, const Place& place) {
+    const Json& name = json["do"];
+    const Skill skill = name.is_string() ? agent::find_skill(name.get_ref<const std::string&>()) : Skill::count;
+    if (skill == Skill::count) {
+      std::vector<std::string_view> known;
+      for (int i = 0; i < agent::kSkillCount; ++i) known.emplace_back(info_of(static_cast<Skill>(i)).name);
+      return refuse(place.at(".do"),
+                    "no skill " + shown(name) + (name.is_string() ? hint(name.get<std::string>(), known) : "")),
+             std::uint16_t{0};
+    }
+    agent::Leaf made{.skill = skill};
+    read_arguments(json.contains("with") ? json["with"] : kNothing, info_of(skill), place.at(".with"), made);
+    if (!problem_.empty()) return 0;
+    if (tree_.leaves.size() == agent::kMaxLeaves) return refuse(place, "the tree is too large"), std::uint16_t{0};
+    tree_.leaves.push_back(made);
+    tree_.leaf_words.push_back({place.names + "/" + info_of(skill).name, info_of(skill).name, ""});
+    return static_cast<std::uint16_t>((tree_.leaves.size() - 1) | agent::kLeafBit);
+  }
+
+  void read_arguments(const Json& with, const SkillInfo& skill, const Place& place, agent::Leaf& leaf) {
+    if (!with.is_object()) return refuse(place, "must be an object, got " + shown(with));
+    std::vector<std::string_view> known;
+    for (int i = 0; i < skill.count; ++i) {
+      const agent::ParameterInfo& info = skill.parameters[i];
+      known.emplace_back(info.name);
+      leaf.arguments[i] = info.standard;
+      const auto given = with.find(info.name);
+      if (given == with.end()) continue;
+      const Result<float> value = values_.read(*given, {info.unit, info.least, info.most, info.names});
+      if (!value) return refuse(place.at("." + std::string(info.name)), value.error());
+      leaf.arguments[i] = *value;
+    }
+    for (const auto& [key, value] : with.items())
+      if (std::find(known.begin(), known.end(), key) == known.end())
+        return refuse(place, std::string(skill.name) + " takes no '" + key + "'" + hint(key, known));
+  }
+
+  /// Each alternative in turn, each of its terms in turn; from the last to the first.
+  std::uint16_t comparisons(const Condition& condition, const Place& place, std::uint16_t yes, std::uint16_t no) {
+    std::uint16_t entry = no;
+    for (auto terms = condition.alternatives.rbegin(); terms != condition.alternatives.rend(); ++terms) {
+      const std::uint16_t fails = entry;
+      entry = yes;
+      for (auto term = terms->rbegin(); term != terms->rend(); ++term) {
+        if (tree_.nodes.size() == agent::kMaxNodes) return refuse(place, "the tree is too large"), std::uint16_t{0};
+        tree_.nodes.push_back({term->feature, term->comparison, entry, fails, term->threshold});
+        tree_.node_words.push_back({place.names, place.names.substr(place.names.rfind('/') + 1), term->text});
+        entry = static_cast<std::uint16_t>(tree_.nodes.size() - 1);
+      }
+    }
+    return entry;
+  }
+
+  void refuse_unused(const Json& own) {
+    for (const auto& [key, value] : object_at(own, "subtrees").items())
+      if (!used_.contains(key)) refuse({"subtrees." + key, ""}, "is used nowhere");
+    for (const auto& [key, value] : object_at(own, "parameters").items())
+      if (!values_.used().contains(key)) refuse({"parameters." + key, ""}, "is used nowhere");
+  }
+
+  agent::Tree& tree_;
+  const Json& subtrees_;
+  Values values_;
+  std::vector<std::string> open_;  // subtrees being compiled
+  std::set<std::string, std::less<>> used_;
+  std::string problem_;
+};
+
+}  // namespace
+
+std::string compile_tree(const Json& strategy, const Json& own, agent::Tree& tree) {
+  return Compiler(strategy, tree).compile(strategy, own);
+}
+
+}  // namespace sim::io
