@@ -7,8 +7,8 @@
 namespace sim::referee::returning {
 
 inline bool due(const Court& court, int robot) {
-  const Tick until = court.book.penalised_until[robot];
-  return until != 0 && court.world.tick >= until;
+  // one comparison, as it is asked of everybody in every tick: 0 wraps round to the greatest number
+  return court.book.penalised_until[robot] - 1 < court.world.tick;
 }
 
 /// Nobody else on the field is so near to `at` that bodies would touch.
@@ -33,7 +33,8 @@ inline void apply(Court& court, int robot) {
   const float mark = court.field.length / 2 - court.field.penalty_mark;
   Vec2 at{own_half * mark, line * court.field.width / 2};
   for (int aside = 1; aside <= kMaxRobots && !is_vacant(court, robot, at); ++aside) {
-    const float shift = step * static_cast<float>((aside + 1) / 2);
+    const int steps = (aside + 1) / 2;
+    const float shift = step * static_cast<float>(steps);
     at.x = own_half * (aside % 2 == 1 ? mark + shift : mark - shift);
   }
 
