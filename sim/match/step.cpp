@@ -1,5 +1,7 @@
 #include "sim/match/step.h"
 
+#include <cmath>
+
 #include "sim/match/pace.h"
 #include "sim/motion/motion.h"
 #include "sim/perception/perception.h"
@@ -80,22 +82,15 @@ void talk(const Params& params, State& state, int robot) {
   if (self.cognition.packet_due == now) deliver(params, state, robot);
 }
 
-/// Everybody who has his turn moves, up to his next. Feet that meet the ball in the same tick give it the sum of their
-/// impulses: none of them comes first.
+/// Everybody who has his turn moves, up to his next.
 void move_all(const Params& params, State& state) {
   World& world = state.world;
-  Vec2& velocity = world.ball.velocity;
-  const Vec2 before = velocity;
-  Vec2 after = before;
   world.touched = world.kicked = world.whiffed = kNobody;
   for_each_robot(world.players, [&](int robot) {
-    if (!on_field(world, robot) || !has_turn(state.robots[robot])) return;
-    motion::move(moving(params, robot), state.robots[robot].command, robot, state.robots[robot].lag, world);
-    if (velocity == before) return;
-    after = after == before ? velocity : after + (velocity - before);
-    velocity = before;
+    const Robot& self = state.robots[robot];
+    if (on_field(world, robot) && has_turn(self))
+      motion::move(moving(params, robot), self.command, robot, self.lag, world);
   });
-  velocity = after;
 }
 
 /// The referee's decisions, and what follows from them for what robots know.
@@ -118,6 +113,9 @@ void judge(const Params& params, State& state, referee::Events& events) {
 void enter(const Params& params, State& state, int robot) {
   Robot& self = state.robots[robot];
   self = {};
+  // a robot in a mirror begins to search the other way
+  const float sign = attack_sign(state.world, side_of(robot));
+  self.mind.search_side = std::copysign(1.f, sign * state.world.bodies[robot].position.y);
   perception::enter(perceiving(params, robot), state.world, robot, self.beliefs, self.cognition);
 }
 

@@ -47,7 +47,7 @@ void strike(const Means& means, const Kick& kick, int robot, Tick now, World& wo
     return;
   }
 
-  // two feet that meet the ball in the same tick add up, and the harder kick counts: no matter who is asked first
+  // two feet that meet the ball in the same tick add up: no matter who is asked first
   const Vec2 velocity = ball_velocity(means, kick, quality, robot, now, world);
   const bool first = world.kicked == kNobody;
   const float harder = squared_length(velocity) - squared_length(world.ball.velocity);

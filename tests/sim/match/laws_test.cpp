@@ -48,9 +48,9 @@ TEST_P(Game, KeepsRobotsOutOfEachOtherAndOfPosts) {
   watch(1, [&](const State&, const State& state) {
     for_each_body(state.world, [&](int robot, const Body& body) {
       for_each_body(state.world, [&](int other, const Body& another) {
-        if (other > robot)
-          EXPECT_GE(distance(body.position, another.position), 2 * contact.robot_radius - kMillimetre)
-              << robot << " and " << other << " in tick " << state.world.tick;
+        if (other <= robot) return;
+        EXPECT_GE(distance(body.position, another.position), 2 * contact.robot_radius - kMillimetre)
+            << robot << " and " << other << " in tick " << state.world.tick;
       });
       for (const float x : {-1.f, 1.f})
         for (const float y : {-1.f, 1.f}) {
@@ -104,8 +104,7 @@ TEST_P(Game, HasOneTickAfterTheOther) {
     EXPECT_EQ(state.world.tick, before.world.tick + 1);
     EXPECT_GE(state.book.score[0], before.book.score[0]);
     EXPECT_GE(state.book.score[1], before.book.score[1]);
-    EXPECT_LE(state.book.packets[0], params().rules.message_budget);
-    EXPECT_LE(state.book.packets[1], params().rules.message_budget);
+    EXPECT_GE(state.book.clock, state.book.half == before.book.half ? before.book.clock : 0);
   });
 }
 

@@ -87,7 +87,7 @@ TEST(Step, ExplainsDecisionsWithoutChangingThem) {
     ASSERT_EQ(difference(copy, explained), "");
     ASSERT_STREQ(one.skill, all[9].skill);
     ASSERT_EQ(one.visited.size(), all[9].visited.size());
-    EXPECT_FALSE(one.visited.empty());
+    ASSERT_STRNE(one.skill, "");
   }
 }
 

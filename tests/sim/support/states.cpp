@@ -1,9 +1,8 @@
 #include "tests/sim/support/states.h"
 
 #include <algorithm>
-#include <set>
-#include <string>
 
+#include "sim/agent/mirror.h"
 #include "sim/match/fields.h"
 
 namespace sim::test {
@@ -36,32 +35,48 @@ State scrambled(std::uint64_t seed) {
 
 namespace {
 
-/// Angles and the like, which a mirror turns round; a factor of noise along y is none of them.
-const std::set<std::string> kTurned{"heading", "turn_rate", "head_yaw",    "turn_noise",
-                                    "turned",  "turn",      "search_side", "kick_direction"};
-const std::set<std::string> kFactors{"noise", "odometry_scale"};
+Vec2 across(Vec2 a) { return {a.x, -a.y}; }
+Pose2 across(Pose2 pose) { return {across(pose.position), -pose.heading}; }
 
-void mirror_command(motion::Command& command) {
-  if (command.head == motion::Command::Head::angles) command.look[0] = -command.look[0];
-  if (command.head == motion::Command::Head::look_to) command.look[1] = -command.look[1];
-  command.kick_left = !command.kick_left;
+Body across(Body body) {
+  body.position = across(body.position);
+  body.heading = -body.heading;
+  body.facing = across(body.facing);
+  body.velocity = across(body.velocity);
+  body.turn_rate = -body.turn_rate;
+  body.head_yaw = -body.head_yaw;
+  body.look = across(body.look);
+  body.kick_left = !body.kick_left;
+  body.turn_noise = -body.turn_noise;
+  return body;
+}
+
+World across(World world) {
+  Ball& ball = world.ball;
+  ball.position = across(ball.position);
+  ball.velocity = across(ball.velocity);
+  ball.acceleration = across(ball.acceleration);
+  for (Vec2& past : ball.past) past = across(past);
+  world.official = {across(world.official.position), across(world.official.velocity)};
+  for (Body& body : world.bodies) body = across(body);
+  return world;
 }
 
 }  // namespace
 
 State mirrored(const State& state) {
   State image = state;
-  visit_fields(image, [](const FieldPath& path, auto& field) {
-    if constexpr (std::is_same_v<std::remove_reference_t<decltype(field)>, float>) {
-      const std::string name = path.names[path.depth - 1].name;
-      const bool along_y = name == "y" && !kFactors.contains(path.names[path.depth - 2].name);
-      // π is its own image: angles are in (-π, π]
-      if ((along_y || kTurned.contains(name)) && field != kPi) field = -field;
-    }
-  });
-  for (int i = 0; i < kMaxRobots; ++i) {
-    image.world.bodies[i].kick_left = !image.world.bodies[i].kick_left;
-    mirror_command(image.robots[i].command);
+  image.world = across(state.world);
+  referee::Book& book = image.book;
+  for (Vec2* place : {&book.last_touch_at, &book.ball_before, &book.stuck_at}) *place = across(*place);
+  for (Robot& robot : image.robots) {
+    robot.command = agent::mirrored(robot.command);
+    robot.beliefs = agent::mirrored(robot.beliefs);
+    robot.mind = agent::mirrored(robot.mind);
+    robot.cognition.last = across(robot.cognition.last);
+    agent::Mate& packet = robot.cognition.packet;
+    packet.pose = across(packet.pose);
+    packet.ball = across(packet.ball);
   }
   return image;
 }
@@ -95,7 +110,11 @@ Params exchanged(const Params& params) {
   return other_names;
 }
 
-State without_leftovers(State state) {
+State as_it_matters(State state) {
+  visit_fields(state, [](const FieldPath&, auto& field) {
+    if constexpr (std::is_same_v<std::remove_reference_t<decltype(field)>, float>)
+      if (field == -kPi) field = kPi;
+  });
   for (int i = 0; i < kMaxRobots; ++i) {
     Body& body = state.world.bodies[i];
     if (body.doing != Body::Doing::kicking) body.kick_left = false;

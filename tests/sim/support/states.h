@@ -18,7 +18,8 @@ State mirrored(const State& state);
 State exchanged(const State& state);
 Params exchanged(const Params& params);
 
-/// What nobody reads any more: the foot of a kick that is over. Equal states may differ in it.
-State without_leftovers(State state);
+/// Without what makes no difference: the foot of a kick that is over, and whether half a turn is one to the left or to
+/// the right.
+State as_it_matters(State state);
 
 }  // namespace sim::test
