@@ -1,0 +1,115 @@
+// foresight-sim bench: what a game costs. The bar: a whole spl2012 game at most 150 cycles per robot and tick, 12 ms.
+#include <chrono>
+#include <cstdio>
+
+#include "sim/app/commands.h"
+#include "sim/app/cycles.h"
+#include "sim/app/game_report.h"
+#include "sim/app/progress.h"
+
+namespace sim::app {
+namespace {
+
+constexpr std::uint64_t kFirstSeed = 1;
+
+/// What one game cost.
+struct Cost {
+  double ns = 0;             // of the thread that played it
+  double cycles_per_ns = 0;  // of the clock just before it
+  double robot_ticks = 0;
+};
+
+Cost cost_of(const Params& params, std::uint64_t seed) {
+  Cost cost{.cycles_per_ns = cycles_per_ns()};
+  const std::uint64_t begin = computed_ns();
+  const Result result = play_game(params, {.seed = seed});
+  cost.ns = static_cast<double>(computed_ns() - begin);
+  cost.robot_ticks = 2.0 * params.rules.players * result.ticks;
+  return cost;
+}
+
+std::vector<double> values_of(const std::vector<Cost>& costs, double (*value)(const Cost&)) {
+  std::vector<double> values;
+  for (const Cost& cost : costs) values.push_back(value(cost));
+  return values;
+}
+
+class BenchCommand final : public Command {
+ public:
+  explicit BenchCommand(CLI::App& app) : Command(app.add_subcommand("bench", "what a game costs on this machine")) {
+    choice_.add_to(options());
+    options()
+        .add_option("--games", games_, "how many, one after the other on each thread")
+        ->check(CLI::Range(1, 100'000))
+        ->capture_default_str();
+    options().add_option("--threads", threads_, "how many at once")->check(CLI::Range(1, 256))->capture_default_str();
+    options().add_flag("--json", json_, "report as JSON");
+  }
+
+  int run() override {
+    const auto setup = io::prepare(choice_.choice());
+    if (!setup) return fail(setup.error());
+    play_game(setup->params, {.seed = 0});  // caches and clock warm
+
+    std::vector<Cost> costs(static_cast<std::size_t>(games_));
+    const auto begin = std::chrono::steady_clock::now();
+    {
+      Progress progress("playing", static_cast<std::uint64_t>(games_));
+      for_each_game(
+          games_, threads_,
+          [&](int game) {
+            costs[static_cast<std::size_t>(game)] =
+                cost_of(setup->params, kFirstSeed + static_cast<std::uint64_t>(game));
+          },
+          [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    report(setup->params, costs, seconds.count());
+    return kDone;
+  }
+
+ private:
+  void report(const Params& params, const std::vector<Cost>& costs, double seconds) const {
+    const auto game_ms = values_of(costs, [](const Cost& cost) { return cost.ns / 1e6; });
+    const auto ns = values_of(costs, [](const Cost& cost) { return cost.ns / cost.robot_ticks; });
+    const auto cycles =
+        values_of(costs, [](const Cost& cost) { return cost.ns * cost.cycles_per_ns / cost.robot_ticks; });
+    const auto clock = values_of(costs, [](const Cost& cost) { return cost.cycles_per_ns; });
+    const io::Choice choice = choice_.choice();
+    const Json json = {{"rules", choice.rules},
+                       {"players", params.rules.players},
+                       {"home", choice.strategies[0]},
+                       {"away", choice.strategies[1]},
+                       {"home_models", params.teams[0].models.name},
+                       {"away_models", params.teams[1].models.name},
+                       {"every_tick", params.pace == Pace::every_tick},
+                       {"games", games_},
+                       {"threads", threads_},
+                       {"game_ms", {{"median", median_of(game_ms)}, {"mean", mean_of(game_ms).mean}}},
+                       {"robot_tick_ns", median_of(ns)},
+                       {"robot_tick_cycles", median_of(cycles)},
+                       {"clock_ghz", median_of(clock)},
+                       {"games_per_second", games_ / seconds}};
+    if (json_) {
+      std::printf("%s\n", json.dump(2).c_str());
+      return;
+    }
+    std::printf("%s, %d a side, %s against %s, %d games on %d thread%s\n", choice.rules.c_str(), params.rules.players,
+                choice.strategies[0].c_str(), choice.strategies[1].c_str(), games_, threads_, threads_ > 1 ? "s" : "");
+    std::printf("  game             %8.2f ms median, %.2f ms mean, as the thread computed\n", median_of(game_ms),
+                mean_of(game_ms).mean);
+    std::printf("  robot and tick   %8.1f ns, %.0f cycles at %.2f GHz\n", median_of(ns), median_of(cycles),
+                median_of(clock));
+    std::printf("  games            %8.1f a second, by the clock on the wall\n", games_ / seconds);
+  }
+
+  ChoiceOptions choice_;
+  int games_ = 200, threads_ = 1;
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> bench_command(CLI::App& app) { return std::make_unique<BenchCommand>(app); }
+
+}  // namespace sim::app

@@ -1,0 +1,111 @@
+#include "sim/app/commands.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "sim/io/ingredients.h"
+#include "sim/io/models.h"
+#include "sim/io/rules.h"
+#include "sim/io/source.h"
+#include "sim/match/hash.h"
+
+namespace sim::app {
+namespace {
+
+class SignatureCommand final : public Command {
+ public:
+  explicit SignatureCommand(CLI::App& app)
+      : Command(app.add_subcommand("signature", "one number for all that the simulator does: the same everywhere")) {}
+
+  int run() override {
+    const auto ingredients = io::embedded_ingredients();
+    if (!ingredients) return fail(ingredients.error());
+    std::printf("%s\n", hex(signature_of(ingredients->lists)).c_str());
+    return kDone;
+  }
+};
+
+class ListCommand final : public Command {
+ public:
+  ListCommand(CLI::App& app, std::string kind)
+      : Command(app.add_subcommand(kind, "the " + kind + " there are; --show prints one to start from")),
+        kind_(std::move(kind)) {
+    options().add_option("--show", show_, "name: its description, variations worked in");
+    options().add_flag("--json", json_, "report as JSON");
+  }
+
+  int run() override {
+    if (!show_.empty()) return print_one();
+    const std::vector<std::string_view> names = io::names_of(kind_);
+    if (json_) {
+      std::printf("%s\n", nlohmann::json(names).dump().c_str());
+    } else {
+      for (const std::string_view name : names) std::printf("%.*s\n", static_cast<int>(name.size()), name.data());
+    }
+    return kDone;
+  }
+
+ private:
+  /// As it is written, with its sources; or, where something differs from that, what comes of it.
+  int print_one() {
+    if (kind_ != "strategies" && show_.find_first_of(",:") != show_.npos) return print_variation();
+    const auto source = io::find_source(kind_, kind_ == "strategies" ? "strategy" : kind_, show_);
+    if (!source) return fail(source.error());
+    std::fputs(source->text.c_str(), stdout);
+    return kDone;
+  }
+
+  int print_variation() {
+    if (kind_ == "rules") {
+      const auto rules = io::load_rules(show_);
+      if (!rules) return fail(rules.error());
+      std::fputs(io::print_rules(*rules, show_).c_str(), stdout);
+      return kDone;
+    }
+    const auto models = io::load_models(show_);
+    if (!models) return fail(models.error());
+    std::fputs(io::print_models(*models).c_str(), stdout);
+    return kDone;
+  }
+
+  const std::string kind_;
+  std::string show_;
+  bool json_ = false;
+};
+
+}  // namespace
+
+int fail(const std::string& sentence) {
+  std::fprintf(stderr, "foresight-sim: %s\n", sentence.c_str());
+  return kBadInput;
+}
+
+void ChoiceOptions::add_to(CLI::App& command) {
+  command.add_option("--rules", choice_.rules, "a year's: name, name:players, name,field=value or file")
+      ->capture_default_str();
+  command.add_option("--home", choice_.strategies[0], "strategy of the home side: name or file")->capture_default_str();
+  command.add_option("--away", choice_.strategies[1], "strategy of the away side")->capture_default_str();
+  command.add_option("--models", models_, "what robots can do: name, name,effect=off,walk.forward=0.2 or file")
+      ->capture_default_str();
+  command.add_option("--home-models", home_models_, "those of the home side; ball and contacts are theirs");
+  command.add_option("--away-models", away_models_, "those of the away side");
+  command.add_option("--players", choice_.players, "a side; as the rules say when not given")
+      ->check(CLI::Range(1, kMaxPlayers));
+  command.add_flag("--every-tick", every_tick_, "everybody decides 30 times a second, also far from the ball");
+}
+
+io::Choice ChoiceOptions::choice() const {
+  io::Choice choice = choice_;
+  choice.models[0] = home_models_.empty() ? models_ : home_models_;
+  choice.models[1] = away_models_.empty() ? models_ : away_models_;
+  choice.pace = every_tick_ ? Pace::every_tick : Pace::thinned;
+  return choice;
+}
+
+std::unique_ptr<Command> signature_command(CLI::App& app) { return std::make_unique<SignatureCommand>(app); }
+
+std::unique_ptr<Command> list_command(CLI::App& app, const std::string& kind) {
+  return std::make_unique<ListCommand>(app, kind);
+}
+
+}  // namespace sim::app

@@ -1,0 +1,52 @@
+// The commands of foresight-sim: each adds itself to the command line and runs if it was chosen.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/io/setup.h"
+
+namespace sim::app {
+
+inline constexpr int kDone = 0, kBadInput = 2;
+
+/// Says what is wrong on stderr; kBadInput.
+int fail(const std::string& sentence);
+
+class Command {
+ public:
+  virtual ~Command() = default;
+  virtual int run() = 0;
+  bool chosen() const { return subcommand_->parsed(); }
+
+ protected:
+  explicit Command(CLI::App* subcommand) : subcommand_(subcommand) {}
+  CLI::App& options() { return *subcommand_; }
+
+ private:
+  CLI::App* subcommand_;
+};
+
+/// --rules, --home, --away, --models, --home-models, --away-models, --players, --every-tick: who plays what how.
+class ChoiceOptions {
+ public:
+  void add_to(CLI::App& command);
+  /// As they were typed.
+  io::Choice choice() const;
+
+ private:
+  io::Choice choice_;
+  std::string models_ = "match", home_models_, away_models_;
+  bool every_tick_ = false;
+};
+
+std::unique_ptr<Command> match_command(CLI::App& app);
+std::unique_ptr<Command> situation_command(CLI::App& app);
+std::unique_ptr<Command> bench_command(CLI::App& app);
+std::unique_ptr<Command> signature_command(CLI::App& app);
+/// rules, models and strategies: what there is.
+std::unique_ptr<Command> list_command(CLI::App& app, const std::string& kind);
+
+}  // namespace sim::app

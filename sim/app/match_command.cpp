@@ -1,0 +1,160 @@
+// foresight-sim match: a game, or a series of them.
+#include <cstdio>
+#include <optional>
+
+#include "sim/app/commands.h"
+#include "sim/app/game_file.h"
+#include "sim/app/game_report.h"
+#include "sim/app/progress.h"
+
+namespace sim::app {
+namespace {
+
+constexpr int kMostGames = 1'000'000;
+
+void take_notes(const State& state, const referee::Events& events, GameReport& report) {
+  const referee::Book& book = state.book;
+  const auto count = std::min<std::size_t>(static_cast<std::size_t>(events.count), events.list.size());
+  for (std::size_t i = 0; i < count; ++i)
+    report.moments.push_back({.event = events.list[i],
+                              .half = book.half,
+                              .clock = static_cast<float>(book.clock) * kTickDuration,
+                              .score = {book.score[0], book.score[1]}});
+}
+
+void count_events(GameReport& report) {
+  for (const Moment& moment : report.moments)
+    ++report.result.events[static_cast<int>(moment.event.kind)][static_cast<int>(moment.event.side)];
+}
+
+/// How long a game takes at least; with dead time it is longer.
+Tick expected_ticks(const field::Rules& rules) { return ticks(rules.half_duration) * static_cast<Tick>(rules.halves); }
+
+/// One step, written down in `file`.
+robot::Result<void> recorded_step(const Params& params, State& state, referee::Events& events, GameFile& file,
+                                  std::vector<agent::Trace>& traces) {
+  for (agent::Trace& trace : traces) trace.clear();
+  const Tick tick = state.world.tick;
+  if (auto written = file.add_truth(state); !written) return written;
+  step(params, state, events, kEverybody, traces.data());
+  return file.add_minds(state, tick, traces.data());
+}
+
+/// A whole game, into `file` if there is one.
+robot::Result<GameReport> play_one(const Params& params, std::uint64_t seed, GameFile* file, Progress* progress) {
+  GameReport report{.seed = seed};
+  referee::Events events;
+  State state = begin(params, {.seed = seed}, events);
+  take_notes(state, events, report);
+  std::vector<agent::Trace> traces(kMaxRobots);
+  const Tick expected = expected_ticks(params.rules);
+  while (!finished(state)) {
+    if (!file) {
+      step(params, state, events);
+    } else if (const auto written = recorded_step(params, state, events, *file, traces); !written) {
+      return robot::Error{written.error()};
+    }
+    take_notes(state, events, report);
+    if (progress) progress->at(std::min(state.world.tick, expected));
+  }
+  if (file) {
+    auto written = file->add_truth(state);
+    if (written) written = file->close();
+    if (!written) return robot::Error{written.error()};
+  }
+  report.result = result_of(state);
+  count_events(report);
+  return report;
+}
+
+class MatchCommand final : public Command {
+ public:
+  explicit MatchCommand(CLI::App& app) : Command(app.add_subcommand("match", "play a game, or several")) {
+    choice_.add_to(options());
+    options()
+        .add_option("--seed", seed_, "from which all chance follows; of the first of several games")
+        ->check(CLI::Range(std::uint64_t{0}, kMostSeed))
+        ->capture_default_str();
+    options()
+        .add_option("--games", games_, "how many, with one seed after the other")
+        ->check(CLI::Range(1, kMostGames))
+        ->capture_default_str();
+    options().add_flag("--json", json_, "report as JSON");
+    options().add_option("--mcap", mcap_, "new file for a recording of the game: truth, beliefs and decisions");
+    options()
+        .add_option("--home-team", teams_.home, "team number in the recording")
+        ->check(CLI::Range(1, 999))
+        ->capture_default_str();
+    options()
+        .add_option("--away-team", teams_.away, "team number in the recording")
+        ->check(CLI::Range(1, 999))
+        ->capture_default_str();
+  }
+
+  int run() override {
+    if (!mcap_.empty() && games_ > 1) return fail("--mcap records one game, got --games " + std::to_string(games_));
+    if (teams_.home == teams_.away)
+      return fail("the teams must have different numbers, got " + std::to_string(teams_.home) + " twice");
+    const auto setup = io::prepare(choice_.choice());
+    if (!setup) return fail(setup.error());
+    return games_ > 1 ? run_many(setup->params) : run_one(setup->params);
+  }
+
+ private:
+  // beyond 2^53 a seed would not survive a browser
+  static constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;
+
+  int run_one(const Params& params) {
+    std::optional<GameFile> file;
+    if (!mcap_.empty()) {
+      auto made = GameFile::create(mcap_, params, teams_, seed_);
+      if (!made) return fail(made.error());
+      file.emplace(std::move(*made));
+    }
+    const auto report = [&] {
+      Progress progress("recording", file ? expected_ticks(params.rules) : 0);
+      return play_one(params, seed_, file ? &*file : nullptr, &progress);
+    }();
+    if (!report) return fail(report.error());
+    if (json_)
+      std::printf("%s\n", to_json(*report, params.rules.players).dump(2).c_str());
+    else
+      std::fputs(to_text(*report, choice_.choice(), params).c_str(), stdout);
+    if (file && !json_)
+      std::printf("\n%s: %llu messages, %.1f MB\n", mcap_.c_str(), static_cast<unsigned long long>(file->messages()),
+                  static_cast<double>(file->size_bytes()) / 1e6);
+    return kDone;
+  }
+
+  int run_many(const Params& params) {
+    std::vector<GameReport> reports(static_cast<std::size_t>(games_));
+    {
+      Progress progress("playing", static_cast<std::uint64_t>(games_));
+      for_each_game(
+          games_, threads_for(games_),
+          [&](int game) {
+            const std::uint64_t seed = seed_ + static_cast<std::uint64_t>(game);
+            reports[static_cast<std::size_t>(game)] = {.seed = seed, .result = play_game(params, {.seed = seed})};
+          },
+          [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
+    }
+    if (json_)
+      std::printf("%s\n", to_json(reports, params.rules.players).dump(2).c_str());
+    else
+      std::fputs(to_text(reports, choice_.choice(), params).c_str(), stdout);
+    return kDone;
+  }
+
+  ChoiceOptions choice_;
+  std::uint64_t seed_ = 1;
+  int games_ = 1;
+  bool json_ = false;
+  std::string mcap_;
+  robot::agent::TeamNumbers teams_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> match_command(CLI::App& app) { return std::make_unique<MatchCommand>(app); }
+
+}  // namespace sim::app

@@ -1,0 +1,181 @@
+// foresight-sim situation: what becomes of a moment of a game.
+#include <cstdio>
+#include <map>
+
+#include "sim/app/commands.h"
+#include "sim/app/game_report.h"
+#include "sim/app/progress.h"
+#include "sim/io/situation.h"
+#include "sim/match/play.h"
+
+namespace sim::app {
+namespace {
+
+using Kind = referee::Event::Kind;
+
+/// What one continuation came to.
+struct Rollout {
+  int goals[2] = {0, 0};
+  int shots[2] = {0, 0};
+  int outs = 0;
+  int first = -1;              // side of the first goal; -1: there was none
+  double first_seconds = 0;    // until it
+  double possession_home = 0;  // [0..1]
+};
+
+Rollout roll_out(const Params& params, State state, Tick end) {
+  const State start = state;
+  Rollout rollout;
+  play(
+      params, state, [&](const State& now) { return now.world.tick >= end; },
+      [&](const referee::Event& event) {
+        if (event.kind == Kind::out || event.kind == Kind::kick_in || event.kind == Kind::goal_kick ||
+            event.kind == Kind::corner_kick)
+          ++rollout.outs;
+        if (event.kind != Kind::goal || rollout.first >= 0) return;
+        rollout.first = static_cast<int>(event.side);
+        rollout.first_seconds = static_cast<double>(age(event.tick, start.world.tick));
+      });
+  for (const int side : {0, 1}) {
+    rollout.goals[side] = state.book.score[side] - start.book.score[side];
+    rollout.shots[side] = state.tally.shots[side] - start.tally.shots[side];
+  }
+  rollout.possession_home = static_cast<double>(result_of(state).possession(Side::home));
+  return rollout;
+}
+
+/// Over all rollouts.
+struct Summary {
+  std::map<int, int> goals[2];    // how often each number was scored
+  std::vector<double> counts[2];  // goals
+  std::vector<double> shots[2];
+  std::vector<double> outs, possession_home;
+  std::vector<double> first_at[2];  // [s]
+
+  explicit Summary(const std::vector<Rollout>& rollouts) {
+    for (const Rollout& rollout : rollouts) {
+      for (const int side : {0, 1}) {
+        ++goals[side][rollout.goals[side]];
+        counts[side].push_back(rollout.goals[side]);
+        shots[side].push_back(rollout.shots[side]);
+      }
+      outs.push_back(rollout.outs);
+      possession_home.push_back(rollout.possession_home);
+      if (rollout.first >= 0) first_at[rollout.first].push_back(rollout.first_seconds);
+    }
+  }
+};
+
+Json json_of(const Mean& mean) { return {{"mean", mean.mean}, {"standard_error", mean.error}}; }
+
+/// Of a share: as of a mean of zeros and ones.
+Mean share_of(std::size_t yes, std::size_t all) {
+  std::vector<double> values(all, 0);
+  std::fill_n(values.begin(), yes, 1);
+  return mean_of(values);
+}
+
+Json to_json(const Summary& summary, double seconds) {
+  const std::size_t rollouts = summary.outs.size();
+  Json json = {{"rollouts", rollouts}, {"seconds", seconds}};
+  for (const int side : {0, 1}) {
+    Json distribution = Json::object();
+    for (const auto& [goals, count] : summary.goals[side]) distribution[std::to_string(goals)] = count;
+    json[side == 0 ? "home" : "away"] = {
+        {"goals", json_of(mean_of(summary.counts[side]))},
+        {"goals_distribution", distribution},
+        {"shots", json_of(mean_of(summary.shots[side]))},
+        {"first_goal", json_of(share_of(summary.first_at[side].size(), rollouts))},
+        {"first_goal_seconds", summary.first_at[side].empty() ? Json() : json_of(mean_of(summary.first_at[side]))}};
+  }
+  json["ball_out"] = json_of(mean_of(summary.outs));
+  json["possession_home"] = json_of(mean_of(summary.possession_home));
+  return json;
+}
+
+void print(const Summary& summary, double seconds) {
+  const std::size_t rollouts = summary.outs.size();
+  std::printf("%zu rollouts of %g s\n\n%-22s%18s%18s\n", rollouts, seconds, "", "home", "away");
+  const auto line = [&](const char* what, double scale, const Mean& home, const Mean& away, const char* unit) {
+    std::printf("%-22s%9.2f ± %-6.2f%9.2f ± %-6.2f %s\n", what, scale * home.mean, scale * home.error,
+                scale * away.mean, scale * away.error, unit);
+  };
+  line("goals", 1, mean_of(summary.counts[0]), mean_of(summary.counts[1]), "");
+  line("shots", 1, mean_of(summary.shots[0]), mean_of(summary.shots[1]), "");
+  line("first goal", 100, share_of(summary.first_at[0].size(), rollouts),
+       share_of(summary.first_at[1].size(), rollouts), "%");
+  line("  scored after", 1, mean_of(summary.first_at[0]), mean_of(summary.first_at[1]), "s");
+
+  int most = 0;
+  for (const auto& goals : summary.goals) most = std::max(most, goals.rbegin()->first);
+  std::printf("\n%-22s", "goals");
+  for (int goals = 0; goals <= most; ++goals) std::printf("%8d", goals);
+  for (const int side : {0, 1}) {
+    std::printf("\n  %-20s", side == 0 ? "home" : "away");
+    for (int goals = 0; goals <= most; ++goals) {
+      const auto found = summary.goals[side].find(goals);
+      std::printf("%8d", found == summary.goals[side].end() ? 0 : found->second);
+    }
+  }
+  const Mean outs = mean_of(summary.outs), possession = mean_of(summary.possession_home);
+  std::printf("\n\nball out    %.2f ± %.2f\npossession  home %.1f ± %.1f %%\n", outs.mean, outs.error,
+              100 * possession.mean, 100 * possession.error);
+}
+
+class SituationCommand final : public Command {
+ public:
+  explicit SituationCommand(CLI::App& app)
+      : Command(app.add_subcommand("situation", "play on from a described moment, many times")) {
+    options().add_option("file", file_, "the moment, as JSON")->required();
+    choice_.add_to(options());
+    options()
+        .add_option("--rollouts", rollouts_, "how many continuations, each with its own chance")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    options()
+        .add_option("--seconds", seconds_, "how long each is")
+        ->check(CLI::Range(0.1, 36000.))
+        ->capture_default_str();
+    options().add_flag("--json", json_, "report as JSON");
+  }
+
+  int run() override {
+    const auto setup = io::prepare(choice_.choice());
+    if (!setup) return fail(setup.error());
+    const auto start = io::load_situation(file_, setup->params);
+    if (!start) return fail(start.error());
+
+    const Tick end = start->world.tick + ticks(static_cast<float>(seconds_));
+    std::vector<Rollout> rollouts(static_cast<std::size_t>(rollouts_));
+    {
+      Progress progress("rolling out", static_cast<std::uint64_t>(rollouts_));
+      for_each_game(
+          rollouts_, threads_for(rollouts_),
+          [&](int i) {
+            State state = *start;
+            state.world.key.seed += static_cast<std::uint64_t>(i);
+            rollouts[static_cast<std::size_t>(i)] = roll_out(setup->params, state, end);
+          },
+          [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
+    }
+    const Summary summary(rollouts);
+    if (json_)
+      std::printf("%s\n", to_json(summary, seconds_).dump(2).c_str());
+    else
+      print(summary, seconds_);
+    return kDone;
+  }
+
+ private:
+  ChoiceOptions choice_;
+  std::string file_;
+  int rollouts_ = 200;
+  double seconds_ = 60;
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> situation_command(CLI::App& app) { return std::make_unique<SituationCommand>(app); }
+
+}  // namespace sim::app
