@@ -33,12 +33,13 @@ float heat_of(const World& world, Side opponents, Vec2 ball) {
   return heat;
 }
 
-/// Something round, `to_it` from the camera, is between it and the ball.
+/// Something round, `to_it` from the camera, is between it and the ball. Without branches: where robots stand nobody
+/// can foresee, the processor neither.
 bool hides(Vec2 to_it, float radius, const Sighting& ball) {
   const float along = dot(to_it, ball.to_it);
-  if (along <= 0 || along >= ball.square) return false;
   const float across = cross(to_it, ball.to_it);
-  return across * across < radius * radius * ball.square;
+  return (static_cast<int>(along > 0) & static_cast<int>(along < ball.square) &
+          static_cast<int>(across * across < radius * radius * ball.square)) != 0;
 }
 
 bool is_hidden(const Means& means, const World& world, Vec2 eye, const Sighting& ball) {
@@ -57,18 +58,21 @@ bool is_hidden(const Means& means, const World& world, Vec2 eye, const Sighting&
 BallPercept detect_ball(const Means& means, const World& world, int robot, const Sighting& sighting) {
   const auto& [model, effects, field, marks, contact, ball] = means;
   const Body& body = world.bodies[robot];
+  const float range = std::sqrt(sighting.square);
+  std::array<std::uint32_t, 4> words{};
+  if (effects.missed_ball || effects.ball_noise)
+    words = draw(world.key, static_cast<std::uint32_t>(robot), Event::ball_seen, world.tick);
+
+  // detected, and not hidden: in this order because the second costs more
+  if (effects.missed_ball && uniform(words[0]) >= probability(model.ball, range)) return {};
   if (effects.occlusion && is_hidden(means, world, body.position, sighting)) return {};
 
+  // where it seems to be
   BallPercept percept{.seen = true, .position = turned_back(sighting.to_it, body.facing)};
-  if (effects.missed_ball || effects.ball_noise) {
-    const float range = std::sqrt(sighting.square);
-    const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::ball_seen, world.tick);
-    if (effects.missed_ball && uniform(words[0]) >= probability(model.ball, range)) return {};
-    if (effects.ball_noise) {
-      percept.position = seen_through(image_noise(model, body), percept.position, range, sighting.height,
-                                      kBeyondRange * model.ball.far_range, normals(words[1], words[2]));
-      if (percept.position == Vec2{}) return {};
-    }
+  if (effects.ball_noise) {
+    percept.position = seen_through(image_noise(model, body), percept.position, range, sighting.height,
+                                    kBeyondRange * model.ball.far_range, normals(words[1], words[2]));
+    if (percept.position == Vec2{}) return {};
   }
   percept.velocity = turned_back(world.ball.velocity, body.facing);
   percept.heat = heat_of(world, other(side_of(robot)), sighting.to_it + body.position);
