@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/agent/roles.h"
 #include "sim/math/vec2.h"
 #include "sim/referee/referee.h"
 
@@ -126,17 +127,6 @@ std::string robot_name(const TeamNumbers& teams, int robot) {
   return std::to_string(teams.of(sim::side_of(robot))) + "/" + std::to_string(sim::player_of(robot));
 }
 
-const char* name_of(sim::agent::Role role) {
-  using enum sim::agent::Role;
-  switch (role) {
-    case keeper: return "keeper";
-    case chaser: return "chaser";
-    case supporter: return "supporter";
-    case defender: return "defender";
-  }
-  return "";
-}
-
 bool to_proto(const sim::agent::Ball& ball, float deceleration, const Timeline& timeline, pb::Ball& message) {
   message.Clear();
   if (ball.seen == sim::kNever) return false;
@@ -188,7 +178,7 @@ void to_proto(const sim::agent::Beliefs& beliefs, int player, const Timeline& ti
     pb::Teammate& told = *message.add_teammates();
     // of player 3, mates[2] is player 4
     told.set_player(static_cast<std::uint32_t>(i + 1 < player ? i + 1 : i + 2));
-    told.set_role(name_of(static_cast<sim::agent::Role>(mate.role)));
+    told.set_role(sim::agent::name_of(static_cast<sim::agent::Role>(mate.role)));
     told.mutable_pose()->set_x(mate.pose.position.x);
     told.mutable_pose()->set_y(mate.pose.position.y);
     told.mutable_pose()->set_heading(mate.pose.heading);

@@ -51,9 +51,6 @@ struct TeamNumbers {
 /// "14/2"
 std::string robot_name(const TeamNumbers& teams, int robot);
 
-/// "keeper", "chaser", …
-const char* name_of(sim::agent::Role role);
-
 /// Where the ball is believed to be. `deceleration` [m/s²] of rolling, as the robot reckons with it, > 0.
 /// False, and then nothing is filled: not seen once.
 bool to_proto(const sim::agent::Ball& ball, float deceleration, const Timeline& timeline, pb::Ball& message);

@@ -82,13 +82,13 @@ struct Standing {
 
 /// The enumerator called by the text at `key`; `otherwise` if there is none.
 template <class Enum, std::size_t kCount>
-Enum name_at(Reader& reader, const Json& object, const char* key, const std::array<const char*, kCount>& names,
-             Enum otherwise) {
+Enum name_at(Reader& reader, const Json& object, const std::string& path, const char* key,
+             const std::array<const char*, kCount>& names, Enum otherwise) {
   const auto found = object.find(key);
   if (found == object.end()) return otherwise;
   for (std::size_t i = 0; i < kCount; ++i)
     if (*found == names[i]) return static_cast<Enum>(i);
-  reader.refuse(std::string(key) + " must be one of " + listed({names.begin(), names.end()}) + ", got " +
+  reader.refuse(Reader::below(path, key) + " must be one of " + listed({names.begin(), names.end()}) + ", got " +
                 shown(*found));
   return otherwise;
 }
@@ -144,9 +144,9 @@ class Scene {
 
   void set_phase(const Json& json) {
     referee::Book& book = state_.book;
-    book.phase = name_at(reader_, json, "phase", kPhases, Phase::playing);
-    book.set_play = name_at(reader_, json, "set_play", kSetPlays, SetPlay::none);
-    book.kicking = name_at(reader_, json, "kicking", kSides, Side::home);
+    book.phase = name_at(reader_, json, "", "phase", kPhases, Phase::playing);
+    book.set_play = name_at(reader_, json, "", "set_play", kSetPlays, SetPlay::none);
+    book.kicking = name_at(reader_, json, "", "kicking", kSides, Side::home);
     book.last_touch = book.kicking;
     book.ball_free = book.set_play == SetPlay::none;
   }
@@ -188,7 +188,7 @@ class Scene {
     read_some(json, path, standing, {"player", "heading", "penalised"});
     for (const char* key : {"side", "player"})
       if (!json.contains(key)) reader_.refuse(path + "." + key + " is missing");
-    const Side side = name_at(reader_, json, "side", kSides, Side::home);
+    const Side side = name_at(reader_, json, path, "side", kSides, Side::home);
     reader_.refuse_unknown(json, path, {"side", "player", "x", "y", "heading", "penalised"});
     if (standing.player > state_.world.players)
       reader_.refuse(path + ".player must be at most " + std::to_string(state_.world.players) + " in this game, got " +

@@ -1,0 +1,168 @@
+// foresight-sim from outside: what it says, how it ends, and recordings that a reader who knows nothing of ours reads.
+import assert from "node:assert/strict";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { readIndexed, readStreamed } from "./mcap.mjs";
+import { run, temporaryFolder } from "./support.mjs";
+
+const sim = (...args) => run("foresight-sim", ...args);
+const json = async (...args) => {
+  const { status, stdout, stderr } = await sim(...args, "--json");
+  assert.equal(status, 0, stderr);
+  return JSON.parse(stdout);
+};
+
+// a game of two half minutes: all that a whole one has, in a test's time
+const kShort = ["--rules", "spl2012:2,half_duration=30,ready_duration=10"];
+
+test("a game is told to people and to programs", async () => {
+  const { status, stdout } = await sim("match", ...kShort, "--seed", "7");
+  assert.equal(status, 0);
+  for (const word of ["home", "away", "goals", "shots", "possession", "ball seen", "walked", "packets", "half time", "end"])
+    assert.ok(stdout.includes(word), `'${word}' in ${stdout}`);
+
+  const game = await json("match", ...kShort, "--seed", "7");
+  assert.equal(game.finished, true);
+  assert.ok(game.seconds >= 60);
+  assert.deepEqual(game.score, [game.home.goals, game.away.goals]);
+  assert.equal(game.events.filter(({ kind }) => kind === "goal").length, game.home.goals + game.away.goals);
+  assert.equal(game.events.at(-1).kind, "end");
+  assert.ok(game.events.every(({ tick }, i) => i === 0 || tick >= game.events[i - 1].tick));
+  for (const side of [game.home, game.away]) assert.ok(side.ball_seen > 0 && side.ball_seen < 1 && side.walked > 0);
+});
+
+test("the same seed is the same game, another one another", async () => {
+  const play = (seed) => json("match", ...kShort, "--seed", String(seed));
+  const [one, again, other] = await Promise.all([play(7), play(7), play(8)]);
+  assert.deepEqual(one, again);
+  assert.notDeepEqual(one.events, other.events);
+});
+
+test("a series is its games", async () => {
+  const [series, one] = await Promise.all([json("match", ...kShort, "--seed", "7", "--games", "3"), json("match", ...kShort, "--seed", "8")]);
+  assert.deepEqual(series.scores.map(({ seed }) => seed), [7, 8, 9]);
+  assert.deepEqual([series.scores[1].home, series.scores[1].away], one.score);
+  const mean = series.scores.reduce((sum, { home }) => sum + home, 0) / 3;
+  assert.ok(Math.abs(series.means.home.goals.mean - mean) < 1e-9);
+});
+
+test("wrong usage and wrong input are one sentence and exit status 2", async (t) => {
+  const folder = temporaryFolder(t);
+  const situation = join(folder, "situation.json");
+  writeFileSync(situation, "{}");
+  for (const [args, sentence] of [
+    [["match", "--home", "basline"], "foresight-sim: no strategy 'basline'; there are: align_first, baseline, idle, kick_now, passing\n"],
+    [["match", "--models", "match,walk.forward=9"], "foresight-sim: models 'match,walk.forward=9': walk.forward must be 0.01 .. 3 [m/s], got 9\n"],
+    [["match", "--rules", "spl1999"], "foresight-sim: no rules 'spl1999'; there are: spl2012, spl2025\n"],
+    [["match", "--mcap", "x", "--games", "2"], "foresight-sim: --mcap records one game, got --games 2\n"],
+    [["match", "--home-team", "5"], "foresight-sim: the teams must have different numbers, got 5 twice\n"],
+    [["situation", situation], `foresight-sim: situation '${situation}': ball is missing\n`],
+    [["models", "--show", "mach"], "foresight-sim: no models 'mach'; there are: friendly, match, perfect\n"],
+  ]) {
+    const { status, stdout, stderr } = await sim(...args);
+    assert.deepEqual({ status, stdout, stderr }, { status: 2, stdout: "", stderr: sentence }, args.join(" "));
+  }
+  for (const args of [[], ["dance"], ["match", "--games", "0"], ["match", "--players", "8"], ["match", "--seed", "-1"], ["situation"]])
+    assert.equal((await sim(...args)).status, 2, args.join(" "));
+  for (const args of [["--help"], ["match", "--help"], ["--version"]]) assert.equal((await sim(...args)).status, 0, args.join(" "));
+});
+
+test("what there is can be listed, shown and played from a file", async (t) => {
+  const folder = temporaryFolder(t);
+  for (const [kind, option] of [["rules", "--rules"], ["models", "--models"], ["strategies", "--home"]]) {
+    const names = await json(kind);
+    assert.ok(names.length > 1);
+    for (const name of names) {
+      const { status, stdout } = await sim(kind, "--show", name);
+      assert.equal(status, 0);
+      assert.equal(JSON.parse(stdout).name, name);
+    }
+    const file = join(folder, `${kind}.json`);
+    writeFileSync(file, (await sim(kind, "--show", names[0])).stdout);
+    // rules last, so that the game is short
+    const rules = kind === "rules" ? ["--rules", `${file},half_duration=10`] : [...kShort, option, file];
+    assert.equal((await sim("match", ...rules)).status, 0, kind);
+  }
+  const varied = JSON.parse((await sim("models", "--show", "match,falls=on")).stdout);
+  assert.equal(varied.effects.falls, true);
+});
+
+test("a situation is rolled out as often as asked, the same every time", async (t) => {
+  const file = join(temporaryFolder(t), "open_goal.json");
+  const robots = [{ side: "home", player: 2, x: 1.6, y: 0, heading: 0 }];
+  writeFileSync(file, JSON.stringify({ seed: 3, ball: { x: 1.8, y: 0 }, robots }));
+  const roll = () => json("situation", file, "--rollouts", "40", "--seconds", "30");
+  const [one, again] = await Promise.all([roll(), roll()]);
+  assert.deepEqual(one, again);
+  assert.equal(one.rollouts, 40);
+  assert.equal(Object.values(one.home.goals_distribution).reduce((sum, count) => sum + count, 0), 40);
+  assert.ok(one.home.goals.mean > one.away.goals.mean, "nobody keeps the goal");
+  assert.ok(one.home.first_goal_seconds.mean > 0 && one.home.first_goal_seconds.mean < 30);
+  const { status, stdout } = await sim("situation", file, "--rollouts", "5");
+  assert.equal(status, 0);
+  assert.match(stdout, /5 rollouts of 60 s/);
+});
+
+test("bench and signature tell their figures", async () => {
+  const bench = await json("bench", ...kShort, "--games", "3");
+  assert.equal(bench.games, 3);
+  assert.ok(bench.robot_tick_cycles > 1 && bench.clock_ghz > 0.1 && bench.clock_ghz < 10);
+  const { stdout } = await sim("signature");
+  assert.match(stdout, /^[0-9a-f]{16}\n$/);
+});
+
+test("a recorded game holds the truth and every robot's memory, and is the same for the same seed", async (t) => {
+  const folder = temporaryFolder(t);
+  const [first, second] = ["first.mcap", "second.mcap"].map((name) => join(folder, name));
+  const [game] = await Promise.all([first, second].map((file) => json("match", ...kShort, "--seed", "7", "--mcap", file)));
+  const bytes = readFileSync(first);
+  assert.ok(bytes.equals(readFileSync(second)), "the same seed, the same bytes");
+  assert.deepEqual(game, await json("match", ...kShort, "--seed", "7"), "recording changes nothing");
+
+  // every robot's memory, and nothing else
+  const { topics, metadata, chunks } = readStreamed(bytes);
+  const objects = ["ball", "pose", "team", "game", "motion_command", "motion_status", "decision"];
+  const robots = ["14/1", "14/2", "5/1", "5/2"];
+  const expected = ["/truth/world", ...robots.flatMap((robot) => objects.map((object) => `/${robot}/${object}`))];
+  assert.deepEqual([...topics.keys()].sort(), expected.sort());
+  assert.equal(metadata.get("foresight.game").seed, "7");
+  assert.ok(chunks.length > 10);
+
+  // one message per tick of what changes always, the truth also of the end
+  const ticks = Math.round(game.seconds * 30);
+  const count = (topic) => topics.get(topic).messages.length;
+  assert.equal(count("/truth/world"), ticks + 1);
+  for (const robot of robots) {
+    for (const object of ["pose", "motion_status"]) assert.equal(count(`/${robot}/${object}`), ticks, object);
+    for (const object of ["ball", "decision"]) assert.ok(count(`/${robot}/${object}`) > ticks / 20, object);
+    for (const object of ["team", "game", "motion_command"]) assert.ok(count(`/${robot}/${object}`) > 0, object);
+  }
+
+  // times grow, 30 ticks a second from a fixed epoch on, and the index leads to the same messages
+  const epoch = 1340020800000000000n;
+  const indexed = await readIndexed(bytes);
+  for (const [topic, { schema, messages }] of topics) {
+    assert.equal(schema.encoding, "protobuf");
+    assert.ok(schema.name.startsWith("foresight."), schema.name);
+    for (const [i, { logTime, sequence }] of messages.entries()) {
+      assert.equal(sequence, i + 1);
+      assert.ok(i === 0 || logTime > messages[i - 1].logTime, topic);
+    }
+    assert.deepEqual(indexed.get(topic).map(({ logTime }) => logTime), messages.map(({ logTime }) => logTime));
+  }
+  const truth = topics.get("/truth/world").messages;
+  assert.ok(truth.every(({ logTime }, i) => logTime === epoch + (BigInt(i) * 100000000n) / 3n));
+});
+
+test("what was recorded is never overwritten", async (t) => {
+  const file = join(temporaryFolder(t), "game.mcap");
+  writeFileSync(file, "precious");
+  const { status, stderr } = await sim("match", ...kShort, "--mcap", file);
+  assert.equal(status, 2);
+  assert.ok(stderr.startsWith("foresight-sim: ") && stderr.includes(file), stderr);
+  assert.equal(readFileSync(file, "utf8"), "precious");
+  const nowhere = join(file, "no", "folder.mcap");
+  assert.equal((await sim("match", ...kShort, "--mcap", nowhere)).status, 2);
+  assert.ok(!existsSync(nowhere));
+});

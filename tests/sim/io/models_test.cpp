@@ -1,0 +1,160 @@
+#include "sim/io/models.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "sim/io/embedded.h"
+#include "sim/io/source.h"
+
+namespace sim::io {
+namespace {
+
+/// The sentence of an Error; empty where there is none.
+std::string error_of(const std::string& name) {
+  const auto models = load_models(name);
+  return models ? "" : models.error();
+}
+
+Models loaded(const std::string& name) {
+  auto models = load_models(name);
+  EXPECT_TRUE(models) << models.error();
+  return std::move(models).value();
+}
+
+std::vector<bool> effects_of(const Models& models) {
+  std::vector<bool> all;
+  Effects::visit(models.effects, [&](const char*, bool value, const char*, bool, bool) { all.push_back(value); });
+  return all;
+}
+
+TEST(Models, TheEmbeddedOnesAreAsTheyAreCalled) {
+  EXPECT_EQ(listed(names_of("models")), "friendly, match, perfect");
+  for (const std::string_view name : names_of("models")) EXPECT_EQ(loaded(std::string(name)).name, name);
+}
+
+TEST(Models, InPerfectEveryEffectIsOff) {
+  for (const bool effect : effects_of(loaded("perfect"))) EXPECT_FALSE(effect);
+}
+
+TEST(Models, InNoPresetRobotsFall) {
+  for (const char* name : {"friendly", "match", "perfect"}) EXPECT_FALSE(loaded(name).effects.falls);
+}
+
+TEST(Models, FriendlyIsMatchWithLessOfIt) {
+  const Models match = loaded("match"), friendly = loaded("friendly");
+  EXPECT_EQ(effects_of(friendly), effects_of(match));
+  ASSERT_EQ(friendly.motion.kick_count, match.motion.kick_count);
+  for (int i = 0; i < match.motion.kick_count; ++i) {
+    EXPECT_STREQ(friendly.motion.kicks[i].name, match.motion.kicks[i].name);
+    EXPECT_EQ(friendly.motion.kicks[i].range, match.motion.kicks[i].range);
+    EXPECT_LT(friendly.motion.kicks[i].range_deviation, match.motion.kicks[i].range_deviation);
+  }
+  EXPECT_GT(friendly.perception.ball.far, match.perception.ball.far);
+  EXPECT_LE(friendly.perception.noise.pixels, match.perception.noise.pixels);
+  EXPECT_LT(friendly.perception.radio.loss, match.perception.radio.loss);
+}
+
+TEST(Models, WhatIsPrintedReadsBackIdentically) {
+  for (const char* name : {"friendly", "match", "perfect", "match,falls=on,walk.forward=0.1234567,radio.loss=0.7"}) {
+    const std::string printed = print_models(loaded(name));
+    const auto again = parse_models(printed, "again");
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_EQ(print_models(*again), printed);
+    EXPECT_EQ(again->motion.kick_count, loaded(name).motion.kick_count);
+  }
+}
+
+TEST(Models, VariationsChangeWhatTheyNameAndNothingElse) {
+  Models varied = loaded("match,falls=on,walk.forward=0.2,kicks.long.range=4");
+  EXPECT_EQ(varied.name, "match,falls=on,walk.forward=0.2,kicks.long.range=4");
+  EXPECT_TRUE(varied.effects.falls);
+  EXPECT_EQ(varied.motion.walk.forward, 0.2f);
+  const Models match = loaded("match");
+  for (int i = 0; i < match.motion.kick_count; ++i) {
+    const bool named = std::strcmp(match.motion.kicks[i].name, "long") == 0;
+    EXPECT_EQ(varied.motion.kicks[i].range, named ? 4 : match.motion.kicks[i].range);
+    varied.motion.kicks[i].range = match.motion.kicks[i].range;
+  }
+  varied.name = match.name;
+  varied.effects.falls = match.effects.falls;
+  varied.motion.walk.forward = match.motion.walk.forward;
+  EXPECT_EQ(print_models(varied), print_models(match));
+}
+
+TEST(Models, EveryEffectCanBeSwitchedByItsName) {
+  const Models match = loaded("match");
+  Effects::visit(match.effects, [](const char* name, bool value, const char*, bool, bool) {
+    const Models varied = loaded(std::string("match,") + name + (value ? "=off" : "=on"));
+    Effects::visit(varied.effects, [&](const char* other, bool now, const char*, bool, bool) {
+      EXPECT_TRUE(std::strcmp(name, other) != 0 || now != value) << name;
+    });
+  });
+}
+
+TEST(Models, SaysWhatIsWrongWithAVariation) {
+  EXPECT_EQ(error_of("mach"), "no models 'mach'; there are: friendly, match, perfect");
+  EXPECT_EQ(error_of("match,walk.forward=9"),
+            "models 'match,walk.forward=9': walk.forward must be 0.01 .. 3 [m/s], got 9");
+  EXPECT_EQ(error_of("match,falls=maybe"),
+            "models 'match,falls=maybe': effects.falls must be true or false, got \"maybe\"");
+  EXPECT_EQ(error_of("match,head.yaw=1"),
+            "models 'match,head.yaw=1': head.yaw is unknown; there are: yaw_limit, pitch_up, pitch_down, yaw_speed, "
+            "pitch_speed");
+  for (const char* wrong : {"falls", "falls=", "=on", "falls=on,falls=off", "walk..forward=1", "walk.forward.x=1"})
+    EXPECT_NE(error_of(std::string("match,") + wrong), "") << wrong;
+  EXPECT_EQ(error_of("match,falls"),
+            "models 'match,falls': expected name=value behind a comma, once each, got 'falls'");
+  EXPECT_EQ(error_of("match:4"), "models 'match:4': models take no number behind a colon");
+  EXPECT_EQ(error_of("match,kicks.bicycle.range=3").substr(0, 69),
+            "models 'match,kicks.bicycle.range=3': kicks.bicycle.ball_x is missing,");
+}
+
+TEST(Models, SaysWhatIsWrongWithADescription) {
+  const auto error = [](std::string_view text) {
+    const auto models = parse_models(text, "models 'mine'");
+    return models ? "" : models.error();
+  };
+  EXPECT_EQ(error(R"({"name": "mine"})"), "models 'mine': effects is missing");
+  EXPECT_EQ(error(R"({"based_on": "match"})"), "models 'mine': name is missing");
+  EXPECT_EQ(error(R"({"name": "mine", "based_on": "mach"})"),
+            "models 'mine': based_on: no models 'mach'; there are: friendly, match, perfect");
+  EXPECT_EQ(error(R"({"name": "mine", "based_on": "match", "walk": 3})"),
+            "models 'mine': walk must be an object, got 3");
+  EXPECT_EQ(error(R"({"name": "mine", "based_on": "match", "kicks": {"a_name_far_too_long": {}}})"),
+            "models 'mine': kicks: a name must have 1 .. 15 bytes, got 'a_name_far_too_long'");
+  EXPECT_EQ(error(R"({"name": "mine", "based_on": "match", "wings": {}})").substr(0, 40),
+            "models 'mine': wings is unknown; there a");
+}
+
+TEST(Models, ManyKicksAreRefused) {
+  std::string text = print_models(loaded("match"));
+  const std::string kick = text.substr(text.find("\"forward\": {", text.find("\"kicks\"")) + 11);
+  const std::string one = kick.substr(0, kick.find("\n    }") + 6);
+  std::string more;
+  for (int i = loaded("match").motion.kick_count; i <= motion::kMaxKicks; ++i)
+    more += "\"kick" + std::to_string(i) + "\": " + one + ",";
+  text.insert(text.find("\"forward\": {", text.find("\"kicks\"")), more);
+  const auto models = parse_models(text, "mine");
+  ASSERT_FALSE(models);
+  EXPECT_EQ(models.error().substr(0, 44), "mine: kicks: expected at most 8, got one mor");
+}
+
+TEST(Models, AFileIsFoundByItsPath) {
+  EXPECT_EQ(error_of("./no/such.json").substr(0, 26), "models './no/such.json': c");
+  EXPECT_EQ(error_of("nothing.json").substr(0, 22), "models 'nothing.json':");
+}
+
+// of the longer texts not every size, for the test's own speed
+TEST(Embedded, TruncatedModelsAreRefused) {
+  for (const Embedded& file : embedded_files()) {
+    if (file.kind != "models") continue;
+    const std::size_t end = file.text.rfind('}');
+    for (std::size_t size = 0; size <= end; size += 1 + size / 256)
+      EXPECT_FALSE(parse_models(file.text.substr(0, size), "cut")) << file.name << " cut to " << size;
+  }
+}
+
+}  // namespace
+}  // namespace sim::io

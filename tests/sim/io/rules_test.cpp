@@ -1,0 +1,82 @@
+#include "sim/io/rules.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/io/embedded.h"
+#include "sim/io/source.h"
+
+namespace sim::io {
+namespace {
+
+std::string error_of(const std::string& name) {
+  const auto rules = load_rules(name);
+  return rules ? "" : rules.error();
+}
+
+field::Rules loaded(const std::string& name) {
+  const auto rules = load_rules(name);
+  EXPECT_TRUE(rules) << rules.error();
+  return *rules;
+}
+
+TEST(Rules, TheYearsAreThere) {
+  EXPECT_EQ(listed(names_of("rules")), "spl2012, spl2025");
+  const field::Rules then = loaded("spl2012"), now = loaded("spl2025");
+  EXPECT_EQ(then.field.length, 6);
+  EXPECT_EQ(then.field.width, 4);
+  EXPECT_EQ(then.players, 4);
+  EXPECT_EQ(then.ball_out, field::BallOut::placed_back);
+  EXPECT_EQ(now.field.length, 9);
+  EXPECT_EQ(now.field.width, 6);
+  EXPECT_EQ(now.players, 5);
+  EXPECT_EQ(now.ball_out, field::BallOut::set_play);
+  EXPECT_EQ(now.message_budget, 1200);
+  for (const field::Rules& rules : {then, now}) EXPECT_EQ(rules.half_duration * static_cast<float>(rules.halves), 1200);
+}
+
+TEST(Rules, ANumberBehindTheNameIsHowManyPlay) {
+  EXPECT_EQ(loaded("spl2025:7").players, 7);
+  EXPECT_EQ(error_of("spl2025:8"), "rules 'spl2025:8': players must be a whole number, 1 .. 7 [robots], got 8");
+  EXPECT_EQ(error_of("spl2025:x"), "rules 'spl2025:x': players must be a whole number, 1 .. 7 [robots], got \"x\"");
+}
+
+TEST(Rules, VariationsChangeWhatTheyName) {
+  const field::Rules rules = loaded("spl2012:2,half_duration=60,field.length=8,ball_out=set_play");
+  EXPECT_EQ(rules.players, 2);
+  EXPECT_EQ(rules.half_duration, 60);
+  EXPECT_EQ(rules.field.length, 8);
+  EXPECT_EQ(rules.field.width, 4);
+  EXPECT_EQ(rules.ball_out, field::BallOut::set_play);
+}
+
+TEST(Rules, SaysWhatIsWrong) {
+  EXPECT_EQ(error_of("spl2011"), "no rules 'spl2011'; there are: spl2012, spl2025");
+  EXPECT_EQ(error_of("spl2012,halves=0"), "rules 'spl2012,halves=0': halves must be a whole number, 1 .. 4, got 0");
+  EXPECT_EQ(error_of("spl2012,ball_out=gone"),
+            "rules 'spl2012,ball_out=gone': ball_out must be \"placed_back\" or \"set_play\", got \"gone\"");
+  EXPECT_EQ(
+      error_of("spl2012,field.goal_area_width=5"),
+      "rules 'spl2012,field.goal_area_width=5': field.goal_area_width must be at most 4 [m] on this field, got 5");
+  EXPECT_EQ(parse_rules(R"({"name": "mine"})", "rules 'mine'").error(), "rules 'mine': field is missing");
+}
+
+TEST(Rules, WhatIsPrintedReadsBackIdentically) {
+  for (const char* name : {"spl2012", "spl2025:7", "spl2012,half_duration=61.7,illegal_defender=off"}) {
+    const std::string printed = print_rules(loaded(name), "mine");
+    const auto again = parse_rules(printed, "again");
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_EQ(print_rules(*again, "mine"), printed);
+    EXPECT_EQ(again->ball_out, loaded(name).ball_out);
+  }
+}
+
+TEST(Embedded, EveryTruncationOfRulesIsRefused) {
+  for (const Embedded& file : embedded_files()) {
+    if (file.kind != "rules") continue;
+    for (std::size_t size = 0; size <= file.text.rfind('}'); ++size)
+      EXPECT_FALSE(parse_rules(file.text.substr(0, size), "cut")) << file.name << " cut to " << size;
+  }
+}
+
+}  // namespace
+}  // namespace sim::io

@@ -1,0 +1,50 @@
+#include "sim/io/setup.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/io/ingredients.h"
+#include "sim/io/source.h"
+
+namespace sim::io {
+namespace {
+
+TEST(Setup, HoldsWhatWasChosen) {
+  const auto setup = prepare({.rules = "spl2025",
+                              .strategies = {"baseline", "idle"},
+                              .models = {"perfect", "match,falls=on"},
+                              .players = 3,
+                              .pace = Pace::every_tick});
+  ASSERT_TRUE(setup) << setup.error();
+  const Params& params = setup->params;
+  EXPECT_EQ(params.rules.players, 3);
+  EXPECT_EQ(params.rules.field.length, 9);
+  EXPECT_GT(params.marks.count, 10);
+  EXPECT_EQ(params.teams[0].behaviour->name(), "baseline");
+  EXPECT_EQ(params.teams[1].behaviour->name(), "idle");
+  EXPECT_EQ(params.teams[0].models.name, "perfect");
+  EXPECT_TRUE(params.teams[1].models.effects.falls);
+  EXPECT_EQ(params.pace, Pace::every_tick);
+}
+
+TEST(Setup, SaysWhatThereIsNot) {
+  const auto error = [](const Choice& choice) {
+    const auto setup = prepare(choice);
+    return setup ? "" : setup.error();
+  };
+  EXPECT_EQ(error({.rules = "spl1999"}), "no rules 'spl1999'; there are: spl2012, spl2025");
+  EXPECT_EQ(error({.models = {"match", "mach"}}), "no models 'mach'; there are: friendly, match, perfect");
+  EXPECT_EQ(error({.strategies = {"basline", "idle"}}),
+            "no strategy 'basline'; there are: align_first, baseline, idle, kick_now, passing");
+  EXPECT_EQ(error({.players = 8}), "players must be 1 .. 7 a side, got 8");
+}
+
+TEST(Ingredients, AreEverythingEmbedded) {
+  const auto all = embedded_ingredients();
+  ASSERT_TRUE(all) << all.error();
+  EXPECT_EQ(all->lists.rules.size(), names_of("rules").size());
+  EXPECT_EQ(all->lists.models.size(), names_of("models").size());
+  EXPECT_EQ(all->lists.behaviours.size(), names_of("strategies").size());
+}
+
+}  // namespace
+}  // namespace sim::io

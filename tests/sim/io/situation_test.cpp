@@ -1,0 +1,136 @@
+#include "sim/io/situation.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/match/step.h"
+
+namespace sim::io {
+namespace {
+
+const Setup& setup() {
+  static const Setup made = prepare({}).value();
+  return made;
+}
+
+State parsed(std::string_view text) {
+  const auto state = parse_situation(text, "situation", setup().params);
+  EXPECT_TRUE(state) << state.error();
+  return *state;
+}
+
+std::string error_of(std::string_view text) {
+  const auto state = parse_situation(text, "situation 'duel'", setup().params);
+  return state ? "" : state.error();
+}
+
+constexpr std::string_view kDuel = R"({
+  "about": "one against the keeper", "seed": 7, "half": 2, "clock": 300, "score": {"home": 1, "away": 2},
+  "kicking": "away",
+  "ball": {"x": 1.25, "y": -0.5, "velocity_x": 0.5, "velocity_y": 0.25},
+  "robots": [{"side": "home", "player": 2, "x": 0.5, "y": -0.5, "heading": 0.5},
+             {"side": "home", "player": 4, "x": 0, "y": 3, "penalised": 12},
+             {"side": "away", "player": 1, "x": 2.9, "y": 0, "heading": 3.1}]})";
+
+TEST(Situation, IsWhatWasDescribed) {
+  const State state = parsed(kDuel);
+  const World& world = state.world;
+  EXPECT_EQ(world.key.seed, 7u);
+  EXPECT_EQ(world.ball.position, (Vec2{1.25f, -0.5f}));
+  EXPECT_EQ(world.ball.velocity, (Vec2{0.5f, 0.25f}));
+  EXPECT_EQ(world.bodies[robot_of(Side::home, 2)].position, (Vec2{0.5f, -0.5f}));
+  EXPECT_EQ(world.bodies[robot_of(Side::home, 2)].heading, 0.5f);
+  EXPECT_EQ(world.bodies[robot_of(Side::away, 1)].doing, Body::Doing::standing);
+  EXPECT_EQ(world.home_attacks, -1);
+  EXPECT_EQ(state.book.phase, agent::Game::Phase::playing);
+  EXPECT_EQ(state.book.half, 2);
+  EXPECT_EQ(state.book.clock, ticks(300));
+  EXPECT_EQ(state.book.score[0], 1);
+  EXPECT_EQ(state.book.score[1], 2);
+  EXPECT_EQ(state.book.kicking, Side::away);
+}
+
+TEST(Situation, WhoIsNotNamedDoesNotPlayAtAll) {
+  State state = parsed(kDuel);
+  referee::Events events;
+  for (int i = 0; i < 300; ++i) step(setup().params, state, events);
+  for (const int player : {1, 3}) {
+    EXPECT_EQ(state.world.bodies[robot_of(Side::home, player)].doing, Body::Doing::removed);
+    EXPECT_EQ(state.book.penalised_until[robot_of(Side::home, player)], kNever);
+  }
+}
+
+TEST(Situation, APenaltyRunsOut) {
+  State state = parsed(kDuel);
+  const int robot = robot_of(Side::home, 4);
+  EXPECT_EQ(state.world.bodies[robot].doing, Body::Doing::removed);
+  referee::Events events;
+  for (int i = 0; i < 20 * 30; ++i) step(setup().params, state, events);
+  EXPECT_NE(state.world.bodies[robot].doing, Body::Doing::removed);
+}
+
+TEST(Situation, EverybodyHasJustSeenTheBallAndToldTheOthers) {
+  const State state = parsed(R"({"ball": {"x": 1, "y": 0.5},
+    "robots": [{"side": "home", "player": 2, "x": 0, "y": 0.5}, {"side": "home", "player": 3, "x": 1, "y": 0,
+                "heading": 1.5707964}]})");
+  const agent::Beliefs& second = state.robots[robot_of(Side::home, 2)].beliefs;
+  EXPECT_NEAR(second.ball.position.x, 1, 1e-5);
+  EXPECT_NEAR(second.ball.position.y, 0, 1e-5);
+  EXPECT_EQ(second.ball.seen, state.world.tick);
+  const agent::Beliefs& third = state.robots[robot_of(Side::home, 3)].beliefs;
+  EXPECT_NEAR(third.ball.position.x, 0.5, 1e-5);
+  EXPECT_NEAR(third.ball.position.y, 0, 1e-5);
+  EXPECT_EQ(second.mates[1].sent, state.world.tick);  // player 3
+  EXPECT_EQ(third.mates[1].sent, state.world.tick);   // player 2
+  EXPECT_EQ(second.mates[0].sent, kNever);            // player 1 does not play
+}
+
+TEST(Situation, WhatIsSavedReadsBackIdentically) {
+  State state = parsed(kDuel);
+  referee::Events events;
+  for (int i = 0; i < 100; ++i) {
+    const std::string saved = save_situation(state);
+    EXPECT_EQ(save_situation(parsed(saved)), saved) << "after " << i << " seconds";
+    for (int tick = 0; tick < 30; ++tick) step(setup().params, state, events);
+  }
+}
+
+TEST(Situation, SaysWhatIsWrong) {
+  EXPECT_EQ(error_of("{}"), "situation 'duel': ball is missing");
+  EXPECT_EQ(error_of(R"({"ball": {"x": 1}, "robots": []})"), "situation 'duel': ball.y is missing, expected -20 .. 20");
+  EXPECT_EQ(error_of(R"({"ball": {"x": 0, "y": 0, "z": 0}, "robots": []})"),
+            "situation 'duel': ball.z is unknown; there are: x, y, velocity_x, velocity_y");
+  EXPECT_EQ(error_of(R"({"ball": {"x": 0, "y": 0}, "robots": {}})"), "situation 'duel': robots must be a list, got {}");
+  EXPECT_EQ(error_of(R"({"ball": {"x": 0, "y": 0}, "robots": [], "seed": -1})"),
+            "situation 'duel': seed must be a whole number from 0, got -1");
+  EXPECT_EQ(error_of(R"({"ball": {"x": 0, "y": 0}, "robots": [], "phase": "paused"})"),
+            "situation 'duel': phase must be one of initial, ready, set, playing, finished, got \"paused\"");
+  EXPECT_EQ(error_of(R"({"ball": {"x": 0, "y": 0}, "robots": [], "half": 3})"),
+            "situation 'duel': half must be at most 2 by these rules, got 3");
+  EXPECT_EQ(error_of(R"({"ball": {"x": 0, "y": 0}, "robots": [], "clock": 601})"),
+            "situation 'duel': clock must be at most 600 [s] by these rules, got 601");
+  const auto robots = [](const std::string& list) {
+    return error_of(R"({"ball": {"x": 0, "y": 0}, "robots": [)" + list + "]}");
+  };
+  const std::string one = R"({"side": "home", "player": 1, "x": 0, "y": 0})";
+  EXPECT_EQ(robots(one), "");
+  EXPECT_EQ(robots(one + "," + one), "situation 'duel': robots[1] names the same robot as one before it");
+  EXPECT_EQ(robots(R"({"side": "home", "player": 5, "x": 0, "y": 0})"),
+            "situation 'duel': robots[0].player must be at most 4 in this game, got 5");
+  EXPECT_EQ(robots(R"({"side": "ours", "player": 1, "x": 0, "y": 0})"),
+            "situation 'duel': robots[0].side must be one of home, away, got \"ours\"");
+  EXPECT_EQ(robots(R"({"player": 1, "x": 0, "y": 0})"), "situation 'duel': robots[0].side is missing");
+  EXPECT_EQ(robots("7"), "situation 'duel': robots[0] must be an object, got 7");
+}
+
+TEST(Situation, EveryTruncationIsRefused) {
+  for (std::size_t size = 0; size < kDuel.size(); ++size) EXPECT_NE(error_of(kDuel.substr(0, size)), "") << size;
+}
+
+TEST(Situation, AFileThatIsNotThereIsNamed) {
+  const auto state = load_situation("no/such.json", setup().params);
+  ASSERT_FALSE(state);
+  EXPECT_EQ(state.error().substr(0, 26), "situation 'no/such.json': ");
+}
+
+}  // namespace
+}  // namespace sim::io
