@@ -5,6 +5,8 @@
 // the same luck. Philox4x32 with 7 rounds, which passes BigCrush (Salmon et al., SC 2011, table 2).
 #pragma once
 
+#include <Random123/philox.h>
+
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -45,7 +47,13 @@ enum class Event : std::uint32_t {
 
 /// 128 random bits for one event. `robot` is its index in the state (kNobody for the game's own events); `number`
 /// is what tells two events of one kind apart, mostly the tick.
-std::array<std::uint32_t, 4> draw(RandomKey key, std::uint32_t robot, Event event, std::uint32_t number);
+/// Inline, because then the words that nobody reads are not computed.
+inline std::array<std::uint32_t, 4> draw(RandomKey key, std::uint32_t robot, Event event, std::uint32_t number) {
+  const philox4x32_ctr_t counter = {{number, static_cast<std::uint32_t>(event), robot, 0}};
+  const philox4x32_key_t seed = {{static_cast<std::uint32_t>(key.seed), static_cast<std::uint32_t>(key.seed >> 32)}};
+  const philox4x32_ctr_t words = philox4x32_R(7, counter, seed);
+  return {words.v[0], words.v[1], words.v[2], words.v[3]};
+}
 inline constexpr std::uint8_t kNobody = 255;
 
 /// [0, 1) of 24 bits.

@@ -26,6 +26,7 @@ constexpr int kRoom = (kMaxRobots + kBlock - 1) / kBlock * kBlock;
 /// Who is on the field, packed: most of the time it takes a look to see that nobody is near anybody.
 struct Circles {
   int count = 0;
+  float largest = 0;  // [m] radius
   float x[kRoom];
   float y[kRoom];
   float radius[kRoom];
@@ -74,6 +75,7 @@ Circles circles_of(const ContactModel& contact, const World& world) {
     circles.x[i] = body.position.x;
     circles.y[i] = body.position.y;
     circles.radius[i] = lies ? contact.lying_radius : contact.robot_radius;
+    circles.largest = std::max(circles.largest, circles.radius[i]);
     circles.robot[i] = static_cast<std::uint8_t>(robot);
   });
   // the rest of the last block is far from everything
@@ -81,25 +83,35 @@ Circles circles_of(const ContactModel& contact, const World& world) {
   return circles;
 }
 
-/// Whether anybody may touch anything: quick, as if all were as large as the largest, and a block at a time.
-bool anything_near(const ContactModel& contact, const Things& things, const Circles& circles) {
-  const float radius = std::max(contact.robot_radius, contact.lying_radius);
-  const float robots = (2 * radius + kTouch) * (2 * radius + kTouch);
-  const float posts = (radius + things.post_radius) * (radius + things.post_radius);
-  const float official = (radius + things.official_radius) * (radius + things.official_radius);
+/// [m²] at less than these squared distances of middles something may be nearer than `margin`: as if all were as large
+/// as the largest.
+struct Limits {
+  float robots;
+  float post;
+  float official;
+};
 
+Limits limits_of(const Things& things, const Circles& circles, float margin) {
+  const auto squared = [](float reach) { return reach * reach; };
+  return {squared(2 * circles.largest + margin), squared(circles.largest + things.post_radius + margin),
+          squared(circles.largest + things.official_radius + margin)};
+}
+
+/// Whether anybody may touch anything: quick, a block at a time.
+bool anything_near(const Things& things, const Circles& circles) {
+  const Limits limits = limits_of(things, circles, kTouch);
   std::uint32_t near = 0;
   for (int block = 0; block < circles.count; block += kBlock) {
     std::uint32_t hits[kBlock];
     for (int lane = 0; lane < kBlock; ++lane) {
       const Vec2 middle = circles.middle(block + lane);
-      hits[lane] = (squared_length(things.from_post(middle)) < posts ? 1u : 0u) +
-                   (squared_length(middle - things.official) < official ? 1u : 0u);
+      hits[lane] = (squared_length(things.from_post(middle)) < limits.post ? 1u : 0u) +
+                   (squared_length(middle - things.official) < limits.official ? 1u : 0u);
     }
     const int end = std::min(block + kBlock, circles.count);
     for (int i = 0; i < end; ++i)
       for (int lane = 0; lane < kBlock; ++lane)
-        hits[lane] += squared_length(circles.middle(block + lane) - circles.middle(i)) < robots ? 1u : 0u;
+        hits[lane] += squared_length(circles.middle(block + lane) - circles.middle(i)) < limits.robots ? 1u : 0u;
     for (const std::uint32_t count : hits) near += count;
   }
   // everybody is near himself
@@ -107,19 +119,17 @@ bool anything_near(const ContactModel& contact, const Things& things, const Circ
 }
 
 Neighbours neighbours_of(const Things& things, const Circles& circles) {
+  const Limits limits = limits_of(things, circles, kMargin);
   Neighbours near;
-  const auto within = [](Vec2 apart, float reach) {
-    return squared_length(apart) < (reach + kMargin) * (reach + kMargin);
-  };
   for (int i = 0; i < circles.count; ++i) {
     const Vec2 middle = circles.middle(i);
     for (int j = i + 1; j < circles.count; ++j) {
-      if (!within(circles.middle(j) - middle, circles.radius[i] + circles.radius[j])) continue;
+      if (squared_length(circles.middle(j) - middle) >= limits.robots) continue;
       near.first[near.pairs] = static_cast<std::uint8_t>(i);
       near.second[near.pairs++] = static_cast<std::uint8_t>(j);
     }
-    if (within(things.from_post(middle), circles.radius[i] + things.post_radius) ||
-        within(middle - things.official, circles.radius[i] + things.official_radius))
+    if (squared_length(things.from_post(middle)) < limits.post ||
+        squared_length(middle - things.official) < limits.official)
       near.at_thing[near.at_things++] = static_cast<std::uint8_t>(i);
   }
   return near;
@@ -190,7 +200,7 @@ Shifts shifts_of(const Things& things, const Circles& circles, const Neighbours&
 void keep_bodies_apart(const field::Field& field, const ContactModel& contact, World& world) {
   Circles circles = circles_of(contact, world);
   const Things things{field::post_of(field, 0), field.post_radius, world.official.position, contact.official_radius};
-  if (!anything_near(contact, things, circles)) {
+  if (!anything_near(things, circles)) {
     for (int i = 0; i < circles.count; ++i) {
       Body& body = world.bodies[circles.robot[i]];
       body.touching = body.pushing = 0;
