@@ -17,6 +17,6 @@ constexpr float age(Tick now, Tick then) {
   return then == kNever ? 1e6f : static_cast<float>(now - then) * kTickDuration;
 }
 /// The nearest whole number of ticks, for 0 <= seconds < 1e8.
-constexpr Tick ticks(float seconds) { return static_cast<Tick>(seconds * kTicksPerSecond + 0.5f); }
+constexpr Tick ticks(float seconds) { return static_cast<Tick>(0.5f * (2 * seconds * kTicksPerSecond + 1)); }
 
 }  // namespace sim

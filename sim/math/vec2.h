@@ -30,7 +30,16 @@ inline float length(Vec2 a) { return std::sqrt(dot(a, a)); }
 inline float distance(Vec2 a, Vec2 b) { return length(b - a); }
 
 /// The unit vector at `angle` [rad] from +x.
-inline Vec2 direction(float angle) { return {cos(angle), sin(angle)}; }
+inline Vec2 direction(float angle) {
+  const SinCos both = sin_cos(angle);
+  return {both.cos, both.sin};
+}
+/// The same, and quicker where |angle| <= π/4 is what is expected.
+inline Vec2 direction_of_small(float angle) {
+  if (std::fabs(angle) > kPi / 4) return direction(angle);
+  const SinCos both = detail::sin_cos_of_rest(angle, 0);
+  return {both.cos, both.sin};
+}
 /// [rad], (-π, π]; 0 of the zero vector.
 inline float angle_of(Vec2 a) { return atan2(a.y, a.x); }
 /// `a` turned by the angle of the unit vector `facing`: from a frame that faces there into the frame around it.
