@@ -94,7 +94,7 @@ struct PlayCommand {
 
   void add_to(CLI::App& app) {
     CLI::App* command = app.add_subcommand("play", "serve a session: to browsers, Foxglove, Lichtblick");
-    command->add_option("session", options.session, "folder of the session")->required();
+    command->add_option("session", options.session, "folder of the session, or an .mcap file")->required();
     command->add_option("--speed", options.speed, "0.01 .. 1000, 1 is real time")->capture_default_str();
     command->add_flag("--loop", options.loop, "begin again at the end");
     add_server_options(*command, options.server);

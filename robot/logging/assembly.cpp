@@ -35,6 +35,15 @@ bool is_chosen(const ChunkInfo& chunk, const AssemblyOptions& options) {
   return place.end_ns <= *options.until_ns && !place.message_indexes.empty();
 }
 
+/// Whether a chunk may hold messages of the channel that is wanted.
+bool holds_topic(const ChunkInfo& chunk, const McapIndex& index, const AssemblyOptions& options) {
+  if (!options.topic || chunk.index.message_indexes.empty()) return true;
+  return std::ranges::any_of(chunk.index.message_indexes, [&](const auto& of_channel) {
+    const auto channel = index.channels.find(of_channel.first);
+    return channel != index.channels.end() && channel->second.topic == *options.topic;
+  });
+}
+
 }  // namespace
 
 /// Makes an assembly in four steps: files, head, chunks, end.
@@ -57,7 +66,8 @@ class AssemblyBuilder {
     for (mcap::Metadata& metadata : index->metadata) metadata_.emplace(metadata.name, std::move(metadata));
     const auto file = static_cast<std::uint32_t>(assembly_.files_.size());
     for (ChunkInfo& chunk : index->chunks)
-      if (is_chosen(chunk, options_)) chosen_.push_back({file, std::move(chunk)});
+      if (is_chosen(chunk, options_) && holds_topic(chunk, *index, options_))
+        chosen_.push_back({file, std::move(chunk)});
     assembly_.files_.push_back(std::move(source));
     return {};
   }

@@ -20,6 +20,9 @@ struct AssemblyOptions {
   /// Chunks that end at this time or earlier, and are in the file with their index: fixes what the download of a live
   /// session is. Choose it so far back that every stream has written its chunks up to then.
   std::optional<std::uint64_t> until_ns;
+  /// The one whose messages are wanted: chunks without any are left out. Other channels' messages in chunks that hold
+  /// some of its own stay.
+  std::optional<std::string> topic;
 };
 
 /// One MCAP file made of several: a head of its own, the chunks of all files byte for byte in the order of their

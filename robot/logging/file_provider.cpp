@@ -1,10 +1,12 @@
 #include "robot/logging/file_provider.h"
 
+#include <algorithm>
 #include <cassert>
 #include <system_error>
 #include <utility>
 
 #include "robot/core/clock.h"
+#include "robot/logging/assembly.h"
 
 namespace robot::logging {
 
@@ -54,6 +56,7 @@ Result<memory::ChannelInfo> FileInProvider::open() {
   if (!source) return Error{source.error()};
   const Result<McapIndex> index = read_index(**source);
   if (!index) return Error{index.error()};
+  if (topic_) return open_topic(std::move(*source), *index);
   if (index->channels.size() != 1)
     return Error{path_.string() + ": expected the recording of one channel, got " +
                  std::to_string(index->channels.size()) + (index->damage.empty() ? "" : " (" + index->damage + ")")};
@@ -61,13 +64,29 @@ Result<memory::ChannelInfo> FileInProvider::open() {
   return channel_info(index->channels.begin()->second, index->schemas);
 }
 
+/// Of the file, only the chunks that matter.
+Result<memory::ChannelInfo> FileInProvider::open_topic(std::shared_ptr<const ByteSource> source,
+                                                       const McapIndex& index) {
+  const auto channel = std::ranges::find_if(index.channels, [&](const auto& id) { return id.second.topic == *topic_; });
+  if (channel == index.channels.end())
+    return Error{path_.string() + ": expected a channel " + *topic_ + ", there is none"};
+  Result<Assembly> chunks = assemble({std::move(source)}, {.topic = *topic_});
+  if (!chunks) return Error{chunks.error()};
+  channel_id_ = channel->first;
+  reader_.emplace(std::make_shared<const Assembly>(std::move(*chunks)));
+  return channel_info(channel->second, index.schemas);
+}
+
 Result<std::optional<Record>> FileInProvider::read() {
   assert(reader_ && "a stream is opened before it is read");
-  if (cancelled_.load(std::memory_order_relaxed)) return std::optional<Record>();
-  Result<std::optional<McapMessage>> message = reader_->next();
-  if (!message) return Error{message.error()};
-  if (!*message) return std::optional<Record>();
-  return std::optional<Record>(std::move((*message)->record));
+  while (!cancelled_.load(std::memory_order_relaxed)) {
+    Result<std::optional<McapMessage>> message = reader_->next();
+    if (!message) return Error{message.error()};
+    if (!*message) break;
+    if (topic_ && (*message)->channel_id != channel_id_) continue;
+    return std::optional<Record>(std::move((*message)->record));
+  }
+  return std::optional<Record>();
 }
 
 Result<void> FileInProvider::seek(std::uint64_t capture_ns) {

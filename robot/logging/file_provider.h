@@ -46,12 +46,14 @@ class FileOutProvider final : public OutProvider {
   std::atomic<std::uint64_t> size_bytes_ = 0, messages_ = 0, lost_ = 0;
 };
 
-/// Reads the file of one channel, also one whose writer died.
+/// Reads the file of one channel, also one whose writer died, or one channel of a file that holds many.
 class FileInProvider final : public InProvider {
  public:
-  explicit FileInProvider(std::filesystem::path path) : path_(std::move(path)) {}
+  /// `topic` names the channel of a file with many.
+  explicit FileInProvider(std::filesystem::path path, std::optional<std::string> topic = {})
+      : path_(std::move(path)), topic_(std::move(topic)) {}
 
-  /// An Error if the file does not hold exactly one channel.
+  /// An Error if the file does not hold exactly one channel, or not the one of the topic.
   Result<memory::ChannelInfo> open() override;
 
   /// As InProvider::read. An Error names a damage, once, after everything before it was delivered;
@@ -64,7 +66,11 @@ class FileInProvider final : public InProvider {
   Result<void> seek(std::uint64_t capture_ns);
 
  private:
+  Result<memory::ChannelInfo> open_topic(std::shared_ptr<const ByteSource> source, const McapIndex& index);
+
   std::filesystem::path path_;
+  std::optional<std::string> topic_;
+  std::uint16_t channel_id_ = 0;  // of the topic
   std::optional<McapReader> reader_;
   std::atomic<bool> cancelled_ = false;
 };

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <ctime>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "robot/core/clock.h"
@@ -48,6 +50,34 @@ StreamFile read_stream(const std::filesystem::path& path) {
   stream.start_ns = index->statistics.start_ns;
   stream.end_ns = index->statistics.end_ns;
   return stream;
+}
+
+/// "14/2" of "/14/2/ball"; empty where a topic is not a robot's.
+std::string robot_of(const std::string& topic) {
+  if (topic.size() < 2 || !std::isdigit(static_cast<unsigned char>(topic[1]))) return {};
+  const std::size_t player = topic.find('/', 1);
+  const std::size_t end = player == topic.npos ? topic.npos : topic.find('/', player + 1);
+  return end == topic.npos ? std::string() : topic.substr(1, end - 1);
+}
+
+/// What the file itself tells, or what its name and topics suggest.
+SessionInfo info_of(const McapIndex& index, const std::filesystem::path& file) {
+  SessionInfo info{.name = file.stem().string(), .robot = "", .profile = "import", .complete = index.complete};
+  for (const mcap::Metadata& metadata : index.metadata)
+    if (metadata.name == "foresight.session")
+      for (const auto& [key, value] : metadata.entries) {
+        if (key == "name" && !value.empty()) info.name = value;
+        if (key == "robot") info.robot = value;
+        if (key == "build") info.build = value;
+        if (key == "profile") info.profile = value;
+      }
+  for (const auto& [id, channel] : index.channels)
+    if (info.robot.empty()) info.robot = robot_of(channel.topic);
+  if (info.robot.empty()) info.robot = "0/1";
+  info.team = std::atoi(info.robot.c_str());
+  info.player = std::atoi(info.robot.c_str() + std::min(info.robot.find('/') + 1, info.robot.size()));
+  info.start_ns = index.statistics.start_ns;
+  return info;
 }
 
 }  // namespace
@@ -158,6 +188,30 @@ Result<Session> read_session(const std::filesystem::path& folder, bool being_wri
   if (session.end_ns == 0) session.start_ns = session.end_ns = session.info.start_ns;
   if (session.state == SessionState::recovered)
     session.message = "the recording ended without warning; what was on the disk by then is readable";
+  return session;
+}
+
+Result<Session> read_recording(const std::filesystem::path& file) {
+  const Result<std::shared_ptr<const FileSource>> source = FileSource::open(file);
+  if (!source) return Error{source.error()};
+  const Result<McapIndex> index = read_index(**source);
+  if (!index) return Error{index.error()};
+
+  Session session{.folder = file.parent_path(), .info = info_of(*index, file)};
+  session.state = index->damage.empty() ? SessionState::complete : SessionState::damaged;
+  session.message = index->damage;
+  session.size_bytes = index->size_bytes;
+  session.start_ns = index->statistics.start_ns;
+  session.end_ns = index->statistics.end_ns;
+  std::map<std::uint16_t, std::uint64_t> messages(index->statistics.channel_messages.begin(),
+                                                  index->statistics.channel_messages.end());
+  for (const auto& [id, channel] : index->channels)
+    session.streams.push_back({.topic = channel.topic,
+                               .file = file.filename().string(),
+                               .schema = channel_info(channel, index->schemas).schema.name,
+                               .messages = messages[id],
+                               .start_ns = session.start_ns,
+                               .end_ns = session.end_ns});
   return session;
 }
 

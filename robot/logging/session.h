@@ -72,6 +72,10 @@ std::string stream_file_name(std::string_view topic);
 /// no session at all.
 Result<Session> read_session(const std::filesystem::path& folder, bool being_written = false);
 
+/// Reads one MCAP file with many channels, such as a downloaded session or a simulated game, as a session whose streams
+/// are all in that file. What the file does not tell of the session is made up from its name and topics.
+Result<Session> read_recording(const std::filesystem::path& file);
+
 /// A folder name for a session that starts now: UTC, so that names sort by time: "2026-11-21_14-02-11_game".
 std::string session_folder_name(std::uint64_t start_ns, std::string_view name, std::string_view profile);
 

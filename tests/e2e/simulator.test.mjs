@@ -3,8 +3,9 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
+import { Live } from "./live.mjs";
 import { readIndexed, readStreamed } from "./mcap.mjs";
-import { run, temporaryFolder } from "./support.mjs";
+import { play, run, temporaryFolder } from "./support.mjs";
 
 const sim = (...args) => run("foresight-sim", ...args);
 const json = async (...args) => {
@@ -153,6 +154,25 @@ test("a recorded game holds the truth and every robot's memory, and is the same 
   }
   const truth = topics.get("/truth/world").messages;
   assert.ok(truth.every(({ logTime }, i) => logTime === epoch + (BigInt(i) * 100000000n) / 3n));
+});
+
+test("a recorded game plays, every robot's memory in its place", async (t) => {
+  const folder = temporaryFolder(t);
+  const file = join(folder, "game.mcap");
+  await json("match", ...kShort, "--seed", "7", "--mcap", file);
+  const { topics } = readStreamed(readFileSync(file));
+
+  const live = await Live.open(t, await play(t, folder, file, "--speed", "20"));
+  const watched = ["/truth/world", "/14/1/pose", "/5/2/decision"];
+  await live.until(() => watched.every((topic) => live.channels.has(topic)), "channels of the game");
+  live.subscribe(...watched);
+  await live.until(() => watched.every((topic) => live.messages.get(topic)?.length > 30), "messages of the game");
+  for (const topic of watched)
+    for (const { data, log_ns } of live.messages.get(topic).slice(0, 30)) {
+      const original = topics.get(topic).messages.find(({ logTime }) => logTime === log_ns);
+      assert.ok(original && Buffer.from(data).equals(original.data), `${topic} at ${log_ns}`);
+    }
+  assert.equal(live.decoded("/5/2/decision", live.messages.get("/5/2/decision")[0]).strategy, "baseline");
 });
 
 test("what was recorded is never overwritten", async (t) => {

@@ -1,21 +1,25 @@
 #include "robot/body/replay/replay.h"
 
 #include <algorithm>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 #include "robot/logging/file_provider.h"
 
 namespace robot::body {
 
-Result<std::unique_ptr<Replay>> Replay::open(const std::filesystem::path& folder, ReplayOptions options) {
+Result<std::unique_ptr<Replay>> Replay::open(const std::filesystem::path& path, ReplayOptions options) {
   if (!(options.speed >= 0.01 && options.speed <= 1000))
     return Error{"replay: speed must be 0.01 .. 1000, got " + std::to_string(options.speed)};
-  Result<logging::Session> session = logging::read_session(folder);
+  std::error_code ignored;
+  const bool one_file = std::filesystem::is_regular_file(path, ignored);
+  Result<logging::Session> session = one_file ? logging::read_recording(path) : logging::read_session(path);
   if (!session) return Error{session.error()};
   std::uint64_t messages = 0;
   for (const logging::StreamFile& stream : session->streams) messages += stream.messages;
-  if (messages == 0) return Error{"replay: expected a session with messages, " + folder.string() + " has none"};
-  return std::unique_ptr<Replay>(new Replay(std::move(*session), std::move(options)));
+  if (messages == 0) return Error{"replay: expected a session with messages, " + path.string() + " has none"};
+  return std::unique_ptr<Replay>(new Replay(std::move(*session), one_file, std::move(options)));
 }
 
 Replay::~Replay() { stop(); }
@@ -49,7 +53,8 @@ void Replay::start_parsers() {
   for (const logging::StreamFile& stream : session_.streams) {
     if (stream.messages == 0 || skipped(stream.topic)) continue;
     parsers_.push_back(board_->start_parser(
-        std::make_unique<logging::FileInProvider>(session_.folder / stream.file),
+        std::make_unique<logging::FileInProvider>(session_.folder / stream.file,
+                                                  one_file_ ? std::optional(stream.topic) : std::nullopt),
         {.destination = [this](const memory::ChannelInfo& info) { return destination(info); }, .pace = pace}));
   }
 }

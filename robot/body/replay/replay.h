@@ -30,8 +30,9 @@ struct ReplayOptions {
 /// nobody here knows becomes a channel of its own. Used by one thread, except the clock.
 class Replay {
  public:
-  /// Opens the session in `folder`. An Error if there is none, if it holds no message or if the speed is out of range.
-  static Result<std::unique_ptr<Replay>> open(const std::filesystem::path& folder, ReplayOptions options);
+  /// Opens the session in the folder `path`, or the recording of many channels in the file of that name.
+  /// An Error if there is none, if it holds no message or if the speed is out of range.
+  static Result<std::unique_ptr<Replay>> open(const std::filesystem::path& path, ReplayOptions options);
 
   /// As stop().
   ~Replay();
@@ -55,8 +56,9 @@ class Replay {
   std::uint64_t messages() const;
 
  private:
-  Replay(logging::Session session, ReplayOptions options)
+  Replay(logging::Session session, bool one_file, ReplayOptions options)
       : session_(std::move(session)),
+        one_file_(one_file),
         options_(std::move(options)),
         clock_(session_.start_ns, session_.end_ns, options_.speed) {}
 
@@ -66,6 +68,7 @@ class Replay {
   void stop_parsers();
 
   const logging::Session session_;
+  const bool one_file_;  // holds all streams
   const ReplayOptions options_;
   PlaybackClock clock_;
   memory::Channels* channels_ = nullptr;

@@ -56,6 +56,17 @@ TEST(Assembly, HoldsTheChunksOfAllFilesInTheOrderOfTheirStart) {
   EXPECT_EQ(assembled(session()), "c5 c25 a10 a20 B15 B35 a30 a40 c45 c65 a50 a60 B55");
 }
 
+TEST(Assembly, OfATopicHoldsOnlyTheChunksWithIt) {
+  EXPECT_EQ(assembled(session(), {.topic = "/14/2/word2"}), "B15 B35 B55");
+  EXPECT_EQ(assembled(session(), {.topic = "/14/2/none"}), "");
+  // the same out of one file with all of them
+  const auto whole = assemble(session());
+  ASSERT_TRUE(whole);
+  const auto one = named(all_bytes(*whole), "whole.mcap");
+  EXPECT_EQ(assembled({one}, {.topic = "/14/2/word1"}), "a10 a20 a30 a40 a50 a60");
+  EXPECT_EQ(assembled({one}, {.topic = "/14/2/word3"}), "c5 c25 c45 c65");
+}
+
 TEST(Assembly, IsAValidFileOfItsOwn) {
   const auto assembly = assemble(session());
   ASSERT_TRUE(assembly) << assembly.error();

@@ -5,7 +5,9 @@
 #include <fstream>
 
 #include "robot/logging/downloads.h"
+#include "robot/logging/file_provider.h"
 #include "robot/logging/session_writer.h"
+#include "tests/support/mcap_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robot::logging {
@@ -108,6 +110,42 @@ TEST_F(WrittenSession, IsPutTogetherOnceForManyRanges) {
   const Session session = *read_session(folder / "s");
   EXPECT_EQ(*downloads.open(session, {}, {}), *downloads.open(session, {}, {}));
   EXPECT_NE(*downloads.open(session, {}, {}), *downloads.open(session, {}, {.from_ns = 105}));
+}
+
+TEST_F(WrittenSession, AsOneFileIsTheSameSession) {
+  const Session session = *read_session(folder / "s");
+  Downloads downloads;
+  std::ofstream(folder / "whole.mcap", std::ios::binary) << tests::all_bytes(**downloads.open(session, {}, {}));
+
+  const auto recording = read_recording(folder / "whole.mcap");
+  ASSERT_TRUE(recording) << recording.error();
+  EXPECT_EQ(recording->info.robot, session.info.robot);
+  EXPECT_EQ(recording->info.team, session.info.team);
+  EXPECT_EQ(recording->info.player, session.info.player);
+  EXPECT_EQ(recording->start_ns, session.start_ns);
+  EXPECT_EQ(recording->end_ns, session.end_ns);
+  ASSERT_EQ(recording->streams.size(), session.streams.size());
+
+  // each stream reads as it does from its own file
+  for (const StreamFile& stream : session.streams) {
+    FileInProvider own(folder / "s" / stream.file), shared(folder / "whole.mcap", stream.topic);
+    EXPECT_EQ(own.open().value(), shared.open().value());
+    std::uint64_t messages = 0;
+    for (;; ++messages) {
+      const auto expected = own.read(), read = shared.read();
+      ASSERT_TRUE(expected && read);
+      ASSERT_EQ(*expected, *read) << stream.topic;
+      if (!*expected) break;
+    }
+    EXPECT_EQ(messages, stream.messages);
+  }
+}
+
+TEST_F(WrittenSession, ATopicThatAFileDoesNotHoldIsNamed) {
+  const Session session = *read_session(folder / "s");
+  const auto file = folder / "s" / session.streams.front().file;
+  FileInProvider in(file, "/14/2/none");
+  EXPECT_EQ(in.open().error(), file.string() + ": expected a channel /14/2/none, there is none");
 }
 
 }  // namespace
