@@ -7,6 +7,7 @@
 //   log <object>      board     carries one memory object to a file                            each version
 //   log <object>      board     carries one memory object to the server, while it is watched   each version
 //   parser            board     carries one stream of a recording into memory (replay)         each message
+//   simulation        SimBody   plays the game and writes all robots' memories (sim)           30 Hz x speed
 //
 // Loggers, parsers and the net thread run at nice 10: whoever decides and moves comes first.
 #pragma once
@@ -62,6 +63,7 @@ class Runtime {
   logging::LoggingBoard& board() { return board_; }
   const logging::Recorder& recorder() const { return recorder_; }
   net::Server& server() { return *server_; }
+  net::Services& services() { return services_; }  // complete before start()
 
   /// Opens the port. An Error, in one sentence, if that cannot be.
   Result<void> start();

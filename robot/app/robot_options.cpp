@@ -1,0 +1,89 @@
+#include "robot/app/robot_options.h"
+
+#include <cstdio>
+
+#include "robot/body/sim/sim_body.h"
+
+namespace robot::app {
+namespace {
+
+void add_body_options(CLI::App& app, RobotOptions& options) {
+  app.add_option("--body", options.body, "where sensor data come from: replay or sim")
+      ->check(CLI::IsMember({"replay", "sim"}))
+      ->capture_default_str();
+  app.add_option("--team", options.team, "number of the team; that of the session, or 14, if not given")
+      ->check(CLI::Range(0, 255));
+  app.add_option("--player", options.player, "number of the player; that of the session, or 2, if not given")
+      ->check(CLI::Range(1, 99));
+  app.add_option("--speed", options.speed, "of replay: 0.01 .. 1000, of sim: 0.1 .. 100; 1 is real time")
+      ->capture_default_str();
+  app.add_flag("--loop", options.loop, "begin again at the end: the recording, or another game of the next seed");
+  app.add_option("--session", options.session, "folder of the session that body replay plays");
+}
+
+void add_simulation_options(CLI::App& app, RobotOptions& options) {
+  const char* const group = "Body sim";
+  app.add_option("--side", options.side, "which team is the own one: home or away")
+      ->check(CLI::IsMember({"home", "away"}))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--opponent", options.opponent, "number of the other team")
+      ->check(CLI::Range(0, 255))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--home", options.home, "strategy of the home team: a name, or the path of a file")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--away", options.away, "strategy of the away team")->capture_default_str()->group(group);
+  app.add_option("--rules", options.rules, "rules of a year")->capture_default_str()->group(group);
+  app.add_option("--models", options.models, "what robots can do and perceive")->capture_default_str()->group(group);
+  app.add_option("--home-models", options.home_models, "the home team's own")->group(group);
+  app.add_option("--away-models", options.away_models, "the away team's own")->group(group);
+  app.add_option("--seed", options.seed, "all chance of the game follows from it")
+      ->check(CLI::Range(std::uint64_t{0}, body::SimBody::kGreatestSeed))
+      ->capture_default_str()
+      ->group(group);
+}
+
+void add_recording_options(CLI::App& app, RobotOptions& options) {
+  app.add_option("--log-dir", options.log_folder, "where sessions are recorded")->capture_default_str();
+  app.add_option("--log-mb", options.log_mb, "what all sessions together may take [MB]; the oldest go first")
+      ->capture_default_str();
+  app.add_option("--profile", options.profile, "what is recorded: game, vision or full")->capture_default_str();
+  app.add_option("--name", options.name, "name of the session that --record begins");
+  app.add_flag("--record", options.record, "begin to record at once");
+  app.add_flag("--plan", options.plan, "say what each profile takes and whether it fits, then end");
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, RobotOptions& options) {
+  add_body_options(app, options);
+  add_simulation_options(app, options);
+  add_recording_options(app, options);
+  add_server_options(app, options.server);
+}
+
+RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
+  return {.program = "foresight-robot",
+          .body = options.body,
+          .robot = robot.text(),
+          .team = robot.team,
+          .player = robot.player,
+          .server = options.server,
+          .log_folder = options.log_folder,
+          .log_bytes = options.log_mb * 1'000'000};
+}
+
+Result<bool> begin(Runtime& runtime, const RobotOptions& options) {
+  for (const logging::Profile& profile : logging::profiles())
+    std::printf("%s\n", runtime.recorder().room_for(profile).sentence.c_str());
+  if (options.plan) return false;
+  if (Result<void> started = runtime.start(); !started) return Error{started.error()};
+  if (options.record)
+    if (Result<void> recording = runtime.record(options.name, options.profile); !recording)
+      return Error{recording.error()};
+  return true;
+}
+
+}  // namespace robot::app

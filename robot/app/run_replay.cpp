@@ -1,0 +1,38 @@
+#include "robot/app/run_replay.h"
+
+#include <memory>
+
+#include "robot/app/runtime.h"
+#include "robot/body/replay/replay.h"
+
+namespace robot::app {
+
+Result<void> run_replay(const RobotOptions& options) {
+  if (options.session.empty()) return Error{"--session: body replay needs the folder of a session"};
+  const auto recorded = logging::read_session(options.session);
+  if (!recorded) return Error{recorded.error()};
+  const RobotName robot{.team = options.team.value_or(recorded->info.team),
+                        .player = options.player.value_or(recorded->info.player)};
+  auto replay = body::Replay::open(options.session, {.speed = options.speed,
+                                                     .loop = options.loop,
+                                                     .robot = robot.text(),
+                                                     // these this process writes about itself
+                                                     .skipped_objects = {"runtime", "clock", "log"}});
+  if (!replay) return Error{replay.error()};
+  const auto memory = std::make_shared<memory::Memory>(robot.text(), (*replay)->clock());
+  Runtime runtime(runtime_options(options, robot), (*replay)->clock(),
+                  {.runtime = memory->runtime, .clock = memory->clock, .log = memory->log});
+  if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
+  const Result<bool> begun = begin(runtime, options);
+  if (!begun) return Error{begun.error()};
+  if (!*begun) return {};
+  (*replay)->start(runtime.channels(), runtime.board());
+  runtime.run([&] {
+    if ((*replay)->tick() == body::Replay::Tick::began_again) runtime.server().restart_time();
+    return true;
+  });
+  (*replay)->stop();
+  return {};
+}
+
+}  // namespace robot::app

@@ -1,0 +1,12 @@
+// foresight-robot --body replay: the robot is a recording.
+#pragma once
+
+#include "robot/app/robot_options.h"
+#include "robot/core/result.h"
+
+namespace robot::app {
+
+/// Until the process is told to end. An Error if it cannot begin.
+Result<void> run_replay(const RobotOptions& options);
+
+}  // namespace robot::app

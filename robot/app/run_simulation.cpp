@@ -1,0 +1,62 @@
+#include "robot/app/run_simulation.h"
+
+#include <utility>
+
+#include "robot/app/runtime.h"
+#include "robot/app/simulation_control.h"
+#include "robot/body/sim/sim_body.h"
+#include "sim/io/setup.h"
+
+namespace robot::app {
+namespace {
+
+constexpr int kTeam = 14, kPlayer = 2;  // where nothing is given
+
+Result<body::Setup> setup_of(const RobotOptions& options, sim::Side side) {
+  // everything at 30 Hz, as on a robot
+  auto game = sim::io::prepare({.rules = options.rules,
+                                .strategies = {options.home, options.away},
+                                .models = {options.home_models.empty() ? options.models : options.home_models,
+                                           options.away_models.empty() ? options.models : options.away_models},
+                                .pace = sim::Pace::every_tick});
+  if (!game) return Error{game.error()};
+  const auto own = static_cast<std::uint32_t>(options.team.value_or(kTeam));
+  const auto opponent = static_cast<std::uint32_t>(options.opponent);
+  const bool home = side == sim::Side::home;
+  return body::Setup{.game = std::move(*game),
+                     .rules = options.rules,
+                     .teams = {.home = home ? own : opponent, .away = home ? opponent : own}};
+}
+
+}  // namespace
+
+Result<void> run_simulation(const RobotOptions& options) {
+  const RobotName robot{.team = options.team.value_or(kTeam), .player = options.player.value_or(kPlayer)};
+  const sim::Side side = options.side == "home" ? sim::Side::home : sim::Side::away;
+  if (robot.player > sim::kMaxPlayers)
+    return Error{"--player: body sim has players 1 .. " + std::to_string(sim::kMaxPlayers) + ", got " +
+                 std::to_string(robot.player)};
+  Result<body::Setup> setup = setup_of(options, side);
+  if (!setup) return Error{setup.error()};
+
+  const SessionClock clock;
+  auto body = body::SimBody::open(
+      std::move(*setup),
+      {.robot = sim::robot_of(side, robot.player), .seed = options.seed, .speed = options.speed, .loop = options.loop},
+      clock);
+  if (!body) return Error{body.error()};
+  memory::Memory& memory = *(*body)->memory();
+  Runtime runtime(runtime_options(options, robot), clock,
+                  {.runtime = memory.runtime, .clock = memory.clock, .log = memory.log});
+  if (Result<void> listed = (*body)->list(runtime.channels()); !listed) return listed;
+  add_simulation_control(**body, runtime.services());
+  const Result<bool> begun = begin(runtime, options);
+  if (!begun) return Error{begun.error()};
+  if (!*begun) return {};
+  (*body)->start();
+  runtime.run([] { return true; });
+  (*body)->stop();
+  return {};
+}
+
+}  // namespace robot::app
