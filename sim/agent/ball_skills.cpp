@@ -8,6 +8,7 @@ namespace sim::agent {
 namespace {
 
 constexpr float kEyesOnBall = 0.7f;      // [m] nearer than this the head does not look away
+constexpr float kNextToBall = 0.35f;     // [m]
 constexpr float kStillBall = 0.35f;      // [m/s] a faster ball is not kicked
 constexpr float kFreshBall = 0.7f;       // [s] a ball seen longer ago is not kicked
 constexpr float kUseOfTolerance = 0.7f;  // the approach aims so far inside the tolerance that noise leaves it there
@@ -39,9 +40,18 @@ Target target_of(const View& view, Aim aim, float lead) {
 /// The direction in which to send the ball: at the target, but within the tolerance as near to the way in which the
 /// robot comes as can be.
 struct Direction {
-  Vec2 way;         // [robot] unit vector
-  float tolerance;  // [rad] that the target allows
+  Vec2 way;       // [robot] unit vector
+  Vec2 straight;  // [robot] unit vector at the target itself
+  float allowed;  // cosine of the angle that the ball may be off
 };
+
+/// The unit vector at an angle >= 0, nearly: 0.5 % off at 1 rad. Quicker than exact, and exactly 1 long.
+Vec2 about(float angle) {
+  const float tangent = 0.5f * angle * (1 + angle * angle / 12);
+  const float square = tangent * tangent;
+  const float scale = 1 / (1 + square);
+  return {(1 - square) * scale, 2 * tangent * scale};
+}
 
 Direction direction_of(const View& view, const Target& target, float tolerance) {
   const Vec2 to_target = target.point - view.ball_in_team;
@@ -51,12 +61,14 @@ Direction direction_of(const View& view, const Target& target, float tolerance) 
   const float slack = far > 0.1f ? target.slack * std::abs(to_target.x) / (far * far) : 0;
   const float allowed = slack > tolerance ? (slack < 1.2f ? slack : 1.2f) : tolerance;
 
-  const SinCos use = sin_cos(kUseOfTolerance * allowed);
-  const Vec2 coming = view.ball_distance > 1e-3f ? (1 / view.ball_distance) * view.ball : Vec2{1, 0};
-  if (dot(coming, straight) >= use.cos) return {coming, allowed};
+  const Vec2 use = about(kUseOfTolerance * allowed);
+  const float limit = about(allowed).x;
+  // next to the ball the heading counts, farther away the way there, on which it will face it
+  const Vec2 coming = view.ball_distance > kNextToBall ? (1 / view.ball_distance) * view.ball : Vec2{1, 0};
+  if (dot(coming, straight) >= use.x) return {coming, straight, limit};
   const float across = cross(straight, coming);
   const float side = across != 0 ? sign(across) : view.mind.search_side;
-  return {turned(straight, {use.cos, side * use.sin}), allowed};
+  return {turned(straight, {use.x, side * use.y}), straight, limit};
 }
 
 /// The quickest kick to the front that carries `range`; the longest where none does.
@@ -77,21 +89,25 @@ std::uint8_t choose_kick(const motion::Model& model, float range) {
   return static_cast<std::uint8_t>(best < 0 ? 0 : best);
 }
 
-/// Remembers what the body is about, and which leg is to do it.
-void intend(const View& view, Mind& mind, Vec2 way) {
-  const Vec2 in_team = turned(way, view.facing);
-  mind.kick_direction = angle_of(in_team);
+/// Remembers what the body is about, and which leg is to do it. Returns the heading for it [rad, robot].
+float intend(const View& view, Mind& mind, Vec2 way) {
+  const float heading = angle_of(way);
+  float in_team = view.beliefs.pose.pose.heading + heading;
+  if (in_team > kPi) in_team -= 2 * kPi;
+  if (in_team < -kPi) in_team += 2 * kPi;
+  mind.kick_direction = in_team;
   const float side = cross(way, view.ball);
   if (std::abs(side) > kOtherLeg) mind.search_side = sign(side);
+  return heading;
 }
 
-/// To where the ball lies `ahead` [m] in front and `beside` [m] to the left of a robot that faces `way`.
-motion::Command approach(const View& view, const Mind& mind, Vec2 way, float ahead, float beside, float gain) {
+/// To where the ball lies `ahead` [m] in front and `beside` [m] to the left of a robot that faces `way`, at `heading`.
+motion::Command approach(const View& view, const Mind& mind, Vec2 way, float heading, float ahead, float beside,
+                         float gain) {
   const Vec2 target = view.ball - ahead * way - beside * left_of(way);
   const float room = ahead + 0.07f < 0.3f ? ahead + 0.07f : 0.3f;
   const Vec2 step = round_circle(view.ball, room, target, mind.search_side);
   // near the ball one fights for it, farther away one goes round whoever is there
-  const float heading = angle_of(way);
   motion::Command command =
       view.ball_distance > 0.6f ? walk_in_robot(view, step, heading, gain) : walk_straight(step, heading, gain);
   view.ball_distance < kEyesOnBall ? keep_eye_on_ball(view, command) : look_at_ball(view, command);
@@ -103,12 +119,11 @@ motion::Command shoot(const View& view, Mind& mind, const Target& target, const 
   mind.kick = choose_kick(*view.around.motion, with.range);
   const motion::Kick& kick = view.around.motion->kicks[mind.kick];
   const Direction direction = direction_of(view, target, with.tolerance);
-  intend(view, mind, direction.way);
+  const float heading = intend(view, mind, direction.way);
   const bool left = mind.search_side > 0;
 
   // does the ball lie right, and does the robot face where it may go?
-  const Vec2 straight = unit(turned_back(target.point - view.ball_in_team, view.facing));
-  const bool faces = std::abs(atan2(straight.y, straight.x)) <= direction.tolerance;
+  const bool faces = direction.straight.x >= direction.allowed;
   const bool lies = faces && in_gate(kick, view.ball, left, with.care);
   mind.aligned = lies ? static_cast<std::uint8_t>(mind.aligned < 255 ? mind.aligned + 1 : 255) : std::uint8_t{0};
 
@@ -121,15 +136,15 @@ motion::Command shoot(const View& view, Mind& mind, const Target& target, const 
     keep_eye_on_ball(view, command);
     return command;
   }
-  return approach(view, mind, direction.way, kick.ball_x, left ? kick.ball_y : -kick.ball_y, 1);
+  return approach(view, mind, direction.way, heading, kick.ball_x, left ? kick.ball_y : -kick.ball_y, 1);
 }
 
 }  // namespace
 
 motion::Command walk_to_ball(const View& view, Mind& mind, const WalkToBall& with) {
   const Direction direction = direction_of(view, target_of(view, with.aim, 0), with.tolerance);
-  intend(view, mind, direction.way);
-  return approach(view, mind, direction.way, with.distance, 0, with.gain);
+  const float heading = intend(view, mind, direction.way);
+  return approach(view, mind, direction.way, heading, with.distance, 0, with.gain);
 }
 
 motion::Command align(const View& view, Mind& mind, const Align& with) {
@@ -142,11 +157,11 @@ motion::Command kick(const View& view, Mind& mind, const Kick& with) {
 
 motion::Command dribble(const View& view, Mind& mind, const Dribble& with) {
   const Direction direction = direction_of(view, target_of(view, with.aim, 0), with.tolerance);
-  intend(view, mind, direction.way);
+  const float heading = intend(view, mind, direction.way);
   const float off = cross(direction.way, view.ball);
   const bool behind = dot(direction.way, view.ball) > 0 && std::abs(off) < 0.08f && view.ball_distance < 0.45f;
-  if (!behind) return approach(view, mind, direction.way, 0.2f, 0, with.gain);
-  motion::Command command = walk_straight(view.ball + 0.4f * direction.way, angle_of(direction.way), with.gain);
+  if (!behind) return approach(view, mind, direction.way, heading, 0.2f, 0, with.gain);
+  motion::Command command = walk_straight(view.ball + 0.4f * direction.way, heading, with.gain);
   keep_eye_on_ball(view, command);
   return command;
 }

@@ -203,6 +203,10 @@ float ball_value(Feature feature, const View& view) {
   }
 }
 
+}  // namespace
+
+const FeatureInfo& info_of(Feature feature) { return kTable[static_cast<int>(feature)]; }
+
 float compute(Feature feature, const View& view) {
   const bool kick_on = view.game.set_play != Game::SetPlay::none;
   switch (feature) {
@@ -257,24 +261,10 @@ float compute(Feature feature, const View& view) {
   }
 }
 
-}  // namespace
-
-const FeatureInfo& info_of(Feature feature) { return kTable[static_cast<int>(feature)]; }
-
 Feature find_feature(std::string_view name) {
   for (int i = 0; i < kFeatureCount; ++i)
     if (name == kTable[i].name) return static_cast<Feature>(i);
   return Feature::count;
-}
-
-float value_of(Feature feature, const View& view) {
-  const auto index = static_cast<unsigned>(feature);
-  const std::uint64_t bit = std::uint64_t{1} << index;
-  if (!(view.asked & bit)) {
-    view.values[index] = compute(feature, view);
-    view.asked |= bit;
-  }
-  return view.values[index];
 }
 
 float clearance(const View& view, Vec2 from, Vec2 to) {

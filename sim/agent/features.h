@@ -93,7 +93,21 @@ Feature find_feature(std::string_view name);
 
 /// The value [SI; 1 or 0 for yes or no; the number of a name], NaN where the robot does not know: every comparison with
 /// it is false. Computed when first asked for, then remembered by the view.
-float value_of(Feature feature, const View& view);
+inline float value_of(Feature feature, const View& view);
+/// The value as computed now, remembered or not.
+float compute(Feature feature, const View& view);
+/// Remembers what is known without asking.
+inline void remember(Feature feature, float value, const View& view) {
+  const auto index = static_cast<unsigned>(feature);
+  view.values[index] = value;
+  view.asked |= std::uint64_t{1} << index;
+}
+
+inline float value_of(Feature feature, const View& view) {
+  const auto index = static_cast<unsigned>(feature);
+  if (!(view.asked >> index & 1)) remember(feature, compute(feature, view), view);
+  return view.values[index];
+}
 
 /// Parts of features that skills use too.
 /// [m] from the nearest opponent to the line between two points [team_field]; at most 10.

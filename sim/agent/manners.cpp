@@ -7,6 +7,8 @@ namespace {
 
 using Body = motion::Command::Body;
 
+constexpr float kMargin = 0.05f;  // [m] that a robot may be nearer than it keeps
+
 /// Walks to `place` instead [team_field]; the heading stays as commanded.
 void divert(const View& view, motion::Command& command, Vec2 place) {
   if (command.body != Body::walk_to) command.turn = 0, command.gain = 1;
@@ -14,20 +16,25 @@ void divert(const View& view, motion::Command& command, Vec2 place) {
   command.walk = view.to_robot(place);
 }
 
+/// At the opponents' kick.
+bool too_near(const View& view) { return view.ball_distance < view.settings.habits.keep_clear - kMargin; }
+
 void keep_clear(const View& view, motion::Command& command) {
   const float clear = view.settings.habits.keep_clear;
   if (command.body == Body::kick) command.body = Body::stand;
 
-  // out of the circle, and round it
+  // whoever is too near goes straight away from the ball
+  if (too_near(view)) return divert(view, command, view.ball_in_team + clear * unit(view.position - view.ball_in_team));
+
+  // others go to no place too near, and round the circle
   const Vec2 wanted = command.body == Body::walk_to ? view.to_team(command.walk) : view.position;
   const Vec2 from_ball = wanted - view.ball_in_team;
   const bool inside = squared_length(from_ball) < clear * clear;
   Vec2 place = inside ? view.ball_in_team + clear * unit(from_ball) : wanted;
   if (view.game.set_play == Game::SetPlay::kick_off && place.x > -0.2f) place.x = -0.2f;
-  const bool elsewhere = !(place == wanted);
-  if (elsewhere) divert(view, command, place);
+  if (!(place == wanted)) divert(view, command, place);
   if (command.body == Body::walk_to)
-    command.walk = round_circle(view.ball, clear - 0.05f, command.walk, view.mind.search_side);
+    command.walk = round_circle(view.ball, clear - kMargin, command.walk, view.mind.search_side);
 }
 
 void leave_goal_area(const View& view, motion::Command& command) {
@@ -40,10 +47,12 @@ void leave_goal_area(const View& view, motion::Command& command) {
 
 }  // namespace
 
-motion::Command mannerly(const View& view, motion::Command command) {
-  if (view.game.set_play != Game::SetPlay::none && !view.game.own_kick && view.ball_known) keep_clear(view, command);
+void mind_manners(const View& view, motion::Command& command) {
+  const bool theirs = view.game.set_play != Game::SetPlay::none && !view.game.own_kick && view.ball_known;
+  if (theirs) keep_clear(view, command);
+  // away from the ball comes first
+  if (theirs && too_near(view)) return;
   if (view.game.player != 1 && command.body == Body::walk_to) leave_goal_area(view, command);
-  return command;
 }
 
 }  // namespace sim::agent

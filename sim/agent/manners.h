@@ -6,9 +6,9 @@
 
 namespace sim::agent {
 
-/// The command, changed where it would break a rule: at the opponents' kick-off or set play nobody kicks or comes
+/// Changes the command where it would break a rule: at the opponents' kick-off or set play nobody kicks or comes
 /// nearer to the ball than Habits.keep_clear, and at their kick-off nobody leaves the own half; nobody but the keeper
-/// walks into the own goal area.
-motion::Command mannerly(const View& view, motion::Command command);
+/// walks into the own goal area, unless it must get away from the ball.
+void mind_manners(const View& view, motion::Command& command);
 
 }  // namespace sim::agent

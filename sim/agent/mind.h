@@ -10,11 +10,14 @@ namespace sim::agent {
 
 enum class Role : std::uint8_t { keeper, chaser, supporter, defender };
 
+/// Mind.leaf of a robot that does not play: penalised, or not in the phase playing.
+inline constexpr std::uint16_t kNoLeaf = 0xffff;
+
 /// Plain data: it is part of the simulator's state.
 struct Mind {
   Role role = Role::supporter;
-  std::uint8_t slot = 8;   // its lane among those of its role, see sim/agent/roles.h: 8 is the middle
-  std::uint16_t leaf = 0;  // of the tree: what it does now
+  std::uint8_t slot = 8;         // its lane among those of its role, see sim/agent/roles.h: 8 is the middle
+  std::uint16_t leaf = kNoLeaf;  // of the tree: what it does now
   Tick role_since = 0;
   Tick leaf_since = 0;
   float time_to_ball = 1e6f;  // [s] its own estimate, told to teammates
@@ -22,9 +25,10 @@ struct Mind {
   Tick ball_seen = kNever;    // of the report behind it
   float search_side = 1;      // +1 left, -1 right: where the ball was last, the leg to kick with
   Tick search_since = kNever;
-  float kick_direction = 0;  // [rad, team_field] where the ball shall go
-  std::uint8_t kick = 0;     // index of the kick it aligns for
-  std::uint8_t aligned = 0;  // decisions in a row in which the ball lay right for it
+  float kick_direction = 0;   // [rad, team_field] where the ball shall go
+  std::uint8_t kick = 0;      // index of the kick it aligns for
+  std::uint8_t aligned = 0;   // decisions in a row in which the ball lay right for it
+  std::uint16_t settled = 0;  // [ticks] when it last looked who does what, its lower 16 bits
 };
 
 }  // namespace sim::agent

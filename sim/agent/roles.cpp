@@ -49,6 +49,7 @@ float time_to_ball(const View& view) {
 
 void assign_role(const View& view, Mind& mind) {
   const Roles& roles = view.settings.roles;
+  mind.settled = static_cast<std::uint16_t>(view.now);
   mind.time_to_ball = view.ball_known ? time_to_ball(view) : 1e6f;
   if (view.game.player == 1) {
     set_role(mind, Role::keeper, view.now);

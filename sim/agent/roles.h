@@ -19,6 +19,7 @@ float time_to_ball(const View& view);
 /// Mind.slot tells the lane among the robots of the same role, from right to left: `kMiddleLane` in the middle, two
 /// apart from the next; `lane_of` gives it as a number that is 0 in the middle and 1 apart.
 void assign_role(const View& view, Mind& mind);
+inline constexpr Tick kSettle = 6;  // [ticks] from one such look at the team to the next
 inline constexpr int kMiddleLane = 8;
 constexpr float lane_of(const Mind& mind) { return 0.5f * static_cast<float>(int{mind.slot} - kMiddleLane); }
 

@@ -50,7 +50,7 @@ struct Habits {
 /// {-1, 0} is the own goal, {0, 1} the touch line to the left. The rules are kept whatever stands here.
 struct Formation {
   Vec2 ours[kMaxPlayers] = {{-0.95f, 0},    {-0.09f, 0},     {-0.45f, -0.4f}, {-0.3f, 0.45f},
-                            {-0.6f, 0.35f}, {-0.15f, -0.6f}, {-0.6f, -0.35f}};
+                            {-0.6f, 0.35f}, {-0.15f, -0.6f}, {-0.7f, -0.1f}};
   Vec2 theirs[kMaxPlayers] = {{-0.95f, 0},    {-0.32f, 0},     {-0.6f, -0.35f}, {-0.4f, 0.4f},
                               {-0.65f, 0.3f}, {-0.4f, -0.55f}, {-0.7f, 0}};
 };

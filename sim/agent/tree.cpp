@@ -24,6 +24,14 @@ void remember_leaf(Mind& mind, std::uint16_t leaf, Tick now) {
   mind.leaf = leaf;
 }
 
+/// What most trees ask first costs less told than asked.
+void tell(const View& view) {
+  remember(Feature::ball_known, view.ball_known ? 1 : 0, view);
+  remember(Feature::role, static_cast<float>(view.mind.role), view);
+  if (!view.ball_known) return;
+  remember(Feature::ball_distance, view.ball_distance, view);
+}
+
 Trace::Node explained(const Node& node, const Words& words, float value, bool result) {
   return {.path = words.path.c_str(),
           .name = words.name.c_str(),
@@ -43,9 +51,8 @@ void explain_leaf(const Leaf& leaf, const Words& words, const Mind& mind, Trace&
   trace.role = name_of(mind.role);
 }
 
-/// Down the tree to the leaf whose number is returned.
-std::uint16_t walk_down(const Tree& tree, const View& view, Trace* trace) {
-  std::uint16_t at = tree.root;
+/// Down the tree from `at` to the leaf whose number is returned.
+std::uint16_t walk_down(const Tree& tree, std::uint16_t at, const View& view, Trace* trace) {
   while (!(at & kLeafBit)) {
     const Node& node = tree.nodes[at];
     const float value = value_of(node.feature, view);
@@ -58,18 +65,6 @@ std::uint16_t walk_down(const Tree& tree, const View& view, Trace* trace) {
 
 }  // namespace
 
-bool holds(Comparison comparison, float value, float threshold) {
-  switch (comparison) {
-    case Comparison::less: return value < threshold;
-    case Comparison::at_most: return value <= threshold;
-    case Comparison::greater: return value > threshold;
-    case Comparison::at_least: return value >= threshold;
-    case Comparison::equal: return value == threshold;
-    case Comparison::unequal: return value < threshold || value > threshold;
-  }
-  return false;
-}
-
 motion::Command wait(const View& view, Mind& mind, Trace* trace) {
   remember_leaf(mind, kNoLeaf, view.now);
   mind.search_since = kNever;
@@ -80,6 +75,21 @@ motion::Command wait(const View& view, Mind& mind, Trace* trace) {
   return stand(view);
 }
 
+TreeBehaviour::TreeBehaviour(Tree tree) : tree_(std::move(tree)) {
+  for (int known = 0; known < 2; ++known)
+    for (int role = 0; role < kRoleCount; ++role) {
+      std::uint16_t at = tree_.root;
+      while (!(at & kLeafBit)) {
+        const Node& node = tree_.nodes[at];
+        const bool settled = node.feature == Feature::ball_known || node.feature == Feature::role;
+        if (!settled) break;
+        const int value = node.feature == Feature::role ? role : known;
+        at = holds(node.comparison, static_cast<float>(value), node.threshold) ? node.yes : node.no;
+      }
+      entries_[known][role] = at;
+    }
+}
+
 motion::Command TreeBehaviour::decide(const Surroundings& surroundings, const Game& game, const Beliefs& beliefs,
                                       Tick now, Mind& mind, Trace* trace) const {
   if (trace) trace->clear();
@@ -87,13 +97,18 @@ motion::Command TreeBehaviour::decide(const Surroundings& surroundings, const Ga
   if (!plays(game)) return wait(view, mind, trace);
 
   remember_ball(view, mind);
-  assign_role(view, mind);
-  const std::uint16_t number = walk_down(tree_, view, trace);
+  const auto since = static_cast<std::uint16_t>(now - mind.settled);
+  if (mind.leaf == kNoLeaf || since >= kSettle) assign_role(view, mind);
+  tell(view);
+  const std::uint16_t entry = trace ? tree_.root : entries_[view.ball_known][static_cast<int>(mind.role)];
+  const std::uint16_t number = walk_down(tree_, entry, view, trace);
   remember_leaf(mind, number, now);
   const Leaf& leaf = tree_.leaves[number];
   if (trace) explain_leaf(leaf, tree_.leaf_words[number], mind, *trace);
   if (leaf.skill != Skill::search_ball) mind.search_since = kNever;
-  return mannerly(view, run(leaf.skill, leaf.arguments, view, mind));
+  motion::Command command = run(leaf.skill, leaf.arguments, view, mind);
+  mind_manners(view, command);
+  return command;
 }
 
 }  // namespace sim::agent

@@ -12,12 +12,11 @@
 
 namespace sim::agent {
 
-enum class Comparison : std::uint8_t { less, at_most, greater, at_least, equal, unequal };
+/// Which of "less", "greater" and "equal" pass, a bit each.
+enum class Comparison : std::uint8_t { less = 1, greater = 2, unequal = 3, equal = 4, at_most = 5, at_least = 6 };
 
 /// Where a comparison leads: a node, or with this bit a leaf. Nodes lead to earlier ones only: a tree cannot be a circle.
 inline constexpr std::uint16_t kLeafBit = 0x8000;
-/// Mind.leaf of a robot that does not play: penalised, or not in the phase playing.
-inline constexpr std::uint16_t kNoLeaf = 0xffff;
 inline constexpr int kMaxNodes = 4096;
 inline constexpr int kMaxLeaves = 4096;
 
@@ -53,12 +52,16 @@ struct Tree {
 };
 
 /// Whether a value passes; an unknown one (NaN) never does.
-bool holds(Comparison comparison, float value, float threshold);
+inline bool holds(Comparison comparison, float value, float threshold) {
+  // no branch to be mispredicted
+  const int is = (value < threshold) | (value > threshold) << 1 | (value == threshold) << 2;
+  return (is & static_cast<int>(comparison)) != 0;
+}
 
 /// Plays a tree. In the phases before, between and after play it stands or goes to its place.
 class TreeBehaviour final : public Behaviour {
  public:
-  explicit TreeBehaviour(Tree tree) : tree_(std::move(tree)) {}
+  explicit TreeBehaviour(Tree tree);
 
   const std::string& name() const override { return tree_.name; }
   motion::Command decide(const Surroundings& surroundings, const Game& game, const Beliefs& beliefs, Tick now,
@@ -67,6 +70,8 @@ class TreeBehaviour final : public Behaviour {
 
  private:
   Tree tree_;
+  // where a decision begins that knows the ball or not, in each role: past the comparisons that this settles
+  std::uint16_t entries_[2][4];
 };
 
 /// What is done outside play: stand; in the phase ready, go to one's place. nullptr trace as in Behaviour::decide.

@@ -51,7 +51,8 @@ struct View {
   void for_each_opponent(See&& see) const {
     for (int i = 0; i < game.players; ++i) {
       const Opponent& opponent = beliefs.opponents[i];
-      if (opponent.seen != kNever && now - opponent.seen < ticks(kOpponentMemory)) see(opponent.position);
+      // one branch, which mostly goes one way
+      if ((opponent.seen != kNever) & (now - opponent.seen < ticks(kOpponentMemory))) see(opponent.position);
     }
   }
   /// Calls see(mate, index) for each teammate on the field that was heard of of late.
@@ -60,7 +61,7 @@ struct View {
     const Tick stale = ticks(settings.roles.stale);
     for (int i = 0; i + 1 < game.players; ++i) {
       const Mate& mate = beliefs.mates[i];
-      if (mate.active && mate.sent != kNever && now - mate.sent < stale) see(mate, i);
+      if (mate.active & (mate.sent != kNever) & (now - mate.sent < stale)) see(mate, i);
     }
   }
   /// [1..7] of beliefs.mates[index].

@@ -5,15 +5,14 @@ namespace {
 
 constexpr float kLookAhead = 1.5f;     // [m] robots farther away are not yet in the way
 constexpr float kMateMemory = 5;       // [s] a teammate's place is one to avoid
-constexpr float kNearlyThere = 0.35f;  // [rad] of the heading on standing still
+constexpr float kNearlyThere = 0.36f;  // tangent of what the heading may be off on standing still
 
 /// Whether the straight way to `target` comes nearer to `centre` than `radius` before it ends.
 bool in_the_way(Vec2 centre, float radius, Vec2 target) {
   const float along = dot(centre, target);
   const float squared = squared_length(target);
-  if (along <= 0 || along >= squared) return false;
   const float off = cross(target, centre);
-  return off * off < radius * radius * squared;
+  return (along > 0) & (along < squared) & (off * off < radius * radius * squared);
 }
 
 }  // namespace
@@ -39,24 +38,26 @@ Vec2 round_robots(const View& view, Vec2 target) {
   const float squared = squared_length(target);
   if (squared < 0.15f * 0.15f) return target;
 
-  // the nearest of those in the way
+  // the nearest of those in the way; conditions joined by & are one branch, which seldom is taken
+  const Vec2 way = turned(target, view.facing);
+  const float width = radius * radius * squared;
   Vec2 nearest;
   float least = kLookAhead * kLookAhead;
-  const auto consider = [&](Vec2 in_team) {
-    const Vec2 offset = in_team - view.position;
-    const float far = squared_length(offset);
-    if (far >= least) return;
-    const Vec2 robot = turned_back(offset, view.facing);
-    if (in_the_way(robot, radius, target)) nearest = robot, least = far;
+  const auto consider = [&](Vec2 place, bool believed) {
+    const Vec2 offset = place - view.position;
+    const float far = squared_length(offset), along = dot(offset, way), off = cross(way, offset);
+    if (believed & (far < least) & (along > 0) & (along < squared) & (off * off < width)) nearest = offset, least = far;
   };
-  view.for_each_opponent(consider);
-  const Tick fresh = ticks(kMateMemory);
+  for (int i = 0; i < view.game.players; ++i) {
+    const Opponent& opponent = view.beliefs.opponents[i];
+    consider(opponent.position, (opponent.seen != kNever) & (view.now - opponent.seen < ticks(kOpponentMemory)));
+  }
   for (int i = 0; i + 1 < view.game.players; ++i) {
     const Mate& mate = view.beliefs.mates[i];
-    if (mate.sent != kNever && mate.active && view.now - mate.sent < fresh) consider(mate.pose.position);
+    consider(mate.pose.position, mate.active & (mate.sent != kNever) & (view.now - mate.sent < ticks(kMateMemory)));
   }
   if (least >= kLookAhead * kLookAhead) return target;
-  return round_circle(nearest, radius, target, view.mind.search_side);
+  return round_circle(turned_back(nearest, view.facing), radius, target, view.mind.search_side);
 }
 
 motion::Command walk_straight(Vec2 target, float heading, float gain) {
@@ -72,8 +73,8 @@ motion::Command walk_in_robot(const View& view, Vec2 target, float heading, floa
 
 motion::Command turn_to(const View& view, Vec2 way) {
   motion::Command command;
+  if (std::abs(way.y) < kNearlyThere * way.x) return command;
   const float angle = angle_of(way);
-  if (std::abs(angle) < kNearlyThere) return command;
   command.body = motion::Command::Body::walk_speed;
   command.turn = clamp(2 * angle, -view.around.motion->walk.turn_rate, view.around.motion->walk.turn_rate);
   return command;

@@ -97,11 +97,11 @@ void visit_members(Struct& whole, See&& see) {
     see("ball", ball), see("pose", pose), see("mates", mates), see("opponents", opponents);
   } else if constexpr (std::is_same_v<Type, agent::Mind>) {
     auto& [role, slot, leaf, role_since, leaf_since, time_to_ball, ball, ball_seen, search_side, search_since,
-           kick_direction, kick, aligned] = whole;
+           kick_direction, kick, aligned, settled] = whole;
     see("role", role), see("slot", slot), see("leaf", leaf), see("role_since", role_since);
     see("leaf_since", leaf_since), see("time_to_ball", time_to_ball), see("ball", ball), see("ball_seen", ball_seen);
     see("search_side", search_side), see("search_since", search_since), see("kick_direction", kick_direction);
-    see("kick", kick), see("aligned", aligned);
+    see("kick", kick), see("aligned", aligned), see("settled", settled);
   } else if constexpr (std::is_same_v<Type, perception::Cognition>) {
     auto& [odometry_scale, turn_scale, last, walked, turned, since_look, flipped, packet_due, packet] = whole;
     see("odometry_scale", odometry_scale), see("turn_scale", turn_scale), see("last", last), see("walked", walked);

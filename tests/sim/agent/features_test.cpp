@@ -1,0 +1,163 @@
+#include "sim/agent/features.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "tests/sim/agent/scene.h"
+
+namespace sim::agent {
+namespace {
+
+constexpr float kPostToMiddle = 0.6f;  // [m] from the end of the gap, 0.1 m inside the post, to the goal's middle
+
+/// Equal, or both unknown.
+void expect_same(float a, float b, const char* name) {
+  if (std::isnan(a) || std::isnan(b))
+    EXPECT_TRUE(std::isnan(a) && std::isnan(b)) << name;
+  else
+    EXPECT_EQ(a, b) << name;
+}
+
+TEST(Features, AreFoundByTheirNameAndHaveOneEach) {
+  std::set<std::string> names;
+  for (int i = 0; i < kFeatureCount; ++i) {
+    const auto feature = static_cast<Feature>(i);
+    EXPECT_EQ(find_feature(info_of(feature).name), feature);
+    EXPECT_TRUE(names.insert(info_of(feature).name).second) << info_of(feature).name;
+    EXPECT_LT(info_of(feature).least, info_of(feature).most);
+    EXPECT_NE(std::string(info_of(feature).about), "");
+  }
+  EXPECT_EQ(find_feature("ball"), Feature::count);
+}
+
+TEST(Features, LazyIsEagerWhateverIsAskedFirst) {
+  std::mt19937 random(1);
+  for (int n = 0; n < 1000; ++n) {
+    const Scene scene = random_scene(random);
+    const View forwards = scene.view(), backwards = scene.view();
+    for (int i = 0; i < kFeatureCount; ++i) value_of(static_cast<Feature>(i), forwards);
+    for (int i = kFeatureCount; i-- > 0;) value_of(static_cast<Feature>(i), backwards);
+    for (int i = 0; i < kFeatureCount; ++i) {
+      const auto feature = static_cast<Feature>(i);
+      const View alone = scene.view();
+      expect_same(value_of(feature, forwards), value_of(feature, alone), info_of(feature).name);
+      expect_same(value_of(feature, backwards), value_of(feature, alone), info_of(feature).name);
+    }
+  }
+}
+
+TEST(Features, YesOrNoIsOneOrZeroAndNamesAreNumbersOfNames) {
+  std::mt19937 random(2);
+  for (int n = 0; n < 1000; ++n) {
+    const Scene scene = random_scene(random);
+    const View view = scene.view();
+    for (int i = 0; i < kFeatureCount; ++i) {
+      const FeatureInfo& info = info_of(static_cast<Feature>(i));
+      const float value = value_of(static_cast<Feature>(i), view);
+      if (info.kind == FeatureInfo::Kind::number || std::isnan(value)) continue;
+      EXPECT_TRUE(value == std::floor(value) && value >= info.least && value <= info.most) << info.name << " " << value;
+    }
+  }
+}
+
+TEST(Features, AreUnknownWithTheBallUnknown) {
+  Scene scene;
+  scene.beliefs.ball.seen = kNever;
+  const View view = scene.view();
+  EXPECT_EQ(value_of(Feature::ball_known, view), 0);
+  for (const Feature feature : {Feature::ball_distance, Feature::ball_x, Feature::ball_in_goal_soon, Feature::pass_gain,
+                                Feature::shot_clearance, Feature::time_to_ball, Feature::aligned})
+    EXPECT_TRUE(std::isnan(value_of(feature, view))) << info_of(feature).name;
+}
+
+TEST(Features, TheFreshestReportTellsWhereTheBallIsOnceTheOwnSightIsOld) {
+  Scene scene;
+  scene.hear(3, {2, 1}, 3, Role::chaser, 1).ball = {1.5f, 0.5f};
+  scene.beliefs.mates[1].ball_age = 0;
+  scene.hear(4, {2, 1}, 3, Role::supporter, 0.5f).ball = {-1, -1};
+  scene.beliefs.mates[2].ball_age = 60;
+  EXPECT_EQ(scene.view().ball_in_team, (Vec2{1, 0}));
+  scene.beliefs.ball.seen = scene.now - ticks(6);
+  EXPECT_EQ(scene.view().ball_in_team, (Vec2{1.5f, 0.5f}));
+  EXPECT_NEAR(value_of(Feature::team_ball_age, scene.view()), 1, 1e-4);
+  EXPECT_NEAR(value_of(Feature::ball_age, scene.view()), 6, 1e-4);
+  scene.beliefs.mates[1].sent = scene.beliefs.mates[2].sent = kNever;
+  EXPECT_EQ(scene.view().ball_in_team, (Vec2{1, 0}));
+  scene.beliefs.ball.seen = scene.now - ticks(60);
+  EXPECT_FALSE(scene.view().ball_known);
+}
+
+TEST(Features, AnOpponentInTheMiddleHidesTheMiddleOfTheGoal) {
+  Scene scene;
+  scene.beliefs.pose.pose.position = {1, 0};
+  const float free = value_of(Feature::goal_opening, scene.view());
+  EXPECT_NEAR(free, 2 * std::atan(kPostToMiddle / 1), 1e-5);
+  EXPECT_EQ(value_of(Feature::shot_clearance, scene.view()), 10);
+  scene.see_opponent(1, {2.5f, 0.2f});
+  EXPECT_NEAR(value_of(Feature::shot_clearance, scene.view()), 0.2f, 1e-5);
+  EXPECT_LT(value_of(Feature::goal_opening, scene.view()), free);
+  // the right part is the wider one
+  const Gap gap = widest_gap(scene.view());
+  EXPECT_NEAR(gap.right, -kPostToMiddle, 1e-5);
+  EXPECT_LT(gap.left, 0);
+}
+
+TEST(Features, GapsAreFreeOfShadowsAndNoneIsWider) {
+  std::mt19937 random(3);
+  for (int n = 0; n < 2000; ++n) {
+    Scene scene = random_scene(random);
+    const View view = scene.view();
+    if (!view.ball_known || view.ball_in_team.x > 2.5f) continue;
+    const Gap gap = widest_gap(view);
+    const auto hidden = [&](float y) {
+      bool is = false;
+      view.for_each_opponent([&](Vec2 opponent) {
+        const float ahead = opponent.x - view.ball_in_team.x;
+        if (ahead < 0.05f || opponent.x > view.half_length + 0.1f) return;
+        const float scale = (view.half_length - view.ball_in_team.x) / ahead;
+        is |= std::abs(view.ball_in_team.y + (opponent.y - view.ball_in_team.y) * scale - y) < 0.25f * scale - 1e-4f;
+      });
+      return is;
+    };
+    float run = 0, longest = 0;
+    for (float y = -kPostToMiddle; y <= kPostToMiddle; y += 0.005f) {
+      run = hidden(y) ? 0 : run + 0.005f;
+      longest = run > longest ? run : longest;
+    }
+    EXPECT_NEAR(gap.left - gap.right, longest, 0.011f) << n;
+    EXPECT_FALSE(gap.left - gap.right > 0.01f && hidden(0.5f * (gap.left + gap.right)));
+  }
+}
+
+TEST(Features, ABallThatRollsIntoTheOwnGoalIsSeenComing) {
+  Scene scene;
+  scene.beliefs.pose.pose.position = {-2.5f, 0};
+  scene.see_ball({1.5f, 0});
+  EXPECT_EQ(value_of(Feature::ball_in_goal_soon, scene.view()), 0);
+  scene.beliefs.ball.velocity = {-1.5f, 0.2f};
+  EXPECT_EQ(value_of(Feature::ball_in_goal_soon, scene.view()), 1);
+  EXPECT_NEAR(value_of(Feature::crossing_left, scene.view()), 0.2f, 1e-5);
+  EXPECT_GT(value_of(Feature::crossing_time, scene.view()), 1);
+  // too slow to get there, and past the post
+  scene.beliefs.ball.velocity = {-1, 0};
+  EXPECT_EQ(value_of(Feature::ball_in_goal_soon, scene.view()), 0);
+  scene.beliefs.ball.velocity = {-1.5f, 1.2f};
+  EXPECT_EQ(value_of(Feature::ball_in_goal_soon, scene.view()), 0);
+}
+
+TEST(Features, APassGoesToTheFreeMateNearestToTheGoal) {
+  Scene scene;
+  EXPECT_TRUE(std::isnan(value_of(Feature::pass_gain, scene.view())));
+  scene.hear(3, {2, 1}, 5, Role::supporter);
+  scene.hear(4, {2.2f, -1}, 5, Role::supporter);
+  const float far = 2, near = length(Vec2{0.8f, 1});
+  EXPECT_NEAR(value_of(Feature::pass_gain, scene.view()), far - near, 1e-5);
+  scene.see_opponent(1, {1.5f, -0.5f});
+  EXPECT_NEAR(value_of(Feature::pass_gain, scene.view()), far - length(Vec2{1, 1}), 1e-5);
+}
+
+}  // namespace
+}  // namespace sim::agent

@@ -1,0 +1,79 @@
+#include "sim/agent/manners.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/agent/place_skills.h"
+#include "tests/sim/agent/scene.h"
+
+namespace sim::agent {
+namespace {
+
+using Body = motion::Command::Body;
+
+TEST(Manners, AtTheOpponentsKickNobodyKicksOrGoesNearTheBall) {
+  for (const char* name : kShipped) {
+    const TreeBehaviour behaviour(shipped(name));
+    std::mt19937 random(1);
+    for (int n = 0; n < 3000; ++n) {
+      Scene scene = random_scene(random);
+      scene.game.set_play = n % 2 ? Game::SetPlay::kick_in : Game::SetPlay::kick_off;
+      scene.game.own_kick = false;
+      const View view = scene.view();
+      if (!view.ball_known) continue;
+      const motion::Command command = scene.decide(behaviour);
+      EXPECT_NE(command.body, Body::kick);
+      // whoever is inside leaves, whoever is outside does not cut through
+      if (command.body != Body::walk_to) {
+        EXPECT_GE(view.ball_distance, 0.75f) << n;
+        continue;
+      }
+      const float ahead = std::min(1.f, 0.1f / (length(command.walk) + 1e-6f));
+      const float soon = distance(ahead * command.walk, view.ball);
+      EXPECT_GE(soon, std::min(0.75f, view.ball_distance - 0.02f)) << n;
+    }
+  }
+}
+
+TEST(Manners, NobodyButTheKeeperWalksIntoTheOwnGoalArea) {
+  const TreeBehaviour behaviour(shipped("baseline"));
+  std::mt19937 random(2);
+  int diverted = 0;
+  for (int n = 0; n < 5000; ++n) {
+    Scene scene = random_scene(random);
+    if (scene.game.player == 1) continue;
+    scene.game.set_play = Game::SetPlay::none;
+    scene.see_ball(scene.view().to_robot({-2.8f, 0.3f}));
+    const motion::Command command = scene.decide(behaviour);
+    if (command.body != Body::walk_to) continue;
+    const Vec2 place = scene.view().to_team(command.walk);
+    const field::Field& field = *surroundings().field;
+    EXPECT_FALSE(place.x < -0.5f * field.length + field.goal_area_length &&
+                 std::abs(place.y) < 0.5f * field.goal_area_width);
+    ++diverted;
+  }
+  EXPECT_GT(diverted, 100);
+}
+
+TEST(Manners, PlacesOfTheKickOffAreInTheOwnHalfAndApart) {
+  for (const bool ours : {true, false})
+    for (int players = 1; players <= kMaxPlayers; ++players) {
+      Scene scene;
+      scene.game.own_kick = ours;
+      scene.game.players = static_cast<std::uint8_t>(players);
+      std::vector<Vec2> places;
+      for (int player = 1; player <= players; ++player) {
+        scene.game.player = static_cast<std::uint8_t>(player);
+        const Vec2 place = ready_place(scene.view());
+        EXPECT_LE(place.x, -0.2f);
+        EXPECT_GE(place.x, -scene.view().half_length);
+        EXPECT_LE(std::abs(place.y), scene.view().half_width);
+        EXPECT_TRUE((ours && player == 2) || length(place) > surroundings().field->centre_circle_radius + 0.2f)
+            << player;
+        for (const Vec2 other : places) EXPECT_GT(distance(place, other), 0.5f) << players << " " << player;
+        places.push_back(place);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace sim::agent

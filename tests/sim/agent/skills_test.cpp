@@ -1,0 +1,222 @@
+#include "sim/agent/skills.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "sim/agent/walk.h"
+#include "sim/motion/motion.h"
+#include "sim/world/effects.h"
+#include "sim/world/model.h"
+#include "tests/sim/agent/scene.h"
+
+namespace sim::agent {
+namespace {
+
+using Command = motion::Command;
+
+/// One robot that believes what is so, alone with a ball; without noise.
+struct Practice {
+  explicit Practice(const char* strategy, Pose2 pose, Vec2 ball) : behaviour(shipped(strategy)) {
+    world.ball.position = ball;
+    body().position = pose.position;
+    body().heading = pose.heading;
+    body().facing = direction(pose.heading);
+    world.tick = scene.now;
+    effects.walk_acceleration = effects.walk_delay = effects.kick_whiff = true;
+  }
+  Body& body() { return world.bodies[1]; }
+
+  /// One tick; true once the foot met the ball.
+  bool step() {
+    scene.now = world.tick;
+    scene.beliefs.pose.pose = {body().position, body().heading};
+    scene.see_ball(turned_back(world.ball.position - body().position, body().facing));
+    command = scene.decide(behaviour);
+    world.kicked = kNobody;
+    motion::move({*surroundings().motion, effects, ball_model}, command, 1, 1, world);
+    nearest = std::min(nearest, distance(body().position, world.ball.position));
+    ++world.tick;
+    return world.kicked != kNobody;
+  }
+
+  TreeBehaviour behaviour;
+  Scene scene;
+  World world;
+  Effects effects{};
+  BallModel ball_model{.radius = 0.05f, .deceleration = 0.3f};
+  Command command;
+  float nearest = 100;  // [m] that it came to the ball
+};
+
+TEST(Skills, AreFoundByTheirNameAndHaveParametersWithinTheirRange) {
+  for (int i = 0; i < kSkillCount; ++i) {
+    const SkillInfo& info = info_of(static_cast<Skill>(i));
+    EXPECT_EQ(find_skill(info.name), static_cast<Skill>(i));
+    std::set<std::string> names;
+    for (int k = 0; k < info.count; ++k) {
+      const ParameterInfo& parameter = info.parameters[k];
+      EXPECT_TRUE(names.insert(parameter.name).second);
+      EXPECT_LE(parameter.least, parameter.standard) << info.name << " " << parameter.name;
+      EXPECT_GE(parameter.most, parameter.standard) << info.name << " " << parameter.name;
+      EXPECT_TRUE(!parameter.lateral || parameter.standard == 0);
+    }
+  }
+  EXPECT_EQ(find_skill("fly"), Skill::count);
+}
+
+/// From all sides the robot comes round the ball, never into it, and shoots at the goal.
+TEST(Skills, FromAllSidesTheRobotComesRoundTheBallAndShootsAtTheGoal) {
+  for (const char* strategy : {"align_first", "baseline", "kick_now"}) {
+    const float tolerance = std::string(strategy) == "align_first" ? 0.08f : 1.3f;
+    for (int n = 0; n < 24; ++n) {
+      const float angle = 0.26f * static_cast<float>(n);
+      const Vec2 ball{0.4f, 0.5f};
+      Practice practice(strategy, {ball + 1.2f * direction(angle), normalized(1.7f * angle)}, ball);
+      bool kicked = false;
+      for (int tick = 0; tick < 30 * 40 && !kicked; ++tick) kicked = practice.step();
+      ASSERT_TRUE(kicked) << strategy << " from " << angle;
+      EXPECT_GT(practice.nearest, 0.13f) << strategy << " from " << angle;
+      const Vec2 wanted = Vec2{3, 0} - ball, rolls = practice.world.ball.velocity;
+      EXPECT_LT(std::abs(atan2(cross(wanted, rolls), dot(wanted, rolls))), tolerance) << strategy << " from " << angle;
+    }
+  }
+}
+
+TEST(Skills, KickingAtOnceIsQuickerThanAligning) {
+  const auto time_until_kick = [](const char* strategy) {
+    int total = 0;
+    for (int n = 0; n < 12; ++n) {
+      const float angle = 0.52f * static_cast<float>(n);
+      Practice practice(strategy, {0.8f * direction(angle), normalized(angle + 3)}, {0, 0});
+      while (!practice.step() && practice.world.tick < 5000) ++total;
+    }
+    return total;
+  };
+  const int now = time_until_kick("kick_now"), baseline = time_until_kick("baseline"),
+            aligned = time_until_kick("align_first");
+  EXPECT_LT(now, baseline);
+  EXPECT_LT(baseline, aligned);
+}
+
+TEST(Skills, KicksWithTheLegTheBallIsNearerTo) {
+  const TreeBehaviour behaviour(tree_of(R"({"name": "k", "tree": {"do": "kick", "with": {"aim": "ahead"}}})"));
+  for (const float side : {1.f, -1.f}) {
+    Scene scene;
+    scene.see_ball({0.19f, side * 0.05f});
+    const Command command = scene.decide(behaviour);
+    EXPECT_EQ(command.body, Command::Body::kick);
+    EXPECT_EQ(command.kick_left, side > 0);
+    // not a ball that rolls, nor one that was not seen of late
+    scene.beliefs.ball.velocity = {0.6f, 0};
+    EXPECT_NE(scene.decide(behaviour).body, Command::Body::kick);
+    scene.see_ball({0.19f, side * 0.05f});
+    scene.beliefs.ball.seen = scene.now - 30;
+    EXPECT_NE(scene.decide(behaviour).body, Command::Body::kick);
+  }
+}
+
+TEST(Skills, KicksOnlyOnceTheBallLayRightForSoManyFrames) {
+  const TreeBehaviour behaviour(
+      tree_of(R"({"name": "k", "tree": {"do": "kick", "with": {"aim": "ahead", "frames": 3}}})"));
+  Scene scene;
+  scene.see_ball({0.19f, 0.05f});
+  EXPECT_NE(scene.decide(behaviour).body, Command::Body::kick);
+  EXPECT_NE(scene.decide(behaviour).body, Command::Body::kick);
+  EXPECT_EQ(scene.decide(behaviour).body, Command::Body::kick);
+}
+
+TEST(Skills, APassGoesAheadOfTheMate) {
+  const TreeBehaviour behaviour(tree_of(R"({"name": "p", "tree": {"do": "pass", "with": {"lead": 0.5}}})"));
+  Scene scene;
+  scene.hear(3, {1.5f, 1}, 4, Role::supporter);
+  scene.decide(behaviour);
+  // the ball lies at (1, 0): towards (2, 1), as near to the way in which it comes as the tolerance lets
+  EXPECT_GT(scene.mind.kick_direction, 0.6f);
+  EXPECT_LT(scene.mind.kick_direction, kPi / 4);
+}
+
+TEST(Skills, TheKeeperStandsBetweenBallAndGoal) {
+  const TreeBehaviour behaviour(tree_of(R"({"name": "k", "tree": {"do": "keep_goal"}})"));
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> x(-2, 3), y(-2, 2);
+  for (int n = 0; n < 200; ++n) {
+    Scene scene;
+    scene.game.player = 1;
+    const Vec2 ball{x(random), y(random)};
+    scene.beliefs.pose.pose.position = {-1, 0};
+    scene.see_ball(scene.view().to_robot(ball));
+    const Command command = scene.decide(behaviour);
+    const Vec2 place = scene.view().to_team(command.walk), goal = scene.view().own_goal();
+    EXPECT_LT(std::abs(cross(unit(ball - goal), place - goal)), 0.12f);
+    EXPECT_GT(place.x, goal.x);
+    EXPECT_LT(distance(place, goal), 0.6f);
+  }
+}
+
+TEST(Skills, SearchingTurnsToTheSideWhereTheBallWasLast) {
+  const TreeBehaviour behaviour(tree_of(R"({"name": "s", "tree": {"do": "search_ball"}})"));
+  for (const float side : {1.f, -1.f}) {
+    Scene scene;
+    scene.see_ball({1, side});
+    scene.decide(behaviour);
+    scene.beliefs.ball.seen = kNever;
+    std::set<int> bodies;
+    float turned_to = 0, widest = 0;
+    for (int n = 0; n < 600; ++n) {
+      ++scene.now;
+      const Command command = scene.decide(behaviour);
+      bodies.insert(static_cast<int>(command.body));
+      if (command.body == Command::Body::walk_speed) turned_to += command.turn;
+      widest = std::max(widest, std::abs(command.look[0]));
+    }
+    EXPECT_GT(side * turned_to, 0);
+    EXPECT_GT(widest, 1.2f);
+    EXPECT_EQ(bodies.size(), 3u) << "scans standing, turns and walks";
+  }
+}
+
+TEST(Skills, TheHeadFollowsTheBallAndLooksAwayNowAndThen) {
+  const TreeBehaviour behaviour(shipped("baseline"));
+  Scene scene;
+  scene.game.player = 3;
+  scene.hear(2, {1, 0}, 0.1f, Role::chaser);
+  int at_ball = 0, left = 0, right = 0;
+  for (int n = 0; n < 900; ++n) {
+    ++scene.now;
+    scene.see_ball({1, 0});
+    scene.hear(2, {1, 0}, 0.1f, Role::chaser);
+    const Command command = scene.decide(behaviour);
+    if (command.head == Command::Head::look_to)
+      ++at_ball;
+    else
+      ++(command.look[0] > 0 ? left : right);
+  }
+  EXPECT_GT(at_ball, 450);
+  EXPECT_GT(left, 100);
+  EXPECT_GT(right, 100);
+}
+
+TEST(Walk, RoundsCirclesWithoutEnteringThem) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<float> coordinate(-2, 2);
+  for (int n = 0; n < 500; ++n) {
+    const Vec2 centre{coordinate(random), coordinate(random)}, target{coordinate(random), coordinate(random)};
+    constexpr float kRadius = 0.4f;
+    if (length(centre) < kRadius || distance(centre, target) < kRadius + 0.01f) continue;
+    Vec2 at{};
+    float nearest = 10;
+    int steps = 0;
+    for (; distance(at, target) > 0.03f && steps < 1000; ++steps) {
+      const Vec2 way = round_circle(centre - at, kRadius, target - at, 1);
+      at += std::min(0.02f, length(way)) * unit(way);
+      nearest = std::min(nearest, distance(at, centre));
+    }
+    EXPECT_LT(steps, 1000) << n;
+    EXPECT_GT(nearest, kRadius - 0.02f) << n;
+  }
+}
+
+}  // namespace
+}  // namespace sim::agent

@@ -1,0 +1,187 @@
+#include "sim/io/strategy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "sim/io/source.h"
+
+namespace sim::io {
+namespace {
+
+using agent::Skill;
+
+std::string refusal(const std::string& text) {
+  const auto tree = parse_strategy(text, "strategy 'mine'");
+  return tree ? "accepted" : tree.error();
+}
+/// Of a strategy that has nothing but a tree.
+std::string refusal_of_tree(const std::string& tree) { return refusal(R"({"name": "mine", "tree": )" + tree + "}"); }
+
+TEST(Strategy, EveryShippedOneLoadsUnderItsName) {
+  const auto names = names_of("strategies");
+  EXPECT_EQ(listed(names), "align_first, baseline, idle, kick_now, passing");
+  for (const std::string_view name : names) {
+    const auto behaviour = load_strategy(std::string(name));
+    ASSERT_TRUE(behaviour) << behaviour.error();
+    EXPECT_EQ((*behaviour)->name(), name);
+    EXPECT_NE((*behaviour)->tree().about, "");
+  }
+}
+
+TEST(Strategy, MayVaryParameters) {
+  const auto plain = load_strategy("baseline"), varied = load_strategy("baseline,near_ball=0.6");
+  ASSERT_TRUE(plain && varied);
+  EXPECT_EQ((*varied)->name(), "baseline,near_ball=0.6");
+  int differences = 0;
+  for (std::size_t i = 0; i < (*plain)->tree().nodes.size(); ++i)
+    differences += (*plain)->tree().nodes[i].threshold != (*varied)->tree().nodes[i].threshold;
+  EXPECT_EQ(differences, 1);
+  EXPECT_EQ(load_strategy("baseline,near_bal=0.6").error(),
+            "strategy 'baseline,near_bal=0.6': parameters.near_bal: is used nowhere");
+}
+
+TEST(Strategy, WhatItIsBasedOnHoldsWhereItSaysNothing) {
+  const auto tree = parse_strategy(
+      R"({"name": "mine", "based_on": "baseline", "roles": {"defenders": 1}, "subtrees": {"keeper": {"do": "stand"}}})",
+      "strategy 'mine'");
+  ASSERT_TRUE(tree) << tree.error();
+  EXPECT_EQ(tree->settings.roles.defenders, 1);
+  EXPECT_EQ(tree->settings.roles.hysteresis, load_strategy("baseline").value()->tree().settings.roles.hysteresis);
+  int stands = 0;
+  for (const agent::Leaf& leaf : tree->leaves) stands += leaf.skill == Skill::stand;
+  EXPECT_EQ(stands, 1);
+}
+
+TEST(Strategy, ValuesMayHaveUnits) {
+  const auto tree = parse_strategy(R"({"name": "m", "parameters": {"far": "50 cm", "aim": "goal"}, "tree": [
+    {"if": "ball_bearing > -90 deg and ball_age < 0.5min and ball_distance < $far", "do": "stand"},
+    {"do": "walk_to_ball", "with": {"aim": "$aim", "distance": "$far", "tolerance": "180 deg", "gain": 0.5}}]})",
+                                   "strategy 'm'");
+  EXPECT_EQ(tree ? "" : tree.error(), "strategy 'm': tree[1].with.tolerance: must be 0.01 .. 3 [rad], got \"180 deg\"");
+}
+
+TEST(Strategy, ListsGoOnToTheNextRuleAndElseEndsThem) {
+  const auto tree = parse_strategy(R"({"name": "m", "tree": [
+    {"if": "our_kick", "then": [{"if": "x < 0", "do": "block"}]},
+    {"if": "half is 2", "do": "stand"},
+    {"do": "look_round"}]})",
+                                   "strategy 'm'");
+  EXPECT_EQ(tree ? "" : tree.error(), "strategy 'm': tree[1].if: half is compared by < <= > >=, got \"half is 2\"");
+  const auto good = parse_strategy(R"({"name": "m", "tree": [
+    {"if": "our_kick", "then": [{"if": "x < 0", "do": "block"}]},
+    {"if": "y < 0 or set_play is not none", "do": "stand"},
+    {"do": "look_round"}]})",
+                                   "strategy 'm'");
+  ASSERT_TRUE(good) << good.error();
+  // where "x < 0" fails the decision goes where "our_kick" failing leads
+  const auto& nodes = good->nodes;
+  ASSERT_EQ(nodes.size(), 4u);
+  const agent::Node& root = nodes[good->root];
+  EXPECT_EQ(root.feature, agent::Feature::our_kick);
+  EXPECT_EQ(nodes[root.yes].no, root.no);
+  EXPECT_EQ(good->leaves[nodes[root.yes].yes & ~agent::kLeafBit].skill, Skill::block);
+  EXPECT_EQ(nodes[root.no].feature, agent::Feature::y);
+  EXPECT_EQ(nodes[nodes[root.no].no].yes, nodes[root.no].yes);
+}
+
+TEST(Strategy, BadTreesAreRefusedWithPlaceAndReason) {
+  EXPECT_EQ(refusal("[]"), "strategy 'mine': expected a JSON object, got []");
+  EXPECT_EQ(refusal(R"({"name": "mine"})"), "strategy 'mine': tree is missing");
+  EXPECT_EQ(refusal(R"({"tree": {"do": "stand"}})"), "strategy 'mine': name must have 1 .. 60 bytes");
+  EXPECT_EQ(refusal_of_tree("7"), "strategy 'mine': tree: must be a rule or a list of rules, got 7");
+  EXPECT_EQ(refusal_of_tree("[]"), "strategy 'mine': tree: must have at least one rule");
+  EXPECT_EQ(refusal_of_tree(R"({"do": "fly"})").substr(0, 44), "strategy 'mine': tree.do: no skill \"fly\"; th");
+  EXPECT_EQ(refusal_of_tree(R"({"do": "kik"})"), "strategy 'mine': tree.do: no skill \"kik\"; did you mean 'kick'?");
+  EXPECT_EQ(refusal_of_tree(R"({"do": "kick", "width": {}})"),
+            "strategy 'mine': tree: no rule has 'width'; did you mean 'with'?");
+  EXPECT_EQ(refusal_of_tree(R"({"do": "kick", "with": {"aims": "goal"}})"),
+            "strategy 'mine': tree.with: kick takes no 'aims'; did you mean 'aim'?");
+  EXPECT_EQ(refusal_of_tree(R"({"do": "kick", "with": {"aim": "gaol"}})"),
+            "strategy 'mine': tree.with.aim: must be one of goal, opening, ahead, away, mate, got \"gaol\"");
+  EXPECT_EQ(refusal_of_tree(R"({"do": "kick", "with": {"range": 40}})"),
+            "strategy 'mine': tree.with.range: must be 0 .. 12 [m], got 40");
+  EXPECT_EQ(refusal_of_tree(R"({"do": "kick", "with": {"range": "2 s"}})"),
+            "strategy 'mine': tree.with.range: must be in m, got \"2 s\"");
+  EXPECT_EQ(refusal_of_tree(R"({"do": "kick", "with": {"range": true}})"),
+            "strategy 'mine': tree.with.range: must be 0 .. 12 [m], got true");
+  EXPECT_EQ(refusal_of_tree(R"({"if": "bal_age < 3", "do": "stand"})"),
+            "strategy 'mine': tree.if: no feature \"bal_age\"; did you mean 'ball_age'?");
+  EXPECT_EQ(refusal_of_tree(R"({"if": "ball_age < 3", "do": "stand"})"),
+            "strategy 'mine': tree: has no 'else', and no rule behind it says what to do where 'ball_age < 3' fails");
+  EXPECT_EQ(refusal_of_tree(R"({"if": "ball_age < -3 s", "do": "stand"})"),
+            "strategy 'mine': tree.if: what ball_age is compared with must be 0 .. 1000 [s], got \"-3 s\"");
+  EXPECT_EQ(refusal_of_tree(R"({"if": "ball_age", "do": "stand"})"),
+            "strategy 'mine': tree.if: ball_age must be compared with something, got \"ball_age\"");
+  EXPECT_EQ(refusal_of_tree(R"({"if": "ball_known > 0", "do": "stand"})"),
+            "strategy 'mine': tree.if: ball_known is yes or no and compared with nothing, got \"ball_known > 0\"");
+  EXPECT_EQ(refusal_of_tree(R"({"if": "role is striker", "do": "stand"})"),
+            "strategy 'mine': tree.if: what role is compared with must be one of keeper, chaser, supporter, defender, "
+            "got \"striker\"");
+  EXPECT_EQ(refusal_of_tree(R"({"if": "role < 2", "do": "stand"})"),
+            "strategy 'mine': tree.if: role is compared by is, is not, got \"role < 2\"");
+  EXPECT_EQ(refusal_of_tree(R"({"if": "x > 0 and  and y > 0", "do": "stand"})"),
+            "strategy 'mine': tree.if: a comparison is missing");
+  EXPECT_EQ(refusal_of_tree(R"({"if": "x > $far", "do": "stand"})"),
+            "strategy 'mine': tree.if: what x is compared with names no parameter: \"far\"; there are none");
+  EXPECT_EQ(refusal_of_tree(R"({"if": "x > 0", "do": "stand", "then": {}})"),
+            "strategy 'mine': tree: must have one of 'do', 'use' and 'then'");
+  EXPECT_EQ(refusal_of_tree(R"([{"do": "stand"}, {"do": "kick"}])"),
+            "strategy 'mine': tree[1]: is never reached, the rule before always decides");
+  EXPECT_EQ(refusal_of_tree(R"({"use": "chaser"})"), "strategy 'mine': tree.use: no subtree 'chaser'; there are none");
+}
+
+TEST(Strategy, CirclesAndWhatIsUsedNowhereAreRefused) {
+  EXPECT_EQ(refusal(R"({"name": "m", "tree": {"use": "a"}, "subtrees": {"a": {"use": "b"}, "b": [{"use": "a"}]}})"),
+            "strategy 'mine': subtrees.b[0].use: the subtree 'a' leads back to itself");
+  EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "stand"}, "subtrees": {"a": {"do": "stand"}}})"),
+            "strategy 'mine': subtrees.a: is used nowhere");
+  EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "stand"}, "parameters": {"a": 1}})"),
+            "strategy 'mine': parameters.a: is used nowhere");
+  EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "kick", "with": {"range": "$a"}}, "parameters": {"a": "$a"}})"),
+            "strategy 'mine': tree.with.range: is the parameter \"a\", which must be a value, got \"$a\"");
+  EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "kick", "with": {"range": "$a"}}, "parameters": {"a": 99}})"),
+            "strategy 'mine': tree.with.range: is the parameter \"a\", which must be 0 .. 12 [m], got 99");
+  EXPECT_EQ(
+      refusal(R"({"name": "m", "based_on": "besaline"})"),
+      "strategy 'mine': based_on: no strategy 'besaline'; there are: align_first, baseline, idle, kick_now, passing");
+  EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "stand"}, "formation": {"ours": [[0.5, 0]]}})"),
+            "strategy 'mine': formation.ours[0] must be [-1 .. 0, -1 .. 1], got [0.5,0]");
+  EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "stand"}, "roles": {"hysteresis": -1}})"),
+            "strategy 'mine': roles.hysteresis must be 0 .. 20 [s], got -1");
+}
+
+TEST(Strategy, TreesTooDeepOrTooLargeAreRefused) {
+  std::string deep = R"({"do": "stand"})";
+  for (int i = 0; i < 30; ++i) deep = R"({"if": "x > 0", "do": "stand", "else": )" + deep + "}";
+  EXPECT_EQ(refusal_of_tree(deep), "accepted");
+  for (int i = 0; i < 20; ++i) deep = R"({"if": "x > 0", "do": "stand", "else": )" + deep + "}";
+  EXPECT_NE(refusal_of_tree(deep).find("rules are nested too deeply"), std::string::npos);
+
+  // each subtree uses the next one twice
+  std::string doubling = R"({"name": "m", "tree": {"use": "s0"}, "subtrees": {)";
+  for (int i = 0; i < 20; ++i) {
+    const std::string next = R"({"use": "s)" + std::to_string(i + 1) + "\"}";
+    doubling += "\"s" + std::to_string(i) + R"(": {"if": "x > 0", "then": )" + next + R"(, "else": )" + next + "},";
+  }
+  doubling += R"("s20": {"do": "stand"}}})";
+  EXPECT_EQ(refusal(doubling), "strategy 'mine': subtrees.s20: the tree is too large");
+}
+
+TEST(Strategy, SurvivesEveryTruncationAndFlippedBytes) {
+  const std::string text = find_source("strategies", "strategy", "passing").value().text;
+  for (std::size_t n = 0; n + 2 < text.size(); ++n) EXPECT_NE(refusal(text.substr(0, n)), "accepted");
+  std::mt19937 random(1);
+  const std::string base = find_source("strategies", "strategy", "baseline").value().text;
+  int refused = 0;
+  for (int n = 0; n < 300; ++n) {
+    std::string flipped = base;
+    flipped[random() % flipped.size()] = static_cast<char>(random());
+    refused += refusal(flipped) != "accepted";
+  }
+  EXPECT_GT(refused, 100);
+}
+
+}  // namespace
+}  // namespace sim::io
