@@ -29,9 +29,11 @@ std::uint64_t hash_of_bytes(std::span<const std::uint8_t> bytes) {
   return hash.value();
 }
 
+constexpr std::size_t kSealSize = 8;  // of the hash at the end
+
 /// Of the whole snapshot; every state has the same.
 std::size_t snapshot_size() {
-  std::size_t size = 4 + 4 + 8;
+  std::size_t size = 4 + 4 + kSealSize;
   const State any{};
   visit_fields(any, [&](const FieldPath&, auto field) { size += sizeof field; });
   return size;
@@ -80,8 +82,15 @@ std::vector<std::uint8_t> snapshot_of(const State& state) {
   put(bytes, kMagic, 4);
   put(bytes, kSnapshotVersion, 4);
   visit_fields(state, [&](const FieldPath&, auto field) { put(bytes, bits_of(field), sizeof field); });
-  put(bytes, hash_of_bytes(bytes), 8);
+  bytes.resize(bytes.size() + kSealSize);
+  seal(bytes);
   return bytes;
+}
+
+void seal(std::span<std::uint8_t> bytes) {
+  const std::uint64_t hash = hash_of_bytes(bytes.first(bytes.size() - kSealSize));
+  for (std::size_t i = 0; i < kSealSize; ++i)
+    bytes[bytes.size() - kSealSize + i] = static_cast<std::uint8_t>(hash >> (8 * i));
 }
 
 Restored restore(std::span<const std::uint8_t> bytes) {
@@ -93,8 +102,8 @@ Restored restore(std::span<const std::uint8_t> bytes) {
     return refused("expected version " + std::to_string(kSnapshotVersion) + ", got " + std::to_string(version));
   if (bytes.size() != snapshot_size())
     return refused("expected " + std::to_string(snapshot_size()) + " bytes, got " + std::to_string(bytes.size()));
-  std::span<const std::uint8_t> tail = bytes.last(8);
-  if (take(tail, 8) != hash_of_bytes(bytes.first(bytes.size() - 8)))
+  std::span<const std::uint8_t> tail = bytes.last(kSealSize);
+  if (take(tail, kSealSize) != hash_of_bytes(bytes.first(bytes.size() - kSealSize)))
     return refused("its bytes do not have the hash at its end; it was damaged");
 
   // field by field, none of them impossible
