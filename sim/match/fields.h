@@ -103,9 +103,9 @@ void visit_members(Struct& whole, See&& see) {
     see("search_side", search_side), see("search_since", search_since), see("kick_direction", kick_direction);
     see("kick", kick), see("aligned", aligned), see("settled", settled);
   } else if constexpr (std::is_same_v<Type, perception::Cognition>) {
-    auto& [odometry_scale, turn_scale, last, walked, turned, since_look, flipped, packet_due, packet] = whole;
+    auto& [odometry_scale, turn_scale, last, walked, turned, flipped, on_air, radio_due, packet] = whole;
     see("odometry_scale", odometry_scale), see("turn_scale", turn_scale), see("last", last), see("walked", walked);
-    see("turned", turned), see("since_look", since_look), see("flipped", flipped), see("packet_due", packet_due);
+    see("turned", turned), see("flipped", flipped), see("on_air", on_air), see("radio_due", radio_due);
     see("packet", packet);
   } else if constexpr (std::is_same_v<Type, Robot>) {
     auto& [command, beliefs, mind, cognition, rest, lag] = whole;

@@ -6,6 +6,7 @@
 
 #include "sim/agent/beliefs.h"
 #include "sim/perception/ball_sight.h"
+#include "sim/perception/image.h"
 #include "sim/perception/localisation.h"
 #include "sim/perception/perception.h"
 

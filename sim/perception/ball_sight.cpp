@@ -1,5 +1,7 @@
 #include "sim/perception/ball_sight.h"
 
+#include "sim/perception/image.h"
+
 namespace sim::perception {
 namespace {
 
@@ -8,8 +10,17 @@ namespace {
 constexpr float kKickReach = 0.25f;  // [m] from the middle of an opponent, where the heat is 1
 constexpr float kHeatReach = 0.45f;  // [m] where it has fallen to 0
 
+constexpr Tick kFalseInterval = 10;    // [ticks] between the images that may show a false ball
 constexpr float kNearestFalse = 0.3f;  // [m]
 constexpr float kBeyondRange = 2;      // percepts that seem to be so many ranges away are no balls to anybody
+
+/// Where the image shows the ball: where it was `latency` ago, in whole ticks. [m, field]
+///
+/// What the robot itself moved meanwhile its odometry makes good; that this errs over 70 ms is left out.
+Vec2 shown_ball(const Means& means, const Ball& ball) {
+  const Tick ago = means.effects.latency ? ticks(means.model.camera.latency) : 0;
+  return ago == 0 ? ball.position : ball.past[ago - 1];
+}
 
 /// How much an opponent that is `to_ball` [m, field's axes] away from the ball is about to kick it.
 float heat_of(const Body& opponent, Vec2 to_ball) {
@@ -33,28 +44,35 @@ float heat_of(const World& world, Side opponents, Vec2 ball) {
   return heat;
 }
 
-/// Something round, `to_it` from the camera, is between it and the ball. Without branches: where robots stand nobody
-/// can foresee, the processor neither.
-bool hides(Vec2 to_it, float radius, const Sighting& ball) {
-  const float along = dot(to_it, ball.to_it);
-  const float across = cross(to_it, ball.to_it);
-  return (static_cast<int>(along > 0) & static_cast<int>(along < ball.square) &
-          static_cast<int>(across * across < radius * radius * ball.square)) != 0;
-}
+/// From the eye to the ball.
+struct LineOfSight {
+  Vec2 eye;      // [m, field]
+  Vec2 to_ball;  // [m, field's axes]
+  float square;  // [m²] of its length
+  float offset = cross(eye, to_ball);
+
+  /// It passes through a round thing that stands between both.
+  bool meets(Vec2 thing, float radius) const {
+    // how far it passes from the thing comes first: mostly far, so the processor foresees this branch
+    const float across = cross(thing, to_ball) - offset;
+    if (across * across >= radius * radius * square) return false;
+    const float along = dot(thing - eye, to_ball);
+    return along > 0 && along < square;
+  }
+};
 
 bool is_hidden(const Means& means, const World& world, Vec2 eye, const Sighting& ball) {
-  if (means.effects.official && hides(world.official.position - eye, means.contact.official_radius, ball)) return true;
-  bool hidden = false;
-  for_each_robot(world.players, [&](int robot) {
-    // the robot itself is at 0 and hides nothing; who lies is lower than the line of sight
-    const Body& body = world.bodies[robot];
-    if (hides(body.position - eye, means.contact.robot_radius, ball)) hidden |= has_eyes(body);
-  });
-  return hidden;
+  const LineOfSight line{eye, ball.to_it, ball.square};
+  const float radius = means.contact.robot_radius;
+  // the robot itself is at the eye and hides nothing; who lies is lower than the line
+  const auto hides = [&](const Body& body) { return line.meets(body.position, radius) && has_eyes(body); };
+  for (int i = 0; i < world.players; ++i)
+    if (hides(world.bodies[i]) || hides(world.bodies[kMaxPlayers + i])) return true;
+  return means.effects.official && line.meets(world.official.position, means.contact.official_radius);
 }
 
-}  // namespace
-
+/// The ball, if it is detected where it shows in the image. A body between camera and ball hides it; a ball at the feet
+/// of one is in front of it.
 BallPercept detect_ball(const Means& means, const World& world, int robot, const Sighting& sighting) {
   const auto& [model, effects, field, marks, contact, ball] = means;
   const Body& body = world.bodies[robot];
@@ -79,6 +97,7 @@ BallPercept detect_ball(const Means& means, const World& world, int robot, const
   return percept;
 }
 
+/// Now and then something that looks like a ball, anywhere in view.
 BallPercept detect_false_ball(const Means& means, const World& world, int robot) {
   const Camera& camera = means.model.camera;
   const Body& body = world.bodies[robot];
@@ -91,6 +110,21 @@ BallPercept detect_false_ball(const Means& means, const World& world, int robot)
   const Sighting sighting{turned(place, body.facing), range * range, camera.height - means.ball.radius};
   if (!in_view(camera, body, look_of(body), means.model.ball.far_range, sighting)) return {};
   return {.seen = true, .position = place};
+}
+
+}  // namespace
+
+BallPercept look_for_ball(const Means& means, const World& world, int robot, Tick steps) {
+  const Body& body = world.bodies[robot];
+  if (!has_eyes(body)) return {};
+  const Camera& camera = means.model.camera;
+  const Sighting sighting = sighting_of(body, shown_ball(means, world.ball), camera.height - means.ball.radius);
+  if (!means.effects.limited_view || in_view(camera, body, look_of(body), means.model.ball.far_range, sighting)) {
+    const BallPercept percept = detect_ball(means, world, robot, sighting);
+    if (percept.seen) return percept;
+  }
+  if (!means.effects.false_balls || world.tick % kFalseInterval >= steps) return {};
+  return detect_false_ball(means, world, robot);
 }
 
 }  // namespace sim::perception

@@ -12,15 +12,15 @@ namespace sim::perception {
 inline constexpr float kTurnUnit = 1e-4f;  // [rad]: 16 bits have to do, State is small
 
 struct Cognition {
-  float odometry_scale = 1;     // of this robot in this game: walked, as believed / as is
-  float turn_scale = 1;         // likewise of turning
-  Pose2 last;                   // [field] where it truly was when odometry was last read
-  float walked = 0;             // [m] since it last looked at the marks
-  std::uint16_t turned = 0;     // [kTurnUnit] likewise, at most 6.5 rad
-  std::uint8_t since_look = 0;  // [ticks] likewise, at most 255
-  bool flipped = false;         // believes the field turned by π
-  Tick packet_due = kNever;     // when the packet on its way arrives; kNever: none is
-  agent::Mate packet;           // the last packet, on its way or arrived; `packet.sent` is when it last sent
+  float odometry_scale = 1;  // of this robot in this game: walked, as believed / as is
+  float turn_scale = 1;      // likewise of turning
+  Pose2 last;                // [field] where it truly was when odometry was last read
+  float walked = 0;          // [m] since it last looked at the marks
+  std::uint16_t turned = 0;  // [kTurnUnit] likewise, at most 6.5 rad
+  bool flipped = false;      // believes the field turned by π
+  bool on_air = false;       // its packet is on the way
+  Tick radio_due = 0;        // when that arrives; with none on the way: when it may send again
+  agent::Mate packet;        // the last packet, on its way or arrived; `packet.sent` is when it last sent
 };
 
 }  // namespace sim::perception

@@ -30,13 +30,18 @@ inline Sighting sighting_of(const Body& body, Vec2 point, float height) {
 /// Where a robot looks. [field's axes]
 inline Vec2 look_of(const Body& body) { return turned(body.look, body.facing); }
 
-/// Whether it is `angle` [rad] or more below the horizon. Most cases are decided without a sine.
+/// Whether it is `angle` [rad] or more below the horizon, by sine and cosine.
+bool below_by_sine(float angle, const Sighting& sighting);
+/// The same; most cases are decided by bounds of the tangent.
 inline bool below(float angle, const Sighting& sighting) {
   if (angle <= 0) return true;
-  if (angle >= kPi / 2) return false;
-  if (angle >= kPi / 4 && sighting.height * sighting.height < sighting.square) return false;
-  const SinCos edge = sin_cos(angle);
-  return sighting.height * edge.cos >= std::sqrt(sighting.square) * edge.sin;
+  const float height = sighting.height * sighting.height;
+  if (angle >= kPi / 4) return height >= sighting.square && below_by_sine(angle, sighting);
+  // angle <= tan(angle), and up to 0.6 at most angle (1 + 0.4 angle²)
+  const float square = angle * angle, more = 1 + 0.4f * square;
+  const float least = square * sighting.square;
+  if (height < least) return false;
+  return (square <= 0.36f && height >= more * more * least) || below_by_sine(angle, sighting);
 }
 
 /// cos² of half of `width` [rad], at most 3.1; a series of the quarter, which is below π/4, to 1e-7.
@@ -54,6 +59,21 @@ inline bool in_view(const Camera& camera, const Body& body, Vec2 look, float far
   if (ahead <= 0 || sighting.square > farthest * farthest) return false;
   return ahead * ahead >= squared_cosine_of_half(camera.width) * sighting.square &&
          below(camera.upper_edge + body.head_pitch, sighting) && !below(camera.lower_edge + body.head_pitch, sighting);
+}
+
+/// The same question for many things on the ground: where there the edges of the image lie.
+struct Window {
+  Vec2 look;
+  float squared_cosine;  // of half of the width
+  float nearest;         // [m²] squared distance of the lower edge
+  float farthest;        // [m²] likewise of the upper one, or of what is still told apart
+};
+
+Window window_of(const Camera& camera, const Body& body, float farthest);
+inline bool in_view(const Window& window, Vec2 to_it, float square) {
+  const float ahead = dot(to_it, window.look);
+  if (ahead <= 0 || ahead * ahead < window.squared_cosine * square) return false;
+  return window.nearest < square && square <= window.farthest;
 }
 
 /// The probability that something `range` [m] away is detected.

@@ -25,16 +25,17 @@ struct Information {
 };
 Information look_at_marks(const Means& means, const Body& body) {
   const Localisation& model = means.model.localisation;
-  const Camera& camera = means.model.camera;
   Information information;
   if (!has_eyes(body)) return information;
-  const Vec2 look = look_of(body);
+  const Window window = window_of(means.model.camera, body, model.mark_range);
+  const float per_metre = 1 / model.mark_range;
   for (int i = 0; i < means.marks.count; ++i) {
-    const Sighting mark = sighting_of(body, means.marks.marks[i].position, camera.height);
-    if (!in_view(camera, body, look, model.mark_range, mark)) continue;
-    const float detected = model.mark_near * (1 - std::sqrt(mark.square) / model.mark_range);
+    const Vec2 to_mark = means.marks.marks[i].position - body.position;
+    const float square = squared_length(to_mark);
+    if (!in_view(window, to_mark, square)) continue;
+    const float detected = model.mark_near * (1 - std::sqrt(square) * per_metre);
     // the deviation doubles from the feet to 1 m and grows with the square from there
-    information.position += detected / squared(model.mark_deviation * 0.5f * (1 + mark.square));
+    information.position += detected / squared(model.mark_deviation * 0.5f * (1 + square));
     information.heading += detected;
   }
   information.heading /= squared(model.mark_deviation_heading);
@@ -107,11 +108,11 @@ Pose2 true_pose(const World& world, int robot) {
   return attack_sign(world, side_of(robot)) > 0 ? pose : turned_round(pose);
 }
 
-void look_round(const Means& means, const World& world, int robot, float duration, agent::Pose& belief,
+void look_round(const Means& means, const World& world, int robot, Tick steps, agent::Pose& belief,
                 Cognition& cognition) {
-  cognition.since_look = 0;
   look(means, world, robot, belief, cognition);
-  if (means.effects.pose_flips) flip(means.model.localisation, world, robot, duration, belief, cognition);
+  if (!means.effects.pose_flips) return;
+  flip(means.model.localisation, world, robot, static_cast<float>(steps) * kTickDuration, belief, cognition);
 }
 
 }  // namespace sim::perception

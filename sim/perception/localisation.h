@@ -22,9 +22,9 @@ struct Odometry {
 /// Where the robot stands. [team_field]
 Pose2 true_pose(const World& world, int robot);
 
-/// Looks at the marks after `duration` [s] without a look. One draw settles all that odometry and the marks did to the
+/// Looks at the marks after `steps` ticks without a look. One draw settles all that odometry and the marks did to the
 /// belief meanwhile; then the robot may turn the field round, or notice that it has.
-void look_round(const Means& means, const World& world, int robot, float duration, agent::Pose& belief,
+void look_round(const Means& means, const World& world, int robot, Tick steps, agent::Pose& belief,
                 Cognition& cognition);
 
 // What each image does, inline because every robot does it every tick. It draws nothing.
@@ -32,20 +32,21 @@ void look_round(const Means& means, const World& world, int robot, float duratio
 /// What the body did since `cognition.last`, by the robot's own reckoning, and moves `last` there.
 inline Odometry read_odometry(const Body& body, Cognition& cognition) {
   Odometry odometry;
-  odometry.moved = cognition.odometry_scale * turned_back(body.position - cognition.last.position, body.facing);
-  odometry.way = length(odometry.moved);
+  if (body.position != cognition.last.position) {
+    odometry.moved = cognition.odometry_scale * turned_back(body.position - cognition.last.position, body.facing);
+    odometry.way = length(odometry.moved);
+  }
   if (body.heading != cognition.last.heading) {
     odometry.turned = cognition.turn_scale * normalized(body.heading - cognition.last.heading);
-    const SinCos turn = sin_cos(odometry.turned);
-    odometry.turn = {turn.cos, turn.sin};
+    odometry.turn = direction_of_small(odometry.turned);
   }
   cognition.last = {body.position, body.heading};
   return odometry;
 }
 
-/// Moves the belief by `odometry`; looks at the marks when it is time, half a tick early counting as on time.
-inline void localise(const Means& means, const World& world, int robot, Tick steps, const Odometry& odometry,
-                     agent::Pose& belief, Cognition& cognition) {
+/// Moves the belief by `odometry`; looks at the marks in the first image of each `mark_interval` of the game's clock.
+[[gnu::always_inline]] inline void localise(const Means& means, const World& world, int robot, Tick steps,
+                                            const Odometry& odometry, agent::Pose& belief, Cognition& cognition) {
   if (!means.effects.odometry_drift) {
     belief = {.pose = true_pose(world, robot)};
     return;
@@ -60,11 +61,9 @@ inline void localise(const Means& means, const World& world, int robot, Tick ste
     cognition.walked += odometry.way;
   }
 
-  const Tick since = cognition.since_look + steps;
-  cognition.since_look = static_cast<std::uint8_t>(since < 255 ? since : 255);
-  const float duration = static_cast<float>(since) * kTickDuration;
-  if (duration >= means.model.localisation.mark_interval - 0.5f * kTickDuration)
-    look_round(means, world, robot, duration, belief, cognition);
+  const Tick interval = ticks(means.model.localisation.mark_interval);
+  if (world.tick % interval < steps)
+    look_round(means, world, robot, steps < interval ? interval : steps, belief, cognition);
 }
 
 }  // namespace sim::perception

@@ -19,7 +19,7 @@ void draw_odometry(const Localisation& model, const World& world, int robot, Cog
 /// Off by as much as somebody who was put down by hand.
 agent::Pose rough_pose(const Localisation& model, const World& world, int robot) {
   agent::Pose belief{true_pose(world, robot), model.start_deviation, model.start_deviation_heading};
-  // of this event, because no look at the marks draws in the tick in which a robot enters
+  // of this event: what a look at the marks in the same tick drew is forgotten now
   const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::pose_correction, world.tick);
   const auto shift = normals(words[0], words[1]);
   const auto twist = normals(words[2], words[3]);
@@ -37,7 +37,6 @@ void enter(const Means& means, const World& world, int robot, agent::Beliefs& be
   cognition.last = {body.position, body.heading};
   cognition.walked = 0;
   cognition.turned = 0;
-  cognition.since_look = 0;
   cognition.flipped = false;
   if (!means.effects.odometry_drift) return;
   draw_odometry(means.model.localisation, world, robot, cognition);

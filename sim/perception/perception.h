@@ -1,6 +1,8 @@
 // The cognitive controller: world → beliefs.
 #pragma once
 
+#include <cstdint>
+
 #include "sim/agent/beliefs.h"
 #include "sim/agent/mind.h"
 #include "sim/field/field.h"
@@ -35,14 +37,16 @@ void perceive(const Means& means, const World& world, int robot, Tick steps, age
 
 /// What the robot would tell its team now.
 agent::Mate packet_of(const agent::Beliefs& beliefs, const agent::Mind& mind, bool penalised, Tick now);
-/// Whether it may and wants to send: the year's interval, and an even share of what is left of the budget.
-/// `sent` [packets] by the team so far, `remaining` [s] of the game.
-bool sends(const field::Rules& rules, const Effects& effects, const Cognition& cognition, int sent, float remaining,
-           Tick now);
+/// When a robot that sent at `last` may and wants to send again: after the year's interval, and with an even share of
+/// what is left of the budget; kNever when nothing is. `sent` [packets] by the team so far, `remaining` [s] of the game.
+Tick next_packet(const field::Rules& rules, const Effects& effects, Tick last, int sent, float remaining);
 /// [ticks] from sending to arriving; an event of the sender.
 Tick delay_of(const Model& model, const Effects& effects, const World& world, int sender);
-/// Puts a packet of `sender` into the beliefs of `receiver`, unless it is lost on the way to it.
-void receive(const Model& model, const Effects& effects, const World& world, const agent::Mate& packet, int sender,
-             int receiver, agent::Beliefs& beliefs);
+/// To whom a packet of `sender` that arrives now is lost, each on his own: bit i is player i's.
+std::uint32_t deaf_players(const Model& model, const Effects& effects, const World& world, int sender);
+/// Puts a packet of `sender` into the beliefs of its teammate `receiver`.
+inline void receive(const agent::Mate& packet, int sender, int receiver, agent::Beliefs& beliefs) {
+  beliefs.mates[sender < receiver ? player_of(sender) - 1 : player_of(sender) - 2] = packet;
+}
 
 }  // namespace sim::perception

@@ -23,15 +23,16 @@ agent::Mate packet_of(const agent::Beliefs& beliefs, const agent::Mind& mind, bo
   return packet;
 }
 
-bool sends(const field::Rules& rules, const Effects& effects, const Cognition& cognition, int sent, float remaining,
-           Tick now) {
-  if (!effects.packet_limit) return true;
-  const float silent = age(now, cognition.packet.sent);
-  // half a tick early is on time
-  if (silent < rules.message_interval - 0.5f * kTickDuration) return false;
-  if (rules.message_budget == 0) return true;
-  const int left = rules.message_budget - kHeldBack - sent;
-  return left > 0 && silent * static_cast<float>(left) >= remaining * static_cast<float>(rules.players);
+Tick next_packet(const field::Rules& rules, const Effects& effects, Tick last, int sent, float remaining) {
+  if (!effects.packet_limit) return last + 1;
+  float silence = rules.message_interval;
+  if (rules.message_budget != 0) {
+    const int left = rules.message_budget - kHeldBack - sent;
+    if (left <= 0) return kNever;
+    const float share = remaining * static_cast<float>(rules.players) / static_cast<float>(left);
+    silence = share > silence ? share : silence;
+  }
+  return last + ticks(silence);
 }
 
 Tick delay_of(const Model& model, const Effects& effects, const World& world, int sender) {
@@ -41,15 +42,17 @@ Tick delay_of(const Model& model, const Effects& effects, const World& world, in
   return ticks(model.radio.delay * (times < kLongestDelay ? times : kLongestDelay));
 }
 
-void receive(const Model& model, const Effects& effects, const World& world, const agent::Mate& packet, int sender,
-             int receiver, agent::Beliefs& beliefs) {
-  if (effects.packet_loss) {
-    const Tick number = world.tick * kMaxRobots + static_cast<Tick>(sender);
-    const auto words = draw(world.key, static_cast<std::uint32_t>(receiver), Event::packet_loss, number);
-    if (uniform(words[0]) < model.radio.loss) return;
+std::uint32_t deaf_players(const Model& model, const Effects& effects, const World& world, int sender) {
+  if (!effects.packet_loss) return 0;
+  const auto words = draw(world.key, static_cast<std::uint32_t>(sender), Event::packet_loss, world.tick);
+  // 16 bits for each of at most seven players
+  const auto chance = static_cast<std::uint32_t>(model.radio.loss * 0x1p16f);
+  std::uint32_t deaf = 0;
+  for (std::uint32_t player = 1; player <= static_cast<std::uint32_t>(world.players); ++player) {
+    const std::uint32_t luck = words[player / 2] >> (16 * (player % 2)) & 0xffff;
+    deaf |= static_cast<std::uint32_t>(luck < chance) << player;
   }
-  const int from = player_of(sender), to = player_of(receiver);
-  beliefs.mates[from < to ? from - 1 : from - 2] = packet;
+  return deaf;
 }
 
 }  // namespace sim::perception

@@ -14,7 +14,8 @@ void look_for_opponent(const Means& means, const World& world, int robot, int op
 
 inline constexpr Tick kGlance = 5;  // [ticks] between two looks for opponents, who are slow
 
-/// Looks for one opponent in each fifth image in turn; without `limited_view` for all in every image.
+/// Looks for one opponent in each fifth image in turn, or in each image if they are rarer; without `limited_view` for
+/// all in every image.
 inline void look_for_opponents(const Means& means, const World& world, int robot, Tick steps, agent::Beliefs& beliefs) {
   const int first = robot_of(other(side_of(robot)), 1);
   const auto players = static_cast<Tick>(world.players);
@@ -23,10 +24,10 @@ inline void look_for_opponents(const Means& means, const World& world, int robot
       look_for_opponent(means, world, robot, first + static_cast<int>(i), world.tick * kMaxPlayers + i, beliefs);
     return;
   }
-  // whose turn came since the last image
-  for (Tick turn = world.tick; turn != world.tick - steps; --turn)
-    if (turn % kGlance == 0)
-      look_for_opponent(means, world, robot, first + static_cast<int>(turn / kGlance % players), turn, beliefs);
+  // the number of the turn that came since the last image
+  if (steps <= kGlance && world.tick % kGlance >= steps) return;
+  const Tick turn = world.tick / (steps <= kGlance ? kGlance : steps);
+  look_for_opponent(means, world, robot, first + static_cast<int>(turn % players), world.tick, beliefs);
 }
 
 }  // namespace sim::perception

@@ -37,11 +37,6 @@ TEST(Vec2, DirectionAndAngleAreInverse) {
   for_many([](Vec2 a, Vec2) { EXPECT_LT(sim::distance(sim::length(a) * sim::direction(sim::angle_of(a)), a), 4e-6f); });
 }
 
-TEST(Vec2, ADirectionOfASmallAngleIsADirectionLikeAnyOther) {
-  for (float angle = -4; angle < 4; angle += 0.001f)
-    EXPECT_EQ(sim::direction_of_small(angle), sim::direction(angle)) << angle;
-}
-
 TEST(Vec2, DirectionOfSmallIsTheSameToTheBit) {
   for (int i = -4000; i <= 4000; ++i) {
     const float angle = static_cast<float>(i) * 0.0005f;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "sim/perception/image.h"
 #include "tests/sim/perception/scene.h"
 
 namespace sim::perception {

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
+#include "sim/perception/image.h"
 #include "tests/sim/perception/scene.h"
 
 namespace sim::perception {
@@ -22,6 +24,23 @@ Pose2 error_of(const Scene& scene) {
   const Pose2 truth = true_pose(scene.world, Scene::kRobot);
   const Pose2& belief = scene.beliefs.pose.pose;
   return {belief.position - truth.position, normalized(belief.heading - truth.heading)};
+}
+
+TEST(Localisation, AWindowShowsWhatIsInView) {
+  Scene scene;
+  const Camera& camera = scene.model.camera;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> metres(-3, 3), yaws(-2, 2), pitches(-1.5f, 1);
+  int seen = 0;
+  for (int i = 0; i < 20000; ++i) {
+    scene.stand({metres(random), metres(random)}, metres(random));
+    scene.look(yaws(random), pitches(random));
+    const Sighting mark = sighting_of(scene.body(), {metres(random), metres(random)}, camera.height);
+    const bool shown = in_view(window_of(camera, scene.body(), 2.5f), mark.to_it, mark.square);
+    ASSERT_EQ(shown, in_view(camera, scene.body(), look_of(scene.body()), 2.5f, mark)) << "case " << i;
+    seen += shown ? 1 : 0;
+  }
+  EXPECT_GT(seen, 500);
 }
 
 /// Walks round on the field, to and fro, looking about.

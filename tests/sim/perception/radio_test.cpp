@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/sim/perception/scene.h"
@@ -18,17 +19,19 @@ field::Rules rules_of(int players, int budget) {
 /// All robots of a team send when they may; how many packets that are in a game of `duration` [s].
 int play(const field::Rules& rules, float duration) {
   const Effects effects = all_effects();
-  Cognition cognitions[kMaxPlayers];
+  Tick due[kMaxPlayers] = {}, last[kMaxPlayers];
+  std::fill_n(last, kMaxPlayers, kNever);
   int sent = 0;
   for (Tick now = 0; now < ticks(duration); ++now) {
     const float remaining = duration - static_cast<float>(now) * kTickDuration;
     for (int i = 0; i < rules.players; ++i) {
-      if (!sends(rules, effects, cognitions[i], sent, remaining, now)) continue;
-      if (cognitions[i].packet.sent != kNever) {
-        EXPECT_GE(now - cognitions[i].packet.sent, ticks(rules.message_interval));
+      if (now < due[i]) continue;
+      if (last[i] != kNever) {
+        EXPECT_GE(now - last[i], ticks(rules.message_interval));
       }
-      cognitions[i].packet.sent = now;
+      last[i] = now;
       ++sent;
+      due[i] = next_packet(rules, effects, now, sent, remaining);
     }
   }
   return sent;
@@ -49,9 +52,11 @@ TEST(Radio, WithoutABudgetOnlyTheIntervalLimits) { EXPECT_NEAR(play(rules_of(4, 
 TEST(Radio, WithoutLimitsEveryDecisionIsTold) {
   Effects effects = all_effects();
   effects.packet_limit = false;
-  Cognition cognition;
-  cognition.packet.sent = 99;
-  EXPECT_TRUE(sends(rules_of(4, 1200), effects, cognition, 5000, 0, 100));
+  EXPECT_EQ(next_packet(rules_of(4, 1200), effects, 99, 5000, 0), 100u);
+}
+
+TEST(Radio, WhoHasNothingLeftIsSilent) {
+  EXPECT_EQ(next_packet(rules_of(4, 1200), all_effects(), 99, 1200, 600), kNever);
 }
 
 TEST(Radio, APacketTellsWhatTheRobotBelieves) {
@@ -78,8 +83,6 @@ TEST(Radio, APacketTellsWhatTheRobotBelieves) {
 }
 
 TEST(Radio, IsFiledUnderTheSender) {
-  Scene scene;
-  scene.effects.packet_loss = false;
   for (const Side side : {Side::home, Side::away})
     for (int receiver = 1; receiver <= kMaxPlayers; ++receiver) {
       agent::Beliefs beliefs;
@@ -87,31 +90,36 @@ TEST(Radio, IsFiledUnderTheSender) {
         if (sender == receiver) continue;
         agent::Mate packet;
         packet.sent = static_cast<Tick>(sender);
-        receive(scene.model, scene.effects, scene.world, packet, robot_of(side, sender), robot_of(side, receiver),
-                beliefs);
+        receive(packet, robot_of(side, sender), robot_of(side, receiver), beliefs);
       }
       for (int i = 0; i < agent::kMaxMates; ++i)
         EXPECT_EQ(beliefs.mates[i].sent, static_cast<Tick>(i + 1 < receiver ? i + 1 : i + 2));
     }
 }
 
-TEST(Radio, LosesPacketsForEachReceiverOnItsOwn) {
+TEST(Radio, LosesPacketsForEachPlayerOnHisOwn) {
   Scene scene;
+  scene.world.players = kMaxPlayers;
   scene.model.radio.loss = 0.2f;
   const int packets = 5000;
-  int lost = 0, both = 0;
+  int lost[kMaxPlayers + 1] = {}, both[kMaxPlayers + 1][kMaxPlayers + 1] = {};
   for (int i = 0; i < packets; ++i) {
     ++scene.world.tick;
-    agent::Mate packet;
-    packet.sent = scene.world.tick;
-    agent::Beliefs second, third;
-    receive(scene.model, scene.effects, scene.world, packet, 0, 1, second);
-    receive(scene.model, scene.effects, scene.world, packet, 0, 2, third);
-    lost += second.mates[0].sent == kNever ? 1 : 0;
-    both += second.mates[0].sent == kNever && third.mates[0].sent == kNever ? 1 : 0;
+    const std::uint32_t deaf = deaf_players(scene.model, scene.effects, scene.world, 0);
+    EXPECT_EQ(deaf & ~0xfeu, 0u);
+    for (int one = 1; one <= kMaxPlayers; ++one) {
+      lost[one] += deaf >> one & 1;
+      for (int two = 1; two <= kMaxPlayers; ++two) both[one][two] += deaf >> one & deaf >> two & 1;
+    }
   }
-  EXPECT_NEAR(static_cast<float>(lost) / packets, 0.2f, 0.02f);
-  EXPECT_NEAR(static_cast<float>(both) / packets, 0.04f, 0.01f);
+  for (int one = 1; one <= kMaxPlayers; ++one) {
+    EXPECT_NEAR(static_cast<float>(lost[one]) / packets, 0.2f, 0.02f);
+    for (int two = 1; two < one; ++two) {
+      EXPECT_NEAR(static_cast<float>(both[one][two]) / packets, 0.04f, 0.01f);
+    }
+  }
+  scene.effects.packet_loss = false;
+  EXPECT_EQ(deaf_players(scene.model, scene.effects, scene.world, 0), 0u);
 }
 
 TEST(Radio, DelaysAsAnExponentialDoes) {

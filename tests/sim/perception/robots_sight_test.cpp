@@ -37,6 +37,13 @@ TEST(RobotsSight, EachHasItsTurn) {
   scene.beliefs = {};
   for (int i = 0; i < 7; ++i) scene.perceive(3);
   for (int i = 0; i < 4; ++i) EXPECT_NE(scene.beliefs.opponents[i].seen, kNever) << i;
+
+  // nor one that is never anybody's, however rare the images are
+  for (Tick steps = 1; steps <= 15; ++steps) {
+    scene.beliefs.opponents[0] = scene.beliefs.opponents[3] = {};
+    for (Tick i = 0; i < 4 * kGlance; ++i) scene.perceive(steps);
+    for (const int i : {0, 3}) EXPECT_NE(scene.beliefs.opponents[i].seen, kNever) << i << ' ' << steps;
+  }
 }
 
 TEST(RobotsSight, WithoutLimitsAllAreSeenAllTheTime) {
