@@ -52,34 +52,40 @@ float remaining(const Params& params, const referee::Book& book) {
   return halves * params.rules.half_duration - static_cast<float>(book.clock) * kTickDuration;
 }
 
+/// To the teammates that hear it; and from now on the sender waits until it may send again.
 void deliver(const Params& params, State& state, int sender) {
   const Models& models = team_of(params, sender).models;
+  const Side side = side_of(sender);
+  const std::uint32_t deaf = perception::deaf_players(models.perception, models.effects, state.world, sender);
   perception::Cognition& cognition = state.robots[sender].cognition;
-  cognition.packet_due = kNever;
-  for_each_robot(state.world.players, [&](int receiver) {
-    if (receiver != sender && side_of(receiver) == side_of(sender))
-      perception::receive(models.perception, models.effects, state.world, cognition.packet, sender, receiver,
-                          state.robots[receiver].beliefs);
-  });
+  for (int player = 1; player <= state.world.players; ++player) {
+    const int receiver = robot_of(side, player);
+    if (receiver == sender || (deaf >> player & 1) != 0) continue;
+    perception::receive(cognition.packet, sender, receiver, state.robots[receiver].beliefs);
+  }
+  cognition.on_air = false;
+  cognition.radio_due =
+      perception::next_packet(params.rules, models.effects, cognition.packet.sent,
+                              state.book.packets[static_cast<int>(side)], remaining(params, state.book));
 }
 
 /// What is on its way arrives; whoever had his turn, or waits beside the field, may send anew.
 void talk(const Params& params, State& state, int robot) {
   const Tick now = state.world.tick;
   Robot& self = state.robots[robot];
-  if (self.cognition.packet_due <= now) deliver(params, state, robot);
+  perception::Cognition& cognition = self.cognition;
+  if (now < cognition.radio_due) return;
+  if (cognition.on_air) deliver(params, state, robot);
 
   const bool penalised = !on_field(state.world, robot);
-  if ((!has_turn(self) && !penalised) || self.cognition.packet_due != kNever) return;
+  if ((!has_turn(self) && !penalised) || now < cognition.radio_due) return;
 
   const Models& models = team_of(params, robot).models;
-  std::uint16_t& sent = state.book.packets[static_cast<int>(side_of(robot))];
-  if (!perception::sends(params.rules, models.effects, self.cognition, sent, remaining(params, state.book), now))
-    return;
-  ++sent;
-  self.cognition.packet = perception::packet_of(self.beliefs, self.mind, penalised, now);
-  self.cognition.packet_due = now + perception::delay_of(models.perception, models.effects, state.world, robot);
-  if (self.cognition.packet_due == now) deliver(params, state, robot);
+  ++state.book.packets[static_cast<int>(side_of(robot))];
+  cognition.packet = perception::packet_of(self.beliefs, self.mind, penalised, now);
+  cognition.on_air = true;
+  cognition.radio_due = now + perception::delay_of(models.perception, models.effects, state.world, robot);
+  if (cognition.radio_due == now) deliver(params, state, robot);
 }
 
 /// Everybody who has his turn moves, up to his next.
