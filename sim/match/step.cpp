@@ -15,34 +15,53 @@ using Doing = Body::Doing;
 
 bool on_field(const World& world, int robot) { return world.bodies[robot].doing != Doing::removed; }
 
-/// Of this tick: it has decided and will move.
-bool has_turn(const Robot& robot) { return robot.rest == robot.lag; }
-
 const Team& team_of(const Params& params, int robot) { return params.teams[static_cast<int>(side_of(robot))]; }
 
 /// Ball and contacts are the home side's.
 const Models& common(const Params& params) { return params.teams[0].models; }
 
-perception::Means perceiving(const Params& params, int robot) {
-  const Models& own = team_of(params, robot).models;
-  return {own.perception, own.effects, params.rules.field, params.marks, common(params).contact, common(params).ball};
-}
+/// What the robots of a side sense, decide and move with.
+struct Means {
+  const Team& team;
+  perception::Means perceiving;
+  motion::Means moving;
+  agent::Surroundings surroundings;
+};
 
-motion::Means moving(const Params& params, int robot) {
-  const Models& own = team_of(params, robot).models;
-  return {own.motion, own.effects, common(params).ball};
+Means means_of(const Params& params, Side side) {
+  const Team& team = params.teams[static_cast<int>(side)];
+  const Models& own = team.models;
+  const BallModel& ball = common(params).ball;
+  return {team,
+          {own.perception, own.effects, params.rules.field, params.marks, common(params).contact, ball},
+          {own.motion, own.effects, ball},
+          {&params.rules.field, &own.motion}};
 }
 
 referee::Means judging(const Params& params) { return {params.rules, common(params).ball, common(params).contact}; }
 
+/// Robots on the field whose turn it is.
+struct Turns {
+  int count = 0;
+  std::uint8_t robots[kMaxRobots];
+};
+
+Turns turns_of(const State& state) {
+  Turns turns;
+  for_each_robot(state.world.players, [&](int robot) {
+    if (state.robots[robot].rest == 0 && on_field(state.world, robot))
+      turns.robots[turns.count++] = static_cast<std::uint8_t>(robot);
+  });
+  return turns;
+}
+
 /// Beliefs from the world, a command from the beliefs, and when it is its turn again.
-void think(const Params& params, State& state, int robot, agent::Trace* trace) {
+void think(const Params& params, const Means& means, State& state, int robot, agent::Trace* trace) {
   Robot& self = state.robots[robot];
-  const Team& team = team_of(params, robot);
-  perception::perceive(perceiving(params, robot), state.world, robot, self.lag, self.beliefs, self.cognition);
+  perception::perceive(means.perceiving, state.world, robot, self.lag, self.beliefs, self.cognition);
   const agent::Game game = referee::game_for(params.rules, state.world, state.book, robot);
-  self.command = team.behaviour->decide({&params.rules.field, &team.models.motion}, game, self.beliefs,
-                                        state.world.tick, self.mind, trace);
+  self.command =
+      means.team.behaviour->decide(means.surroundings, game, self.beliefs, state.world.tick, self.mind, trace);
   self.rest = self.lag = static_cast<std::uint8_t>(ticks_to_next_turn(params, state, robot));
 }
 
@@ -69,49 +88,37 @@ void deliver(const Params& params, State& state, int sender) {
                               state.book.packets[static_cast<int>(side)], remaining(params, state.book));
 }
 
-/// What is on its way arrives; whoever had his turn, or waits beside the field, may send anew.
-void talk(const Params& params, State& state, int robot) {
-  const Tick now = state.world.tick;
+void send(const Params& params, State& state, int robot) {
   Robot& self = state.robots[robot];
-  perception::Cognition& cognition = self.cognition;
-  if (now < cognition.radio_due) return;
-  if (cognition.on_air) deliver(params, state, robot);
-
-  const bool penalised = !on_field(state.world, robot);
-  if ((!has_turn(self) && !penalised) || now < cognition.radio_due) return;
-
+  const Tick now = state.world.tick;
   const Models& models = team_of(params, robot).models;
   ++state.book.packets[static_cast<int>(side_of(robot))];
-  cognition.packet = perception::packet_of(self.beliefs, self.mind, penalised, now);
-  cognition.on_air = true;
-  cognition.radio_due = now + perception::delay_of(models.perception, models.effects, state.world, robot);
-  if (cognition.radio_due == now) deliver(params, state, robot);
+  self.cognition.packet = perception::packet_of(self.beliefs, self.mind, !on_field(state.world, robot), now);
+  self.cognition.on_air = true;
+  self.cognition.radio_due = now + perception::delay_of(models.perception, models.effects, state.world, robot);
 }
 
-/// Everybody who has his turn moves, up to his next.
-void move_all(const Params& params, State& state) {
-  World& world = state.world;
-  world.touched = world.kicked = world.whiffed = kNobody;
-  for_each_robot(world.players, [&](int robot) {
-    const Robot& self = state.robots[robot];
-    if (on_field(world, robot) && has_turn(self))
-      motion::move(moving(params, robot), self.command, robot, self.lag, world);
-  });
+/// What is on its way arrives; then the robot may send, if it is its turn or it waits beside the field. What comes
+/// without delay arrives at once.
+void talk(const Params& params, State& state, int robot) {
+  const Robot& self = state.robots[robot];
+  const auto is_due = [&] { return self.cognition.radio_due <= state.world.tick; };
+  if (self.cognition.on_air) deliver(params, state, robot);
+  const bool has_turn = self.rest == self.lag;
+  if (!is_due() || (!has_turn && on_field(state.world, robot))) return;
+  send(params, state, robot);
+  if (is_due()) deliver(params, state, robot);
 }
 
-/// The referee's decisions, and what follows from them for what robots know.
+/// The referee's decisions; whoever comes onto the field begins anew, after half time that is everybody.
 void judge(const Params& params, State& state, referee::Events& events) {
-  bool was_away[kMaxRobots];
-  for (int robot = 0; robot < kMaxRobots; ++robot) was_away[robot] = !on_field(state.world, robot);
-  const float attacked = state.world.home_attacks;
-
   referee::judge(judging(params), state.world, state.book, state.tally, events);
-
-  // whoever comes onto the field begins anew; after half time that is everybody
-  const bool changed_ends = state.world.home_attacks != attacked;
-  for_each_robot(state.world.players, [&](int robot) {
-    if (on_field(state.world, robot) && (was_away[robot] || changed_ends)) enter(params, state, robot);
-  });
+  for (int i = 0; i < events.count; ++i) {
+    const referee::Event& event = events.list[static_cast<std::size_t>(i)];
+    if (event.kind == referee::Event::Kind::returned) enter(params, state, event.robot);
+    if (event.kind == referee::Event::Kind::half_time)
+      for_each_robot(state.world.players, [&](int robot) { enter(params, state, robot); });
+  }
 }
 
 }  // namespace
@@ -122,7 +129,7 @@ void enter(const Params& params, State& state, int robot) {
   // a robot in a mirror begins to search the other way
   const float sign = attack_sign(state.world, side_of(robot));
   self.mind.search_side = std::copysign(1.f, sign * state.world.bodies[robot].position.y);
-  perception::enter(perceiving(params, robot), state.world, robot, self.beliefs, self.cognition);
+  perception::enter(means_of(params, side_of(robot)).perceiving, state.world, robot, self.beliefs, self.cognition);
 }
 
 State begin(const Params& params, RandomKey key, referee::Events& events) {
@@ -138,27 +145,39 @@ State begin(const Params& params, RandomKey key, referee::Events& events) {
 void step(const Params& params, State& state, referee::Events& events, int traced, agent::Trace* trace) {
   World& world = state.world;
   events.count = 0;
+  const Means means[] = {means_of(params, Side::home), means_of(params, Side::away)};
+  const auto means_for = [&](int robot) -> const Means& { return means[static_cast<int>(side_of(robot))]; };
 
   // everybody whose turn it is perceives and decides on the same world: nobody has moved yet
+  const Turns turns = turns_of(state);
+  for (int i = 0; i < turns.count; ++i) {
+    const int robot = turns.robots[i];
+    think(params, means_for(robot), state, robot,
+          traced == kEverybody ? trace + robot
+          : traced == robot    ? trace
+                               : nullptr);
+  }
   for_each_robot(world.players, [&](int robot) {
-    if (on_field(world, robot) && state.robots[robot].rest == 0)
-      think(params, state, robot, traced == kEverybody ? trace + robot : traced == robot ? trace : nullptr);
+    if (state.robots[robot].cognition.radio_due <= world.tick) talk(params, state, robot);
   });
-  for_each_robot(world.players, [&](int robot) { talk(params, state, robot); });
 
-  // bodies and ball move on by a tick
-  move_all(params, state);
+  // bodies move up to their next turn, contacts and ball by a tick
+  world.touched = world.kicked = world.whiffed = kNobody;
+  for (int i = 0; i < turns.count; ++i) {
+    const int robot = turns.robots[i];
+    motion::move(means_for(robot).moving, state.robots[robot].command, robot, state.robots[robot].lag, world);
+  }
   keep_bodies_apart(params.rules.field, common(params).contact, world);
   if (common(params).effects.official) walk_official(params.rules.field, world);
   roll(world.ball, common(params).ball.deceleration, common(params).ball.stop_speed, kTickDuration);
   bounce_ball(params.rules.field, common(params).ball, common(params).contact, common(params).effects, world);
 
   judge(params, state, events);
+  const bool playing = referee::in_play(state.book);
   for_each_robot(world.players, [&](int robot) {
     Robot& self = state.robots[robot];
-    if (self.rest > 0) --self.rest;
-    if (state.book.phase == agent::Game::Phase::playing && on_field(world, robot) && self.beliefs.ball.visible)
-      ++state.tally.seen[robot];
+    self.rest = static_cast<std::uint8_t>(self.rest - (self.rest > 0));
+    state.tally.seen[robot] += playing && self.beliefs.ball.visible && on_field(world, robot);
   });
   ++world.tick;
 }
