@@ -71,8 +71,9 @@ struct Window {
 
 Window window_of(const Camera& camera, const Body& body, float farthest);
 inline bool in_view(const Window& window, Vec2 to_it, float square) {
+  // with the sign of `ahead` kept: behind or beside is one question, which the processor foresees
   const float ahead = dot(to_it, window.look);
-  if (ahead <= 0 || ahead * ahead < window.squared_cosine * square) return false;
+  if (ahead * std::fabs(ahead) < window.squared_cosine * square) return false;
   return window.nearest < square && square <= window.farthest;
 }
 
