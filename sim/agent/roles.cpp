@@ -84,7 +84,9 @@ void assign_role(const View& view, Mind& mind) {
 
   // those farthest back defend
   all[chaser] = all[--count];
-  const int defenders = static_cast<int>(roles.defenders * static_cast<float>(count) + 0.5f);
+  const float share = roles.defenders * static_cast<float>(count);
+  const int whole = static_cast<int>(share);
+  const int defenders = share - static_cast<float>(whole) >= 0.5f ? whole + 1 : whole;
   for (int i = 0; i < count; ++i) {
     int behind = 0;
     for (int k = 0; k < count; ++k) behind += k != i && farther_back(all[k], all[i]);

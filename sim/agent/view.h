@@ -75,8 +75,8 @@ constexpr float clamp(float value, float least, float most) {
 }
 /// `a` made 1 long; {1, 0} of the zero vector.
 inline Vec2 unit(Vec2 a) {
-  const float long_ = length(a);
-  return long_ > 1e-6f ? (1 / long_) * a : Vec2{1, 0};
+  const float size = length(a);
+  return size > 1e-6f ? (1 / size) * a : Vec2{1, 0};
 }
 /// Turned by a right angle to the left.
 constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
