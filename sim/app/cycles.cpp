@@ -11,8 +11,8 @@ constexpr int kTries = 5;
 constexpr int kRounds = 20'000;
 constexpr int kAdditions = 32;  // in a round: the loop's own counting runs beside them
 
-/// An addition that the compiler cannot see through.
-inline void add(std::uint64_t& sum, std::uint64_t number) {
+/// An addition as wide as a register, which the compiler cannot see through.
+inline void add(std::uintptr_t& sum, std::uintptr_t number) {
   sum += number;
   asm volatile("" : "+r"(sum));
 }
@@ -26,8 +26,8 @@ std::uint64_t computed_ns() {
 }
 
 double cycles_per_ns() {
-  std::uint64_t best = ~std::uint64_t{0}, sum = 0;
-  std::uint64_t step = 3;
+  std::uint64_t best = ~std::uint64_t{0};
+  std::uintptr_t sum = 0, step = 3;
   asm volatile("" : "+r"(step));
   for (int i = 0; i < kTries; ++i) {
     const std::uint64_t begin = computed_ns();

@@ -1,9 +1,11 @@
 // foresight-sim match: a game, or a series of them.
 #include <cstdio>
+#include <functional>
 #include <optional>
 
 #include "sim/app/commands.h"
 #include "sim/app/game_file.h"
+#include "sim/app/game_line.h"
 #include "sim/app/game_report.h"
 #include "sim/app/progress.h"
 
@@ -79,7 +81,12 @@ class MatchCommand final : public Command {
         .add_option("--games", games_, "how many, with one seed after the other")
         ->check(CLI::Range(1, kMostGames))
         ->capture_default_str();
+    options()
+        .add_option("--threads", threads_, "how many of several games at once; 0: as many as there are processors")
+        ->check(CLI::Range(0, 256))
+        ->capture_default_str();
     options().add_flag("--json", json_, "report as JSON");
+    options().add_flag("--lines", lines_, "of each game a line of JSON, with what robots believed beside what was so");
     options().add_option("--mcap", mcap_, "new file for a recording of the game: truth, beliefs and decisions");
     options()
         .add_option("--home-team", teams_.home, "team number in the recording")
@@ -92,11 +99,13 @@ class MatchCommand final : public Command {
   }
 
   int run() override {
+    if (!mcap_.empty() && lines_) return fail("--mcap and --lines do not go together");
     if (!mcap_.empty() && games_ > 1) return fail("--mcap records one game, got --games " + std::to_string(games_));
     if (teams_.home == teams_.away)
       return fail("the teams must have different numbers, got " + std::to_string(teams_.home) + " twice");
     const auto setup = io::prepare(choice_.choice());
     if (!setup) return fail(setup.error());
+    if (lines_) return run_lines(setup->params);
     return games_ > 1 ? run_many(setup->params) : run_one(setup->params);
   }
 
@@ -128,16 +137,9 @@ class MatchCommand final : public Command {
 
   int run_many(const Params& params) {
     std::vector<GameReport> reports(static_cast<std::size_t>(games_));
-    {
-      Progress progress("playing", static_cast<std::uint64_t>(games_));
-      for_each_game(
-          games_, threads_for(games_),
-          [&](int game) {
-            const std::uint64_t seed = seed_ + static_cast<std::uint64_t>(game);
-            reports[static_cast<std::size_t>(game)] = {.seed = seed, .result = play_game(params, {.seed = seed})};
-          },
-          [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
-    }
+    play_all([&](int game, std::uint64_t seed) {
+      reports[static_cast<std::size_t>(game)] = {.seed = seed, .result = play_game(params, {.seed = seed})};
+    });
     if (json_)
       std::printf("%s\n", to_json(reports, params.rules.players).dump(2).c_str());
     else
@@ -145,10 +147,26 @@ class MatchCommand final : public Command {
     return kDone;
   }
 
+  int run_lines(const Params& params) {
+    std::vector<std::string> lines(static_cast<std::size_t>(games_));
+    play_all([&](int game, std::uint64_t seed) { lines[static_cast<std::size_t>(game)] = game_line(params, seed); });
+    for (const std::string& line : lines) std::fputs(line.c_str(), stdout);
+    return kDone;
+  }
+
+  /// Calls play(game, seed) for each game.
+  void play_all(const std::function<void(int, std::uint64_t)>& play) const {
+    Progress progress("playing", static_cast<std::uint64_t>(games_));
+    for_each_game(
+        games_, threads_ > 0 ? threads_ : threads_for(games_),
+        [&](int game) { play(game, seed_ + static_cast<std::uint64_t>(game)); },
+        [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
+  }
+
   ChoiceOptions choice_;
   std::uint64_t seed_ = 1;
-  int games_ = 1;
-  bool json_ = false;
+  int games_ = 1, threads_ = 0;
+  bool json_ = false, lines_ = false;
   std::string mcap_;
   robot::agent::TeamNumbers teams_;
 };

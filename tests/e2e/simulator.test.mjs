@@ -40,6 +40,24 @@ test("the same seed is the same game, another one another", async () => {
   assert.notDeepEqual(one.events, other.events);
 });
 
+test("a line is a game's report, and what robots believed beside what was so", async () => {
+  const lines = async (...args) => (await sim("match", ...kShort, "--lines", "--threads", "2", ...args)).stdout.trim().split("\n").map(JSON.parse);
+  const [[first, second], [perfect], report] = await Promise.all([
+    lines("--seed", "7", "--games", "2"),
+    lines("--seed", "7", "--models", "perfect"),
+    json("match", ...kShort, "--seed", "8"),
+  ]);
+  assert.deepEqual([first.seed, second.seed], [7, 8]);
+  for (const key of ["score", "seconds", "in_play_seconds"]) assert.deepEqual(second[key], report[key]);
+  for (const side of ["home", "away"]) {
+    for (const [key, value] of Object.entries(report[side])) assert.equal(second[side][key], value, key);
+    assert.ok(second[side].ball_error > 0 && second[side].pose_error > 0);
+    for (const key of ["moving_ball_error", "pose_error", "flipped", "down", "shifting"]) assert.equal(perfect[side][key], 0, key);
+  }
+  const goal = report.events.find((event) => event.kind === "goal");
+  assert.equal(second.first_goal_seconds, goal ? goal.tick / 30 : null);
+});
+
 test("a series is its games", async () => {
   const [series, one] = await Promise.all([json("match", ...kShort, "--seed", "7", "--games", "3"), json("match", ...kShort, "--seed", "8")]);
   assert.deepEqual(series.scores.map(({ seed }) => seed), [7, 8, 9]);

@@ -1,0 +1,63 @@
+// sim_cost [GAMES]: what a spl2012 game and a State cost, with no library but the standard one. One line of JSON.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include "sim/app/cycles.h"
+#include "sim/io/setup.h"
+#include "sim/match/play.h"
+
+namespace {
+
+using namespace sim;
+
+double median_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// [ns] to copy a state in the middle of a game, from one of many to another.
+double copy_ns(const Params& params) {
+  constexpr std::size_t kStates = 32;  // 256 kB: as rollouts have them, in the second cache
+  constexpr int kCopies = 1'000'000;
+  referee::Events events;
+  State state = begin(params, {.seed = 1}, events);
+  play_on(params, state, 3000);
+  std::vector<State> states(kStates, state);
+  const std::uint64_t begin = app::computed_ns();
+  for (std::size_t i = 0; i < kCopies; ++i) {
+    states[(7 * i + 1) % kStates] = states[i % kStates];
+    asm volatile("" : : "r"(states.data()) : "memory");
+  }
+  return static_cast<double>(app::computed_ns() - begin) / kCopies;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const int games = count > 1 ? std::atoi(words[1]) : 20;
+  if (games < 1 || count > 2) {
+    std::fprintf(stderr, "sim_cost: expected how many games, at least 1, got '%s'\n", count > 1 ? words[1] : "");
+    return 2;
+  }
+  const auto setup = io::prepare({});
+  if (!setup) {
+    std::fprintf(stderr, "sim_cost: %s\n", setup.error().c_str());
+    return 2;
+  }
+
+  play_game(setup->params, {.seed = 0});  // caches and clock warm
+  std::vector<double> game_ms, cycles;
+  for (int game = 1; game <= games; ++game) {
+    const double clock = app::cycles_per_ns();
+    const std::uint64_t begin = app::computed_ns();
+    const Result result = play_game(setup->params, {.seed = static_cast<std::uint64_t>(game)});
+    const auto ns = static_cast<double>(app::computed_ns() - begin);
+    game_ms.push_back(ns / 1e6);
+    cycles.push_back(ns * clock / (2.0 * setup->params.rules.players * result.ticks));
+  }
+  std::printf("{\"games\":%d,\"game_ms\":%g,\"robot_tick_cycles\":%g,\"state_bytes\":%u,\"copy_ns\":%g}\n", games,
+              median_of(game_ms), median_of(cycles), static_cast<unsigned>(sizeof(State)), copy_ns(setup->params));
+  return 0;
+}
