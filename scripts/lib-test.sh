@@ -89,8 +89,8 @@ test_steps() {
     step tests 'viewer' run_vitest || true
   fi
 
-  # the checks have tests too; they need nothing but node
-  step tests 'checks' run_node_tests checks "$root"/tests/check/*.test.mjs || true
+  # the checks have tests too, and the statistics of the benches; they need nothing but node
+  step tests 'checks' run_node_tests checks "$root"/tests/check/*.test.mjs "$root"/tests/bench/*.test.mjs || true
 
   local browser_tests=("$root"/tests/e2e/*.test.mjs)
   if [[ -e ${browser_tests[0]} ]]; then

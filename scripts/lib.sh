@@ -33,6 +33,13 @@ compile_jobs() {
   printf '%s\n' "$jobs"
 }
 
+# build_alone PRESET TARGET: of the simulator alone, with another compiler's flags.
+build_alone() {
+  mkdir -p "$root/build/$1"
+  (cd "$root" && cmake --preset "$1" >"build/$1/configure.log" 2>&1) || { cat "$root/build/$1/configure.log" >&2; return 1; }
+  ninja -C "$root/build/$1" -j "$(compile_jobs)" --quiet "$2"
+}
+
 # Runs a command on fixed addresses where the kernel lets us: GCC's thread sanitizer refuses to start when the kernel
 # places a program's parts at addresses it did not foresee.
 on_fixed_addresses() {

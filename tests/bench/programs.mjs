@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-const programs = fileURLToPath(new URL("../../build/release/bin/", import.meta.url));
+const builds = fileURLToPath(new URL("../../build/", import.meta.url));
 
 /** A folder that goes when we do. */
 export const scratch = mkdtempSync(join(tmpdir(), "foresight-bench."));
@@ -35,10 +35,11 @@ export const command = (name, ...args) => execFileSync(name, args, { encoding: "
 
 /**
  * Starts a program of ours. `before` are words in front of its name (ip netns exec …).
- * `report` becomes the JSON of its last line, `firstLine` its first line.
+ * `output` becomes all it prints, `report` the JSON of its last line, `firstLine` its first line. `preset` is whose
+ * build of it.
  */
-export function start(name, args, before = []) {
-  const words = [...before, programs + name, ...args.map(String)];
+export function start(name, args, before = [], preset = "release") {
+  const words = [...before, join(builds, preset, "bin", name), ...args.map(String)];
   const child = spawn(words[0], words.slice(1), { stdio: ["ignore", "pipe", "inherit"] });
   running.add(child);
   let text = "";
@@ -48,12 +49,13 @@ export function start(name, args, before = []) {
     child.on("close", () => fail(new Error(`${name} ended before it was ready`)));
   });
   firstLine.catch(() => {}); // not everybody waits for it
-  const report = ended.then((code) => {
+  const output = ended.then((code) => {
     if (code !== 0) throw new Error(`${name} ended with status ${code}: ${words.join(" ")}`);
-    return JSON.parse(text.trim().split("\n").at(-1));
+    return text.trim();
   });
-  report.catch(() => {}); // whoever waits for it later gets the error then
-  return { pid: child.pid, firstLine, report, stop: () => child.kill("SIGTERM") };
+  const report = output.then((all) => JSON.parse(all.split("\n").at(-1)));
+  for (const later of [output, report]) later.catch(() => {}); // whoever waits for it later gets the error then
+  return { pid: child.pid, firstLine, output, report, stop: () => child.kill("SIGTERM") };
 }
 
 let sessions = 0;

@@ -54,13 +54,14 @@ export class Report {
     console.log(`   ${machine.cpu}, ${machine.cores} cores, Linux ${machine.kernel}, build ${build()}`);
   }
 
-  /** `bar`: {atMost}, {below}, {atLeast}, {between: [from, to]} or {exactly}. */
+  /** `bar`: {atMost}, {below}, {atLeast}, {above}, {between: [from, to]} or {exactly}. */
   figure(name, value, unit = "", bar = {}) {
     let met;
     let text = "";
     if ("atMost" in bar) [met, text] = [value <= bar.atMost, `<= ${bar.atMost}`];
     if ("below" in bar) [met, text] = [value < bar.below, `< ${bar.below}`];
     if ("atLeast" in bar) [met, text] = [value >= bar.atLeast, `>= ${bar.atLeast}`];
+    if ("above" in bar) [met, text] = [value > bar.above, `> ${bar.above}`];
     if ("between" in bar) [met, text] = [value >= bar.between[0] && value <= bar.between[1], bar.between.join(" .. ")];
     if ("exactly" in bar) [met, text] = [value === bar.exactly, `= ${bar.exactly}`];
     this.#rows.push({ name, value, unit, bar: text, met });

@@ -1,12 +1,15 @@
-// node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N]; see scripts/bench.
+// node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--jobs N]; see scripts/bench.
+import { equivalence } from "./equivalence.mjs";
 import { fanout } from "./fanout.mjs";
 import { half } from "./half.mjs";
 import { interference } from "./interference.mjs";
 import { shaped } from "./shaped.mjs";
+import { sim } from "./sim.mjs";
 import { soak } from "./soak.mjs";
+import { soccer } from "./soccer.mjs";
 import { streaming } from "./streaming.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak };
+const benches = { streaming, half, interference, shaped, fanout, soak, sim, equivalence, soccer };
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};

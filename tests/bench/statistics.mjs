@@ -1,0 +1,35 @@
+// How sure a mean is, whether two are the same, how something grows.
+
+const kNormal = { 90: 1.6449, 95: 1.96 }; // two-sided, for samples of dozens and more
+
+/** Mean and its standard error; of a single value the error is infinite: nothing is known of it. */
+export function meanOf(values) {
+  const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+  const squares = values.reduce((sum, value) => sum + (value - mean) ** 2, 0);
+  return { mean, error: values.length < 2 ? Infinity : Math.sqrt(squares / (values.length - 1) / values.length) };
+}
+
+/** Of a - b, game by game: what the same seed brings both is no difference. */
+export const differenceOf = (a, b) => meanOf(a.map((value, i) => value - b[i]));
+
+/** [from, to] that holds the true mean with so many percent. */
+export const interval = ({ mean, error }, percent) => [mean - kNormal[percent] * error, mean + kNormal[percent] * error];
+
+/**
+ * Equivalent: two one-sided tests at 5 %. The 90 % interval lies within ± margin; `farthest` is its end that is farther
+ * from 0.
+ */
+export function equivalence(difference, margin) {
+  const [from, to] = interval(difference, 90);
+  const farthest = Math.max(Math.abs(from), Math.abs(to));
+  return { from, to, farthest, equivalent: farthest <= margin };
+}
+
+/** k of y ≈ c·x^k, by least squares of the logarithms. */
+export function exponentOf(points) {
+  const logs = points.map((point) => point.map(Math.log));
+  const x = meanOf(logs.map(([each]) => each)).mean;
+  const y = meanOf(logs.map(([, each]) => each)).mean;
+  const covariance = logs.reduce((sum, [logX, logY]) => sum + (logX - x) * (logY - y), 0);
+  return covariance / logs.reduce((sum, [logX]) => sum + (logX - x) ** 2, 0);
+}
