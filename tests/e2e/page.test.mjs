@@ -245,7 +245,7 @@ test("on a phone everything is within reach", async (t) => {
   const server = await robot(t, folder, await synthesize(folder, { seconds: 2 }), "--loop");
   const { page, problems } = await open(t, server.http, { viewport: kPhone, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
   await page.locator("canvas:visible").first().waitFor();
-  for (const view of ["camera", "objects", "rates", "log", "sessions"]) {
+  for (const view of ["field", "camera", "objects", "rates", "log", "sessions"]) {
     await show(page, view);
     await page.getByRole("region", { name: new RegExp(view, "i") }).first().waitFor();
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${view} is as wide as the phone`);

@@ -6,6 +6,6 @@ test("robot and view survive the address", () => {
     for (const view of kViews) expect(routeOf(hashOf({ robot, view }))).toEqual({ robot, view });
 });
 
-test("an address that makes no sense is the camera view", () => {
-  for (const hash of ["", "#", "#/", "#/nothing", "#/%ZZ", "#/a/b/c/d"]) expect(routeOf(hash)).toEqual({ robot: "", view: "camera" });
+test("an address that makes no sense chooses nothing", () => {
+  for (const hash of ["", "#", "#/", "#/nothing", "#/%ZZ", "#/a/b/c/d"]) expect(routeOf(hash)).toEqual({ robot: "", view: "" });
 });

@@ -2,6 +2,7 @@
 // only what changes rarely is reactive.
 
 import type { MemoryObject } from "../memory/memory_object";
+import { kTruth } from "../draw/scene";
 import { Memory } from "../memory/memory";
 import { allStreamStatistics, recordingStatistics, runtimesOf, type RecordingStatistics, type StreamStatistics } from "../memory/statistics";
 import { Client, type Connection, type Listener, type Socket } from "../source/client";
@@ -10,7 +11,7 @@ import type { Target } from "../source/target";
 import type { Channel, Level, ServerInfo } from "../source/texts";
 import { withAlert, withoutAlerts, type Alert } from "./alerts";
 import { now } from "./frame.svelte";
-import { hashOf, routeOf, type Route } from "./route";
+import { hashOf, routeOf, type Route, type View } from "./route";
 
 export class Viewer implements Listener {
   readonly memory = new Memory();
@@ -28,9 +29,11 @@ export class Viewer implements Listener {
   #offers = $state(0); // grows when objects come or go
 
   robots = $derived.by(() => (this.#offers, this.memory.robots()));
-  /** The chosen robot while it is there, else the first one. */
-  robot = $derived(this.robots.includes(this.route.robot) ? this.route.robot : (this.robots[0] ?? ""));
+  /** The chosen robot while it is there, else the one that the program is, else the first one. */
+  robot = $derived([this.route.robot, this.info?.metadata["robots"]].find((name) => this.robots.includes(name ?? "")) ?? this.robots[0] ?? "");
   objects: MemoryObject[] = $derived.by(() => (this.#offers, this.memory.objectsOf(this.robot)));
+  /** The chosen view; where none was chosen what the robot sees, or the game of one that has no camera. */
+  view: View = $derived(this.route.view || (this.#playsBlind() ? "field" : "camera"));
 
   constructor(readonly target: Target) {
     this.client = new Client(target.url, this, (url, subprotocols) => new WebSocket(url, subprotocols) as Socket);
@@ -38,8 +41,12 @@ export class Viewer implements Listener {
     this.client.start();
   }
 
+  #playsBlind(): boolean {
+    return this.objects.some(({ channel }) => channel.topic === kTruth) && !this.objects.some(({ isImage }) => isImage);
+  }
+
   go(to: Partial<Route>): void {
-    location.hash = hashOf({ robot: this.robot, view: this.route.view, ...to });
+    location.hash = hashOf({ robot: this.robot, view: this.view, ...to });
   }
 
   say(level: Level, text: string, key?: string): void {

@@ -1,0 +1,49 @@
+// How a simulated game goes, as /sim/state tells.
+
+import type { Memory } from "./memory";
+import { fieldsOf, numberOf, textOf, type Fields } from "./value";
+
+export const kSimulation = "/sim/state";
+
+export interface SimulatedTeam {
+  number: number;
+  strategy: string;
+  /** [goals] */
+  score: number;
+}
+
+export interface Simulation {
+  paused: boolean;
+  finished: boolean;
+  /** [game seconds per second] */
+  speed: number;
+  seed: number;
+  /** [s] of game time since the beginning. */
+  seconds: number;
+  rules: string;
+  home: SimulatedTeam;
+  away: SimulatedTeam;
+}
+
+/** Undefined where nothing is simulated. */
+export function simulationOf(memory: Memory): Simulation | undefined {
+  const fields = memory.get(kSimulation)?.decoded()?.fields;
+  return (
+    fields && {
+      paused: fields.get("paused") === true,
+      finished: fields.get("finished") === true,
+      speed: numberOf(fields, "speed"),
+      seed: numberOf(fields, "seed"),
+      seconds: numberOf(fields, "tick") / 30,
+      rules: textOf(fields, "rules"),
+      home: teamOf(fieldsOf(fields, "home")),
+      away: teamOf(fieldsOf(fields, "away")),
+    }
+  );
+}
+
+const teamOf = (fields: Fields): SimulatedTeam => ({
+  number: numberOf(fields, "number"),
+  strategy: textOf(fields, "strategy"),
+  score: numberOf(fields, "score"),
+});
