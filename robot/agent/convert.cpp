@@ -69,7 +69,7 @@ void fill_body(const sim::motion::Command& command, const sim::motion::Model& mo
   using enum sim::motion::Command::Body;
   switch (command.body) {
     case stand: message.set_posture(pb::MotionCommand::POSTURE_STAND); break;
-    case get_up: message.set_posture(pb::MotionCommand::POSTURE_GET_UP); break;
+    case squat: message.mutable_scripted()->set_name("squat"); break;
     case walk_speed:
       message.mutable_walk_speed()->set_x(command.walk.x);
       message.mutable_walk_speed()->set_y(command.walk.y);
@@ -224,7 +224,8 @@ void to_proto(const sim::Body& body, const sim::motion::Command& command, const 
   message.Clear();
   const Doing doing = body.doing;
   const bool walks = doing == Doing::starting || doing == Doing::walking || doing == Doing::stopping;
-  message.set_body_active(walks || doing == Doing::kicking || doing == Doing::getting_up);
+  const bool lies = doing == Doing::fallen || doing == Doing::removed;
+  message.set_body_active(doing != Doing::standing && !lies);
   message.set_head_active(command.head != sim::motion::Command::Head::keep);
   message.set_walking(walks);
   message.set_standing(doing == Doing::standing);
@@ -239,6 +240,10 @@ void to_proto(const sim::Body& body, const sim::motion::Command& command, const 
     const sim::motion::Kick& kick = model.kicks[body.kick];
     message.set_running(kick.name);
     message.set_remaining(std::max(kick.duration - sim::age(now, body.since), 0.f));
+  }
+  if (doing == Doing::crouching || doing == Doing::squatting) {
+    message.set_running("squat");
+    message.set_remaining(std::max(model.squat.duration - sim::age(now, body.since), 0.f));
   }
   if (walks && command.body == sim::motion::Command::Body::walk_to) {
     message.mutable_target()->set_x(command.walk.x);

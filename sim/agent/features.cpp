@@ -111,14 +111,18 @@ Crossing crossing(const View& view) {
   return std::isnan(time) ? Crossing{} : Crossing{time, view.ball.y + way.y};
 }
 
+// a ball that is seen to roll beside the goal, or not quite so far, may still roll into it
+constexpr float kBeside = 0.4f;  // [m] of a post
+constexpr float kShort = 0.7f;   // of the way to the line
+
 bool in_goal_soon(const View& view) {
   const Vec2 velocity = view.ball_velocity;
   const float to_line = view.ball_in_team.x + view.half_length;
   if (velocity.x > -0.05f || to_line <= 0) return false;
   const Vec2 way = (to_line / -velocity.x) * velocity;
   const float y = view.ball_in_team.y + way.y;
-  if (std::abs(y) > 0.5f * view.around.field->goal_width + 0.1f) return false;
-  return !std::isnan(rolling_time(length(velocity), length(way)));
+  if (std::abs(y) > 0.5f * view.around.field->goal_width + kBeside) return false;
+  return !std::isnan(rolling_time(length(velocity), kShort * length(way)));
 }
 
 /// [m] from `from` to the nearest opponent; NaN when none is known.

@@ -56,6 +56,12 @@ motion::Command keep_goal(const View& view, const KeepGoal& with) {
   // a ball that rolls into the goal: sideways to where it passes
   if (value_of(Feature::ball_in_goal_soon, view) > 0) {
     const float left = value_of(Feature::crossing_left, view);
+    const bool soon = value_of(Feature::crossing_time, view) < with.squat_time;
+    if (soon && std::abs(left) < with.squat_reach) {
+      command.body = motion::Command::Body::squat;
+      keep_eye_on_ball(view, command);
+      return command;
+    }
     if (std::abs(left) < 1.5f) {
       if (std::abs(left) > 0.05f) command = walk_straight({0, left}, 0, 1);
       keep_eye_on_ball(view, command);

@@ -30,10 +30,13 @@ struct Block {
 motion::Command block(const View& view, const Block& with);
 
 struct KeepGoal {
-  float radius;  // [m]
-  float step;    // [m]
+  float radius;       // [m]
+  float step;         // [m]
+  float squat_time;   // [s]
+  float squat_reach;  // [m]
 };
-/// On the arc between ball and goal, facing the ball; where the ball rolls past, to where it will pass.
+/// On the arc between ball and goal, facing the ball; where the ball rolls past, to where it will pass, and squats to block
+/// it there when it passes within `squat_time` and `squat_reach`.
 motion::Command keep_goal(const View& view, const KeepGoal& with);
 
 /// The robot's place for the kick-off: inside the own half, and outside the circle unless it kicks off.

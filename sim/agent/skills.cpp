@@ -74,10 +74,12 @@ constexpr SkillInfo kTable[] = {
      {number("share", "", 0.05f, 0.95f, 0.5f, "of the way from the goal to the ball"),
       number("distance", "m", 0, 4, 0.6f, "from the ball, at least"), spread(0.8f), gain()}},
     {"keep_goal",
-     "stays on the arc between ball and goal, goes to where a rolling ball passes",
-     2,
+     "stays on the arc between ball and goal, goes to where a rolling ball passes, squats to block it",
+     4,
      {number("radius", "m", 0.1f, 3, 0.5f, "of the arc round the goal's middle"),
-      number("step", "m", 0.03f, 1, 0.12f, "off the place before it moves")}},
+      number("step", "m", 0.03f, 1, 0.12f, "off the place before it moves"),
+      number("squat_time", "s", 0, 3, 0.8f, "before a ball passes, to squat; 0: never"),
+      number("squat_reach", "m", 0, 1, 0.32f, "beside the feet at which it passes, to squat")}},
     {"get_ready", "goes to its place for the kick-off", 0, {}},
 };
 static_assert(std::size(kTable) == kSkillCount);
@@ -104,7 +106,7 @@ motion::Command run(Skill skill, const float* with, const View& view, Mind& mind
     case Skill::position:
       return position(view, {with[0], with[1], with[2], with[3], with[4], with[5], with[6], with[7]});
     case Skill::block: return block(view, {with[0], with[1], with[2], with[3]});
-    case Skill::keep_goal: return keep_goal(view, {with[0], with[1]});
+    case Skill::keep_goal: return keep_goal(view, {with[0], with[1], with[2], with[3]});
     case Skill::get_ready: return get_ready(view);
     case Skill::stand:
     case Skill::count: break;

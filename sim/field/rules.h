@@ -28,6 +28,7 @@ struct Rules {
   float ready_duration;  // at most; ends early when everybody stands in place
   float set_duration;
   float kick_off_duration;   // after which everybody may touch the ball
+  bool kick_off_goal;         // a goal may be scored directly from the kick-off
   float set_play_duration;   // likewise; 0 where there are none
   float clear_distance;      // opponents keep this far from the ball of a kick-off or set play
   float goal_message_delay;  // the GameController tells robots of a goal this much later
@@ -55,6 +56,7 @@ struct Rules {
     see("ready_duration", self.ready_duration, "s", 1.f, 120.f);
     see("set_duration", self.set_duration, "s", 0.f, 60.f);
     see("kick_off_duration", self.kick_off_duration, "s", 0.f, 60.f);
+    see("kick_off_goal", self.kick_off_goal, "", false, true);
     see("set_play_duration", self.set_play_duration, "s", 0.f, 120.f);
     see("clear_distance", self.clear_distance, "m", 0.f, 3.f);
     see("goal_message_delay", self.goal_message_delay, "s", 0.f, 60.f);

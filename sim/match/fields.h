@@ -59,11 +59,12 @@ void visit_members(Struct& whole, See&& see) {
     see("touched", touched), see("kicked", kicked), see("whiffed", whiffed);
     see("ball", ball), see("official", official), see("bodies", bodies);
   } else if constexpr (std::is_same_v<Type, referee::Book>) {
-    auto& [phase, set_play, kicking, first_kick_off, last_touch, last_toucher, half, ball_free, phase_since,
-           playing_since, clock, told_phase_since, last_touch_tick, last_touch_at, ball_before, still_since,
-           stuck_since, stuck_at, score, packets, penalties, penalised_until] = whole;
+    auto& [phase, set_play, kicking, first_kick_off, last_touch, kick_off_by, last_toucher, half, ball_free,
+           phase_since, playing_since, clock, told_phase_since, last_touch_tick, last_touch_at, ball_before,
+           still_since, stuck_since, stuck_at, score, packets, penalties, penalised_until] = whole;
     see("phase", phase), see("set_play", set_play), see("kicking", kicking), see("first_kick_off", first_kick_off);
-    see("last_touch", last_touch), see("last_toucher", last_toucher), see("half", half), see("ball_free", ball_free);
+    see("last_touch", last_touch), see("kick_off_by", kick_off_by), see("last_toucher", last_toucher),
+        see("half", half), see("ball_free", ball_free);
     see("phase_since", phase_since), see("playing_since", playing_since), see("clock", clock);
     see("told_phase_since", told_phase_since), see("last_touch_tick", last_touch_tick);
     see("last_touch_at", last_touch_at), see("ball_before", ball_before), see("still_since", still_since);
@@ -149,7 +150,7 @@ constexpr unsigned last_of() {
   const auto number = [](auto enumerator) { return static_cast<unsigned>(enumerator); };
   if constexpr (std::is_same_v<Enum, Side>) return number(Side::away);
   if constexpr (std::is_same_v<Enum, Body::Doing>) return number(Body::Doing::removed);
-  if constexpr (std::is_same_v<Enum, motion::Command::Body>) return number(motion::Command::Body::get_up);
+  if constexpr (std::is_same_v<Enum, motion::Command::Body>) return number(motion::Command::Body::squat);
   if constexpr (std::is_same_v<Enum, motion::Command::Head>) return number(motion::Command::Head::look_to);
   if constexpr (std::is_same_v<Enum, agent::Game::Phase>) return number(agent::Game::Phase::finished);
   if constexpr (std::is_same_v<Enum, agent::Game::SetPlay>) return number(agent::Game::SetPlay::corner_kick);

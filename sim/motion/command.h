@@ -10,7 +10,7 @@ namespace sim::motion {
 /// A command to the body and one to the head, independent of each other; holds until the next.
 /// Frame: robot — origin on the ground between the feet, +x forward, +y left.
 struct Command {
-  enum class Body : std::uint8_t { stand, walk_speed, walk_to, kick, get_up };
+  enum class Body : std::uint8_t { stand, walk_speed, walk_to, kick, squat };
   enum class Head : std::uint8_t { keep, angles, look_to };
 
   Body body = Body::stand;

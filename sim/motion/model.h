@@ -86,6 +86,18 @@ struct Kick {
   }
 };
 
+/// Squatting down with spread legs, as goalkeepers do: how wide that is, is in the contact model.
+struct Squat {
+  float delay;     // [s] from the command to being down
+  float duration;  // [s] from the command to being able to walk again
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("delay", self.delay, "s", 0.f, 3.f);
+    see("duration", self.duration, "s", 0.1f, 10.f);
+  }
+};
+
 /// Falling, which the thesis leaves out; figures are estimates until they are measured.
 struct Falls {
   float per_minute_walking;   // [1/min] while walking alone
@@ -109,6 +121,7 @@ struct Model {
   Head head;
   int kick_count;
   Kick kicks[kMaxKicks];
+  Squat squat;
   Falls falls;
 };
 

@@ -3,33 +3,50 @@
 #include "sim/motion/fall.h"
 #include "sim/motion/head.h"
 #include "sim/motion/kick.h"
+#include "sim/motion/squat.h"
 #include "sim/motion/walk.h"
 
 namespace sim::motion {
 
-void move(const Means& means, const Command& command, int robot, Tick steps, World& world) {
+namespace {
+
+// Whatever else than walking there is: falls, lies, gets up, kicks, squats. Returns how many of the ticks are left to
+// walk.
+Tick anything_else(const Means& means, const Command& command, int robot, Tick steps, World& world) {
   Body& body = world.bodies[robot];
-  if (body.doing == Body::Doing::removed) return;
-
+  if (body.doing == Body::Doing::removed) return 0;
   if (means.effects.falls && !is_down(body)) perhaps_fall(means, robot, world.tick, steps, world);
-  if (command.head != Command::Head::keep && !is_down(body)) turn_head(means, command, steps, body);
 
+  // a kick or a squat begins at once
   const bool kicks = command.body == Command::Body::kick && command.kick < means.model.kick_count;
-  if (kicks && !is_down(body) && body.doing != Body::Doing::kicking) begin_kick(command, world.tick, body);
+  const bool free = !is_down(body) && !squats(body) && body.doing != Body::Doing::kicking;
+  if (kicks && free) begin_kick(command, world.tick, body);
+  if (command.body == Command::Body::squat && free) begin_squat(world.tick, body);
+  if (!is_down(body)) turn_head(means, command, steps, body);
 
   // one thing after the other until the ticks are used up
-  Errand errand = errand_of(command);
-  const Tick end = world.tick + steps;
-  for (Tick now = world.tick; now < end;) {
-    const Tick left = end - now;
-    if (is_down(body)) {
-      now += lie(means, robot, now, left, world);
-    } else if (body.doing == Body::Doing::kicking) {
-      now += kick(means, robot, now, left, world);
-    } else {
-      now += walk(means, command, robot, now, left, errand, world);
-    }
+  Tick left = steps;
+  const auto now = [&] { return world.tick + steps - left; };
+  while (left > 0 && is_down(body)) left -= lie(means, robot, now(), left, world);
+  while (left > 0 && squats(body)) left -= squat(means, now(), left, body);
+  if (left > 0 && body.doing == Body::Doing::kicking) left -= kick(means, robot, now(), left, world);
+  return left;
+}
+
+}  // namespace
+
+void move(const Means& means, const Command& command, int robot, Tick steps, World& world) {
+  Body& body = world.bodies[robot];
+  Tick left = steps;
+  if (body.doing >= Body::Doing::kicking || command.body >= Command::Body::kick || means.effects.falls) {
+    left = anything_else(means, command, robot, steps, world);
+    if (left == 0) return;
+  } else {
+    turn_head(means, command, steps, body);
   }
+
+  const bool rests = body.doing == Body::Doing::standing && command.body == Command::Body::stand;
+  if (!rests) walk(means, command, robot, world.tick + steps - left, left, world);
 }
 
 }  // namespace sim::motion

@@ -17,6 +17,8 @@ inline bool due(const Court& court) {
 inline void apply(Court& court) {
   Book& book = court.book;
   begin_phase(court, Phase::playing);
+  const bool kick_off = book.set_play == SetPlay::kick_off && court.world.touched != kNobody;
+  if (kick_off && !court.rules.kick_off_goal) book.kick_off_by = court.world.touched;
   book.ball_free = true;
   book.set_play = SetPlay::none;
   book.last_touch_tick = court.world.tick;

@@ -16,6 +16,7 @@ struct Book {
   Side kicking = Side::home;  // whose kick-off or set play it is
   Side first_kick_off = Side::home;
   Side last_touch = Side::home;
+  std::uint8_t kick_off_by = kNobody;   // index of the robot that kicked off and may not score yet; kNobody: any may
   std::uint8_t last_toucher = kNobody;  // index of the robot; kNobody: nobody since the ball was placed
   std::uint8_t half = 1;
   bool ball_free = true;                  // everybody may touch the ball

@@ -25,6 +25,7 @@ void place_ball(Court& court, Vec2 at) {
 
   Book& book = court.book;
   book.last_toucher = kNobody;
+  book.kick_off_by = kNobody;
   book.last_touch_tick = court.world.tick;
   book.last_touch_at = at;
   book.ball_before = at;

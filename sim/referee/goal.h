@@ -1,14 +1,15 @@
 // All years: a goal is scored when the whole ball passes over the goal line between the posts. The other side kicks
 // off; in preliminary rounds the clock runs on. Since 2019 robots hear of it late, as they should see or hear it
-// themselves (Rules::goal_message_delay).
+// themselves (Rules::goal_message_delay). Not directly from a kick-off: then it is a ball that went out.
 #pragma once
 
 #include "sim/referee/crossing.h"
 
 namespace sim::referee::goal {
 
-inline bool due(const Court&, const Crossing& crossing) {
-  return crossing.goal_line && crossing.from_field && crossing.between_posts;
+inline bool due(const Court& court, const Crossing& crossing) {
+  const bool allowed = court.book.kick_off_by == kNobody;
+  return crossing.goal_line && crossing.from_field && crossing.between_posts && allowed;
 }
 
 inline void apply(Court& court, const Crossing& crossing) {

@@ -24,6 +24,9 @@ void keep_tally(Court& court) {
   Tally& tally = court.tally;
 
   if (world.touched != kNobody) {
+    const float circle = court.field.centre_circle_radius;
+    const bool outside = squared_length(world.ball.position) > circle * circle;
+    if (world.touched != book.kick_off_by || outside) book.kick_off_by = kNobody;
     book.last_toucher = world.touched;
     book.last_touch = side_of(world.touched);
     book.last_touch_tick = world.tick;

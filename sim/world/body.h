@@ -10,7 +10,18 @@ namespace sim {
 
 /// Frame: field; its velocity in its own.
 struct Body {
-  enum class Doing : std::uint8_t { standing, starting, walking, stopping, kicking, fallen, getting_up, removed };
+  enum class Doing : std::uint8_t {
+    standing,
+    starting,
+    walking,
+    stopping,
+    kicking,
+    crouching,  // on its way down to block the ball
+    squatting,  // down, wider than it stands
+    fallen,
+    getting_up,
+    removed
+  };
 
   Vec2 position;         // [m]
   float heading = 0;     // [rad] (-π, π]

@@ -39,19 +39,29 @@ struct Meeting {
   bool before(const Meeting& other) const { return time < other.time || (time == other.time && depth > other.depth); }
 };
 
+/// [m] at which a body touches the ball, less the ball's radius.
+float touch_radius(const ContactModel& contact, Body::Doing doing) {
+  switch (doing) {
+    case Body::Doing::squatting: return contact.squatting_radius;
+    case Body::Doing::fallen:
+    case Body::Doing::getting_up: return contact.lying_radius;
+    default: return contact.foot_radius;
+  }
+}
+
 /// What the ball may meet on its way of this tick around `middle`, [m] at most `half` to each side.
 Obstacles obstacles_near(const field::Field& field, const BallModel& ball, const ContactModel& contact,
                          const World& world, Vec2 middle, float half) {
   Obstacles near;
-  const float farthest = std::max(contact.foot_radius, contact.lying_radius) + ball.radius + half;
+  const float widest = std::max({contact.foot_radius, contact.squatting_radius, contact.lying_radius});
+  const float farthest = widest + ball.radius + half;
   for_each_robot(world.players, [&](int robot) {
     const Body& body = world.bodies[robot];
     if (squared_length(body.position - middle) >= farthest * farthest) return;
     if (body.doing == Body::Doing::removed) return;
-    const bool lies = body.doing == Body::Doing::fallen || body.doing == Body::Doing::getting_up;
     near.list[near.count++] = {body.position, turned(body.velocity, body.facing),
-                               (lies ? contact.lying_radius : contact.foot_radius) + ball.radius,
-                               ball.robot_restitution, static_cast<std::uint8_t>(robot)};
+                               touch_radius(contact, body.doing) + ball.radius, ball.robot_restitution,
+                               static_cast<std::uint8_t>(robot)};
   });
 
   const Vec2 post{std::copysign(0.5f * field.length, middle.x), std::copysign(0.5f * field.goal_width, middle.y)};

@@ -21,16 +21,18 @@ struct BallModel {
 };
 
 struct ContactModel {
-  float robot_radius;     // [m] robots touch at twice this distance
-  float foot_radius;      // [m] to the ball's middle less its radius: where the ball is touched
-  float lying_radius;     // [m] of a robot that has fallen
-  float official_radius;  // [m] of the walking referee
-  float push_deviation;   // [rad] direction of a ball that is walked into
+  float robot_radius;      // [m] robots touch at twice this distance
+  float foot_radius;       // [m] to the ball's middle less its radius: where the ball is touched
+  float squatting_radius;  // [m] of a robot that squats, likewise
+  float lying_radius;      // [m] of a robot that has fallen
+  float official_radius;   // [m] of the walking referee
+  float push_deviation;    // [rad] direction of a ball that is walked into
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
     see("robot_radius", self.robot_radius, "m", 0.05f, 0.5f);
     see("foot_radius", self.foot_radius, "m", 0.02f, 0.5f);
+    see("squatting_radius", self.squatting_radius, "m", 0.02f, 0.6f);
     see("lying_radius", self.lying_radius, "m", 0.05f, 0.6f);
     see("official_radius", self.official_radius, "m", 0.05f, 0.6f);
     see("push_deviation", self.push_deviation, "rad", 0.f, 1.5f);
