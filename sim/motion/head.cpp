@@ -9,7 +9,7 @@ namespace sim::motion {
 namespace {
 
 constexpr float kCameraHeight = 0.45f;  // [m] BH assumedObservationHeight; aiming needs it no better
-constexpr float kYawTolerance = 0.02f;  // [rad] to which look_to aims
+constexpr float kTolerance = 0.015f;    // [rad] an aim that is off by less is kept
 constexpr float kViewCentre = 0.44f;    // [rad] below the horizon with pitch 0: the middle of both cameras' views
 
 struct Angles {
@@ -29,25 +29,35 @@ Nod nod_at(const Head& head, float yaw) {
   return {std::max(up, head.pitch_up), std::min(down, head.pitch_down)};
 }
 
-// atan2(up, along) within 0.005 for along >= 0: nodding needs it no better
-float elevation(float up, float along) {
+// of the angle whose tangent is up / along, within 0.004 for along >= 0: aiming needs it no better
+float elevation(float up, float along, float nearer) {
   const float height = std::abs(up);
   const bool steep = height > along;
-  const float slope = steep ? along / height : height / std::max(along, 1e-6f);
-  const float flat = slope / (1 + 0.28f * slope * slope);
+  const float slope = steep ? along / height : height * nearer;
+  const float flat = slope * (0.25f * kPi + 0.273f * (1 - slope));
   return std::copysign(steep ? 0.5f * kPi - flat : flat, up);
 }
 
-Angles wanted(const Command& command, const Body& body) {
-  if (command.head == Command::Head::angles) return {command.look[0], command.look[1]};
-  const Vec2 point{command.look[0], command.look[1]};
-  const float along = length(point);
-  const float pitch = elevation(kCameraHeight - command.look[2], along) - kViewCentre;
-
-  // a yaw that is all but right stays: most of the time the head follows what hardly moves
-  const bool right = std::abs(cross(body.look, point)) <= kYawTolerance * along && dot(body.look, point) > 0;
-  return {right ? body.head_yaw : angle_of(point), pitch};
+// what is all but right stays: most of the time the head follows what hardly moves; a short way needs no arcus tangent
+Angles aimed_at(Vec2 towards, float pitch, const Body& body) {
+  const float off = cross(body.look, towards);
+  const float size = dot(body.look, towards) > 0 ? std::abs(off) : 1;
+  const float yaw = size <= kTolerance ? body.head_yaw
+                    : size < 0.15f     ? body.head_yaw + off * (1 + off * off * (1.f / 6 + 0.075f * off * off))
+                                       : angle_of(towards);
+  return {yaw, std::abs(pitch - body.head_pitch) <= kTolerance ? body.head_pitch : pitch};
 }
+
+Angles aimed_at(const float (&look)[3], Vec2& towards, const Body& body) {
+  const Vec2 point{look[0], look[1]};
+  const float along = std::max(length(point), 1e-6f);
+  const float nearer = 1 / along;
+  towards = nearer * point;
+  return aimed_at(towards, elevation(kCameraHeight - look[2], along, nearer) - kViewCentre, body);
+}
+
+// between these pitches no shoulder is in the way, whatever the yaw
+bool is_clear(float pitch) { return -0.4f <= pitch && pitch <= 0.2f; }
 
 float approach(float from, float to, float most) { return from + std::clamp(to - from, -most, most); }
 
@@ -70,24 +80,35 @@ float yaw_limit_at(const Head& head, float pitch) {
 
 void turn_head(const Means& means, const Command& command, Tick steps, Body& body) {
   const Head& head = means.model.head;
-  Angles to = wanted(command, body);
+  if (command.head == Command::Head::keep) return;
+  const bool aims = command.head == Command::Head::look_to;
+  Vec2 towards;
+  const Angles wanted = aims ? aimed_at(command.look, towards, body) : Angles{command.look[0], command.look[1]};
+  Angles to = wanted;
+  if (to.yaw == body.head_yaw && to.pitch == body.head_pitch) return;
 
   if (means.effects.head_limits) {
     const float dt = static_cast<float>(steps) * kTickDuration;
     to.yaw = std::clamp(to.yaw, -head.yaw_limit, head.yaw_limit);
 
     // the pitch first: clear of the shoulders both where the head is and where it goes
-    const Nod nod = nod_at(head, std::max(std::abs(to.yaw), std::abs(body.head_yaw)));
+    Nod nod{head.pitch_up, head.pitch_down};
+    const bool clear = is_clear(to.pitch) && is_clear(body.head_pitch);
+    if (!clear) nod = nod_at(head, std::max(std::abs(to.yaw), std::abs(body.head_yaw)));
     to.pitch = approach(body.head_pitch, std::clamp(to.pitch, nod.up, nod.down), head.pitch_speed * dt);
-    const float limit = yaw_limit_at(head, to.pitch);
+    const float limit = clear ? head.yaw_limit : yaw_limit_at(head, to.pitch);
     to.yaw = approach(body.head_yaw, std::clamp(to.yaw, -limit, limit), head.yaw_speed * dt);
   }
 
   body.head_pitch = to.pitch;
   if (to.yaw == body.head_yaw) return;
   body.head_yaw = to.yaw;
-  const SinCos yaw = sin_cos(to.yaw);
-  body.look = {yaw.cos, yaw.sin};
+  if (aims && to.yaw == wanted.yaw) {
+    body.look = towards;
+  } else {
+    const SinCos yaw = sin_cos(to.yaw);
+    body.look = {yaw.cos, yaw.sin};
+  }
 }
 
 }  // namespace sim::motion

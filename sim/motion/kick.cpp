@@ -92,8 +92,9 @@ Tick kick(const Means& means, int robot, Tick now, Tick left, World& world) {
     strike(means, kick, robot, body.since + impact, world);
     body.kick_done = true;
   }
+  // its duration ends with what a walk begins with: it may walk on at once, as long as it has not come to a rest
   if (elapsed + used == end) {
-    body.doing = Body::Doing::standing;
+    body.doing = Body::Doing::stopping;
     body.since = now + used;
   }
   return used;

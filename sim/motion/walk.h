@@ -33,8 +33,7 @@ inline Errand errand_of(const Command& command) {
   return errand;
 }
 
-/// Stands, starts, walks or stops for at most `left` ticks from `now` on, as long as nothing about it changes. Writes
-/// what is left of the errand. Returns how many ticks it took, at least one.
-Tick walk(const Means& means, const Command& command, int robot, Tick now, Tick left, Errand& errand, World& world);
+/// Stands, starts, walks or stops for `left` ticks from `now` on.
+void walk(const Means& means, const Command& command, int robot, Tick now, Tick left, World& world);
 
 }  // namespace sim::motion

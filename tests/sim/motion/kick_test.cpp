@@ -185,6 +185,18 @@ TEST(Kick, CannotBeInterrupted) {
   }
 }
 
+TEST(Kick, IsWalkedOnFromWithoutDelayUntilTheBodyHasComeToARest) {
+  for (const bool waits : {false, true}) {
+    Arena arena{.effects = no_noise()};
+    arena.move(kick_command(0, true), ticks(arena.model.kicks[0].duration));
+    if (waits) arena.move({}, ticks(arena.model.walk.stop_delay) + 1);
+    EXPECT_EQ(arena.body().doing, waits ? Doing::standing : Doing::stopping);
+    arena.move(walk_speed({0.2f, 0}, 0));
+    EXPECT_EQ(arena.body().doing, waits ? Doing::starting : Doing::walking);
+    EXPECT_EQ(arena.body().position.x > 0, !waits);
+  }
+}
+
 TEST(Kick, ManyTicksAtOnceAreOneTickManyTimes) {
   for (Tick steps = 1; steps < 70; ++steps) {
     Arena once{.effects = all_effects()};

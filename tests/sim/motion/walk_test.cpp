@@ -73,7 +73,7 @@ TEST(Walk, NoBodyIsEverFasterThanItsModelWhateverItsCommandAndNoise) {
       ASSERT_LE(turned, arena.model.walk.turn_rate + 1e-4f);
       ASSERT_LE(share_of_top(arena.model.walk, arena.body().velocity), 1.0001f);
       ASSERT_LE(std::abs(arena.body().turn_rate), arena.model.walk.turn_rate);
-      ASSERT_NEAR(distance(arena.body().facing, direction(arena.body().heading)), 0, 1e-6f);
+      ASSERT_NEAR(distance(arena.body().facing, direction(arena.body().heading)), 0, 2e-6f);
       fastest = std::max(fastest, moved);
     }
   }
