@@ -39,25 +39,37 @@ float elevation(float up, float along, float nearer) {
 }
 
 // what is all but right stays: most of the time the head follows what hardly moves; a short way needs no arcus tangent
-Angles aimed_at(Vec2 towards, float pitch, const Body& body) {
-  const float off = cross(body.look, towards);
-  const float size = dot(body.look, towards) > 0 ? std::abs(off) : 1;
-  const float yaw = size <= kTolerance ? body.head_yaw
-                    : size < 0.15f     ? body.head_yaw + off * (1 + off * off * (1.f / 6 + 0.075f * off * off))
-                                       : angle_of(towards);
-  return {yaw, std::abs(pitch - body.head_pitch) <= kTolerance ? body.head_pitch : pitch};
-}
-
-Angles aimed_at(const float (&look)[3], Vec2& towards, const Body& body) {
+Angles aimed_at(const float (&look)[3], const Body& body) {
   const Vec2 point{look[0], look[1]};
   const float along = std::max(length(point), 1e-6f);
   const float nearer = 1 / along;
-  towards = nearer * point;
-  return aimed_at(towards, elevation(kCameraHeight - look[2], along, nearer) - kViewCentre, body);
+  const float pitch = elevation(kCameraHeight - look[2], along, nearer) - kViewCentre;
+
+  const float off = cross(body.look, point) * nearer;
+  const float size = dot(body.look, point) > 0 ? std::abs(off) : 1;
+  const float yaw = size <= kTolerance ? body.head_yaw
+                    : size < 0.2f      ? body.head_yaw + off * (1 + off * off * (1.f / 6 + 0.075f * off * off))
+                                       : angle_of(point);
+  return {yaw, std::abs(pitch - body.head_pitch) <= kTolerance ? body.head_pitch : pitch};
 }
 
 // between these pitches no shoulder is in the way, whatever the yaw
 bool is_clear(float pitch) { return -0.4f <= pitch && pitch <= 0.2f; }
+
+// A little way turns what there is, as far as the rounding of many is taken back: wherever it passes straight ahead.
+void turn_yaw(float yaw, Body& body) {
+  const float angle = yaw - body.head_yaw;
+  const float square = angle * angle;
+  const bool little = square < 0.04f && yaw * body.head_yaw > 0;
+  body.head_yaw = yaw;
+  if (little) {
+    const float sine = angle * (1 - square * (1.f / 6 - square * (1.f / 120)));
+    body.look = turned(body.look, {1 - square * (0.5f - square * (1.f / 24)), sine});
+  } else {
+    const SinCos now = sin_cos(yaw);
+    body.look = {now.cos, now.sin};
+  }
+}
 
 float approach(float from, float to, float most) { return from + std::clamp(to - from, -most, most); }
 
@@ -82,9 +94,7 @@ void turn_head(const Means& means, const Command& command, Tick steps, Body& bod
   const Head& head = means.model.head;
   if (command.head == Command::Head::keep) return;
   const bool aims = command.head == Command::Head::look_to;
-  Vec2 towards;
-  const Angles wanted = aims ? aimed_at(command.look, towards, body) : Angles{command.look[0], command.look[1]};
-  Angles to = wanted;
+  Angles to = aims ? aimed_at(command.look, body) : Angles{command.look[0], command.look[1]};
   if (to.yaw == body.head_yaw && to.pitch == body.head_pitch) return;
 
   if (means.effects.head_limits) {
@@ -101,14 +111,7 @@ void turn_head(const Means& means, const Command& command, Tick steps, Body& bod
   }
 
   body.head_pitch = to.pitch;
-  if (to.yaw == body.head_yaw) return;
-  body.head_yaw = to.yaw;
-  if (aims && to.yaw == wanted.yaw) {
-    body.look = towards;
-  } else {
-    const SinCos yaw = sin_cos(to.yaw);
-    body.look = {yaw.cos, yaw.sin};
-  }
+  if (to.yaw != body.head_yaw) turn_yaw(to.yaw, body);
 }
 
 }  // namespace sim::motion

@@ -45,7 +45,8 @@ float deviate(std::uint32_t word) {
 
 // A new step of the walk has its own luck; and the rounding of the many small turns before it is taken back. Seldom, so
 // that it is kept out of the way of what happens in every tick.
-[[gnu::noinline]] void begin_step(const Means& means, const World& world, int robot, Tick step, Body& body) {
+[[gnu::noinline]] void begin_step(const Means& means, World& world, int robot, Tick step) {
+  Body& body = world.bodies[robot];
   const SinCos heading = sin_cos(body.heading);
   body.facing = {heading.cos, heading.sin};
 
@@ -101,30 +102,35 @@ Gait gait_of(const Walk& walk, bool limited, const Command& command, const Erran
 
 void walk(const Means& means, const Command& command, int robot, Tick now, Tick left, World& world) {
   const Walk& model = means.model.walk;
-  const Effects& effects = means.effects;
+  const bool limited = means.effects.walk_acceleration;
   Body& body = world.bodies[robot];
   Errand errand = errand_of(command);
   const Rhythm rhythm(model);
 
   // in pieces within which nothing changes
-  for (Tick together; left > 0; now += together, left -= together) {
+  while (true) {
     const bool wanted = wants_to_walk(command, errand);
     const bool was_walking = body.doing == Body::Doing::walking;
-    if (!change_gear(model, effects, wanted, now, body)) {
-      together = wanted ? std::min(left, body.since + ticks(model.start_delay) - now) : left;
+    if (!change_gear(model, means.effects, wanted, now, body)) {
+      if (!wanted) return;
+      const Tick delay = body.since + ticks(model.start_delay) - now;
+      if (left <= delay) return;
+      now += delay, left -= delay;
       continue;
     }
 
-    together = rhythm.same(now, left);
-    if (rhythm.begins_at(now) || !was_walking) begin_step(means, world, robot, rhythm.step_at(now), body);
+    Tick together = rhythm.same(now, left);
+    if (rhythm.begins_at(now) || !was_walking) begin_step(means, world, robot, rhythm.step_at(now));
     if (!wanted) together = std::min(together, until_standing(model, now, body));
 
     const float dt = static_cast<float>(together) * kTickDuration;
-    const Gait gait = wanted ? gait_of(model, effects.walk_acceleration, command, errand, dt, body) : Gait{};
-    const Moved moved = glide(model, effects.walk_acceleration, gait, dt, body);
+    const Gait gait = wanted ? gait_of(model, limited, command, errand, dt, body) : Gait{};
+    const Moved moved = glide(model, limited, gait, dt, body);
+    if (together == left) return;
 
     // what is left, seen from where it is now
-    if (together < left && command.body == Command::Body::walk_to) {
+    now += together, left -= together;
+    if (command.body == Command::Body::walk_to) {
       errand.walk = turned_back(errand.walk - moved.displacement, moved.facing);
       errand.turn = wrapped(errand.turn - moved.angle);
     }

@@ -52,7 +52,7 @@ TEST(Head, NeverBeyondItsLimitsNorFasterThanItsSpeedNorInAShoulder) {
       ASSERT_LE(std::abs(now.head_yaw), yaw_limit_at(head, now.head_pitch));
       ASSERT_GE(now.head_pitch, head.pitch_up);
       ASSERT_LE(now.head_pitch, head.pitch_down);
-      ASSERT_EQ(now.look, direction(now.head_yaw));
+      ASSERT_NEAR(distance(now.look, direction(now.head_yaw)), 0, 2e-6f);
       widest = std::max(widest, std::abs(now.head_yaw));
       deepest = std::max(deepest, now.head_pitch);
     }
@@ -123,6 +123,15 @@ TEST(Head, LooksToAPointSoThatItIsInTheMiddleOfTheView) {
     EXPECT_NEAR(below, atan2(0.45f - height, length(point)), 0.02f);
     EXPECT_NEAR(cross(arena.body().look, point), 0, 0.0201f * length(point));
     EXPECT_GT(dot(arena.body().look, point), 0);
+  }
+}
+
+TEST(Head, WhatMovesIsFollowedForLongWithoutLosingTheDirection) {
+  Arena arena;
+  for (int tick = 0; tick < 18000; ++tick) {
+    const float time = static_cast<float>(tick) / 30;
+    arena.move(tick % 900 < 600 ? look_to(1, 1 + sin(time), 0) : angles(1.3f * sin(time), 0.1f));
+    ASSERT_NEAR(distance(arena.body().look, direction(arena.body().head_yaw)), 0, 1e-5f) << tick;
   }
 }
 
