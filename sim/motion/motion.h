@@ -26,7 +26,8 @@ struct Means {
 ///
 /// A kick begins at once, whatever the body was doing, and is not interrupted. Its foot meets the ball in the tick that
 /// begins `delay` later: a hit sets the ball's velocity, `world.kicked` and `world.touched`, a miss `world.whiffed`
-/// (whoever steps the world clears these). Whoever is down ignores commands and gets up by itself.
+/// (whoever steps the world clears these). When it is done the body walks on without delay. Whoever is down ignores
+/// commands and gets up by itself.
 ///
 /// Effects: walk_acceleration also stands for what turning costs and for slowing down before a destination. Draws from
 /// the events walk_noise (number: index of the walk step), kick_noise, fall and get_up (number: tick).
