@@ -40,19 +40,32 @@ Means means_of(const Params& params, Side side) {
 
 referee::Means judging(const Params& params) { return {params.rules, common(params).ball, common(params).contact}; }
 
-/// Robots on the field whose turn it is.
-struct Turns {
+/// Some of the robots.
+struct Some {
   int count = 0;
   std::uint8_t robots[kMaxRobots];
+
+  void add(int robot) { robots[count++] = static_cast<std::uint8_t>(robot); }
 };
 
-Turns turns_of(const State& state) {
-  Turns turns;
+/// What there is to do in a tick.
+struct Due {
+  Some turns;   // of robots on the field
+  Some radios;  // something arrives, or may be sent
+};
+
+/// Everybody else rests.
+Due due_in(State& state) {
+  Due due;
   for_each_robot(state.world.players, [&](int robot) {
-    if (state.robots[robot].rest == 0 && on_field(state.world, robot))
-      turns.robots[turns.count++] = static_cast<std::uint8_t>(robot);
+    Robot& self = state.robots[robot];
+    if (self.rest > 0)
+      --self.rest;
+    else if (on_field(state.world, robot))
+      due.turns.add(robot);
+    if (self.cognition.radio_due <= state.world.tick) due.radios.add(robot);
   });
-  return turns;
+  return due;
 }
 
 /// Beliefs from the world, a command from the beliefs, and when it is its turn again.
@@ -62,7 +75,8 @@ void think(const Params& params, const Means& means, State& state, int robot, ag
   const agent::Game game = referee::game_for(params.rules, state.world, state.book, robot);
   self.command =
       means.team.behaviour->decide(means.surroundings, game, self.beliefs, state.world.tick, self.mind, trace);
-  self.rest = self.lag = static_cast<std::uint8_t>(ticks_to_next_turn(params, state, robot));
+  self.lag = static_cast<std::uint8_t>(ticks_to_next_turn(params, state, robot));
+  self.rest = static_cast<std::uint8_t>(self.lag - 1);
 }
 
 /// [s] of the game that are still to be played.
@@ -104,7 +118,7 @@ void talk(const Params& params, State& state, int robot) {
   const Robot& self = state.robots[robot];
   const auto is_due = [&] { return self.cognition.radio_due <= state.world.tick; };
   if (self.cognition.on_air) deliver(params, state, robot);
-  const bool has_turn = self.rest == self.lag;
+  const bool has_turn = self.rest + 1 == self.lag;
   if (!is_due() || (!has_turn && on_field(state.world, robot))) return;
   send(params, state, robot);
   if (is_due()) deliver(params, state, robot);
@@ -119,6 +133,12 @@ void judge(const Params& params, State& state, referee::Events& events) {
     if (event.kind == referee::Event::Kind::half_time)
       for_each_robot(state.world.players, [&](int robot) { enter(params, state, robot); });
   }
+}
+
+void count_sights(State& state) {
+  for_each_robot(state.world.players, [&](int robot) {
+    state.tally.seen[robot] += state.robots[robot].beliefs.ball.visible && on_field(state.world, robot);
+  });
 }
 
 }  // namespace
@@ -149,36 +169,30 @@ void step(const Params& params, State& state, referee::Events& events, int trace
   const auto means_for = [&](int robot) -> const Means& { return means[static_cast<int>(side_of(robot))]; };
 
   // everybody whose turn it is perceives and decides on the same world: nobody has moved yet
-  const Turns turns = turns_of(state);
-  for (int i = 0; i < turns.count; ++i) {
-    const int robot = turns.robots[i];
+  const Due due = due_in(state);
+  for (int i = 0; i < due.turns.count; ++i) {
+    const int robot = due.turns.robots[i];
     think(params, means_for(robot), state, robot,
           traced == kEverybody ? trace + robot
           : traced == robot    ? trace
                                : nullptr);
   }
-  for_each_robot(world.players, [&](int robot) {
-    if (state.robots[robot].cognition.radio_due <= world.tick) talk(params, state, robot);
-  });
+  for (int i = 0; i < due.radios.count; ++i) talk(params, state, due.radios.robots[i]);
 
   // bodies move up to their next turn, contacts and ball by a tick
   world.touched = world.kicked = world.whiffed = kNobody;
-  for (int i = 0; i < turns.count; ++i) {
-    const int robot = turns.robots[i];
+  for (int i = 0; i < due.turns.count; ++i) {
+    const int robot = due.turns.robots[i];
     motion::move(means_for(robot).moving, state.robots[robot].command, robot, state.robots[robot].lag, world);
   }
-  keep_bodies_apart(params.rules.field, common(params).contact, world);
+  Crowd crowd = crowd_of(world);
+  keep_bodies_apart(params.rules.field, common(params).contact, crowd, world);
   if (common(params).effects.official) walk_official(params.rules.field, world);
   roll(world.ball, common(params).ball.deceleration, common(params).ball.stop_speed, kTickDuration);
-  bounce_ball(params.rules.field, common(params).ball, common(params).contact, common(params).effects, world);
+  bounce_ball(params.rules.field, common(params).ball, common(params).contact, common(params).effects, crowd, world);
 
   judge(params, state, events);
-  const bool playing = referee::in_play(state.book);
-  for_each_robot(world.players, [&](int robot) {
-    Robot& self = state.robots[robot];
-    self.rest = static_cast<std::uint8_t>(self.rest - (self.rest > 0));
-    state.tally.seen[robot] += playing && self.beliefs.ball.visible && on_field(world, robot);
-  });
+  if (referee::in_play(state.book)) count_sights(state);
   ++world.tick;
 }
 

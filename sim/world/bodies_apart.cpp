@@ -19,18 +19,13 @@ constexpr int kMostPasses = 2000;
 // shifts are summed as whole numbers of this unit [1/m]: their sum does not depend on the order
 constexpr float kUnits = 0x1p24f;
 
-// as many as are looked at together
-constexpr int kBlock = 4;
-constexpr int kRoom = (kMaxRobots + kBlock - 1) / kBlock * kBlock;
-
-/// Who is on the field, packed: most of the time it takes a look to see that nobody is near anybody.
+/// Whoever is on the field, as it is shifted.
 struct Circles {
   int count = 0;
-  float largest = 0;  // [m] radius
-  float x[kRoom];
-  float y[kRoom];
-  float radius[kRoom];
-  std::uint8_t robot[kRoom];
+  float x[kMaxRobots];
+  float y[kMaxRobots];
+  float radius[kMaxRobots];
+  std::uint8_t robot[kMaxRobots];
 
   Vec2 middle(int i) const { return {x[i], y[i]}; }
 };
@@ -65,21 +60,15 @@ struct Shifts {
   }
 };
 
-Circles circles_of(const ContactModel& contact, const World& world) {
+Circles circles_of(const ContactModel& contact, const Crowd& crowd, const World& world) {
   Circles circles;
-  for_each_robot(world.players, [&](int robot) {
-    const Body& body = world.bodies[robot];
-    if (body.doing == Body::Doing::removed) return;
-    const bool lies = body.doing == Body::Doing::fallen || body.doing == Body::Doing::getting_up;
-    const int i = circles.count++;
-    circles.x[i] = body.position.x;
-    circles.y[i] = body.position.y;
-    circles.radius[i] = lies ? contact.lying_radius : contact.robot_radius;
-    circles.largest = std::max(circles.largest, circles.radius[i]);
-    circles.robot[i] = static_cast<std::uint8_t>(robot);
-  });
-  // the rest of the last block is far from everything
-  for (int i = circles.count; i % kBlock != 0; ++i) circles.x[i] = circles.y[i] = 1e9f;
+  circles.count = crowd.count;
+  for (int i = 0; i < crowd.count; ++i) {
+    circles.x[i] = crowd.x[i];
+    circles.y[i] = crowd.y[i];
+    circles.radius[i] = lies(world.bodies[crowd.robot[i]]) ? contact.lying_radius : contact.robot_radius;
+    circles.robot[i] = crowd.robot[i];
+  }
   return circles;
 }
 
@@ -91,35 +80,29 @@ struct Limits {
   float official;
 };
 
-Limits limits_of(const Things& things, const Circles& circles, float margin) {
+Limits limits_of(const Things& things, float largest, float margin) {
   const auto squared = [](float reach) { return reach * reach; };
-  return {squared(2 * circles.largest + margin), squared(circles.largest + things.post_radius + margin),
-          squared(circles.largest + things.official_radius + margin)};
+  return {squared(2 * largest + margin), squared(largest + things.post_radius + margin),
+          squared(largest + things.official_radius + margin)};
 }
 
 /// Whether anybody may touch anything: quick, a block at a time.
-bool anything_near(const Things& things, const Circles& circles) {
-  const Limits limits = limits_of(things, circles, kTouch);
-  std::uint32_t near = 0;
-  for (int block = 0; block < circles.count; block += kBlock) {
-    std::uint32_t hits[kBlock];
-    for (int lane = 0; lane < kBlock; ++lane) {
-      const Vec2 middle = circles.middle(block + lane);
-      hits[lane] = (squared_length(things.from_post(middle)) < limits.post ? 1u : 0u) +
-                   (squared_length(middle - things.official) < limits.official ? 1u : 0u);
-    }
-    const int end = std::min(block + kBlock, circles.count);
-    for (int i = 0; i < end; ++i)
-      for (int lane = 0; lane < kBlock; ++lane)
-        hits[lane] += squared_length(circles.middle(block + lane) - circles.middle(i)) < limits.robots ? 1u : 0u;
-    for (const std::uint32_t count : hits) near += count;
-  }
+bool anything_near(const Things& things, const Crowd& crowd, float largest) {
+  const Limits limits = limits_of(things, largest, kTouch);
+  const auto count = static_cast<std::uint32_t>(crowd.count);
+  std::uint32_t near = crowd.near(0, [&](Vec2 middle) {
+    return (squared_length(things.from_post(middle)) < limits.post ? 1u : 0u) +
+           (squared_length(middle - things.official) < limits.official ? 1u : 0u);
+  });
+  for (int i = 0; i < crowd.count; ++i)
+    near += crowd.near(
+        i, [&, own = crowd.middle(i)](Vec2 middle) { return squared_length(middle - own) < limits.robots ? 1u : 0u; });
   // everybody is near himself
-  return near > static_cast<std::uint32_t>(circles.count);
+  return near > count;
 }
 
-Neighbours neighbours_of(const Things& things, const Circles& circles) {
-  const Limits limits = limits_of(things, circles, kMargin);
+Neighbours neighbours_of(const Things& things, const Circles& circles, float largest) {
+  const Limits limits = limits_of(things, largest, kMargin);
   Neighbours near;
   for (int i = 0; i < circles.count; ++i) {
     const Vec2 middle = circles.middle(i);
@@ -195,19 +178,11 @@ Shifts shifts_of(const Things& things, const Circles& circles, const Neighbours&
   return shifts;
 }
 
-}  // namespace
-
-void keep_bodies_apart(const field::Field& field, const ContactModel& contact, World& world) {
-  Circles circles = circles_of(contact, world);
-  const Things things{field::post_of(field, 0), field.post_radius, world.official.position, contact.official_radius};
-  if (!anything_near(things, circles)) {
-    for (int i = 0; i < circles.count; ++i) {
-      Body& body = world.bodies[circles.robot[i]];
-      body.touching = body.pushing = 0;
-    }
-    return;
-  }
-  Neighbours near = neighbours_of(things, circles);
+/// Where the look did not tell. Not inline: it seldom comes to this.
+[[gnu::noinline]] void part(const ContactModel& contact, const Things& things, float largest, Crowd& crowd,
+                            World& world) {
+  Circles circles = circles_of(contact, crowd, world);
+  Neighbours near = neighbours_of(things, circles, largest);
   count_touches(circles, near, world);
 
   // all move at once, again and again, until nothing is left to part
@@ -223,10 +198,28 @@ void keep_bodies_apart(const field::Field& field, const ContactModel& contact, W
     }
     moved += static_cast<float>(farthest) * (1 / kUnits);
     if (moved <= kMargin / 2) continue;
-    near = neighbours_of(things, circles);
+    near = neighbours_of(things, circles, largest);
     moved = 0;
   }
-  for (int i = 0; i < circles.count; ++i) world.bodies[circles.robot[i]].position = circles.middle(i);
+  for (int i = 0; i < circles.count; ++i) {
+    crowd.x[i] = circles.x[i];
+    crowd.y[i] = circles.y[i];
+    world.bodies[circles.robot[i]].position = circles.middle(i);
+  }
+}
+
+}  // namespace
+
+void keep_bodies_apart(const field::Field& field, const ContactModel& contact, Crowd& crowd, World& world) {
+  const Things things{field::post_of(field, 0), field.post_radius, world.official.position, contact.official_radius};
+  const float largest =
+      crowd.somebody_lies ? std::max(contact.lying_radius, contact.robot_radius) : contact.robot_radius;
+  if (anything_near(things, crowd, largest)) return part(contact, things, largest, crowd, world);
+  if (!crowd.somebody_touched) return;
+  for (int i = 0; i < crowd.count; ++i) {
+    Body& body = world.bodies[crowd.robot[i]];
+    body.touching = body.pushing = 0;
+  }
 }
 
 }  // namespace sim

@@ -49,25 +49,48 @@ float touch_radius(const ContactModel& contact, Body::Doing doing) {
   }
 }
 
-/// What the ball may meet on its way of this tick around `middle`, [m] at most `half` to each side.
-Obstacles obstacles_near(const field::Field& field, const BallModel& ball, const ContactModel& contact,
-                         const World& world, Vec2 middle, float half) {
-  Obstacles near;
-  const float widest = std::max({contact.foot_radius, contact.squatting_radius, contact.lying_radius});
-  const float farthest = widest + ball.radius + half;
-  for_each_robot(world.players, [&](int robot) {
-    const Body& body = world.bodies[robot];
-    if (squared_length(body.position - middle) >= farthest * farthest) return;
-    if (body.doing == Body::Doing::removed) return;
-    near.list[near.count++] = {body.position, turned(body.velocity, body.facing),
-                               touch_radius(contact, body.doing) + ball.radius, ball.robot_restitution,
-                               static_cast<std::uint8_t>(robot)};
-  });
+/// Where the ball can meet something in this tick.
+struct Way {
+  Vec2 whole;   // [m] that it went
+  Vec2 middle;  // [m, field]
+  float half;   // [m] at most, to each side
 
-  const Vec2 post{std::copysign(0.5f * field.length, middle.x), std::copysign(0.5f * field.goal_width, middle.y)};
+  bool within(Vec2 place, float reach) const {
+    return squared_length(place - middle) < (reach + half) * (reach + half);
+  }
+};
+
+/// |x| + |y| is at least a way's length.
+Way way_of(const Ball& ball) {
+  const Vec2 whole = kTickDuration * ball.velocity;
+  return {whole, ball.position - 0.5f * whole, 0.5f * (std::fabs(whole.x) + std::fabs(whole.y))};
+}
+
+/// [m] nearer than this to a body, of whatever it does, the ball may touch it.
+float widest_reach(const BallModel& ball, const ContactModel& contact) {
+  return std::max({contact.foot_radius, contact.squatting_radius, contact.lying_radius}) + ball.radius;
+}
+
+/// The post on whose side of the field the ball is.
+Vec2 nearest_post(const field::Field& field, Vec2 ball) {
+  const Vec2 post = field::post_of(field, 0);
+  return {std::copysign(post.x, ball.x), std::copysign(post.y, ball.y)};
+}
+
+/// What the ball may meet.
+Obstacles obstacles_near(const field::Field& field, const BallModel& ball, const ContactModel& contact,
+                         const Crowd& crowd, const World& world, const Way& way) {
+  Obstacles near;
+  const float farthest = widest_reach(ball, contact);
+  for (int i = 0; i < crowd.count; ++i) {
+    if (!way.within(crowd.middle(i), farthest)) continue;
+    const Body& body = world.bodies[crowd.robot[i]];
+    near.list[near.count++] = {body.position, turned(body.velocity, body.facing),
+                               touch_radius(contact, body.doing) + ball.radius, ball.robot_restitution, crowd.robot[i]};
+  }
+  const Vec2 post = nearest_post(field, way.middle);
   const float reach = field.post_radius + ball.radius;
-  if (squared_length(post - middle) < (reach + half) * (reach + half))
-    near.list[near.count++] = {post, {}, reach, ball.post_restitution, kNobody};
+  if (way.within(post, reach)) near.list[near.count++] = {post, {}, reach, ball.post_restitution, kNobody};
   return near;
 }
 
@@ -115,17 +138,10 @@ Moving rebound(Moving ball, const Obstacle& obstacle, const ContactModel& contac
   return ball;
 }
 
-}  // namespace
-
-void bounce_ball(const field::Field& field, const BallModel& ball, const ContactModel& contact, const Effects& effects,
-                 World& world) {
-  // the way of this tick; |x| + |y| is at least its length
-  const Vec2 way = kTickDuration * world.ball.velocity;
-  const float half = 0.5f * (std::fabs(way.x) + std::fabs(way.y));
-  const Obstacles near = obstacles_near(field, ball, contact, world, world.ball.position - 0.5f * way, half);
-  if (near.count == 0) return;
-
-  Moving moving{world.ball.position - way, world.ball.velocity};
+/// The way anew, past whatever it meets. Not inline: it seldom comes to this.
+[[gnu::noinline]] void bounce_off(const Obstacles& near, const ContactModel& contact, const Effects& effects,
+                                  const Way& way, World& world) {
+  Moving moving{world.ball.position - way.whole, world.ball.velocity};
   float left = kTickDuration;
   for (int round = 0; round < kMostRebounds; ++round) {
     // the first that it meets; if it meets two at once, what each of them does counts half
@@ -162,6 +178,18 @@ void bounce_ball(const field::Field& field, const BallModel& ball, const Contact
   }
   world.ball.position = moving.position;
   world.ball.velocity = moving.velocity;
+}
+
+}  // namespace
+
+void bounce_ball(const field::Field& field, const BallModel& ball, const ContactModel& contact, const Effects& effects,
+                 const Crowd& crowd, World& world) {
+  const Way way = way_of(world.ball);
+  const float robots = widest_reach(ball, contact) + way.half;
+  const std::uint32_t near =
+      crowd.near(0, [&](Vec2 middle) { return squared_length(middle - way.middle) < robots * robots ? 1u : 0u; });
+  if (near == 0 && !way.within(nearest_post(field, way.middle), field.post_radius + ball.radius)) return;
+  bounce_off(obstacles_near(field, ball, contact, crowd, world, way), contact, effects, way, world);
 }
 
 }  // namespace sim

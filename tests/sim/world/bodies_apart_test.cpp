@@ -10,9 +10,11 @@ namespace {
 using namespace sim;
 using namespace sim::arena;
 
-void part(World& world) { keep_bodies_apart(kField, kContact, world); }
-
-bool lies(const Body& body) { return body.doing == Body::Doing::fallen || body.doing == Body::Doing::getting_up; }
+void part(World& world) {
+  Crowd crowd = crowd_of(world);
+  keep_bodies_apart(kField, kContact, crowd, world);
+  for (int i = 0; i < crowd.count; ++i) EXPECT_EQ(crowd.middle(i), world.bodies[crowd.robot[i]].position);
+}
 
 float radius_of(const Body& body) { return lies(body) ? kContact.lying_radius : kContact.robot_radius; }
 

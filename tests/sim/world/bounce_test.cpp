@@ -10,7 +10,9 @@ namespace {
 using namespace sim;
 using namespace sim::arena;
 
-void bounce(World& world, const Effects& effects = kIdeal) { bounce_ball(kField, kBall, kContact, effects, world); }
+void bounce(World& world, const Effects& effects = kIdeal) {
+  bounce_ball(kField, kBall, kContact, effects, crowd_of(world), world);
+}
 
 /// One tick of the ball.
 void roll_and_bounce(World& world, const Effects& effects = kIdeal) {
