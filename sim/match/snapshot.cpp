@@ -63,6 +63,7 @@ std::string lost_index(const State& state) {
   if (!is_robot(world.kicked)) return "world.kicked";
   if (!is_robot(world.whiffed)) return "world.whiffed";
   if (!is_robot(state.book.last_toucher)) return "book.last_toucher";
+  if (!is_robot(state.book.kick_off_by)) return "book.kick_off_by";
   for (int i = 0; i < kMaxRobots; ++i) {
     const std::string index = "[" + std::to_string(i) + "]";
     if (world.bodies[i].kick >= motion::kMaxKicks) return "world.bodies" + index + ".kick";

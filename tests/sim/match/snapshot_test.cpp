@@ -75,11 +75,12 @@ TEST(Snapshot, IsRefusedWithWhatCannotBe) {
     return "snapshot: " + std::string(name) + " is not a possible value";
   };
   EXPECT_EQ(refusal([](State& s) { s.world.ball.position.x = std::nanf(""); }), impossible("world.ball.position.x"));
-  EXPECT_EQ(refusal([](State& s) { s.world.bodies[2].doing = static_cast<Body::Doing>(8); }),
+  EXPECT_EQ(refusal([](State& s) { s.world.bodies[2].doing = static_cast<Body::Doing>(10); }),
             impossible("world.bodies[2].doing"));
   EXPECT_EQ(refusal([](State& s) { s.world.players = 8; }), impossible("world.players"));
   EXPECT_EQ(refusal([](State& s) { s.world.home_attacks = 0.5f; }), impossible("world.home_attacks"));
   EXPECT_EQ(refusal([](State& s) { s.book.last_toucher = 14; }), impossible("book.last_toucher"));
+  EXPECT_EQ(refusal([](State& s) { s.book.kick_off_by = 14; }), impossible("book.kick_off_by"));
   EXPECT_EQ(refusal([](State& s) { s.robots[13].command.kick = motion::kMaxKicks; }),
             impossible("robots[13].command.kick"));
 }

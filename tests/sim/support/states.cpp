@@ -27,7 +27,7 @@ State scrambled(std::uint64_t seed) {
   World& world = state.world;
   world.players = 1 + (world.players & 3);
   world.home_attacks = world.home_attacks > 0 ? 1.f : -1.f;
-  world.touched = world.kicked = world.whiffed = state.book.last_toucher = kNobody;
+  world.touched = world.kicked = world.whiffed = state.book.last_toucher = state.book.kick_off_by = kNobody;
   for (int i = 0; i < kMaxRobots; ++i)
     world.bodies[i].kick = state.robots[i].command.kick = state.robots[i].mind.kick = 0;
   return state;
@@ -88,7 +88,7 @@ State exchanged(const State& state) {
   std::swap_ranges(world.bodies, world.bodies + kMaxPlayers, world.bodies + kMaxPlayers);
   std::swap_ranges(other_names.robots, other_names.robots + kMaxPlayers, other_names.robots + kMaxPlayers);
   referee::Book& book = other_names.book;
-  for (std::uint8_t* robot : {&world.touched, &world.kicked, &world.whiffed, &book.last_toucher})
+  for (std::uint8_t* robot : {&world.touched, &world.kicked, &world.whiffed, &book.last_toucher, &book.kick_off_by})
     if (*robot != kNobody) *robot = static_cast<std::uint8_t>((*robot + kMaxPlayers) % kMaxRobots);
 
   for (Side* side : {&book.kicking, &book.first_kick_off, &book.last_touch}) *side = other(*side);
