@@ -6,9 +6,9 @@
 namespace sim::referee::pushing {
 
 inline bool due(const Court& court, int robot) {
-  // a body counts in fifths of a second
-  return court.rules.pushing_time > 0 &&
-         static_cast<float>(court.world.bodies[robot].pushing) >= 5 * court.rules.pushing_time;
+  // a body counts in fifths of a second, and hardly any does
+  const std::uint8_t pushing = court.world.bodies[robot].pushing;
+  return pushing > 0 && court.rules.pushing_time > 0 && static_cast<float>(pushing) >= 5 * court.rules.pushing_time;
 }
 
 inline void apply(Court& court, int robot) { remove_robot(court, robot, Event::Kind::pushing); }

@@ -64,6 +64,12 @@ void judge_places(Court& court) {
   });
 }
 
+void judge_returns(Court& court) {
+  for_each_robot(court.world.players, [&](int robot) {
+    if (returning::due(court, robot)) returning::apply(court, robot);
+  });
+}
+
 }  // namespace
 
 void open(const Means& means, World& world, Book& book, Events& events) {
@@ -113,9 +119,7 @@ void judge(const Means& means, World& world, Book& book, Tally& tally, Events& e
 
   // robots that leave and come back
   if (look && book.phase != Phase::finished) judge_places(court);
-  for_each_robot(world.players, [&](int robot) {
-    if (returning::due(court, robot)) returning::apply(court, robot);
-  });
+  if (returning::somebody_waits(court)) judge_returns(court);
   book.ball_before = world.ball.position;
 }
 

@@ -34,7 +34,7 @@ struct Circles {
 struct Things {
   Vec2 post;  // the one in the quarter of the field where x and y are positive
   float post_radius;
-  Vec2 official;
+  const Official& official;
   float official_radius;
 
   Vec2 from_post(Vec2 middle) const { return {std::fabs(middle.x) - post.x, std::fabs(middle.y) - post.y}; }
@@ -89,16 +89,23 @@ Limits limits_of(const Things& things, float largest, float margin) {
 /// Whether anybody may touch anything: quick, a block at a time.
 bool anything_near(const Things& things, const Crowd& crowd, float largest) {
   const Limits limits = limits_of(things, largest, kTouch);
-  const auto count = static_cast<std::uint32_t>(crowd.count);
-  std::uint32_t near = crowd.near(0, [&](Vec2 middle) {
-    return (squared_length(things.from_post(middle)) < limits.post ? 1u : 0u) +
-           (squared_length(middle - things.official) < limits.official ? 1u : 0u);
-  });
-  for (int i = 0; i < crowd.count; ++i)
-    near += crowd.near(
-        i, [&, own = crowd.middle(i)](Vec2 middle) { return squared_length(middle - own) < limits.robots ? 1u : 0u; });
+  std::uint32_t hits[Crowd::kBlock] = {};
+  const auto count_near = [&](int block, auto&& is_near) {
+    for (int lane = 0; lane < Crowd::kBlock; ++lane) hits[lane] += is_near(crowd.middle(block + lane)) ? 1u : 0u;
+  };
+  for (int block = 0; block < crowd.count; block += Crowd::kBlock) {
+    count_near(block, [&](Vec2 middle) { return squared_length(things.from_post(middle)) < limits.post; });
+    const int end = std::min(block + Crowd::kBlock, crowd.count);
+    for (int i = 0; i < end; ++i)
+      count_near(block,
+                 [&, own = crowd.middle(i)](Vec2 middle) { return squared_length(middle - own) < limits.robots; });
+  }
+  if (is_there(things.official))
+    for (int block = 0; block < crowd.count; block += Crowd::kBlock)
+      count_near(block,
+                 [&](Vec2 middle) { return squared_length(middle - things.official.position) < limits.official; });
   // everybody is near himself
-  return near > count;
+  return hits[0] + hits[1] + hits[2] + hits[3] > static_cast<std::uint32_t>(crowd.count);
 }
 
 Neighbours neighbours_of(const Things& things, const Circles& circles, float largest) {
@@ -112,7 +119,7 @@ Neighbours neighbours_of(const Things& things, const Circles& circles, float lar
       near.second[near.pairs++] = static_cast<std::uint8_t>(j);
     }
     if (squared_length(things.from_post(middle)) < limits.post ||
-        squared_length(middle - things.official) < limits.official)
+        squared_length(middle - things.official.position) < limits.official)
       near.at_thing[near.at_things++] = static_cast<std::uint8_t>(i);
   }
   return near;
@@ -173,7 +180,8 @@ Shifts shifts_of(const Things& things, const Circles& circles, const Neighbours&
     const Vec2 middle = circles.middle(i);
     const Vec2 folded = missing(things.from_post(middle), circles.radius[i] + things.post_radius, {-1, 0}, shifts);
     shifts.add(i, {std::copysign(1.f, middle.x) * folded.x, std::copysign(1.f, middle.y) * folded.y});
-    shifts.add(i, missing(middle - things.official, circles.radius[i] + things.official_radius, {1, 0}, shifts));
+    shifts.add(i,
+               missing(middle - things.official.position, circles.radius[i] + things.official_radius, {1, 0}, shifts));
   }
   return shifts;
 }
@@ -211,7 +219,7 @@ Shifts shifts_of(const Things& things, const Circles& circles, const Neighbours&
 }  // namespace
 
 void keep_bodies_apart(const field::Field& field, const ContactModel& contact, Crowd& crowd, World& world) {
-  const Things things{field::post_of(field, 0), field.post_radius, world.official.position, contact.official_radius};
+  const Things things{field::post_of(field, 0), field.post_radius, world.official, contact.official_radius};
   const float largest =
       crowd.somebody_lies ? std::max(contact.lying_radius, contact.robot_radius) : contact.robot_radius;
   if (anything_near(things, crowd, largest)) return part(contact, things, largest, crowd, world);

@@ -21,9 +21,10 @@ struct Obstacle {
   std::uint8_t robot;  // kNobody: a post
 };
 
-struct Obstacles {
-  Obstacle list[kMaxRobots + 1];
+/// What the ball may meet on its way: robots, and kNobody for a post.
+struct Near {
   int count = 0;
+  std::uint8_t list[kMaxRobots + 1];
 };
 
 struct Moving {
@@ -77,21 +78,25 @@ Vec2 nearest_post(const field::Field& field, Vec2 ball) {
   return {std::copysign(post.x, ball.x), std::copysign(post.y, ball.y)};
 }
 
-/// What the ball may meet.
-Obstacles obstacles_near(const field::Field& field, const BallModel& ball, const ContactModel& contact,
-                         const Crowd& crowd, const World& world, const Way& way) {
-  Obstacles near;
+Near near_to(const field::Field& field, const BallModel& ball, const ContactModel& contact, const Crowd& crowd,
+             const Way& way) {
+  Near near;
   const float farthest = widest_reach(ball, contact);
   for (int i = 0; i < crowd.count; ++i) {
-    if (!way.within(crowd.middle(i), farthest)) continue;
-    const Body& body = world.bodies[crowd.robot[i]];
-    near.list[near.count++] = {body.position, turned(body.velocity, body.facing),
-                               touch_radius(contact, body.doing) + ball.radius, ball.robot_restitution, crowd.robot[i]};
+    near.list[near.count] = crowd.robot[i];
+    near.count += way.within(crowd.middle(i), farthest);
   }
-  const Vec2 post = nearest_post(field, way.middle);
-  const float reach = field.post_radius + ball.radius;
-  if (way.within(post, reach)) near.list[near.count++] = {post, {}, reach, ball.post_restitution, kNobody};
+  if (way.within(nearest_post(field, way.middle), field.post_radius + ball.radius)) near.list[near.count++] = kNobody;
   return near;
+}
+
+Obstacle obstacle_of(const field::Field& field, const BallModel& ball, const ContactModel& contact, const World& world,
+                     const Way& way, std::uint8_t robot) {
+  if (robot == kNobody)
+    return {nearest_post(field, way.middle), {}, field.post_radius + ball.radius, ball.post_restitution, kNobody};
+  const Body& body = world.bodies[robot];
+  return {body.position, turned(body.velocity, body.facing), touch_radius(contact, body.doing) + ball.radius,
+          ball.robot_restitution, robot};
 }
 
 /// Whether the ball meets the obstacle within `time` [s], and when.
@@ -139,8 +144,9 @@ Moving rebound(Moving ball, const Obstacle& obstacle, const ContactModel& contac
 }
 
 /// The way anew, past whatever it meets. Not inline: it seldom comes to this.
-[[gnu::noinline]] void bounce_off(const Obstacles& near, const ContactModel& contact, const Effects& effects,
-                                  const Way& way, World& world) {
+[[gnu::noinline]] void bounce_off(const field::Field& field, const BallModel& ball, const ContactModel& contact,
+                                  const Effects& effects, const Near& near, const Way& way, World& world) {
+  const auto obstacle = [&](int i) { return obstacle_of(field, ball, contact, world, way, near.list[i]); };
   Moving moving{world.ball.position - way.whole, world.ball.velocity};
   float left = kTickDuration;
   for (int round = 0; round < kMostRebounds; ++round) {
@@ -149,7 +155,7 @@ Moving rebound(Moving ball, const Obstacle& obstacle, const ContactModel& contac
     int met[kMaxRobots + 1], count = 0;
     for (int i = 0; i < near.count; ++i) {
       Meeting meeting;
-      if (!meets(moving, near.list[i], left, meeting) || first.before(meeting)) continue;
+      if (!meets(moving, obstacle(i), left, meeting) || first.before(meeting)) continue;
       if (meeting.before(first)) count = 0;
       first = meeting;
       met[count++] = i;
@@ -165,12 +171,11 @@ Moving rebound(Moving ball, const Obstacle& obstacle, const ContactModel& contac
     Moving sum;
     std::uint8_t touched = kNobody;
     for (int i = 0; i < count; ++i) {
-      const Obstacle& obstacle = near.list[met[i]];
-      const Moving one = rebound(moving, obstacle, contact, effects, world);
+      const Moving one = rebound(moving, obstacle(met[i]), contact, effects, world);
       sum.position += one.position;
       sum.velocity += one.velocity;
-      if (obstacle.robot != kNobody && (touched == kNobody || is_named_before(world, obstacle.robot, touched)))
-        touched = obstacle.robot;
+      const std::uint8_t robot = near.list[met[i]];
+      if (robot != kNobody && (touched == kNobody || is_named_before(world, robot, touched))) touched = robot;
     }
     moving.position = (1 / static_cast<float>(count)) * sum.position;
     moving.velocity = (1 / static_cast<float>(count)) * sum.velocity;
@@ -185,11 +190,8 @@ Moving rebound(Moving ball, const Obstacle& obstacle, const ContactModel& contac
 void bounce_ball(const field::Field& field, const BallModel& ball, const ContactModel& contact, const Effects& effects,
                  const Crowd& crowd, World& world) {
   const Way way = way_of(world.ball);
-  const float robots = widest_reach(ball, contact) + way.half;
-  const std::uint32_t near =
-      crowd.near(0, [&](Vec2 middle) { return squared_length(middle - way.middle) < robots * robots ? 1u : 0u; });
-  if (near == 0 && !way.within(nearest_post(field, way.middle), field.post_radius + ball.radius)) return;
-  bounce_off(obstacles_near(field, ball, contact, crowd, world, way), contact, effects, way, world);
+  const Near near = near_to(field, ball, contact, crowd, way);
+  if (near.count > 0) bounce_off(field, ball, contact, effects, near, way, world);
 }
 
 }  // namespace sim

@@ -19,15 +19,6 @@ struct Crowd {
   std::uint8_t robot[kRoom];  // index in the world
 
   Vec2 middle(int i) const { return {x[i], y[i]}; }
-
-  /// How many times `is_near(middle)` is 1 rather than 0, asked for a block at a time from that of `first` on.
-  template <class IsNear>
-  std::uint32_t near(int first, IsNear&& is_near) const {
-    std::uint32_t hits[kBlock] = {};
-    for (int block = first / kBlock * kBlock; block < count; block += kBlock)
-      for (int lane = 0; lane < kBlock; ++lane) hits[lane] += is_near(middle(block + lane));
-    return hits[0] + hits[1] + hits[2] + hits[3];
-  }
 };
 
 inline bool lies(const Body& body) {

@@ -6,13 +6,12 @@ namespace {
 
 constexpr float kDistance = 1.5f;  // [m] that it keeps from the ball
 constexpr float kSpeed = 1;        // [m/s]
-constexpr float kAbsent = 1e5f;    // [m] a referee so far away has not come yet
 
 }  // namespace
 
 void walk_official(const field::Field& field, World& world) {
   Official& official = world.official;
-  if (official.position.x > kAbsent) {
+  if (!is_there(official)) {
     const auto words = draw(world.key, kNobody, Event::official, 0);
     official = {{((words[0] & 1) != 0 ? 0.25f : -0.25f) * field.length, 0}, {}};
   }

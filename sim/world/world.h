@@ -28,6 +28,9 @@ struct Official {
   Vec2 velocity;              // [m/s]
 };
 
+/// One so far away has not come yet.
+constexpr bool is_there(const Official& official) { return official.position.x < 1e5f; }
+
 struct World {
   RandomKey key;
   Tick tick = 0;
