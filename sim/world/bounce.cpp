@@ -82,10 +82,9 @@ Near near_to(const field::Field& field, const BallModel& ball, const ContactMode
              const Way& way) {
   Near near;
   const float farthest = widest_reach(ball, contact);
-  for (int i = 0; i < crowd.count; ++i) {
-    near.list[near.count] = crowd.robot[i];
-    near.count += way.within(crowd.middle(i), farthest);
-  }
+  if (crowd.anybody_within(way.middle, farthest + way.half))
+    for (int i = 0; i < crowd.count; ++i)
+      if (way.within(crowd.middle(i), farthest)) near.list[near.count++] = crowd.robot[i];
   if (way.within(nearest_post(field, way.middle), field.post_radius + ball.radius)) near.list[near.count++] = kNobody;
   return near;
 }

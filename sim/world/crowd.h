@@ -19,27 +19,39 @@ struct Crowd {
   std::uint8_t robot[kRoom];  // index in the world
 
   Vec2 middle(int i) const { return {x[i], y[i]}; }
+
+  /// Somebody's middle is nearer to `place` than `reach` [m].
+  bool anybody_within(Vec2 place, float reach) const {
+    std::uint32_t hits[kBlock] = {};
+    for (int block = 0; block < count; block += kBlock)
+      for (int lane = 0; lane < kBlock; ++lane)
+        hits[lane] |= squared_length(middle(block + lane) - place) < reach * reach ? 1u : 0u;
+    return (hits[0] | hits[1] | hits[2] | hits[3]) != 0;
+  }
 };
 
-inline bool lies(const Body& body) {
-  return body.doing == Body::Doing::fallen || body.doing == Body::Doing::getting_up;
-}
+/// Each thing that a body can do as a bit.
+constexpr std::uint32_t bit_of(Body::Doing doing) { return 1u << static_cast<unsigned>(doing); }
+inline constexpr std::uint32_t kLying = bit_of(Body::Doing::fallen) | bit_of(Body::Doing::getting_up);
+
+inline bool lies(const Body& body) { return (bit_of(body.doing) & kLying) != 0; }
 
 inline Crowd crowd_of(const World& world) {
   Crowd crowd;
-  unsigned lying = 0, touching = 0;
+  std::uint32_t count = 0, doing = 0, touching = 0;
   for_each_robot(world.players, [&](int robot) {
     // whoever is removed is overwritten by the next
     const Body& body = world.bodies[robot];
-    crowd.x[crowd.count] = body.position.x;
-    crowd.y[crowd.count] = body.position.y;
-    crowd.robot[crowd.count] = static_cast<std::uint8_t>(robot);
-    crowd.count += body.doing != Body::Doing::removed;
-    lying |= lies(body);
+    crowd.x[count] = body.position.x;
+    crowd.y[count] = body.position.y;
+    crowd.robot[count] = static_cast<std::uint8_t>(robot);
+    count += body.doing != Body::Doing::removed ? 1u : 0u;
+    doing |= bit_of(body.doing);
     touching |= body.touching;
   });
+  crowd.count = static_cast<int>(count);
   for (int i = crowd.count; i % Crowd::kBlock != 0; ++i) crowd.x[i] = crowd.y[i] = 1e9f;
-  crowd.somebody_lies = lying != 0;
+  crowd.somebody_lies = (doing & kLying) != 0;
   crowd.somebody_touched = touching != 0;
   return crowd;
 }
