@@ -9,14 +9,16 @@ struct Candidate {
   float x;     // [m, team_field]; less what it has in hand as a defender
   float y;     // [m, team_field]
   int player;
-  bool defends = false;
 };
 
 /// Which of two comes first; the number settles what a mirrored game leaves the same.
 bool quicker(const Candidate& a, const Candidate& b) {
   return a.time < b.time || (a.time == b.time && a.player < b.player);
 }
-bool farther_back(const Candidate& a, const Candidate& b) { return a.x < b.x || (a.x == b.x && a.player < b.player); }
+bool farther_back(const Candidate& a, const Candidate& b) {
+  // no branch to be mispredicted
+  return (a.x < b.x) | ((a.x == b.x) & (a.player < b.player));
+}
 
 Candidate candidate(const Roles& roles, Role role, float time, Vec2 position, int player) {
   return {.time = role == Role::chaser ? time - roles.hysteresis : time,
@@ -60,7 +62,7 @@ void assign_role(const View& view, Mind& mind) {
   // everybody in the field, oneself first
   Candidate all[kMaxPlayers];
   all[0] = candidate(roles, mind.role, mind.time_to_ball, view.position, view.game.player);
-  int count = 1;
+  int count = 1, chaser = 0;
   view.for_each_mate([&](const Mate& mate, int index) {
     const int player = view.player_of_mate(index);
     if (player == 1) return;
@@ -69,13 +71,12 @@ void assign_role(const View& view, Mind& mind) {
     const float since = static_cast<float>(view.now - mate.sent) * kTickDuration;
     const float left =
         role == Role::chaser && mate.time_to_ball > since ? mate.time_to_ball - since : mate.time_to_ball;
-    all[count++] = candidate(roles, role, left, mate.pose.position, player);
+    all[count] = candidate(roles, role, left, mate.pose.position, player);
+    if (quicker(all[count], all[chaser])) chaser = count;
+    ++count;
   });
 
   // the quickest chases
-  int chaser = 0;
-  for (int i = 1; i < count; ++i)
-    if (quicker(all[i], all[chaser])) chaser = i;
   if (chaser == 0) {
     set_role(mind, Role::chaser, view.now);
     mind.slot = kMiddleLane;
@@ -87,17 +88,18 @@ void assign_role(const View& view, Mind& mind) {
   const float share = roles.defenders * static_cast<float>(count);
   const int whole = static_cast<int>(share);
   const int defenders = share - static_cast<float>(whole) >= 0.5f ? whole + 1 : whole;
+  bool defends[kMaxPlayers] = {};
   for (int i = 0; i < count; ++i) {
     int behind = 0;
-    for (int k = 0; k < count; ++k) behind += k != i && farther_back(all[k], all[i]);
-    all[i].defends = behind < defenders;
+    for (int k = 0; k < count; ++k) behind += farther_back(all[k], all[i]);
+    defends[i] = behind < defenders;
   }
-  set_role(mind, all[0].defends ? Role::defender : Role::supporter, view.now);
+  set_role(mind, defends[0] ? Role::defender : Role::supporter, view.now);
 
   // lanes from right to left; level robots share one, so that a mirrored team has mirrored lanes
   int lane = kMiddleLane;
   for (int k = 1; k < count; ++k)
-    if (all[k].defends == all[0].defends) lane += (all[k].y < all[0].y) - (all[k].y > all[0].y);
+    if (defends[k] == defends[0]) lane += (all[k].y < all[0].y) - (all[k].y > all[0].y);
   mind.slot = static_cast<std::uint8_t>(lane);
 }
 

@@ -24,14 +24,6 @@ void remember_leaf(Mind& mind, std::uint16_t leaf, Tick now) {
   mind.leaf = leaf;
 }
 
-/// What most trees ask first costs less told than asked.
-void tell(const View& view) {
-  remember(Feature::ball_known, view.ball_known ? 1 : 0, view);
-  remember(Feature::role, static_cast<float>(view.mind.role), view);
-  if (!view.ball_known) return;
-  remember(Feature::ball_distance, view.ball_distance, view);
-}
-
 Trace::Node explained(const Node& node, const Words& words, float value, bool result) {
   return {.path = words.path.c_str(),
           .name = words.name.c_str(),
@@ -51,16 +43,25 @@ void explain_leaf(const Leaf& leaf, const Words& words, const Mind& mind, Trace&
   trace.role = name_of(mind.role);
 }
 
-/// Down the tree from `at` to the leaf whose number is returned.
-std::uint16_t walk_down(const Tree& tree, std::uint16_t at, const View& view, Trace* trace) {
+/// Down the tree from `at` to the leaf whose number is returned; see(node, its number, value, result) at each node.
+template <class See>
+std::uint16_t walk_down(const Tree& tree, std::uint16_t at, const View& view, See&& see) {
+  const Node* nodes = tree.nodes.data();
   while (!(at & kLeafBit)) {
-    const Node& node = tree.nodes[at];
+    const Node& node = nodes[at];
     const float value = value_of(node.feature, view);
     const bool result = holds(node.comparison, value, node.threshold);
-    if (trace) trace->visited.push_back(explained(node, tree.node_words[at], value, result));
+    see(node, at, value, result);
     at = result ? node.yes : node.no;
   }
   return static_cast<std::uint16_t>(at & ~kLeafBit);
+}
+
+/// The same from the root, explaining each step.
+std::uint16_t walk_down_explaining(const Tree& tree, const View& view, Trace& trace) {
+  return walk_down(tree, tree.root, view, [&](const Node& node, std::uint16_t at, float value, bool result) {
+    trace.visited.push_back(explained(node, tree.node_words[at], value, result));
+  });
 }
 
 }  // namespace
@@ -99,9 +100,9 @@ motion::Command TreeBehaviour::decide(const Surroundings& surroundings, const Ga
   remember_ball(view, mind);
   const auto since = static_cast<std::uint16_t>(now - mind.settled);
   if (mind.leaf == kNoLeaf || since >= kSettle) assign_role(view, mind);
-  tell(view);
-  const std::uint16_t entry = trace ? tree_.root : entries_[view.ball_known][static_cast<int>(mind.role)];
-  const std::uint16_t number = walk_down(tree_, entry, view, trace);
+  const std::uint16_t entry = entries_[view.ball_known][static_cast<int>(mind.role)];
+  const std::uint16_t number =
+      trace ? walk_down_explaining(tree_, view, *trace) : walk_down(tree_, entry, view, [](auto&&...) {});
   remember_leaf(mind, number, now);
   const Leaf& leaf = tree_.leaves[number];
   if (trace) explain_leaf(leaf, tree_.leaf_words[number], mind, *trace);

@@ -46,23 +46,26 @@ struct View {
   Vec2 to_team(Vec2 in_robot) const { return position + turned(in_robot, facing); }
   Vec2 goal() const { return {half_length, 0}; }
   Vec2 own_goal() const { return {-half_length, 0}; }
+  /// Seen of late.
+  bool believes(const Opponent& opponent) const {
+    return (opponent.seen != kNever) & (now - opponent.seen < ticks(kOpponentMemory));
+  }
+  /// On the field, and heard of in the last `memory` [ticks].
+  bool believes(const Mate& mate, Tick memory) const {
+    return mate.active & (mate.sent != kNever) & (now - mate.sent < memory);
+  }
   /// Calls see(position) [m, team_field] for each opponent seen of late.
   template <class See>
   void for_each_opponent(See&& see) const {
-    for (int i = 0; i < game.players; ++i) {
-      const Opponent& opponent = beliefs.opponents[i];
-      // one branch, which mostly goes one way
-      if ((opponent.seen != kNever) & (now - opponent.seen < ticks(kOpponentMemory))) see(opponent.position);
-    }
+    for (int i = 0; i < game.players; ++i)
+      if (believes(beliefs.opponents[i])) see(beliefs.opponents[i].position);
   }
   /// Calls see(mate, index) for each teammate on the field that was heard of of late.
   template <class See>
   void for_each_mate(See&& see) const {
     const Tick stale = ticks(settings.roles.stale);
-    for (int i = 0; i + 1 < game.players; ++i) {
-      const Mate& mate = beliefs.mates[i];
-      if (mate.active & (mate.sent != kNever) & (now - mate.sent < stale)) see(mate, i);
-    }
+    for (int i = 0; i + 1 < game.players; ++i)
+      if (believes(beliefs.mates[i], stale)) see(beliefs.mates[i], i);
   }
   /// [1..7] of beliefs.mates[index].
   int player_of_mate(int index) const { return index + 1 < game.player ? index + 1 : index + 2; }

@@ -38,33 +38,34 @@ Vec2 round_robots(const View& view, Vec2 target) {
   const float squared = squared_length(target);
   if (squared < 0.15f * 0.15f) return target;
 
-  // the nearest of those in the way; conditions joined by & are one branch, which seldom is taken
-  const Vec2 way = turned(target, view.facing);
-  const float width = radius * radius * squared;
-  Vec2 nearest;
-  float least = kLookAhead * kLookAhead;
-  const auto consider = [&](Vec2 place, bool believed) {
-    const Vec2 offset = place - view.position;
-    const float far = squared_length(offset), along = dot(offset, way), off = cross(way, offset);
-    if (believed & (far < least) & (along > 0) & (along < squared) & (off * off < width)) nearest = offset, least = far;
-  };
-  for (int i = 0; i < view.game.players; ++i) {
-    const Opponent& opponent = view.beliefs.opponents[i];
-    consider(opponent.position, (opponent.seen != kNever) & (view.now - opponent.seen < ticks(kOpponentMemory)));
-  }
-  for (int i = 0; i + 1 < view.game.players; ++i) {
-    const Mate& mate = view.beliefs.mates[i];
-    consider(mate.pose.position, mate.active & (mate.sent != kNever) & (view.now - mate.sent < ticks(kMateMemory)));
-  }
-  if (least >= kLookAhead * kLookAhead) return target;
-  return round_circle(turned_back(nearest, view.facing), radius, target, view.mind.search_side);
-}
+  // who is farther away than this, squared, is not in the way; a little is added for rounding
+  const float reach = 1.001f * (squared + radius * radius);
+  float least = reach < kLookAhead * kLookAhead ? reach : kLookAhead * kLookAhead;
 
-motion::Command walk_straight(Vec2 target, float heading, float gain) {
-  motion::Command command;
-  command.body = motion::Command::Body::walk_to;
-  command.walk = target, command.turn = heading, command.gain = gain;
-  return command;
+  // the nearest of those in the way; most are too far away, and of them no more is read
+  const Vec2 here = view.position, way = turned(target, view.facing);
+  const float width = radius * radius * squared;
+  const int players = view.game.players;
+  bool found = false;
+  Vec2 nearest;
+  const auto consider = [&](Vec2 place, auto&& believed) {
+    const Vec2 offset = place - here;
+    const float far = squared_length(offset);
+    if (!(far < least)) return;
+    const float along = dot(offset, way), off = cross(way, offset);
+    if ((along > 0) & (along < squared) & (off * off < width) && believed())
+      found = true, nearest = offset, least = far;
+  };
+  for (int i = 0; i < players; ++i) {
+    const Opponent& opponent = view.beliefs.opponents[i];
+    consider(opponent.position, [&] { return view.believes(opponent); });
+  }
+  for (int i = 0; i + 1 < players; ++i) {
+    const Mate& mate = view.beliefs.mates[i];
+    consider(mate.pose.position, [&] { return view.believes(mate, ticks(kMateMemory)); });
+  }
+  if (!found) return target;
+  return round_circle(turned_back(nearest, view.facing), radius, target, view.mind.search_side);
 }
 
 motion::Command walk_in_robot(const View& view, Vec2 target, float heading, float gain) {

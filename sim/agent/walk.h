@@ -7,7 +7,12 @@
 namespace sim::agent {
 
 /// walk_to a place and heading in the frame robot, as it is.
-motion::Command walk_straight(Vec2 target, float heading, float gain);
+inline motion::Command walk_straight(Vec2 target, float heading, float gain) {
+  motion::Command command;
+  command.body = motion::Command::Body::walk_to;
+  command.walk = target, command.turn = heading, command.gain = gain;
+  return command;
+}
 /// Likewise, but round robots on the way.
 motion::Command walk_in_robot(const View& view, Vec2 target, float heading, float gain);
 /// Turns on the spot until it faces `way` [robot]; stands when it nearly does.
