@@ -46,7 +46,7 @@ constexpr FeatureInfo kTable[] = {
     number("ball_own_goal_distance", "m", 0, 30, "from the middle of the own goal"),
     number("ball_heat", "", 0, 1, "how likely an opponent is to kick it soon"),
     number("ball_approach", "m/s", -10, 10, "speed towards oneself"),
-    yes_no("ball_in_goal_soon", "if nobody touches it, it rolls into the own goal"),
+    yes_no("ball_in_goal_soon", "it rolls towards the own goal and may get there"),
     number("crossing_time", "s", 0, 60, "until the rolling ball passes the line through both own feet"),
     lateral("crossing_left", "m", 10, "where it passes that line, > 0 to the left"),
     number("crossing_off", "m", 0, 10, "how far from the feet it passes that line"),
@@ -113,7 +113,7 @@ Crossing crossing(const View& view) {
 
 // a ball that is seen to roll beside the goal, or not quite so far, may still roll into it
 constexpr float kBeside = 0.4f;  // [m] of a post
-constexpr float kShort = 0.7f;   // of the way to the line
+constexpr float kShort = 0.3f;   // of the way to the line: a fast ball seems slow at first
 
 bool in_goal_soon(const View& view) {
   const Vec2 velocity = view.ball_velocity;

@@ -8,6 +8,9 @@
 namespace sim::agent {
 namespace {
 
+constexpr float kWatched = 0.5f;     // [s] unseen after which the goalkeeper's head searches
+constexpr float kWatchAngle = 1.1f;  // [rad] to each side
+
 /// [m, team_field] where the ball is, or was last, or the middle.
 Vec2 supposed_ball(const View& view) {
   if (view.ball_known) return view.ball_in_team;
@@ -27,6 +30,13 @@ motion::Command hold(const View& view, Vec2 place, Vec2 ball, float gain) {
 Vec2 away_from(Vec2 place, Vec2 ball, float distance) {
   const Vec2 offset = place - ball;
   return squared_length(offset) >= distance * distance ? place : ball + distance * unit(offset);
+}
+
+/// A goalkeeper does not look away from a ball in its half, and looks for one that is not where it was.
+void watch(const View& view, motion::Command& command) {
+  const bool danger = view.ball_in_team.x < 0;
+  if (!view.ball_known || !danger) return look_at_ball(view, command);
+  age(view.now, view.beliefs.ball.seen) < kWatched ? keep_eye_on_ball(view, command) : scan(view, command, kWatchAngle);
 }
 
 }  // namespace
@@ -63,7 +73,11 @@ motion::Command keep_goal(const View& view, const KeepGoal& with) {
       return command;
     }
     if (std::abs(left) < 1.5f) {
-      if (std::abs(left) > 0.05f) command = walk_straight({0, left}, 0, 1);
+      // sidewards as fast as it can: a body that walks to a place would turn towards it first
+      if (std::abs(left) > 0.05f) {
+        command.body = motion::Command::Body::walk_speed;
+        command.walk = {0, std::copysign(view.around.motion->walk.sideward, left)};
+      }
       keep_eye_on_ball(view, command);
       return command;
     }
@@ -77,7 +91,7 @@ motion::Command keep_goal(const View& view, const KeepGoal& with) {
   const Vec2 face = turned_back(unit(ball - view.position), view.facing);
   command = squared_length(target) < with.step * with.step ? turn_to(view, face)
                                                            : walk_in_robot(view, target, angle_of(face), 1);
-  look_at_ball(view, command);
+  watch(view, command);
   return command;
 }
 

@@ -126,6 +126,43 @@ TEST(Goal, CountsForWhoeverAttacksThere) {
       }
 }
 
+TEST(Goal, IsNotScoredDirectlyFromAKickOff) {
+  for (const bool direct : {true, false})
+    for (const bool by_another : {false, true}) {
+      Scene scene(rules_2012());
+      scene.rules.kick_off_goal = direct;
+      while (scene.book.phase != agent::Game::Phase::playing) scene.pass();
+      scene.told();
+      const Side kicking = scene.book.kicking;
+      const float end = kicking == Side::home ? 1 : -1;  // home attacks towards +x in the first half
+
+      // the kicker touches it inside the circle; then nobody, or a teammate, before it is in the goal
+      scene.ball().position = {end * 0.1f, 0};
+      scene.touch(kicking, 2);
+      if (by_another) scene.touch(kicking, 3);
+      scene.ball().position = {end * 2.95f, 0};
+      scene.pass();
+      scene.told();
+      scene.ball().position = {end * 3.2f, 0};
+      scene.pass();
+      EXPECT_EQ(scene.book.score[static_cast<int>(kicking)], direct || by_another ? 1 : 0);
+      EXPECT_EQ(scene.told().size(), direct || by_another ? 2u : 1u);
+    }
+}
+
+TEST(Goal, MayBeScoredByTheKickerOnceItTouchedTheBallOutsideTheCircle) {
+  Scene scene(rules_2012());
+  scene.rules.kick_off_goal = false;
+  while (scene.book.phase != agent::Game::Phase::playing) scene.pass();
+  const Side kicking = scene.book.kicking;
+  const float end = kicking == Side::home ? 1 : -1;
+  scene.touch(kicking, 2);
+  scene.carry(kicking, 2, {end * 1.5f, 0}, {end * 2.95f, 0});
+  scene.ball().position = {end * 3.2f, 0};
+  scene.pass();
+  EXPECT_EQ(scene.book.score[static_cast<int>(kicking)], 1);
+}
+
 TEST(Goal, NeedsTheWholeBallOverTheLine) {
   Scene scene(rules_2012());
   scene.start_play();

@@ -12,6 +12,7 @@ inline constexpr BallModel kBall{
     .radius = 0.05f, .deceleration = 0.3f, .post_restitution = 0.4f, .robot_restitution = 0.4f, .stop_speed = 0.01f};
 inline constexpr ContactModel kContact{.robot_radius = 0.16f,
                                        .foot_radius = 0.1f,
+                                       .squatting_radius = 0.22f,
                                        .lying_radius = 0.25f,
                                        .official_radius = 0.2f,
                                        .push_deviation = 0.52f};

@@ -233,6 +233,16 @@ TEST(Bounce, WhoLiesIsLarger) {
   EXPECT_NEAR(gap_to_robots(world), kContact.lying_radius + kBall.radius, 1e-5);
 }
 
+TEST(Bounce, WhoSquatsIsWiderOnceItIsDown) {
+  for (const auto& [doing, radius] : {std::pair{Body::Doing::crouching, kContact.foot_radius},
+                                      std::pair{Body::Doing::squatting, kContact.squatting_radius}}) {
+    World world = empty();
+    stand(world, 0, {0.1f, 0}).doing = doing;
+    bounce(world);
+    EXPECT_NEAR(gap_to_robots(world), radius + kBall.radius, 1e-5);
+  }
+}
+
 TEST(Bounce, DoesNotDependOnTheOrderOfRobots) {
   std::mt19937 random(4);
   int touches = 0;
