@@ -16,12 +16,12 @@ constexpr int kMaxDepth = 64;
 /// Watches a text being parsed for what is valid JSON and yet wrong.
 class Watch {
  public:
-  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
-    using enum Json::parse_event_t;
+  using Event = Json::parse_event_t;
+  bool operator()(int depth, Event event, const Json& parsed) {
     if (depth > kMaxDepth && wrong_.empty()) wrong_ = "nested deeper than " + std::to_string(kMaxDepth);
-    if (event == object_start) keys_.emplace_back();
-    if (event == object_end) keys_.pop_back();
-    if (event == key && !keys_.back().insert(parsed.get<std::string>()).second && wrong_.empty())
+    if (event == Event::object_start) keys_.emplace_back();
+    if (event == Event::object_end) keys_.pop_back();
+    if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second && wrong_.empty())
       wrong_ = "'" + parsed.get<std::string>() + "' stands twice in one object";
     return true;
   }

@@ -81,12 +81,12 @@ struct Standing {
 };
 
 /// The enumerator called by the text at `key`; `otherwise` if there is none.
-template <class Enum, std::size_t kCount>
+template <class Enum, std::size_t Count>
 Enum name_at(Reader& reader, const Json& object, const std::string& path, const char* key,
-             const std::array<const char*, kCount>& names, Enum otherwise) {
+             const std::array<const char*, Count>& names, Enum otherwise) {
   const auto found = object.find(key);
   if (found == object.end()) return otherwise;
-  for (std::size_t i = 0; i < kCount; ++i)
+  for (std::size_t i = 0; i < Count; ++i)
     if (*found == names[i]) return static_cast<Enum>(i);
   reader.refuse(Reader::below(path, key) + " must be one of " + listed({names.begin(), names.end()}) + ", got " +
                 shown(*found));

@@ -27,7 +27,7 @@ struct Rhythm {
   std::uint32_t a_tick;  // what a tick is of a step, in 1 / kWhole
 
   explicit Rhythm(const Walk& walk)
-      : a_tick(static_cast<std::uint32_t>(static_cast<float>(kWhole) * kTickDuration / walk.step_duration + 0.5f)) {}
+      : a_tick(static_cast<std::uint32_t>(static_cast<float>(kWhole) * kTickDuration / walk.step_duration)) {}
 
   Tick step_at(Tick tick) const { return tick * a_tick / kWhole; }
   bool begins_at(Tick tick) const { return tick * a_tick % kWhole < a_tick; }
