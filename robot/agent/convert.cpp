@@ -224,8 +224,8 @@ void to_proto(const sim::Body& body, const sim::motion::Command& command, const 
   message.Clear();
   const Doing doing = body.doing;
   const bool walks = doing == Doing::starting || doing == Doing::walking || doing == Doing::stopping;
-  const bool lies = doing == Doing::fallen || doing == Doing::removed;
-  message.set_body_active(doing != Doing::standing && !lies);
+  const bool rests = doing == Doing::standing || doing == Doing::fallen || doing == Doing::removed;
+  message.set_body_active(!rests);
   message.set_head_active(command.head != sim::motion::Command::Head::keep);
   message.set_walking(walks);
   message.set_standing(doing == Doing::standing);
@@ -292,7 +292,7 @@ void to_proto(const sim::World& world, const TeamNumbers& teams, pb::GroundTruth
     seen.set_x(body.position.x);
     seen.set_y(body.position.y);
     seen.set_heading(body.heading);
-    seen.set_fallen(body.doing == Doing::fallen || body.doing == Doing::getting_up);
+    seen.set_fallen(sim::lies(body));
   });
 }
 

@@ -58,7 +58,7 @@ void Census::look_at(const State& state, int robot, Figures& figures) const {
 
   if (body.doing == Doing::walking) figures.speed.add(length(body.velocity), weight);
   figures.shifting.add(body.doing == Doing::starting || body.doing == Doing::stopping ? 1 : 0, weight);
-  figures.down.add(body.doing == Doing::fallen || body.doing == Doing::getting_up ? 1 : 0, weight);
+  figures.down.add(lies(body) ? 1 : 0, weight);
 }
 
 void Census::look_at_ball(const State& state) {

@@ -72,14 +72,6 @@ constexpr bool inside_field(const Field& field, Vec2 point, float margin = 0) {
   return -x <= point.x && point.x <= x && -y <= point.y && point.y <= y;
 }
 
-/// The point is in the goal area, lines included, in front of the goal `side`.
-constexpr bool inside_goal_area(const Field& field, Vec2 point, float side) {
-  const float from_line = 0.5f * field.length - side * point.x;
-  const float y = 0.5f * (field.goal_area_width + field.line_width);
-  return -0.5f * field.line_width <= from_line && from_line <= field.goal_area_length + 0.5f * field.line_width &&
-         -y <= point.y && point.y <= y;
-}
-
 /// The goal into which a ball that moved straight `from` there `to` here [m, field] went: it is a goal as soon as the
 /// whole ball is behind the line, between the posts. 0: into none in this move.
 float goal_entered(const Field& field, Vec2 from, Vec2 to, float ball_radius);

@@ -28,8 +28,8 @@ struct Rules {
   float ready_duration;  // at most; ends early when everybody stands in place
   float set_duration;
   float kick_off_duration;   // after which everybody may touch the ball
-  bool kick_off_goal;        // a goal may be scored directly from the kick-off
   float set_play_duration;   // likewise; 0 where there are none
+  bool kick_off_goal;        // a goal may be scored directly from the kick-off
   float clear_distance;      // opponents keep this far from the ball of a kick-off or set play
   float goal_message_delay;  // the GameController tells robots of a goal this much later
   int mercy_goals;           // a game ends at this difference; 0: never

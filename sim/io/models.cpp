@@ -5,6 +5,7 @@
 #include "sim/io/reader.h"
 #include "sim/io/source.h"
 #include "sim/io/variation.h"
+#include "sim/motion/motion.h"
 
 namespace sim::io {
 
@@ -35,17 +36,11 @@ void visit_sections(AnyModels& models, See&& see) {
   see("radio", models.perception.radio);
 }
 
-int index_of(const motion::Model& model, const std::string& kick) {
-  for (int i = 0; i < model.kick_count; ++i)
-    if (kick == model.kicks[i].name) return i;
-  return -1;
-}
-
 /// Those that are there already change, others come behind them.
 void read_kicks(Reader& reader, const Json& kicks, motion::Model& model) {
   if (!reader.is_object(kicks, "kicks")) return;
   for (const auto& [name, kick] : kicks.items()) {
-    const int known = index_of(model, name);
+    const int known = motion::find_kick(model, name);
     const int index = known < 0 ? model.kick_count : known;
     motion::Kick& into = model.kicks[std::min(index, motion::kMaxKicks - 1)];
     if (index == motion::kMaxKicks)

@@ -6,10 +6,6 @@
 
 namespace sim::motion {
 
-inline bool is_down(const Body& body) {
-  return body.doing == Body::Doing::fallen || body.doing == Body::Doing::getting_up;
-}
-
 /// Lets an upright body fall, if that is its luck in these ticks.
 void perhaps_fall(const Means& means, int robot, Tick now, Tick steps, World& world);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace sim::motion {
 namespace {
@@ -60,9 +59,9 @@ void strike(const Means& means, const Kick& kick, int robot, Tick now, World& wo
 
 }  // namespace
 
-int find_kick(const Model& model, const char* name) {
+int find_kick(const Model& model, std::string_view name) {
   for (int kick = 0; kick < model.kick_count; ++kick) {
-    if (std::strcmp(model.kicks[kick].name, name) == 0) return kick;
+    if (model.kicks[kick].name == name) return kick;
   }
   return -1;
 }

@@ -15,19 +15,19 @@ namespace {
 Tick anything_else(const Means& means, const Command& command, int robot, Tick steps, World& world) {
   Body& body = world.bodies[robot];
   if (body.doing == Body::Doing::removed) return 0;
-  if (means.effects.falls && !is_down(body)) perhaps_fall(means, robot, world.tick, steps, world);
+  if (means.effects.falls && !lies(body)) perhaps_fall(means, robot, world.tick, steps, world);
 
   // a kick or a squat begins at once
   const bool kicks = command.body == Command::Body::kick && command.kick < means.model.kick_count;
-  const bool free = !is_down(body) && !squats(body) && body.doing != Body::Doing::kicking;
+  const bool free = !lies(body) && !squats(body) && body.doing != Body::Doing::kicking;
   if (kicks && free) begin_kick(command, world.tick, body);
   if (command.body == Command::Body::squat && free) begin_squat(world.tick, body);
-  if (!is_down(body)) turn_head(means, command, steps, body);
+  if (!lies(body)) turn_head(means, command, steps, body);
 
   // one thing after the other until the ticks are used up
   Tick left = steps;
   const auto now = [&] { return world.tick + steps - left; };
-  while (left > 0 && is_down(body)) left -= lie(means, robot, now(), left, world);
+  while (left > 0 && lies(body)) left -= lie(means, robot, now(), left, world);
   while (left > 0 && squats(body)) left -= squat(means, now(), left, body);
   if (left > 0 && body.doing == Body::Doing::kicking) left -= kick(means, robot, now(), left, world);
   return left;

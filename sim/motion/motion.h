@@ -1,6 +1,8 @@
 // The motion controller: commands → bodies.
 #pragma once
 
+#include <string_view>
+
 #include "sim/math/tick.h"
 #include "sim/motion/command.h"
 #include "sim/motion/model.h"
@@ -34,10 +36,10 @@ struct Means {
 void move(const Means& means, const Command& command, int robot, Tick steps, World& world);
 
 /// The kick of that name, or -1.
-int find_kick(const Model& model, const char* name);
+int find_kick(const Model& model, std::string_view name);
 
 /// [s] that the body needs from where it stands to `target` [m, robot], turning to `heading` [rad, robot] on the way;
-/// what agents and roles reckon with. Within 20 % of what walk_to then takes from standing, with all effects of walking
+/// what an agent may reckon with. Within 20 % of what walk_to then takes from standing, with all effects of walking
 /// but the noise.
 float time_to_reach(const Walk& walk, Vec2 target, float heading);
 

@@ -18,8 +18,7 @@ struct Crossing {
 };
 
 inline bool ball_is_out(const Court& court) {
-  const Vec2 at = court.world.ball.position;
-  return std::abs(at.x) > ball_over_goal_line(court) || std::abs(at.y) > ball_over_touch_line(court);
+  return !field::inside_field(court.field, court.world.ball.position, court.ball_model.radius);
 }
 
 /// Of a ball that is out: the first line that it crossed since the last tick.

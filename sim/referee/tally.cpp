@@ -8,14 +8,10 @@ bool rolls_into_goal(const Court& court, Side side) {
   const Vec2 from = court.world.ball.position;
   const Vec2 to = resting_place(court.world.ball, court.ball_model.deceleration);
   const float line = ball_over_goal_line(court);
-  const float end = ahead(court, side, to);
-  if (end <= line) return false;
-
-  // where it crosses the line; a ball that is over it already does so at once
-  const float begin = ahead(court, side, from);
-  const float share = begin < line ? (line - begin) / (end - begin) : 0;
-  const float y = from.y + share * (to.y - from.y);
-  return std::abs(y) < court.field.goal_width / 2;
+  // a ball that is over the line already crosses it where it is
+  if (ahead(court, side, from) > line)
+    return ahead(court, side, to) > line && std::abs(from.y) < court.field.goal_width / 2;
+  return field::goal_entered(court.field, from, to, court.ball_model.radius) == attack_sign(court.world, side);
 }
 
 void keep_tally(Court& court) {

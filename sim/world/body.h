@@ -44,4 +44,9 @@ struct Body {
   std::uint8_t pushing = 0;   // [1/5 s] it has been running into one
 };
 
+/// It is on the ground: fallen, or on its way up.
+inline bool lies(const Body& body) {
+  return body.doing == Body::Doing::fallen || body.doing == Body::Doing::getting_up;
+}
+
 }  // namespace sim

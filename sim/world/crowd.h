@@ -34,8 +34,6 @@ struct Crowd {
 constexpr std::uint32_t bit_of(Body::Doing doing) { return 1u << static_cast<unsigned>(doing); }
 inline constexpr std::uint32_t kLying = bit_of(Body::Doing::fallen) | bit_of(Body::Doing::getting_up);
 
-inline bool lies(const Body& body) { return (bit_of(body.doing) & kLying) != 0; }
-
 inline Crowd crowd_of(const World& world) {
   Crowd crowd;
   std::uint32_t count = 0, doing = 0, touching = 0;

@@ -80,20 +80,6 @@ TEST(Field, LinesBelongToTheField) {
   EXPECT_TRUE(sim::field::inside_field(field, {4.57f, 0}, 0.05f));
 }
 
-TEST(Field, GoalAreaIsInFrontOfItsGoal) {
-  const Field& field = kFields[1];
-  for (const float side : {1.f, -1.f}) {
-    for (const float y : {-1.1f, 0.f, 1.1f}) {
-      EXPECT_TRUE(sim::field::inside_goal_area(field, {side * 4.5f, y}, side));
-      EXPECT_TRUE(sim::field::inside_goal_area(field, {side * 3.9f, y}, side));
-      EXPECT_FALSE(sim::field::inside_goal_area(field, {side * 3.9f, y}, -side));
-      EXPECT_FALSE(sim::field::inside_goal_area(field, {side * 3.87f, y}, side));
-      EXPECT_FALSE(sim::field::inside_goal_area(field, {side * 4.53f, y}, side));
-    }
-    EXPECT_FALSE(sim::field::inside_goal_area(field, {side * 4.2f, 1.13f}, side));
-  }
-}
-
 TEST(Field, AGoalIsAGoalOnlyWhenTheWholeBallIsBehindTheLine) {
   const Field& field = kFields[1];
   EXPECT_EQ(sim::field::goal_entered(field, {4.4f, 0}, {4.57f, 0}, 0.05f), 0);

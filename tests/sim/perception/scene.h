@@ -1,8 +1,8 @@
 // A world to perceive, with the cognitive controller of a match, moved by hand.
 #pragma once
 
-#include "sim/field/field.h"
 #include "sim/perception/perception.h"
+#include "tests/sim/support/fields.h"
 
 namespace sim::perception {
 
@@ -44,22 +44,6 @@ inline Effects all_effects() {
   return effects;
 }
 
-inline field::Field field_of_2012() {
-  return {.length = 6,
-          .width = 4,
-          .border = 0.7f,
-          .line_width = 0.05f,
-          .centre_circle_radius = 0.6f,
-          .goal_area_length = 0.6f,
-          .goal_area_width = 2.2f,
-          .penalty_area_length = 0,
-          .penalty_area_width = 0,
-          .penalty_mark = 1.3f,
-          .goal_width = 1.4f,
-          .goal_depth = 0.4f,
-          .post_radius = 0.05f};
-}
-
 /// Four robots a side, all but one far away, and that one's beliefs.
 struct Scene {
   static constexpr int kRobot = 1;     // player 2 at home
@@ -67,7 +51,7 @@ struct Scene {
 
   Model model = match_model();
   Effects effects = all_effects();
-  field::Field field = field_of_2012();
+  field::Field field = kField2012;
   field::Marks marks = field::marks_of(field);
   ContactModel contact{
       .robot_radius = 0.16f, .foot_radius = 0.1f, .lying_radius = 0.3f, .official_radius = 0.25f, .push_deviation = 0};

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include "tests/sim/support/fields.h"
+
 namespace sim::referee {
 namespace {
 
@@ -11,19 +13,7 @@ constexpr Tick kLongest = 200'000;
 
 field::Rules rules_2012() {
   field::Rules rules{};
-  rules.field = {.length = 6,
-                 .width = 4,
-                 .border = 0.7f,
-                 .line_width = 0.05f,
-                 .centre_circle_radius = 0.6f,
-                 .goal_area_length = 0.6f,
-                 .goal_area_width = 2.2f,
-                 .penalty_area_length = 0,
-                 .penalty_area_width = 0,
-                 .penalty_mark = 1.3f,
-                 .goal_width = 1.4f,
-                 .goal_depth = 0.4f,
-                 .post_radius = 0.05f};
+  rules.field = kField2012;
   rules.ball_out = field::BallOut::placed_back;
   rules.players = 4;
   rules.halves = 2;
