@@ -45,6 +45,9 @@ struct Mate {
   bool active = false;              // was not penalised when it told
 };
 
+/// [1..7] whom beliefs.mates[index] of `player` is about.
+constexpr int player_of_mate(int player, int index) { return index + 1 < player ? index + 1 : index + 2; }
+
 /// Where an opponent was last seen.
 struct Opponent {
   Vec2 position;       // [m, team_field]

@@ -68,7 +68,7 @@ struct View {
       if (believes(beliefs.mates[i], stale)) see(beliefs.mates[i], i);
   }
   /// [1..7] of beliefs.mates[index].
-  int player_of_mate(int index) const { return index + 1 < game.player ? index + 1 : index + 2; }
+  int player_of_mate(int index) const { return agent::player_of_mate(game.player, index); }
 };
 
 /// -1, 0 or +1.

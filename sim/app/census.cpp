@@ -25,7 +25,7 @@ void Census::look(const State& state) {
   if (state.book.phase == agent::Game::Phase::playing && state.world.tick == before_.tick + 1) {
     for_each_robot(state.world.players, [&](int robot) {
       // beliefs are as old as the robot's last turn
-      const bool had_turn = state.robots[robot].rest + 1 == state.robots[robot].lag;
+      const bool had_turn = state.schedule.turn[robot] == before_.tick + state.schedule.lag[robot];
       if (had_turn && before_.bodies[robot].doing != Doing::removed)
         look_at(state, robot, figures_[static_cast<int>(side_of(robot))]);
     });
@@ -37,7 +37,7 @@ void Census::look(const State& state) {
 void Census::look_at(const State& state, int robot, Figures& figures) const {
   const Body& body = before_.bodies[robot];
   const agent::Beliefs& beliefs = state.robots[robot].beliefs;
-  const double weight = state.robots[robot].lag;
+  const double weight = state.schedule.lag[robot];
 
   if (beliefs.ball.visible) {
     const Vec2 ball = turned_back(before_.ball.position - body.position, body.facing);

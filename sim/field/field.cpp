@@ -4,16 +4,23 @@ namespace sim::field {
 
 namespace {
 
-void add(Marks& marks, Mark::Kind kind, float x, float y) { marks.marks[marks.count++] = {kind, {x, y}}; }
+using Kind = Marks::Kind;
+
+void add(Marks& marks, Kind kind, float x, float y) {
+  marks.kind[marks.count] = kind;
+  marks.x[marks.count] = x;
+  marks.y[marks.count] = y;
+  ++marks.count;
+}
 
 /// One on each side of the field.
-void add_two(Marks& marks, Mark::Kind kind, float x) {
+void add_two(Marks& marks, Kind kind, float x) {
   add(marks, kind, x, 0);
   add(marks, kind, -x, 0);
 }
 
 /// One in each quarter of the field.
-void add_four(Marks& marks, Mark::Kind kind, float x, float y) {
+void add_four(Marks& marks, Kind kind, float x, float y) {
   add(marks, kind, x, y);
   add(marks, kind, x, -y);
   add(marks, kind, -x, y);
@@ -23,25 +30,26 @@ void add_four(Marks& marks, Mark::Kind kind, float x, float y) {
 /// The corners of a rectangle before each goal: those in the field and those where its sides meet the goal line.
 void add_area(Marks& marks, const Field& field, float length, float width) {
   if (length <= 0) return;
-  add_four(marks, Mark::Kind::corner, 0.5f * field.length, 0.5f * width);
-  add_four(marks, Mark::Kind::corner, 0.5f * field.length - length, 0.5f * width);
+  add_four(marks, Kind::corner, 0.5f * field.length, 0.5f * width);
+  add_four(marks, Kind::corner, 0.5f * field.length - length, 0.5f * width);
 }
 
 }  // namespace
 
 Marks marks_of(const Field& field) {
   Marks marks;
-  add_four(marks, Mark::Kind::post, 0.5f * field.length, 0.5f * field.goal_width);
-  add_four(marks, Mark::Kind::corner, 0.5f * field.length, 0.5f * field.width);
+  add_four(marks, Kind::post, 0.5f * field.length, 0.5f * field.goal_width);
+  add_four(marks, Kind::corner, 0.5f * field.length, 0.5f * field.width);
 
   // where the middle line meets the touch lines
-  add(marks, Mark::Kind::corner, 0, 0.5f * field.width);
-  add(marks, Mark::Kind::corner, 0, -0.5f * field.width);
+  add(marks, Kind::corner, 0, 0.5f * field.width);
+  add(marks, Kind::corner, 0, -0.5f * field.width);
 
   add_area(marks, field, field.goal_area_length, field.goal_area_width);
   add_area(marks, field, field.penalty_area_length, field.penalty_area_width);
-  add(marks, Mark::Kind::circle, 0, 0);
-  add_two(marks, Mark::Kind::penalty_mark, 0.5f * field.length - field.penalty_mark);
+  add(marks, Kind::circle, 0, 0);
+  add_two(marks, Kind::penalty_mark, 0.5f * field.length - field.penalty_mark);
+  for (int i = marks.count; i % Marks::kBlock != 0; ++i) marks.x[i] = marks.y[i] = 1e6f;
   return marks;
 }
 

@@ -41,19 +41,19 @@ struct Field {
   }
 };
 
-/// A mark on the field that a robot can locate itself by.
-struct Mark {
-  enum class Kind : unsigned char { post, corner, circle, penalty_mark };
-  Kind kind;
-  Vec2 position;  // [m, field]
-};
-inline constexpr int kMaxMarks = 40;
-
-/// All marks of a field: 4 posts, the L and T corners of lines, the centre circle, the penalty marks; symmetric about
-/// both axes.
+/// All marks of a field that a robot can locate itself by: 4 posts, the L and T corners of lines, the centre circle, the
+/// penalty marks; symmetric about both axes. Packed, because each look at them looks at all.
 struct Marks {
-  Mark marks[kMaxMarks];
+  enum class Kind : unsigned char { post, corner, circle, penalty_mark };
+  static constexpr int kBlock = 4;  // as many are looked at together
+  static constexpr int kMost = 40;
+
   int count = 0;
+  float x[kMost];  // [m, field]; the rest of the last block is far from everything
+  float y[kMost];
+  Kind kind[kMost];
+
+  Vec2 position(int i) const { return {x[i], y[i]}; }
 };
 Marks marks_of(const Field& field);
 

@@ -54,10 +54,10 @@ void visit_members(Struct& whole, See&& see) {
     see("kick_gain", kick_gain), see("since", since), see("noise", noise), see("turn_noise", turn_noise);
     see("walked", walked), see("touching", touching), see("pushing", pushing);
   } else if constexpr (std::is_same_v<Type, World>) {
-    auto& [key, tick, players, home_attacks, touched, kicked, whiffed, ball, official, bodies] = whole;
+    auto& [key, tick, players, home_attacks, touched, kicked, whiffed, crowded, ball, official, bodies] = whole;
     see("key", key), see("tick", tick), see("players", players), see("home_attacks", home_attacks);
     see("touched", touched), see("kicked", kicked), see("whiffed", whiffed);
-    see("ball", ball), see("official", official), see("bodies", bodies);
+    see("crowded", crowded), see("ball", ball), see("official", official), see("bodies", bodies);
   } else if constexpr (std::is_same_v<Type, referee::Book>) {
     auto& [phase, set_play, kicking, first_kick_off, last_touch, kick_off_by, last_toucher, half, ball_free,
            phase_since, playing_since, clock, told_phase_since, last_touch_tick, last_touch_at, ball_before,
@@ -104,18 +104,20 @@ void visit_members(Struct& whole, See&& see) {
     see("search_side", search_side), see("search_since", search_since), see("kick_direction", kick_direction);
     see("kick", kick), see("aligned", aligned), see("settled", settled);
   } else if constexpr (std::is_same_v<Type, perception::Cognition>) {
-    auto& [odometry_scale, turn_scale, last, walked, turned, flipped, on_air, radio_due, packet] = whole;
+    auto& [odometry_scale, turn_scale, last, walked, turned, flipped, on_air, packet] = whole;
     see("odometry_scale", odometry_scale), see("turn_scale", turn_scale), see("last", last), see("walked", walked);
-    see("turned", turned), see("flipped", flipped), see("on_air", on_air), see("radio_due", radio_due);
+    see("turned", turned), see("flipped", flipped), see("on_air", on_air);
     see("packet", packet);
   } else if constexpr (std::is_same_v<Type, Robot>) {
-    auto& [command, beliefs, mind, cognition, rest, lag] = whole;
+    auto& [command, beliefs, mind, cognition] = whole;
     see("command", command), see("beliefs", beliefs), see("mind", mind), see("cognition", cognition);
-    see("rest", rest), see("lag", lag);
+  } else if constexpr (std::is_same_v<Type, Schedule>) {
+    auto& [next, turn, radio, lag, lost] = whole;
+    see("next", next), see("turn", turn), see("radio", radio), see("lag", lag), see("lost", lost);
   } else {
     static_assert(std::is_same_v<Type, State>, "a struct of the state that nobody named the members of");
-    auto& [world, book, tally, robots] = whole;
-    see("world", world), see("book", book), see("tally", tally), see("robots", robots);
+    auto& [world, schedule, book, tally, robots] = whole;
+    see("world", world), see("schedule", schedule), see("book", book), see("tally", tally), see("robots", robots);
   }
 }
 

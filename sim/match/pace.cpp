@@ -6,21 +6,30 @@ namespace sim {
 namespace {
 
 using Phase = agent::Game::Phase;
+using Doing = Body::Doing;
 
-/// [ticks] between turns by how far a robot is from the ball's path [m]: next to it, near, in sight of it, far. Each
-/// is a small part of the time that it takes to get there.
+/// [ticks] between turns of whoever is nearer than so.
 struct Ring {
-  float within;
+  float within;  // [m]
   Tick ticks;
 };
-constexpr Ring kRings[] = {{0.6f, 1}, {0.8f, 2}, {1.2f, 3}};
-constexpr Tick kFar = 6;
-constexpr Tick kChasing = 3;    // at most, of whoever goes for the ball
-constexpr Tick kOutOfPlay = 6;  // while everybody goes to his place
-constexpr Tick kSet = 15;       // while everybody has to stand
+/// To the ball's path. Each is a small part of the time that it takes to get there; next to the ball it is less than
+/// half a step of the walk.
+constexpr Ring kToBall[] = {{0.35f, 2}, {0.6f, 4}, {0.8f, 6}, {1.2f, 9}};
+/// To another robot's middle, less both radii: two that walk towards each other cover 0.5 m in a second.
+constexpr Ring kToRobot[] = {{0.1f, 4}, {0.2f, 9}};
+constexpr Tick kFar = 18;
+constexpr Tick kChasing = 9;  // at most, of whoever goes for the ball
+constexpr Tick kSet = 15;     // while everybody has to stand
 
-constexpr float kForesight = 1;    // [s] of the ball's path that is looked at
-constexpr float kTouching = 0.1f;  // [m] beyond two radii: what two robots cover towards each other in 6 ticks
+constexpr float kForesight = 1;  // [s] of the ball's path that is looked at
+
+template <std::size_t count>
+Tick ticks_at(float squared_distance, const Ring (&rings)[count], float radius) {
+  for (const Ring& ring : rings)
+    if (squared_distance < (radius + ring.within) * (radius + ring.within)) return ring.ticks;
+  return kFar;
+}
 
 /// Squared distance of `point` from the way the ball rolls in the next kForesight seconds, braking left aside.
 float squared_distance_from_path(const Ball& ball, Vec2 point) {
@@ -34,37 +43,39 @@ float squared_distance_from_path(const Ball& ball, Vec2 point) {
   return across * across / whole;
 }
 
-bool may_touch_somebody(const World& world, float radius, int robot) {
-  const float reach = 2 * radius + kTouching;
-  bool near = false;
+/// Of the nearest other robot on the field.
+float squared_distance_from_robots(const World& world, int robot) {
+  const Vec2 own = world.bodies[robot].position;
+  float nearest = 1e6f;
   for_each_robot(world.players, [&](int other) {
-    const Body& body = world.bodies[other];
-    near |= other != robot && body.doing != Body::Doing::removed &&
-            squared_length(body.position - world.bodies[robot].position) < reach * reach;
+    const float squared = squared_length(world.bodies[other].position - own);
+    // whoever is removed stands beside the field
+    if (other != robot) nearest = std::min(nearest, squared);
   });
-  return near;
+  return nearest;
 }
 
-/// How often while the ball is in play.
-Tick period_in_play(const World& world, const Robot& self, int robot) {
+/// [ticks] until the foot passes where the ball should be, at least 1; 0 of a robot that is in no kick.
+Tick until_impact(const motion::Model& model, const World& world, const Robot& self, int robot) {
   const Body& body = world.bodies[robot];
-  const bool begins_kick = self.command.body == motion::Command::Body::kick && body.doing != Body::Doing::kicking;
-  if (begins_kick || (body.doing == Body::Doing::kicking && !body.kick_done)) return 1;
-
-  const Tick most = self.mind.role == agent::Role::chaser ? kChasing : kFar;
-  const float squared = squared_distance_from_path(world.ball, body.position);
-  for (const Ring& ring : kRings)
-    if (squared < ring.within * ring.within) return std::min(ring.ticks, most);
-  return most;
+  const bool kicks = body.doing == Doing::kicking;
+  if (body.doing > Doing::kicking) return 0;
+  if (kicks ? body.kick_done : self.command.body != motion::Command::Body::kick) return 0;
+  const Tick impact = ticks(model.kicks[kicks ? body.kick : self.command.kick].delay);
+  const Tick elapsed = kicks ? world.tick - body.since : 0;
+  return elapsed < impact ? impact - elapsed : 1;
 }
 
-/// How often it has a turn, contacts left aside.
-Tick period_of(const State& state, int robot) {
-  switch (state.book.phase) {
-    case Phase::playing: return period_in_play(state.world, state.robots[robot], robot);
-    case Phase::set: return kSet;
-    default: return kOutOfPlay;
-  }
+/// How often it has a turn.
+Tick period_of(const Params& params, const State& state, int robot) {
+  if (state.book.phase == Phase::set) return kSet;
+  const World& world = state.world;
+  const float touch = 2 * params.teams[0].models.contact.robot_radius;
+  const Tick contacts = ticks_at(squared_distance_from_robots(world, robot), kToRobot, touch);
+  if (state.book.phase != Phase::playing) return contacts;
+  const Tick ball = ticks_at(squared_distance_from_path(world.ball, world.bodies[robot].position), kToBall, 0);
+  const Tick most = state.robots[robot].mind.role == agent::Role::chaser ? kChasing : kFar;
+  return std::min({contacts, ball, most});
 }
 
 }  // namespace
@@ -72,11 +83,12 @@ Tick period_of(const State& state, int robot) {
 Tick ticks_to_next_turn(const Params& params, const State& state, int robot) {
   if (params.pace == Pace::every_tick) return 1;
   const World& world = state.world;
-  const Tick period = period_of(state, robot);
-  if (period == 1 || may_touch_somebody(world, params.teams[0].models.contact.robot_radius, robot)) return 1;
+  const motion::Model& motion = params.teams[static_cast<int>(side_of(robot))].models.motion;
+  if (const Tick impact = until_impact(motion, world, state.robots[robot], robot); impact > 0) return impact;
 
-  // the next tick that is its number's; when set is over, everybody's
-  Tick wait = period - (world.tick + static_cast<Tick>(player_of(robot))) % period;
+  // the next tick that is a multiple; when set is over, everybody's
+  const Tick period = period_of(params, state, robot);
+  Tick wait = period - world.tick % period;
   if (state.book.phase == Phase::set) {
     const Tick over = state.book.phase_since + ticks(params.rules.set_duration) + 1;
     if (over > world.tick) wait = std::min(wait, over - world.tick);

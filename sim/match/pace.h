@@ -1,14 +1,14 @@
 // How often a robot has to perceive, decide and be moved.
 //
-// With Pace::thinned a robot that cannot matter now does all three once for several ticks: one perception of that many
-// ticks, one decision, one longer move. How much it matters is how soon it could have to do with the ball: a Nao covers
-// 0.3 m in a second, so from a metre beside the ball's path it takes seconds, and whether it decides about them thirty
-// times a second or five times leads to the same place. Where a decision tells, it is taken in every tick: next to the
-// ball and to where it rolls in the next second, until a kick has been done, and among robots that may touch.
-// Before the ball is in play everybody walks to a place or stands; in the phase set nobody may move at all.
+// With Pace::thinned a robot that cannot matter now does all three once for several ticks: one perception of all their
+// images, one decision, one longer move. How much it matters is how soon it could have to do with the ball or touch
+// another robot: a Nao covers 0.3 m in a second, so from a metre beside the ball's path it takes seconds, and whether
+// it decides about them thirty times a second or three times leads to the same place. Next to the ball and to where it
+// rolls in the next second it decides in every other tick. A kick that has begun is waited for; in the phase set
+// everybody stands.
 //
-// Turns are by player number: the same number of both sides has its turn in the same tick, so neither side nor a
-// mirrored game is ahead. Contacts, the ball and the referee are judged in every tick for everybody.
+// Turns lie on multiples of their period, for both sides alike: neither side nor a mirrored game is ahead, and many
+// ticks are nobody's. Contacts, the ball and the referee are judged in every tick for everybody.
 // scripts/bench equivalence shows that games come out as those of the plain run.
 #pragma once
 

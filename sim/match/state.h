@@ -22,12 +22,20 @@ struct Robot {
   agent::Beliefs beliefs;           // what it thinks is so
   agent::Mind mind;                 // what it remembers
   perception::Cognition cognition;  // how wrong it is
-  std::uint8_t rest = 0;            // [ticks] until it perceives, decides and moves again; 0: now (sim/match/pace.h)
-  std::uint8_t lag = 1;             // [ticks] since it last did
+};
+
+/// When robots are due, by their index.
+struct Schedule {
+  Tick next = 0;                       // nobody is before: most ticks cost one look
+  Tick turn[kMaxRobots] = {};          // when it perceives, decides and moves (sim/match/pace.h); kNever: is removed
+  Tick radio[kMaxRobots] = {};         // when its packet arrives; with none on the way: when it may send again
+  std::uint8_t lag[kMaxRobots] = {};   // [ticks] from its last turn to the next
+  std::uint8_t lost[kMaxRobots] = {};  // whom the packet on its way does not reach: bit i is beliefs.mates[i]
 };
 
 struct State {
   World world;
+  Schedule schedule;
   referee::Book book;
   referee::Tally tally;
   Robot robots[kMaxRobots];  // by the same index as the bodies

@@ -54,16 +54,24 @@ struct Due {
   Some radios;  // something arrives, or may be sent
 };
 
-/// Everybody else rests.
+Tick earliest_of(const Schedule& schedule, int players) {
+  Tick earliest = kNever;
+  for_each_robot(players, [&](int robot) {
+    earliest = std::min({earliest, schedule.turn[robot], schedule.radio[robot]});
+  });
+  return earliest;
+}
+
 Due due_in(State& state) {
   Due due;
+  Schedule& schedule = state.schedule;
+  const Tick now = state.world.tick;
   for_each_robot(state.world.players, [&](int robot) {
-    Robot& self = state.robots[robot];
-    if (self.rest > 0)
-      --self.rest;
-    else if (on_field(state.world, robot))
-      due.turns.add(robot);
-    if (self.cognition.radio_due <= state.world.tick) due.radios.add(robot);
+    if (schedule.turn[robot] <= now) {
+      // who is removed has a turn again when it enters
+      on_field(state.world, robot) ? due.turns.add(robot) : void(schedule.turn[robot] = kNever);
+    }
+    if (schedule.radio[robot] <= now) due.radios.add(robot);
   });
   return due;
 }
@@ -71,12 +79,14 @@ Due due_in(State& state) {
 /// Beliefs from the world, a command from the beliefs, and when it is its turn again.
 void think(const Params& params, const Means& means, State& state, int robot, agent::Trace* trace) {
   Robot& self = state.robots[robot];
-  perception::perceive(means.perceiving, state.world, robot, self.lag, self.beliefs, self.cognition);
+  const Tick now = state.world.tick, steps = state.schedule.lag[robot];
+  perception::perceive(means.perceiving, state.world, robot, steps, self.beliefs, self.cognition);
+  if (referee::in_play(state.book) && self.beliefs.ball.visible) state.tally.seen[robot] += steps;
   const agent::Game game = referee::game_for(params.rules, state.world, state.book, robot);
-  self.command =
-      means.team.behaviour->decide(means.surroundings, game, self.beliefs, state.world.tick, self.mind, trace);
-  self.lag = static_cast<std::uint8_t>(ticks_to_next_turn(params, state, robot));
-  self.rest = static_cast<std::uint8_t>(self.lag - 1);
+  self.command = means.team.behaviour->decide(means.surroundings, game, self.beliefs, now, self.mind, trace);
+  const Tick lag = ticks_to_next_turn(params, state, robot);
+  state.schedule.lag[robot] = static_cast<std::uint8_t>(lag);
+  state.schedule.turn[robot] = now + lag;
 }
 
 /// [s] of the game that are still to be played.
@@ -87,41 +97,86 @@ float remaining(const Params& params, const referee::Book& book) {
 
 /// To the teammates that hear it; and from now on the sender waits until it may send again.
 void deliver(const Params& params, State& state, int sender) {
-  const Models& models = team_of(params, sender).models;
   const Side side = side_of(sender);
-  const std::uint32_t deaf = perception::deaf_players(models.perception, models.effects, state.world, sender);
   perception::Cognition& cognition = state.robots[sender].cognition;
-  for (int player = 1; player <= state.world.players; ++player) {
-    const int receiver = robot_of(side, player);
-    if (receiver == sender || (deaf >> player & 1) != 0) continue;
+  for (int mate = 0; mate + 1 < state.world.players; ++mate) {
+    if ((state.schedule.lost[sender] >> mate & 1) != 0) continue;
+    const int receiver = robot_of(side, agent::player_of_mate(player_of(sender), mate));
     perception::receive(cognition.packet, sender, receiver, state.robots[receiver].beliefs);
   }
   cognition.on_air = false;
-  cognition.radio_due =
-      perception::next_packet(params.rules, models.effects, cognition.packet.sent,
+  state.schedule.radio[sender] =
+      perception::next_packet(params.rules, team_of(params, sender).models.effects, cognition.packet.sent,
                               state.book.packets[static_cast<int>(side)], remaining(params, state.book));
 }
 
-void send(const Params& params, State& state, int robot) {
-  Robot& self = state.robots[robot];
+void send(const Params& params, State& state, int sender) {
   const Tick now = state.world.tick;
-  const Models& models = team_of(params, robot).models;
-  ++state.book.packets[static_cast<int>(side_of(robot))];
-  self.cognition.packet = perception::packet_of(self.beliefs, self.mind, !on_field(state.world, robot), now);
+  const Models& models = team_of(params, sender).models;
+  Robot& self = state.robots[sender];
+  const auto transmission = perception::transmit(models.perception, models.effects, state.world, sender);
+  self.cognition.packet = perception::packet_of(self.beliefs, self.mind, !on_field(state.world, sender), now);
   self.cognition.on_air = true;
-  self.cognition.radio_due = now + perception::delay_of(models.perception, models.effects, state.world, robot);
+  state.schedule.lost[sender] = transmission.lost;
+  state.schedule.radio[sender] = now + transmission.delay;
+  ++state.book.packets[static_cast<int>(side_of(sender))];
 }
 
 /// What is on its way arrives; then the robot may send, if it is its turn or it waits beside the field. What comes
 /// without delay arrives at once.
 void talk(const Params& params, State& state, int robot) {
-  const Robot& self = state.robots[robot];
-  const auto is_due = [&] { return self.cognition.radio_due <= state.world.tick; };
-  if (self.cognition.on_air) deliver(params, state, robot);
-  const bool has_turn = self.rest + 1 == self.lag;
-  if (!is_due() || (!has_turn && on_field(state.world, robot))) return;
+  const Tick now = state.world.tick;
+  const auto is_due = [&] { return state.schedule.radio[robot] <= now; };
+  if (state.robots[robot].cognition.on_air) deliver(params, state, robot);
+  const bool has_turn = state.schedule.turn[robot] == now + state.schedule.lag[robot];
+  if (!is_due()) return;
+  if (!has_turn && on_field(state.world, robot)) {
+    state.schedule.radio[robot] = state.schedule.turn[robot];
+    return;
+  }
   send(params, state, robot);
   if (is_due()) deliver(params, state, robot);
+}
+
+/// Robots perceive, decide, communicate and begin to move. Says whether anybody may have moved.
+bool act(const Params& params, State& state, int traced, agent::Trace* trace) {
+  World& world = state.world;
+  const Means means[] = {means_of(params, Side::home), means_of(params, Side::away)};
+  const auto means_for = [&](int robot) -> const Means& { return means[static_cast<int>(side_of(robot))]; };
+
+  // everybody whose turn it is perceives and decides on the same world: nobody has moved yet
+  const Due due = due_in(state);
+  for (int i = 0; i < due.turns.count; ++i) {
+    const int robot = due.turns.robots[i];
+    think(params, means_for(robot), state, robot,
+          traced == kEverybody ? trace + robot
+          : traced == robot    ? trace
+                               : nullptr);
+  }
+  for (int i = 0; i < due.radios.count; ++i) talk(params, state, due.radios.robots[i]);
+
+  // bodies move up to their next turn
+  for (int i = 0; i < due.turns.count; ++i) {
+    const int robot = due.turns.robots[i];
+    motion::move(means_for(robot).moving, state.robots[robot].command, robot, state.schedule.lag[robot], world);
+  }
+  state.schedule.next = earliest_of(state.schedule, world.players);
+  return due.turns.count > 0;
+}
+
+/// What moves meets what is in its way: robots each other, the ball robots and posts. Where nobody moves and the ball
+/// lies, nothing can happen.
+void meet(const Params& params, bool bodies_move, World& world) {
+  const auto& [name, effects, ball, contact, motion, perception] = common(params);
+  const field::Field& field = params.rules.field;
+  roll(world.ball, ball.deceleration, ball.stop_speed, kTickDuration);
+  const bool bodies = bodies_move || world.crowded || effects.official;
+  if (!bodies && world.ball.velocity == Vec2{}) return;
+
+  Crowd crowd = crowd_of(world);
+  if (bodies) keep_bodies_apart(field, contact, crowd, world);
+  if (effects.official) walk_official(field, world);
+  bounce_ball(field, ball, contact, effects, crowd, world);
 }
 
 /// The referee's decisions; whoever comes onto the field begins anew, after half time that is everybody.
@@ -135,17 +190,13 @@ void judge(const Params& params, State& state, referee::Events& events) {
   }
 }
 
-void count_sights(State& state) {
-  for_each_robot(state.world.players, [&](int robot) {
-    state.tally.seen[robot] += state.robots[robot].beliefs.ball.visible && on_field(state.world, robot);
-  });
-}
-
 }  // namespace
 
 void enter(const Params& params, State& state, int robot) {
   Robot& self = state.robots[robot];
   self = {};
+  state.schedule.next = state.schedule.turn[robot] = state.schedule.radio[robot] = 0;
+  state.schedule.lag[robot] = 1;
   // a robot in a mirror begins to search the other way
   const float sign = attack_sign(state.world, side_of(robot));
   self.mind.search_side = std::copysign(1.f, sign * state.world.bodies[robot].position.y);
@@ -165,34 +216,10 @@ State begin(const Params& params, RandomKey key, referee::Events& events) {
 void step(const Params& params, State& state, referee::Events& events, int traced, agent::Trace* trace) {
   World& world = state.world;
   events.count = 0;
-  const Means means[] = {means_of(params, Side::home), means_of(params, Side::away)};
-  const auto means_for = [&](int robot) -> const Means& { return means[static_cast<int>(side_of(robot))]; };
-
-  // everybody whose turn it is perceives and decides on the same world: nobody has moved yet
-  const Due due = due_in(state);
-  for (int i = 0; i < due.turns.count; ++i) {
-    const int robot = due.turns.robots[i];
-    think(params, means_for(robot), state, robot,
-          traced == kEverybody ? trace + robot
-          : traced == robot    ? trace
-                               : nullptr);
-  }
-  for (int i = 0; i < due.radios.count; ++i) talk(params, state, due.radios.robots[i]);
-
-  // bodies move up to their next turn, contacts and ball by a tick
   world.touched = world.kicked = world.whiffed = kNobody;
-  for (int i = 0; i < due.turns.count; ++i) {
-    const int robot = due.turns.robots[i];
-    motion::move(means_for(robot).moving, state.robots[robot].command, robot, state.robots[robot].lag, world);
-  }
-  Crowd crowd = crowd_of(world);
-  keep_bodies_apart(params.rules.field, common(params).contact, crowd, world);
-  if (common(params).effects.official) walk_official(params.rules.field, world);
-  roll(world.ball, common(params).ball.deceleration, common(params).ball.stop_speed, kTickDuration);
-  bounce_ball(params.rules.field, common(params).ball, common(params).contact, common(params).effects, crowd, world);
-
+  const bool bodies_move = state.schedule.next <= world.tick && act(params, state, traced, trace);
+  meet(params, bodies_move, world);
   judge(params, state, events);
-  if (referee::in_play(state.book)) count_sights(state);
   ++world.tick;
 }
 

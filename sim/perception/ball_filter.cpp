@@ -35,20 +35,22 @@ agent::Ball unknown_ball(const BallFilter& filter) {
   return ball;
 }
 
-bool believe(const Means& means, const Body& body, Vec2 percept, bool forgotten, agent::Ball& ball) {
+bool believe(const Means& means, const Body& body, const BallPercept& percept, bool forgotten, agent::Ball& ball) {
   const BallFilter& filter = means.model.filter;
   const float height = means.model.camera.height - means.ball.radius;
   const ImageNoise noise = image_noise(means.model, body);
+  const auto variance_at = [&](Vec2 place) {
+    return percept_variance(noise, squared_length(place), height) / percept.images + kLeastVariance;
+  };
 
   // how far a percept may be off is judged by where the ball is expected: by the percepts themselves, those that seem
   // near would count for more, and the ball would seem nearer than it is
   const bool lost = ball.variance >= squared(filter.lost_deviation);
-  const Vec2 expected = lost ? percept : ball.position;
-  const float variance = percept_variance(noise, squared_length(expected), height) + kLeastVariance;
-  const Vec2 innovation = percept - ball.position;
+  const float variance = variance_at(lost ? percept.position : ball.position);
+  const Vec2 innovation = percept.position - ball.position;
   const float square = squared_length(innovation), gate = squared(filter.reacquire);
   if (lost || (forgotten && square > gate * (ball.variance + variance))) {
-    start(filter, percept, percept_variance(noise, squared_length(percept), height) + kLeastVariance, ball);
+    start(filter, percept.position, variance_at(percept.position), ball);
     return true;
   }
   if (square > gate * (ball.variance + variance)) {

@@ -22,7 +22,7 @@ inline constexpr float kForgotten = 0.5f;  // [s] out of sight after which a bal
 /// A percept farther off than `reacquire` standard deviations starts the filter anew if the ball was `forgotten`.
 /// Otherwise it is doubted, which says false: the belief stays where it is but becomes so uncertain that the next
 /// percept there is believed.
-bool believe(const Means& means, const Body& body, Vec2 percept, bool forgotten, agent::Ball& ball);
+bool believe(const Means& means, const Body& body, const BallPercept& percept, bool forgotten, agent::Ball& ball);
 
 // The two steps of each image, inline because every robot takes them every tick.
 
@@ -80,7 +80,7 @@ inline void update(const Means& means, const Body& body, const BallPercept& perc
                    agent::Ball& ball) {
   bool believed = percept.seen;
   if (percept.seen && means.effects.ball_noise) {
-    believed = believe(means, body, percept.position, !ball.visible && age(now, ball.seen) >= kForgotten, ball);
+    believed = believe(means, body, percept, !ball.visible && age(now, ball.seen) >= kForgotten, ball);
   } else if (percept.seen) {
     ball.position = percept.position;
     ball.velocity = percept.velocity;
@@ -88,11 +88,12 @@ inline void update(const Means& means, const Body& body, const BallPercept& perc
   }
 
   // images in a row
-  const std::uint32_t frames = believed == ball.visible ? ball.frames + steps : steps;
+  const bool visible = believed && percept.ago == 0;
+  const std::uint32_t frames = visible == ball.visible ? ball.frames + steps : steps;
   ball.frames = static_cast<std::uint8_t>(frames < 255 ? frames : 255);
-  ball.visible = believed;
+  ball.visible = visible;
   if (believed) {
-    ball.seen = now;
+    ball.seen = now - percept.ago;
     ball.heat = percept.heat;
   } else if (ball.heat > 0) {
     const float rest = 1 - 0.1f * static_cast<float>(steps);

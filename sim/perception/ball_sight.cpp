@@ -71,9 +71,18 @@ bool is_hidden(const Means& means, const World& world, Vec2 eye, const Sighting&
   return means.effects.official && line.meets(world.official.position, means.contact.official_radius);
 }
 
+/// [ticks] since something was last detected that each of the last `steps` images shows with the probability `chance`;
+/// `steps` when none did. `luck` is uniform in [0, 1).
+Tick newest_detection(float chance, Tick steps, float luck) {
+  float none = 1 - chance;  // in any of the images up to now
+  Tick ago = 0;
+  while (ago < steps && luck >= 1 - none) none *= 1 - chance, ++ago;
+  return ago;
+}
+
 /// The ball, if it is detected where it shows in the image. A body between camera and ball hides it; a ball at the feet
 /// of one is in front of it.
-BallPercept detect_ball(const Means& means, const World& world, int robot, const Sighting& sighting) {
+BallPercept detect_ball(const Means& means, const World& world, int robot, Tick steps, const Sighting& sighting) {
   const auto& [model, effects, field, marks, contact, ball] = means;
   const Body& body = world.bodies[robot];
   const float range = std::sqrt(sighting.square);
@@ -81,15 +90,21 @@ BallPercept detect_ball(const Means& means, const World& world, int robot, const
   if (effects.missed_ball || effects.ball_noise)
     words = draw(world.key, static_cast<std::uint32_t>(robot), Event::ball_seen, world.tick);
 
-  // detected, and not hidden: in this order because the second costs more
-  if (effects.missed_ball && uniform(words[0]) >= probability(model.ball, range)) return {};
+  // detected in any of the images, and not hidden: in this order because the second costs more
+  const float chance = effects.missed_ball ? probability(model.ball, range) : 1;
+  const Tick ago = newest_detection(chance, steps, uniform(words[0]));
+  if (ago == steps) return {};
   if (effects.occlusion && is_hidden(means, world, body.position, sighting)) return {};
 
   // where it seems to be
-  BallPercept percept{.seen = true, .position = turned_back(sighting.to_it, body.facing)};
+  BallPercept percept{.seen = true, .position = turned_back(sighting.to_it, body.facing), .ago = ago};
   if (effects.ball_noise) {
+    percept.images = 1 + chance * static_cast<float>(steps - 1 - ago);
+    auto errors = normals(words[1], words[2]);
+    const float less = 1 / std::sqrt(percept.images);
+    for (float& error : errors) error *= less;
     percept.position = seen_through(image_noise(model, body), percept.position, range, sighting.height,
-                                    kBeyondRange * model.ball.far_range, normals(words[1], words[2]));
+                                    kBeyondRange * model.ball.far_range, errors);
     if (percept.position == Vec2{}) return {};
   }
   percept.velocity = turned_back(world.ball.velocity, body.facing);
@@ -120,7 +135,7 @@ BallPercept look_for_ball(const Means& means, const World& world, int robot, Tic
   const Camera& camera = means.model.camera;
   const Sighting sighting = sighting_of(body, shown_ball(means, world.ball), camera.height - means.ball.radius);
   if (!means.effects.limited_view || in_view(camera, body, look_of(body), means.model.ball.far_range, sighting)) {
-    const BallPercept percept = detect_ball(means, world, robot, sighting);
+    const BallPercept percept = detect_ball(means, world, robot, steps, sighting);
     if (percept.seen) return percept;
   }
   if (!means.effects.false_balls || world.tick % kFalseInterval >= steps) return {};

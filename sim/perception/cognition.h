@@ -19,7 +19,6 @@ struct Cognition {
   std::uint16_t turned = 0;  // [kTurnUnit] likewise, at most 6.5 rad
   bool flipped = false;      // believes the field turned by π
   bool on_air = false;       // its packet is on the way
-  Tick radio_due = 0;        // when that arrives; with none on the way: when it may send again
   agent::Mate packet;        // the last packet, on its way or arrived; `packet.sent` is when it last sent
 };
 

@@ -71,10 +71,10 @@ struct Window {
 
 Window window_of(const Camera& camera, const Body& body, float farthest);
 inline bool in_view(const Window& window, Vec2 to_it, float square) {
-  // with the sign of `ahead` kept: behind or beside is one question, which the processor foresees
+  // no branch, so that several are looked at together; with the sign of `ahead` kept, behind and beside are one question
   const float ahead = dot(to_it, window.look);
-  if (ahead * std::fabs(ahead) < window.squared_cosine * square) return false;
-  return window.nearest < square && square <= window.farthest;
+  return (ahead * std::fabs(ahead) >= window.squared_cosine * square) & (window.nearest < square) &
+         (square <= window.farthest);
 }
 
 /// The probability that something `range` [m] away is detected.

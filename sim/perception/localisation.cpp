@@ -28,16 +28,26 @@ Information look_at_marks(const Means& means, const Body& body) {
   Information information;
   if (!has_eyes(body)) return information;
   const Window window = window_of(means.model.camera, body, model.mark_range);
+  const field::Marks& marks = means.marks;
+  float squares[field::Marks::kMost];
+  std::uint32_t shown[field::Marks::kMost];
+  for (int block = 0; block < marks.count; block += field::Marks::kBlock)
+    for (int i = block; i < block + field::Marks::kBlock; ++i) {
+      const Vec2 to_mark = marks.position(i) - body.position;
+      squares[i] = squared_length(to_mark);
+      shown[i] = in_view(window, to_mark, squares[i]) ? 1u : 0u;
+    }
+
   const float per_metre = 1 / model.mark_range;
-  for (int i = 0; i < means.marks.count; ++i) {
-    const Vec2 to_mark = means.marks.marks[i].position - body.position;
-    const float square = squared_length(to_mark);
-    if (!in_view(window, to_mark, square)) continue;
+  for (int i = 0; i < marks.count; ++i) {
+    if (shown[i] == 0) continue;
+    const float square = squares[i];
     const float detected = model.mark_near * (1 - std::sqrt(square) * per_metre);
     // the deviation doubles from the feet to 1 m and grows with the square from there
-    information.position += detected / squared(model.mark_deviation * 0.5f * (1 + square));
+    information.position += detected / squared(1 + square);
     information.heading += detected;
   }
+  information.position /= squared(0.5f * model.mark_deviation);
   information.heading /= squared(model.mark_deviation_heading);
   return information;
 }

@@ -40,10 +40,13 @@ agent::Mate packet_of(const agent::Beliefs& beliefs, const agent::Mind& mind, bo
 /// When a robot that sent at `last` may and wants to send again: after the year's interval, and with an even share of
 /// what is left of the budget; kNever when nothing is. `sent` [packets] by the team so far, `remaining` [s] of the game.
 Tick next_packet(const field::Rules& rules, const Effects& effects, Tick last, int sent, float remaining);
-/// [ticks] from sending to arriving; an event of the sender.
-Tick delay_of(const Model& model, const Effects& effects, const World& world, int sender);
-/// To whom a packet of `sender` that arrives now is lost, each on his own: bit i is player i's.
-std::uint32_t deaf_players(const Model& model, const Effects& effects, const World& world, int sender);
+/// What becomes of a packet on its way.
+struct Transmission {
+  Tick delay = 0;         // [ticks] from sending to arriving
+  std::uint8_t lost = 0;  // bit i: to the sender's beliefs.mates[i], each on his own
+};
+/// Of a packet that `sender` sends now.
+Transmission transmit(const Model& model, const Effects& effects, const World& world, int sender);
 /// Puts a packet of `sender` into the beliefs of its teammate `receiver`.
 inline void receive(const agent::Mate& packet, int sender, int receiver, agent::Beliefs& beliefs) {
   beliefs.mates[sender < receiver ? player_of(sender) - 1 : player_of(sender) - 2] = packet;

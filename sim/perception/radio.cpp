@@ -35,24 +35,26 @@ Tick next_packet(const field::Rules& rules, const Effects& effects, Tick last, i
   return last + ticks(silence);
 }
 
-Tick delay_of(const Model& model, const Effects& effects, const World& world, int sender) {
-  if (!effects.packet_delay) return 0;
-  const auto words = draw(world.key, static_cast<std::uint32_t>(sender), Event::packet_delay, world.tick);
-  const float times = -log(1 - uniform(words[0]));
-  return ticks(model.radio.delay * (times < kLongestDelay ? times : kLongestDelay));
-}
-
-std::uint32_t deaf_players(const Model& model, const Effects& effects, const World& world, int sender) {
-  if (!effects.packet_loss) return 0;
-  const auto words = draw(world.key, static_cast<std::uint32_t>(sender), Event::packet_loss, world.tick);
-  // 16 bits for each of at most seven players
-  const auto chance = static_cast<std::uint32_t>(model.radio.loss * 0x1p16f);
-  std::uint32_t deaf = 0;
-  for (std::uint32_t player = 1; player <= static_cast<std::uint32_t>(world.players); ++player) {
-    const std::uint32_t luck = words[player / 2] >> (16 * (player % 2)) & 0xffff;
-    deaf |= static_cast<std::uint32_t>(luck < chance) << player;
+Transmission transmit(const Model& model, const Effects& effects, const World& world, int sender) {
+  Transmission transmission;
+  if (!effects.packet_delay && !effects.packet_loss) return transmission;
+  const auto words = draw(world.key, static_cast<std::uint32_t>(sender), Event::packet, world.tick);
+  if (effects.packet_delay) {
+    const float times = -log(1 - uniform(words[0]));
+    transmission.delay = ticks(model.radio.delay * (times < kLongestDelay ? times : kLongestDelay));
   }
-  return deaf;
+  if (effects.packet_loss) {
+    // 16 bits of luck for each mate
+    static_assert(agent::kMaxMates <= 6);
+    const auto chance = static_cast<std::uint32_t>(model.radio.loss * 0x1p16f);
+    std::uint32_t lost = 0;
+    for (std::uint32_t mate = 0; mate < agent::kMaxMates; ++mate) {
+      const std::uint32_t luck = words[1 + mate / 2] >> (16 * (mate % 2)) & 0xffff;
+      lost |= static_cast<std::uint32_t>(luck < chance) << mate;
+    }
+    transmission.lost = static_cast<std::uint8_t>(lost);
+  }
+  return transmission;
 }
 
 }  // namespace sim::perception

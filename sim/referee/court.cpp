@@ -80,6 +80,7 @@ void put_robot(Court& court, int robot, Vec2 at, Vec2 facing, float heading) {
   body.heading = heading;
   body.since = court.world.tick;
   body.walked = walked;
+  court.world.crowded = true;
 }
 
 void put_at_touch_line(Court& court, int robot, float line) {

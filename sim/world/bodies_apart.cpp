@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "sim/world/contact.h"
 
@@ -222,8 +223,9 @@ void keep_bodies_apart(const field::Field& field, const ContactModel& contact, C
   const Things things{field::post_of(field, 0), field.post_radius, world.official, contact.official_radius};
   const float largest =
       crowd.somebody_lies ? std::max(contact.lying_radius, contact.robot_radius) : contact.robot_radius;
-  if (anything_near(things, crowd, largest)) return part(contact, things, largest, crowd, world);
-  if (!crowd.somebody_touched) return;
+  const bool counted = std::exchange(world.crowded, anything_near(things, crowd, largest));
+  if (world.crowded) return part(contact, things, largest, crowd, world);
+  if (!counted) return;
   for (int i = 0; i < crowd.count; ++i) {
     Body& body = world.bodies[crowd.robot[i]];
     body.touching = body.pushing = 0;

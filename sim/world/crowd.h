@@ -13,8 +13,7 @@ struct Crowd {
 
   int count = 0;
   bool somebody_lies = false;
-  bool somebody_touched = false;  // another one, when that was last counted
-  float x[kRoom];                 // [m, field]; the rest of the last block is far from everything
+  float x[kRoom];  // [m, field]; the rest of the last block is far from everything
   float y[kRoom];
   std::uint8_t robot[kRoom];  // index in the world
 
@@ -36,7 +35,7 @@ inline constexpr std::uint32_t kLying = bit_of(Body::Doing::fallen) | bit_of(Bod
 
 inline Crowd crowd_of(const World& world) {
   Crowd crowd;
-  std::uint32_t count = 0, doing = 0, touching = 0;
+  std::uint32_t count = 0, doing = 0;
   for_each_robot(world.players, [&](int robot) {
     // whoever is removed is overwritten by the next
     const Body& body = world.bodies[robot];
@@ -45,12 +44,10 @@ inline Crowd crowd_of(const World& world) {
     crowd.robot[count] = static_cast<std::uint8_t>(robot);
     count += body.doing != Body::Doing::removed ? 1u : 0u;
     doing |= bit_of(body.doing);
-    touching |= body.touching;
   });
   crowd.count = static_cast<int>(count);
   for (int i = crowd.count; i % Crowd::kBlock != 0; ++i) crowd.x[i] = crowd.y[i] = 1e9f;
   crowd.somebody_lies = (doing & kLying) != 0;
-  crowd.somebody_touched = touching != 0;
   return crowd;
 }
 

@@ -39,6 +39,7 @@ struct World {
   std::uint8_t touched = kNobody;  // robot that touched the ball in this tick, kicks included; kNobody: none
   std::uint8_t kicked = kNobody;   // robot whose foot met the ball in this tick
   std::uint8_t whiffed = kNobody;  // robot whose foot missed it in this tick
+  bool crowded = true;             // somebody may touch somebody or something, also if nobody moves
   Ball ball;
   Official official;
   Body bodies[kMaxRobots];  // [0, players) are home 1.., [kMaxPlayers, kMaxPlayers + players) away 1..

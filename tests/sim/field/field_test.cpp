@@ -9,7 +9,8 @@ namespace {
 
 using sim::Vec2;
 using sim::field::Field;
-using sim::field::Mark;
+using sim::field::Marks;
+using Kind = Marks::Kind;
 
 /// The fields of 2012 (without penalty areas) and 2025.
 const Field kFields[] = {
@@ -17,17 +18,24 @@ const Field kFields[] = {
     {9, 6, 0.7f, 0.05f, 0.75f, 0.6f, 2.2f, 1.65f, 4, 1.3f, 1.6f, 0.5f, 0.05f},
 };
 
+struct Mark {
+  Kind kind;
+  Vec2 position;
+};
+
 std::vector<Mark> marks_in(const Field& field) {
-  const auto marks = sim::field::marks_of(field);
-  return {marks.marks, marks.marks + marks.count};
+  const Marks marks = sim::field::marks_of(field);
+  std::vector<Mark> list;
+  for (int i = 0; i < marks.count; ++i) list.push_back({marks.kind[i], marks.position(i)});
+  return list;
 }
 
-int count(const std::vector<Mark>& marks, Mark::Kind kind) {
+int count(const std::vector<Mark>& marks, Kind kind) {
   return static_cast<int>(
       std::count_if(marks.begin(), marks.end(), [=](const Mark& mark) { return mark.kind == kind; }));
 }
 
-bool contains(const std::vector<Mark>& marks, Mark::Kind kind, Vec2 position) {
+bool contains(const std::vector<Mark>& marks, Kind kind, Vec2 position) {
   return std::any_of(marks.begin(), marks.end(),
                      [=](const Mark& mark) { return mark.kind == kind && mark.position == position; });
 }
@@ -35,18 +43,18 @@ bool contains(const std::vector<Mark>& marks, Mark::Kind kind, Vec2 position) {
 TEST(Field, HasItsMarks) {
   const auto old = marks_in(kFields[0]), present = marks_in(kFields[1]);
   for (const auto& marks : {old, present}) {
-    EXPECT_EQ(count(marks, Mark::Kind::post), 4);
-    EXPECT_EQ(count(marks, Mark::Kind::circle), 1);
-    EXPECT_EQ(count(marks, Mark::Kind::penalty_mark), 2);
+    EXPECT_EQ(count(marks, Kind::post), 4);
+    EXPECT_EQ(count(marks, Kind::circle), 1);
+    EXPECT_EQ(count(marks, Kind::penalty_mark), 2);
   }
-  EXPECT_EQ(count(old, Mark::Kind::corner), 4 + 2 + 8);
-  EXPECT_EQ(count(present, Mark::Kind::corner), 4 + 2 + 8 + 8);
+  EXPECT_EQ(count(old, Kind::corner), 4 + 2 + 8);
+  EXPECT_EQ(count(present, Kind::corner), 4 + 2 + 8 + 8);
 
-  EXPECT_TRUE(contains(present, Mark::Kind::corner, {4.5f, 3}));
-  EXPECT_TRUE(contains(present, Mark::Kind::corner, {0, -3}));
-  EXPECT_TRUE(contains(present, Mark::Kind::corner, {4.5f - 1.65f, 2}));
-  EXPECT_TRUE(contains(present, Mark::Kind::corner, {-4.5f, -1.1f}));
-  EXPECT_TRUE(contains(present, Mark::Kind::penalty_mark, {-3.2f, 0}));
+  EXPECT_TRUE(contains(present, Kind::corner, {4.5f, 3}));
+  EXPECT_TRUE(contains(present, Kind::corner, {0, -3}));
+  EXPECT_TRUE(contains(present, Kind::corner, {4.5f - 1.65f, 2}));
+  EXPECT_TRUE(contains(present, Kind::corner, {-4.5f, -1.1f}));
+  EXPECT_TRUE(contains(present, Kind::penalty_mark, {-3.2f, 0}));
 }
 
 TEST(Field, MarksAreSymmetricAboutBothAxesToTheBit) {
@@ -66,7 +74,7 @@ TEST(Field, PostsAreMarksAndStandByTheGoal) {
   for (const Field& field : kFields)
     for (int post = 0; post < sim::field::kPosts; ++post) {
       const Vec2 position = sim::field::post_of(field, post);
-      EXPECT_TRUE(contains(marks_in(field), Mark::Kind::post, position));
+      EXPECT_TRUE(contains(marks_in(field), Kind::post, position));
       EXPECT_EQ(position.x > 0, post < 2);
     }
 }

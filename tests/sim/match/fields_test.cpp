@@ -46,7 +46,7 @@ TEST(Difference, IsTheNameOfTheFirstFieldThatDiffers) {
   const State state = test::scrambled(1);
   const auto names = names_of(state);
   EXPECT_EQ(difference(state, state), "");
-  for (std::size_t i = 0; i < names.size(); i += 7) {
+  for (std::size_t i = 0; i + 1 < names.size(); i += 7) {
     EXPECT_EQ(difference(state, changed(state, i)), names[i]);
     EXPECT_EQ(difference(state, changed(changed(state, i), names.size() - 1)), names[i]);
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "sim/match/fields.h"
 #include "sim/match/step.h"
 #include "tests/sim/support/games.h"
 
@@ -72,7 +73,7 @@ TEST_P(Game, HasNoRobotFasterThanItsLegs) {
       EXPECT_LE(std::abs(body.turn_rate), walk.turn_rate * 1.0001f);
       // what it has walked, whoever pushed it; several ticks at once where it has no turn in each
       const float walked = body.walked - before.world.bodies[robot].walked;
-      const auto ticks = static_cast<float>(state.robots[robot].lag);
+      const auto ticks = static_cast<float>(state.schedule.lag[robot]);
       EXPECT_LE(walked, fastest * ticks * kTickDuration * 1.001f + 1e-4f) << robot << " in tick " << state.world.tick;
     });
   });
@@ -98,6 +99,21 @@ TEST_P(Game, KeepsTheBallFromRollingFasterThanItIsKicked) {
   watch(4, [&](const State&, const State& state) {
     EXPECT_LE(length(state.world.ball.velocity), fastest) << "in tick " << state.world.tick;
   });
+}
+
+TEST_P(Game, IsTheSameWhereEveryTickIsLookedAt) {
+  // what `next` and `crowded` spare changes nothing
+  State state = begun(params(), 4), looked_at = state;
+  referee::Events events;
+  while (!finished(state)) {
+    looked_at.schedule.next = 0;
+    looked_at.world.crowded = true;
+    step(params(), looked_at, events);
+    step(params(), state, events);
+    State same = looked_at;
+    same.world.crowded = state.world.crowded;
+    ASSERT_EQ(difference(same, state), "") << state.world.tick;
+  }
 }
 
 TEST_P(Game, HasOneTickAfterTheOther) {

@@ -118,6 +118,43 @@ TEST(BallSight, IsDetectedAsOftenAsItsDistanceSays) {
   }
 }
 
+TEST(BallSight, ManyImagesAtOnceTellAsMuchAsOneByOne) {
+  constexpr int kImages = 6, kLooks = 20000;
+  Scene scene;
+  scene.effects = {};
+  scene.effects.missed_ball = scene.effects.ball_noise = true;
+  scene.model.ball = {.near = 0.4f, .far = 0.4f, .near_range = 1, .far_range = 5};
+  scene.place_ball({1, 0});
+
+  int seen[kImages] = {}, together[kImages] = {};
+  double error = 0, information = 0, expected = 0;
+  for (int i = 0; i < kLooks; ++i) {
+    // one by one: when it was last seen, and how much all percepts together tell
+    int last = kImages, count = 0;
+    for (int image = 0; image < kImages; ++image) {
+      if (!look(scene).seen) continue;
+      last = kImages - 1 - image;
+      ++count;
+    }
+    if (last < kImages) ++seen[last];
+    information += count;
+
+    const BallPercept percept = look_for_ball(scene.means(), scene.world, Scene::kRobot, kImages);
+    if (!percept.seen) continue;
+    ++together[percept.ago];
+    expected += static_cast<double>(percept.images);
+    const auto off = static_cast<double>(percept.position.y);
+    error += off * off * static_cast<double>(percept.images);
+  }
+  for (int ago = 0; ago < kImages; ++ago) EXPECT_NEAR(together[ago], seen[ago], 0.02 * kLooks) << ago;
+  EXPECT_NEAR(expected / information, 1, 0.02);
+
+  // beside the line of sight it is off by the bearing's noise, less the more images there are
+  const double looks = together[0] + together[1] + together[2] + together[3] + together[4] + together[5];
+  const double one = static_cast<double>(image_noise(scene.model, scene.body()).bearing);
+  EXPECT_NEAR(error / looks / one, 1, 0.05);
+}
+
 TEST(BallSight, DetectionFallsFromNearToFarAndEndsThere) {
   const Detection detection{.near = 0.9f, .far = 0.2f, .near_range = 1, .far_range = 5};
   EXPECT_EQ(probability(detection, 0), 0.9f);

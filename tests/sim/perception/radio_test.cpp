@@ -97,29 +97,26 @@ TEST(Radio, IsFiledUnderTheSender) {
     }
 }
 
-TEST(Radio, LosesPacketsForEachPlayerOnHisOwn) {
+TEST(Radio, LosesPacketsForEachMateOnHisOwn) {
   Scene scene;
-  scene.world.players = kMaxPlayers;
   scene.model.radio.loss = 0.2f;
   const int packets = 5000;
-  int lost[kMaxPlayers + 1] = {}, both[kMaxPlayers + 1][kMaxPlayers + 1] = {};
+  int lost[agent::kMaxMates] = {}, both[agent::kMaxMates][agent::kMaxMates] = {};
   for (int i = 0; i < packets; ++i) {
     ++scene.world.tick;
-    const std::uint32_t deaf = deaf_players(scene.model, scene.effects, scene.world, 0);
-    EXPECT_EQ(deaf & ~0xfeu, 0u);
-    for (int one = 1; one <= kMaxPlayers; ++one) {
+    const std::uint32_t deaf = transmit(scene.model, scene.effects, scene.world, 0).lost;
+    EXPECT_EQ(deaf >> agent::kMaxMates, 0u);
+    for (int one = 0; one < agent::kMaxMates; ++one) {
       lost[one] += deaf >> one & 1;
-      for (int two = 1; two <= kMaxPlayers; ++two) both[one][two] += deaf >> one & deaf >> two & 1;
+      for (int two = 0; two < one; ++two) both[one][two] += deaf >> one & deaf >> two & 1;
     }
   }
-  for (int one = 1; one <= kMaxPlayers; ++one) {
+  for (int one = 0; one < agent::kMaxMates; ++one) {
     EXPECT_NEAR(static_cast<float>(lost[one]) / packets, 0.2f, 0.02f);
-    for (int two = 1; two < one; ++two) {
-      EXPECT_NEAR(static_cast<float>(both[one][two]) / packets, 0.04f, 0.01f);
-    }
+    for (int two = 0; two < one; ++two) EXPECT_NEAR(static_cast<float>(both[one][two]) / packets, 0.04f, 0.01f);
   }
   scene.effects.packet_loss = false;
-  EXPECT_EQ(deaf_players(scene.model, scene.effects, scene.world, 0), 0u);
+  EXPECT_EQ(transmit(scene.model, scene.effects, scene.world, 0).lost, 0u);
 }
 
 TEST(Radio, DelaysAsAnExponentialDoes) {
@@ -130,7 +127,7 @@ TEST(Radio, DelaysAsAnExponentialDoes) {
   const int packets = 5000;
   for (int i = 0; i < packets; ++i) {
     ++scene.world.tick;
-    const Tick delay = delay_of(scene.model, scene.effects, scene.world, 2);
+    const Tick delay = transmit(scene.model, scene.effects, scene.world, 2).delay;
     ASSERT_LE(delay, ticks(5 * 0.5f));
     sum += delay;
     longer += delay > 15 ? 1 : 0;
@@ -138,7 +135,7 @@ TEST(Radio, DelaysAsAnExponentialDoes) {
   EXPECT_NEAR(sum / packets, 15, 0.7);
   EXPECT_NEAR(static_cast<double>(longer) / packets, std::exp(-15.5 / 15), 0.03);
   scene.effects.packet_delay = false;
-  EXPECT_EQ(delay_of(scene.model, scene.effects, scene.world, 2), 0u);
+  EXPECT_EQ(transmit(scene.model, scene.effects, scene.world, 2).delay, 0u);
 }
 
 }  // namespace

@@ -62,6 +62,12 @@ World across(World world) {
   return world;
 }
 
+/// The halves of a list by robot.
+template <class Value>
+void exchange(Value (&list)[kMaxRobots]) {
+  std::swap_ranges(list, list + kMaxPlayers, list + kMaxPlayers);
+}
+
 }  // namespace
 
 State mirrored(const State& state) {
@@ -85,8 +91,10 @@ State exchanged(const State& state) {
   State other_names = state;
   World& world = other_names.world;
   world.home_attacks = -world.home_attacks;
-  std::swap_ranges(world.bodies, world.bodies + kMaxPlayers, world.bodies + kMaxPlayers);
-  std::swap_ranges(other_names.robots, other_names.robots + kMaxPlayers, other_names.robots + kMaxPlayers);
+  exchange(world.bodies);
+  exchange(other_names.robots);
+  Schedule& schedule = other_names.schedule;
+  exchange(schedule.turn), exchange(schedule.radio), exchange(schedule.lag), exchange(schedule.lost);
   referee::Book& book = other_names.book;
   for (std::uint8_t* robot : {&world.touched, &world.kicked, &world.whiffed, &book.last_toucher, &book.kick_off_by})
     if (*robot != kNobody) *robot = static_cast<std::uint8_t>((*robot + kMaxPlayers) % kMaxRobots);
@@ -95,12 +103,12 @@ State exchanged(const State& state) {
   std::swap(book.score[0], book.score[1]);
   std::swap(book.packets[0], book.packets[1]);
   std::swap(book.penalties[0], book.penalties[1]);
-  std::swap_ranges(book.penalised_until, book.penalised_until + kMaxPlayers, book.penalised_until + kMaxPlayers);
+  exchange(book.penalised_until);
 
   referee::Tally& tally = other_names.tally;
   for (auto* pair : {&tally.kicks, &tally.whiffs, &tally.shots}) std::swap((*pair)[0], (*pair)[1]);
   std::swap(tally.possession[0], tally.possession[1]);
-  std::swap_ranges(tally.seen, tally.seen + kMaxPlayers, tally.seen + kMaxPlayers);
+  exchange(tally.seen);
   return other_names;
 }
 
