@@ -4,6 +4,7 @@
 
 #include "robot/logging/session.h"
 #include "robot/memory/schema.h"
+#include "sim/match/pace.h"
 
 namespace sim::app {
 
@@ -90,7 +91,7 @@ Result<GameFile> GameFile::create(const std::filesystem::path& path, const Param
 
 Result<void> GameFile::add_truth(const State& state) {
   pb::GroundTruth truth;
-  to_proto(state.world, teams_, truth);
+  to_proto(between_turns(state), teams_, truth);
   return write(0, state.world.tick, truth);
 }
 

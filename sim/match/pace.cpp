@@ -96,4 +96,19 @@ Tick ticks_to_next_turn(const Params& params, const State& state, int robot) {
   return wait;
 }
 
+World between_turns(const State& state) {
+  World world = state.world;
+  for_each_robot(world.players, [&](int robot) {
+    const Tick turn = state.schedule.turn[robot];
+    if (turn == kNever || turn <= world.tick) return;
+    Body& body = world.bodies[robot];
+    const Pose2& from = state.robots[robot].cognition.last;
+    const float ahead = static_cast<float>(turn - world.tick) / static_cast<float>(state.schedule.lag[robot]);
+    body.position -= ahead * (body.position - from.position);
+    body.heading = normalized(body.heading - ahead * normalized(body.heading - from.heading));
+    body.facing = direction(body.heading);
+  });
+  return world;
+}
+
 }  // namespace sim

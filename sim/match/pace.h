@@ -21,4 +21,8 @@ namespace sim {
 /// world and the robot alone: not of who is asked first.
 Tick ticks_to_next_turn(const Params& params, const State& state, int robot);
 
+/// The world to look at: in a state, a robot that rests is where its next turn begins; here it is on the way there, as
+/// far as it has rested. [field]
+World between_turns(const State& state);
+
 }  // namespace sim

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/match/fields.h"
 #include "sim/match/play.h"
 #include "sim/match/situation.h"
 #include "tests/sim/support/games.h"
@@ -153,6 +154,41 @@ TEST(Pace, ThinsMostOfTheWorkAway) {
     step(setup.params, state, events);
   }
   EXPECT_LT(turns, 0.2 * robots);
+}
+
+TEST(Pace, ShowsRobotsOnTheirWay) {
+  const auto setup = setup_of(choice_of("spl2025", "idle", "match", Pace::thinned));
+  State state = random_situation(setup.params, {6});
+  state.world.tick = 100;
+  Body& body = state.world.bodies[2];
+  state.robots[2].cognition.last = {{1, 1}, 3};
+  body.position = {1.4f, 0.8f};
+  body.heading = -3;
+  body.facing = direction(-3);
+  state.schedule.lag[2] = 4;
+  for (Tick rested = 0; rested <= 4; ++rested) {
+    state.schedule.turn[2] = 104 - rested;
+    const Body shown = between_turns(state).bodies[2];
+    const float share = static_cast<float>(rested) / 4;
+    EXPECT_NEAR(distance(shown.position, Vec2{1 + 0.4f * share, 1 - 0.2f * share}), 0, 1e-6f);
+    EXPECT_NEAR(normalized(shown.heading - (3 + share * (2 * kPi - 6))), 0, 1e-5f);
+    EXPECT_NEAR(distance(shown.facing, direction(shown.heading)), 0, 1e-6f);
+  }
+  state.world.bodies[2].doing = Body::Doing::removed;
+  state.schedule.turn[2] = kNever;
+  EXPECT_EQ(between_turns(state).bodies[2].position, state.world.bodies[2].position);
+}
+
+TEST(Pace, OfThePlainRunShowsTheWorldAsItIs) {
+  const auto setup = setup_of(choice_of("spl2012", "baseline", "match", Pace::every_tick));
+  State state = test::begun(setup.params, 1);
+  referee::Events events;
+  for (int i = 0; i < 500; ++i) {
+    step(setup.params, state, events);
+    State shown = state;
+    shown.world = between_turns(state);
+    ASSERT_EQ(difference(shown, state), "");
+  }
 }
 
 }  // namespace
