@@ -1,6 +1,7 @@
 #include "sim/match/pace.h"
 
 #include <algorithm>
+#include <span>
 
 namespace sim {
 namespace {
@@ -24,8 +25,7 @@ constexpr Tick kSet = 15;     // while everybody has to stand
 
 constexpr float kForesight = 1;  // [s] of the ball's path that is looked at
 
-template <std::size_t count>
-Tick ticks_at(float squared_distance, const Ring (&rings)[count], float radius) {
+Tick ticks_at(float squared_distance, std::span<const Ring> rings, float radius) {
   for (const Ring& ring : rings)
     if (squared_distance < (radius + ring.within) * (radius + ring.within)) return ring.ticks;
   return kFar;

@@ -38,9 +38,4 @@ void move(const Means& means, const Command& command, int robot, Tick steps, Wor
 /// The kick of that name, or -1.
 int find_kick(const Model& model, std::string_view name);
 
-/// [s] that the body needs from where it stands to `target` [m, robot], turning to `heading` [rad, robot] on the way;
-/// what an agent may reckon with. Within 20 % of what walk_to then takes from standing, with all effects of walking
-/// but the noise.
-float time_to_reach(const Walk& walk, Vec2 target, float heading);
-
 }  // namespace sim::motion

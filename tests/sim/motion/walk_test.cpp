@@ -284,35 +284,6 @@ TEST(Walk, GainIsTheShareOfTheTopSpeed) {
   EXPECT_NEAR(arena.body().velocity.x, 0.4f * arena.model.walk.forward, 1e-6f);
 }
 
-TEST(Walk, TimeToReachIsWithin20PercentOfWhatItTakes) {
-  Dice dice{std::mt19937(6)};
-  for (int i = 0; i < 1000; ++i) {
-    Arena arena{.effects = no_noise()};
-    if (i % 4 == 3) {  // an old robot walks slower
-      arena.model.walk.forward = 0.12f;
-      arena.model.walk.backward = 0.08f;
-      arena.model.walk.sideward = 0.08f;
-      arena.model.walk.turn_rate = 0.8f;
-    }
-    const Pose2 target = random_pose(dice, i % 3 == 0 ? 4.f : 0.6f);
-    const float taken = arrive(arena, target);
-    const float estimated = time_to_reach(arena.model.walk, target.position, target.heading);
-    EXPECT_NEAR(estimated, taken, 0.2f * taken)
-        << target.position.x << " " << target.position.y << " " << target.heading;
-  }
-  EXPECT_EQ(time_to_reach(match_model().walk, {}, 0), 0);
-}
-
-TEST(Walk, TimeToReachIsTheSameOnBothSides) {
-  Dice dice{std::mt19937(7)};
-  for (int i = 0; i < 1000; ++i) {
-    const Pose2 target = random_pose(dice, 2);
-    const Pose2 mirrored{{target.position.x, -target.position.y}, -target.heading};
-    EXPECT_EQ(time_to_reach(match_model().walk, target.position, target.heading),
-              time_to_reach(match_model().walk, mirrored.position, mirrored.heading));
-  }
-}
-
 TEST(Walk, AMirroredWalkIsTheMirrorImageToTheBit) {
   Dice dice{std::mt19937(8)};
   for (int i = 0; i < 100; ++i) {
