@@ -26,7 +26,9 @@ json describe(const logging::RecordingStatus& status) {
           {"message", status.message}};
 }
 
-json describe(const GameStatus& game) { return {{"state", game.state}, {"in_progress", game.in_progress}}; }
+json describe(const GameStatus& game) {
+  return {{"state", game.state}, {"in_progress", game.in_progress}, {"stopped", game.stopped}};
+}
 
 json describe(const logging::StreamFile& stream, const std::string& session) {
   return {{"topic", stream.topic},

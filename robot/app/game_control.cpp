@@ -24,22 +24,27 @@ std::string name_of(GameState::State state) {
 
 }  // namespace
 
-GameControl::GameControl(GameOptions options, memory::MemoryObject<GameState>& game, const Clock& clock,
-                         logging::Recorder& recorder, net::Parameters& parameters)
-    : options_(std::move(options)), game_(game), clock_(clock), recorder_(recorder), parameters_(parameters) {
+GameControl::GameControl(GameOptions options, memory::Memory& memory, const Clock& clock, logging::Recorder& recorder,
+                         net::Parameters& parameters)
+    : options_(std::move(options)), memory_(memory), clock_(clock), recorder_(recorder), parameters_(parameters) {
   parameters_.update("recording_profile", options_.profile);
 }
 
 Result<void> GameControl::start() {
-  auto listener = game::ControlListener::open(options_.listener, game_, clock_);
+  auto listener = game::ControlListener::open(options_.listener, memory_.game, clock_);
   if (!listener) return Error{listener.error()};
   listener_ = std::move(*listener);
   report(Level::info, "game", "listening to the GameController on port " + std::to_string(listener_->port()));
+  if (!options_.link.return_packets && !options_.link.team_messages) return {};
+
+  auto link = game::TeamLink::open(options_.link, memory_, clock_, [this] { return listener_->game_controller(); });
+  if (!link) return Error{link.error()};
+  link_ = std::move(*link);
   return {};
 }
 
 void GameControl::follow() {
-  const auto game = game_.read();
+  const auto game = memory_.game.read();
   if (!game) return;
   switch (match_.update(game->value(), clock_.now_ns())) {
     case game::Match::Change::none: return;
@@ -68,8 +73,10 @@ void GameControl::end_session() {
 }
 
 GameStatus GameControl::status() const {
-  const auto game = game_.read();
-  return {.state = game ? name_of(game->value().state()) : "", .in_progress = match_.in_progress()};
+  const auto game = memory_.game.read();
+  return {.state = game ? name_of(game->value().state()) : "",
+          .in_progress = match_.in_progress(),
+          .stopped = link_ ? link_->stopped() : ""};
 }
 
 }  // namespace robot::app

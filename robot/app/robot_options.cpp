@@ -47,8 +47,16 @@ void add_simulation_options(CLI::App& app, RobotOptions& options) {
 
 void add_game_options(CLI::App& app, RobotOptions& options) {
   const char* const group = "Game";
-  app.add_flag("--game-controller", options.game_controller,
-               "listen to the GameController, and record each half from READY to FINISHED")
+  CLI::Option* const listen = app.add_flag("--game-controller", options.game_controller,
+                                           "listen to the GameController, and record each half from READY to FINISHED")
+                                  ->group(group);
+  app.add_flag("--return-packets", options.return_packets,
+               "answer the GameController; not where the team's own code does")
+      ->needs(listen)
+      ->group(group);
+  app.add_flag("--team-messages", options.team_messages,
+               "tell the teammates, within the budget; not where the team's own code does")
+      ->needs(listen)
       ->group(group);
   app.add_option("--game-port", options.game_port, "where it broadcasts to")->capture_default_str()->group(group);
   app.add_option("--field", options.field, "which field this is, such as A: becomes part of the sessions' names")
@@ -88,6 +96,10 @@ RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
     runtime.game = GameOptions{.listener = {.team = static_cast<std::uint32_t>(robot.team),
                                             .player = static_cast<std::uint32_t>(robot.player),
                                             .port = options.game_port},
+                               .link = {.team = static_cast<std::uint32_t>(robot.team),
+                                        .player = static_cast<std::uint32_t>(robot.player),
+                                        .return_packets = options.return_packets,
+                                        .team_messages = options.team_messages},
                                .field = options.field,
                                .profile = options.profile};
   return runtime;

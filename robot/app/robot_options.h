@@ -30,7 +30,7 @@ struct RobotOptions {
   std::uint64_t seed = 1;
 
   // game
-  bool game_controller = false;
+  bool game_controller = false, return_packets = false, team_messages = false;
   std::uint16_t game_port = game::kControlPort;
   std::string field;
 

@@ -18,13 +18,14 @@ Result<void> run_replay(const RobotOptions& options) {
   // these this process writes itself
   std::vector<std::string> own_objects{"runtime", "clock", "log"};
   if (options.game_controller) own_objects.emplace_back("game");
+  if (options.return_packets || options.team_messages) own_objects.emplace_back("team");
   auto replay = body::Replay::open(
       options.session,
       {.speed = options.speed, .loop = options.loop, .robot = robot.text(), .skipped_objects = own_objects});
   if (!replay) return Error{replay.error()};
   const auto memory = std::make_shared<memory::Memory>(robot.text(), (*replay)->clock());
   Runtime runtime(runtime_options(options, robot), (*replay)->clock(),
-                  {.runtime = memory->runtime, .clock = memory->clock, .log = memory->log, .game = &memory->game});
+                  {.runtime = memory->runtime, .clock = memory->clock, .log = memory->log, .robot = memory.get()});
   if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
   const Result<bool> begun = begin(runtime, options);
   if (!begun) return Error{begun.error()};

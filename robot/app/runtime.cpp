@@ -65,7 +65,7 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
     own_.clock.write(sample, clock_.now_ns());
   });
   if (options_.game) {
-    game_.emplace(*options_.game, *own_.game, clock_, recorder_, parameters_);
+    game_.emplace(*options_.game, *own_.robot, clock_, recorder_, parameters_);
     application_.tell_game_by([this] { return game_->status(); });
   }
   set_report_listener([this](const Report& report) { write_log(report); });
@@ -91,7 +91,7 @@ Result<void> Runtime::start() {
       server_options(options_, std::move(*access)), channels_,
       [this](const memory::ChannelInfo& source) { return net::derived_channels(source, parameters_); }, streams_,
       clock_, parameters_, services_, application_);
-  if (game_)
+  if (game_)  // before anybody can ask for its status
     if (Result<void> listening = game_->start(); !listening) return listening;
   application_.count_clients_by([this] { return server_->statistics().clients.size(); });
   if (Result<void> started = server_->start(); !started) return started;

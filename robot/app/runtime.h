@@ -8,7 +8,9 @@
 //   log <object>      board     carries one memory object to a file                            each version
 //   log <object>      board     carries one memory object to the server, while it is watched   each version
 //   parser            board     carries one stream of a recording into memory (replay)         each message
-//   game              GameControl  hears the GameController (--game-controller)                each packet
+//   game              GameControl  hears the GameController (--game-controller)             each packet
+//   team              GameControl  answers it (--return-packets) and tells the teammates       1 Hz; as the budget allows
+//                             (--team-messages)
 //   simulation        SimBody   plays the game and writes all robots' memories (sim)           30 Hz x speed
 //
 // Loggers, parsers and the net thread run at nice 10: whoever decides and moves comes first.
@@ -56,7 +58,7 @@ struct OwnObjects {
   memory::MemoryObject<foresight::RuntimeStatistics>& runtime;
   memory::MemoryObject<foresight::ClockSample>& clock;
   memory::MemoryObject<foresight::LogText>& log;
-  memory::MemoryObject<foresight::GameState>* game = nullptr;  // where options say that a game is heard
+  memory::Memory* robot = nullptr;  // all of our robot's, where a GameController is to be heard
 };
 
 class Runtime {

@@ -5,19 +5,12 @@
 #include <string>
 
 #include "robot/game/control_layout.h"
+#include "robot/game/little_endian.h"
 
 namespace robot::game {
 namespace {
 
 constexpr std::string_view kLetters = "RGme";
-
-/// Up to four bytes, little endian.
-std::uint32_t number_of(std::string_view bytes) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < bytes.size() && i < 4; ++i)
-    number |= std::uint32_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
-  return number;
-}
 
 /// Times are negative when they are overrun: two's complement in as many bytes as there are.
 float seconds_of(std::uint32_t number, std::size_t bytes) {
@@ -61,7 +54,7 @@ class Parser {
 
  private:
   std::uint32_t take(const Field& field) {
-    const std::uint32_t number = number_of(rest_.substr(0, field.bytes));
+    const std::uint32_t number = number_of(rest_, field.bytes);
     rest_.remove_prefix(field.bytes);
     return number;
   }
@@ -162,11 +155,11 @@ Result<ControlPacket> parse_control_packet(std::string_view bytes) {
                  " bytes that do not"};
   if (bytes.size() == kLetters.size()) return Error{"GameController packet: it ends before its version"};
   // the version has one, two or four bytes; its first one tells which
-  const ControlLayout* const layout = control_layout(number_of(bytes.substr(kLetters.size(), 1)));
+  const ControlLayout* const layout = control_layout(number_of(bytes.substr(kLetters.size()), 1));
   if (layout == nullptr)
     return Error{"GameController packet: expected format " + std::to_string(kOldestVersion) + " .. " +
                  std::to_string(kNewestVersion) + ", got " +
-                 std::to_string(number_of(bytes.substr(kLetters.size(), 1)))};
+                 std::to_string(number_of(bytes.substr(kLetters.size()), 1))};
   if (bytes.size() != layout->size_bytes())
     return Error{"GameController packet: expected " + std::to_string(layout->size_bytes()) + " bytes of format " +
                  std::to_string(layout->version) + ", got " + std::to_string(bytes.size())};

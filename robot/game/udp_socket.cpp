@@ -1,6 +1,7 @@
 #include "robot/game/udp_socket.h"
 
 #include <arpa/inet.h>
+#include <ifaddrs.h>
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
@@ -51,6 +52,17 @@ Result<std::uint32_t> parse_address(std::string_view text) {
   return ntohl(address.s_addr);
 }
 
+bool is_own_address(std::uint32_t address) {
+  ifaddrs* list = nullptr;
+  if (::getifaddrs(&list) != 0) return false;
+  bool own = false;
+  for (const ifaddrs* entry = list; entry != nullptr; entry = entry->ifa_next)
+    if (entry->ifa_addr != nullptr && entry->ifa_addr->sa_family == AF_INET)
+      own |= endpoint_of(*reinterpret_cast<const sockaddr_in*>(entry->ifa_addr)).address == address;
+  ::freeifaddrs(list);
+  return own;
+}
+
 Result<UdpSocket> UdpSocket::open(std::uint32_t address, std::uint16_t port) {
   UdpSocket opened;
   opened.socket_ = FileDescriptor(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
@@ -94,6 +106,7 @@ std::optional<Datagram> UdpSocket::receive(std::optional<std::uint64_t> deadline
 }
 
 void UdpSocket::wake() {
+  *woken_ = true;
   const std::uint64_t one = 1;
   [[maybe_unused]] const ssize_t written = ::write(wake_.get(), &one, sizeof one);
 }

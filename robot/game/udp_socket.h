@@ -3,7 +3,9 @@
 
 #include <netinet/in.h>
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +29,9 @@ std::string text_of(const Endpoint& endpoint);
 /// Reads "192.168.14.2"; an Error for anything else.
 Result<std::uint32_t> parse_address(std::string_view text);
 
+/// Whether `address` (host byte order) is one of this machine's now.
+bool is_own_address(std::uint32_t address);
+
 struct Datagram {
   std::string bytes;
   Endpoint from;
@@ -48,6 +53,7 @@ class UdpSocket {
 
   /// Ends this and every later receive().
   void wake();
+  bool woken() const { return *woken_; }
 
   Result<void> send(const Endpoint& to, std::string_view bytes);
 
@@ -55,6 +61,7 @@ class UdpSocket {
   UdpSocket() = default;
 
   FileDescriptor socket_, wake_;
+  std::unique_ptr<std::atomic<bool>> woken_ = std::make_unique<std::atomic<bool>>(false);
   std::uint16_t port_ = 0;
 };
 

@@ -35,9 +35,11 @@ TEST_F(ServedSession, StatusTellsWhoWeAre) {
 }
 
 TEST_F(ServedSession, StatusTellsOfTheGame) {
-  EXPECT_EQ(json::parse(application.status_json())["game"], json({{"state", ""}, {"in_progress", false}}));
+  EXPECT_EQ(json::parse(application.status_json())["game"],
+            json({{"state", ""}, {"in_progress", false}, {"stopped", ""}}));
   application.tell_game_by([] { return GameStatus{.state = "set", .in_progress = true}; });
-  EXPECT_EQ(json::parse(application.status_json())["game"], json({{"state", "set"}, {"in_progress", true}}));
+  EXPECT_EQ(json::parse(application.status_json())["game"],
+            json({{"state", "set"}, {"in_progress", true}, {"stopped", ""}}));
 }
 
 // a browser's numbers end at 2^53

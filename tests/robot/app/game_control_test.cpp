@@ -33,7 +33,7 @@ struct Game : ::testing::Test {
   }
 
   GameControl& control() {
-    if (!control_) control_.emplace(GameOptions{.field = "A"}, memory->game, clock, recorder, parameters);
+    if (!control_) control_.emplace(GameOptions{.field = "A"}, *memory, clock, recorder, parameters);
     return *control_;
   }
 
