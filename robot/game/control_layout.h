@@ -1,7 +1,9 @@
 // Where in a packet of the GameController each value lies: one table per format of the years 2012 to 2025.
 //
-// Sources: `RoboCupGameControlData.h` as released with each GameController: RoboCup-SPL/GameController (Java, formats 7 to
-// 14 and 17) and RoboCup-SPL/GameController3 (formats 15, 16 and 18). All numbers are little endian, nothing is padded.
+// Sources: `RoboCupGameControlData.h` of RoboCup-SPL/GameController (formats 7, 8, 9, 11, 12, 14 and 17) and of
+// RoboCup-SPL/GameController3 (15 and 18). Of formats 10, 13 and 16 only the length of a packet was at hand: the fields
+// are those of the format before with the coach's message as long as that length says. Packets of the real programs of
+// 2013 (7), 2019 (12) and 2022 (14) are read in tests. All numbers are little endian, nothing is padded.
 #pragma once
 
 #include <cstddef>
