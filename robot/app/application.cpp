@@ -26,6 +26,10 @@ json describe(const logging::RecordingStatus& status) {
           {"message", status.message}};
 }
 
+json describe(const GameStatus& game) {
+  return {{"state", game.state}, {"in_progress", game.in_progress}, {"stopped", game.stopped}};
+}
+
 json describe(const logging::StreamFile& stream, const std::string& session) {
   return {{"topic", stream.topic},
           {"file", stream.file},
@@ -61,6 +65,7 @@ std::string Application::status_json() {
                {"body", identity_.body},
                {"robots", identity_.robots},
                {"recording", describe(recorder_ ? recorder_->status() : logging::RecordingStatus{})},
+               {"game", describe(game_ ? game_() : GameStatus{})},
                {"clients", count_clients_()},
                {"disk", {{"free_bytes", store_.disk_free_bytes()}, {"log_dir_bytes", store_.size_bytes()}}}});
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "robot/app/game_control.h"
 #include "robot/core/clock.h"
 #include "robot/logging/downloads.h"
 #include "robot/logging/recorder.h"
@@ -30,6 +31,9 @@ class Application final : public net::Application {
   /// How many clients there are; asked for each status. Set before the server starts.
   void count_clients_by(std::function<std::size_t()> count) { count_clients_ = std::move(count); }
 
+  /// What the game is like; asked for each status. Set before the server starts; without it there is no game.
+  void tell_game_by(std::function<GameStatus()> game) { game_ = std::move(game); }
+
   std::string status_json() override;
   std::string sessions_json() override;
   Result<net::LogFile> open_log(const net::LogRequest& request) override;
@@ -40,6 +44,7 @@ class Application final : public net::Application {
   logging::SessionStore& store_;
   const logging::Recorder* const recorder_;
   std::function<std::size_t()> count_clients_ = [] { return std::size_t{0}; };
+  std::function<GameStatus()> game_;
   logging::Downloads downloads_;
 };
 

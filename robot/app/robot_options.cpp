@@ -45,6 +45,24 @@ void add_simulation_options(CLI::App& app, RobotOptions& options) {
       ->group(group);
 }
 
+void add_game_options(CLI::App& app, RobotOptions& options) {
+  const char* const group = "Game";
+  CLI::Option* const listen = app.add_flag("--game-controller", options.game_controller,
+                                           "listen to the GameController, and record each half from READY to FINISHED")
+                                  ->group(group);
+  app.add_flag("--return-packets", options.return_packets,
+               "answer the GameController; not where the team's own code does")
+      ->needs(listen)
+      ->group(group);
+  app.add_flag("--team-messages", options.team_messages,
+               "tell the teammates, within the budget; not where the team's own code does")
+      ->needs(listen)
+      ->group(group);
+  app.add_option("--game-port", options.game_port, "where it broadcasts to")->capture_default_str()->group(group);
+  app.add_option("--field", options.field, "which field this is, such as A: becomes part of the sessions' names")
+      ->group(group);
+}
+
 void add_recording_options(CLI::App& app, RobotOptions& options) {
   app.add_option("--log-dir", options.log_folder, "where sessions are recorded")->capture_default_str();
   app.add_option("--log-mb", options.log_mb, "what all sessions together may take [MB]; the oldest go first")
@@ -60,19 +78,31 @@ void add_recording_options(CLI::App& app, RobotOptions& options) {
 void add_options(CLI::App& app, RobotOptions& options) {
   add_body_options(app, options);
   add_simulation_options(app, options);
+  add_game_options(app, options);
   add_recording_options(app, options);
   add_server_options(app, options.server);
 }
 
 RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
-  return {.program = "foresight-robot",
-          .body = options.body,
-          .robot = robot.text(),
-          .team = robot.team,
-          .player = robot.player,
-          .server = options.server,
-          .log_folder = options.log_folder,
-          .log_bytes = options.log_mb * 1'000'000};
+  RuntimeOptions runtime{.program = "foresight-robot",
+                         .body = options.body,
+                         .robot = robot.text(),
+                         .team = robot.team,
+                         .player = robot.player,
+                         .server = options.server,
+                         .log_folder = options.log_folder,
+                         .log_bytes = options.log_mb * 1'000'000};
+  if (options.game_controller)
+    runtime.game = GameOptions{.listener = {.team = static_cast<std::uint32_t>(robot.team),
+                                            .player = static_cast<std::uint32_t>(robot.player),
+                                            .port = options.game_port},
+                               .link = {.team = static_cast<std::uint32_t>(robot.team),
+                                        .player = static_cast<std::uint32_t>(robot.player),
+                                        .return_packets = options.return_packets,
+                                        .team_messages = options.team_messages},
+                               .field = options.field,
+                               .profile = options.profile};
+  return runtime;
 }
 
 Result<bool> begin(Runtime& runtime, const RobotOptions& options) {

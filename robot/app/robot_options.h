@@ -29,6 +29,11 @@ struct RobotOptions {
   std::string rules = "spl2012", models = "match", home_models, away_models;
   std::uint64_t seed = 1;
 
+  // game
+  bool game_controller = false, return_packets = false, team_messages = false;
+  std::uint16_t game_port = game::kControlPort;
+  std::string field;
+
   // recording
   std::filesystem::path log_folder = "logs";
   std::uint64_t log_mb = 4000;

@@ -1,6 +1,8 @@
 #include "robot/app/run_replay.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "robot/app/runtime.h"
 #include "robot/body/replay/replay.h"
@@ -13,15 +15,17 @@ Result<void> run_replay(const RobotOptions& options) {
   if (!recorded) return Error{recorded.error()};
   const RobotName robot{.team = options.team.value_or(recorded->info.team),
                         .player = options.player.value_or(recorded->info.player)};
-  auto replay = body::Replay::open(options.session, {.speed = options.speed,
-                                                     .loop = options.loop,
-                                                     .robot = robot.text(),
-                                                     // these this process writes about itself
-                                                     .skipped_objects = {"runtime", "clock", "log"}});
+  // these this process writes itself
+  std::vector<std::string> own_objects{"runtime", "clock", "log"};
+  if (options.game_controller) own_objects.emplace_back("game");
+  if (options.return_packets || options.team_messages) own_objects.emplace_back("team");
+  auto replay = body::Replay::open(
+      options.session,
+      {.speed = options.speed, .loop = options.loop, .robot = robot.text(), .skipped_objects = own_objects});
   if (!replay) return Error{replay.error()};
   const auto memory = std::make_shared<memory::Memory>(robot.text(), (*replay)->clock());
   Runtime runtime(runtime_options(options, robot), (*replay)->clock(),
-                  {.runtime = memory->runtime, .clock = memory->clock, .log = memory->log});
+                  {.runtime = memory->runtime, .clock = memory->clock, .log = memory->log, .robot = memory.get()});
   if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
   const Result<bool> begun = begin(runtime, options);
   if (!begun) return Error{begun.error()};

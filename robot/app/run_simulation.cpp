@@ -36,6 +36,7 @@ Result<void> run_simulation(const RobotOptions& options) {
   if (robot.player > sim::kMaxPlayers)
     return Error{"--player: body sim has players 1 .. " + std::to_string(sim::kMaxPlayers) + ", got " +
                  std::to_string(robot.player)};
+  if (options.game_controller) return Error{"--game-controller: body sim plays a game of its own"};
   Result<body::Setup> setup = setup_of(options, side);
   if (!setup) return Error{setup.error()};
 

@@ -64,6 +64,10 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
     if (peer.round_trip_ns) sample.set_round_trip_ns(*peer.round_trip_ns);
     own_.clock.write(sample, clock_.now_ns());
   });
+  if (options_.game) {
+    game_.emplace(*options_.game, *own_.robot, clock_, recorder_, parameters_);
+    application_.tell_game_by([this] { return game_->status(); });
+  }
   set_report_listener([this](const Report& report) { write_log(report); });
 }
 
@@ -87,6 +91,8 @@ Result<void> Runtime::start() {
       server_options(options_, std::move(*access)), channels_,
       [this](const memory::ChannelInfo& source) { return net::derived_channels(source, parameters_); }, streams_,
       clock_, parameters_, services_, application_);
+  if (game_)  // before anybody can ask for its status
+    if (Result<void> listening = game_->start(); !listening) return listening;
   application_.count_clients_by([this] { return server_->statistics().clients.size(); });
   if (Result<void> started = server_->start(); !started) return started;
   const std::string& address = options_.server.bind.front();
@@ -111,6 +117,7 @@ void Runtime::run(const std::function<bool()>& tick) {
   sigaddset(&ends, SIGTERM);
   std::uint64_t next_second = monotonic_ns();
   while (tick()) {
+    if (game_) game_->follow();
     if (monotonic_ns() >= next_second) {
       every_second();
       next_second += kSecond;

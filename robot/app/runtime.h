@@ -1,12 +1,16 @@
 // Everything one process runs: who runs what, and how often.
 //
 //   thread            from      does                                                          how often
-//   main              run()     statistics, clock samples, room on the disk; the body's tick   once a second; 10 Hz
+//   main              run()     statistics, clock samples, room on the disk; the body's tick,  once a second; 10 Hz
+//                             sessions of a game
 //   net               Server    sockets: HTTP, WebSocket                                       when there is something
 //   net <helper>      Server    reads downloads; starts and stops loggers; control             when asked
 //   log <object>      board     carries one memory object to a file                            each version
 //   log <object>      board     carries one memory object to the server, while it is watched   each version
 //   parser            board     carries one stream of a recording into memory (replay)         each message
+//   game              GameControl  hears the GameController (--game-controller)             each packet
+//   team              GameControl  answers it (--return-packets) and tells the teammates       1 Hz; as the budget allows
+//                             (--team-messages)
 //   simulation        SimBody   plays the game and writes all robots' memories (sim)           30 Hz x speed
 //
 // Loggers, parsers and the net thread run at nice 10: whoever decides and moves comes first.
@@ -14,10 +18,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "robot/app/application.h"
 #include "robot/app/clock_sampler.h"
+#include "robot/app/game_control.h"
 #include "robot/app/server_settings.h"
 #include "robot/app/statistics.h"
 #include "robot/core/clock.h"
@@ -44,6 +50,7 @@ struct RuntimeOptions {
   std::filesystem::path log_folder = "logs";
   std::uint64_t log_bytes = 4'000'000'000;  // all sessions together
   bool records = true;                      // false where recordings are only shown
+  std::optional<GameOptions> game;          // where a GameController is to be heard; needs `records`
 };
 
 /// The objects a process writes about itself.
@@ -51,6 +58,7 @@ struct OwnObjects {
   memory::MemoryObject<foresight::RuntimeStatistics>& runtime;
   memory::MemoryObject<foresight::ClockSample>& clock;
   memory::MemoryObject<foresight::LogText>& log;
+  memory::Memory* robot = nullptr;  // all of our robot's, where a GameController is to be heard
 };
 
 class Runtime {
@@ -65,7 +73,7 @@ class Runtime {
   net::Server& server() { return *server_; }
   net::Services& services() { return services_; }  // complete before start()
 
-  /// Opens the port. An Error, in one sentence, if that cannot be.
+  /// Opens the ports. An Error, in one sentence, if that cannot be.
   Result<void> start();
 
   /// Begins a session, as a person would by the service start_recording.
@@ -93,6 +101,7 @@ class Runtime {
   Application application_;
   Statistics statistics_;
   ClockSampler clock_sampler_;
+  std::optional<GameControl> game_;
   std::unique_ptr<net::Server> server_;
 };
 

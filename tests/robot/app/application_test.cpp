@@ -34,6 +34,14 @@ TEST_F(ServedSession, StatusTellsWhoWeAre) {
   EXPECT_EQ(status["recording"]["state"], "off");
 }
 
+TEST_F(ServedSession, StatusTellsOfTheGame) {
+  EXPECT_EQ(json::parse(application.status_json())["game"],
+            json({{"state", ""}, {"in_progress", false}, {"stopped", ""}}));
+  application.tell_game_by([] { return GameStatus{.state = "set", .in_progress = true}; });
+  EXPECT_EQ(json::parse(application.status_json())["game"],
+            json({{"state", "set"}, {"in_progress", true}, {"stopped", ""}}));
+}
+
 // a browser's numbers end at 2^53
 TEST_F(ServedSession, TimesAreExact) {
   EXPECT_EQ(json::parse(application.status_json())["time_ns"], "9007199254740993");

@@ -1,0 +1,212 @@
+#include "robot/game/control_layout.h"
+
+#include <algorithm>
+#include <array>
+
+namespace robot::game {
+namespace {
+
+using enum Value;
+using pb::PlayerState;
+
+constexpr std::size_t kLetters = 4;  // "RGme"
+
+// ---------------------------------------------------------------------------------------------------------------------
+// heads
+
+constexpr Field kHead7[] = {{version, 4},
+                            {players_per_team, 1},
+                            {state, 1},
+                            {first_half, 1},
+                            {kicking_colour, 1},
+                            {phase, 1},
+                            {none, 3},  // who caused the last drop-in, and how long ago
+                            {seconds_remaining, 4}};
+
+constexpr Field kHead8[] = {{version, 1},
+                            {packet_number, 1},
+                            {players_per_team, 1},
+                            {state, 1},
+                            {first_half, 1},
+                            {kicking_colour, 1},
+                            {phase, 1},
+                            {none, 3},  // drop-in
+                            {seconds_remaining, 2},
+                            {secondary_seconds, 2}};
+
+constexpr Field kHead9[] = {{version, 2},
+                            {packet_number, 1},
+                            {players_per_team, 1},
+                            {none, 1},  // kind of game
+                            {state, 1},
+                            {first_half, 1},
+                            {kicking_team, 1},
+                            {phase, 1},
+                            {none, 3},  // drop-in
+                            {seconds_remaining, 2},
+                            {secondary_seconds, 2}};
+
+constexpr Field kHead11[] = {{version, 2},
+                             {packet_number, 1},
+                             {players_per_team, 1},
+                             {none, 2},  // phase and kind of the competition
+                             {phase, 1},
+                             {state, 1},
+                             {set_play, 1},
+                             {first_half, 1},
+                             {kicking_team, 1},
+                             {none, 3},  // drop-in
+                             {seconds_remaining, 2},
+                             {secondary_seconds, 2}};
+
+constexpr Field kHead12[] = {{version, 1},
+                             {packet_number, 1},
+                             {players_per_team, 1},
+                             {none, 2},  // phase and kind of the competition
+                             {phase, 1},
+                             {state, 1},
+                             {set_play, 1},
+                             {first_half, 1},
+                             {kicking_team, 1},
+                             {seconds_remaining, 2},
+                             {secondary_seconds, 2}};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// teams, without their players
+
+constexpr Field kTeam7[] = {{number, 1},
+                            {field_colour, 1},
+                            {none, 1},  // colour of the goal
+                            {score, 1}};
+
+/// The coach stands between the shots and the players: its message, then its own penalty and seconds.
+constexpr Field kTeam8[] = {{number, 1},       {field_colour, 1}, {score, 1},
+                            {penalty_shot, 1}, {single_shots, 2}, {none, 40 + 2}};
+constexpr Field kTeam9[] = {{number, 1},       {field_colour, 1}, {score, 1},
+                            {penalty_shot, 1}, {single_shots, 2}, {none, 82 + 2}};
+constexpr Field kTeam10[] = {{number, 1},       {field_colour, 1}, {score, 1},
+                             {penalty_shot, 1}, {single_shots, 2}, {none, 254 + 2}};
+
+constexpr Field kTeam11[] = {{number, 1}, {field_colour, 1}, {score, 1}, {penalty_shot, 1}, {single_shots, 2}};
+
+constexpr Field kTeam14[] = {{number, 1},       {field_colour, 1}, {score, 1},
+                             {penalty_shot, 1}, {single_shots, 2}, {message_budget, 2}};
+
+constexpr Field kTeam15[] = {{number, 1}, {field_colour, 1}, {goalkeeper_colour, 1}, {goalkeeper, 1},
+                             {score, 1},  {penalty_shot, 1}, {single_shots, 2},      {message_budget, 2}};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// players. In 2013 the last two of the second team told the GameController's own display what format 7 had no place for;
+// they are read as players all the same
+
+constexpr Field kPlayer7[] = {{penalty, 2}, {seconds_till_unpenalised, 2}};
+constexpr Field kPlayer8[] = {{penalty, 1}, {seconds_till_unpenalised, 1}};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// what the codes 1, 2, 3 … of a penalty mean
+
+using Penalty = PlayerState::Penalty;
+constexpr Penalty kNone = PlayerState::PENALTY_UNSPECIFIED;
+
+constexpr Penalty kPenalties7[] = {
+    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,  // ball holding
+    PlayerState::PENALTY_PLAYER_PUSHING,
+    kNone,  // obstruction
+    PlayerState::PENALTY_INACTIVE_PLAYER,
+    PlayerState::PENALTY_ILLEGAL_POSITION,  // illegal defender
+    PlayerState::PENALTY_LEAVING_THE_FIELD,
+    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,  // playing with hands
+    PlayerState::PENALTY_REQUEST_FOR_PICKUP,
+};
+
+constexpr Penalty kPenalties9[] = {
+    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,
+    PlayerState::PENALTY_PLAYER_PUSHING,
+    PlayerState::PENALTY_ILLEGAL_MOTION_IN_SET,
+    PlayerState::PENALTY_INACTIVE_PLAYER,
+    PlayerState::PENALTY_ILLEGAL_POSITION,  // illegal defender
+    PlayerState::PENALTY_LEAVING_THE_FIELD,
+    kNone,  // kick-off goal
+    PlayerState::PENALTY_REQUEST_FOR_PICKUP,
+};
+
+constexpr Penalty kPenalties12[] = {
+    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,
+    PlayerState::PENALTY_PLAYER_PUSHING,
+    PlayerState::PENALTY_ILLEGAL_MOTION_IN_SET,
+    PlayerState::PENALTY_INACTIVE_PLAYER,
+    PlayerState::PENALTY_ILLEGAL_POSITION,  // illegal defender
+    PlayerState::PENALTY_LEAVING_THE_FIELD,
+    kNone,  // kick-off goal
+    PlayerState::PENALTY_REQUEST_FOR_PICKUP,
+    PlayerState::PENALTY_LOCAL_GAME_STUCK,
+    PlayerState::PENALTY_ILLEGAL_POSITION,  // illegal positioning
+};
+
+/// Codes 7 to 10 changed between formats 12 and 14; what 13 meant by them was not to be found, so they stay codes.
+constexpr Penalty kPenalties13[] = {
+    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,  PlayerState::PENALTY_PLAYER_PUSHING,
+    PlayerState::PENALTY_ILLEGAL_MOTION_IN_SET, PlayerState::PENALTY_INACTIVE_PLAYER,
+    PlayerState::PENALTY_ILLEGAL_POSITION,      PlayerState::PENALTY_LEAVING_THE_FIELD,
+};
+
+/// The numbers of our own enumeration; 10 came with format 15, 11 with format 16.
+constexpr Penalty kPenalties14[] = {
+    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,      PlayerState::PENALTY_PLAYER_PUSHING,
+    PlayerState::PENALTY_ILLEGAL_MOTION_IN_SET,     PlayerState::PENALTY_INACTIVE_PLAYER,
+    PlayerState::PENALTY_ILLEGAL_POSITION,          PlayerState::PENALTY_LEAVING_THE_FIELD,
+    PlayerState::PENALTY_REQUEST_FOR_PICKUP,        PlayerState::PENALTY_LOCAL_GAME_STUCK,
+    PlayerState::PENALTY_ILLEGAL_POSITION_IN_SET,   PlayerState::PENALTY_PLAYER_STANCE,
+    PlayerState::PENALTY_ILLEGAL_MOTION_IN_STANDBY,
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+constexpr std::uint32_t kFinished = 4, kStandby = 5;
+
+constexpr ControlLayout kLayouts[] = {
+    {7, kHead7, kTeam7, kPlayer7, 11, kFinished, kPenalties7},      // 2012, 2013
+    {8, kHead8, kTeam8, kPlayer8, 11, kFinished, kPenalties7},      // 2014
+    {9, kHead9, kTeam9, kPlayer8, 11, kFinished, kPenalties9},      // 2015, 2016
+    {10, kHead9, kTeam10, kPlayer8, 11, kFinished, kPenalties9},    // 2017
+    {11, kHead11, kTeam11, kPlayer8, 6, kFinished, kPenalties9},    // 2018
+    {12, kHead12, kTeam11, kPlayer8, 6, kFinished, kPenalties12},   // 2019
+    {13, kHead12, kTeam11, kPlayer8, 6, kFinished, kPenalties13},   // 2021
+    {14, kHead12, kTeam14, kPlayer8, 7, kFinished, kPenalties14},   // 2022
+    {15, kHead12, kTeam15, kPlayer8, 20, kFinished, kPenalties14},  // 2023
+    {16, kHead12, kTeam15, kPlayer8, 20, kStandby, kPenalties14},   // 2024, German Open
+    {17, kHead12, kTeam15, kPlayer8, 20, kStandby, kPenalties14},   // 2024, never used in a competition
+    // its header says of penaltyShot: "or fallback mode flag (if not in GAME_PHASE_PENALTYSHOOT)"
+    {18, kHead12, kTeam15, kPlayer8, 20, kStandby, kPenalties14, true},  // 2024, 2025
+};
+
+constexpr std::size_t sum(std::span<const Field> fields) {
+  std::size_t bytes = 0;
+  for (const Field& field : fields) bytes += field.bytes;
+  return bytes;
+}
+
+constexpr std::size_t size_of(const ControlLayout& layout) {
+  return kLetters + sum(layout.head) + 2 * (sum(layout.team) + layout.players * sum(layout.player));
+}
+
+// sizeof(RoboCupGameControlData) as a compiler says it of each release's header
+constexpr std::array<std::size_t, 12> kSizes{116, 158, 244, 588, 58, 54, 54, 62, 118, 118, 118, 118};
+
+constexpr bool sizes_are_right() {
+  for (std::size_t i = 0; i < kSizes.size(); ++i)
+    if (kLayouts[i].version != kOldestVersion + i || size_of(kLayouts[i]) != kSizes[i]) return false;
+  return std::size(kLayouts) == kSizes.size();
+}
+static_assert(sizes_are_right());
+
+}  // namespace
+
+std::size_t ControlLayout::size_bytes() const { return size_of(*this); }
+
+const ControlLayout* control_layout(std::uint32_t version) {
+  const auto* const found = std::ranges::find(kLayouts, version, &ControlLayout::version);
+  return found == std::end(kLayouts) ? nullptr : found;
+}
+
+}  // namespace robot::game

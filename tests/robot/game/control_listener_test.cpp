@@ -1,0 +1,93 @@
+// Real packets over loopback, from a socket that plays the GameController.
+#include "robot/game/control_listener.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "robot/memory/memory.h"
+#include "tests/support/control_packets.h"
+
+namespace robot::game {
+namespace {
+
+using tests::ControlPacketText;
+
+constexpr std::uint32_t kLoopback = 0x7f000001;
+
+struct Listening : ::testing::Test {
+  /// Sends until the listener has counted one more packet: UDP promises nothing, not even on loopback.
+  void send(const std::string& bytes) {
+    const std::uint64_t before = all();
+    while (all() == before) {
+      ASSERT_TRUE(referee->send({kLoopback, listener->port()}, bytes));
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+  std::uint64_t all() const {
+    const ListenerCounts counts = listener->counts();
+    return counts.told + counts.foreign + counts.refused;
+  }
+
+  ManualClock clock{1'700'000'000 * kSecond};
+  memory::Memory memory{"14/3", clock};
+  Result<UdpSocket> referee = UdpSocket::open(kLoopback, 0);
+  std::unique_ptr<ControlListener> listener =
+      std::move(*ControlListener::open({.team = 14, .player = 3, .address = kLoopback, .port = 0}, memory.game, clock));
+};
+
+TEST_F(Listening, WritesWhatThePacketsSay) {
+  EXPECT_EQ(memory.game.read(), nullptr);
+  EXPECT_FALSE(listener->game_controller());
+  send(ControlPacketText{.state = 1}.bytes(18));
+  ASSERT_TRUE(memory.game.read());
+  EXPECT_EQ((*memory.game.read())->state(), pb::GameState::STATE_READY);
+  EXPECT_EQ((*memory.game.read())->received_ns(), clock.now_ns());
+  EXPECT_EQ(memory.game.read()->capture_ns(), clock.now_ns());
+  EXPECT_EQ(listener->game_controller(), (Endpoint{kLoopback, referee->port()}));
+}
+
+TEST_F(Listening, TheFormatMayChangeFromPacketToPacket) {
+  for (int version = 7; version <= 18; ++version) {
+    send(ControlPacketText().bytes(version));
+    EXPECT_EQ((*memory.game.read())->packet_version(), static_cast<std::uint32_t>(version));
+  }
+}
+
+TEST_F(Listening, LeavesGamesOfOthersOut) {
+  send(ControlPacketText{.first = {.number = 20}}.bytes(18));
+  EXPECT_EQ(memory.game.read(), nullptr);
+  EXPECT_GE(listener->counts().foreign, 1u);
+  EXPECT_FALSE(listener->game_controller());
+}
+
+TEST_F(Listening, CountsWhatItRefusesAndGoesOn) {
+  send("not a packet");
+  send("");
+  send(std::string(60'000, 'x'));
+  EXPECT_EQ(memory.game.read(), nullptr);
+  EXPECT_GE(listener->counts().refused, 3u);
+  send(ControlPacketText().bytes(18));
+  EXPECT_TRUE(memory.game.read());
+}
+
+TEST_F(Listening, SharesItsPortWithTheTeamsOwnFramework) { EXPECT_TRUE(UdpSocket::open(kLoopback, listener->port())); }
+
+TEST_F(Listening, SaysWhenAPortCannotBeHad) {
+  // an address of nobody: TEST-NET-1
+  const auto other = ControlListener::open({.address = *parse_address("192.0.2.1"), .port = 3838}, memory.game, clock);
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error(), "GameController: cannot listen on UDP 192.0.2.1:3838: Cannot assign requested address");
+}
+
+TEST(Address, IsReadAndWritten) {
+  EXPECT_EQ(text_of({*parse_address("192.168.14.2"), 3838}), "192.168.14.2:3838");
+  for (const char* wrong : {"", "localhost", "1.2.3", "1.2.3.4.5", "::1"})
+    EXPECT_EQ(parse_address(wrong).error(),
+              "address: expected one such as 192.168.14.2, got '" + std::string(wrong) + "'");
+}
+
+}  // namespace
+}  // namespace robot::game
