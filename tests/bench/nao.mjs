@@ -4,11 +4,12 @@ import { readFileSync } from "node:fs";
 import { createServer } from "node:net";
 import { join } from "node:path";
 import { root } from "../e2e/support.mjs";
+import { recordPictures } from "../nao/pictures.mjs";
 import { built, memoryOf, readElf, robots } from "../nao/robots.mjs";
 import { command, scratch, sleep, start, startClients } from "./programs.mjs";
 import { Report } from "./report.mjs";
 
-const kSeconds = 60;
+const kSeconds = 20;
 
 const freePort = () =>
   new Promise((done) => {
@@ -46,8 +47,9 @@ async function memory(preset, session, seconds) {
 
 export async function nao({ seconds = kSeconds }) {
   const report = new Report("nao", "do the programs for the Naos run there, and are they lean?");
-  const session = join(scratch, "synthetic");
-  command(join(root, "build/release/bin/foresight-lab"), "synthesize", session, "--seconds", "10");
+  const synthetic = join(scratch, "synthetic");
+  command(join(root, "build/release/bin/foresight-lab"), "synthesize", synthetic, "--seconds", "1");
+  const session = await recordPictures(scratch, synthetic, 1);
   const golden = readFileSync(join(root, "tests/golden/sim_signature.txt"), "utf8").trim();
   for (const preset of Object.keys(robots)) {
     const [emulator, ...words] = robots[preset].emulator;

@@ -8,6 +8,7 @@ import { test } from "node:test";
 import { Live } from "../e2e/live.mjs";
 import { readStreamed } from "../e2e/mcap.mjs";
 import { bin, download, request, sessionsOf, start, synthesize, temporaryFolder, until } from "../e2e/support.mjs";
+import { recordPictures } from "./pictures.mjs";
 import { built, chosen, memoryOf, needsMovbe, readElf, robots } from "./robots.mjs";
 
 const kMostProgram_mb = 8;
@@ -70,7 +71,7 @@ for (const preset of chosen) {
 
   test(`${preset}: ${kMostMemory_mb} MB of memory at most, with pictures watched and recorded`, needsMovbe, async (t) => {
     const folder = temporaryFolder(t);
-    const session = await synthesize(folder, { seconds: 4 });
+    const session = await recordPictures(folder, await synthesize(folder, { seconds: 1 }), 0.5);
     const server = await start(t, folder, program, "--body", "replay", "--session", session, "--record", "--profile", "full", "--loop");
     const live = await Live.open(t, server);
     const pictures = ["/14/2/camera_top/raw", "/14/2/camera_bottom/jpeg"];
