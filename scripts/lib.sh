@@ -33,6 +33,15 @@ compile_jobs() {
   printf '%s\n' "$jobs"
 }
 
+# nao_architecture PRESET: what Debian calls the processor of this Nao.
+nao_architecture() {
+  case $1 in
+    nao-v6) say amd64 ;;
+    nao-v5 | nao-v4) say i386 ;;
+    *) die "expected nao-v6, nao-v5 or nao-v4, got '$1'" ;;
+  esac
+}
+
 # build_alone PRESET TARGET: of the simulator alone, with another compiler's flags.
 build_alone() {
   mkdir -p "$root/build/$1"

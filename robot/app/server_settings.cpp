@@ -1,8 +1,11 @@
 #include "robot/app/server_settings.h"
 
+#include <fcntl.h>
 #include <sys/random.h>
+#include <unistd.h>
 
 #include <cstdlib>
+#include <span>
 
 #include "robot/core/files.h"
 
@@ -20,10 +23,18 @@ std::filesystem::path state_folder(const ServerSettings& settings) {
   return "/var/lib/foresight";
 }
 
+/// Fills `bytes` with what nobody can guess.
+bool fill_randomly(std::span<unsigned char> bytes) {
+  const auto all = static_cast<ssize_t>(bytes.size());
+  if (getrandom(bytes.data(), bytes.size(), 0) == all) return true;
+  // the kernel of a Nao V4 or V5 is older than that call
+  const FileDescriptor device(open("/dev/urandom", O_RDONLY | O_CLOEXEC));
+  return device && read(device.get(), bytes.data(), bytes.size()) == all;
+}
+
 Result<std::string> make_token() {
   unsigned char bytes[kTokenBytes];
-  if (getrandom(bytes, sizeof bytes, 0) != static_cast<ssize_t>(sizeof bytes))
-    return Error{"token: the system gave no random numbers"};
+  if (!fill_randomly(bytes)) return Error{"token: the system gave no random numbers"};
   std::string token;
   for (const unsigned char byte : bytes) {
     token.push_back("0123456789abcdef"[byte >> 4]);

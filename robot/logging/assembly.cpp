@@ -207,7 +207,7 @@ Result<void> Assembly::read(std::uint64_t offset, std::span<char> into) const {
     // the extent before `next` holds `offset`
     const Extent& extent = *std::prev(next);
     const std::uint64_t end = next == extents_.end() ? size_ : next->begin;
-    const auto piece = into.first(std::min<std::uint64_t>(into.size(), end - offset));
+    const auto piece = into.first(static_cast<std::size_t>(std::min<std::uint64_t>(into.size(), end - offset)));
     const std::uint64_t from = extent.offset + (offset - extent.begin);
     if (extent.file == kMade) {
       std::copy_n(made_.data() + from, piece.size(), piece.data());

@@ -23,7 +23,12 @@ bool holds(const ByteSource& source, std::uint64_t offset, std::uint64_t length)
 
 Result<std::string> read_bytes(const ByteSource& source, std::uint64_t offset, std::uint64_t length) {
   if (!holds(source, offset, length)) return too_short(source, offset, length);
-  std::string bytes(length, '\0');
+  std::string bytes;
+  // a 32-bit robot's files may be larger than its memory can be
+  if (length > bytes.max_size())
+    return Error{source.name() + ": expected at most " + std::to_string(bytes.max_size()) + " bytes at once, got " +
+                 std::to_string(length)};
+  bytes.resize(static_cast<std::size_t>(length));
   if (const Result<void> done = source.read(offset, bytes); !done) return Error{done.error()};
   return bytes;
 }

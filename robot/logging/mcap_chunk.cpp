@@ -52,9 +52,9 @@ Result<std::string_view> unpack_chunk(std::string_view content, std::uint64_t of
 
   const Result<Compression> compression = compression_named(head->compression);
   if (!compression) return Error{at_chunk(offset, compression.error())};
-  std::string_view records = packed.substr(0, head->packed_bytes);
+  std::string_view records = packed.substr(0, static_cast<std::size_t>(head->packed_bytes));
   if (*compression != Compression::none || head->packed_bytes != head->unpacked_bytes) {
-    Result<std::string> unpacked = decompress(*compression, records, head->unpacked_bytes);
+    Result<std::string> unpacked = decompress(*compression, records, static_cast<std::size_t>(head->unpacked_bytes));
     if (!unpacked) return Error{at_chunk(offset, unpacked.error())};
     room = std::move(*unpacked);
     records = room;

@@ -129,8 +129,8 @@ class Decoder {
       fail(field, std::to_string(size) + " bytes", left_.size());
       return {};
     }
-    const std::string_view taken = left_.substr(0, size);
-    left_.remove_prefix(size);
+    const std::string_view taken = left_.substr(0, static_cast<std::size_t>(size));
+    left_.remove_prefix(taken.size());
     return taken;
   }
 

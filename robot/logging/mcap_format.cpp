@@ -215,7 +215,7 @@ Result<RecordView> take_record(std::string_view bytes, std::size_t& at, std::uin
   const std::string_view left = bytes.substr(std::min(at, bytes.size()));
   const Result<RecordHead> head = decode_record_head(left, base + at, left.size());
   if (!head) return Error{head.error()};
-  const RecordView record{head->op, base + at, left.substr(kRecordHeadBytes, head->length)};
+  const RecordView record{head->op, base + at, left.substr(kRecordHeadBytes, static_cast<std::size_t>(head->length))};
   at += kRecordHeadBytes + record.content.size();
   return record;
 }

@@ -70,7 +70,7 @@ McapReader::Next McapReader::take(Op op, std::uint64_t content_bytes) {
 
   position_ += content_bytes;
   if (!skips) return damaged(skips.error());
-  content_.resize(content_bytes);
+  content_.resize(static_cast<std::size_t>(content_bytes));
   if (const auto read = source_->read(offset + mcap::kRecordHeadBytes, content_); !read)
     return lost_track(read.error());
   if (whole_ && op != Op::data_end) crc_ = mcap::crc32(content_, crc_);
@@ -97,7 +97,7 @@ Result<bool> McapReader::can_skip(Op op, std::uint64_t content_bytes) const {
 /// Passes `bytes` of the file; reads them only if the checksum wants them.
 Result<void> McapReader::skip(std::uint64_t bytes) {
   for (; whole_ && bytes > 0;) {
-    content_.resize(std::min(bytes, kSkipBytes));
+    content_.resize(static_cast<std::size_t>(std::min(bytes, kSkipBytes)));
     if (const auto read = source_->read(position_, content_); !read) return Error{read.error()};
     crc_ = mcap::crc32(content_, crc_);
     position_ += content_.size();

@@ -156,7 +156,8 @@ Result<std::optional<Summary>> read_summary(const ByteSource& source) {
     return Error{source.name() + ": the summary at byte " + std::to_string(footer.summary_start) +
                  " is damaged: its checksum is wrong"};
 
-  Result<Summary> summary = decode_summary(std::string_view(*bytes).substr(0, summary_bytes), *end);
+  Result<Summary> summary =
+      decode_summary(std::string_view(*bytes).substr(0, static_cast<std::size_t>(summary_bytes)), *end);
   if (!summary) return Error{source.name() + ": " + summary.error()};
   return std::optional<Summary>(std::move(*summary));
 }

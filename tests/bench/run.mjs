@@ -3,13 +3,14 @@ import { equivalence } from "./equivalence.mjs";
 import { fanout } from "./fanout.mjs";
 import { half } from "./half.mjs";
 import { interference } from "./interference.mjs";
+import { nao } from "./nao.mjs";
 import { shaped } from "./shaped.mjs";
 import { sim } from "./sim.mjs";
 import { soak } from "./soak.mjs";
 import { soccer } from "./soccer.mjs";
 import { streaming } from "./streaming.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak, sim, equivalence, soccer };
+const benches = { streaming, half, interference, shaped, fanout, soak, sim, equivalence, soccer, nao };
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};

@@ -7,12 +7,12 @@ import { mkdtempSync, rmSync } from "node:fs";
 import http from "node:http";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
-import { join, resolve } from "node:path";
+import { basename, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 
 export const root = fileURLToPath(new URL("../..", import.meta.url));
-const bin = resolve(process.env.FORESIGHT_BIN ?? join(root, "build/dev/bin"));
+export const bin = resolve(process.env.FORESIGHT_BIN ?? join(root, "build/dev/bin"));
 
 /** Packages are those of the viewer: there is no second list of them. */
 export const require = createRequire(join(root, "viewer-web/package.json"));
@@ -90,12 +90,15 @@ export const importReal = (folder) =>
 
 /**
  * Starts a program that serves, on a free port unless `args` name one, and waits for its address. It is stopped with the
- * test; a program that then does not end well fails the test.
+ * test; a program that then does not end well fails the test. `command` is the program, or a list of words that ends
+ * with it: ["qemu-i386", "-cpu", "n270", path].
  */
-export async function start(t, folder, program, ...args) {
+export async function start(t, folder, command, ...args) {
+  const [path, ...before] = [command].flat().reverse();
+  const [program, words] = [basename(path), [...before.reverse(), resolve(bin, path)]];
   const options = ["--state-dir", join(folder, "state"), ...(args.includes("--port") ? [] : ["--port", "0"])];
   if (program === "foresight-robot") options.push("--log-dir", join(folder, "logs"));
-  const child = spawn(join(bin, program), [...args, ...options], { stdio: ["ignore", "pipe", "pipe"] });
+  const child = spawn(words[0], [...words.slice(1), ...args, ...options], { stdio: ["ignore", "pipe", "pipe"] });
   const server = { pid: child.pid, output: "", kill: (signal) => child.kill(signal) };
   for (const stream of [child.stdout, child.stderr]) stream.on("data", (bytes) => (server.output += bytes));
   server.ended = new Promise((resolve) => child.on("close", (status, signal) => resolve({ status, signal })));

@@ -1,0 +1,47 @@
+// The Naos whose builds are tested: their processors as the emulator knows them, and what it is to run there.
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { root } from "../e2e/support.mjs";
+
+// the emulator has no Silvermont: the model below it, and the two instructions it lacks; nothing has AVX
+const silvermont = { emulator: ["qemu-x86_64", "-cpu", "Westmere,+movbe,+rdrand"], kernel: "4.4" };
+const bonnell = { emulator: ["qemu-i386", "-cpu", "n270"], kernel: "2.6.33" };
+
+/** preset -> {emulator, kernel}: the words that run a program as on that robot, and how old its kernel is. */
+export const robots = { "nao-v6": silvermont, "nao-v5": bonnell, "nao-v4": bonnell };
+
+/** Those whose builds are to be looked at. */
+export const chosen = (process.env.FORESIGHT_NAO ?? "nao-v6").split(" ");
+
+/** Where the build for that robot put the program. */
+export const built = (preset, program = "foresight-robot") => join(root, "build", preset, "bin", program);
+
+/** Option of a test that runs what was built for a Nao on this machine, at full speed. */
+export const needsMovbe = { skip: / movbe /.test(readFileSync("/proc/cpuinfo", "utf8")) ? false : "this processor lacks MOVBE, which the Naos' have" };
+
+const kInterpreter = 3, kDynamic = 2, kSymbols = 2;
+
+/** What an ELF file says of itself: its word size, whether it needs anything shared, whether it has symbols. */
+export function readElf(file) {
+  const bytes = readFileSync(file);
+  const bits = bytes[4] === 2 ? 64 : 32;
+  const wide = bits === 64;
+  const table = (offset, size, count) => Array.from({ length: count }, (_, i) => offset + i * size);
+  const offset = (at) => (wide ? Number(bytes.readBigUInt64LE(at)) : bytes.readUInt32LE(at));
+  const halves = (at) => [bytes.readUInt16LE(at), bytes.readUInt16LE(at + 2)];
+  const segments = table(offset(wide ? 32 : 28), ...halves(wide ? 54 : 42)).map((at) => bytes.readUInt32LE(at));
+  const sections = table(offset(wide ? 40 : 32), ...halves(wide ? 58 : 46)).map((at) => bytes.readUInt32LE(at + 4));
+  return {
+    bits,
+    size_bytes: bytes.length,
+    isStatic: !segments.includes(kInterpreter) && !segments.includes(kDynamic),
+    isStripped: !sections.includes(kSymbols),
+  };
+}
+
+/** The resident memory of a process, now and at most [MB]. */
+export function memoryOf(pid) {
+  const status = readFileSync(`/proc/${pid}/status`, "utf8");
+  const mb = (name) => (Number(new RegExp(`^${name}:\\s+(\\d+) kB$`, "m").exec(status)[1]) * 1024) / 1e6;
+  return { now: mb("VmRSS"), most: mb("VmHWM") };
+}

@@ -1,0 +1,6 @@
+# Nao V5: one core of an Intel Atom Z530 (Bonnell: SSSE3, MOVBE), 32 bit. Files may be larger than 2 GB.
+set(CMAKE_SYSTEM_PROCESSOR i686)
+set(nao_architecture i386)
+set(nao_triple i686-linux-gnu)
+set(nao_flags "-march=bonnell -mfpmath=sse -D_FILE_OFFSET_BITS=64")
+include(${CMAKE_CURRENT_LIST_DIR}/nao.cmake)
