@@ -4,6 +4,7 @@
 
 #include "robot/app/build_id.h"
 #include "robot/app/robot_options.h"
+#include "robot/app/run_attached.h"
 #include "robot/app/run_replay.h"
 #include "robot/app/run_simulation.h"
 #include "robot/app/signals.h"
@@ -12,6 +13,11 @@ namespace robot::app {
 namespace {
 
 constexpr int kDone = 0, kBadInput = 2;
+
+Result<void> run(const RobotOptions& options) {
+  if (options.body == "attached") return run_attached(options);
+  return options.body == "sim" ? run_simulation(options) : run_replay(options);
+}
 
 int robot_main(int argc, char** argv) {
   CLI::App app{"Foresight on the robot"};
@@ -24,7 +30,7 @@ int robot_main(int argc, char** argv) {
     return app.exit(error) == 0 ? kDone : kBadInput;
   }
   block_end_signals();
-  const Result<void> ran = options.body == "sim" ? run_simulation(options) : run_replay(options);
+  const Result<void> ran = run(options);
   if (ran) return kDone;
   std::fprintf(stderr, "foresight-robot: %s\n", ran.error().c_str());
   return kBadInput;

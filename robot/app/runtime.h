@@ -7,6 +7,9 @@
 //   log <object>      board     carries one memory object to a file                            each version
 //   log <object>      board     carries one memory object to the server, while it is watched   each version
 //   parser            board     carries one stream of a recording into memory (replay)         each message
+//   door              Door      takes in processes of the team, clears away those that went        when one comes; 10 Hz
+//   parser            board     carries one object that such a process writes into memory          each message
+//   log <object>      board     carries one object to such a process that reads it                 each version
 //   simulation        SimBody   plays the game and writes all robots' memories (sim)           30 Hz x speed
 //
 // Loggers, parsers and the net thread run at nice 10: whoever decides and moves comes first.
