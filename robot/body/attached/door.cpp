@@ -133,13 +133,16 @@ void Door::take_in() {
     if (!socket) return;
     Guest guest{.connection = std::make_shared<Connection>(std::move(socket)), .wanted = {}};
     const Peer& peer = guest.connection->peer();
-    if (peer.user != ::geteuid() && peer.user != kRoot)
+    if (peer.user != ::geteuid() && peer.user != kRoot) {
       refuse(guest, "expected a process of user " + std::to_string(::geteuid()) + ", got one of user " +
                         std::to_string(peer.user));
-    else if (guests_.size() + streams_.size() >= kMaxConnections)
+    } else if (guests_.size() + streams_.size() >= kMaxConnections) {
       refuse(guest, "expected at most " + std::to_string(kMaxConnections) + " streams at once, got one more");
-    else if (guest.connection->send(logging::welcome_frame({kVersion, clock_.epoch_offset_ns()})))
+    } else {
+      // who has gone already does not hear it, and what he wrote counts all the same
+      guest.connection->send(logging::welcome_frame({kVersion, clock_.epoch_offset_ns()}));
       guests_.push_back(std::move(guest));
+    }
   }
 }
 

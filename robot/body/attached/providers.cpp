@@ -16,8 +16,10 @@ DoorInProvider::DoorInProvider(std::shared_ptr<Connection> connection, memory::C
                                std::uint64_t epoch_offset_ns, Turns& turns)
     : connection_(std::move(connection)), info_(std::move(info)), epoch_offset_ns_(epoch_offset_ns), turns_(turns) {}
 
-DoorInProvider::~DoorInProvider() {
-  if (has_turn_) turns_.give_back(info_.topic);
+DoorInProvider::~DoorInProvider() { give_back_turn(); }
+
+void DoorInProvider::give_back_turn() {
+  if (std::exchange(has_turn_, false)) turns_.give_back(info_.topic);
 }
 
 Result<memory::ChannelInfo> DoorInProvider::open() {
@@ -46,6 +48,7 @@ Result<std::optional<logging::Record>> DoorInProvider::read() {
     connection_->wait();
     ended_ = cancelled_ || !connection_->receive();
   }
+  give_back_turn();
   return std::optional<logging::Record>();
 }
 

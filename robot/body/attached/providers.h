@@ -31,6 +31,7 @@ class DoorInProvider final : public logging::InProvider {
   Result<std::optional<logging::Record>> take(logging::Frame frame);
   Result<std::optional<logging::Record>> checked(logging::Record record);
   Error refuse(std::string sentence);
+  void give_back_turn();
 
   const std::shared_ptr<Connection> connection_;
   const memory::ChannelInfo info_;
