@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "robot/app/parameter_object.h"
 #include "robot/app/runtime.h"
 #include "robot/body/attached/door.h"
 
@@ -15,6 +16,8 @@ Result<void> run_attached(const RobotOptions& options) {
   Runtime runtime(runtime_options(options, robot), clock,
                   {.runtime = memory->runtime, .clock = memory->clock, .log = memory->log});
   if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
+  if (Result<void> listed = list_parameters(runtime.parameters(), robot.text(), runtime.channels(), clock); !listed)
+    return listed;
   std::unique_ptr<body::Door> door;
   if (!options.plan) {
     auto opened =

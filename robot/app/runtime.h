@@ -65,6 +65,7 @@ class Runtime {
   memory::Channels& channels() { return channels_; }
   logging::LoggingBoard& board() { return board_; }
   const logging::Recorder& recorder() const { return recorder_; }
+  net::Parameters& parameters() { return parameters_; }
   net::Server& server() { return *server_; }
   net::Services& services() { return services_; }  // complete before start()
 

@@ -1,4 +1,5 @@
-// node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--jobs N]; see scripts/bench.
+// node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--kills N] [--jobs N]; see scripts/bench.
+import { door } from "./door.mjs";
 import { equivalence } from "./equivalence.mjs";
 import { fanout } from "./fanout.mjs";
 import { half } from "./half.mjs";
@@ -9,7 +10,7 @@ import { soak } from "./soak.mjs";
 import { soccer } from "./soccer.mjs";
 import { streaming } from "./streaming.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak, sim, equivalence, soccer };
+const benches = { door, streaming, half, interference, shaped, fanout, soak, sim, equivalence, soccer };
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};

@@ -169,7 +169,9 @@ void Door::write(Guest& guest, memory::ChannelInfo announced) {
   streams_.push_back(
       {.id = board_.start_parser(
            std::make_unique<DoorInProvider>(guest.connection, (*channel)->info(), clock_.epoch_offset_ns(), turns_),
-           {.destination = [channel](const memory::ChannelInfo&) { return channel; }, .pace = nullptr}),
+           {.destination =
+                [channel](const memory::ChannelInfo&) { return Result<std::shared_ptr<memory::Channel>>(*channel); },
+            .pace = nullptr}),
        .reader = nullptr});
 }
 

@@ -29,7 +29,7 @@ struct DoorOptions {
   std::string robot;           // ours: "14/2"
 
   /// Objects of this robot that only the runtime writes.
-  std::set<std::string> own_objects = {"runtime", "clock"};
+  std::set<std::string> own_objects = {"runtime", "clock", "parameters"};
 };
 
 /// Where the door is unless somebody says otherwise: $FORESIGHT_DOOR, or a name of this user's in shared memory, which

@@ -7,6 +7,15 @@
 
 namespace robot::body {
 
+namespace {
+
+void tell_of_two(const std::string& topic, const std::string& second) {
+  report(Level::warning, "door",
+         topic + ": expected one process to write it, got " + second + " too, which waits until the other one ends");
+}
+
+}  // namespace
+
 bool Turns::take(const std::string& topic, const std::string& who, const std::atomic<bool>& given_up) {
   const std::uint64_t patient_until_ns = monotonic_ns() + kSecond;
   bool told = false;
@@ -18,8 +27,7 @@ bool Turns::take(const std::string& topic, const std::string& who, const std::at
       changed_.wait_until(lock_, patient_until_ns);
     } else {
       told = true;
-      report(Level::warning, "door",
-             topic + ": expected one process to write it, got " + who + " too, which waits until the other one ends");
+      tell_of_two(topic, who);
     }
   }
   return !given_up && taken_.insert(topic).second;

@@ -115,6 +115,15 @@ class Door(unittest.TestCase):
         self.assertEqual([(n, v if n == 7 else foresight.as_float(v)) for n, v in foresight.fields(seen.bytes)],
                          [(2, 1.5), (7, 1)])
 
+    def test_parameters_can_be_read_and_not_be_written(self):
+        self.start()
+        seen = until(self.reader("parameters").read, "the parameters")
+        self.assertEqual(json.loads(seen.bytes.decode())["recording"], False)
+        writer = self.writer("parameters", encoding="json")
+        until(lambda: not writer.write(1, b"{}") and "refuses" in writer.problem, "a refusal")
+        self.assertEqual(writer.problem, "the runtime refuses: /14/2/parameters: expected an object of the team's, "
+                                         "got one that only the runtime writes")
+
     def test_images_come_whole(self):
         self.start()
         camera, reader = self.writer("camera_top", "foresight.Image"), self.reader("camera_top")
