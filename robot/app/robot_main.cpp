@@ -6,6 +6,7 @@
 
 #include "robot/app/build_id.h"
 #include "robot/app/robot_options.h"
+#include "robot/app/run_attached.h"
 #include "robot/app/run_replay.h"
 #include "robot/app/run_simulation.h"
 #include "robot/app/signals.h"
@@ -19,6 +20,11 @@ constexpr int kDone = 0, kBadInput = 2;
 // program keeps the room of the most there ever were, for each thread that made some: it took twice as much.
 constexpr int kGivenBack_bytes = 512 * 1024;  // a 640x480 picture has 600 kB
 
+Result<void> run(const RobotOptions& options) {
+  if (options.body == "attached") return run_attached(options);
+  return options.body == "sim" ? run_simulation(options) : run_replay(options);
+}
+
 int robot_main(int argc, char** argv) {
   CLI::App app{"Foresight on the robot"};
   app.set_version_flag("--version", std::string(kBuildId));
@@ -31,7 +37,7 @@ int robot_main(int argc, char** argv) {
   }
   mallopt(M_MMAP_THRESHOLD, kGivenBack_bytes);
   block_end_signals();
-  const Result<void> ran = options.body == "sim" ? run_simulation(options) : run_replay(options);
+  const Result<void> ran = run(options);
   if (ran) return kDone;
   std::fprintf(stderr, "foresight-robot: %s\n", ran.error().c_str());
   return kBadInput;

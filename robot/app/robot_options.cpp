@@ -8,8 +8,8 @@ namespace robot::app {
 namespace {
 
 void add_body_options(CLI::App& app, RobotOptions& options) {
-  app.add_option("--body", options.body, "where sensor data come from: replay or sim")
-      ->check(CLI::IsMember({"replay", "sim"}))
+  app.add_option("--body", options.body, "where sensor data come from: attached, replay or sim")
+      ->check(CLI::IsMember({"attached", "replay", "sim"}))
       ->capture_default_str();
   app.add_option("--team", options.team, "number of the team; that of the session, or 14, if not given")
       ->check(CLI::Range(0, 255));
@@ -18,6 +18,9 @@ void add_body_options(CLI::App& app, RobotOptions& options) {
   app.add_option("--speed", options.speed, "of replay: 0.01 .. 1000, of sim: 0.1 .. 100; 1 is real time")
       ->capture_default_str();
   app.add_flag("--loop", options.loop, "begin again at the end: the recording, or another game of the next seed");
+  app.add_option(
+      "--door", options.door,
+      "socket by which a team's processes join body attached; $FORESIGHT_DOOR, or one of this user's if not given");
   app.add_option("--session", options.session, "folder of the session that body replay plays");
 }
 
@@ -81,6 +84,10 @@ void add_options(CLI::App& app, RobotOptions& options) {
   add_game_options(app, options);
   add_recording_options(app, options);
   add_server_options(app, options.server);
+}
+
+RobotName robot_named_by(const RobotOptions& options) {
+  return {.team = options.team.value_or(14), .player = options.player.value_or(2)};
 }
 
 RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {

@@ -19,6 +19,9 @@ struct RobotOptions {
   double speed = 1;
   bool loop = false;
 
+  // body attached
+  std::filesystem::path door;  // empty: where clients look for it
+
   // body replay
   std::filesystem::path session;
 
@@ -44,6 +47,9 @@ struct RobotOptions {
 };
 
 void add_options(CLI::App& app, RobotOptions& options);
+
+/// The robot that the options name: 14/2 where they do not.
+RobotName robot_named_by(const RobotOptions& options);
 
 RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot);
 

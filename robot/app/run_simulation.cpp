@@ -10,8 +10,6 @@
 namespace robot::app {
 namespace {
 
-constexpr int kTeam = 14, kPlayer = 2;  // where nothing is given
-
 Result<body::Setup> setup_of(const RobotOptions& options, sim::Side side) {
   // everything at 30 Hz, as on a robot
   auto game = sim::io::prepare({.rules = options.rules,
@@ -20,7 +18,7 @@ Result<body::Setup> setup_of(const RobotOptions& options, sim::Side side) {
                                            options.away_models.empty() ? options.models : options.away_models},
                                 .pace = sim::Pace::every_tick});
   if (!game) return Error{game.error()};
-  const auto own = static_cast<std::uint32_t>(options.team.value_or(kTeam));
+  const auto own = static_cast<std::uint32_t>(robot_named_by(options).team);
   const auto opponent = static_cast<std::uint32_t>(options.opponent);
   const bool home = side == sim::Side::home;
   return body::Setup{.game = std::move(*game),
@@ -31,7 +29,7 @@ Result<body::Setup> setup_of(const RobotOptions& options, sim::Side side) {
 }  // namespace
 
 Result<void> run_simulation(const RobotOptions& options) {
-  const RobotName robot{.team = options.team.value_or(kTeam), .player = options.player.value_or(kPlayer)};
+  const RobotName robot = robot_named_by(options);
   const sim::Side side = options.side == "home" ? sim::Side::home : sim::Side::away;
   if (robot.player > sim::kMaxPlayers)
     return Error{"--player: body sim has players 1 .. " + std::to_string(sim::kMaxPlayers) + ", got " +

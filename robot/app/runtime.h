@@ -8,9 +8,12 @@
 //   log <object>      board     carries one memory object to a file                            each version
 //   log <object>      board     carries one memory object to the server, while it is watched   each version
 //   parser            board     carries one stream of a recording into memory (replay)         each message
-//   game              GameControl  hears the GameController (--game-controller)             each packet
-//   team              GameControl  answers it (--return-packets) and tells the teammates       1 Hz; as the budget allows
-//                             (--team-messages)
+//   door              Door      takes in processes of the team, clears away those that went    when one comes; 10 Hz
+//   parser            board     carries one object that such a process writes into memory      each message
+//   log <object>      board     carries one object to such a process that reads it             each version
+//   game              GameControl  hears the GameController (--game-controller)                each packet
+//   team              GameControl  answers it (--return-packets), tells the teammates          1 Hz; as the budget allows
+//                                  (--team-messages)
 //   simulation        SimBody   plays the game and writes all robots' memories (sim)           30 Hz x speed
 //
 // Loggers, parsers and the net thread run at nice 10: whoever decides and moves comes first.
@@ -70,6 +73,7 @@ class Runtime {
   memory::Channels& channels() { return channels_; }
   logging::LoggingBoard& board() { return board_; }
   const logging::Recorder& recorder() const { return recorder_; }
+  net::Parameters& parameters() { return parameters_; }
   net::Server& server() { return *server_; }
   net::Services& services() { return services_; }  // complete before start()
 

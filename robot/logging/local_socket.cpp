@@ -137,7 +137,7 @@ Result<memory::ChannelInfo> LocalSocketInProvider::open() {
     if (!frame) return Error{frame.error()};
     if (*frame) {
       auto* info = std::get_if<memory::ChannelInfo>(&**frame);
-      if (!info) return Error{"local socket " + path_.string() + ": expected a channel first, got a message"};
+      if (!info) return Error{"local socket " + path_.string() + ": expected a channel first, got something else"};
       return info_ = std::move(*info);
     }
     connection_.reset();
@@ -156,10 +156,11 @@ Result<std::optional<Record>> LocalSocketInProvider::read() {
       continue;
     }
     if (auto* record = std::get_if<Record>(&**frame)) return std::optional<Record>(std::move(*record));
-    broken_ = std::get<memory::ChannelInfo>(**frame) != info_;
+    const auto* again = std::get_if<memory::ChannelInfo>(&**frame);
+    broken_ = !again || *again != info_;
     if (broken_)
-      return Error{"local socket " + path_.string() + ": expected the channel " + info_.topic + " again, got " +
-                   std::get<memory::ChannelInfo>(**frame).topic};
+      return Error{"local socket " + path_.string() + ": expected messages or the channel " + info_.topic +
+                   " again, got " + (again ? again->topic : "what is said at the door only")};
   }
   return std::optional<Record>();
 }

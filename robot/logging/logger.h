@@ -18,7 +18,7 @@ namespace robot::logging {
 struct StreamStatus {
   std::string topic;
   std::uint64_t messages = 0;      // handed to the device, or read from it
-  std::uint64_t dropped = 0;       // lost: the queue was full or the device refused
+  std::uint64_t dropped = 0;       // lost: the queue was full, the device refused, or the stream says so
   std::uint64_t queued_bytes = 0;  // waiting now
   bool failing = false;            // the last attempt failed; `problem` says why
   bool ended = false;              // nothing more will come

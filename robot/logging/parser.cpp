@@ -24,7 +24,9 @@ void Parser::stop() {
 
 StreamStatus Parser::status() const {
   const std::lock_guard guard(lock_);
-  return status_;
+  StreamStatus status = status_;
+  status.dropped += provider_->lost_before();
+  return status;
 }
 
 void Parser::run() {

@@ -70,6 +70,9 @@ class InProvider {
   /// An Error names a damage, once; the next call goes on behind it, or returns nothing where that cannot be.
   virtual Result<std::optional<Record>> read() = 0;
 
+  /// How many messages were lost on their way here, as far as the stream tells. Any thread.
+  virtual std::uint64_t lost_before() const { return 0; }
+
   /// Ends a blocked read() and all later ones. Any thread.
   virtual void cancel() {}
 };

@@ -6,7 +6,8 @@
 namespace robot::logging {
 namespace {
 
-constexpr std::uint8_t kChannel = 1, kMessage = 2;
+constexpr std::uint8_t kChannel = 1, kMessage = 2, kWelcome = 3, kWanted = 4, kMemory = 5, kShared = 6, kTaken = 7,
+                       kRefused = 8;
 constexpr std::size_t kHeadBytes = 5, kMessageHeadBytes = 24;
 
 template <class Integer>
@@ -75,6 +76,48 @@ Result<std::optional<Frame>> parse_message(Body body) {
   return std::optional<Frame>(std::move(record));
 }
 
+/// A frame of a fixed form, or of one text.
+template <class Content>
+Result<std::optional<Frame>> whole(Content content, const Body& body, const char* expected) {
+  if (!body.good || !body.rest.empty())
+    return Error{std::string("stream: expected ") + expected + ", got another length"};
+  return std::optional<Frame>(std::move(content));
+}
+
+Result<std::optional<Frame>> parse_welcome(Body body) {
+  Welcome welcome;
+  welcome.version = body.integer<std::uint32_t>();
+  welcome.epoch_offset_ns = body.integer<std::uint64_t>();
+  return whole(welcome, body, "a welcome of 12 bytes");
+}
+
+Result<std::optional<Frame>> parse_shared(Body body) {
+  SharedMessage message;
+  for (std::uint64_t* value :
+       {&message.sequence, &message.capture_ns, &message.publish_ns, &message.offset, &message.length})
+    *value = body.integer<std::uint64_t>();
+  if (message.length > kMaxFrameBytes)
+    return Error{"stream: expected a shared message of at most " + std::to_string(kMaxFrameBytes) + " bytes, got " +
+                 std::to_string(message.length)};
+  return whole(message, body, "a shared message of 40 bytes");
+}
+
+Result<std::optional<Frame>> parse_body(std::uint8_t kind, Body body) {
+  switch (kind) {
+    case kChannel: return parse_channel(body);
+    case kMessage: return parse_message(body);
+    case kWelcome: return parse_welcome(body);
+    case kWanted: return std::optional<Frame>(Wanted{std::string(body.rest)});
+    case kMemory: return whole(SharedMemory{}, body, "an empty frame with a file");
+    case kShared: return parse_shared(body);
+    case kTaken: {
+      const Taken taken{body.integer<std::uint64_t>()};
+      return whole(taken, body, "a sequence number of 8 bytes");
+    }
+    default: return std::optional<Frame>(Refused{std::string(body.rest)});
+  }
+}
+
 }  // namespace
 
 std::string channel_frame(const memory::ChannelInfo& info) {
@@ -86,12 +129,29 @@ std::string channel_frame(const memory::ChannelInfo& info) {
   return frame_head(kChannel, body.size()) + body;
 }
 
-std::string message_frame_head(const memory::Version& version) {
+std::string message_frame_head(const memory::Version& version, std::uint64_t time_offset_ns) {
   std::string head = frame_head(kMessage, kMessageHeadBytes + version.size_bytes());
   append(head, version.sequence());
-  append(head, version.capture_ns());
-  append(head, version.publish_ns());
+  append(head, version.capture_ns() - time_offset_ns);
+  append(head, version.publish_ns() - time_offset_ns);
   return head;
+}
+
+std::string welcome_frame(const Welcome& welcome) {
+  std::string frame = frame_head(kWelcome, sizeof welcome.version + sizeof welcome.epoch_offset_ns);
+  append(frame, welcome.version);
+  append(frame, welcome.epoch_offset_ns);
+  return frame;
+}
+
+std::string taken_frame(const Taken& taken) {
+  std::string frame = frame_head(kTaken, sizeof taken.sequence);
+  append(frame, taken.sequence);
+  return frame;
+}
+
+std::string refused_frame(const Refused& refused) {
+  return frame_head(kRefused, refused.sentence.size()) + refused.sentence;
 }
 
 Result<std::optional<Frame>> FrameParser::next() {
@@ -103,8 +163,8 @@ Result<std::optional<Frame>> FrameParser::next() {
     if (length > kMaxFrameBytes)
       return Error{"stream: expected a frame of at most " + std::to_string(kMaxFrameBytes) + " bytes, got " +
                    std::to_string(length)};
-    if (kind != kChannel && kind != kMessage)
-      return Error{"stream: expected a frame of kind 1 or 2, got " + std::to_string(kind)};
+    if (kind < kChannel || kind > kRefused)
+      return Error{"stream: expected a frame of kind 1 .. 8, got " + std::to_string(kind)};
   }
   if (!head.good || head.rest.size() < length) {
     // what was taken makes room only now, so that many small frames do not move the buffer each
@@ -112,8 +172,7 @@ Result<std::optional<Frame>> FrameParser::next() {
     return std::optional<Frame>();
   }
   begin_ += kHeadBytes + length;
-  const Body body{head.rest.substr(0, length)};
-  return kind == kChannel ? parse_channel(body) : parse_message(body);
+  return parse_body(kind, Body{head.rest.substr(0, length)});
 }
 
 }  // namespace robot::logging

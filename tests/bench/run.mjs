@@ -1,4 +1,5 @@
-// node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--jobs N]; see scripts/bench.
+// node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--kills N] [--jobs N]; see scripts/bench.
+import { door } from "./door.mjs";
 import { equivalence } from "./equivalence.mjs";
 import { fanout } from "./fanout.mjs";
 import { half } from "./half.mjs";
@@ -10,7 +11,7 @@ import { soak } from "./soak.mjs";
 import { soccer } from "./soccer.mjs";
 import { streaming } from "./streaming.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak, sim, equivalence, soccer, nao };
+const benches = { streaming, half, interference, shaped, fanout, soak, door, sim, equivalence, soccer, nao };
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};

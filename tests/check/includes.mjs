@@ -29,6 +29,7 @@ export const rows = {
   "robot/agent": ["robot/core", "robot/memory", "proto", "sim/math", "sim/field", "sim/motion", "sim/world", "sim/agent", "sim/perception", "sim/referee", "sim/match"],
   "robot/game": ["robot/core", "robot/memory", "proto"],
   "robot/body": ["robot/core", "robot/memory", "robot/logging", "robot/agent", "proto", "sim/math", "sim/world", "sim/agent", "sim/referee", "sim/match", "sim/io"],
+  "robot/client": [],
   "robot/lab": ["robot/core", "robot/memory", "robot/logging", "robot/net", "proto"],
   "robot/app": "everything",
   tests: "everything",

@@ -1,0 +1,36 @@
+#include "robot/app/run_attached.h"
+
+#include <memory>
+#include <utility>
+
+#include "robot/app/parameter_object.h"
+#include "robot/app/runtime.h"
+#include "robot/body/attached/door.h"
+
+namespace robot::app {
+
+Result<void> run_attached(const RobotOptions& options) {
+  const RobotName robot = robot_named_by(options);
+  const SessionClock clock;
+  const auto memory = std::make_shared<memory::Memory>(robot.text(), clock);
+  Runtime runtime(runtime_options(options, robot), clock,
+                  {.runtime = memory->runtime, .clock = memory->clock, .log = memory->log});
+  if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
+  if (Result<void> listed = list_parameters(runtime.parameters(), robot.text(), runtime.channels(), clock); !listed)
+    return listed;
+  std::unique_ptr<body::Door> door;
+  if (!options.plan) {
+    auto opened =
+        body::Door::open({.path = options.door.empty() ? body::default_door() : options.door, .robot = robot.text()},
+                         clock, runtime.channels(), runtime.board());
+    if (!opened) return Error{opened.error()};
+    door = std::move(*opened);
+  }
+  const Result<bool> begun = begin(runtime, options);
+  if (!begun) return Error{begun.error()};
+  if (!*begun) return {};
+  runtime.run([] { return true; });
+  return {};
+}
+
+}  // namespace robot::app

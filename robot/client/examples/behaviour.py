@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""A behaviour of a team's own, in Python: reads ball and game state, decides, and writes what the body shall do, and why.
+
+    PYTHONPATH=.. python3 behaviour.py [SECONDS]
+"""
+
+import json
+import math
+import sys
+import time
+
+import foresight
+
+PLAYING = 5
+
+ball = foresight.Reader("ball")
+game = foresight.Reader("game")
+command = foresight.Writer("motion_command", "foresight.MotionCommand", delivery=foresight.FIFO)
+thoughts = foresight.Writer("thoughts", "team.Thoughts", encoding="json")  # a type that nobody but us knows
+
+end = time.monotonic() + float(sys.argv[1] if len(sys.argv) > 1 else 10)
+playing, decisions = False, 0
+while time.monotonic() < end:
+    ball.wait(0.1)
+    packet = game.newest()
+    if packet:
+        playing = dict(foresight.fields(packet.bytes)).get(7) == PLAYING
+    seen = ball.newest()
+    if not seen:
+        continue
+
+    # WalkTo: straight to the ball, looking at it; no field means 0
+    place = dict(foresight.fields(seen.bytes))
+    x, y = (foresight.as_float(place[number]) if number in place else 0.0 for number in (2, 3))
+    bearing = math.atan2(y, x)
+    walk_to = foresight.float_field(1, x) + foresight.float_field(2, y) + foresight.float_field(3, bearing)
+    walk_to += foresight.float_field(4, 1.0 if playing else 0.0)
+
+    # a decision has the capture time of what it comes from
+    command.write(seen.capture_ns, foresight.bytes_field(2, walk_to))
+    thoughts.write(seen.capture_ns, json.dumps({"playing": playing, "bearing": bearing}).encode())
+    decisions += 1
+
+print("%d decisions; lost: %d %s" % (decisions, command.lost, command.problem))

@@ -1,0 +1,84 @@
+// Stands in for a team's framework: what such a one has anyway, images, joints, pose, ball, team and game state, it also
+// gives to Foresight, and it hears what the agent wants. Ends after the given number of seconds.
+#include <foresight.h>
+#include <foresight_fields.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+enum { WIDTH = 640, HEIGHT = 480, JOINTS = 25, CYCLE_NS = 12000000 };
+enum { TEAM = 14, PLAYER = 2, PLAYING = 5 };
+
+static unsigned char yuyv[2 * WIDTH * HEIGHT];
+
+int main(int argc, char** argv) {
+  ForesightWriter* joints = foresight_announce("joints", "foresight.Joints");
+  ForesightWriter* camera = foresight_announce("camera_top", "foresight.Image");
+  ForesightWriter* pose = foresight_announce("pose", "foresight.Pose");
+  ForesightWriter* ball = foresight_announce("ball", "foresight.Ball");
+  ForesightWriter* team = foresight_announce("team", "foresight.Team");
+  ForesightWriter* game = foresight_announce("game", "foresight.GameState");
+  ForesightReader* command = foresight_want("motion_command");
+
+  const uint64_t start_ns = foresight_now_ns();
+  const double seconds = argc > 1 ? atof(argv[1]) : 10;
+  unsigned long commands = 0;
+  for (unsigned long cycle = 0; (double)cycle * CYCLE_NS < seconds * 1e9; ++cycle) {
+    const uint64_t now_ns = foresight_now_ns();
+    const float t = (float)(now_ns - start_ns) * 1e-9f;
+    unsigned char room[256], inner_room[128];
+    ForesightBytes message = foresight_bytes(room, sizeof room), inner = foresight_bytes(inner_room, sizeof inner_room);
+
+    float angles[JOINTS];
+    for (int i = 0; i < JOINTS; ++i) angles[i] = 0.1f * sinf(t + (float)i);
+    foresight_put_floats(&message, 1, angles, JOINTS);
+    foresight_write(joints, now_ns, message.bytes, message.size);
+
+    if (cycle % 3 == 0) {  // a new image, and what follows from it
+      for (size_t i = 0; i < sizeof yuyv; i += 2) yuyv[i] = (unsigned char)(i / 2 % WIDTH + cycle);
+      foresight_write_image(camera, now_ns, FORESIGHT_YUYV, WIDTH, HEIGHT, yuyv, sizeof yuyv);
+
+      message.size = 0;  // walks on a circle round the centre of the field
+      foresight_put_float(&message, 1, cosf(t));
+      foresight_put_float(&message, 2, sinf(t));
+      foresight_put_float(&message, 3, remainderf(t + 1.571f, 6.2832f));
+      foresight_write(pose, now_ns, message.bytes, message.size);
+
+      message.size = 0;  // which is always a metre to its left
+      foresight_put_uint(&message, 1, foresight_epoch_ns(ball, now_ns));
+      foresight_put_float(&message, 3, 1);
+      foresight_put_float(&message, 6, 0.1f);
+      foresight_put_uint(&message, 7, 1);
+      foresight_write(ball, now_ns, message.bytes, message.size);
+    }
+
+    if (cycle % 42 == 0) {  // twice a second: a packet of the GameController, and one of player 3
+      message.size = 0;
+      foresight_put_uint(&message, 5, TEAM);
+      foresight_put_uint(&message, 6, PLAYER);
+      foresight_put_uint(&message, 7, PLAYING);
+      foresight_put_float(&message, 11, 600 - t);
+      foresight_write(game, now_ns, message.bytes, message.size);
+
+      message.size = 0;
+      foresight_put_uint(&inner, 1, 3);
+      foresight_put_bytes(&inner, 2, "striker", 7);
+      foresight_put_uint(&inner, 7, 1);
+      foresight_put_bytes(&message, 1, inner.bytes, inner.size);
+      foresight_write(team, now_ns, message.bytes, message.size);
+    }
+
+    ForesightMessage wanted;
+    while (foresight_read(command, &wanted)) ++commands;  // a real one would walk
+
+    const struct timespec rest = {0, CYCLE_NS};
+    nanosleep(&rest, NULL);
+  }
+  printf("%lu commands; lost: %lu joints, %lu images %s\n", commands, (unsigned long)foresight_lost(joints),
+         (unsigned long)foresight_lost(camera), foresight_problem(joints));
+  ForesightWriter* writers[] = {joints, camera, pose, ball, team, game};
+  for (size_t i = 0; i < sizeof writers / sizeof *writers; ++i) foresight_close(writers[i]);
+  foresight_end(command);
+  return 0;
+}

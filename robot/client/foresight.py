@@ -1,0 +1,443 @@
+"""How a team's own process joins Foresight on its robot: it writes objects into the robot's memory and reads objects from
+it, through the runtime's door (foresight-robot --body attached). Python 3.6 or newer, standard library only.
+
+    ball = foresight.Writer("ball", "foresight.Ball")
+    ball.write(foresight.now_ns(), message)          # as often as there is news
+
+    for message in foresight.Reader("motion_command"):
+        obey(message.bytes)                          # what there is now; returns when there is no more
+
+No call waits for the runtime, except Reader.wait: not while it is stopped, not while it is gone. Each writer and each
+reader has a connection of its own, makes it when it is used, and makes it anew when the runtime has gone and come back.
+Large messages, such as images, go through shared memory. A writer or reader is used by one thread at a time. What is
+written while no runtime is there is lost and counted.
+
+All times are of this machine's monotonic clock [ns], as those of V4L2 and time.monotonic(). Messages are protobuf as
+proto/foresight/*.proto has them, unless announced otherwise; who has no protobuf fills and reads them with the functions
+uint_field … and fields.
+
+The protocol is told in robot/logging/stream_format.h; foresight.h is the same for C.
+"""
+
+import array
+import collections
+import os
+import select
+import socket
+import struct
+import tempfile
+import time
+
+__all__ = [
+    "Writer", "Reader", "Message", "now_ns", "image", "YUYV", "JPEG", "LATEST", "FIFO", "RELIABLE",
+    "uint_field", "float_field", "bytes_field", "floats_field", "fields", "as_float",
+]
+
+LATEST, FIFO, RELIABLE = 0, 1, 2  # what matters to who watches over a slow network: the newest, a short history, each one
+YUYV, JPEG = 1, 2  # encodings of foresight.Image
+
+_CHANNEL, _MESSAGE, _WELCOME, _WANTED, _MEMORY, _SHARED, _TAKEN, _REFUSED = range(1, 9)
+_VERSION = 1
+_MAX_FRAME_BYTES = 8 << 20
+_MAX_INLINE_BYTES = 16 << 10  # the kernel takes so much whole or not at all
+_MIN_PLACE_BYTES = 64 << 10
+_PLACES = 16  # half a second of images at 30 Hz may wait; a place costs nothing before its first use
+_RETRY_NS = 100 * 1000 * 1000  # between attempts to connect
+_REFUSED_RETRY_NS = 1000 * 1000 * 1000  # when the runtime did not like what we said
+
+_FLAGS = socket.MSG_DONTWAIT | socket.MSG_NOSIGNAL
+
+#: One message that was read: number, times [ns, monotonic] and bytes. A gap in the numbers tells of messages that this
+#: reader was too slow for.
+Message = collections.namedtuple("Message", "sequence capture_ns publish_ns bytes")
+
+
+def now_ns():
+    """Now, by the clock of all times here."""
+    return int(time.clock_gettime(time.CLOCK_MONOTONIC) * 1e9)
+
+
+def _frame(kind, *pieces):
+    return struct.pack("<BI", kind, sum(map(len, pieces))) + b"".join(pieces)
+
+
+def _text(text):
+    raw = text.encode() if isinstance(text, str) else text
+    return struct.pack("<I", len(raw)) + raw
+
+
+class _Gone(Exception):
+    """The connection has ended."""
+
+
+class _Connection:
+    """What writers and readers have in common."""
+
+    def __init__(self, door, hello):
+        default = "/dev/shm/foresight-%d.door" % os.geteuid()
+        self._door = os.fspath(door or os.environ.get("FORESIGHT_DOOR") or default)
+        self._hello = hello
+        self._socket = None
+        self._retry_at_ns = 0
+        self._in = bytearray()
+        self._out = b""  # the rest of what the kernel took in part
+        self._epoch_offset_ns = int(time.time() * 1e9) - now_ns()
+
+        #: Why the last attempt failed, in one sentence; "" while all is well.
+        self.problem = ""
+
+    def epoch_ns(self, monotonic_ns):
+        """A time as time fields within messages have it [ns since the epoch, capture time], by the runtime's offset; by
+        that of the system clock until the runtime was met."""
+        return monotonic_ns + self._epoch_offset_ns
+
+    def close(self):
+        """Ends the connection. What was written still arrives."""
+        self._disconnect(0)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def __del__(self):
+        if getattr(self, "_socket", None):
+            self._socket.close()
+
+    def _disconnect(self, retry_after_ns):
+        if self._socket:
+            self._socket.close()
+        self._socket = None
+        self._retry_at_ns = now_ns() + retry_after_ns if retry_after_ns else 0
+        self._in.clear()
+        self._out = b""
+
+    def _lose(self, sentence, retry_after_ns=0):
+        self.problem = sentence
+        self._disconnect(retry_after_ns)
+        raise _Gone
+
+    def _connected(self):
+        """Makes the connection if there is none and it is time to try. Never waits."""
+        if self._socket:
+            return True
+        if now_ns() < self._retry_at_ns:
+            return False
+        self._retry_at_ns = now_ns() + _RETRY_NS
+        made = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM | socket.SOCK_NONBLOCK | socket.SOCK_CLOEXEC)
+        try:
+            made.connect(self._door)
+            owner = struct.unpack("3i", made.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, 12))[1]
+            if owner not in (os.geteuid(), 0):
+                raise OSError("expected a runtime of this user, it belongs to somebody else")
+            made.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1 << 20)  # a wish: the kernel gives what it may
+        except OSError as error:
+            made.close()
+            self.problem = "cannot connect to %s: %s" % (self._door, error.strerror or error)
+            return False
+        self._socket = made
+        self.problem = ""
+        self._send(self._hello)
+        return True
+
+    def _flush(self):
+        """Sends what was left over; whether nothing is left."""
+        while self._out:
+            try:
+                self._out = self._out[self._socket.send(self._out, _FLAGS):]
+            except BlockingIOError:
+                self.problem = "cannot write to %s: the runtime does not read" % self._door
+                return False
+            except OSError as error:
+                self._last_words(error)
+        return True
+
+    def _send(self, *pieces, file=None):
+        """Sends the pieces whole, with a file along; what the kernel takes in part is finished later."""
+        extra = [] if file is None else [(socket.SOL_SOCKET, socket.SCM_RIGHTS, array.array("i", [file]))]
+        try:
+            sent = self._socket.sendmsg(pieces, extra, _FLAGS)
+        except BlockingIOError:
+            self.problem = "cannot write to %s: the runtime does not read" % self._door
+            return False
+        except OSError as error:
+            self._last_words(error)
+        if sent < sum(map(len, pieces)):
+            self._out = b"".join(pieces)[sent:]
+        return True
+
+    def _last_words(self, error):
+        """A write failed; if that was because the runtime ended the connection, its last words tell why."""
+        self.problem = "cannot write to %s: %s" % (self._door, error.strerror)
+        self._receive(4096)
+        for _ in self._frames():
+            pass
+        self._lose(self.problem)
+
+    def _receive(self, size):
+        """Takes in what has come; how much that was."""
+        try:
+            block = self._socket.recv(size, socket.MSG_DONTWAIT)
+        except BlockingIOError:
+            return 0
+        except OSError as error:
+            self._lose(self.problem or "cannot read from %s: %s" % (self._door, error.strerror))
+        if not block:
+            self._lose(self.problem or "cannot read from %s: the runtime has gone" % self._door)
+        self._in += block
+        return len(block)
+
+    def _frames(self):
+        """The whole frames of what has come: kind and body. Heeds those that are for readers and writers alike."""
+        while len(self._in) >= 5:
+            kind, size = struct.unpack_from("<BI", self._in)
+            if not _CHANNEL <= kind <= _REFUSED or size > _MAX_FRAME_BYTES:
+                self._lose("cannot read from %s: what came is no frame" % self._door, _REFUSED_RETRY_NS)
+            if len(self._in) < 5 + size:
+                return
+            body = bytes(memoryview(self._in)[5:5 + size])
+            del self._in[:5 + size]
+            if kind == _REFUSED:
+                self._lose("the runtime refuses: " + body.decode(errors="replace"), _REFUSED_RETRY_NS)
+            if kind == _WELCOME and size == 12:
+                version, self._epoch_offset_ns = struct.unpack("<IQ", body)
+                if version != _VERSION:
+                    self._lose("expected to speak version 1 at %s, the runtime speaks %d" % (self._door, version),
+                               _REFUSED_RETRY_NS)
+            yield kind, body
+
+
+class Writer(_Connection):
+    """Writes one object: "ball" is one of this robot, "/debug/vortex" a topic as it stands. For messages of ours the
+    runtime knows the schema. The door is at $FORESIGHT_DOOR, or where the runtime of the same user has it."""
+
+    def __init__(self, topic, type="", encoding="protobuf", schema=b"", schema_encoding=None, delivery=LATEST, door=None):
+        texts = (topic, encoding, type, encoding if schema_encoding is None else schema_encoding, schema)
+        super().__init__(door, _frame(_CHANNEL, *map(_text, texts), bytes([delivery])))
+        self._sequence = 0
+        self._memory = None
+        self._place_bytes = 0
+        self._taken = [0] * _PLACES  # by the message of that number
+
+        #: How many messages were lost so far, because the runtime was gone or did not keep up.
+        self.lost = 0
+
+    def write(self, capture_ns, *pieces):
+        """Writes one message, sensed at `capture_ns`, of at most 8 MiB; pieces are put one behind the other. False: it is
+        lost, and `problem` says why."""
+        pieces = [memoryview(piece).cast("B") for piece in pieces]
+        size = sum(map(len, pieces))
+        self._sequence += 1
+        # a runtime that has gone is noticed by writing to it; the next one may be there already
+        sent = False
+        if size > _MAX_FRAME_BYTES:
+            self.problem = "cannot write to %s: a message has at most 8 MiB" % self._door
+        else:
+            sent = self._hand_over(capture_ns, pieces, size)
+            if not sent and self._socket is None:
+                sent = self._hand_over(capture_ns, pieces, size)
+        if sent:
+            self.problem = ""
+        else:
+            self.lost += 1
+        return sent
+
+    def _disconnect(self, retry_after_ns):
+        super()._disconnect(retry_after_ns)
+        self._forget_memory()  # whoever was there may still read it
+
+    def _forget_memory(self):
+        if getattr(self, "_memory", None) is not None:
+            os.close(self._memory)
+        self._memory = None
+        self._place_bytes = 0
+        self._taken = [0] * _PLACES
+
+    def __del__(self):
+        super().__del__()
+        self._forget_memory()
+
+    def _hand_over(self, capture_ns, pieces, size):
+        try:
+            if not self._connected():
+                return False
+            self._receive(4096)
+            for kind, body in self._frames():
+                if kind == _TAKEN and len(body) == 8:
+                    taken = struct.unpack("<Q", body)[0]
+                    self._taken = [0 if number == taken else number for number in self._taken]
+            if not self._flush():
+                return False
+            if size > _MAX_INLINE_BYTES:
+                return self._share(capture_ns, pieces, size)
+            head = struct.pack("<BIQQQ", _MESSAGE, 24 + size, self._sequence, capture_ns, now_ns())
+            return self._send(head, *pieces)
+        except _Gone:
+            return False
+
+    def _share(self, capture_ns, pieces, size):
+        """Puts a large message into shared memory and tells the runtime where."""
+        is_new = self._memory is None or size > self._place_bytes
+        try:
+            if is_new:
+                self._forget_memory()
+                self._memory, name = tempfile.mkstemp(prefix="foresight-", dir="/dev/shm")
+                os.unlink(name)
+                self._place_bytes = max(_MIN_PLACE_BYTES, 1 << (size - 1).bit_length())
+            if 0 not in self._taken:
+                self.problem = "cannot write to %s: the runtime does not take what is in shared memory" % self._door
+                return False
+            place = self._taken.index(0)
+            offset = at = place * self._place_bytes
+            for piece in pieces:
+                while len(piece) > 0:
+                    n = os.pwrite(self._memory, piece, at)
+                    piece, at = piece[n:], at + n
+        except OSError as error:
+            self.problem = "cannot write to shared memory in /dev/shm: %s" % error.strerror
+            if is_new:
+                self._forget_memory()
+            return False
+        shared = struct.pack("<BIQQQQQ", _SHARED, 40, self._sequence, capture_ns, now_ns(), offset, size)
+        if not self._send((_frame(_MEMORY) if is_new else b"") + shared, file=self._memory if is_new else None):
+            if is_new:
+                self._forget_memory()
+            return False
+        self._taken[place] = self._sequence
+        return True
+
+
+class Reader(_Connection):
+    """Reads one object, named as for a Writer; it need not be there yet. Iterating gives the messages there are now."""
+
+    def __init__(self, topic, door=None):
+        super().__init__(door, _frame(_WANTED, topic.encode()))
+
+        #: What the runtime says of the object: topic, type, encoding, schema encoding, schema, delivery; None before.
+        self.object = None
+
+    def read(self):
+        """The next message, beginning with the newest there was; None when there is none now."""
+        try:
+            if not self._connected() or not self._flush():
+                return None
+            while True:
+                for kind, body in self._frames():
+                    if kind == _CHANNEL:
+                        self._learn(body)
+                    elif kind == _MESSAGE and len(body) >= 24:
+                        return Message(*struct.unpack_from("<QQQ", body), body[24:])
+                if not self._receive(1 << 20):
+                    return None
+        except _Gone:
+            return None
+
+    def __iter__(self):
+        return iter(self.read, None)
+
+    def newest(self):
+        """Passes over all but the newest message; None when there is none now."""
+        newest = None
+        for newest in self:
+            pass
+        return newest
+
+    def wait(self, timeout):
+        """Waits until there may be something to read, at most `timeout` [s]."""
+        try:
+            there = self._connected()
+        except _Gone:
+            there = False
+        # without a connection the time to the next attempt is all there is to wait for
+        select.select([self._socket] if there else [], [], [], timeout if there else min(timeout, _RETRY_NS / 1e9))
+
+    def _learn(self, body):
+        try:
+            texts, at = [], 0
+            for _ in range(5):
+                size = struct.unpack_from("<I", body, at)[0]
+                texts.append(body[at + 4:at + 4 + size])
+                at += 4 + size
+            topic, encoding, kind, schema_encoding = (text.decode() for text in texts[:4])
+            self.object = dict(topic=topic, encoding=encoding, type=kind, schema_encoding=schema_encoding,
+                               schema=texts[4], delivery=body[at])
+        except (struct.error, IndexError, UnicodeDecodeError):
+            self._lose("cannot read from %s: what came is no channel" % self._door, _REFUSED_RETRY_NS)
+
+
+# The little of protobuf that a message of ours needs, for who has no protobuf at hand. Joined with +, fields are a
+# message: float_field(2, 1.5) + bytes_field(3, inner). A value of 0 or False need not be there.
+
+
+def _varint(value):
+    value &= (1 << 64) - 1
+    out = bytearray()
+    while value >= 0x80:
+        out.append(value & 0x7F | 0x80)
+        value >>= 7
+    out.append(value)
+    return bytes(out)
+
+
+def uint_field(number, value):
+    """uint32, uint64, int32, int64, bool, enum."""
+    return _varint(number << 3) + _varint(int(value))
+
+
+def float_field(number, value):
+    return _varint(number << 3 | 5) + struct.pack("<f", value)
+
+
+def bytes_field(number, value):
+    """Text, bytes, and messages."""
+    raw = value.encode() if isinstance(value, str) else value
+    return _varint(number << 3 | 2) + _varint(len(raw)) + raw
+
+
+def floats_field(number, values):
+    """A list of floats, such as those of 25 joints."""
+    return bytes_field(number, struct.pack("<%df" % len(values), *values))
+
+
+def image(encoding, width, height, pixels):
+    """A foresight.Image as two pieces for Writer.write: the pixels are not copied."""
+    head = uint_field(1, encoding) + uint_field(2, width) + uint_field(3, height)
+    return head + _varint(4 << 3 | 2) + _varint(memoryview(pixels).nbytes), pixels
+
+
+def _take_varint(message, at):
+    value = shift = 0
+    while True:
+        byte = message[at]
+        at += 1
+        value |= (byte & 0x7F) << shift
+        shift += 7
+        if byte < 0x80:
+            return value & (1 << 64) - 1, at
+
+
+def fields(message):
+    """The fields of a message as pairs of number and value: an int for numbers, bool and enum, 4 or 8 bytes for float and
+    double, bytes for all else. Ends where the bytes make no sense."""
+    at = 0
+    try:
+        while at < len(message):
+            tag, at = _take_varint(message, at)
+            if tag & 7 == 0:
+                value, at = _take_varint(message, at)
+            else:
+                size = {1: 8, 5: 4}.get(tag & 7)
+                if tag & 7 == 2:
+                    size, at = _take_varint(message, at)
+                if size is None or at + size > len(message):
+                    return
+                value, at = message[at:at + size], at + size
+            yield tag >> 3, value
+    except IndexError:
+        return
+
+
+def as_float(value):
+    """What a float field holds."""
+    return struct.unpack("<f", value)[0]

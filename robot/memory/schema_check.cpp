@@ -1,0 +1,115 @@
+#include "robot/memory/schema_check.h"
+
+#include <google/protobuf/descriptor.pb.h>
+#include <google/protobuf/descriptor_database.h>
+
+#include <set>
+#include <string>
+
+namespace robot::memory {
+namespace {
+
+using google::protobuf::Descriptor;
+using google::protobuf::DescriptorPool;
+using google::protobuf::EnumDescriptor;
+using google::protobuf::FieldDescriptor;
+
+/// Keeps the first complaint instead of printing it.
+class FirstComplaint final : public DescriptorPool::ErrorCollector {
+ public:
+  void AddError(const std::string& file, const std::string& element, const google::protobuf::Message* /*descriptor*/,
+                ErrorLocation /*location*/, const std::string& message) override {
+    if (text.empty()) text = file + ": " + element + ": " + message;
+  }
+
+  std::string text;
+};
+
+/// The messages of a serialised FileDescriptorSet, its files in any order.
+struct Files {
+  google::protobuf::SimpleDescriptorDatabase files;
+  FirstComplaint complaint;
+  DescriptorPool pool{&files, &complaint};
+
+  /// The message that `schema` names.
+  Result<const Descriptor*> read(const Schema& schema) {
+    google::protobuf::FileDescriptorSet set;
+    if (!set.ParseFromString(schema.bytes))
+      return Error{"schema of " + schema.name + ": expected a serialised FileDescriptorSet, got " +
+                   std::to_string(schema.bytes.size()) + " bytes that are none"};
+    std::set<std::string> names;  // the database would tell of a second one on stderr
+    for (const auto& file : set.file())
+      if (!names.insert(file.name()).second || !files.Add(file))
+        return Error{"schema of " + schema.name + ": expected every file and every name once, got " + file.name() +
+                     " again"};
+    const Descriptor* message = pool.FindMessageTypeByName(schema.name);
+    if (message) return message;
+    return Error{"schema of " + schema.name + ": expected a description of that message with all it imports, got " +
+                 (complaint.text.empty() ? std::to_string(set.file_size()) + " files without it" : complaint.text)};
+  }
+};
+
+/// "float", "repeated foresight.Pose.Particle": what must be equal for the bytes to mean the same.
+std::string type_of(const FieldDescriptor& field) {
+  std::string type = field.is_repeated() ? "repeated " : "";
+  if (field.type() == FieldDescriptor::TYPE_MESSAGE) return type + field.message_type()->full_name();
+  if (field.type() == FieldDescriptor::TYPE_ENUM) return type + field.enum_type()->full_name();
+  return type + field.type_name();
+}
+
+Result<void> compare(const EnumDescriptor& ours, const EnumDescriptor& theirs) {
+  for (int i = 0; i < ours.value_count(); ++i) {
+    const auto& value = *ours.value(i);
+    const auto* other = theirs.FindValueByName(value.name());
+    if (other && other->number() != value.number())
+      return Error{"value " + value.name() + " of " + ours.full_name() + ": expected number " +
+                   std::to_string(value.number()) + ", got number " + std::to_string(other->number())};
+  }
+  return {};
+}
+
+Result<void> compare(const FieldDescriptor& ours, const FieldDescriptor& theirs) {
+  const std::string what = "field " + ours.name() + " of " + ours.containing_type()->full_name();
+  if (ours.number() != theirs.number())
+    return Error{what + ": expected number " + std::to_string(ours.number()) + ", got number " +
+                 std::to_string(theirs.number())};
+  if (type_of(ours) != type_of(theirs))
+    return Error{what + ": expected type " + type_of(ours) + ", got type " + type_of(theirs)};
+  return {};
+}
+
+Result<void> compare(const Descriptor& ours, const Descriptor& theirs, std::set<const Descriptor*>& seen) {
+  if (!seen.insert(&ours).second) return {};
+  for (int i = 0; i < ours.field_count(); ++i) {
+    const FieldDescriptor& field = *ours.field(i);
+    const FieldDescriptor* same_name = theirs.FindFieldByName(field.name());
+    const FieldDescriptor* same_number = theirs.FindFieldByNumber(field.number());
+    if (!same_name && same_number)
+      return Error{"number " + std::to_string(field.number()) + " of " + ours.full_name() + ": expected field " +
+                   field.name() + ", got field " + same_number->name()};
+    if (!same_name) continue;
+    Result<void> equal = compare(field, *same_name);
+    if (equal && field.message_type()) equal = compare(*field.message_type(), *same_name->message_type(), seen);
+    if (equal && field.enum_type()) equal = compare(*field.enum_type(), *same_name->enum_type());
+    if (!equal) return equal;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> check_readable(const Schema& schema) {
+  if (schema.encoding != "protobuf") return {};
+  const Result<const Descriptor*> message = Files().read(schema);
+  return message ? Result<void>() : Result<void>(Error{message.error()});
+}
+
+Result<void> check_same_meaning(const Descriptor& ours, const Schema& theirs) {
+  Files files;
+  const Result<const Descriptor*> message = files.read(theirs);
+  if (!message) return Error{message.error()};
+  std::set<const Descriptor*> seen;
+  return compare(ours, **message, seen);
+}
+
+}  // namespace robot::memory

@@ -1,0 +1,15 @@
+// What a team includes, used once each.
+#include <foresight.h>
+#include <foresight_fields.h>
+
+int main(void) {
+  unsigned char room[16];
+  ForesightBytes message = foresight_bytes(room, sizeof room);
+  foresight_put_float(&message, 1, 1);
+  foresight_put_floats(&message, 2, NULL, 0);
+  foresight_put_uint(&message, 3, 1);
+  ForesightField field = foresight_fields(message.bytes, message.size);
+  while (foresight_next_field(&field))
+    if (foresight_float(&field) > 1) return 1;
+  return foresight_now_ns() == 0;
+}
