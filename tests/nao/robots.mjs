@@ -12,6 +12,8 @@ export const robots = { "nao-v6": silvermont, "nao-v5": bonnell, "nao-v4": bonne
 
 /** Those whose builds are to be looked at. */
 export const chosen = (process.env.FORESIGHT_NAO ?? "nao-v6").split(" ");
+for (const preset of chosen)
+  if (!(preset in robots)) throw new Error(`FORESIGHT_NAO: expected ${Object.keys(robots).join(", ")}, got '${preset}'`);
 
 /** Where the build for that robot put the program. */
 export const built = (preset, program = "foresight-robot") => join(root, "build", preset, "bin", program);
