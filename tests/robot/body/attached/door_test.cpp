@@ -209,6 +209,18 @@ TEST_F(TheDoor, ImagesComeThroughSharedMemoryWholeAndInOrder) {
   }
 }
 
+TEST_F(TheDoor, WhatWasWrittenBeforeAProcessWentArrives) {
+  const std::string image(614'400, 'i');
+  for (int i = 1; i <= 20; ++i) {
+    Writer camera = announce("camera_top", "foresight.Image");
+    ASSERT_TRUE(foresight_write_image(camera.get(), 1, FORESIGHT_YUYV, 640, 480, image.data(), image.size()));
+    camera.reset();
+    until([&] {
+      return memory->camera_top.read() && memory->camera_top.read()->sequence() == static_cast<std::uint64_t>(i);
+    });
+  }
+}
+
 TEST_F(TheDoor, MessagesThatGrowFindALargerPlace) {
   const Writer blob = announce("blob", "team.Blob", "", "json");
   for (const std::size_t size : {20'000u, 70'000u, 3'000'000u, 10u, 8u << 20}) {
