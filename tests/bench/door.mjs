@@ -64,7 +64,7 @@ async function killRuntimes(report, kills) {
   const peer = start("bench_door_peer", ["pulse", "pulse"]);
   for (let i = 0; i < kills; ++i) {
     const runtime = await openRuntime();
-    await sleep(Math.random() * 0.06);
+    await sleep(Math.random() * 0.25); // a client tries again every 0.1 s
     runtime.kill();
     await runtime.ended;
     // what the next one takes away itself; here it only tells when that one is there
