@@ -36,9 +36,9 @@ static inline ForesightBytes foresight_bytes(void* bytes, size_t room) {
 /// One field of a message that is being read. What stands in `value` and `bytes` depends on how the field was written.
 typedef struct {
   int number;
-  uint64_t value;              // of numbers, bool, enum; the bits of float and double
-  const unsigned char* bytes;  // of text, bytes, messages and lists of numbers; else NULL
-  size_t size;
+  uint64_t value;                   // of numbers, bool, enum; the bits of float and double
+  const unsigned char* bytes;       // of text, bytes, messages and lists of numbers
+  size_t size;                      // 0 for all others
   const unsigned char *next, *end;  // of the message
 } ForesightField;
 
@@ -77,7 +77,7 @@ static inline void foresight_put(ForesightBytes* to, int field, unsigned wire_ty
 /// uint32, uint64, bool, enum; and int32, int64 converted to uint64_t.
 static inline void foresight_put_uint(ForesightBytes* to, int field, uint64_t value) {
   unsigned char bytes[10];
-  foresight_put(to, field, 0, NULL, 0, bytes, foresight_varint(bytes, value));
+  foresight_put(to, field, 0, bytes, 0, bytes, foresight_varint(bytes, value));
 }
 
 /// Text, bytes, and messages that were filled before.
@@ -87,7 +87,7 @@ static inline void foresight_put_bytes(ForesightBytes* to, int field, const void
 }
 
 static inline void foresight_put_float(ForesightBytes* to, int field, float value) {
-  foresight_put(to, field, 5, NULL, 0, &value, sizeof value);  // all our processors have protobuf's byte order
+  foresight_put(to, field, 5, to->bytes, 0, &value, sizeof value);  // all our processors have protobuf's byte order
 }
 
 /// A list of floats, such as those of 25 joints.
@@ -107,7 +107,7 @@ static inline int foresight_take_varint(ForesightField* field, uint64_t* value) 
 /// Goes to the next field; 0 at the end, or where the bytes make no sense.
 static inline int foresight_next_field(ForesightField* field) {
   uint64_t tag, size;
-  field->bytes = NULL;
+  field->bytes = field->end;
   field->size = 0;
   field->value = 0;
   if (field->next >= field->end || !foresight_take_varint(field, &tag)) return 0;

@@ -77,8 +77,12 @@ int main(int argc, char** argv) {
   }
   printf("%lu commands; lost: %lu joints, %lu images %s\n", commands, (unsigned long)foresight_lost(joints),
          (unsigned long)foresight_lost(camera), foresight_problem(joints));
-  ForesightWriter* writers[] = {joints, camera, pose, ball, team, game};
-  for (size_t i = 0; i < sizeof writers / sizeof *writers; ++i) foresight_close(writers[i]);
+  foresight_close(joints);
+  foresight_close(camera);
+  foresight_close(pose);
+  foresight_close(ball);
+  foresight_close(team);
+  foresight_close(game);
   foresight_end(command);
   return 0;
 }
