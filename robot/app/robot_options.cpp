@@ -86,6 +86,13 @@ void add_options(CLI::App& app, RobotOptions& options) {
   add_server_options(app, options.server);
 }
 
+std::set<std::string> written_by_game(const RobotOptions& options) {
+  std::set<std::string> objects;
+  if (options.game_controller) objects.insert("game");
+  if (options.return_packets || options.team_messages) objects.insert("team");
+  return objects;
+}
+
 RobotName robot_named_by(const RobotOptions& options) {
   return {.team = options.team.value_or(14), .player = options.player.value_or(2)};
 }

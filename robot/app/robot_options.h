@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "robot/app/robot_name.h"
@@ -47,6 +48,9 @@ struct RobotOptions {
 };
 
 void add_options(CLI::App& app, RobotOptions& options);
+
+/// Objects of our robot that following a real game writes, as the options ask for it.
+std::set<std::string> written_by_game(const RobotOptions& options);
 
 /// The robot that the options name: 14/2 where they do not.
 RobotName robot_named_by(const RobotOptions& options);

@@ -13,16 +13,15 @@ Result<void> run_attached(const RobotOptions& options) {
   const RobotName robot = robot_named_by(options);
   const SessionClock clock;
   const auto memory = std::make_shared<memory::Memory>(robot.text(), clock);
-  Runtime runtime(runtime_options(options, robot), clock,
-                  {.runtime = memory->runtime, .clock = memory->clock, .log = memory->log});
+  Runtime runtime(runtime_options(options, robot), clock, own_objects(*memory));
   if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
   if (Result<void> listed = list_parameters(runtime.parameters(), robot.text(), runtime.channels(), clock); !listed)
     return listed;
   std::unique_ptr<body::Door> door;
   if (!options.plan) {
-    auto opened =
-        body::Door::open({.path = options.door.empty() ? body::default_door() : options.door, .robot = robot.text()},
-                         clock, runtime.channels(), runtime.board());
+    body::DoorOptions at{.path = options.door.empty() ? body::default_door() : options.door, .robot = robot.text()};
+    at.own_objects.merge(written_by_game(options));
+    auto opened = body::Door::open(std::move(at), clock, runtime.channels(), runtime.board());
     if (!opened) return Error{opened.error()};
     door = std::move(*opened);
   }

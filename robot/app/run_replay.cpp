@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robot/app/runtime.h"
@@ -16,16 +17,14 @@ Result<void> run_replay(const RobotOptions& options) {
   const RobotName robot{.team = options.team.value_or(recorded->info.team),
                         .player = options.player.value_or(recorded->info.player)};
   // these this process writes itself
-  std::vector<std::string> own_objects{"runtime", "clock", "log"};
-  if (options.game_controller) own_objects.emplace_back("game");
-  if (options.return_packets || options.team_messages) own_objects.emplace_back("team");
+  std::vector<std::string> skipped{"runtime", "clock", "log"};
+  for (const std::string& object : written_by_game(options)) skipped.push_back(object);
   auto replay = body::Replay::open(
       options.session,
-      {.speed = options.speed, .loop = options.loop, .robot = robot.text(), .skipped_objects = own_objects});
+      {.speed = options.speed, .loop = options.loop, .robot = robot.text(), .skipped_objects = std::move(skipped)});
   if (!replay) return Error{replay.error()};
   const auto memory = std::make_shared<memory::Memory>(robot.text(), (*replay)->clock());
-  Runtime runtime(runtime_options(options, robot), (*replay)->clock(),
-                  {.runtime = memory->runtime, .clock = memory->clock, .log = memory->log, .robot = memory.get()});
+  Runtime runtime(runtime_options(options, robot), (*replay)->clock(), own_objects(*memory));
   if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
   const Result<bool> begun = begin(runtime, options);
   if (!begun) return Error{begun.error()};

@@ -44,9 +44,7 @@ Result<void> run_simulation(const RobotOptions& options) {
       {.robot = sim::robot_of(side, robot.player), .seed = options.seed, .speed = options.speed, .loop = options.loop},
       clock);
   if (!body) return Error{body.error()};
-  memory::Memory& memory = *(*body)->memory();
-  Runtime runtime(runtime_options(options, robot), clock,
-                  {.runtime = memory.runtime, .clock = memory.clock, .log = memory.log});
+  Runtime runtime(runtime_options(options, robot), clock, own_objects(*(*body)->memory()));
   if (Result<void> listed = (*body)->list(runtime.channels()); !listed) return listed;
   add_simulation_control(**body, runtime.services());
   const Result<bool> begun = begin(runtime, options);

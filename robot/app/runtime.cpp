@@ -37,6 +37,10 @@ net::ServerOptions server_options(const RuntimeOptions& options, net::AccessOpti
 
 }  // namespace
 
+OwnObjects own_objects(memory::Memory& memory) {
+  return {.runtime = memory.runtime, .clock = memory.clock, .log = memory.log, .robot = &memory};
+}
+
 Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
     : options_(std::move(options)),
       clock_(clock),

@@ -61,8 +61,11 @@ struct OwnObjects {
   memory::MemoryObject<foresight::RuntimeStatistics>& runtime;
   memory::MemoryObject<foresight::ClockSample>& clock;
   memory::MemoryObject<foresight::LogText>& log;
-  memory::Memory* robot = nullptr;  // all of our robot's, where a GameController is to be heard
+  memory::Memory* robot = nullptr;  // all of our robot's; null on the lab machine, which hears no GameController
 };
+
+/// Those of a process that has our robot's whole memory, which outlives it.
+OwnObjects own_objects(memory::Memory& memory);
 
 class Runtime {
  public:

@@ -124,6 +124,20 @@ class Door(unittest.TestCase):
         self.assertEqual(writer.problem, "the runtime refuses: /14/2/parameters: expected an object of the team's, "
                                          "got one that only the runtime writes")
 
+    def test_what_the_game_controller_says_the_runtime_writes(self):
+        runtime = self.start("--game-controller", "--game-port", "0")
+        writer = self.writer("game", "foresight.GameState")
+        until(lambda: not writer.write(1, b"") and "refuses" in writer.problem, "a refusal")
+        self.assertEqual(writer.problem, "the runtime refuses: /14/2/game: expected an object of the team's, "
+                                         "got one that only the runtime writes")
+        # nobody has asked for messages to the teammates
+        team = self.writer("team", "foresight.Team")
+        until(lambda: team.write(foresight.now_ns(), b""), "a runtime")
+        self.assertEqual(team.problem, "")
+        time.sleep(0.3)  # it looks at the game ten times a second
+        runtime.end()
+        self.assertEqual(runtime.process.returncode, 0)
+
     def test_images_come_whole(self):
         self.start()
         camera, reader = self.writer("camera_top", "foresight.Image"), self.reader("camera_top")
