@@ -96,17 +96,15 @@ typedef struct {
   char problem[512];
 } Connection;
 
-uint64_t foresight_now_ns(void) {
+static uint64_t time_ns(clockid_t clock) {
   struct timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
+  clock_gettime(clock, &now);
   return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
 }
 
-static uint64_t system_offset_ns(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_REALTIME, &now);
-  return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec - foresight_now_ns();
-}
+uint64_t foresight_now_ns(void) { return time_ns(CLOCK_MONOTONIC); }
+
+static uint64_t system_offset_ns(void) { return time_ns(CLOCK_REALTIME) - time_ns(CLOCK_MONOTONIC); }
 
 static void complain(Connection* connection, const char* what, const char* why) {
   snprintf(connection->problem, sizeof connection->problem, "%s %s: %s", what, connection->door.sun_path, why);

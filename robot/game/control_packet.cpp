@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "robot/core/little_endian.h"
 #include "robot/game/control_layout.h"
-#include "robot/game/little_endian.h"
 
 namespace robot::game {
 namespace {
@@ -39,7 +39,7 @@ pb::GameState::Phase phase_of(std::uint32_t code) {
 
 class Parser {
  public:
-  Parser(std::string_view bytes, const ControlLayout& layout) : rest_(bytes), layout_(layout) {}
+  Parser(std::string_view bytes, const ControlLayout& layout) : bytes_(bytes), layout_(layout) {}
 
   Result<ControlPacket> parse() {
     for (const Field& field : layout_.head) read_head(field);
@@ -53,11 +53,7 @@ class Parser {
   }
 
  private:
-  std::uint32_t take(const Field& field) {
-    const std::uint32_t number = number_of(rest_, field.bytes);
-    rest_.remove_prefix(field.bytes);
-    return number;
-  }
+  std::uint32_t take(const Field& field) { return static_cast<std::uint32_t>(bytes_.number(field.bytes)); }
 
   /// Like take(); what is greater than `greatest` spoils the packet and counts as 0.
   std::uint32_t take_up_to(const Field& field, std::uint32_t greatest, const char* name) {
@@ -140,7 +136,7 @@ class Parser {
     }
   }
 
-  std::string_view rest_;
+  ByteReader bytes_;
   const ControlLayout& layout_;
   ControlPacket packet_;
   std::optional<std::uint32_t> kicking_team_, kicking_colour_;
@@ -155,11 +151,11 @@ Result<ControlPacket> parse_control_packet(std::string_view bytes) {
                  " bytes that do not"};
   if (bytes.size() == kLetters.size()) return Error{"GameController packet: it ends before its version"};
   // the version has one, two or four bytes; its first one tells which
-  const ControlLayout* const layout = control_layout(number_of(bytes.substr(kLetters.size()), 1));
+  const auto version = static_cast<std::uint8_t>(bytes[kLetters.size()]);
+  const ControlLayout* const layout = control_layout(version);
   if (layout == nullptr)
     return Error{"GameController packet: expected format " + std::to_string(kOldestVersion) + " .. " +
-                 std::to_string(kNewestVersion) + ", got " +
-                 std::to_string(number_of(bytes.substr(kLetters.size()), 1))};
+                 std::to_string(kNewestVersion) + ", got " + std::to_string(version)};
   if (bytes.size() != layout->size_bytes())
     return Error{"GameController packet: expected " + std::to_string(layout->size_bytes()) + " bytes of format " +
                  std::to_string(layout->version) + ", got " + std::to_string(bytes.size())};

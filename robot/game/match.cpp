@@ -3,11 +3,6 @@
 namespace robot::game {
 namespace {
 
-bool under_way(pb::GameState::State state) {
-  return state == pb::GameState::STATE_READY || state == pb::GameState::STATE_SET ||
-         state == pb::GameState::STATE_PLAYING;
-}
-
 /// Says nothing about beginning or end: a break belongs to whatever it interrupts.
 bool pauses(const pb::GameState& game) {
   return game.state() == pb::GameState::STATE_STANDBY || game.state() == pb::GameState::STATE_UNSPECIFIED ||
@@ -15,6 +10,11 @@ bool pauses(const pb::GameState& game) {
 }
 
 }  // namespace
+
+bool under_way(pb::GameState::State state) {
+  return state == pb::GameState::STATE_READY || state == pb::GameState::STATE_SET ||
+         state == pb::GameState::STATE_PLAYING;
+}
 
 Match::Change Match::move_to(bool in_progress) {
   const bool was = in_progress_.exchange(in_progress, std::memory_order_acq_rel);

@@ -50,6 +50,9 @@ class Match {
   Identity identity_;
 };
 
+/// True in READY, SET and PLAYING.
+bool under_way(pb::GameState::State state);
+
 /// What the recording of a match is called: "A_vs-5_half-2_14-3_0123abcd" for field "A", opponent 5, the second half,
 /// robot "14/3" and that build. An empty field is left out; the shoot-out is "shoot-out", overtime "overtime-1".
 std::string session_name(const pb::GameState& game, std::string_view field, std::string_view build);

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "robot/game/little_endian.h"
+#include "robot/core/little_endian.h"
 
 namespace robot::game {
 namespace {
@@ -12,40 +12,40 @@ constexpr float kNeverSeen = -1;                   // [s] as age of the ball
 
 std::string head(std::uint32_t return_version) {
   std::string packet = "RGrt";
-  put_number(packet, return_version, 1);
+  put(packet, return_version, 1);
   return packet;
 }
 
 std::string short_packet(std::uint32_t return_version, std::uint32_t alive, const RobotStatus& status) {
   std::string packet = head(return_version);
-  put_number(packet, status.team, 1);
-  put_number(packet, status.player, 1);
-  put_number(packet, alive, 1);
+  put(packet, status.team, 1);
+  put(packet, status.player, 1);
+  put(packet, alive, 1);
   return packet;
 }
 
 std::string packet_4(const RobotStatus& status) {
   std::string packet = head(4);
-  put_number(packet, status.player, 1);
-  put_number(packet, status.team, 1);
+  put(packet, status.player, 1);
+  put(packet, status.team, 1);
   const bool fallen = status.motion != nullptr && (status.motion->fall() == pb::MotionStatus::FALL_FALLEN ||
                                                    status.motion->fall() == pb::MotionStatus::FALL_GETTING_UP);
-  put_number(packet, fallen ? 1 : 0, 1);
+  put(packet, fallen ? 1 : 0, 1);
 
   // its frame is our team_field, in millimetres
   const pb::Pose* const pose = status.pose;
   const bool known =
       pose != nullptr && std::isfinite(pose->x()) && std::isfinite(pose->y()) && std::isfinite(pose->heading());
-  put_float(packet, known ? pose->x() * 1000 : 0);
-  put_float(packet, known ? pose->y() * 1000 : 0);
-  put_float(packet, known ? pose->heading() : 0);
+  put(packet, known ? pose->x() * 1000 : 0.f);
+  put(packet, known ? pose->y() * 1000 : 0.f);
+  put(packet, known ? pose->heading() : 0.f);
 
   const pb::Ball* const ball = status.ball;
   const bool seen = ball != nullptr && std::isfinite(ball->x()) && std::isfinite(ball->y());
   const std::uint64_t age_ns = seen && status.now_ns > ball->seen_ns() ? status.now_ns - ball->seen_ns() : 0;
-  put_float(packet, seen ? static_cast<float>(age_ns) / 1e9f : kNeverSeen);
-  put_float(packet, seen ? ball->x() * 1000 : 0);
-  put_float(packet, seen ? ball->y() * 1000 : 0);
+  put(packet, seen ? static_cast<float>(age_ns) / 1e9f : kNeverSeen);
+  put(packet, seen ? ball->x() * 1000 : 0.f);
+  put(packet, seen ? ball->y() * 1000 : 0.f);
   return packet;
 }
 

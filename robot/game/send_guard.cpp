@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
+#include "robot/game/match.h"
+
 namespace robot::game {
 namespace {
 
 constexpr float kHalfSeconds = 600;
-
-bool runs(pb::GameState::State state) {
-  return state == pb::GameState::STATE_READY || state == pb::GameState::STATE_SET ||
-         state == pb::GameState::STATE_PLAYING;
-}
 
 /// [s] until the end of the game, extra time left out.
 float seconds_left(const pb::GameState& game) {
@@ -48,7 +45,7 @@ std::uint64_t SendGuard::interval_ns() const {
 }
 
 bool SendGuard::may_send(std::uint64_t now_ns, std::uint64_t last_ns) const {
-  if (!stopped_.empty() || !runs(game_.state())) return false;
+  if (!stopped_.empty() || !under_way(game_.state())) return false;
   if (game_.own().has_message_budget() && game_.own().message_budget() <= kReserve) return false;
   return last_ns == 0 || now_ns >= last_ns + interval_ns();
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/game/little_endian.h"
+#include "robot/core/little_endian.h"
 
 namespace robot::game {
 namespace {
@@ -21,11 +21,11 @@ constexpr float kPerMetre = 1000, kPerRadian = 10'000;
 
 void put_signed(std::string& out, float value, float scale) {
   const float scaled = std::clamp(std::round(value * scale), -32767.f, 32767.f);
-  put_number(out, static_cast<std::uint16_t>(static_cast<std::int16_t>(scaled)), 2);
+  put(out, static_cast<std::int16_t>(scaled));
 }
 
 void put_unsigned(std::string& out, float value, float scale) {
-  put_number(out, static_cast<std::uint16_t>(std::clamp(std::round(value * scale), 0.f, 65535.f)), 2);
+  put(out, static_cast<std::uint16_t>(std::clamp(std::round(value * scale), 0.f, 65535.f)));
 }
 
 bool finite(const pb::Pose& pose) {
@@ -55,44 +55,32 @@ void put_ball(std::string& out, const pb::Ball& ball, std::uint64_t now_ns) {
   put_signed(out, ball.velocity_y(), kPerMetre);
   put_unsigned(out, ball.deviation(), kPerMetre);
   const std::uint64_t age_ns = now_ns - std::min(now_ns, ball.seen_ns());
-  put_number(out, static_cast<std::uint32_t>(std::min<std::uint64_t>(age_ns / 1'000'000, 65'535)), 2);
+  put(out, static_cast<std::uint16_t>(std::min<std::uint64_t>(age_ns / 1'000'000, 65'535)));
 }
 
-class Reader {
- public:
-  explicit Reader(std::string_view rest) : rest_(rest) {}
+float signed_value(ByteReader& in, float scale) { return static_cast<float>(in.number<std::int16_t>()) / scale; }
 
-  std::uint32_t number(std::size_t bytes) {
-    const std::uint32_t number = number_of(rest_, bytes);
-    rest_.remove_prefix(bytes);
-    return number;
-  }
-  float signed_value(float scale) { return static_cast<float>(static_cast<std::int16_t>(number(2))) / scale; }
-  float unsigned_value(float scale) { return static_cast<float>(number(2)) / scale; }
+float unsigned_value(ByteReader& in, float scale) { return static_cast<float>(in.number<std::uint16_t>()) / scale; }
 
- private:
-  std::string_view rest_;
-};
-
-pb::Pose read_pose(Reader& in) {
+pb::Pose read_pose(ByteReader& in) {
   pb::Pose pose;
-  pose.set_x(in.signed_value(kPerMetre));
-  pose.set_y(in.signed_value(kPerMetre));
-  pose.set_heading(in.signed_value(kPerRadian));
-  pose.set_deviation_x(in.unsigned_value(kPerMetre));
-  pose.set_deviation_y(in.unsigned_value(kPerMetre));
-  pose.set_deviation_heading(in.unsigned_value(kPerRadian));
+  pose.set_x(signed_value(in, kPerMetre));
+  pose.set_y(signed_value(in, kPerMetre));
+  pose.set_heading(signed_value(in, kPerRadian));
+  pose.set_deviation_x(unsigned_value(in, kPerMetre));
+  pose.set_deviation_y(unsigned_value(in, kPerMetre));
+  pose.set_deviation_heading(unsigned_value(in, kPerRadian));
   return pose;
 }
 
-pb::Ball read_ball(Reader& in, std::uint64_t now_ns) {
+pb::Ball read_ball(ByteReader& in, std::uint64_t now_ns) {
   pb::Ball ball;
-  ball.set_x(in.signed_value(kPerMetre));
-  ball.set_y(in.signed_value(kPerMetre));
-  ball.set_velocity_x(in.signed_value(kPerMetre));
-  ball.set_velocity_y(in.signed_value(kPerMetre));
-  ball.set_deviation(in.unsigned_value(kPerMetre));
-  const std::uint64_t age_ns = std::uint64_t{in.number(2)} * 1'000'000;
+  ball.set_x(signed_value(in, kPerMetre));
+  ball.set_y(signed_value(in, kPerMetre));
+  ball.set_velocity_x(signed_value(in, kPerMetre));
+  ball.set_velocity_y(signed_value(in, kPerMetre));
+  ball.set_deviation(unsigned_value(in, kPerMetre));
+  const std::uint64_t age_ns = std::uint64_t{in.number<std::uint16_t>()} * 1'000'000;
   ball.set_seen_ns(now_ns - std::min(now_ns, age_ns));
   return ball;
 }
@@ -102,11 +90,11 @@ pb::Ball read_ball(Reader& in, std::uint64_t now_ns) {
 std::string to_bytes(const TeamMessage& message, std::uint64_t now_ns) {
   const bool has_pose = message.pose && finite(*message.pose), has_ball = message.ball && finite(*message.ball);
   std::string out(kLetters);
-  put_number(out, kVersion, 1);
-  put_number(out, message.team, 1);
-  put_number(out, message.player, 1);
-  put_number(out, (has_pose ? kHasPose : 0) | (has_ball ? kHasBall : 0) | (message.fallen ? kFallen : 0), 1);
-  put_number(out, message.sender, 4);
+  put(out, kVersion, 1);
+  put(out, message.team, 1);
+  put(out, message.player, 1);
+  put(out, (has_pose ? kHasPose : 0) | (has_ball ? kHasBall : 0) | (message.fallen ? kFallen : 0), 1);
+  put(out, message.sender, 4);
   put_pose(out, has_pose ? *message.pose : pb::Pose());
   put_ball(out, has_ball ? *message.ball : pb::Ball(), now_ns);
   return out;
@@ -116,12 +104,12 @@ Result<TeamMessage> parse_team_message(std::string_view bytes, std::uint64_t now
   if (bytes.size() != kBytes || !bytes.starts_with(kLetters))
     return Error{"team message: expected " + std::to_string(kBytes) + " bytes that begin with FSgt, got " +
                  std::to_string(bytes.size()) + " bytes"};
-  Reader in(bytes.substr(kLetters.size()));
-  if (const std::uint32_t version = in.number(1); version != kVersion)
+  ByteReader in(bytes.substr(kLetters.size()));
+  if (const auto version = in.number<std::uint8_t>(); version != kVersion)
     return Error{"team message: expected version " + std::to_string(kVersion) + ", got " + std::to_string(version)};
-  TeamMessage message{.team = in.number(1), .player = in.number(1)};
-  const std::uint32_t flags = in.number(1);
-  message.sender = in.number(4);
+  TeamMessage message{.team = in.number<std::uint8_t>(), .player = in.number<std::uint8_t>()};
+  const auto flags = in.number<std::uint8_t>();
+  message.sender = in.number<std::uint32_t>();
   if (message.player < 1 || message.player > 20 || flags > kAllFlags)
     return Error{"team message: expected player 1 .. 20 and flags 0 .. 7, got player " +
                  std::to_string(message.player) + " and flags " + std::to_string(flags)};

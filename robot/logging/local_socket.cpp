@@ -2,29 +2,21 @@
 
 #include <poll.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
-#include <sys/un.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
+
+#include "robot/core/local_address.h"
 
 namespace robot::logging {
 namespace {
 
+constexpr int kBacklog = 4;
 constexpr int kCancelCheckMs = 50;  // how soon a cancel() is noticed by a thread that waits for the other side
 
-Result<sockaddr_un> address_of(const std::filesystem::path& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  if (path.native().size() >= sizeof address.sun_path)
-    return Error{"local socket " + path.string() + ": expected a path of at most " +
-                 std::to_string(sizeof address.sun_path - 1) + " bytes, got " + std::to_string(path.native().size())};
-  std::memcpy(address.sun_path, path.c_str(), path.native().size() + 1);
-  return address;
+Result<LocalAddress> address_of(const std::filesystem::path& path) {
+  return LocalAddress::of(path, "local socket " + path.string());
 }
-
-const sockaddr* generic(const sockaddr_un& address) { return reinterpret_cast<const sockaddr*>(&address); }
 
 }  // namespace
 
@@ -34,11 +26,10 @@ Result<void> LocalSocketOutProvider::open(const memory::ChannelInfo& info) {
 }
 
 Result<void> LocalSocketOutProvider::connect() {
-  const Result<sockaddr_un> address = address_of(path_);
+  const auto address = address_of(path_);
   if (!address) return Error{address.error()};
   FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  if (!socket || ::connect(socket.get(), generic(*address), sizeof *address) != 0)
-    return file_error("cannot connect to", path_, errno);
+  if (!socket || !address->connect(socket.get())) return file_error("cannot connect to", path_, errno);
   socket_ = std::move(socket);
   return send(channel_frame(info_));
 }
@@ -87,14 +78,11 @@ LocalSocketInProvider::~LocalSocketInProvider() {
 void LocalSocketInProvider::cancel() { cancelled_ = true; }
 
 Result<void> LocalSocketInProvider::listen() {
-  const Result<sockaddr_un> address = address_of(path_);
+  const auto address = address_of(path_);
   if (!address) return Error{address.error()};
   ::unlink(path_.c_str());  // left behind by a process that was killed
   FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  // on Linux the mode a socket has before it is bound becomes that of its file: there is no moment when others may connect
-  if (!socket || ::fchmod(socket.get(), 0600) != 0 || ::bind(socket.get(), generic(*address), sizeof *address) != 0 ||
-      ::listen(socket.get(), 4) != 0)
-    return file_error("cannot listen at", path_, errno);
+  if (!socket || !address->listen(socket.get(), kBacklog)) return file_error("cannot listen at", path_, errno);
   listening_ = std::move(socket);
   return {};
 }

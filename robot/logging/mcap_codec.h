@@ -6,24 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "robot/core/little_endian.h"
 #include "robot/logging/mcap_format.h"
 
 namespace robot::logging::mcap {
-
-/// Appends an integer, little endian.
-template <class Number>
-void put(std::string& out, Number value) {
-  for (std::size_t i = 0; i < sizeof value; ++i) out.push_back(static_cast<char>(value >> (8 * i)));
-}
-
-/// The integer at `bytes`, little endian.
-template <class Number>
-Number get(const char* bytes) {
-  Number value = 0;
-  for (std::size_t i = sizeof value; i-- > 0;)
-    value = static_cast<Number>((value << 8) | static_cast<std::uint8_t>(bytes[i]));
-  return value;
-}
 
 /// Sees the fields of a record one after the other and appends them.
 class Encoder {
@@ -38,10 +24,7 @@ class Encoder {
     put(out_, value);
   }
   void op(const char*, Op value) { put(out_, static_cast<std::uint8_t>(value)); }
-  void text(const char*, std::string_view value) {
-    put(out_, static_cast<std::uint32_t>(value.size()));
-    out_.append(value);
-  }
+  void text(const char*, std::string_view value) { put_text(out_, value); }
   void long_bytes(const char*, std::string_view value) {
     put(out_, static_cast<std::uint64_t>(value.size()));
     out_.append(value);
@@ -87,7 +70,8 @@ class Decoder {
 
   template <class Number>
   void number(const char* field, Number& value) {
-    if (const auto bytes = take(field, sizeof value); bytes.size() == sizeof value) value = get<Number>(bytes.data());
+    if (const auto bytes = take(field, sizeof value); bytes.size() == sizeof value)
+      value = ByteReader(bytes).number<Number>();
   }
   void op(const char* field, Op& value) {
     std::uint8_t number_of_op = 0;
@@ -113,8 +97,10 @@ class Decoder {
     if (bytes.size() % kEntryBytes != 0)
       return fail(field, "entries of " + std::to_string(kEntryBytes) + " bytes", bytes.size());
     values.reserve(bytes.size() / kEntryBytes);
-    for (std::size_t i = 0; i < bytes.size(); i += kEntryBytes)
-      values.emplace_back(get<Key>(bytes.data() + i), get<std::uint64_t>(bytes.data() + i + sizeof(Key)));
+    for (ByteReader entries(bytes); !entries.finished();) {
+      const auto key = entries.number<Key>();
+      values.emplace_back(key, entries.number<std::uint64_t>());
+    }
   }
 
  private:

@@ -203,7 +203,7 @@ Result<RecordHead> decode_record_head(std::string_view bytes, std::uint64_t offs
   if (left < kRecordHeadBytes || bytes.size() < kRecordHeadBytes)
     return Error{"record" + where + ": expected " + std::to_string(kRecordHeadBytes) + " bytes, " +
                  std::to_string(std::min<std::uint64_t>(left, bytes.size())) + " are left"};
-  const RecordHead head{static_cast<Op>(bytes[0]), get<std::uint64_t>(bytes.data() + 1)};
+  const RecordHead head{static_cast<Op>(bytes[0]), ByteReader(bytes.substr(1)).number<std::uint64_t>()};
   if (head.op == Op{0}) return Error{"record" + where + ": expected an op from 1 on, got 0"};
   if (head.length > left - kRecordHeadBytes)
     return Error{name(head.op) + where + ": expected " + std::to_string(head.length) + " bytes, " +

@@ -1,11 +1,10 @@
 #include "robot/net/foxglove_client.h"
 
-#include <bit>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "robot/net/little_endian.h"
+#include "robot/core/little_endian.h"
 
 namespace robot::net::foxglove {
 namespace {
@@ -134,7 +133,7 @@ Result<ClientMessage> parse_client_binary(std::string_view bytes) {
   }
   if (opcode == 3) {
     PlaybackControl control{.play = reader.number<std::uint8_t>() == 0};
-    control.speed = std::bit_cast<float>(reader.number<std::uint32_t>());
+    control.speed = reader.number<float>();
     const bool seek = reader.number<std::uint8_t>() != 0;
     const auto time = reader.number<std::uint64_t>();
     if (seek) control.seek_ns = time;
@@ -156,8 +155,8 @@ std::string to_bytes(const ServiceCall& call) {
   std::string bytes = "\x02";
   put(bytes, call.service);
   put(bytes, call.call);
-  put(bytes, static_cast<std::uint32_t>(call.encoding.size()));
-  return bytes + call.encoding + call.payload;
+  put_text(bytes, call.encoding);
+  return bytes + call.payload;
 }
 
 std::string to_bytes(const ClientPublish& message) {
@@ -169,11 +168,11 @@ std::string to_bytes(const ClientPublish& message) {
 std::string to_bytes(const PlaybackControl& control) {
   std::string bytes = "\x03";
   put(bytes, static_cast<std::uint8_t>(control.play ? 0 : 1));
-  put(bytes, std::bit_cast<std::uint32_t>(control.speed));
+  put(bytes, control.speed);
   put(bytes, static_cast<std::uint8_t>(control.seek_ns ? 1 : 0));
   put(bytes, control.seek_ns.value_or(0));
-  put(bytes, static_cast<std::uint32_t>(control.request_id.size()));
-  return bytes + control.request_id;
+  put_text(bytes, control.request_id);
+  return bytes;
 }
 
 }  // namespace robot::net::foxglove

@@ -1,12 +1,11 @@
 #include "robot/net/foxglove_server.h"
 
-#include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "robot/core/little_endian.h"
 #include "robot/net/encoding.h"
-#include "robot/net/little_endian.h"
 
 namespace robot::net::foxglove {
 namespace {
@@ -144,17 +143,16 @@ std::string service_response(std::uint32_t service, std::uint32_t call, std::str
   std::string bytes = "\x03";
   put(bytes, service);
   put(bytes, call);
-  put(bytes, static_cast<std::uint32_t>(encoding.size()));
-  return bytes.append(encoding).append(payload);
+  put_text(bytes, encoding);
+  return bytes.append(payload);
 }
 
 std::string asset_response(std::uint32_t request, const Result<std::string>& asset) {
   std::string bytes = "\x04";
   put(bytes, request);
   put(bytes, static_cast<std::uint8_t>(asset ? 0 : 1));
-  const std::string_view error = asset ? std::string_view() : std::string_view(asset.error());
-  put(bytes, static_cast<std::uint32_t>(error.size()));
-  return bytes.append(error).append(asset ? std::string_view(*asset) : std::string_view());
+  put_text(bytes, asset ? std::string_view() : asset.error());
+  return bytes.append(asset ? std::string_view(*asset) : std::string_view());
 }
 
 std::string playback_state(Playback playback, std::uint64_t time_ns, float speed, bool did_seek,
@@ -162,10 +160,10 @@ std::string playback_state(Playback playback, std::uint64_t time_ns, float speed
   std::string bytes = "\x05";
   put(bytes, static_cast<std::uint8_t>(playback));
   put(bytes, time_ns);
-  put(bytes, std::bit_cast<std::uint32_t>(speed));
+  put(bytes, speed);
   put(bytes, static_cast<std::uint8_t>(did_seek ? 1 : 0));
-  put(bytes, static_cast<std::uint32_t>(request_id.size()));
-  return bytes.append(request_id);
+  put_text(bytes, request_id);
+  return bytes;
 }
 
 Result<std::vector<Advertised>> parse_advertise(std::string_view text) {

@@ -12,10 +12,10 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "robot/core/little_endian.h"
 #include "robot/net/foxglove_client.h"
 #include "robot/net/foxglove_server.h"
 #include "robot/net/handshake.h"
-#include "robot/net/little_endian.h"
 #include "robot/net/web_socket_client.h"
 #include "tests/bench/load.h"
 
@@ -165,7 +165,7 @@ void CountingClient::on_message(const FrameCounter::Message& message) {
 void CountingClient::on_data(std::string_view head, std::uint64_t payload_bytes) {
   if (head.empty() || head[0] != 1) return;
   ++messages_;
-  robot::net::ByteReader reader(head.substr(1));
+  robot::ByteReader reader(head.substr(1));
   const auto subscription = reader.number<std::uint32_t>();
   const auto capture_ns = reader.number<std::uint64_t>();
   if (subscription >= by_subscription_.size() || !by_subscription_[subscription]) return;

@@ -4,16 +4,15 @@
 #include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <utility>
 
 #include "robot/body/attached/providers.h"
+#include "robot/core/local_address.h"
 #include "robot/core/thread.h"
 
 namespace robot::body {
@@ -24,31 +23,19 @@ constexpr int kBacklog = 128;          // all streams of all processes come at o
 constexpr int kClearingMs = 100;       // how soon what ended is cleared away, and what is new is found
 constexpr uid_t kRoot = 0;             // who may do everything anyway
 
-Result<sockaddr_un> address_of(const std::filesystem::path& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  if (path.empty() || path.native().size() >= sizeof address.sun_path)
-    return Error{"door: expected a path of 1 .. " + std::to_string(sizeof address.sun_path - 1) + " bytes, got " +
-                 std::to_string(path.native().size())};
-  std::memcpy(address.sun_path, path.c_str(), path.native().size() + 1);
-  return address;
-}
-
-const sockaddr* generic(const sockaddr_un& address) { return reinterpret_cast<const sockaddr*>(&address); }
-
 FileDescriptor make_socket() {
   return FileDescriptor(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
 }
 
 /// A socket whose process was killed stays behind, and only that may be taken away.
-Result<void> make_way(const std::filesystem::path& path, const sockaddr_un& address) {
+Result<void> make_way(const std::filesystem::path& path, const LocalAddress& address) {
   struct stat status {};
   if (::lstat(path.c_str(), &status) != 0) return {};
   if (!S_ISSOCK(status.st_mode) || status.st_uid != ::geteuid())
     return Error{"door: expected nothing or a socket of user " + std::to_string(::geteuid()) + " at " + path.string() +
                  ", got something else"};
   const FileDescriptor probe = make_socket();
-  if (::connect(probe.get(), generic(address), sizeof address) == 0 || errno != ECONNREFUSED)
+  if (address.connect(probe.get()) || errno != ECONNREFUSED)
     return Error{"door: expected nobody to listen at " + path.string() +
                  ", another runtime does; end it, or choose another --door"};
   if (::unlink(path.c_str()) != 0) return file_error("door: cannot replace", path, errno);
@@ -56,14 +43,11 @@ Result<void> make_way(const std::filesystem::path& path, const sockaddr_un& addr
 }
 
 Result<FileDescriptor> listen_at(const std::filesystem::path& path) {
-  const Result<sockaddr_un> address = address_of(path);
+  const auto address = LocalAddress::of(path, "door");
   if (!address) return Error{address.error()};
   if (Result<void> free = make_way(path, *address); !free) return Error{free.error()};
   FileDescriptor socket = make_socket();
-  // on Linux the mode a socket has before it is bound becomes that of its file: there is no moment when others may connect
-  if (!socket || ::fchmod(socket.get(), 0600) != 0 || ::bind(socket.get(), generic(*address), sizeof *address) != 0 ||
-      ::listen(socket.get(), kBacklog) != 0)
-    return file_error("door: cannot listen at", path, errno);
+  if (!socket || !address->listen(socket.get(), kBacklog)) return file_error("door: cannot listen at", path, errno);
   return socket;
 }
 
