@@ -1,9 +1,13 @@
 #include "robot/app/application.h"
 
+#include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "robot/app/build_id.h"
+#include "robot/core/report.h"
+#include "robot/logging/byte_source.h"
 
 namespace robot::app {
 namespace {
@@ -27,7 +31,10 @@ json describe(const logging::RecordingStatus& status) {
 }
 
 json describe(const GameStatus& game) {
-  return {{"state", game.state}, {"in_progress", game.in_progress}, {"stopped", game.stopped}};
+  return {{"state", game.state},
+          {"in_progress", game.in_progress},
+          {"match_mode", game.match_mode},
+          {"stopped", game.stopped}};
 }
 
 json describe(const logging::StreamFile& stream, const std::string& session) {
@@ -55,6 +62,20 @@ json describe(const logging::Session& session) {
           {"streams", std::move(streams)}};
 }
 
+/// A file of a session that is not written any more: its size and its time are its version.
+Result<net::LogFile> open_file(const logging::Session& session, const std::string& file) {
+  const std::string who = "session " + session.id() + ": ";
+  if (session.state == logging::SessionState::recording)
+    return Error{who + "it is being recorded, its files are not complete yet"};
+  auto source = logging::FileSource::open(session.folder / file);
+  if (!source) return Error{who + "there is no file '" + file + "'"};
+  std::error_code ignored;
+  const auto written = std::filesystem::last_write_time(session.folder / file, ignored).time_since_epoch().count();
+  return net::LogFile{.body = *source,
+                      .etag = std::to_string((*source)->size()) + "-" + std::to_string(written),
+                      .redirect_until_ns = {}};
+}
+
 }  // namespace
 
 std::string Application::status_json() {
@@ -79,6 +100,7 @@ std::string Application::sessions_json() {
 Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
   const Result<logging::Session> session = store_.find(request.session);
   if (!session) return Error{session.error()};
+  if (request.file) return open_file(*session, *request.file);
   if (session->state == logging::SessionState::recording && !request.until_ns)
     return net::LogFile{
         .body = nullptr, .etag = "", .redirect_until_ns = clock_.now_ns() - logging::Downloads::kLiveMarginNs};
@@ -89,5 +111,30 @@ Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
   if (!assembly) return Error{assembly.error()};
   return net::LogFile{.body = *assembly, .etag = (*assembly)->etag(), .redirect_until_ns = {}};
 }
+
+net::HttpResponse Application::session_files(const std::string& session) {
+  const Result<logging::Session> found = store_.find(session);
+  if (!found) return net::error_response(404, found.error());
+  if (found->state == logging::SessionState::recording)
+    return net::error_response(409, "session " + session + ": it is being recorded, its files are not complete yet");
+  const auto files = logging::read_session_files(found->folder);
+  if (!files) return net::error_response(500, files.error());
+  json list = json::array();
+  for (const logging::SessionFile& file : *files) {
+    char crc[9];
+    std::snprintf(crc, sizeof crc, "%08x", file.crc32);
+    list.push_back({{"name", file.name}, {"size_bytes", file.size_bytes}, {"crc32", crc}});
+  }
+  return net::text_response(200, "application/json", text({{"session", session}, {"files", std::move(list)}}));
+}
+
+net::HttpResponse Application::delete_session(const std::string& session) {
+  if (const auto found = store_.find(session); !found) return net::error_response(404, found.error());
+  if (const Result<void> removed = store_.remove(session); !removed) return net::error_response(409, removed.error());
+  report(Level::info, "logs", "session " + session + " was deleted by a client");
+  return {.status = 204};
+}
+
+bool Application::match_mode() const { return game_ && game_().match_mode; }
 
 }  // namespace robot::app

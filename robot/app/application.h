@@ -37,6 +37,9 @@ class Application final : public net::Application {
   std::string status_json() override;
   std::string sessions_json() override;
   Result<net::LogFile> open_log(const net::LogRequest& request) override;
+  net::HttpResponse session_files(const std::string& session) override;
+  net::HttpResponse delete_session(const std::string& session) override;
+  bool match_mode() const override;
 
  private:
   const Identity identity_;

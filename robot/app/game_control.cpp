@@ -28,10 +28,12 @@ GameControl::GameControl(GameOptions options, memory::Memory& memory, const Cloc
                          net::Parameters& parameters)
     : options_(std::move(options)), memory_(memory), clock_(clock), recorder_(recorder), parameters_(parameters) {
   parameters_.update("recording_profile", options_.profile);
+  parameters_.declare("match_mode", true);
 }
 
 Result<void> GameControl::start() {
-  auto listener = game::ControlListener::open(options_.listener, memory_.game, clock_);
+  if (!options_.listener) return {};
+  auto listener = game::ControlListener::open(*options_.listener, memory_.game, clock_);
   if (!listener) return Error{listener.error()};
   listener_ = std::move(*listener);
   report(Level::info, "game", "listening to the GameController on port " + std::to_string(listener_->port()));
@@ -55,7 +57,10 @@ void GameControl::follow() {
 }
 
 void GameControl::begin_session(const GameState& game) {
-  const Result<std::string> session = recorder_.start(game::session_name(game, options_.field, std::string(kBuildId)),
+  GameState named = game;  // who we are the team's own code need not say
+  named.set_own_team(options_.link.team);
+  named.set_own_player(options_.link.player);
+  const Result<std::string> session = recorder_.start(game::session_name(named, options_.field, std::string(kBuildId)),
                                                       parameters_.text("recording_profile"));
   if (!session) return report(Level::warning, "game", "a match begins, but not its recording: " + session.error());
   session_ = *session;
@@ -76,6 +81,7 @@ GameStatus GameControl::status() const {
   const auto game = memory_.game.read();
   return {.state = game ? name_of(game->value().state()) : "",
           .in_progress = match_.in_progress(),
+          .match_mode = match_.in_progress() && parameters_.flag("match_mode"),
           .stopped = link_ ? link_->stopped() : ""};
 }
 

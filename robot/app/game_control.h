@@ -1,4 +1,5 @@
-// A robot in a real game: the GameController is heard, and every half is recorded as a session of its own.
+// A robot in a real game: the GameController is heard, or the team's own code that hears it; every half is recorded as a
+// session of its own; meanwhile it is match mode.
 #pragma once
 
 #include <memory>
@@ -17,7 +18,7 @@
 namespace robot::app {
 
 struct GameOptions {
-  game::ListenerOptions listener;
+  std::optional<game::ListenerOptions> listener;  // nothing: the team's own code writes the game state
   game::TeamLinkOptions link;    // nothing is sent, and the team's port not listened to, unless it asks for something
   std::string field;             // which one, for people: "A"; may be empty
   std::string profile = "game";  // how halves are recorded, until somebody sets the parameter recording_profile
@@ -27,6 +28,7 @@ struct GameOptions {
 struct GameStatus {
   std::string state;         // "initial", "standby", "ready", "set", "playing", "finished"; empty: nothing heard yet
   bool in_progress = false;  // from READY to FINISHED: a match, not a test
+  bool match_mode = false;   // so the rules of the league hold, unless the parameter match_mode says otherwise
   std::string stopped;       // why nothing is sent any more, one sentence; empty while all is well
 };
 
@@ -35,11 +37,11 @@ struct GameStatus {
 /// A session that somebody else began is left alone: the game is in it, and whoever began it ends it.
 class GameControl {
  public:
-  /// The given ones outlive this; `memory` is that of our robot.
+  /// The given ones outlive this; `memory` is that of our robot. Declares the parameter match_mode, on by default.
   GameControl(GameOptions options, memory::Memory& memory, const Clock& clock, logging::Recorder& recorder,
               net::Parameters& parameters);
 
-  /// Begins to listen; an Error, in one sentence, if the port cannot be had.
+  /// Begins to listen, where that is asked for; an Error, in one sentence, if the port cannot be had.
   Result<void> start();
 
   /// Looks at the game; begins a session when a match begins and ends it with the match. A few times a second.

@@ -106,16 +106,16 @@ RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
                          .server = options.server,
                          .log_folder = options.log_folder,
                          .log_bytes = options.log_mb * 1'000'000};
+  if (!options.game_controller && options.body != "attached") return runtime;
+  const auto team = static_cast<std::uint32_t>(robot.team), player = static_cast<std::uint32_t>(robot.player);
+  runtime.game = GameOptions{.link = {.team = team,
+                                      .player = player,
+                                      .return_packets = options.return_packets,
+                                      .team_messages = options.team_messages},
+                             .field = options.field,
+                             .profile = options.profile};
   if (options.game_controller)
-    runtime.game = GameOptions{.listener = {.team = static_cast<std::uint32_t>(robot.team),
-                                            .player = static_cast<std::uint32_t>(robot.player),
-                                            .port = options.game_port},
-                               .link = {.team = static_cast<std::uint32_t>(robot.team),
-                                        .player = static_cast<std::uint32_t>(robot.player),
-                                        .return_packets = options.return_packets,
-                                        .team_messages = options.team_messages},
-                               .field = options.field,
-                               .profile = options.profile};
+    runtime.game->listener = game::ListenerOptions{.team = team, .player = player, .port = options.game_port};
   return runtime;
 }
 

@@ -32,7 +32,8 @@ net::ServerOptions server_options(const RuntimeOptions& options, net::AccessOpti
           .hub = {.name = options.program + " " + options.robot,
                   .metadata = {{"build", std::string(kBuildId)}, {"body", options.body}, {"robots", options.robot}},
                   .queues = {}},
-          .access = std::move(access)};
+          .access = std::move(access),
+          .wireless = options.server.wireless};
 }
 
 }  // namespace

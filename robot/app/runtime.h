@@ -53,7 +53,7 @@ struct RuntimeOptions {
   std::filesystem::path log_folder = "logs";
   std::uint64_t log_bytes = 4'000'000'000;  // all sessions together
   bool records = true;                      // false where recordings are only shown
-  std::optional<GameOptions> game;          // where a GameController is to be heard; needs `records`
+  std::optional<GameOptions> game;          // where a real game may be; needs `records`
 };
 
 /// The objects a process writes about itself.

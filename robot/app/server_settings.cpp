@@ -78,6 +78,10 @@ void add_server_options(CLI::App& command, ServerSettings& settings) {
   command
       .add_option("--allow-origin", settings.allowed_origins, "a further page that may connect, https://host; likewise")
       ->allow_extra_args(false);
+  command
+      .add_option("--wireless", settings.wireless,
+                  "a network interface that stays silent during a game; those the system calls wireless if not given")
+      ->allow_extra_args(false);
   command.add_option("--state-dir", settings.state_folder, "where the control token is kept");
   command.add_flag("--protect-reading", settings.protect_reading,
                    "watching from another machine needs the token too, not only controlling");

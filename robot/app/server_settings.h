@@ -16,6 +16,7 @@ struct ServerSettings {
   std::vector<std::string> bind = {"127.0.0.1"};
   std::uint16_t port = 8765;
   std::vector<std::string> allowed_hosts, allowed_origins;
+  std::vector<std::string> wireless;   // silent during a game; empty: those the system calls wireless
   std::filesystem::path state_folder;  // empty: $XDG_STATE_HOME/foresight, or ~/.local/state/foresight
   bool protect_reading = false;
 };

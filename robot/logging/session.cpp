@@ -10,12 +10,15 @@
 
 #include "robot/core/clock.h"
 #include "robot/core/files.h"
+#include "robot/logging/byte_source.h"
+#include "robot/logging/mcap_format.h"
 #include "robot/logging/mcap_index.h"
 
 namespace robot::logging {
 namespace {
 
 constexpr std::size_t kMaxSessionJsonBytes = 1 << 20;
+constexpr std::size_t kPieceBytes = 1 << 18;
 using Type = nlohmann::json::value_t;
 
 /// Letters, digits and a few signs stay; anything else becomes '_'.
@@ -148,6 +151,26 @@ std::string stream_file_name(std::string_view topic) {
   std::string file(topic);
   std::ranges::replace(file, '/', '.');
   return tame(file) + ".mcap";
+}
+
+Result<std::vector<SessionFile>> read_session_files(const std::filesystem::path& folder) {
+  std::vector<SessionFile> files;
+  std::string piece;
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
+    const auto source = FileSource::open(entry.path());
+    if (!source) return Error{source.error()};
+    SessionFile file{.name = entry.path().filename().string(), .size_bytes = (*source)->size()};
+    for (std::uint64_t at = 0; at < file.size_bytes; at += kPieceBytes) {
+      piece.resize(std::min<std::uint64_t>(kPieceBytes, file.size_bytes - at));
+      if (const Result<void> read = (*source)->read(at, piece); !read) return Error{read.error()};
+      file.crc32 = mcap::crc32(piece, file.crc32);
+    }
+    files.push_back(std::move(file));
+  }
+  if (failed) return Error{"session " + folder.string() + ": " + failed.message()};
+  std::ranges::sort(files, {}, &SessionFile::name);
+  return files;
 }
 
 std::string session_folder_name(std::uint64_t start_ns, std::string_view name, std::string_view profile) {

@@ -76,6 +76,16 @@ Result<Session> read_session(const std::filesystem::path& folder, bool being_wri
 /// are all in that file. What the file does not tell of the session is made up from its name and topics.
 Result<Session> read_recording(const std::filesystem::path& file);
 
+/// A file of a session, as it lies on the disk.
+struct SessionFile {
+  std::string name;  // "14.2.ball.mcap", "session.json"
+  std::uint64_t size_bytes = 0;
+  std::uint32_t crc32 = 0;  // of all its bytes
+};
+
+/// All files in the folder of a session, by name; reads every byte of them.
+Result<std::vector<SessionFile>> read_session_files(const std::filesystem::path& folder);
+
 /// A folder name for a session that starts now: UTC, so that names sort by time: "2026-11-21_14-02-11_game".
 std::string session_folder_name(std::uint64_t start_ns, std::string_view name, std::string_view profile);
 

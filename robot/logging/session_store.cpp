@@ -88,6 +88,20 @@ Result<void> SessionStore::keep(std::string_view id, bool keep) {
   return replace_file(session->folder / "session.json", to_json(session->info));
 }
 
+Result<void> SessionStore::remove(std::string_view id) {
+  const Result<Session> session = find(id);
+  if (!session) return Error{session.error()};
+  const std::lock_guard guard(lock_);
+  const std::string who = "session " + session->id() + ": ";
+  if (session->id() == recording_) return Error{who + "it is being recorded, and cannot be deleted yet"};
+  if (session->info.kept) return Error{who + "it is kept, and cannot be deleted"};
+  std::error_code failed;
+  fs::remove_all(session->folder, failed);
+  cache_.erase(session->id());
+  if (failed) return Error{who + "cannot delete it: " + failed.message()};
+  return {};
+}
+
 void SessionStore::set_recording(std::string id) {
   const std::lock_guard guard(lock_);
   recording_ = std::move(id);

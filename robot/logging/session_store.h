@@ -35,6 +35,9 @@ class SessionStore {
   /// Says whether the session may be deleted to make room.
   Result<void> keep(std::string_view id, bool keep);
 
+  /// Deletes a session, the last 24 h or not; an Error for one that is kept or being written.
+  Result<void> remove(std::string_view id);
+
   /// Names the session that is being written now, or none.
   void set_recording(std::string id);
 

@@ -16,6 +16,7 @@ namespace robot::net {
 /// What `GET /logs/…` asks for. Times are capture times [ns since the epoch].
 struct LogRequest {
   std::string session;                          // a safe name: no separators, no leading dot
+  std::optional<std::string> file;              // a file as it lies on the disk, likewise; then the rest is empty
   std::optional<std::string> stream;            // one stream's file name without ".mcap"; nothing: the whole session
   std::optional<std::uint64_t> from_ns, to_ns;  // only the chunks that overlap this range
   std::optional<std::uint64_t> until_ns;        // of a live session: what was recorded up to then
@@ -41,6 +42,16 @@ class Application {
 
   /// Opens a recording; an Error is told to the client (404).
   virtual Result<LogFile> open_log(const LogRequest& request) = 0;
+
+  /// The answer to `GET /api/sessions/<session>/files`: 200 with a JSON object with "files", 404, 409 while it is recorded.
+  virtual HttpResponse session_files(const std::string& session) = 0;
+
+  /// The answer to `DELETE /logs/<session>`: 204, 404, 409 for one that is kept or being recorded.
+  virtual HttpResponse delete_session(const std::string& session) = 0;
+
+  /// Whether a real game is in progress that the league's rules hold for: wireless networks stay silent, and from
+  /// beyond this machine nobody controls or downloads anything. Any thread; asked ten times a second.
+  virtual bool match_mode() const = 0;
 };
 
 /// Who carries channels to providers: the logging board. Called by one thread of the server, never by its I/O thread.

@@ -27,6 +27,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   /// Ends the connection at once.
   void close();
 
+  Socket& socket() { return socket_; }
+
  private:
   enum class State { waiting, answering, leaving, closed };
 

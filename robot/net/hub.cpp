@@ -45,6 +45,7 @@ std::string Hub::server_info() const {
 
 std::shared_ptr<Client> Hub::join(ClientIdentity identity) {
   identity.context.id = ++last_client_;
+  identity.context.match_mode = match_mode_;
   auto client = std::make_shared<Client>(std::move(identity), options_.queues);
   clients_.push_back(client);
 
@@ -58,6 +59,11 @@ std::shared_ptr<Client> Hub::join(ClientIdentity identity) {
   if (!advertisements.empty()) say(*client, foxglove::advertise(advertisements));
   if (const auto services = services_.list(); !services.empty()) say(*client, foxglove::advertise_services(services));
   return client;
+}
+
+void Hub::set_match_mode(bool match_mode) {
+  match_mode_ = match_mode;
+  for (const auto& client : clients_) client->identity.context.match_mode = match_mode;
 }
 
 void Hub::leave(Client& client) {

@@ -62,6 +62,9 @@ class Hub {
   /// Another time line begins (playback went back): everybody gets a new session id and may see a smaller time.
   void restart_time();
 
+  /// Match mode began or ended: see ClientContext::refusal().
+  void set_match_mode(bool match_mode);
+
   /// Pings, gives up on clients that do not answer, tells who loses messages. Once a second.
   void every_second(std::uint64_t now_ns);
 
@@ -114,6 +117,7 @@ class Hub {
   ChannelTable channels_;
   std::vector<std::shared_ptr<Client>> clients_;
   std::uint64_t last_client_ = 0;
+  bool match_mode_ = false;
   std::uint64_t session_ = 0;  // [ms since the epoch] its begin
   std::uint64_t last_time_ns_ = 0;
 };

@@ -88,9 +88,8 @@ void Hub::handle(Client& client, const foxglove::SetParameters& message) {
   for (const auto& [name, value] : message.parameters) {
     names.push_back(name);
     const std::string shown = "parameter '" + name.substr(0, 100) + "'";
-    if (!client.identity.context.may_control) {
-      complain(client,
-               shown + ": control from another machine needs the control token: add ?token=<token> to the address");
+    if (const std::string refusal = client.identity.context.refusal(); !refusal.empty()) {
+      complain(client, shown + ": " + refusal);
     } else if (!value) {
       complain(client, shown + ": expected true, false, a number or a text");
     } else {

@@ -50,7 +50,19 @@ std::string_view cookie(const HttpRequest& request, std::string_view name) {
   return {};
 }
 
-constexpr std::string_view kCookie = "foresight_reader";
+constexpr std::string_view kCookie = "foresight_reader", kMethods = "GET, HEAD, DELETE, OPTIONS";
+
+/// The safe name between `before` and `after` in `path`, if that is all there is.
+std::optional<std::string> between(std::string_view before, std::string_view path, std::string_view after) {
+  if (path.size() <= before.size() + after.size() || !path.starts_with(before) || !path.ends_with(after)) return {};
+  const std::string_view name = path.substr(before.size(), path.size() - before.size() - after.size());
+  if (!is_safe_name(name)) return {};
+  return std::string(name);
+}
+
+HttpResponse game_in_progress() {
+  return error_response(503, "a game is in progress: recordings can be had when it has finished");
+}
 
 }  // namespace
 
@@ -98,25 +110,45 @@ void Routes::add_cookie(const Target& target, HttpResponse& response) const {
 }
 
 HttpResponse Routes::route(const HttpRequest& request, const Target& target, std::string_view address) const {
-  if (request.method == "OPTIONS") {
-    return {.status = 204, .headers = {{"Allow", "GET, HEAD, OPTIONS"}}};
-  }
-  if (request.method != "GET" && request.method != "HEAD") {
-    HttpResponse refused = error_response(405, "HTTP request: expected GET, HEAD or OPTIONS");
-    refused.headers.emplace_back("Allow", "GET, HEAD, OPTIONS");
+  const bool reads = request.method == "GET" || request.method == "HEAD";
+  if (request.method == "OPTIONS") return {.status = 204, .headers = {{"Allow", std::string(kMethods)}}};
+  if (!reads && request.method != "DELETE") {
+    HttpResponse refused = error_response(405, "HTTP request: expected one of " + std::string(kMethods));
+    refused.headers.emplace_back("Allow", kMethods);
     return refused;
   }
 
   // the viewer itself is no secret, what it shows may be
-  if (auto asset = asset_response(assets_, request, target.path)) return *std::move(asset);
-  if (is_data(target.path) && !access_of(access_, address, request, target).may_watch)
-    return error_response(401, "reading from this robot needs its read token: add ?token=<token> to the address");
+  if (auto asset = reads ? asset_response(assets_, request, target.path) : std::nullopt) return *std::move(asset);
+  if (!is_data(target.path)) return error_response(404, "there is nothing at this path");
+  const Access access = access_of(access_, address, request, target);
+  return reads ? answer_data(request, target, access) : delete_session(request, target, access);
+}
 
+HttpResponse Routes::answer_data(const HttpRequest& request, const Target& target, const Access& access) const {
+  if (!access.may_watch)
+    return error_response(401, "reading from this robot needs its read token: add ?token=<token> to the address");
   if (target.path == "/api/status") return text_response(200, "application/json", application_.status_json());
   if (target.path == "/api/sessions") return text_response(200, "application/json", application_.sessions_json());
   if (target.path == "/logs" || target.path == kLogs) return answer_sessions(request);
+
+  if (!access.loopback && application_.match_mode()) return game_in_progress();
+  if (const auto session = between("/api/sessions/", target.path, "/files"))
+    return application_.session_files(*session);
   if (target.path.starts_with(kLogs)) return answer_log(request, target);
   return error_response(404, "there is nothing at this path");
+}
+
+HttpResponse Routes::delete_session(const HttpRequest& request, const Target& target, const Access& access) const {
+  // a browser of this machine needs no token: no page of others may use it
+  if (auto accepted = check_origin(access_.origins, request.header("origin"), request.header("host").value_or(""));
+      !accepted)
+    return error_response(403, accepted.error());
+  if (!access.may_control)
+    return error_response(401, "deleting a recording needs the control token: add ?token=<token> to the address");
+  if (!access.loopback && application_.match_mode()) return game_in_progress();
+  const auto session = between(kLogs, target.path, "");
+  return session ? application_.delete_session(*session) : error_response(404, "expected DELETE /logs/<session>");
 }
 
 HttpResponse Routes::answer_sessions(const HttpRequest& request) const {
@@ -135,7 +167,9 @@ HttpResponse Routes::answer_log(const HttpRequest& request, const Target& target
     return {.status = 307,
             .headers = {{"Location", location(target, *file->redirect_until_ns)}, {"Cache-Control", "no-store"}}};
 
-  const std::string name = log_request->session + (log_request->stream ? "." + *log_request->stream : "") + ".mcap";
+  const std::string name =
+      log_request->file ? *log_request->file
+                        : log_request->session + (log_request->stream ? "." + *log_request->stream : "") + ".mcap";
   HttpResponse response =
       body_response(request, std::move(file->body), "\"" + file->etag + "\"", "application/octet-stream");
   response.headers.emplace_back("Content-Disposition", "attachment; filename=\"" + name + "\"");
@@ -158,8 +192,13 @@ void Routes::add_cross_origin_headers(const HttpRequest& request, HttpResponse& 
 }
 
 Result<LogRequest> parse_log_request(const Target& target) {
-  constexpr std::string_view kEnding = ".mcap";
+  constexpr std::string_view kEnding = ".mcap", kFiles = "/files/";
   std::string_view rest = target.path;
+  if (const std::size_t files = rest.find(kFiles); files != std::string_view::npos) {
+    const auto session = between(kLogs, rest.substr(0, files), ""), file = between(kFiles, rest.substr(files), "");
+    if (!session || !file) return Error{"logs: expected a path like /logs/<session>/files/<file>"};
+    return LogRequest{.session = *session, .file = *file};
+  }
   if (!rest.starts_with(kLogs) || !rest.ends_with(kEnding))
     return Error{"logs: expected a path like /logs/<session>.mcap"};
   rest.remove_prefix(kLogs.size());

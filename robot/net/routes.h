@@ -49,7 +49,9 @@ class Routes {
 
  private:
   HttpResponse route(const HttpRequest& request, const Target& target, std::string_view address) const;
+  HttpResponse answer_data(const HttpRequest& request, const Target& target, const Access& access) const;
   HttpResponse answer_log(const HttpRequest& request, const Target& target) const;
+  HttpResponse delete_session(const HttpRequest& request, const Target& target, const Access& access) const;
   HttpResponse answer_sessions(const HttpRequest& request) const;
   void add_cookie(const Target& target, HttpResponse& response) const;
   void add_cross_origin_headers(const HttpRequest& request, HttpResponse& response) const;

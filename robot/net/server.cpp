@@ -15,6 +15,7 @@
 #include "robot/core/thread.h"
 #include "robot/net/http_connection.h"
 #include "robot/net/web_socket_connection.h"
+#include "robot/net/wireless.h"
 
 namespace robot::net {
 namespace {
@@ -29,6 +30,13 @@ using Timer = asio::basic_waitable_timer<std::chrono::steady_clock, asio::wait_t
 constexpr auto kTick = std::chrono::milliseconds(100);  // Time frames go out at 10 Hz
 constexpr std::uint64_t kStopTimeout = kSecond / 2;     // for goodbyes when the server stops
 
+/// Ends a connection at once and throws away what waits to be sent.
+void reset(Socket& socket) {
+  error_code ignored;
+  socket.set_option(asio::socket_base::linger(true, 0), ignored);
+  socket.close(ignored);
+}
+
 }  // namespace
 
 /// All that lives as long as the server runs. Its functions are the I/O thread's, where nothing else is said.
@@ -40,6 +48,7 @@ class Server::Core {
         channels_(channels),
         derive_(std::move(derive)),
         parameters_(parameters),
+        application_(application),
         inbox_(std::make_shared<Inbox>(options_.inbox_bytes, [this] { asio::post(io_, [this] { drain(); }); })),
         streams_(streams, inbox_),
         control_("net control"),
@@ -74,6 +83,8 @@ class Server::Core {
   void accept(Acceptor& acceptor);
   void admit(Socket socket);
   void tick();
+  void follow_match();
+  void keep_silence(bool silent);
   void drain();
   void flush_all();
   void begin_stop();
@@ -83,6 +94,7 @@ class Server::Core {
   memory::Channels& channels_;
   const Derive derive_;
   Parameters& parameters_;
+  const Application& application_;
 
   asio::io_context io_{1};
   std::shared_ptr<Inbox> inbox_;
@@ -94,6 +106,8 @@ class Server::Core {
   ConnectionContext context_;
 
   std::vector<std::unique_ptr<Acceptor>> acceptors_;
+  bool match_mode_ = false;
+  Wireless wireless_;                       // in match mode: what stays silent
   std::vector<Acceptor*> tired_acceptors_;  // out of file descriptors: tried again with the next tick
   std::uint16_t port_ = 0;
   Timer timer_;
@@ -166,7 +180,8 @@ void Server::Core::accept(Acceptor& acceptor) {
 void Server::Core::admit(Socket socket) {
   error_code error;
   const auto remote = socket.remote_endpoint(error);
-  if (error) return;  // gone already
+  if (error) return;                                                    // gone already
+  if (wireless_.carries(socket.native_handle())) return reset(socket);  // it came a moment before the game
   if (context_.http.size() >= options_.max_http_connections) {
     // the oldest that has not asked for anything makes room
     std::shared_ptr<HttpConnection> oldest;
@@ -184,9 +199,11 @@ void Server::Core::admit(Socket socket) {
 
 void Server::Core::tick() {
   const std::uint64_t now = monotonic_ns();
+  follow_match();
   hub_.send_time();
   if (now >= next_second_ns_) {
     next_second_ns_ = now + kSecond;
+    if (match_mode_) keep_silence(true);  // an interface may have come since
     hub_.every_second(now);
     const std::lock_guard guard(statistics_lock_);
     statistics_ = hub_.statistics();
@@ -204,6 +221,29 @@ void Server::Core::tick() {
   timer_.async_wait([this](error_code error) {
     if (!error) tick();
   });
+}
+
+void Server::Core::follow_match() {
+  const bool match_mode = application_.match_mode();
+  if (match_mode == match_mode_) return;
+  match_mode_ = match_mode;
+  hub_.set_match_mode(match_mode);
+  keep_silence(match_mode);
+}
+
+// what arrives at a listening socket over a wireless interface is dropped before the kernel answers it; a connection
+// that is there already ends with one packet, and what its other end still sends meets the same silence
+void Server::Core::keep_silence(bool silent) {
+  wireless_ = silent ? Wireless(options_.wireless) : Wireless();
+  for (const auto& acceptor : acceptors_)
+    if (const auto set = wireless_.silence(acceptor->native_handle()); !set) {
+      static Throttle throttle;
+      throttle.report(Level::error, "net", set.error());
+    }
+  for (const auto& connection : std::vector(context_.http.begin(), context_.http.end()))
+    if (wireless_.carries(connection->socket().native_handle())) reset(connection->socket()), connection->close();
+  for (const auto& connection : std::vector(context_.web_sockets.begin(), context_.web_sockets.end()))
+    if (wireless_.carries(connection->socket().native_handle())) reset(connection->socket()), connection->close();
 }
 
 void Server::Core::drain() {

@@ -26,6 +26,8 @@ struct ServerOptions {
   std::uint16_t port = 8765;                      // 0: any that is free
   HubOptions hub;
   AccessOptions access;
+  std::vector<std::string>
+      wireless;  // interfaces that stay silent during a game; empty: those the system calls wireless
 
   // bounds on what others can make us hold
   std::size_t max_clients = 64;                     // WebSocket connections

@@ -28,6 +28,12 @@ void Services::add(std::string name, For whom, Handler handler) {
   services_.push_back({std::move(name), whom, std::move(handler)});
 }
 
+std::string ClientContext::refusal() const {
+  if (!may_control) return "control from another machine needs the control token: add ?token=<token> to the address";
+  return match_mode && !loopback ? "a game is in progress: control is for this machine alone until it has finished"
+                                 : "";
+}
+
 std::vector<foxglove::Service> Services::list() const {
   std::vector<foxglove::Service> list;
   for (const Entry& entry : services_) list.push_back({static_cast<std::uint32_t>(list.size() + 1), entry.name});
@@ -39,9 +45,8 @@ std::string Services::call(std::uint32_t id, std::string_view request, const Cli
 }
 
 Json Services::answer(const Entry& entry, std::string_view request, const ClientContext& client) const {
-  if (entry.whom == For::control && !client.may_control)
-    return failure(entry.name +
-                   ": control from another machine needs the control token: add ?token=<token> to the address");
+  if (const std::string refusal = client.refusal(); entry.whom == For::control && !refusal.empty())
+    return failure(entry.name + ": " + refusal);
   const Json json = request.empty() ? Json::object() : Json::parse(request, nullptr, /*allow_exceptions=*/false);
   if (!json.is_object()) return failure(entry.name + ": expected a JSON object, got something else");
   try {

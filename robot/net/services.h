@@ -20,6 +20,10 @@ struct ClientContext {
   std::string address;       // "10.0.14.7:51234"
   bool loopback = false;     // it runs on this machine
   bool may_control = false;  // it is on loopback or gave the token
+  bool match_mode = false;   // a real game is in progress: only what runs on this machine may control
+
+  /// Why it may not control now, one sentence; empty if it may.
+  std::string refusal() const;
 };
 
 /// {"ok": false, "error": sentence}: how a service says that it could not do it.

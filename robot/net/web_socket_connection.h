@@ -29,6 +29,8 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   /// Ends the connection at once.
   void close();
 
+  Socket& socket() { return socket_; }
+
  private:
   void read();
   void take(std::string_view bytes);

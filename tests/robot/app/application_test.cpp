@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "robot/core/files.h"
+#include "robot/logging/mcap_format.h"
 #include "robot/logging/session_writer.h"
 #include "tests/support/temporary_folder.h"
 
@@ -36,10 +38,12 @@ TEST_F(ServedSession, StatusTellsWhoWeAre) {
 
 TEST_F(ServedSession, StatusTellsOfTheGame) {
   EXPECT_EQ(json::parse(application.status_json())["game"],
-            json({{"state", ""}, {"in_progress", false}, {"stopped", ""}}));
-  application.tell_game_by([] { return GameStatus{.state = "set", .in_progress = true}; });
+            json({{"state", ""}, {"in_progress", false}, {"match_mode", false}, {"stopped", ""}}));
+  EXPECT_FALSE(application.match_mode());
+  application.tell_game_by([] { return GameStatus{.state = "set", .in_progress = true, .match_mode = true}; });
   EXPECT_EQ(json::parse(application.status_json())["game"],
-            json({{"state", "set"}, {"in_progress", true}, {"stopped", ""}}));
+            json({{"state", "set"}, {"in_progress", true}, {"match_mode", true}, {"stopped", ""}}));
+  EXPECT_TRUE(application.match_mode());
 }
 
 // a browser's numbers end at 2^53
@@ -76,6 +80,33 @@ TEST_F(ServedSession, ALiveOneRedirectsToWhatIsSureToBeWritten) {
   ASSERT_TRUE(file);
   EXPECT_EQ(file->redirect_until_ns, 9'007'199'254'740'993 - logging::Downloads::kLiveMarginNs);
   EXPECT_TRUE(application.open_log({.session = "one", .until_ns = 9'007'199'254'740'993})->body);
+}
+
+TEST_F(ServedSession, ItsFilesAreHadAsTheyLieOnTheDisk) {
+  const json files = json::parse(std::get<std::string>(application.session_files("one").body))["files"];
+  ASSERT_EQ(files.size(), 2u);
+  for (const json& listed : files) {
+    const std::string name = listed["name"];
+    const auto file = application.open_log({.session = "one", .file = name});
+    ASSERT_TRUE(file) << file.error();
+    std::string bytes(listed["size_bytes"].get<std::size_t>(), '\0');
+    ASSERT_EQ(file->body->size(), bytes.size());
+    ASSERT_TRUE(file->body->read(0, bytes));
+    EXPECT_EQ(bytes, *read_file(folder / "one" / name, 1 << 20));
+    EXPECT_EQ(std::stoul(listed["crc32"].get<std::string>(), nullptr, 16), logging::mcap::crc32(bytes));
+  }
+  EXPECT_EQ(application.session_files("two").status, 404);
+  EXPECT_EQ(application.open_log({.session = "one", .file = "token"}).error(), "session one: there is no file 'token'");
+}
+
+TEST_F(ServedSession, IsNotHadNorDeletedWhileItIsRecorded) {
+  store.set_recording("one");
+  EXPECT_EQ(application.session_files("one").status, 409);
+  EXPECT_FALSE(application.open_log({.session = "one", .file = "session.json"}));
+  EXPECT_EQ(application.delete_session("one").status, 409);
+  store.set_recording("");
+  EXPECT_EQ(application.delete_session("one").status, 204);
+  EXPECT_EQ(application.delete_session("one").status, 404);
 }
 
 TEST_F(ServedSession, WhatIsNotThereIsSaid) {

@@ -33,7 +33,9 @@ struct Game : ::testing::Test {
   }
 
   GameControl& control() {
-    if (!control_) control_.emplace(GameOptions{.field = "A"}, *memory, clock, recorder, parameters);
+    if (!control_)
+      control_.emplace(GameOptions{.link = {.team = 14, .player = 3}, .field = "A"}, *memory, clock, recorder,
+                       parameters);
     return *control_;
   }
 
@@ -90,6 +92,27 @@ TEST_F(Game, ASessionThatSomebodyEndedIsNotEndedAgain) {
   hear(GameState::STATE_FINISHED);
   EXPECT_TRUE(recording());
   EXPECT_EQ(recorder.status().session, id);
+}
+
+TEST_F(Game, MatchModeLastsAsLongUnlessSomebodySaysOtherwise) {
+  hear(GameState::STATE_SET);
+  EXPECT_TRUE(control().status().match_mode);
+  ASSERT_TRUE(parameters.set("match_mode", false));
+  EXPECT_FALSE(control().status().match_mode);
+  EXPECT_TRUE(control().status().in_progress);
+  ASSERT_TRUE(parameters.set("match_mode", true));
+  hear(GameState::STATE_FINISHED);
+  EXPECT_FALSE(control().status().match_mode);
+}
+
+TEST_F(Game, IsFollowedWhenTheTeamsOwnCodeWritesIt) {
+  GameState game;
+  game.set_state(GameState::STATE_READY);
+  game.set_half(2);
+  memory->game.write(game, clock.now_ns());
+  control().follow();
+  EXPECT_TRUE(recording());
+  EXPECT_EQ(store.list()[0].info.name, "A_half-2_14-3_" + std::string(kBuildId));
 }
 
 TEST_F(Game, ItsStatusSaysWhetherAMatchIsInProgress) {

@@ -4,8 +4,11 @@
 
 #include <fstream>
 
+#include "robot/core/files.h"
 #include "robot/logging/downloads.h"
 #include "robot/logging/file_provider.h"
+#include "robot/logging/mcap_format.h"
+#include "robot/logging/session_store.h"
 #include "robot/logging/session_writer.h"
 #include "tests/support/mcap_text.h"
 #include "tests/support/temporary_folder.h"
@@ -79,6 +82,33 @@ TEST_F(WrittenSession, IsReadWithItsStreamsAndTimes) {
   EXPECT_EQ(session->streams[0].topic, "/14/2/a");
   EXPECT_EQ(session->streams[0].messages, 10u);
   EXPECT_EQ(session->streams[1].messages, 5u);
+}
+
+TEST_F(WrittenSession, ItsFilesAreListedWithWhatTellsThemApart) {
+  const auto files = read_session_files(folder / "s");
+  ASSERT_TRUE(files) << files.error();
+  ASSERT_EQ(files->size(), 3u);
+  EXPECT_EQ((*files)[0].name, "14.2.a.mcap");
+  EXPECT_EQ((*files)[2].name, "session.json");
+  for (const SessionFile& file : *files) {
+    const std::string bytes = *read_file(folder / "s" / file.name, 1 << 20);
+    EXPECT_EQ(file.size_bytes, bytes.size());
+    EXPECT_EQ(file.crc32, mcap::crc32(bytes));
+  }
+  EXPECT_FALSE(read_session_files(folder / "none"));
+}
+
+TEST_F(WrittenSession, IsDeletedUnlessItIsKeptOrBeingWritten) {
+  SessionStore store(folder.path(), 1'000'000);
+  EXPECT_EQ(store.remove("s").error(), "session s: it is kept, and cannot be deleted");
+  ASSERT_TRUE(store.keep("s", false));
+  store.set_recording("s");
+  EXPECT_EQ(store.remove("s").error(), "session s: it is being recorded, and cannot be deleted yet");
+  store.set_recording("");
+  EXPECT_FALSE(store.remove("../s"));
+  EXPECT_TRUE(store.remove("s"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "s"));
+  EXPECT_EQ(store.remove("s").error(), "session: there is none called 's'");
 }
 
 TEST_F(WrittenSession, IsNotOverwritten) {

@@ -314,6 +314,20 @@ TEST_F(HubTest, ControlNeedsTheTokenAndClockSyncDoesNot) {
   EXPECT_EQ(gist(*stranger), "serviceCallFailure:there is no service 9 status:there is no service 9");
 }
 
+TEST_F(HubTest, DuringAGameNobodyFromElsewhereControls) {
+  const auto early = join();
+  hub->set_match_mode(true);
+  const auto late = join();
+  const auto set = [&](Client& client) {
+    hub->on_text(client, R"({"op":"setParameters","parameters":[{"name":"quality","value":50}]})");
+    return said(client).at(0).dump();
+  };
+  EXPECT_NE(set(*early).find("a game is in progress"), std::string::npos);
+  EXPECT_NE(set(*late).find("a game is in progress"), std::string::npos);
+  hub->set_match_mode(false);
+  EXPECT_NE(set(*early).find("\"value\":50"), std::string::npos);
+}
+
 TEST_F(HubTest, ARoundTripIsMeasuredAndSilenceEndsTheConnection) {
   const auto client = join();
   hub->every_second(1 * kSecond);

@@ -1,6 +1,7 @@
 // What several tests of robot/net need.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <string>
@@ -46,10 +47,22 @@ class TestApplication final : public robot::net::Application {
     if (request.session == "live" && !request.until_ns) return robot::net::LogFile{.redirect_until_ns = 77};
     if (request.session != "old" && request.session != "live")
       return robot::Error{"there is no session " + request.session};
+    if (request.file)
+      return robot::net::LogFile{.body = std::make_shared<robot::logging::MemorySource>(*request.file), .etag = "f1"};
     return robot::net::LogFile{.body = std::make_shared<robot::logging::MemorySource>(body), .etag = "e1"};
   }
 
-  std::string body = "0123456789";
+  robot::net::HttpResponse session_files(const std::string& session) override {
+    return robot::net::text_response(200, "application/json", R"({"session":")" + session + R"(","files":[]})");
+  }
+  robot::net::HttpResponse delete_session(const std::string& session) override {
+    deleted += session;
+    return {.status = 204};
+  }
+  bool match_mode() const override { return game; }
+
+  std::string body = "0123456789", deleted;
+  std::atomic<bool> game = false;
 };
 
 }  // namespace tests

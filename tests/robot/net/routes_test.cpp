@@ -104,6 +104,49 @@ TEST_F(RoutesTest, RecordingsAreSentWithRanges) {
   EXPECT_EQ(get("/logs/old.mcap?from=yesterday").status, 404);
 }
 
+TEST_F(RoutesTest, ASessionIsHadAsItLiesOnTheDisk) {
+  EXPECT_EQ(text(get("/api/sessions/old/files")), R"({"session":"old","files":[]})");
+  EXPECT_EQ(get("/api/sessions/../files").status, 400);
+  EXPECT_EQ(get("/api/sessions//files").status, 404);
+  const HttpResponse file = get("/logs/old/files/session.json", {{"range", "bytes=0-6"}});
+  EXPECT_EQ(file.status, 206);
+  EXPECT_EQ(header(file, "ETag"), "\"f1\"");
+  EXPECT_EQ(header(file, "Content-Disposition"), "attachment; filename=\"session.json\"");
+  for (const char* path : {"/logs/old/files/", "/logs//files/a", "/logs/old/files/a/b", "/logs/old/files/.hidden"})
+    EXPECT_EQ(get(path).status, 404) << path;
+}
+
+TEST_F(RoutesTest, WhoControlsMayDeleteASession) {
+  const auto remove = [&](std::string target, Headers headers = {}, std::string_view address = "10.0.0.9") {
+    return get(std::move(target), std::move(headers), address, "DELETE").status;
+  };
+  EXPECT_EQ(remove("/logs/old"), 401);
+  EXPECT_EQ(remove("/logs/old?token=r"), 401);
+  EXPECT_EQ(remove("/logs/old?token=c", {{"origin", "https://elsewhere.example"}}), 403);
+  EXPECT_EQ(remove("/logs/old", {{"origin", "https://elsewhere.example"}}, "127.0.0.1"), 403);
+  EXPECT_EQ(remove("/logs/old.mcap/x?token=c"), 404);
+  EXPECT_EQ(remove("/api/status?token=c"), 404);
+  EXPECT_EQ(remove("/?token=c"), 404);
+  EXPECT_EQ(application.deleted, "");
+  EXPECT_EQ(remove("/logs/old?token=c"), 204);
+  EXPECT_EQ(remove("/logs/live", {}, "127.0.0.1"), 204);
+  EXPECT_EQ(application.deleted, "oldlive");
+  EXPECT_EQ(header(get("/", {}, "127.0.0.1", "POST"), "Allow"), "GET, HEAD, DELETE, OPTIONS");
+}
+
+TEST_F(RoutesTest, DuringAGameRecordingsStayWhereTheyAre) {
+  application.game = true;
+  for (const char* path : {"/logs/old.mcap?token=c", "/logs/old/files/a?token=c", "/api/sessions/old/files?token=c"}) {
+    EXPECT_EQ(get(path, {}, "10.0.0.9").status, 503) << path;
+    EXPECT_EQ(get(path).status, 200) << path;
+  }
+  EXPECT_EQ(get("/logs/old?token=c", {}, "10.0.0.9", "DELETE").status, 503);
+  EXPECT_EQ(text(get("/logs/old.mcap?token=c", {}, "10.0.0.9")),
+            "a game is in progress: recordings can be had when it has finished\n");
+  EXPECT_EQ(get("/api/status?token=r", {}, "10.0.0.9").status, 200);
+  EXPECT_EQ(get("/api/sessions?token=r", {}, "10.0.0.9").status, 200);
+}
+
 TEST_F(RoutesTest, ALiveRecordingIsRedirectedToAMoment) {
   const HttpResponse response = get("/logs/live.mcap?from=5");
   EXPECT_EQ(response.status, 307);
@@ -161,7 +204,8 @@ TEST_F(RoutesTest, PagesOfAcceptedOriginsMayRead) {
       get("/logs/old.mcap", {{"origin", "https://app.foxglove.dev"}}, "127.0.0.1", "OPTIONS");
   EXPECT_EQ(preflight.status, 204);
   EXPECT_NE(header(preflight, "Access-Control-Allow-Headers").find("Range"), std::string::npos);
-  EXPECT_EQ(get("/", {}, "127.0.0.1", "DELETE").status, 405);
+  EXPECT_EQ(header(preflight, "Access-Control-Allow-Methods").find("DELETE"), std::string::npos);
+  EXPECT_EQ(get("/", {}, "127.0.0.1", "POST").status, 405);
 }
 
 // the handshake of RFC 6455, section 1.3

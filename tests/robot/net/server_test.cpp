@@ -57,6 +57,21 @@ TEST_F(ServerTest, CarriesWhatIsWrittenToWhoSubscribed) {
   EXPECT_EQ(peer.next_data(), large);
 }
 
+TEST_F(ServerTest, IsSilentOnWirelessNetworksDuringAGame) {
+  options.wireless = {"lo"};
+  const auto port = start();
+  Peer peer(port);
+  peer.next("advertise");
+  RawConnection waiting(port);
+  application.game = true;
+  EXPECT_EQ(peer.wait_closed(), 0);
+  EXPECT_TRUE(waiting.wait_closed());
+  application.game = false;
+  RawConnection after(port);  // the kernel asks again until it is answered
+  after.send(get("/api/status"));
+  EXPECT_NE(after.read("test").find("200 OK"), std::string::npos);
+}
+
 TEST_F(ServerTest, AdvertisesChannelsThatComeLater) {
   const auto port = start();
   Peer peer(port);
