@@ -1,4 +1,5 @@
 // node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--kills N] [--jobs N]; see scripts/bench.
+import { budget } from "./budget.mjs";
 import { door } from "./door.mjs";
 import { equivalence } from "./equivalence.mjs";
 import { fanout } from "./fanout.mjs";
@@ -11,7 +12,7 @@ import { soak } from "./soak.mjs";
 import { soccer } from "./soccer.mjs";
 import { streaming } from "./streaming.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak, door, sim, equivalence, soccer, nao };
+const benches = { streaming, half, interference, shaped, fanout, soak, door, sim, equivalence, soccer, nao, budget };
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};
