@@ -93,8 +93,11 @@ struct PlayCommand {
   bool chosen = false;
 
   void add_to(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("play", "serve a session: to browsers, Foxglove, Lichtblick");
-    command->add_option("session", options.session, "folder of the session, or an .mcap file")->required();
+    CLI::App* command = app.add_subcommand("play", "serve sessions: to browsers, Foxglove, Lichtblick");
+    command
+        ->add_option("sessions", options.sessions,
+                     "folders of sessions, or .mcap files; those of several robots are played in one time base")
+        ->required();
     command->add_option("--speed", options.speed, "0.01 .. 1000, 1 is real time")->capture_default_str();
     command->add_flag("--loop", options.loop, "begin again at the end");
     add_server_options(*command, options.server);

@@ -21,21 +21,53 @@ struct LabObjects {
   memory::MemoryObject<foresight::LogText> log;
 };
 
+class RecordingPlayback final : public net::Playback {
+ public:
+  explicit RecordingPlayback(body::Replay& replay) : replay_(replay) {}
+
+  std::uint64_t start_ns() const override { return replay_.start_ns(); }
+  std::uint64_t end_ns() const override { return replay_.end_ns(); }
+
+  State state() const override {
+    using Status = net::foxglove::Playback;
+    const body::PlaybackClock& clock = replay_.clock();
+    const std::uint64_t now_ns = clock.now_ns();
+    const Status running = now_ns < end_ns() ? Status::playing : Status::ended;
+    return {.status = clock.running() ? running : Status::paused,
+            .time_ns = now_ns,
+            .speed = static_cast<float>(clock.speed())};
+  }
+
+  bool control(const net::foxglove::PlaybackControl& wish) override {
+    body::PlaybackClock& clock = replay_.clock();
+    // who wants to play what has ended wants to see it again
+    const bool again = wish.play && !wish.seek_ns && clock.now_ns() >= end_ns();
+    if (wish.seek_ns || again) clock.seek(wish.seek_ns.value_or(start_ns()));
+    clock.set(wish.play, static_cast<double>(wish.speed));
+    return wish.seek_ns || again;
+  }
+
+ private:
+  body::Replay& replay_;
+};
+
 }  // namespace
 
 Result<void> play(const PlayOptions& options) {
   block_end_signals();
-  auto replay = body::Replay::open(options.session, {.speed = options.speed, .loop = options.loop});
+  auto replay = body::Replay::open(options.sessions, {.speed = options.speed, .loop = options.loop});
   if (!replay) return Error{replay.error()};
   const Clock& clock = (*replay)->clock();
   const auto own = std::make_shared<LabObjects>(clock);
+  RecordingPlayback playback(**replay);
   Runtime runtime({.program = "foresight-lab",
                    .body = "recording",
-                   .robot = (*replay)->session().info.robot,
+                   .robot = (*replay)->robots().front(),
                    .server = options.server,
-                   .log_folder = std::filesystem::absolute(options.session).lexically_normal().parent_path(),
+                   .log_folder = std::filesystem::absolute(options.sessions.front()).lexically_normal().parent_path(),
                    .log_bytes = std::numeric_limits<std::uint64_t>::max(),
-                   .records = false},
+                   .records = false,
+                   .playback = &playback},
                   clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   for (memory::Channel* channel : std::initializer_list<memory::Channel*>{&own->runtime, &own->clock_sample, &own->log})
     if (Result<void> listed = runtime.channels().add({own, channel}); !listed) return listed;

@@ -20,7 +20,7 @@ Result<void> run_replay(const RobotOptions& options) {
   std::vector<std::string> skipped{"runtime", "clock", "log"};
   for (const std::string& object : written_by_game(options)) skipped.push_back(object);
   auto replay = body::Replay::open(
-      options.session,
+      {options.session},
       {.speed = options.speed, .loop = options.loop, .robot = robot.text(), .skipped_objects = std::move(skipped)});
   if (!replay) return Error{replay.error()};
   const auto memory = std::make_shared<memory::Memory>(robot.text(), (*replay)->clock());

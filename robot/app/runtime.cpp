@@ -31,7 +31,8 @@ net::ServerOptions server_options(const RuntimeOptions& options, net::AccessOpti
           .port = options.server.port,
           .hub = {.name = options.program + " " + options.robot,
                   .metadata = {{"build", std::string(kBuildId)}, {"body", options.body}, {"robots", options.robot}},
-                  .queues = {}},
+                  .queues = {},
+                  .playback = options.playback},
           .access = std::move(access),
           .wireless = options.server.wireless};
 }

@@ -53,6 +53,7 @@ struct RuntimeOptions {
   std::filesystem::path log_folder = "logs";
   std::uint64_t log_bytes = 4'000'000'000;  // all sessions together
   bool records = true;                      // false where recordings are only shown
+  net::Playback* playback = nullptr;        // of the recording that is played; outlives the runtime
   std::optional<GameOptions> game;          // where a real game may be; needs `records`
 };
 

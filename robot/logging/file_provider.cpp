@@ -79,6 +79,13 @@ Result<memory::ChannelInfo> FileInProvider::open_topic(std::shared_ptr<const Byt
 
 Result<std::optional<Record>> FileInProvider::read() {
   assert(reader_ && "a stream is opened before it is read");
+  if (ahead_.empty()) return read_on();
+  std::optional<Record> record(std::move(ahead_.front()));
+  ahead_.pop_front();
+  return record;
+}
+
+Result<std::optional<Record>> FileInProvider::read_on() {
   while (!cancelled_.load(std::memory_order_relaxed)) {
     Result<std::optional<McapMessage>> message = reader_->next();
     if (!message) return Error{message.error()};
@@ -91,7 +98,29 @@ Result<std::optional<Record>> FileInProvider::read() {
 
 Result<void> FileInProvider::seek(std::uint64_t capture_ns) {
   assert(reader_ && "a stream is opened before it is read");
-  return reader_->seek(capture_ns);
+  ahead_.clear();
+  Result<std::vector<std::uint64_t>> starts = reader_->chunk_starts_until(capture_ns);
+  if (!starts) return Error{starts.error()};
+  // from the last chunk on that begins early enough; what it begins with may be of another channel
+  std::ranges::reverse(*starts);
+  for (const std::uint64_t start_ns : *starts) {
+    if (const Result<void> sought = reader_->seek(start_ns); !sought) return sought;
+    std::optional<Record> newest;
+    while (!cancelled_.load(std::memory_order_relaxed)) {
+      Result<std::optional<Record>> record = read_on();
+      if (!record) continue;  // damage was told when it was first met
+      if (!*record) break;
+      if ((*record)->capture_ns > capture_ns) {
+        if (newest) ahead_.push_back(std::move(**record));
+        break;
+      }
+      newest = std::move(**record);
+    }
+    if (!newest) continue;
+    ahead_.push_front(std::move(*newest));
+    return {};
+  }
+  return reader_->seek(0);
 }
 
 }  // namespace robot::logging

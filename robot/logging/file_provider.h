@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -62,16 +63,17 @@ class FileInProvider final : public InProvider {
 
   void cancel() override { cancelled_.store(true, std::memory_order_relaxed); }
 
-  /// The next message will be the first captured at `capture_ns` or later. By the thread that reads.
-  Result<void> seek(std::uint64_t capture_ns);
+  Result<void> seek(std::uint64_t capture_ns) override;
 
  private:
+  Result<std::optional<Record>> read_on();
   Result<memory::ChannelInfo> open_topic(std::shared_ptr<const ByteSource> source, const McapIndex& index);
 
   std::filesystem::path path_;
   std::optional<std::string> topic_;
   std::uint16_t channel_id_ = 0;  // of the topic
   std::optional<McapReader> reader_;
+  std::deque<Record> ahead_;  // read already by seek()
   std::atomic<bool> cancelled_ = false;
 };
 

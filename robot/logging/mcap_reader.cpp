@@ -199,14 +199,28 @@ Error McapReader::damaged(const std::string& sentence) {
   return Error{source_->name() + ": " + sentence};
 }
 
+Result<void> McapReader::need_index() {
+  if (index_) return {};
+  auto index = read_index(*source_);
+  if (!index) return Error{index.error()};
+  index_ = std::move(*index);
+  for (const auto& [id, schema] : index_->schemas) schemas_.emplace(id, schema);
+  for (const auto& [id, channel] : index_->channels) channels_.emplace(id, channel);
+  return {};
+}
+
+Result<std::vector<std::uint64_t>> McapReader::chunk_starts_until(std::uint64_t capture_ns) {
+  if (Result<void> indexed = need_index(); !indexed) return Error{indexed.error()};
+  std::vector<std::uint64_t> starts;
+  if (index_->unchunked_messages > 0) starts.push_back(0);
+  for (const ChunkInfo& chunk : index_->chunks)
+    if (chunk.index.start_ns <= capture_ns) starts.push_back(chunk.index.start_ns);
+  std::ranges::sort(starts);
+  return starts;
+}
+
 Result<void> McapReader::seek(std::uint64_t capture_ns) {
-  if (!index_) {
-    auto index = read_index(*source_);
-    if (!index) return Error{index.error()};
-    index_ = std::move(*index);
-    for (const auto& [id, schema] : index_->schemas) schemas_.emplace(id, schema);
-    for (const auto& [id, channel] : index_->channels) channels_.emplace(id, channel);
-  }
+  if (Result<void> indexed = need_index(); !indexed) return indexed;
 
   whole_ = false;
   from_ns_ = capture_ns;

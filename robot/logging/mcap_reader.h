@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "robot/core/result.h"
 #include "robot/logging/byte_source.h"
@@ -40,6 +41,10 @@ class McapReader {
   /// that holds one. May go back. An Error if the file is not an MCAP file.
   Result<void> seek(std::uint64_t capture_ns);
 
+  /// When the chunks begin that begin at `capture_ns` or before, the earliest first [ns since the epoch]; 0 stands for
+  /// messages outside chunks.
+  Result<std::vector<std::uint64_t>> chunk_starts_until(std::uint64_t capture_ns);
+
   /// What was described so far. A message's channel is always among them.
   const SchemasById& schemas() const { return schemas_; }
   const ChannelsById& channels() const { return channels_; }
@@ -58,6 +63,7 @@ class McapReader {
   const std::optional<mcap::Summary>& summary();
   Error damaged(const std::string& sentence);
 
+  Result<void> need_index();
   Result<bool> can_skip(mcap::Op op, std::uint64_t content_bytes) const;
   Result<void> skip(std::uint64_t bytes);
 

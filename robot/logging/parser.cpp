@@ -55,20 +55,35 @@ Result<void> Parser::carry() {
   const Result<std::shared_ptr<memory::Channel>> channel = options_.destination(*info);
   if (!channel) return Error{channel.error()};
 
+  std::uint64_t moves = 0;
   while (true) {
     Result<std::optional<Record>> record = provider_->read();
     if (!record) {
       note(record.error());
       continue;
     }
-    if (!*record) return {};
-    if (options_.pace && !options_.pace->wait_until_due((*record)->capture_ns)) return {};
+    const Result<Pace::Due> due = keep_pace(*record, moves);
+    if (!due) return Error{due.error()};
+    if (*due == Pace::Due::never) return {};
+    if (*due == Pace::Due::elsewhere) continue;
     {
       const std::lock_guard guard(lock_);
       if (stopping_) return {};
     }
     count((*channel)->write_bytes((*record)->bytes, (*record)->capture_ns));
   }
+}
+
+/// Waits until `record` is due, or at the end of the stream for a move; goes where that leads.
+Result<Pace::Due> Parser::keep_pace(const std::optional<Record>& record, std::uint64_t& moves) {
+  if (!options_.pace) return record ? Pace::Due::now : Pace::Due::never;
+  const Pace::Due due =
+      record ? options_.pace->wait_until_due(record->capture_ns, moves) : options_.pace->wait_for_move(moves);
+  if (due != Pace::Due::elsewhere) return due;
+  const Pace::Move move = options_.pace->last_move();
+  moves = move.count;
+  if (const Result<void> sought = provider_->seek(move.to_ns); !sought) return Error{sought.error()};
+  return due;
 }
 
 void Parser::count(const Result<void>& entered) {

@@ -12,13 +12,29 @@
 
 namespace robot::logging {
 
-/// Says when the messages of a recording are due. Shared by the parsers of one recording.
+/// Says when the messages of a recording are due. Shared by the parsers of one recording. Any thread.
 class Pace {
  public:
   virtual ~Pace() = default;
 
-  /// Waits until a message captured at `capture_ns` is due; false when the parser is to end instead. Any thread.
-  virtual bool wait_until_due(std::uint64_t capture_ns) = 0;
+  enum class Due {
+    now,
+    elsewhere,  // the recording was moved: the parser goes where last_move() says
+    never,      // the parser is to end
+  };
+
+  /// Where the recording was moved to, and how often it was moved so far.
+  struct Move {
+    std::uint64_t count = 0, to_ns = 0;
+  };
+
+  /// Waits until a message captured at `capture_ns` is due. `moves` is the count of the last move the parser knows of.
+  virtual Due wait_until_due(std::uint64_t capture_ns, std::uint64_t moves) = 0;
+
+  /// For a parser at the end of its stream: waits for another move.
+  virtual Due wait_for_move(std::uint64_t moves) = 0;
+
+  virtual Move last_move() const = 0;
 };
 
 struct ParserOptions {
@@ -30,7 +46,8 @@ struct ParserOptions {
 };
 
 /// Carries the messages of an InProvider into a channel, on a thread of its own, to the end of the stream or until
-/// stopped. What the channel refuses is counted as dropped; a damage of the stream is told and what is behind it carried on.
+/// stopped; with a pace, until that says so. When the recording is moved, the newest message from before that time comes
+/// first: a memory object has a value also where none was recorded. What the channel refuses is counted as dropped; a damage of the stream is told and what is behind it carried on.
 class Parser {
  public:
   Parser(std::unique_ptr<InProvider> provider, ParserOptions options);
@@ -46,6 +63,7 @@ class Parser {
  private:
   void run();
   Result<void> carry();
+  Result<Pace::Due> keep_pace(const std::optional<Record>& record, std::uint64_t& moves);
   void note(const std::string& problem);
   void count(const Result<void>& entered);
 

@@ -70,6 +70,10 @@ class InProvider {
   /// An Error names a damage, once; the next call goes on behind it, or returns nothing where that cannot be.
   virtual Result<std::optional<Record>> read() = 0;
 
+  /// Goes to another time: the next message is the newest captured at `capture_ns` or before, or the first of all if
+  /// there is none. An Error where that cannot be.
+  virtual Result<void> seek(std::uint64_t /*capture_ns*/) { return Error{"a stream that is live has no other times"}; }
+
   /// How many messages were lost on their way here, as far as the stream tells. Any thread.
   virtual std::uint64_t lost_before() const { return 0; }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "robot/core/clock.h"
 #include "robot/core/little_endian.h"
 #include "robot/net/encoding.h"
 
@@ -22,6 +23,8 @@ Json to_json(const std::string& name, const ParameterValue& value) {
   if (std::holds_alternative<double>(value)) parameter["type"] = "float64";
   return parameter;
 }
+
+Json parts_of(std::uint64_t time_ns) { return {{"sec", time_ns / kSecond}, {"nsec", time_ns % kSecond}}; }
 
 memory::Delivery delivery_of(const std::map<std::string, std::string>& metadata) {
   const auto found = metadata.find("delivery");
@@ -60,12 +63,17 @@ Result<Advertised> parse_channel(const Json& json) {
 }  // namespace
 
 std::string server_info(const ServerInfo& info) {
-  return dump({{"op", "serverInfo"},
+  Json json = {{"op", "serverInfo"},
                {"name", info.name},
                {"capabilities", info.capabilities},
                {"supportedEncodings", info.encodings},
                {"metadata", info.metadata},
-               {"sessionId", info.session_id}});
+               {"sessionId", info.session_id}};
+  if (info.data_span_ns) {
+    json["dataStartTime"] = parts_of(info.data_span_ns->first);
+    json["dataEndTime"] = parts_of(info.data_span_ns->second);
+  }
+  return dump(json);
 }
 
 std::string advertised_channel(const Advertised& channel) {

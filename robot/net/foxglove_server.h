@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "robot/core/result.h"
@@ -20,6 +21,7 @@ struct ServerInfo {
   std::vector<std::string> encodings;  // of service requests
   std::map<std::string, std::string> metadata;
   std::string session_id;  // another one tells the client to forget the data it has
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> data_span_ns = {};  // of a recording: its first and last time
 };
 
 /// A channel as it is advertised.

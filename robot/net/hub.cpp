@@ -36,11 +36,16 @@ void Hub::add_channel(const std::shared_ptr<memory::Channel>& channel, const Der
 }
 
 std::string Hub::server_info() const {
-  return foxglove::server_info({.name = options_.name,
-                                .capabilities = {"time", "parameters", "parametersSubscribe", "services"},
-                                .encodings = {"json"},
-                                .metadata = options_.metadata,
-                                .session_id = std::to_string(session_)});
+  foxglove::ServerInfo info{.name = options_.name,
+                            .capabilities = {"time", "parameters", "parametersSubscribe", "services"},
+                            .encodings = {"json"},
+                            .metadata = options_.metadata,
+                            .session_id = std::to_string(session_)};
+  if (options_.playback) {
+    info.capabilities.emplace_back("playbackControl");
+    info.data_span_ns = {options_.playback->start_ns(), options_.playback->end_ns()};
+  }
+  return foxglove::server_info(info);
 }
 
 std::shared_ptr<Client> Hub::join(ClientIdentity identity) {
@@ -58,6 +63,7 @@ std::shared_ptr<Client> Hub::join(ClientIdentity identity) {
   }
   if (!advertisements.empty()) say(*client, foxglove::advertise(advertisements));
   if (const auto services = services_.list(); !services.empty()) say(*client, foxglove::advertise_services(services));
+  if (options_.playback) say_binary(*client, playback_state(false, ""));
   return client;
 }
 
@@ -139,9 +145,22 @@ void Hub::note_gap(OfferedChannel& channel, std::uint64_t missing) {
 }
 
 void Hub::send_time() {
+  if (options_.playback && options_.playback->state().status != told_) tell_playback(false, nullptr, "");
   last_time_ns_ = std::max(last_time_ns_, clock_.now_ns());
   for (const auto& client : clients_)
     if (!client->queue.finished()) client->queue.push_time(last_time_ns_);
+}
+
+std::string Hub::playback_state(bool did_seek, std::string_view request_id) const {
+  const Playback::State state = options_.playback->state();
+  return foxglove::playback_state(state.status, state.time_ns, state.speed, did_seek, request_id);
+}
+
+/// Tells everybody how the playback is going; the one who asked for it by the id of the request.
+void Hub::tell_playback(bool did_seek, const Client* asker, const std::string& request_id) {
+  told_ = options_.playback->state().status;
+  for (const auto& client : clients_)
+    say_binary(*client, playback_state(did_seek, client.get() == asker ? request_id : std::string_view()));
 }
 
 void Hub::restart_time() {

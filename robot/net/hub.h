@@ -15,6 +15,7 @@
 #include "robot/net/foxglove_client.h"
 #include "robot/net/inbox.h"
 #include "robot/net/parameters.h"
+#include "robot/net/playback.h"
 #include "robot/net/services.h"
 #include "robot/net/statistics.h"
 #include "robot/net/stream_control.h"
@@ -25,6 +26,7 @@ struct HubOptions {
   std::string name = "foresight";
   std::map<std::string, std::string> metadata;  // {"build", "body", "robots"}
   QueueLimits queues;
+  Playback* playback = nullptr;                  // of the recording that is played, if there is one; outlives the hub
   std::uint64_t pong_timeout_ns = 30 * kSecond;  // a client that does not answer a ping for so long is gone
 };
 
@@ -56,7 +58,7 @@ class Hub {
   /// A stream brought a message for everybody who watches its channel.
   void deliver(const Inbox::Item& item);
 
-  /// Tells everybody the time. It never goes back, except after restart_time().
+  /// Tells everybody the time. It never goes back, except after restart_time() and where a client moved the playback.
   void send_time();
 
   /// Another time line begins (playback went back): everybody gets a new session id and may see a smaller time.
@@ -89,6 +91,8 @@ class Hub {
   void note_gap(OfferedChannel& channel, std::uint64_t missing);
   void tell_drops(Client& client, std::uint64_t now_ns);
   void remove_subscriber(OfferedChannel& channel, Client& client);
+  std::string playback_state(bool did_seek, std::string_view request_id) const;
+  void tell_playback(bool did_seek, const Client* asker, const std::string& request_id);
   void tell_parameters(Client& client, const std::vector<std::string>& names, const std::optional<std::string>& id);
 
   // what a client asks for
@@ -120,6 +124,7 @@ class Hub {
   bool match_mode_ = false;
   std::uint64_t session_ = 0;  // [ms since the epoch] its begin
   std::uint64_t last_time_ns_ = 0;
+  foxglove::Playback told_ = foxglove::Playback::playing;  // of the playback, last
 };
 
 }  // namespace robot::net

@@ -99,8 +99,8 @@ void Hub::handle(Client& client, const foxglove::SetParameters& message) {
             const auto set = parameters_.set(name, value);
             return set ? std::string() : set.error();
           },
-          [this](Client& present, const std::string& refusal) {
-            if (!refusal.empty()) complain(present, refusal);
+          [this](Client& present, const std::string& problem) {
+            if (!problem.empty()) complain(present, problem);
           });
     }
   }
@@ -151,8 +151,18 @@ void Hub::handle(Client& client, const foxglove::ClientPublish&) {
   complain(client, "this server takes no messages from clients");
 }
 
-void Hub::handle(Client& client, const foxglove::PlaybackControl&) {
-  complain(client, "this server does not play back");
+void Hub::handle(Client& client, const foxglove::PlaybackControl& message) {
+  if (!options_.playback) return complain(client, "playback: this server does not play a recording");
+  if (const std::string refusal = client.identity.context.refusal(); !refusal.empty())
+    return complain(client, "playback: " + refusal);
+  if (!(message.speed >= 0.01F && message.speed <= 1000))
+    return complain(client, "playback: expected a speed of 0.01 .. 1000, got " + std::to_string(message.speed));
+  const bool did_seek = options_.playback->control(message);
+  if (did_seek) {
+    last_time_ns_ = 0;
+    for (const auto& each : clients_) each->queue.forget();  // what still waits is of the time before
+  }
+  tell_playback(did_seek, &client, message.request_id);
 }
 
 void Hub::handle(Client& client, const foxglove::Unsupported& message) {

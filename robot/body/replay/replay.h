@@ -1,4 +1,4 @@
-// Plays a session into the channels of this process, as if its robot were live.
+// Plays recordings into the channels of this process, as if their robots were live.
 #pragma once
 
 #include <cstdint>
@@ -19,57 +19,65 @@ struct ReplayOptions {
   double speed = 1;   // 1 is real time; 0.01 .. 1000
   bool loop = false;  // begin again at the end
 
-  /// The name under which the recorded robot appears here, "14/2"; empty: its own.
+  /// The name under which the recorded robot appears here, "14/2"; empty: its own. For one session only.
   std::string robot;
 
   /// Objects that this process writes itself, such as "runtime": those of the recording are left out.
   std::vector<std::string> skipped_objects;
 };
 
-/// One parser per stream of the session, all by one clock. Each stream goes into the channel of its topic; a topic that
-/// nobody here knows becomes a channel of its own. Used by one thread, except the clock.
+/// One parser per stream, all by one clock: what several robots recorded is merged by capture time. Each stream goes
+/// into the channel of its topic; a topic that nobody here knows becomes a channel of its own. Used by one thread,
+/// except the clock.
 class Replay {
  public:
-  /// Opens the session in the folder `path`, or the recording of many channels in the file of that name.
-  /// An Error if there is none, if it holds no message or if the speed is out of range.
-  static Result<std::unique_ptr<Replay>> open(const std::filesystem::path& path, ReplayOptions options);
+  /// Opens the sessions in the folders `paths`, or the recordings of many channels in files of that name.
+  /// An Error if there is none, if one holds no message, if one has no topic that those before it have not or if the speed is out
+  /// of range.
+  static Result<std::unique_ptr<Replay>> open(const std::vector<std::filesystem::path>& paths, ReplayOptions options);
 
   /// As stop().
   ~Replay();
 
-  const logging::Session& session() const { return session_; }
+  /// The robots that recorded, in the order in which their recordings were given.
+  std::vector<std::string> robots() const;
 
-  /// The time base for whoever shows what is played: the recording's own time.
-  const Clock& clock() const { return clock_; }
+  /// The time base for whoever shows what is played: the recordings' own time, which may be paused and moved.
+  PlaybackClock& clock() { return clock_; }
+  std::uint64_t start_ns() const { return start_ns_; }  // [ns since the epoch]
+  std::uint64_t end_ns() const { return end_ns_; }
 
   /// Begins to play into `channels`; both outlive this.
   void start(memory::Channels& channels, logging::LoggingBoard& board);
 
   enum class Tick { playing, ended, began_again };
 
-  /// To be called now and then: begins again at the end if it should.
+  /// To be called now and then: begins again at the end if it should. At the end means that all is carried.
   Tick tick();
 
   void stop();
 
-  /// Messages played since the last start.
+  /// Messages played since the start.
   std::uint64_t messages() const;
 
  private:
-  Replay(logging::Session session, bool one_file, ReplayOptions options)
-      : session_(std::move(session)),
-        one_file_(one_file),
-        options_(std::move(options)),
-        clock_(session_.start_ns, session_.end_ns, options_.speed) {}
+  struct Recording {
+    logging::Session session;
+    bool one_file = false;  // holds all streams
 
+    std::uint64_t start_ns() const { return session.start_ns; }
+    std::uint64_t end_ns() const { return session.end_ns; }
+  };
+
+  Replay(std::vector<Recording> recordings, ReplayOptions options);
+
+  static Result<Recording> read(const std::filesystem::path& path);
   bool skipped(const std::string& topic) const;
-  Result<std::shared_ptr<memory::Channel>> destination(memory::ChannelInfo info) const;
-  void start_parsers();
-  void stop_parsers();
+  Result<std::shared_ptr<memory::Channel>> destination(const Recording& from, memory::ChannelInfo info);
 
-  const logging::Session session_;
-  const bool one_file_;  // holds all streams
+  const std::vector<Recording> recordings_;
   const ReplayOptions options_;
+  const std::uint64_t start_ns_, end_ns_;
   PlaybackClock clock_;
   memory::Channels* channels_ = nullptr;
   logging::LoggingBoard* board_ = nullptr;

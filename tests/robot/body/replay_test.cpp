@@ -36,9 +36,16 @@ struct Replaying : ::testing::Test {
   }
 
   std::unique_ptr<Replay> open(ReplayOptions options) {
-    auto replay = Replay::open(recorded, std::move(options));
+    auto replay = Replay::open({recorded}, std::move(options));
     EXPECT_TRUE(replay) << replay.error();
     return std::move(*replay);
+  }
+
+  /// When the newest message of a topic was captured; 0 if there is none.
+  std::uint64_t newest_ns(const char* topic) const {
+    const auto channel = channels.find(topic);
+    const auto newest = channel ? channel->newest() : nullptr;
+    return newest ? newest->capture_ns() : 0;
   }
 
   static void wait_for_the_end(Replay& replay) {
@@ -112,6 +119,80 @@ TEST_F(Replaying, BeginsAgainWhereItShould) {
   EXPECT_EQ(tick, Replay::Tick::began_again);
 }
 
+/// The newest value, once it is the one of `x`.
+void wait_for_ball(const memory::Memory& memory, float x) {
+  while (!memory.ball.read() || memory.ball.read()->value().x() != x) std::this_thread::yield();
+}
+
+TEST_F(Replaying, StandsWhereItIsPausedAndGoesOn) {
+  const auto replay = open({.speed = 1});
+  const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
+  ASSERT_TRUE(list(memory, channels));
+  replay->start(channels, board);
+  replay->clock().set(false, 1);
+  const std::uint64_t paused = replay->clock().now_ns();
+  replay->clock().seek(paused);
+  EXPECT_EQ(replay->clock().now_ns(), paused);
+  EXPECT_FALSE(replay->clock().running());
+  replay->clock().set(true, 1000);
+  wait_for_the_end(*replay);
+  EXPECT_EQ(memory->ball.read()->value().x(), 299);
+}
+
+TEST_F(Replaying, AfterASeekEveryObjectIsAsItWasThen) {
+  const auto replay = open({.speed = 1});
+  const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
+  ASSERT_TRUE(list(memory, channels));
+  replay->start(channels, board);
+  replay->clock().set(false, 1);
+  for (const std::uint64_t i : {200u, 3u, 299u, 0u, 150u}) {
+    replay->clock().seek(kStart + i * 10 * kMillisecond + 5 * kMillisecond);
+    wait_for_ball(*memory, static_cast<float>(i));
+    const std::uint64_t third = i - i % 3;  // of the other stream the newest from before
+    while (newest_ns("/14/2/vortex") != kStart + third * 10 * kMillisecond) std::this_thread::yield();
+  }
+  // beyond its ends it stays within the recording
+  replay->clock().seek(0);
+  EXPECT_EQ(replay->clock().now_ns(), kStart);
+  replay->clock().seek(UINT64_MAX);
+  EXPECT_EQ(replay->clock().now_ns(), kStart + 2990 * kMillisecond);
+  wait_for_ball(*memory, 299);
+}
+
+TEST_F(Replaying, AfterTheEndItMayBeSeenAgain) {
+  const auto replay = open({.speed = 1000});
+  const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
+  ASSERT_TRUE(list(memory, channels));
+  replay->start(channels, board);
+  wait_for_the_end(*replay);
+  replay->clock().set(false, 1000);
+  replay->clock().seek(kStart);
+  wait_for_ball(*memory, 0);
+  replay->clock().set(true, 1000);
+  wait_for_the_end(*replay);
+  wait_for_ball(*memory, 299);
+}
+
+TEST_F(Replaying, SeveralRobotsAreMergedByTime) {
+  auto writer = logging::SessionWriter::create(folder / "other", {.robot = "14/3"});
+  ASSERT_TRUE((*writer)->write({.topic = "/14/3/vortex"}, kStart + kSecond, "early"));
+  ASSERT_TRUE((*writer)->write({.topic = "/14/3/vortex"}, kStart + 9 * kSecond, "late"));
+  ASSERT_TRUE((*writer)->close());
+  auto replay = Replay::open({recorded, folder / "other"}, {.speed = 1});
+  ASSERT_TRUE(replay) << replay.error();
+  EXPECT_EQ((*replay)->robots(), (std::vector<std::string>{"14/2", "14/3"}));
+  EXPECT_EQ((*replay)->start_ns(), kStart);
+  EXPECT_EQ((*replay)->end_ns(), kStart + 9 * kSecond);
+  (*replay)->start(channels, board);
+  (*replay)->clock().set(false, 1);
+  (*replay)->clock().seek(kStart + 2 * kSecond);
+  while (newest_ns("/14/3/vortex") != kStart + kSecond || newest_ns("/14/2/ball") != kStart + 2 * kSecond)
+    std::this_thread::yield();
+  EXPECT_EQ(Replay::open({recorded, recorded}, {}).error(), "replay: expected recordings of different robots, " +
+                                                                recorded.string() +
+                                                                " holds nothing but what those before it do");
+}
+
 TEST_F(Replaying, CanBeStoppedAtAnyTime) {
   const auto replay = open({.speed = 0.01});
   replay->start(channels, board);
@@ -136,12 +217,12 @@ TEST_F(Replaying, ShowsItsRobotUnderAnotherName) {
 }
 
 TEST_F(Replaying, SaysWhatIsWrong) {
-  EXPECT_EQ(Replay::open(recorded, {.speed = 0}).error(), "replay: speed must be 0.01 .. 1000, got 0.000000");
-  EXPECT_EQ(Replay::open(folder / "none", {}).error(), "session " + (folder / "none").string() + ": cannot read " +
-                                                           (folder / "none" / "session.json").string() +
-                                                           ": No such file or directory");
+  EXPECT_EQ(Replay::open({recorded}, {.speed = 0}).error(), "replay: speed must be 0.01 .. 1000, got 0.000000");
+  EXPECT_EQ(Replay::open({folder / "none"}, {}).error(), "session " + (folder / "none").string() + ": cannot read " +
+                                                             (folder / "none" / "session.json").string() +
+                                                             ": No such file or directory");
   ASSERT_TRUE((*logging::SessionWriter::create(folder / "empty", {}))->close());
-  EXPECT_EQ(Replay::open(folder / "empty", {}).error(),
+  EXPECT_EQ(Replay::open({folder / "empty"}, {}).error(),
             "replay: expected a session with messages, " + (folder / "empty").string() + " has none");
 }
 

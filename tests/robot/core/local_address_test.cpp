@@ -33,7 +33,7 @@ TEST(LocalAddress, ProgramsOfOurUserOnlyMeetThere) {
 
 TEST(LocalAddress, APathHasToFit) {
   EXPECT_TRUE(LocalAddress::of(std::string(107, 'a'), "test"));
-  for (const std::size_t bytes : {0, 108, 5000}) {
+  for (const std::size_t bytes : {std::size_t{0}, std::size_t{108}, std::size_t{5000}}) {
     const auto address = LocalAddress::of(std::string(bytes, 'a'), "test");
     ASSERT_FALSE(address);
     EXPECT_EQ(address.error(), "test: expected a path of 1 .. 107 bytes, got " + std::to_string(bytes));

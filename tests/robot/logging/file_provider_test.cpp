@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 
@@ -100,15 +101,24 @@ TEST(FileProvider, ReadsAFileWhoseWriterDied) {
   EXPECT_TRUE(records[2].bytes.starts_with("damage: a.mcap: ends at byte ")) << records[2].bytes;
 }
 
-TEST(FileProvider, ReadsFromATimeOn) {
+TEST(FileProvider, GoesToTheNewestFromBeforeATime) {
   const TemporaryFolder folder;
-  FileOutProvider out(folder / "a.mcap", {});
-  write_words(out, 5);
-  ASSERT_TRUE(out.close());
-  FileInProvider in(folder / "a.mcap");
-  ASSERT_TRUE(in.open());
-  ASSERT_TRUE(in.seek(25));
-  EXPECT_EQ(records_of(in).front().bytes, "3");
+  for (const std::size_t chunk_bytes : {std::size_t{1}, std::size_t{1'000'000}}) {
+    const auto path = folder / ("a" + std::to_string(chunk_bytes) + ".mcap");
+    FileOutProvider out(path, {.chunk_bytes = chunk_bytes});
+    write_words(out, 50);
+    ASSERT_TRUE(out.close());
+    FileInProvider in(path), whole(path);
+    ASSERT_TRUE(in.open());
+    ASSERT_TRUE(whole.open());
+    const auto all = records_of(whole);
+    for (std::uint64_t to_ns = 0; to_ns <= all.back().capture_ns + 20; to_ns += 3) {
+      ASSERT_TRUE(in.seek(to_ns));
+      const auto first_later = std::ranges::upper_bound(all, to_ns, {}, &Record::capture_ns);
+      const auto expected = first_later == all.begin() ? first_later : first_later - 1;
+      ASSERT_EQ(records_of(in), std::vector(expected, all.end())) << to_ns;
+    }
+  }
 }
 
 TEST(FileProvider, CancelEndsReading) {

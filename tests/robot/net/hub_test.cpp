@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -66,6 +68,21 @@ std::vector<Derived> derive_twice(const memory::ChannelInfo& source) {
   return derived;
 }
 
+/// A recording from 1000 to 9000 that does what it is told.
+class HandPlayback final : public Playback {
+ public:
+  std::uint64_t start_ns() const override { return 1000; }
+  std::uint64_t end_ns() const override { return 9'000'000'005; }
+  State state() const override { return now; }
+  bool control(const foxglove::PlaybackControl& wish) override {
+    now = {.status = wish.play ? foxglove::Playback::playing : foxglove::Playback::paused,
+           .time_ns = wish.seek_ns.value_or(now.time_ns),
+           .speed = wish.speed};
+    return wish.seek_ns.has_value();
+  }
+  State now;
+};
+
 class HubTest : public testing::Test {
  protected:
   TestChannel base{"/14/2/base", Delivery::latest}, events{"/14/2/events", Delivery::reliable},
@@ -81,12 +98,16 @@ class HubTest : public testing::Test {
   void SetUp() override {
     parameters.declare("quality", std::int64_t{75}, {.min = 1, .max = 100});
     add_clock_sync(services, clock, {});
-    hub = std::make_unique<Hub>(
-        HubOptions{.metadata = {{"robots", "14/2"}}, .queues = {.reliable_bytes = 10, .lossless_bytes = 10}},
-        parameters, services, clock, control, [](const auto& work, const auto& then) {
-          work();
-          then();
-        });
+    make_hub(nullptr);
+  }
+  void make_hub(Playback* playback) {
+    hub = std::make_unique<Hub>(HubOptions{.metadata = {{"robots", "14/2"}},
+                                           .queues = {.reliable_bytes = 10, .lossless_bytes = 10},
+                                           .playback = playback},
+                                parameters, services, clock, control, [](const auto& work, const auto& then) {
+                                  work();
+                                  then();
+                                });
     hub->add_channel(base.channel, derive_twice);
     hub->add_channel(events.channel, derive_twice);
     hub->add_channel(world.channel, derive_twice);
@@ -281,6 +302,56 @@ TEST_F(HubTest, TimeDoesNotGoBackExceptWithANewSession) {
   EXPECT_EQ(gist(*client), "serverInfo");
   hub->send_time();
   EXPECT_EQ(time_of(), foxglove::time(4000).substr(1));
+}
+
+TEST_F(HubTest, ARecordingIsPausedAndMovedByWhoMayControl) {
+  HandPlayback playback;
+  make_hub(&playback);
+  const auto stranger = hub->join({.context = {.address = "10.0.0.9:1"}});
+  const auto first = said(*stranger);
+  EXPECT_EQ(first.at(0)["capabilities"].back(), "playbackControl");
+  EXPECT_EQ(first.at(0)["dataStartTime"], Json({{"sec", 0}, {"nsec", 1000}}));
+  EXPECT_EQ(first.at(0)["dataEndTime"], Json({{"sec", 9}, {"nsec", 5}}));
+  EXPECT_EQ(first.back()["bytes"], foxglove::playback_state(foxglove::Playback::playing, 0, 1, false, "").substr(1));
+
+  const auto wish = [&](Client& client, float speed, std::optional<std::uint64_t> to_ns) {
+    hub->on_binary(client, foxglove::to_bytes(foxglove::PlaybackControl{false, speed, to_ns, "r1"}));
+  };
+  wish(*stranger, 1, 5000);
+  EXPECT_NE(gist(*stranger).find("needs the control token"), std::string::npos);
+  const auto owner = join();
+  for (const float speed : {0.F, -1.F, 1001.F, std::numeric_limits<float>::quiet_NaN()}) {
+    wish(*owner, speed, 5000);
+    EXPECT_NE(gist(*owner).find("expected a speed of 0.01 .. 1000"), std::string::npos);
+  }
+  EXPECT_EQ(playback.now.time_ns, 0u);
+
+  subscribe(*stranger, 1);
+  said(*stranger);
+  clock.set(8000);
+  hub->send_time();
+  said(*stranger);
+  hub->deliver({1, 1, base.write("before the seek")});
+  wish(*owner, 2, 5000);
+  EXPECT_EQ(said(*owner).back()["bytes"],
+            foxglove::playback_state(foxglove::Playback::paused, 5000, 2, true, "r1").substr(1));
+  const auto told = said(*stranger);  // what had not gone out yet does not come any more
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0]["bytes"], foxglove::playback_state(foxglove::Playback::paused, 5000, 2, true, "").substr(1));
+
+  clock.set(5000);
+  playback.now.status = foxglove::Playback::ended;  // by itself
+  hub->send_time();
+  const auto end = said(*stranger);
+  ASSERT_EQ(end.size(), 2u);
+  EXPECT_EQ(end[0]["bytes"], foxglove::playback_state(foxglove::Playback::ended, 5000, 2, false, "").substr(1));
+  EXPECT_EQ(end[1]["bytes"], foxglove::time(5000).substr(1));
+}
+
+TEST_F(HubTest, WhatIsLiveCannotBeMoved) {
+  const auto client = join();
+  hub->on_binary(*client, foxglove::to_bytes(foxglove::PlaybackControl{true, 1, 5000, "r1"}));
+  EXPECT_EQ(gist(*client), "status:playback: this server does not play a recording");
 }
 
 TEST_F(HubTest, ParametersAreToldSetAndWatched) {
