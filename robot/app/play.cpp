@@ -42,7 +42,8 @@ class RecordingPlayback final : public net::Playback {
     body::PlaybackClock& clock = replay_.clock();
     // who wants to play what has ended wants to see it again
     const bool again = wish.play && !wish.seek_ns && clock.now_ns() >= end_ns();
-    clock.set(wish.play, static_cast<double>(wish.speed));  // first: what is paused stands exactly where it was moved to
+    clock.set(wish.play,
+              static_cast<double>(wish.speed));  // first: what is paused stands exactly where it was moved to
     if (wish.seek_ns || again) clock.seek(wish.seek_ns.value_or(start_ns()));
     return wish.seek_ns || again;
   }

@@ -104,7 +104,7 @@ Result<void> FileInProvider::seek(std::uint64_t capture_ns) {
   // from the last chunk on that begins early enough; what it begins with may be of another channel
   std::ranges::reverse(*starts);
   for (const std::uint64_t start_ns : *starts) {
-    if (const Result<void> sought = reader_->seek(start_ns); !sought) return sought;
+    if (Result<void> sought = reader_->seek(start_ns); !sought) return sought;
     std::optional<Record> newest;
     while (!cancelled_.load(std::memory_order_relaxed)) {
       Result<std::optional<Record>> record = read_on();

@@ -44,6 +44,7 @@ class ChoiceOptions {
 
 std::unique_ptr<Command> match_command(CLI::App& app);
 std::unique_ptr<Command> situation_command(CLI::App& app);
+std::unique_ptr<Command> compare_command(CLI::App& app);
 std::unique_ptr<Command> bench_command(CLI::App& app);
 std::unique_ptr<Command> signature_command(CLI::App& app);
 /// rules, models and strategies: what there is.

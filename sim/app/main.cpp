@@ -13,6 +13,7 @@ int sim_main(int argc, char** argv) {
   std::vector<std::unique_ptr<Command>> commands;
   commands.push_back(match_command(app));
   commands.push_back(situation_command(app));
+  commands.push_back(compare_command(app));
   commands.push_back(bench_command(app));
   commands.push_back(signature_command(app));
   for (const char* kind : {"rules", "models", "strategies"}) commands.push_back(list_command(app, kind));

@@ -20,6 +20,7 @@ export const rows = {
   "sim/perception": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent"],
   "sim/referee": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent"],
   "sim/match": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee"],
+  "sim/compare": [],
   "sim/io": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee", "sim/match", "robot/core"],
   "sim/app": "everything",
   "robot/core": [],

@@ -1,0 +1,41 @@
+#include "sim/compare/tally.h"
+
+#include <initializer_list>
+
+namespace sim::compare {
+
+void Tally::add(const Pair& pair) {
+  ++pairs;
+  std::int64_t sum = 0;
+  for (const int place : {0, 1}) {
+    const Game& game = pair.games[place];
+    sum += game.gain;
+    game_gain[place] += game.gain;
+    game_gain_squares[place] += std::int64_t{game.gain} * game.gain;
+    for (const int behaviour : {kA, kB}) {
+      goals[behaviour] += game.goals[behaviour];
+      conceded[behaviour] += game.conceded[behaviour];
+    }
+    const int lead = game.goals[kB] - game.conceded[kB] - (game.goals[kA] - game.conceded[kA]);
+    ++(lead > 0 ? won : lead < 0 ? lost : drawn);
+  }
+  gain += sum;
+  gain_squares += sum * sum;
+}
+
+void Tally::add(const Tally& other) {
+  pairs += other.pairs;
+  gain += other.gain;
+  gain_squares += other.gain_squares;
+  for (const int i : {0, 1}) {
+    game_gain[i] += other.game_gain[i];
+    game_gain_squares[i] += other.game_gain_squares[i];
+    goals[i] += other.goals[i];
+    conceded[i] += other.conceded[i];
+  }
+  won += other.won;
+  drawn += other.drawn;
+  lost += other.lost;
+}
+
+}  // namespace sim::compare

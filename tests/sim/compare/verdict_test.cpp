@@ -1,0 +1,145 @@
+#include "sim/compare/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "sim/math/random.h"
+
+namespace sim::compare {
+namespace {
+
+/// A pair in which B gains so much in either game.
+Pair pair_of(int first, int second) {
+  Pair pair;
+  pair.games[0] = {.gain = first, .goals = {1, 1 + first}, .conceded = {1 + first, 1}};
+  pair.games[1] = {.gain = second, .goals = {1, 1 + second}, .conceded = {1 + second, 1}};
+  return pair;
+}
+
+Tally tally_of(const std::vector<Pair>& pairs) {
+  Tally tally;
+  for (const Pair& pair : pairs) tally.add(pair);
+  return tally;
+}
+
+TEST(Tally, IsTheSameInAnyOrderAndInAnyParts) {
+  std::vector<Pair> pairs;
+  for (int i = 0; i < 100; ++i) pairs.push_back(pair_of(i * 7 % 5 - 2, i * 11 % 7 - 3));
+  const Tally whole = tally_of(pairs);
+  Tally parts;
+  parts.add(tally_of({pairs.begin() + 63, pairs.end()}));
+  parts.add(tally_of({pairs.begin(), pairs.begin() + 63}));
+  EXPECT_EQ(parts, whole);
+  EXPECT_EQ(tally_of({pairs.rbegin(), pairs.rend()}), whole);
+  EXPECT_EQ(whole.won + whole.drawn + whole.lost, 200);
+}
+
+TEST(Gain, IsTheMeanPerGameWithStudentsInterval) {
+  // 31 pairs whose sums are 0, 2, .. 60: mean 30, variance 4 * 31 * 32 / 12; t of 30 degrees is 2.0423
+  Tally tally;
+  for (int i = 0; i < 31; ++i) tally.add(pair_of(i, i));
+  const Interval gain = gain_per_game(tally);
+  EXPECT_DOUBLE_EQ(gain.mean, 15);
+  EXPECT_NEAR(gain.high - gain.mean, 2.0423 * std::sqrt(4 * 31 * 32 / 12.0 / 31) / 2, 1e-3);
+  EXPECT_NEAR(gain.mean - gain.low, gain.high - gain.mean, 1e-12);
+  EXPECT_DOUBLE_EQ(gain_per_game(tally, 1000).mean, 0.015);
+}
+
+TEST(Gain, OfNoPairsIsNotKnown) {
+  EXPECT_EQ(gain_per_game({}).high, HUGE_VAL);
+  EXPECT_EQ(gain_per_game(tally_of({pair_of(1, 0)})).low, -HUGE_VAL);
+}
+
+TEST(HomeAdvantage, IsWhatBothGainAtHome) {
+  // B wins by one at home and loses by one away, again and again: no gain, and an advantage of one goal
+  const Tally tally = tally_of(std::vector(60, pair_of(-1, 1)));
+  EXPECT_DOUBLE_EQ(gain_per_game(tally).mean, 0);
+  EXPECT_DOUBLE_EQ(home_advantage(tally).mean, 1);
+  EXPECT_DOUBLE_EQ(home_advantage(tally).low, 1);
+}
+
+TEST(PairingGain, IsHowMuchOfTheVarianceThePairsTakeAway) {
+  // independent games of variance 1: all four combinations equally often
+  EXPECT_NEAR(pairing_gain(tally_of({pair_of(1, 1), pair_of(1, -1), pair_of(-1, 1), pair_of(-1, -1)})), 1, 1e-12);
+  // luck of +-3 that favours an end, and +-1 of the game's own: var 10 a game, of the pair's mean 0.5
+  std::vector<Pair> pairs;
+  for (const int luck : {-3, 3})
+    for (const int first : {-1, 1})
+      for (const int second : {-1, 1}) pairs.push_back(pair_of(luck + first, -luck + second));
+  EXPECT_NEAR(pairing_gain(tally_of(pairs)), 10, 1e-12);
+  EXPECT_EQ(pairing_gain(tally_of(std::vector(9, pair_of(-1, 1)))), 0);
+}
+
+TEST(Llr, IsThatOfEqualVariances) {
+  // N = 100, mean 0.05 in the middle of the two: neither is likelier
+  std::vector<Pair> pairs(55, pair_of(1, 1));
+  pairs.insert(pairs.end(), 45, pair_of(-1, -1));
+  pairs.insert(pairs.end(), 100, pair_of(0, 0));
+  EXPECT_NEAR(llr(tally_of(pairs), {}), 0, 1e-12);
+  // and twice as good: N (h1 - h0) (2 mean - h0 - h1) / (2 variance)
+  const Tally better = tally_of({pair_of(1, 0), pair_of(0, 0), pair_of(1, 1), pair_of(-1, 0)});
+  const double variance = pair_variance(better);
+  EXPECT_NEAR(llr(better, {}), 4 * 0.1 * (2 * 0.25 - 0.1) / (2 * variance), 1e-12);
+  EXPECT_NEAR(bounds_of({}).h1, 2.944, 1e-3);
+  EXPECT_NEAR(bounds_of({}).h0, -2.944, 1e-3);
+}
+
+TEST(Decide, ABehaviourAgainstItselfIsIdentical) {
+  EXPECT_EQ(decide(tally_of(std::vector(50, pair_of(-2, 2))), {}), Verdict::identical);
+  EXPECT_EQ(decide(tally_of(std::vector(49, pair_of(-2, 2))), {}), Verdict::undecided);
+  EXPECT_EQ(judge(tally_of(std::vector(50, pair_of(-2, 2))), {}), Verdict::identical);
+  // always the same gain has no variance either, and is one
+  EXPECT_EQ(decide(tally_of(std::vector(50, pair_of(1, 1))), {}), Verdict::better);
+  EXPECT_EQ(decide(tally_of(std::vector(50, pair_of(-1, -1))), {}), Verdict::not_better);
+}
+
+TEST(Judge, GoesByTheInterval) {
+  std::vector<Pair> pairs(300, pair_of(1, 0));
+  pairs.insert(pairs.end(), 300, pair_of(0, -1));
+  EXPECT_EQ(judge(tally_of(pairs), {}), Verdict::not_better);  // 0 +- 0.04 does not reach 0.1
+  pairs.insert(pairs.end(), 300, pair_of(1, 0));
+  EXPECT_EQ(judge(tally_of(pairs), {}), Verdict::better);
+  pairs.resize(20);
+  pairs.insert(pairs.end(), 21, pair_of(0, -1));
+  EXPECT_EQ(judge(tally_of(pairs), {}), Verdict::undecided);
+}
+
+// the table of sample sizes that the comparison's figures come from: variance 4 a game, 0.1 goals
+TEST(Plan, TellsHowManyAreNeeded) {
+  const Plan four = plan(4, 0.1);
+  EXPECT_NEAR(four.fixed_80, 3140, 1);
+  EXPECT_NEAR(four.fixed_95, 5198, 1);
+  EXPECT_NEAR(four.sequential, 2120, 1);
+  EXPECT_NEAR(four.sequential_worst, 3468, 2);
+}
+
+/// How often a sequential test says "better", of `tests` with pairs whose gain per game has the mean `gain` and a
+/// standard deviation of about 1.2 goals, looked at every `block` pairs.
+double part_better(double gain, int tests, int block) {
+  int better = 0;
+  for (int test = 0; test < tests; ++test) {
+    Tally tally;
+    Verdict verdict = Verdict::undecided;
+    for (std::uint32_t i = 0; verdict == Verdict::undecided && i < 100'000; ++i) {
+      const auto words = draw({.seed = static_cast<std::uint64_t>(test)}, kNobody, Event::situation, i);
+      const int noise = static_cast<int>(words[0] % 5) - 2 + static_cast<int>(words[1] % 5) - 2;
+      const int shift = static_cast<double>(uniform(words[2])) < 2 * gain ? 1 : 0;
+      tally.add(pair_of(noise, shift));
+      if (tally.pairs % block == 0) verdict = decide(tally, {});
+    }
+    if (verdict == Verdict::better) ++better;
+  }
+  return static_cast<double>(better) / tests;
+}
+
+TEST(Decide, ErrsAsOftenAsItSays) {
+  constexpr int kBlock = 25;  // as the games are played
+  EXPECT_LE(part_better(0, 3000, kBlock), 0.05);
+  EXPECT_NEAR(part_better(0.1, 3000, kBlock), 0.95, 0.02);
+  EXPECT_GE(part_better(0.2, 500, kBlock), 0.99);
+}
+
+}  // namespace
+}  // namespace sim::compare
