@@ -1,6 +1,7 @@
 // scripts/logs: brings the recordings of robots home.
 import { existsSync, statSync } from "node:fs";
 import { join, relative } from "node:path";
+import { dayOf } from "./day.mjs";
 import { bring } from "./download.mjs";
 import { RobotFailed, runMain } from "./failure.mjs";
 import { Lines, sideBySide } from "./lines.mjs";
@@ -16,13 +17,6 @@ const kImages = ["foresight.Image", "foxglove.CompressedImage", "foxglove.RawIma
 const kOptions = { robots: anyText, "no-images": true, delete: true, out: anyText, token: tokenText };
 
 const mb = (bytes) => `${(bytes / 1e6).toFixed(1)} MB`;
-const two = (number) => String(number).padStart(2, "0");
-
-/** "2026-11-22", in this machine's time zone, for a time of the robot [ns since the epoch, as text]. */
-export function dayOf(start_ns) {
-  const day = new Date(Number(BigInt(start_ns) / 1000000n));
-  return `${day.getFullYear()}-${two(day.getMonth() + 1)}-${two(day.getDate())}`;
-}
 
 /** True if all of the session has arrived before: files get their names only once their checksums are right. */
 function isHome(session, folder, isWanted) {
@@ -97,7 +91,7 @@ async function removeArrived(plan, tell) {
   return removed;
 }
 
-function summary(plan, removed, out) {
+function summary(plan, removed) {
   const folders = new Set(plan.sessions.map(({ folder }) => relative(".", join(folder, "..")) || "."));
   const notes = [...plan.notes].map(([note, count]) => `${count} ${note}`);
   const came = plan.sessions.length === 0 ? "nothing new" : `${plan.sessions.length} sessions, ${mb(plan.total_bytes)}, in ${[...folders].join(", ")}`;

@@ -20,6 +20,9 @@ function safeName(name) {
   return name;
 }
 
+const isSession = ({ start_ns, streams } = {}) => /^\d{1,19}$/.test(start_ns) && Array.isArray(streams);
+const isFile = ({ size_bytes, crc32 } = {}) => Number.isSafeInteger(size_bytes) && size_bytes >= 0 && /^[0-9a-f]{8}$/.test(crc32);
+
 /** What the robot said of a request that it refused, as one sentence. */
 function sentenceOf(status, body) {
   try {
@@ -75,6 +78,7 @@ export class Recordings {
   /** [{session, state, kept, start_ns, streams: [{file, schema, size_bytes}]}] */
   async sessions() {
     const { sessions } = await this.#json("/api/sessions");
+    if (!Array.isArray(sessions) || !sessions.every(isSession)) throw new RobotFailed("expected a list of sessions, got something else: is that runtime older than this command?");
     for (const { session } of sessions) safeName(session);
     return sessions;
   }
@@ -82,6 +86,7 @@ export class Recordings {
   /** [{name, size_bytes, crc32}]: all files of a session that is not being recorded. */
   async files(session) {
     const { files } = await this.#json(`/api/sessions/${session}/files`, { silence_ms: kReading_ms });
+    if (!Array.isArray(files) || !files.every(isFile)) throw new RobotFailed(`${session}: expected a list of files, got something else`);
     for (const { name } of files) safeName(name);
     return files;
   }
