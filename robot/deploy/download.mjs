@@ -57,6 +57,7 @@ export async function bring(recordings, session, file, path, arrived = () => {})
     } catch (error) {
       if (error instanceof Refused || attempt === kAttempts) throw error;
       await new Promise((done) => setTimeout(done, kPause_ms));
+      if (!(await recordings.isThere())) throw error;
     }
   }
   renameSync(part, path);

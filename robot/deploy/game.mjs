@@ -6,7 +6,7 @@ const kUnderWay = ["ready", "set", "playing"];
 /** What /api/status says: {build, game, ...}; undefined where no runtime answers, or not as one does. */
 export async function statusOf(connection) {
   const answer = await connection.get("/api/status");
-  if (answer?.status === 503 && /game in progress/.test(answer.body)) return { game: { state: "", in_progress: true } };
+  if (answer?.status === 503 && /game (is )?in progress/.test(answer.body)) return { game: { state: "", in_progress: true } };
   if (answer?.status !== 200) return undefined;
   try {
     return JSON.parse(answer.body);

@@ -39,7 +39,7 @@ async function planSession(recordings, session, options, root) {
 /** All that is to come from a robot; sessions that cannot be had now are told, and left out. */
 async function planRobot(robot, options, tell) {
   const host = await addressThatAnswers(robot, "http_port");
-  if (!host) throw new RobotFailed(`no runtime answers at port ${robot.http_port} of ${robot.addresses.join(" or ")}`);
+  if (!host) throw new RobotFailed(`no runtime answers at port ${robot.http_port} of ${robot.addresses.join(" or ")}: it is off, stopped, or silent because a game is in progress`);
   const token = options.delete ? options.token ?? (await tokenOf(robot)) : undefined;
   const recordings = new Recordings(host, robot.http_port, token);
   const plan = { recordings, sessions: [], done_bytes: 0, notes: new Map() };

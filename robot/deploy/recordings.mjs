@@ -1,6 +1,7 @@
 // The recordings on a robot, as its HTTP API has them.
 import http from "node:http";
 import { BadInput, RobotFailed } from "./failure.mjs";
+import { answers } from "./ssh.mjs";
 
 const kSilence_ms = 5000; // of a connection that transfers
 const kReading_ms = 120000; // the robot reads whole files for their checksums, from a slow disk
@@ -38,6 +39,11 @@ export class Recordings {
   /** `token` may be absent: nothing but deleting needs it. */
   constructor(host, port, token) {
     Object.assign(this, { host, port, token });
+  }
+
+  /** True if the robot can be reached. */
+  isThere() {
+    return answers(this.host, this.port);
   }
 
   close() {

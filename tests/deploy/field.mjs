@@ -98,8 +98,8 @@ const kRelease = 'PRETTY_NAME="Ubuntu 22.04.4 LTS"\nID=ubuntu\n';
 export class Field {
   #places = [];
 
-  /** A switch and a lab. `rate`: what the lab's cable carries, as tc has it; as fast as it goes when not given. */
-  constructor({ rate } = {}) {
+  /** A switch and a lab. */
+  constructor() {
     this.folder = mkdtempSync(join(tmpdir(), "foresight-field-"));
     this.#switch = hold("ip link add switch type bridge; ip link set switch up; exec sleep infinity");
     this.lab = hold("ip link set lo up; exec sleep infinity");
@@ -107,7 +107,6 @@ export class Field {
     this.#ip(this.#switch, "link", "show", "switch");
     this.#plug(this.lab, "lab", "10.14.0.1");
     this.robots = [];
-    if (rate) this.#shape(rate);
   }
 
   #switch;
@@ -130,10 +129,10 @@ export class Field {
     this.#ip(place, "address", "add", `${address}/16`, "broadcast", "10.14.255.255", "dev", "eth0");
   }
 
-  /** Both directions of the lab's cable, which all robots share. */
-  #shape(rate) {
-    command(...inNetwork(this.#switch), "tc", "qdisc", "add", "dev", "lab", "root", ...tbf(rate));
-    command(...inNetwork(this.lab), "tc", "qdisc", "add", "dev", "eth0", "root", ...tbf(rate));
+  /** How much the lab's cable, which all robots share, carries in both directions. */
+  shape(rate) {
+    command(...inNetwork(this.#switch), "tc", "qdisc", "replace", "dev", "lab", "root", ...tbf(rate));
+    command(...inNetwork(this.lab), "tc", "qdisc", "replace", "dev", "eth0", "root", ...tbf(rate));
   }
 
   /** Switches a robot on: {name, address, home, folder}. `release`: its /etc/os-release. */

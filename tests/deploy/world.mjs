@@ -14,10 +14,10 @@ function controlPacket(state) {
   return Buffer.concat([head, team(14), team(5)]);
 }
 
-/** Team 14 with robots of these names, players 1, 2, ... `options` are those of Field. */
+/** Team 14 with robots of these names, players 1, 2, ... */
 export class World {
-  constructor(names, options) {
-    this.field = new Field(options);
+  constructor(names) {
+    this.field = new Field();
     this.home = join(this.field.folder, "person");
     mkdirSync(join(this.home, ".ssh"), { recursive: true });
     execFileSync("ssh-keygen", ["-q", "-t", "ed25519", "-N", "", "-C", "the team's key", "-f", join(this.home, ".ssh/id_ed25519")]);
@@ -57,7 +57,8 @@ export class World {
 
   /** The process of the runtime on a robot, and its command line; "" if there is none. */
   programOn(robot) {
-    return this.on(robot, "for pid in $(pgrep -x foresight-robot || :); do echo $pid $(tr '\\0' ' ' </proc/$pid/cmdline); done");
+    const line = "for program in /proc/[0-9]*; do if [ $(readlink $program/exe | grep -c foresight-robot) = 1 ]; then echo ${program#/proc/} $(tr '\\0' ' ' <$program/cmdline); fi; done";
+    return this.on(robot, line);
   }
 
   /** Every file in the robot's home with its owner, mode and content. */
