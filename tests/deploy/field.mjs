@@ -170,8 +170,12 @@ export class Field {
     return command(...inside(robot), ...words);
   }
 
-  async end() {
+  kill() {
     for (const place of this.#places) place.kill();
+  }
+
+  async end() {
+    this.kill();
     await Promise.all(this.#places.map(({ ended }) => ended));
     rmSync(this.folder, { recursive: true, force: true });
   }
