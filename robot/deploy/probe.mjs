@@ -9,7 +9,7 @@ section kernel; uname -sr
 section machine; uname -m
 section flags; sed -n '/^flags/{p;q;}' /proc/cpuinfo
 section disk; df -Pk . | tail -n 1
-section init; [ -d /run/systemd/system ] && echo systemd || { [ -e /sbin/openrc ] || [ -e /sbin/rc ]; } && echo OpenRC
+section init; if [ -d /run/systemd/system ]; then echo systemd; elif [ -e /sbin/openrc ] || [ -e /sbin/rc ]; then echo OpenRC; fi
 section user; XDG_RUNTIME_DIR=\${XDG_RUNTIME_DIR:-/run/user/$(id -u)} systemctl --user show-environment >/dev/null 2>&1 && echo systemd
 section linger; ls /var/lib/systemd/linger 2>/dev/null
 section me; id -un

@@ -16,7 +16,7 @@ export function deployStory() {
   before(() => {
     world = new World(["tim", "lea"]);
     ({ tim, lea } = world);
-    programs = makePrograms(world.home);
+    programs = makePrograms();
     world.on(tim, "mkdir Config && echo 1 >Config/settings.cfg && mkdir -m 700 .ssh && printf 'ssh-rsa AAAAold somebody' >.ssh/authorized_keys");
     for (const robot of [tim, lea]) untouched.set(robot, world.listing(robot));
   });

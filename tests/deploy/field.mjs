@@ -3,8 +3,8 @@
 //
 // Everything lives in processes that are killed when this one ends, whatever it ends of; namespaces, mounts and devices go
 // with their last process. Needs root.
-import { execFileSync, spawn } from "node:child_process";
-import { chmodSync, chownSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { execFileSync, spawn, spawnSync } from "node:child_process";
+import { chmodSync, chownSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
@@ -80,8 +80,39 @@ function writeSystem(folder, { release }) {
   write("sshd_config", `${settings.join("\n")}\n`);
 }
 
+/** Where processes are put that belong to the systemd of a robot's user: a folder of each hierarchy that counts them. */
+const kHierarchies = ["/sys/fs/cgroup", "/sys/fs/cgroup/systemd", "/sys/fs/cgroup/unified"];
+const groupName = (folder) => folder.split("/").slice(-2).join("-");
+
+/** The systemd of user nao, as where he lingers; and a sudo that notes what it is asked for instead of doing it. */
+const userSystemd = (folder) => `
+mount -t tmpfs tmpfs /usr/local/bin
+printf '#!/bin/sh\\necho "$*" >>/tmp/sudo.log\\n' >/usr/local/bin/sudo && chmod +x /usr/local/bin/sudo
+mkdir -p /run/systemd/system /run/user/${kUser} && chown ${kUser} /run/user/${kUser} && chmod 700 /run/user/${kUser}
+groups=
+for hierarchy in ${kHierarchies.join(" ")}; do
+  if [ ! -e $hierarchy/cgroup.procs ]; then continue; fi
+  mkdir -p $hierarchy/${groupName(folder)} && chown -R ${kUser} $hierarchy/${groupName(folder)}
+  groups="$groups $hierarchy/${groupName(folder)}/cgroup.procs"
+done
+(
+  for group in $groups; do echo 0 >$group; done
+  cd /
+  exec setpriv --reuid ${kUser} --regid ${kUser} --clear-groups env -i HOME=/home/nao PATH=/usr/bin:/bin XDG_RUNTIME_DIR=/run/user/${kUser} \\
+    setsid /usr/lib/systemd/systemd --user >/run/user.log 2>&1 </dev/null
+) &`;
+
+/** Removes the folders of kHierarchies; the last processes in them may still be ending. */
+async function removeGroups(folder) {
+  const groups = kHierarchies.map((hierarchy) => join(hierarchy, groupName(folder))).filter((group) => existsSync(group));
+  for (let tries = 0; groups.some((group) => existsSync(group)) && tries < 100; ++tries) {
+    spawnSync("find", [...groups, "-depth", "-type", "d", "-exec", "rmdir", "{}", ";"]);
+    await new Promise((done) => setTimeout(done, 20));
+  }
+}
+
 /** What the first process of a robot does: the machine's own files are hidden by the robot's, then it serves ssh. */
-const bootScript = (folder) => `
+const bootScript = (folder, systemd) => `
 mount --bind ${folder}/home /home
 for name in passwd shadow group; do mount --bind ${folder}/run/$name /etc/$name; done
 mount --bind ${folder}/run/os-release "$(readlink -f /etc/os-release)"
@@ -91,6 +122,7 @@ mount -t tmpfs tmpfs /dev/shm
 mount -t tmpfs tmpfs /tmp
 ip link set lo up
 until ip -br address show eth0 2>/dev/null | grep -q 10.; do sleep 0.02; done
+${systemd ? userSystemd(folder) : ""}
 exec ${kSshd} -D -f /run/sshd_config -E /run/sshd.log`;
 
 const kRelease = 'PRETTY_NAME="Ubuntu 22.04.4 LTS"\nID=ubuntu\n';
@@ -135,8 +167,11 @@ export class Field {
     command(...inNetwork(this.lab), "tc", "qdisc", "replace", "dev", "eth0", "root", ...tbf(rate));
   }
 
-  /** Switches a robot on: {name, address, home, folder}. `release`: its /etc/os-release. */
-  addRobot(name, { release = kRelease } = {}) {
+  /**
+   * Switches a robot on: {name, address, home, folder}. `release`: its /etc/os-release; `systemd`: its user has one, unless
+   * this machine cannot.
+   */
+  addRobot(name, { release = kRelease, systemd = false } = {}) {
     const robot = { name, address: `10.14.1.${this.robots.length + 1}`, folder: join(this.folder, name) };
     robot.home = join(robot.folder, "home/nao");
     for (const folder of [robot.home, join(robot.folder, "run")]) mkdirSync(folder, { recursive: true });
@@ -144,7 +179,7 @@ export class Field {
     chmodSync(robot.home, 0o755);
     chownSync(robot.home, kUser, kUser);
     writeSystem(join(robot.folder, "run"), { release });
-    Object.assign(robot, hold(bootScript(robot.folder)));
+    Object.assign(robot, hold(bootScript(robot.folder, systemd)));
     this.#places.push(robot);
     this.#plug(robot, name, robot.address);
     this.robots.push(robot);
@@ -177,6 +212,7 @@ export class Field {
   async end() {
     this.kill();
     await Promise.all(this.#places.map(({ ended }) => ended));
+    for (const { folder } of this.robots) await removeGroups(folder);
     rmSync(this.folder, { recursive: true, force: true });
   }
 }

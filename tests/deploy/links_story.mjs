@@ -1,6 +1,7 @@
 // scripts/deploy over a link that breaks. One test builds on the other.
 import assert from "node:assert/strict";
-import { existsSync, readdirSync } from "node:fs";
+import { randomBytes } from "node:crypto";
+import { chmodSync, existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { until } from "../e2e/support.mjs";
@@ -8,12 +9,16 @@ import { makePrograms } from "./programs.mjs";
 import { World } from "./world.mjs";
 
 export function linksStory() {
-  let world, tim, programs;
+  let world, tim, programs, heavy;
 
   before(async () => {
     world = new World(["tim", "lea"]);
     ({ tim } = world);
-    programs = makePrograms(world.home);
+    programs = makePrograms();
+    // rsync finds nothing of it on the robot
+    heavy = join(world.home, "heavy");
+    writeFileSync(heavy, Buffer.concat([readFileSync(programs.first.path), randomBytes(4e6)]));
+    chmodSync(heavy, 0o755);
     const { status, output } = await world.run("deploy", "--setup", "tim", "lea");
     assert.equal(status, 0, output);
     await deploy(0, "tim", "lea");
@@ -31,7 +36,7 @@ export function linksStory() {
     const running = world.programOn(tim);
     const staging = join(tim.home, "foresight/staging/bin");
     world.field.slow(tim, "2mbit");
-    const started = world.start("deploy", "tim", "lea", "--program", programs.second.path);
+    const started = world.start("deploy", "tim", "lea", "--program", heavy);
     await until(() => existsSync(staging) && readdirSync(staging).length > 0, "the first bytes");
     world.field.pull(tim);
     const { status, output } = await started.ended;

@@ -30,7 +30,7 @@ export function logsStory() {
     world = new World(["tim", "lea"]);
     ({ tim, lea } = world);
     assert.equal((await world.run("deploy", "--setup", "tim", "lea")).status, 0);
-    const { status, output } = await world.run("deploy", "tim", "lea", "--program", makePrograms(world.home).first.path);
+    const { status, output } = await world.run("deploy", "tim", "lea", "--program", makePrograms().first.path);
     assert.equal(status, 0, output);
     record(tim, "long", 4);
     record(tim, "short", 1);

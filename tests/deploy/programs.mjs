@@ -1,6 +1,7 @@
 // Programs to install: the one that was built, another "build" of it, and some that are no good.
 import { execFileSync } from "node:child_process";
-import { chmodSync, readFileSync, writeFileSync } from "node:fs";
+import { chmodSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { bin } from "../e2e/support.mjs";
 
@@ -12,12 +13,23 @@ function executable(path, content) {
   return path;
 }
 
+let made;
+
 /**
- * Makes them in `folder`: {first, second}, each {path, build}, which differ in nothing but the build that they tell; and the
- * paths `crashing` (says its build, then ends with status 3), `lying` (answers as another build than it says) and
- * `foreign` (for another processor).
+ * {first, second}, each {path, build}, which differ in nothing but the build that they tell; and the paths `crashing` (says
+ * its build, then ends with status 3), `lying` (answers as the version before) and `foreign` (for another processor). They
+ * are made once, and gone when this process ends.
  */
-export function makePrograms(folder) {
+export function makePrograms() {
+  if (!made) {
+    const folder = mkdtempSync(join(tmpdir(), "foresight-programs-"));
+    process.on("exit", () => rmSync(folder, { recursive: true, force: true }));
+    made = makeIn(folder);
+  }
+  return made;
+}
+
+function makeIn(folder) {
   const first = { path: join(folder, "first") };
   execFileSync("strip", ["-o", first.path, join(bin, "foresight-robot")]);
   first.build = buildOf(first.path);
@@ -30,8 +42,7 @@ export function makePrograms(folder) {
   if (buildOf(second.path) !== second.build) throw new Error(`expected a program of build ${second.build}, got ${buildOf(second.path)}`);
 
   const crashing = executable(join(folder, "crashing"), '#!/bin/sh\nif [ "$1" = --version ]; then echo crashing1; exit; fi\necho "the horizon is missing" >&2\nexit 3\n');
-  const real = readFileSync(first.path).toString("base64");
-  const lying = executable(join(folder, "lying"), `#!/bin/sh\nif [ "$1" = --version ]; then echo lying1; exit; fi\nbase64 -d >/tmp/real <<'END'\n${real}\nEND\nchmod +x /tmp/real\nexec /tmp/real "$@"\n`);
+  const lying = executable(join(folder, "lying"), '#!/bin/sh\nif [ "$1" = --version ]; then echo lying1; exit; fi\nexec "$HOME/foresight/previous/bin/foresight-robot" "$@"\n');
   const foreign = executable(join(folder, "foreign"), Buffer.concat([Buffer.from("\x7fELF\x02\x01\x01", "latin1"), Buffer.alloc(200)]));
   return { first, second, crashing, lying, foreign };
 }

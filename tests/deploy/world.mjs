@@ -5,7 +5,8 @@ import { join } from "node:path";
 import { root } from "../e2e/support.mjs";
 import { Field, inNetwork, kPassword } from "./field.mjs";
 
-const kAskStatus = `require("http").get("http://localhost:8765/api/status", (response) => response.pipe(process.stdout))`;
+// bash alone does it in a hundredth of the time that node takes
+const kAskStatus = "exec 3<>/dev/tcp/127.0.0.1/8765; printf 'GET /api/status HTTP/1.1\\r\\nHost: localhost\\r\\nConnection: close\\r\\n\\r\\n' >&3; cat <&3";
 
 /** A packet of the GameController of 2025 (format 18): our team's second half, with half its time gone. */
 function controlPacket(state) {
@@ -14,16 +15,16 @@ function controlPacket(state) {
   return Buffer.concat([head, team(14), team(5)]);
 }
 
-/** Team 14 with robots of these names, players 1, 2, ... */
+/** Team 14 with robots of these names, players 1, 2, ...; `options` are those of Field.addRobot(). */
 export class World {
-  constructor(names) {
+  constructor(names, options) {
     this.field = new Field();
     this.home = join(this.field.folder, "person");
     mkdirSync(join(this.home, ".ssh"), { recursive: true });
     execFileSync("ssh-keygen", ["-q", "-t", "ed25519", "-N", "", "-C", "the team's key", "-f", join(this.home, ".ssh/id_ed25519")]);
     writeFileSync(join(this.home, "password"), `#!/bin/sh\necho ${kPassword}\n`);
     chmodSync(join(this.home, "password"), 0o755);
-    for (const name of names) this[name] = this.field.addRobot(name);
+    for (const name of names) this[name] = this.field.addRobot(name, options);
     this.file = join(this.home, "robots.json");
     const robots = names.map((name, index) => ({ name, address: this[name].address, model: "nao-v6", player: index + 1 }));
     writeFileSync(this.file, JSON.stringify({ team: 14, colour: "blue", key: "~/.ssh/id_ed25519", robots }));
@@ -52,7 +53,7 @@ export class World {
 
   /** What the runtime on a robot says of itself. */
   statusOf(robot) {
-    return JSON.parse(this.on(robot, `node -e '${kAskStatus}'`));
+    return JSON.parse(this.on(robot, `bash -c "${kAskStatus}"`).split("\r\n\r\n")[1]);
   }
 
   /** The process of the runtime on a robot, and its command line; "" if there is none. */
