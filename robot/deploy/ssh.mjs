@@ -1,11 +1,12 @@
 // One connection to a robot, shared by all that is done there: commands, rsync, and HTTP to the robot's own loopback.
 import { spawn } from "node:child_process";
-import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { mkdirSync } from "node:fs";
 import http from "node:http";
 import { connect } from "node:net";
-import { homedir, tmpdir } from "node:os";
-import { join } from "node:path";
+import { homedir } from "node:os";
+import { dirname, join } from "node:path";
 import { RobotFailed } from "./failure.mjs";
+import { removeScratch, scratchFolder } from "./scratch.mjs";
 
 const kPing_ms = 2000; // until a robot counts as absent at an address
 const kSilence_s = 3, kSilences = 3; // a connection that is silent for so long, so often, is lost
@@ -49,7 +50,7 @@ export const quoted = (text) => `'${text.replaceAll("'", `'\\''`)}'`;
 const kOldKeys = ["HostKeyAlgorithms=+ssh-rsa", "PubkeyAcceptedKeyTypes=+ssh-rsa"];
 
 /** The file that remembers the host keys of the team's robots, by their names: addresses move, robots do not. */
-export const knownHosts = () => join(process.env.XDG_CONFIG_HOME ?? join(homedir(), ".config"), "foresight", "known_hosts");
+export const knownHosts = () => join(homedir(), ".config/foresight/known_hosts");
 
 export class Connection {
   #folder;
@@ -73,8 +74,8 @@ export class Connection {
   }
 
   async #logIn(interactive) {
-    this.#folder = mkdtempSync(join(tmpdir(), "foresight-"));
-    mkdirSync(join(knownHosts(), ".."), { recursive: true });
+    this.#folder = scratchFolder();
+    mkdirSync(dirname(knownHosts()), { recursive: true });
     const forward = ["-L", `${this.#socket}:127.0.0.1:${this.robot.http_port}`];
     const only = ["-o", "ControlMaster=yes", "-o", `BatchMode=${interactive ? "no" : "yes"}`, "-o", "NumberOfPasswordPrompts=3"];
     // it ends with its input, and so with us, whatever we die of
@@ -173,7 +174,7 @@ export class Connection {
     const late = setTimeout(() => this.#master.kill(), 1000);
     await ended;
     clearTimeout(late);
-    rmSync(this.#folder, { recursive: true, force: true });
+    removeScratch(this.#folder);
   }
 }
 

@@ -1,8 +1,8 @@
 // What goes to a robot: the program, its settings, who the robot is, and what starts it.
-import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { mkdirSync, symlinkSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { removeScratch, scratchFolder } from "./scratch.mjs";
 
 const kOnRobot = fileURLToPath(new URL("on_robot/", import.meta.url));
 
@@ -29,7 +29,7 @@ export function identityOf({ name, team, player, colour, model, head_id, body_id
 
 /** Calls `use` with a folder that holds, as links, all that goes to `robot`; it is gone afterwards. */
 export async function withVersion(robot, program, given, use) {
-  const folder = mkdtempSync(join(tmpdir(), "foresight-"));
+  const folder = scratchFolder();
   try {
     for (const name of ["bin", "etc"]) mkdirSync(join(folder, name));
     symlinkSync(program, join(folder, "bin/foresight-robot"));
@@ -38,6 +38,6 @@ export async function withVersion(robot, program, given, use) {
     writeFileSync(join(folder, "etc/robot.json"), identityOf(robot, given));
     return await use(folder);
   } finally {
-    rmSync(folder, { recursive: true });
+    removeScratch(folder);
   }
 }

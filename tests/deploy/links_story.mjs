@@ -54,4 +54,17 @@ export function linksStory() {
     assert.match(await deploy(1, "tim"), /tim {2}FAILED: nobody answers at port 22 of 10.14.1.1/);
     world.field.plug(tim);
   });
+
+  test("who stops the command leaves nothing behind here, and what runs alone there", async () => {
+    await until(() => world.run("deploy", "tim", "--program", programs.first.path, "--dry-run").then(({ status }) => status === 0), "the network");
+    const running = world.programOn(tim);
+    world.field.slow(tim, "2mbit");
+    const started = world.start("deploy", "tim", "--program", heavy);
+    await until(() => world.on(tim, "ls -A foresight/staging/bin 2>/dev/null || :") !== "", "the first bytes");
+    started.child.kill("SIGINT");
+    assert.equal((await started.ended).status, 130);
+    assert.deepEqual(readdirSync(world.temporary), []);
+    world.field.slow(tim, "1gbit");
+    assert.equal(world.programOn(tim), running);
+  });
 }

@@ -20,7 +20,8 @@ export class World {
   constructor(names, options) {
     this.field = new Field();
     this.home = join(this.field.folder, "person");
-    mkdirSync(join(this.home, ".ssh"), { recursive: true });
+    this.temporary = join(this.home, "tmp");
+    for (const folder of [join(this.home, ".ssh"), this.temporary]) mkdirSync(folder, { recursive: true });
     execFileSync("ssh-keygen", ["-q", "-t", "ed25519", "-N", "", "-C", "the team's key", "-f", join(this.home, ".ssh/id_ed25519")]);
     writeFileSync(join(this.home, "password"), `#!/bin/sh\necho ${kPassword}\n`);
     chmodSync(join(this.home, "password"), 0o755);
@@ -33,7 +34,7 @@ export class World {
   /** Starts a script in the lab: {child, output, ended}; `ended` becomes {status, output}. */
   start(script, ...words) {
     const asks = { SSH_ASKPASS: join(this.home, "password"), SSH_ASKPASS_REQUIRE: "force", DISPLAY: "none" };
-    const environment = { ...process.env, HOME: this.home, XDG_CONFIG_HOME: join(this.home, ".config"), FORESIGHT_ROBOTS: this.file, ...asks };
+    const environment = { ...process.env, HOME: this.home, TMPDIR: this.temporary, FORESIGHT_ROBOTS: this.file, ...asks };
     const command = [...inNetwork(this.field.lab), join(root, "scripts", script), ...words];
     const child = spawn(command[0], command.slice(1), { cwd: this.home, env: environment, stdio: ["ignore", "pipe", "pipe"] });
     const started = { child, output: "" };
