@@ -1,5 +1,5 @@
 // One file comes home: where an earlier attempt was cut off it goes on, and only what has the right checksum counts.
-import { createWriteStream, existsSync, mkdirSync, renameSync, rmSync, statSync } from "node:fs";
+import { closeSync, createWriteStream, existsSync, fsyncSync, mkdirSync, openSync, renameSync, rmSync, statSync } from "node:fs";
 import { dirname } from "node:path";
 import { pipeline } from "node:stream/promises";
 import { crc32OfFile } from "./crc32.mjs";
@@ -12,7 +12,7 @@ const kPause_ms = 1000;
 const sizeOf = (path) => (existsSync(path) ? statSync(path).size : 0);
 
 /** True if the file at `path` is just that one. */
-export async function isWhole(path, { size_bytes, crc32 }) {
+async function isWhole(path, { size_bytes, crc32 }) {
   return existsSync(path) && statSync(path).size === size_bytes && (await crc32OfFile(path)) === crc32;
 }
 
@@ -60,5 +60,9 @@ export async function bring(recordings, session, file, path, arrived = () => {})
       if (!(await recordings.isThere())) throw error;
     }
   }
+  // the robot may delete its own then: ours must survive a laptop that goes off
+  const written = openSync(part, "r");
+  fsyncSync(written);
+  closeSync(written);
   renameSync(part, path);
 }

@@ -24,7 +24,7 @@ function isHome(session, folder, isWanted) {
   return existsSync(join(folder, "session.json")) && session.streams.filter(({ file }) => isWanted(file)).every(has);
 }
 
-/** What is to come of one session: {session, folder, files, isWhole}; undefined where nothing is. */
+/** What is to come of one session: {session, folder, files, mayGo}; where nothing is, {session, files: [], note} says why. */
 async function planSession(recordings, session, options, root) {
   if (session.state === "recording") return { session, files: [], note: "still being recorded" };
   const images = options["no-images"] ? session.streams.filter(({ schema }) => kImages.includes(schema)).map(({ file }) => file) : [];
@@ -94,7 +94,7 @@ async function removeArrived(plan, tell) {
 function summary(plan, removed) {
   const folders = new Set(plan.sessions.map(({ folder }) => relative(".", join(folder, "..")) || "."));
   const notes = [...plan.notes].map(([note, count]) => `${count} ${note}`);
-  const came = plan.sessions.length === 0 ? "nothing new" : `${plan.sessions.length} sessions, ${mb(plan.total_bytes)}, in ${[...folders].join(", ")}`;
+  const came = plan.sessions.length === 0 ? "nothing new" : `${plan.sessions.length} session${plan.sessions.length === 1 ? "" : "s"}, ${mb(plan.total_bytes)}, in ${[...folders].join(", ")}`;
   return [came, ...notes, ...(removed > 0 ? [`${removed} deleted on the robot`] : [])].join("; ");
 }
 

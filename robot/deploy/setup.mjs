@@ -12,7 +12,7 @@ const kLeast_mb = 100; // two versions and a half in profile game
 /** Forgets the host key of a robot: it may have been flashed anew, and is known again from its next login. */
 export const forgetHost = ({ name }) => run(["ssh-keygen", "-q", "-R", `${name}.foresight`, "-f", knownHosts()]);
 
-export async function probed(connection) {
+async function probed(connection) {
   const before_s = Date.now() / 1000;
   const text = await connection.must("looking at the robot", kProbe);
   return readProbe(text, before_s, Date.now() / 1000);
