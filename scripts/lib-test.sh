@@ -92,9 +92,11 @@ test_steps() {
   # the checks have tests too, and the statistics of the benches; they need nothing but node
   step tests 'checks' run_node_tests checks "$root"/tests/check/*.test.mjs "$root"/tests/bench/*.test.mjs || true
 
+  export FORESIGHT_BIN=$root/build/dev/bin
+  step tests 'deploy' run_node_tests deploy "$root"/tests/deploy/*.test.mjs || true
+
   local browser_tests=("$root"/tests/e2e/*.test.mjs)
   if [[ -e ${browser_tests[0]} ]]; then
-    export FORESIGHT_BIN=$root/build/dev/bin
     step tests 'browser' run_node_tests browser "${browser_tests[@]}" || true
   fi
 }

@@ -1,5 +1,6 @@
 // node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--kills N] [--jobs N]; see scripts/bench.
 import { budget } from "./budget.mjs";
+import { deploy } from "./deploy.mjs";
 import { door } from "./door.mjs";
 import { equivalence } from "./equivalence.mjs";
 import { fanout } from "./fanout.mjs";
@@ -13,7 +14,7 @@ import { soak } from "./soak.mjs";
 import { soccer } from "./soccer.mjs";
 import { streaming } from "./streaming.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak, door, sim, equivalence, soccer, nao, budget, seek };
+const benches = { streaming, half, interference, shaped, fanout, soak, door, sim, equivalence, soccer, nao, budget, seek, deploy };
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};

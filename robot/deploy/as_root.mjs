@@ -1,0 +1,43 @@
+// What only root may do on a robot: never without asking the person who called.
+import { createInterface } from "node:readline/promises";
+import { quoted } from "./ssh.mjs";
+
+/** A yes or no at the terminal; `yes` agrees to everything. Where nobody is there to ask it is a no. */
+export async function agrees(question, { yes = false } = {}) {
+  if (yes) return true;
+  if (!process.stdin.isTTY) {
+    console.log(`${question} [y/N] nobody is here to ask: no (--yes agrees)`);
+    return false;
+  }
+  const terminal = createInterface({ input: process.stdin, output: process.stdout });
+  const answer = await terminal.question(`${question} [y/N] `);
+  terminal.close();
+  return /^y/i.test(answer);
+}
+
+/** Runs a line of shell on the robot as root, by sudo or su, which may ask for a password. True if it worked. */
+export async function runAsRoot(connection, command) {
+  const { status } = await connection.run(`sudo -n sh -c ${quoted(command)} 2>/dev/null`);
+  if (status === 0) return true;
+  if (!process.stdin.isTTY) return false;
+  const withPassword = `if command -v sudo >/dev/null; then sudo sh -c ${quoted(command)}; else su root -c ${quoted(command)}; fi`;
+  return (await connection.runAtTerminal(withPassword)) === 0;
+}
+
+const kDropIn = "/etc/systemd/system/user@.service.d/foresight.conf";
+
+/** What we may want root for: why, how, and how it is taken back. Only where systemd rules. */
+export const kFavours = {
+  linger: {
+    isWanted: (probe) => probe.init === "systemd" && !probe.lingers,
+    why: "Foresight starts when the robot is switched on, and not only while somebody is logged in",
+    command: ({ user }) => `loginctl enable-linger ${user}`,
+    undo: ({ user }) => `loginctl disable-linger ${user}`,
+  },
+  priority: {
+    isWanted: (probe) => probe.init === "systemd" && probe.priority < 1,
+    why: "Foresight may have the lowest real-time priority, from the next start of the robot",
+    command: () => `mkdir -p ${kDropIn.replace(/\/[^/]*$/, "")} && printf '[Service]\\nLimitRTPRIO=1\\n' >${kDropIn}`,
+    undo: () => `rm -f ${kDropIn} && { rmdir ${kDropIn.replace(/\/[^/]*$/, "")} 2>/dev/null || :; }`,
+  },
+};

@@ -1,0 +1,89 @@
+// scripts/deploy: brings Foresight to robots, sets them up, or takes all of it away.
+import { spawnSync } from "node:child_process";
+import { existsSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { BadInput, runMain } from "./failure.mjs";
+import { install, rehearse } from "./install.mjs";
+import { Lines, sideBySide } from "./lines.mjs";
+import { anyText, oneOf, readCommandLine, wholeNumber } from "./options.mjs";
+import { setUp } from "./setup.mjs";
+import { connected } from "./ssh.mjs";
+import { kColours, kPlayers, kTeams, pick, readTeam, robotsFile } from "./team.mjs";
+import { undo } from "./undo.mjs";
+import { withVersion } from "./version.mjs";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+
+function fieldName(value, option) {
+  if (!/^[A-Za-z0-9-]{1,16}$/.test(value)) throw new BadInput(`${option}: expected up to 16 letters, digits and -, got '${value}'`);
+  return value;
+}
+
+const kOptions = {
+  setup: true,
+  undo: true,
+  robots: anyText,
+  player: wholeNumber(...kPlayers),
+  team: wholeNumber(...kTeams),
+  colour: oneOf(kColours),
+  field: fieldName,
+  build: anyText,
+  "no-build": true,
+  program: anyText,
+  "dry-run": true,
+  "no-restart": true,
+  force: true,
+  yes: true,
+};
+
+/** What the command line says about who the robots are goes before the file. */
+function identified(robots, { player, team, colour }) {
+  if (player !== undefined && robots.length > 1) throw new BadInput(`--player: expected one robot to give number ${player}, got ${robots.length}`);
+  const given = Object.fromEntries(Object.entries({ player, team, colour }).filter(([, value]) => value !== undefined));
+  return robots.map((robot) => ({ ...robot, ...given }));
+}
+
+/** The program of each robot, built unless it shall not be: once per preset, before any robot is touched. */
+function programs(robots, { build, program, ...options }) {
+  if (program !== undefined) {
+    if (!existsSync(program)) throw new BadInput(`--program: expected a file, got '${program}'`);
+    return new Map(robots.map((robot) => [robot.name, resolve(program)]));
+  }
+  const presets = new Map(robots.map((robot) => [robot.name, build ?? robot.model]));
+  if (!options["no-build"])
+    for (const preset of new Set(presets.values())) {
+      const { status } = spawnSync(join(root, "scripts/build"), [preset, "foresight-robot"], { stdio: "inherit" });
+      if (status !== 0) throw new BadInput(`scripts/build ${preset} ended with status ${status}; no robot was touched`);
+    }
+  for (const [name, preset] of presets) {
+    const path = join(root, "build", preset, "bin/foresight-robot");
+    if (!existsSync(path)) throw new BadInput(`${name}: expected the program ${path}, got none: leave out --no-build`);
+    presets.set(name, path);
+  }
+  return presets;
+}
+
+async function main(words) {
+  const { names, options } = readCommandLine("deploy", words, kOptions);
+  const file = robotsFile(options.robots);
+  const robots = identified(pick(readTeam(file), names, file), options);
+  if (options.setup && options.undo) throw new BadInput("expected --setup or --undo, got both");
+  if (options.setup) return setUp(robots, options);
+  if (options.undo) return undo(robots, options);
+
+  const programOf = programs(robots, options);
+  const lines = new Lines(robots.map((robot) => robot.name));
+  const good = await sideBySide(lines, robots, (robot) => {
+    const say = (text) => lines.say(robot.name, text);
+    return withVersion(robot, programOf.get(robot.name), options, (folder) =>
+      connected(robot, (connection) => {
+        if (options["dry-run"]) return rehearse(connection, folder, options, say);
+        return install(connection, folder, { restart: !options["no-restart"], force: options.force }, say);
+      }),
+    );
+  });
+  return good.length === robots.length ? 0 : 1;
+}
+
+await runMain("deploy", main);

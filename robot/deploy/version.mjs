@@ -1,0 +1,43 @@
+// What goes to a robot: the program, its settings, who the robot is, and what starts it.
+import { mkdirSync, symlinkSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { removeScratch, scratchFolder } from "./scratch.mjs";
+
+const kOnRobot = fileURLToPath(new URL("on_robot/", import.meta.url));
+
+/** The options of foresight-robot, one per line without its dashes; paths are below ~/foresight. `field` may be absent. */
+export function settingsOf(robot, { field } = {}) {
+  const lines = [
+    "body=attached",
+    `team=${robot.team}`,
+    `player=${robot.player}`,
+    "game-controller",
+    ...(field === undefined ? [] : [`field=${field}`]),
+    "bind=0.0.0.0",
+    `port=${robot.http_port}`,
+    "log-dir=logs",
+    "state-dir=state",
+  ];
+  return `# written by scripts/deploy for the robot ${robot.name}\n${lines.join("\n")}\n`;
+}
+
+/** Who the robot is, as JSON: for the team's own code. */
+export function identityOf({ name, team, player, colour, model, head_id, body_id }, { field } = {}) {
+  return `${JSON.stringify({ name, team, player, colour, model, head_id, body_id, field }, null, 2)}\n`;
+}
+
+/** Calls `use` with a folder that holds, as links, all that goes to `robot`; it is gone afterwards. */
+export async function withVersion(robot, program, given, use) {
+  const folder = scratchFolder();
+  try {
+    for (const name of ["bin", "etc"]) mkdirSync(join(folder, name));
+    symlinkSync(program, join(folder, "bin/foresight-robot"));
+    for (const name of ["foresight", "foresight.service"]) symlinkSync(join(kOnRobot, name), join(folder, name));
+    writeFileSync(join(folder, "etc/settings"), settingsOf(robot, given));
+    writeFileSync(join(folder, "etc/robot.json"), identityOf(robot, given));
+    return await use(folder);
+  } finally {
+    removeScratch(folder);
+  }
+}

@@ -1,0 +1,15 @@
+// The commands against robots that are real but for their bodies: networks, ssh servers, homes and runtimes of their own.
+import { describe } from "node:test";
+import { deployStory } from "./deploy_story.mjs";
+import { whyNoField } from "./field.mjs";
+import { linksStory } from "./links_story.mjs";
+import { logsStory } from "./logs_story.mjs";
+import { systemdStory } from "./systemd_story.mjs";
+
+// each is a story, told in its order; all mostly wait
+describe("robots", { skip: whyNoField(), concurrency: true }, () => {
+  describe("deploy", { concurrency: false }, deployStory);
+  describe("deploy over links that break", { concurrency: false }, linksStory);
+  describe("deploy where there is systemd", { concurrency: false }, systemdStory);
+  describe("logs", { concurrency: false }, logsStory);
+});

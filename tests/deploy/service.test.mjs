@@ -1,0 +1,157 @@
+// The start script that goes to the robots, in the system's shell and in busybox, and the unit for systemd.
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { describe, test } from "node:test";
+import { atEnd, root, temporaryFolder, until } from "../e2e/support.mjs";
+
+const kOnRobot = join(root, "robot/deploy/on_robot");
+const has = (tool) => spawnSync("sh", ["-c", `command -v ${tool}`]).status === 0;
+
+/**
+ * An installed version in a home of its own, whose program is the line of shell `program`: {home, run, state, log, running}. `run` answers
+ * {status, output} of the start script. `tools`: the folder where all commands are looked for.
+ */
+function installed(t, program, { shell = "/bin/sh", tools } = {}) {
+  const home = temporaryFolder(t);
+  const version = join(home, "foresight/versions/one");
+  for (const folder of ["bin", "etc"]) mkdirSync(join(version, folder), { recursive: true });
+  symlinkSync("versions/one", join(home, "foresight/current"));
+  writeFileSync(join(version, "foresight"), readFileSync(join(kOnRobot, "foresight"), "utf8").replace("#!/bin/sh", `#!${shell}`));
+  writeFileSync(join(version, "bin/foresight-robot"), `#!/bin/sh\n${program}\n`);
+  writeFileSync(join(version, "etc/settings"), "# a comment\nbody=attached\n\nfield=$(touch broken) `x` 'A' \\\ngame-controller");
+  for (const name of ["foresight", "bin/foresight-robot"]) chmodSync(join(version, name), 0o755);
+  const env = { HOME: home, PATH: tools ?? process.env.PATH };
+  const run = (verb, more) => {
+    const { status, stdout, stderr } = spawnSync(join(home, "foresight/current/foresight"), [verb], { env: { ...env, ...more }, encoding: "utf8" });
+    return { status, output: (stdout + stderr).trim() };
+  };
+  atEnd(t, () => run("stop"));
+  const file = (name) => join(home, "foresight/state", name);
+  const state = (name) => (existsSync(file(name)) ? readFileSync(file(name), "utf8").trim() : "");
+  const log = () => state("foresight.log");
+  // its own log has begun
+  const running = () => until(() => state("pid") && log().split("\n").includes(`process ${state("pid")}`) && Number(state("pid")), "the program");
+  return { home, run, state, log, running };
+}
+
+/** True when a process does nothing any more, whether or not somebody has asked what became of it. */
+function isGone(pid) {
+  try {
+    return readFileSync(`/proc/${pid}/cmdline`, "utf8") === "";
+  } catch {
+    return true;
+  }
+}
+
+/** A folder in which every command is busybox's. */
+function busyboxTools(t) {
+  const folder = temporaryFolder(t);
+  execFileSync("busybox", ["--install", "-s", folder]);
+  return folder;
+}
+
+// each has a place of its own, and mostly waits
+describe("the start script", { concurrency: true }, () => {
+  const kLives = 'echo "process $$"; printf "%s\\n" "$@"; trap "exit 0" TERM; while :; do sleep 0.05; done';
+
+  const shells = [
+    ["the system's shell", () => ({}), {}],
+    ["busybox", (t) => ({ shell: `${execFileSync("sh", ["-c", "command -v busybox"], { encoding: "utf8" }).trim()} sh`, tools: busyboxTools(t) }), { skip: has("busybox") ? false : "there is no busybox" }],
+  ];
+  for (const [name, options, skip] of shells) {
+    test(`${name}: it starts, tells, and stops; settings become options as they are`, skip, async (t) => {
+      const service = installed(t, kLives, options(t));
+      assert.deepEqual(service.run("status"), { status: 3, output: "is stopped" });
+      assert.equal(service.run("start").status, 0);
+      assert.deepEqual(service.run("status"), { status: 0, output: "runs" });
+      await until(() => service.log().includes("--game-controller"), "the options");
+      const options_seen = service.log().split("\n").filter((line) => line.startsWith("--"));
+      assert.deepEqual(options_seen, ["--body=attached", "--field=$(touch broken) `x` 'A' \\", "--game-controller"]);
+      assert.ok(!existsSync(join(service.home, "foresight/broken")));
+
+      // who starts it twice has one
+      const first = service.state("pid");
+      assert.equal(service.run("start").status, 0);
+      assert.equal(service.state("pid"), first);
+      assert.equal(service.run("stop").status, 0);
+      assert.deepEqual(service.run("status"), { status: 3, output: "is stopped" });
+      assert.ok(isGone(first));
+      assert.equal(service.run("stop").status, 0);
+    });
+
+    test(`${name}: a crash is mended, the third within a minute is not, and it says so`, skip, async (t) => {
+      const service = installed(t, kLives, options(t));
+      service.run("start");
+      for (let crash = 1; crash <= 3; ++crash) {
+        const pid = await service.running();
+        process.kill(pid, "SIGKILL");
+        await until(() => service.state("pid") !== String(pid), "its end");
+      }
+      const down = "crashed three times within a minute and stays down: exit status 137";
+      assert.deepEqual(await until(() => service.run("status").status === 4 && service.run("status"), "it stays down"), { status: 4, output: down });
+      assert.match(service.run("log").output, new RegExp(`foresight: ${down}$`));
+
+      // a person may start it again, with three crashes to go
+      service.run("start");
+      assert.deepEqual(service.run("status"), { status: 0, output: "runs" });
+    });
+
+    test(`${name}: a program whose supervisor was killed is stopped all the same`, skip, async (t) => {
+      const service = installed(t, kLives, options(t));
+      service.run("start");
+      const pid = await service.running();
+      process.kill(Number(service.state("supervisor")), "SIGKILL");
+      assert.equal(service.run("stop").status, 0);
+      assert.ok(isGone(pid));
+    });
+  }
+
+  test("a program that does not want to end ends within 8 s", async (t) => {
+    const service = installed(t, 'trap "" TERM; echo "process $$"; while :; do sleep 0.05; done');
+    service.run("start");
+    const pid = await service.running();
+    const began = performance.now();
+    assert.equal(service.run("stop").status, 0);
+    assert.ok(performance.now() - began < 8000);
+    assert.ok(isGone(pid));
+  });
+
+  test("a program that ends well is not started again", async (t) => {
+    const service = installed(t, "exit 0");
+    service.run("start");
+    await until(() => service.run("status").status === 3, "its end");
+    assert.match(service.log(), /foresight: ended$/);
+  });
+
+  test("five logs are kept", async (t) => {
+    const service = installed(t, kLives);
+    for (let run = 1; run <= 7; ++run) {
+      service.run("start");
+      await service.running();
+      service.run("stop");
+    }
+    for (const number of [1, 2, 3, 4]) assert.ok(existsSync(join(service.home, `foresight/state/foresight.${number}.log`)));
+    assert.ok(!existsSync(join(service.home, "foresight/state/foresight.5.log")));
+  });
+
+  test("what systemd says of an end is counted like a crash", (t) => {
+    const service = installed(t, "exit 3");
+    const crash = { SERVICE_RESULT: "exit-code", EXIT_CODE: "exited", EXIT_STATUS: "3" };
+    for (let run = 1; run <= 3; ++run) {
+      assert.equal(service.run("run").status, 3);
+      assert.equal(service.run("status").status, 3, `${run} starts`);
+      service.run("ended", crash);
+    }
+    assert.deepEqual(service.run("status"), { status: 4, output: "crashed three times within a minute and stays down: exit-code, exited 3" });
+  });
+
+  test("systemd finds nothing wrong with the unit", { skip: has("systemd-analyze") ? false : "there is no systemd-analyze" }, (t) => {
+    const { home } = installed(t, "exit 0");
+    copyFileSync(join(kOnRobot, "foresight.service"), join(home, "foresight.service"));
+    const env = { ...process.env, HOME: home, XDG_RUNTIME_DIR: home };
+    const { status, stdout, stderr } = spawnSync("systemd-analyze", ["--user", "verify", join(home, "foresight.service")], { env, encoding: "utf8" });
+    assert.deepEqual({ status, said: stdout + stderr }, { status: 0, said: "" });
+  });
+});
