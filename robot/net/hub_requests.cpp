@@ -87,11 +87,11 @@ void Hub::handle(Client& client, const foxglove::SetParameters& message) {
   std::vector<std::string> names;
   for (const auto& [name, value] : message.parameters) {
     names.push_back(name);
-    const std::string shown = "parameter '" + name.substr(0, 100) + "'";
+    const std::string who = "parameter '" + name.substr(0, 100) + "': ";
     if (const std::string refusal = client.identity.context.refusal(); !refusal.empty()) {
-      complain(client, shown + ": " + refusal);
+      complain(client, who + refusal);
     } else if (!value) {
-      complain(client, shown + ": expected true, false, a number or a text");
+      complain(client, who + "expected true, false, a number or a text");
     } else {
       in_turn(
           client,
