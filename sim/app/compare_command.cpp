@@ -80,7 +80,7 @@ class CompareCommand final : public Command {
         .add_option("--from", choice_.situation, "a described moment in which games begin")
         ->check(CLI::ExistingFile);
     options()
-        .add_option("--seconds", choice_.seconds, "how long a game goes on at most")
+        .add_option("--seconds", choice_.seconds, "how long a game goes on at most, getting ready included")
         ->check(CLI::Range(1., 36000.));
     options()
         .add_option("--metric", metric_, "goals, first_goal, conceded (with --vs), or score_within:30s")
@@ -152,6 +152,9 @@ class CompareCommand final : public Command {
     const auto outcome = play_contest(comparison, pilot, nullptr, line());
     if (isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
     if (!outcome) return fail(outcome.error());
+    if (outcome->tally.gain_squares == 0)
+      return fail("--plan: the pilot's " + std::to_string(outcome->tally.pairs) +
+                  " pairs all came out even, which tells nothing; try more with --pairs");
     const ContestReport report{comparison, pilot, *outcome};
     if (json_)
       std::printf("%s\n", plan_json(report).dump(2).c_str());

@@ -145,10 +145,14 @@ struct Needed {
 
 Needed needed_by(const ContestReport& pilot) {
   const double variance = compare::pair_variance(pilot.outcome.tally);
+  compare::Plan plan = compare::plan(variance, pilot.options.question.h1 - pilot.options.question.h0);
+  // the sequential test gives no answer before
+  const auto fewest = static_cast<double>(pilot.options.question.fewest_pairs);
+  for (double* const pairs : {&plan.sequential, &plan.sequential_worst}) *pairs = std::max(*pairs, fewest);
   return {.variance = variance,
           .seconds_per_pair =
               pilot.outcome.seconds / static_cast<double>(std::max<std::int64_t>(1, pilot.outcome.tally.pairs)),
-          .plan = compare::plan(variance, pilot.options.question.h1 - pilot.options.question.h0)};
+          .plan = plan};
 }
 
 }  // namespace
