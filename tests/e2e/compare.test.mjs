@@ -86,12 +86,12 @@ test("against a third behaviour both play the same games", async () => {
 });
 
 test("a plan tells how many games an answer takes", async () => {
-  const { status, stdout } = await compare("baseline", "kick_now", "--plan", "--sprt", "0,0.2", "--json");
+  const { status, stdout } = await compare("baseline", "kick_now", "--plan", "--sprt", "0,0.05", "--json");
   assert.equal(status, 0);
   const plan = JSON.parse(stdout);
-  assert.equal(plan.delta, 0.2);
+  assert.equal(plan.delta, 0.05);
   // two-sided 5 %, found in 80 %: (1.96 + 0.84)^2 variance / delta^2 pairs of two games
-  assert.ok(Math.abs(plan.fixed_80.games - (2 * 7.849 * plan.pair_variance) / 0.04) < 3, stdout);
+  assert.ok(Math.abs(plan.fixed_80.games - (2 * 7.849 * plan.pair_variance) / 0.0025) < 3, stdout);
   assert.ok(plan.sequential.games < plan.fixed_80.games && plan.fixed_80.games < plan.fixed_95.games);
 });
 
