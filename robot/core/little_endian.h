@@ -47,11 +47,11 @@ class ByteReader {
       return static_cast<Number>(number(sizeof(Number)));
   }
 
-  /// The next `size` bytes as an integer; of more than eight, the first eight.
+  /// The next `size` bytes (at most eight) as an integer.
   std::uint64_t number(std::size_t size) {
     std::uint64_t value = 0;
     const std::string_view bytes = take(size);
-    for (std::size_t i = 0; i < bytes.size() && i < sizeof value; ++i)
+    for (std::size_t i = 0; i < bytes.size(); ++i)
       value |= std::uint64_t{static_cast<std::uint8_t>(bytes[i])} << (8 * i);
     return value;
   }

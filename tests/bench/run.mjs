@@ -6,14 +6,13 @@ import { fanout } from "./fanout.mjs";
 import { half } from "./half.mjs";
 import { interference } from "./interference.mjs";
 import { nao } from "./nao.mjs";
-import { seek } from "./seek.mjs";
 import { shaped } from "./shaped.mjs";
 import { sim } from "./sim.mjs";
 import { soak } from "./soak.mjs";
 import { soccer } from "./soccer.mjs";
 import { streaming } from "./streaming.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak, door, sim, equivalence, soccer, nao, budget, seek };
+const benches = { streaming, half, interference, shaped, fanout, soak, door, sim, equivalence, soccer, nao, budget };
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};
