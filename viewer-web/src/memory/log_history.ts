@@ -45,14 +45,12 @@ export class LogHistory {
 
   /** What this robot said up to `until_ns`, and what the server of no robot did. Newest last. */
   entries(robot: RobotName, least: LogLevel, until_ns?: bigint): LogEntry[] {
-    const from = kLogLevels.indexOf(least);
-    const counts = (entry: LogEntry) =>
-      (entry.robot === robot || entry.robot === "") && kLogLevels.indexOf(entry.level) >= from && (until_ns === undefined || entry.log_ns <= until_ns);
-    return this.#entries.filter(counts);
+    return this.all(least, until_ns).filter((entry) => entry.robot === robot || entry.robot === "");
   }
 
-  /** All of them, of any robot. */
-  all(): readonly LogEntry[] {
-    return this.#entries;
+  /** What all robots of the server said. */
+  all(least: LogLevel, until_ns?: bigint): LogEntry[] {
+    const from = kLogLevels.indexOf(least);
+    return this.#entries.filter(({ level, log_ns }) => kLogLevels.indexOf(level) >= from && (until_ns === undefined || log_ns <= until_ns));
   }
 }
