@@ -3,7 +3,7 @@ import type { Memory } from "../memory/memory";
 import type { Value } from "../memory/value";
 import { kUsualField } from "./field";
 import { ellipseOf } from "./beliefs";
-import { fieldIn, sceneOf, topicsOf } from "./scene";
+import { fieldIn, oneWorld, sceneOf, topicsOf } from "./scene";
 
 const fields = (entries: Record<string, Value>) => new Map(Object.entries(entries));
 
@@ -92,6 +92,12 @@ test("several servers are one scene; the first that tells the truth is believed,
   const scene = sceneOf([told(near, ["14/2"]), told(far, ["14/2"], "@far")], 0);
   expect(scene.robots.map(({ key, pose, truth }) => [key, pose!.x, truth !== undefined])).toEqual([["14/2", 1, false], ["14/2@far", -1, true]]);
   expect(scene.ball).toMatchObject({ x: 0.5 });
+});
+
+test("two truths are two games: only the first one's is shown, and robots that tell none", () => {
+  const [game, other, live] = [memoryOf({ "/truth/world": kTruth }), memoryOf({ "/truth/world": kTruth }), memoryOf({ "/14/2/pose": kPose })].map((memory) => told(memory, []));
+  expect(oneWorld([game!, other!, live!])).toEqual([game, live]);
+  expect(oneWorld([live!, game!])).toEqual([live]);
 });
 
 test("the simulation says who plays at home and on which field", () => {

@@ -41,6 +41,9 @@ export function topicsOf(memory: Memory, robots: RobotName[]): string[] {
   return topics.filter((topic) => memory.get(topic) && !needless(topic));
 }
 
+/** Who may be on one field: the first, and those who tell no truth of their own. Two truths are two games. */
+export const oneWorld = (told: Told[]): Told[] => told.filter(({ memory }, i) => i === 0 || !memory.get(kTruth)?.shown);
+
 /** All servers together: the truth and the field of the first that tells them, the robots of all. */
 export function sceneOf(told: Told[], now: number): Scene {
   const worlds = told.map(({ memory }) => valueOf(memory.get(kTruth)));
