@@ -42,11 +42,11 @@ const row = (page, name) => page.getByRole("treeitem").filter({ has: page.locato
 test("time stands still while the robot goes on; a moment is in the address and shows what was so then", async (t) => {
   const { server, live } = await playing(t);
   live.subscribe("/truth/world", "/sim/state");
-  const { page, problems } = await open(t, server.http);
+  const { page, problems } = await open(t, `${server.http}/#/14/4/field?layers=truth,belief,error,uncertainty,view,intent,trail,names`, { colorScheme: "dark" });
   await field(page).waitFor();
   await isLive(page);
-  await seconds(page);
-  await seconds(page);
+  for (let i = 0; i < 8; ++i) await seconds(page);
+  await shoot(page, "picture"); // viewer-web/picture.png
   await page.keyboard.press(" ");
   await paused(page);
   await page.waitForURL(/at=\d+/);
@@ -81,7 +81,7 @@ test("time stands still while the robot goes on; a moment is in the address and 
   await page.keyboard.press("Home");
   await until(() => at(page) < shown - 300_000_000n, "the oldest moment");
   await page.keyboard.press(" ");
-  await until(() => footer(page).getByRole("button", { name: "Pause time" }).isVisible(), "playing on from there");
+  await until(() => footer(page).getByRole("button", { name: "Freeze time" }).isVisible(), "playing on from there");
   await page.keyboard.press("End");
   await isLive(page);
   assert.equal(at(page), 0n);

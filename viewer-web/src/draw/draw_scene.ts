@@ -230,8 +230,12 @@ function drawName(pen: Pen, camera: Camera, robot: Robot, front: boolean): void 
   pen.font = `${front ? 600 : 400} 12px system-ui, sans-serif`;
   pen.textAlign = "center";
   pen.textBaseline = "middle";
+  // dark below light: readable over lines, too
+  const below = y + camera.scale * kRobotRadius * 1.8 + 8;
+  pen.fillStyle = kInk;
+  for (const [dx, dy] of [[-1, 0], [1, 0], [0, 1]] as const) pen.fillText(words, x + dx, below + dy);
   pen.fillStyle = front ? kBright : "#dfe9e2";
-  pen.fillText(words, x, y + camera.scale * kRobotRadius * 1.8 + 8);
+  pen.fillText(words, x, below);
 }
 
 const wordsOf = ({ role, skill }: Beliefs): string => [role, skill.replaceAll("_", " ")].filter(Boolean).join(" · ");

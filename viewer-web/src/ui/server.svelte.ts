@@ -15,6 +15,8 @@ const kBodyWords: Record<string, string> = { recording: "a recording", replay: "
 
 /** Where a server's sentences go. */
 export interface Speaker {
+  /** Whether there are more servers than one: then sentences tell whose they are. */
+  readonly several: boolean;
   say(level: Level, text: string, key?: string): void;
   dismiss(keys: string[]): void;
 }
@@ -122,7 +124,7 @@ export class Server implements Listener {
   status(level: Level, message: string, id: string = message): void {
     const key = `${this.target.host} ${id}`;
     this.#alertKeys.add(key);
-    this.speaker.say(level, message, key);
+    this.speaker.say(level, this.speaker.several ? `${this.target.host}: ${message}` : message, key);
   }
   removeStatus(ids: string[]): void {
     this.speaker.dismiss(ids.map((id) => `${this.target.host} ${id}`));

@@ -55,6 +55,10 @@ export class Viewer implements Speaker {
     });
   }
 
+  get several(): boolean {
+    return this.servers.length > 1;
+  }
+
   get memory() {
     return this.server.memory;
   }
