@@ -34,7 +34,7 @@ async function assertPicture(context, page, image) {
   const expected = coloursOfYuyv({ ...image, data: Buffer.from(image.data, "base64") }, columns, rows);
   const spread = expected.flat(2);
   assert.ok(Math.max(...spread) - Math.min(...spread) > 30, "a picture with something in it");
-  const canvas = page.locator("canvas:visible");
+  const canvas = page.locator("main canvas:visible");
   await canvas.waitFor();
   const difference = async () => {
     const seen = await coloursOnScreen(context, canvas, columns, rows);
@@ -96,7 +96,7 @@ test("the tree shows each field as the recording holds it; search finds fields b
   assert.deepEqual(problems, []);
 });
 
-/** The texts of a row of the rates table, by the column's head. */
+/** The texts of a row of the table of channels, by the column's head. */
 async function rates(page, object) {
   const heads = await page.locator("thead th").allTextContents();
   const row = page.getByRole("row").filter({ has: page.getByRole("rowheader", { name: object, exact: true }) });
@@ -106,7 +106,7 @@ async function rates(page, object) {
 
 test("rates tell what came and what the server of the recording counts", async (t) => {
   const { server, recorded } = await synthetic(t);
-  const { page, problems } = await open(t, `${server.http}/#/rates`);
+  const { page, problems } = await open(t, `${server.http}/#/health`);
   const count = recorded.get("/14/2/joints").messages.length;
   const joints = await until(async () => {
     const row = await rates(page, "joints").catch(() => undefined);
@@ -114,7 +114,7 @@ test("rates tell what came and what the server of the recording counts", async (
   }, "the server's count");
   assert.deepEqual([joints.Schema, joints.Dropped, joints.Received], ["foresight.Joints", "0", "1"]);
   assert.equal((await rates(page, "camera_top/jpeg"))["Rate [Hz]"], "not shown");
-  await shoot(page, "rates");
+  await shoot(page, "health");
   assert.deepEqual(problems, []);
 });
 
@@ -171,7 +171,7 @@ test("a page survives the end of its server, and goes on when there is one again
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 2 });
   const server = await robot(t, folder, session, "--loop");
-  const { page, problems } = await open(t, `${server.http}/#/rates`, { breaksConnections: true });
+  const { page, problems } = await open(t, `${server.http}/#/health`, { breaksConnections: true });
   await connected(page);
   const jointsCome = () => until(async () => Number((await rates(page, "joints"))["Rate [Hz]"].split(" ")[0]) > 50, "joints");
   await jointsCome();
@@ -229,7 +229,7 @@ test("an object the page never heard of is shown field by field, and as text wha
   await page.getByRole("treeitem").filter({ hasText: "__proto__" }).waitFor();
   assert.match(await fieldRow(page, "numbers").locator(".value").textContent(), /^2 entries/);
   await shoot(page, "strange");
-  for (const view of ["Rates", "Log", "Camera", "Sessions"]) await show(page, view.toLowerCase());
+  for (const view of ["Health", "Log", "Camera", "Plot", "Decision", "Sessions"]) await show(page, view.toLowerCase());
   await page.getByRole("heading", { name: kHostile }).waitFor();
   await shoot(page, "strange-sessions");
   assert.deepEqual(problems, []);
@@ -244,8 +244,8 @@ test("on a phone everything is within reach", async (t) => {
   const folder = temporaryFolder(t);
   const server = await robot(t, folder, await synthesize(folder, { seconds: 2 }), "--loop");
   const { page, problems } = await open(t, server.http, { viewport: kPhone, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
-  await page.locator("canvas:visible").first().waitFor();
-  for (const view of ["field", "camera", "objects", "rates", "log", "sessions"]) {
+  await page.locator("main canvas:visible").first().waitFor();
+  for (const view of ["field", "camera", "objects", "plot", "decision", "health", "log", "sessions"]) {
     await show(page, view);
     await page.getByRole("region", { name: new RegExp(view, "i") }).first().waitFor();
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${view} is as wide as the phone`);
@@ -265,13 +265,13 @@ test("one page watches another server: two on two addresses, each with its robot
   const [here, there] = await Promise.all([synthesize(folder, { name: "here" }), synthesize(folder, { name: "there" })]);
   const near = await play(t, folder, here, "--bind", "127.0.0.1");
   const far = await robot(t, folder, there, "--team", "5", "--player", "1", "--bind", "127.0.0.2", "--loop");
-  const { page, problems } = await open(t, `http://127.0.0.1:${near.port}/?ws=ws://127.0.0.2:${far.port}`);
+  const { page, problems } = await open(t, `${near.http}/?ws=ws://127.0.0.2:${far.port}`);
   await page.getByText("Robot 5/1").waitFor();
-  await page.locator("canvas:visible").first().waitFor();
+  await page.locator("main canvas:visible").first().waitFor();
   await show(page, "sessions");
   await page.getByText("a page may list only its own host's recordings").waitFor();
 
-  const own = await open(t, `http://127.0.0.1:${near.port}/`);
+  const own = await open(t, `${near.http}/`);
   await own.page.getByText("Robot 14/2").waitFor();
   assert.deepEqual([...problems, ...own.problems], []);
 });
@@ -280,9 +280,9 @@ test("a token in the address is used and then gone from it", async (t) => {
   const folder = temporaryFolder(t);
   const server = await robot(t, folder, await synthesize(folder), "--loop");
   const token = readFileSync(join(folder, "state/token"), "utf8").trim();
-  const { page, problems } = await open(t, `${server.http}/?token=${token}#/14/2/rates`);
+  const { page, problems } = await open(t, `${server.http}/?token=${token}#/14/2/health`);
   await connected(page);
-  assert.equal(page.url(), `${server.http}/#/14/2/rates`);
+  assert.equal(page.url(), `${server.http}/#/14/2/health`);
   for (const view of ["camera", "sessions"]) {
     await show(page, view);
     assert.ok(!page.url().includes(token) && !(await page.content()).includes(token));

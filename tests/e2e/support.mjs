@@ -1,6 +1,7 @@
 // What the tests of the programs share: folders, recordings, running programs, waiting.
 //
-// The programs are looked for in the folder that FORESIGHT_BIN names. Nothing here sleeps for a fixed time and hopes:
+// The programs are looked for in the folder that FORESIGHT_BIN names; FORESIGHT_VIEWER names the folder of a viewer
+// (npm run build: viewer-web/dist) to be shown instead of the one that was built into them. Nothing here sleeps for a fixed time and hopes:
 // a test waits for what it needs to become true, and a time limit only says when to give up.
 import { execFile, spawn } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
@@ -10,6 +11,7 @@ import { tmpdir } from "node:os";
 import { basename, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
+import { standIn } from "./stand_in.mjs";
 
 export const root = fileURLToPath(new URL("../..", import.meta.url));
 export const bin = resolve(process.env.FORESIGHT_BIN ?? join(root, "build/dev/bin"));
@@ -125,7 +127,10 @@ export async function start(t, folder, command, ...args) {
   gone.catch(() => {});
   const line = until(() => /^http:\/\/[\w.]+:(\d+)\/$/m.exec(server.output), `the address of ${program}`);
   server.port = Number((await Promise.race([line, gone]))[1]);
-  server.http = `http://localhost:${server.port}`;
+  // the viewer inside the program, or a fresh build of it in front
+  const viewer = process.env.FORESIGHT_VIEWER;
+  const address = args.includes("--bind") && args[args.indexOf("--bind") + 1] !== "0.0.0.0" ? args[args.indexOf("--bind") + 1] : "localhost";
+  server.http = `http://${address}:${viewer ? await standIn(t, atEnd, resolve(viewer), { host: address, port: server.port }) : server.port}`;
   return server;
 }
 

@@ -1,17 +1,20 @@
 import { expect, test } from "vitest";
-import { drawScene, freshness, robotAt } from "./draw_scene";
+import { drawScene, freshness, kUsualLayers, type Layer } from "./draw_scene";
 import { kUsualField, toScreen } from "./field";
+import { factsAt, robotAt } from "./hover";
 import type { Robot, Scene } from "./scene";
 import { testPen } from "./test_pen";
 
 const kCamera = { scale: 100, centreX: 400, centreY: 300 };
 const robot = (name: string, x: number, more: Partial<Robot> = {}): Robot => ({
-  name, home: name.startsWith("14/"), truth: { x, y: 1, heading: 0 }, fallen: false, pose: undefined, ball: undefined, ...more,
+  name, key: name, home: name.startsWith("14/"), truth: { x, y: 1, heading: 0 }, fallen: false, pose: undefined, ball: undefined,
+  teammates: [], view: undefined, target: undefined, kick: undefined, role: "", skill: "", ...more,
 });
-const scene = (...robots: Robot[]): Scene => ({ field: kUsualField, ball: { x: 0.5, y: -0.25 }, robots });
-const drawn = (what: Scene, chosen = "") => {
+const kPose = { x: 0, y: 1, heading: 0, deviation: 0.3, uncertainty: { a: 0.3, b: 0.1, angle: 0 }, headingDeviation: 0.1, age: 0 };
+const scene = (...robots: Robot[]): Scene => ({ field: kUsualField, ball: { x: 0.5, y: -0.25, velocity: undefined }, robots });
+const drawn = (what: Scene, chosen = "", layers: Layer[] = kUsualLayers) => {
   const pen = testPen();
-  drawScene(pen, kCamera, what, chosen);
+  drawScene(pen, kCamera, what, { chosen, layers: new Set(layers), trails: [] });
   return pen;
 };
 
@@ -34,14 +37,14 @@ test("the ball is where it is; without one there is none", () => {
 
 test("a believed ball fades while it is not seen, and the chosen robot's shows its error", () => {
   const believed = (age: number): Robot =>
-    robot("14/2", 0, { pose: { x: 0, y: 1, heading: 0, deviation: 0.3 }, ball: { x: 1.5, y: 1.5, deviation: 0.4, age } });
+    robot("14/2", 0, { pose: kPose, ball: { x: 1.5, y: 1.5, deviation: 0.4, uncertainty: { a: 0.4, b: 0.4, angle: 0 }, velocity: { x: 0, y: 0 }, age } });
   const place = toScreen(kCamera, { x: 1.5, y: 1.5 });
   const at = (age: number, chosen: string) => drawn(scene(believed(age)), chosen).circles.filter(({ x, y }) => x === place.x && y === place.y);
-  const strength = (age: number, chosen: string) => at(age, chosen).find(({ filled }) => filled)!.alpha;
-  expect(strength(0, "14/2")).toBe(1);
-  expect(strength(2, "14/2")).toBeLessThan(strength(1, "14/2"));
-  expect(strength(0, "")).toBeLessThan(strength(0, "14/2"));
-  expect(at(0, "14/2").find(({ filled }) => !filled)!.radius).toBeCloseTo(40);
+  const strongest = (age: number, chosen: string) => Math.max(...at(age, chosen).filter(({ filled }) => filled).map(({ alpha }) => alpha));
+  expect(strongest(0, "14/2")).toBe(1);
+  expect(strongest(2, "14/2")).toBeLessThan(strongest(1, "14/2"));
+  expect(strongest(0, "")).toBeLessThan(strongest(0, "14/2"));
+  expect(at(0, "14/2").find(({ filled, radius }) => !filled && radius > 10)!.radius).toBeCloseTo(40);
   expect(at(0, "")).toHaveLength(1);
 });
 
@@ -57,4 +60,28 @@ test("the nearest robot is meant, if it is near", () => {
   expect(robotAt(what, { x: -1.1, y: 1 })?.name).toBe("14/2");
   expect(robotAt(what, { x: 1, y: 1 })).toBeUndefined();
   expect(robotAt(scene(), { x: 0, y: 0 })).toBeUndefined();
+});
+
+test("a layer that is off draws nothing, the field stays", () => {
+  const what = scene(robot("14/2", -1, { pose: kPose }));
+  expect(drawn(what, "14/2", []).circles.filter(({ filled, radius }) => filled && radius > 10)).toEqual([]);
+  expect(drawn(what, "14/2", []).points.length).toBeGreaterThan(20);
+  for (const layer of ["truth", "belief", "uncertainty"] as const) expect(drawn(what, "14/2", [layer]).points.length).toBeGreaterThan(drawn(what, "14/2", []).points.length);
+});
+
+test("where nobody tells the truth the belief gets the disc", () => {
+  const pen = drawn({ field: undefined, ball: undefined, robots: [robot("14/2", 0, { truth: undefined, pose: kPose })] }, "14/2");
+  expect(pen.texts).toEqual([{ text: "2", ...toScreen(kCamera, kPose) }]);
+});
+
+test("hovering tells what is there, what is believed and by how much it is wrong", () => {
+  const ball = { x: 0.5, y: 0, deviation: 0.4, uncertainty: { a: 0.4, b: 0.4, angle: 0 }, velocity: { x: 0.3, y: 0.4 }, age: 2 };
+  const what = scene(robot("14/2", 0.3, { pose: kPose, ball, role: "chaser", skill: "walk_to_ball" }));
+  expect(factsAt(what, { x: 0.3, y: 1 }, "")).toEqual({
+    title: "Robot 14/2",
+    lines: ["chaser · walk to ball", "is at x 0.30, y 1.00 m, 0°", "believes x 0.00, y 1.00 m, 0° ± 0.30 m · 0 ms old", "wrong by 0.30 m, 0°"],
+  });
+  expect(factsAt(what, { x: 0.5, y: 0 }, "")!.lines).toEqual(["x 0.50, y 0.00 m ± 0.40 m", "rolls 0.50 m/s", "seen 2.00 s ago", "wrong by 0.25 m"]);
+  expect(factsAt(what, { x: 0.5, y: -0.25 }, "")!.title).toBe("Ball, as it is");
+  expect(factsAt(what, { x: -2, y: -1 }, "")).toBeUndefined();
 });

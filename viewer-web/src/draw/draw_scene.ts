@@ -1,93 +1,241 @@
-// Draws a game: what is true in full, what the chosen robot believes over it, what the others believe faintly.
+// Draws a game, layer by layer: what is true in full, what the chosen robot believes over it, what the others believe
+// faintly. A filled disc is where a robot is, an outline where it believes to be.
 
-import { drawField, fillCircle, strokeCircle, strokeLine, toScreen, type Camera, type Pen, type Point } from "./field";
-import type { BallBelief, Pose, Robot, Scene } from "./scene";
+import type { BallBelief, Beliefs, PoseBelief } from "./beliefs";
+import { drawField, fillCircle, fillEllipse, fillSector, strokeArrow, strokeCircle, strokeEllipse, strokeLine, strokePath, toScreen } from "./field";
+import type { Camera, Pen, Point } from "./field";
+import type { Pose } from "./beliefs";
+import { fieldIn, type Robot, type Scene } from "./scene";
+
+export const kLayers = {
+  truth: "what is so, where somebody tells it",
+  belief: "where robots believe to be, and the ball",
+  error: "lines from belief to truth",
+  uncertainty: "one standard deviation",
+  view: "where the camera looks",
+  intent: "walk target and kick",
+  team: "teammates, as the chosen robot believes them",
+  trail: "the last seconds of ball and robot",
+  names: "what robots are doing, in words",
+  everyone: "all this for every robot, not only the chosen one",
+};
+export type Layer = keyof typeof kLayers;
+export const kUsualLayers: Layer[] = ["truth", "belief", "error", "uncertainty", "view", "intent", "trail"];
+
+/** What a scene is drawn with. Trails go from old to new. */
+export interface Drawing {
+  chosen: string;
+  layers: ReadonlySet<Layer>;
+  trails: { key: string; points: Point[]; kind: "ball" | "truth" | "belief" }[];
+}
 
 const kRobotRadius = 0.15; // [m] of a Nao from above, arms included
 const kBallRadius = 0.05; // [m] a little larger than it is, to be seen
+const kViewRange = 1.6; // [m] of the drawn cone
 const kColours = { home: "#5aa9f8", away: "#ff9f40" };
 const kInk = "#0d1712";
+const kBright = "#ffffff";
 
-/** 1 for a ball seen just now, falling to 0.15 after five seconds unseen. */
+/** 1 for what was seen just now, falling to 0.15 after five seconds. */
 export const freshness = (age: number): number => Math.min(1, Math.max(0.15, 1 - age / 5));
 
-export function drawScene(pen: Pen, camera: Camera, scene: Scene, chosen: string): void {
-  drawField(pen, camera, scene.field);
-  for (const robot of scene.robots) if (robot.name !== chosen) drawBeliefs(pen, camera, robot, 0.35);
-  for (const robot of scene.robots) if (robot.truth) drawRobot(pen, camera, robot, robot.truth, robot.name === chosen);
-  if (scene.ball) drawBall(pen, camera, scene.ball);
-  const own = scene.robots.find(({ name }) => name === chosen);
-  if (own) drawBeliefs(pen, camera, own, 1);
-}
-
-/** The robot nearest to `point`, if it is near enough to be meant. */
-export function robotAt(scene: Scene, point: Point): Robot | undefined {
-  const distance = ({ truth, pose }: Robot) => {
-    const place = truth ?? pose;
-    return place ? Math.hypot(place.x - point.x, place.y - point.y) : Infinity;
-  };
-  const [nearest] = [...scene.robots].sort((a, b) => distance(a) - distance(b));
-  return nearest && distance(nearest) < 2 * kRobotRadius ? nearest : undefined;
-}
-
 const colourOf = ({ home }: Robot): string => (home ? kColours.home : kColours.away);
+/** The chosen robot's beliefs are white, so that they stand out from the discs. */
+const inkOf = (robot: Robot, front: boolean): string => (front ? kBright : colourOf(robot));
 
-function drawRobot(pen: Pen, camera: Camera, robot: Robot, pose: Pose, chosen: boolean): void {
-  pen.globalAlpha = robot.fallen ? 0.55 : 1;
-  fillCircle(pen, camera, pose, kRobotRadius, colourOf(robot));
-  pen.strokeStyle = chosen ? "#ffffff" : kInk;
-  pen.lineWidth = chosen ? 3 : 1.5;
-  strokeCircle(pen, camera, pose, kRobotRadius);
-  pen.strokeStyle = chosen ? "#ffffff" : colourOf(robot);
-  pen.lineWidth = 3;
-  if (Number.isFinite(pose.heading)) strokeLine(pen, camera, ahead(pose, kRobotRadius), ahead(pose, 1.7 * kRobotRadius));
+export function drawScene(pen: Pen, camera: Camera, scene: Scene, { chosen, layers, trails }: Drawing): void {
+  const isFront = ({ key }: Robot) => key === chosen;
+  const inOrder = [...scene.robots].sort((a, b) => Number(isFront(a)) - Number(isFront(b)));
+  const detailed = inOrder.filter((robot) => isFront(robot) || layers.has("everyone"));
+  const when = (layer: Layer, draw: () => void) => layers.has(layer) && draw();
 
-  const { x, y } = toScreen(camera, pose);
-  pen.fillStyle = kInk;
-  pen.font = `600 ${Math.max(10, Math.round(0.17 * camera.scale))}px system-ui, sans-serif`;
-  pen.textAlign = "center";
-  pen.textBaseline = "middle";
-  pen.fillText(robot.name.split("/").at(-1)!, x, y);
+  drawField(pen, camera, fieldIn(scene));
+  when("view", () => detailed.forEach((robot) => drawView(pen, camera, robot)));
+  when("trail", () => drawTrails(pen, camera, scene, trails));
+  when("belief", () => inOrder.filter((robot) => !detailed.includes(robot)).forEach((robot) => drawFaintBeliefs(pen, camera, robot)));
+  when("team", () => detailed.forEach((robot) => drawTeammates(pen, camera, robot)));
+  when("truth", () => scene.robots.forEach((robot) => robot.truth && drawRobot(pen, camera, robot, robot.truth, isFront(robot))));
+  when("truth", () => scene.ball && drawBall(pen, camera, scene.ball));
+  when("error", () => detailed.forEach((robot) => drawErrors(pen, camera, robot, scene, layers.has("belief") && layers.has("truth"))));
+  when("uncertainty", () => detailed.forEach((robot) => drawUncertainty(pen, camera, robot, isFront(robot))));
+  when("belief", () => detailed.forEach((robot) => drawBeliefs(pen, camera, robot, isFront(robot))));
+  when("intent", () => detailed.forEach((robot) => drawIntent(pen, camera, robot, isFront(robot))));
+  when("names", () => inOrder.forEach((robot) => drawName(pen, camera, robot, isFront(robot))));
   pen.globalAlpha = 1;
-}
-
-function drawBall(pen: Pen, camera: Camera, ball: Point): void {
-  fillCircle(pen, camera, ball, kBallRadius, "#ffffff");
-  pen.strokeStyle = kInk;
-  pen.lineWidth = 1.5;
-  strokeCircle(pen, camera, ball, kBallRadius);
-}
-
-/** An outline where the robot believes to stand, a dot in its colour where it believes the ball, the errors dashed. */
-function drawBeliefs(pen: Pen, camera: Camera, robot: Robot, strength: number): void {
-  if (!robot.pose) return;
-  const { pose, ball } = robot;
-  pen.strokeStyle = strength === 1 ? "#ffffff" : colourOf(robot);
-  pen.lineWidth = strength === 1 ? 2 : 1;
-  pen.globalAlpha = strength;
-  strokeCircle(pen, camera, pose, kRobotRadius);
-  strokeLine(pen, camera, pose, ahead(pose, 1.7 * kRobotRadius));
-  if (strength === 1) {
-    pen.setLineDash([4, 4]);
-    strokeCircle(pen, camera, pose, Math.max(pose.deviation, kRobotRadius));
-    pen.setLineDash([]);
-  }
-  if (ball) drawBelievedBall(pen, camera, robot, ball, strength);
-  pen.globalAlpha = 1;
-}
-
-function drawBelievedBall(pen: Pen, camera: Camera, robot: Robot, ball: BallBelief, strength: number): void {
-  pen.globalAlpha = strength * freshness(ball.age);
-  if (strength === 1) {
-    pen.setLineDash([4, 4]);
-    strokeCircle(pen, camera, ball, Math.max(ball.deviation, kBallRadius));
-    strokeLine(pen, camera, robot.pose!, ball);
-    pen.setLineDash([]);
-  }
-  fillCircle(pen, camera, ball, 0.8 * kBallRadius, colourOf(robot));
 }
 
 const ahead = ({ x, y, heading }: Pose, distance: number): Point => ({
   x: x + distance * Math.cos(heading),
   y: y + distance * Math.sin(heading),
 });
+
+function style(pen: Pen, colour: string, width: number, alpha = 1): void {
+  pen.strokeStyle = colour;
+  pen.lineWidth = width;
+  pen.globalAlpha = alpha;
+}
+
+function dashed(pen: Pen, draw: () => void): void {
+  pen.setLineDash([4, 4]);
+  draw();
+  pen.setLineDash([]);
+}
+
+function drawRobot(pen: Pen, camera: Camera, robot: Robot, pose: Pose, front: boolean): void {
+  pen.globalAlpha = robot.fallen ? 0.55 : 1;
+  fillCircle(pen, camera, pose, kRobotRadius, colourOf(robot));
+  style(pen, front ? kBright : kInk, front ? 3 : 1.5, pen.globalAlpha);
+  strokeCircle(pen, camera, pose, kRobotRadius);
+  style(pen, front ? kBright : colourOf(robot), 3, pen.globalAlpha);
+  if (Number.isFinite(pose.heading)) strokeLine(pen, camera, ahead(pose, kRobotRadius), ahead(pose, 1.7 * kRobotRadius));
+  drawNumber(pen, camera, robot, pose, kInk);
+  pen.globalAlpha = 1;
+}
+
+function drawNumber(pen: Pen, camera: Camera, { name }: Robot, at: Point, colour: string): void {
+  const { x, y } = toScreen(camera, at);
+  pen.fillStyle = colour;
+  pen.font = `600 ${Math.max(10, Math.round(0.17 * camera.scale))}px system-ui, sans-serif`;
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
+  pen.fillText(name.split("/").at(-1)!, x, y);
+}
+
+function drawBall(pen: Pen, camera: Camera, ball: NonNullable<Scene["ball"]>): void {
+  pen.globalAlpha = 1;
+  fillCircle(pen, camera, ball, kBallRadius, kBright);
+  style(pen, kInk, 1.5);
+  strokeCircle(pen, camera, ball, kBallRadius);
+}
+
+function drawFaintBeliefs(pen: Pen, camera: Camera, robot: Robot): void {
+  const { pose, ball } = robot;
+  if (!pose) return;
+  if (!robot.truth) drawBody(pen, camera, robot, pose, 0.6);
+  style(pen, colourOf(robot), 1, 0.45 * freshness(pose.age));
+  strokeCircle(pen, camera, pose, kRobotRadius);
+  strokeLine(pen, camera, ahead(pose, kRobotRadius), ahead(pose, 1.7 * kRobotRadius));
+  if (ball) drawBelievedBall(pen, camera, robot, ball, 0.45);
+}
+
+function drawBeliefs(pen: Pen, camera: Camera, robot: Robot, front: boolean): void {
+  const { pose, ball } = robot;
+  if (!pose) return;
+  if (!robot.truth) drawBody(pen, camera, robot, pose, 1);
+  style(pen, inkOf(robot, front), front ? 2 : 1.5, freshness(pose.age));
+  strokeCircle(pen, camera, pose, kRobotRadius);
+  strokeLine(pen, camera, ahead(pose, kRobotRadius), ahead(pose, 1.7 * kRobotRadius));
+  if (ball) drawBelievedBall(pen, camera, robot, ball, 1);
+}
+
+/** Where nobody tells the truth, the belief is all there is: it gets the disc. */
+function drawBody(pen: Pen, camera: Camera, robot: Robot, pose: PoseBelief, strength: number): void {
+  pen.globalAlpha = 0.8 * strength * freshness(pose.age);
+  fillCircle(pen, camera, pose, kRobotRadius, colourOf(robot));
+  drawNumber(pen, camera, robot, pose, kInk);
+}
+
+function drawBelievedBall(pen: Pen, camera: Camera, robot: Robot, ball: BallBelief, strength: number): void {
+  pen.globalAlpha = strength * freshness(ball.age);
+  fillCircle(pen, camera, ball, 0.8 * kBallRadius, colourOf(robot));
+  if (strength < 1) return;
+  style(pen, kInk, 1, pen.globalAlpha);
+  strokeCircle(pen, camera, ball, 0.8 * kBallRadius);
+  // where it would be in a second
+  style(pen, colourOf(robot), 2, pen.globalAlpha);
+  if (Math.hypot(ball.velocity.x, ball.velocity.y) > 0.05)
+    strokeArrow(pen, camera, ball, { x: ball.x + ball.velocity.x, y: ball.y + ball.velocity.y });
+}
+
+function drawErrors(pen: Pen, camera: Camera, { truth, pose, ball }: Robot, scene: Scene, shown: boolean): void {
+  if (!shown || !pose) return;
+  style(pen, "#ffe14d", 1.5, 0.9);
+  const between = (a: Point, b: Point) => dashed(pen, () => strokeLine(pen, camera, a, b));
+  if (truth) between(truth, pose);
+  pen.globalAlpha = ball ? 0.9 * freshness(ball.age) : 0;
+  if (scene.ball && ball) between(scene.ball, ball);
+}
+
+function drawUncertainty(pen: Pen, camera: Camera, robot: Robot, front: boolean): void {
+  const { pose, ball } = robot;
+  if (!pose) return;
+  const draw = (at: Point, size: PoseBelief["uncertainty"], age: number) => {
+    pen.globalAlpha = 0.14 * freshness(age);
+    fillEllipse(pen, camera, at, size, inkOf(robot, front));
+    style(pen, inkOf(robot, front), 1, 0.8 * freshness(age));
+    strokeEllipse(pen, camera, at, size);
+  };
+  draw(pose, pose.uncertainty, pose.age);
+  if (ball && ball.deviation > 0) draw(ball, ball.uncertainty, ball.age);
+}
+
+function drawView(pen: Pen, camera: Camera, robot: Robot): void {
+  const { pose, view, truth } = robot;
+  if (!pose || !view) return;
+  // the head turns with the body as it is, not as it believes
+  const body = truth && Number.isFinite(truth.heading) ? truth : pose;
+  const angle = view.angle - pose.heading + body.heading;
+  pen.globalAlpha = 0.13 * freshness(pose.age);
+  fillSector(pen, camera, body, angle, view.half, kViewRange, kBright);
+  style(pen, kBright, 1, 0.35 * freshness(pose.age));
+  strokeLine(pen, camera, body, ahead({ ...body, heading: angle }, kViewRange));
+}
+
+function drawIntent(pen: Pen, camera: Camera, robot: Robot, front: boolean): void {
+  const { pose, target, kick } = robot;
+  if (pose && target) {
+    style(pen, inkOf(robot, front), 1.5, 0.8);
+    dashed(pen, () => strokeLine(pen, camera, pose, target));
+    const arm = 0.07;
+    for (const side of [-1, 1]) strokeLine(pen, camera, { x: target.x - arm, y: target.y - side * arm }, { x: target.x + arm, y: target.y + side * arm });
+    strokeLine(pen, camera, target, ahead(target, 0.2));
+  }
+  if (kick) {
+    style(pen, inkOf(robot, front), 3, 1);
+    strokeArrow(pen, camera, kick.from, kick.to, 0.14);
+  }
+}
+
+function drawTeammates(pen: Pen, camera: Camera, robot: Robot): void {
+  for (const mate of robot.teammates) {
+    style(pen, colourOf(robot), 1.5, 0.9 * freshness(mate.age / 3));
+    dashed(pen, () => strokeCircle(pen, camera, mate, kRobotRadius));
+    if (Number.isFinite(mate.heading)) strokeLine(pen, camera, mate, ahead(mate, 1.5 * kRobotRadius));
+    const at = ahead({ ...mate, heading: Math.PI / 2 }, 1.9 * kRobotRadius);
+    drawNumber(pen, camera, { ...robot, name: String(mate.player) }, at, colourOf(robot));
+  }
+}
+
+function drawTrails(pen: Pen, camera: Camera, { robots }: Scene, trails: Drawing["trails"]): void {
+  const kParts = 4; // older parts are fainter
+  for (const { key, points, kind } of trails) {
+    const robot = robots.find((robot) => robot.key === key);
+    const colour = kind === "truth" && robot ? colourOf(robot) : kBright;
+    for (let part = 0; part < kParts; ++part) {
+      const piece = points.slice(Math.floor((part * (points.length - 1)) / kParts), Math.floor(((part + 1) * (points.length - 1)) / kParts) + 1);
+      if (piece.length < 2) continue;
+      style(pen, colour, kind === "ball" ? 2 : 1.5, (kind === "belief" ? 0.5 : 0.75) * ((part + 1) / kParts));
+      if (kind === "belief") dashed(pen, () => strokePath(pen, camera, piece));
+      else strokePath(pen, camera, piece);
+    }
+  }
+}
+
+function drawName(pen: Pen, camera: Camera, robot: Robot, front: boolean): void {
+  const at = robot.truth ?? robot.pose;
+  const words = wordsOf(robot);
+  if (!at || !words) return;
+  const { x, y } = toScreen(camera, at);
+  pen.globalAlpha = front ? 1 : 0.85;
+  pen.font = `${front ? 600 : 400} 12px system-ui, sans-serif`;
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
+  // dark below light: readable over lines, too
+  const below = y + camera.scale * kRobotRadius * 1.8 + 8;
+  pen.fillStyle = kInk;
+  for (const [dx, dy] of [[-1, 0], [1, 0], [0, 1]] as const) pen.fillText(words, x + dx, below + dy);
+  pen.fillStyle = front ? kBright : "#dfe9e2";
+  pen.fillText(words, x, below);
+}
+
+const wordsOf = ({ role, skill }: Beliefs): string => [role, skill.replaceAll("_", " ")].filter(Boolean).join(" · ");

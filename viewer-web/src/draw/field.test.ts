@@ -1,5 +1,6 @@
+import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { cameraFor, drawField, kUsualField, toField, toScreen } from "./field";
+import { cameraFor, drawField, kFields, kUsualField, toField, toScreen } from "./field";
 import { boxOf, testPen } from "./test_pen";
 
 test("a place on the screen and back is the place", () => {
@@ -36,5 +37,13 @@ test("the field is drawn the same on both halves and both sides", () => {
   for (const [flipX, flipY] of [[-1, 1], [1, -1], [-1, -1]] as const) {
     const flipped = pen.points.map(({ x, y }) => [flipX * x, flipY * y].map((value) => value.toFixed(6).replace("-0.000000", "0.000000")).join());
     expect(new Set(flipped)).toEqual(new Set(points));
+  }
+});
+
+test("the fields that can be chosen are those of the simulator's rules", () => {
+  for (const [name, field] of Object.entries(kFields)) {
+    const rules = JSON.parse(readFileSync(new URL(`../../../sim/data/rules/${name}.json`, import.meta.url), "utf8"));
+    for (const [key, value] of Object.entries(field))
+      expect(rules.field[key.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`)].value, `${name} ${key}`).toBe(value);
   }
 });

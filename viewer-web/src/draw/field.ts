@@ -17,24 +17,35 @@ export interface Field {
   goalDepth: number;
 }
 
-/** Where nobody tells: the field of 2012 to 2014. */
-export const kUsualField: Field = {
-  length: 6, width: 4, border: 0.7, lineWidth: 0.05, centreCircleRadius: 0.6, goalAreaLength: 0.6, goalAreaWidth: 2.2,
-  penaltyAreaLength: 0, penaltyAreaWidth: 0, penaltyMark: 1.8, goalWidth: 1.4, goalDepth: 0.4,
+/** As in sim/data/rules; a test compares. */
+export const kFields: Record<string, Field> = {
+  spl2012: {
+    length: 6, width: 4, border: 0.71, lineWidth: 0.05, centreCircleRadius: 0.6, goalAreaLength: 0.6, goalAreaWidth: 2.2,
+    penaltyAreaLength: 0, penaltyAreaWidth: 0, penaltyMark: 1.3, goalWidth: 1.4, goalDepth: 0.4,
+  },
+  spl2025: {
+    length: 9, width: 6, border: 0.7, lineWidth: 0.05, centreCircleRadius: 0.75, goalAreaLength: 0.6, goalAreaWidth: 2.2,
+    penaltyAreaLength: 1.65, penaltyAreaWidth: 4, penaltyMark: 1.3, goalWidth: 1.6, goalDepth: 0.5,
+  },
 };
+
+/** Where nobody tells. */
+export const kUsualField = kFields["spl2012"]!;
 
 /** The part of a canvas' context that is used, so that tests can be the canvas. */
 export type Pen = Pick<
   CanvasRenderingContext2D,
   | "fillStyle" | "strokeStyle" | "lineWidth" | "globalAlpha" | "font" | "textAlign" | "textBaseline"
-  | "beginPath" | "moveTo" | "lineTo" | "arc" | "fill" | "stroke" | "fillRect" | "strokeRect" | "fillText" | "setLineDash"
+  | "beginPath" | "moveTo" | "lineTo" | "closePath" | "arc" | "ellipse" | "fill" | "stroke" | "fillRect" | "strokeRect" | "fillText" | "setLineDash"
 >;
 
-/** How metres become pixels: x to the right, y up. */
+/** How metres become pixels: x to the right, y up, then turned. */
 export interface Camera {
   scale: number; // [px/m]
   centreX: number; // [px] of the field's centre
   centreY: number;
+  /** Quarter turns, counter-clockwise: 1 has +x pointing up, 2 looks from the other side. */
+  turns?: number;
 }
 
 export interface Point {
@@ -48,24 +59,31 @@ export function cameraFor(field: Field, width: number, height: number): Camera {
   return { scale, centreX: width / 2, centreY: height / 2 };
 }
 
-export const toScreen = (camera: Camera, { x, y }: Point): Point => ({
-  x: camera.centreX + camera.scale * x,
-  y: camera.centreY - camera.scale * y,
-});
+const kCos = [1, 0, -1, 0];
+const kSin = [0, 1, 0, -1];
 
-export const toField = (camera: Camera, { x, y }: Point): Point => ({
-  x: (x - camera.centreX) / camera.scale,
-  y: (camera.centreY - y) / camera.scale,
-});
+export function toScreen({ scale, centreX, centreY, turns = 0 }: Camera, { x, y }: Point): Point {
+  const [cos, sin] = [kCos[turns]!, kSin[turns]!];
+  return { x: centreX + scale * (cos * x - sin * y), y: centreY - scale * (sin * x + cos * y) };
+}
+
+export function toField({ scale, centreX, centreY, turns = 0 }: Camera, { x, y }: Point): Point {
+  const [cos, sin] = [kCos[turns]!, kSin[turns]!];
+  const [right, up] = [(x - centreX) / scale, (centreY - y) / scale];
+  return { x: cos * right + sin * up, y: cos * up - sin * right };
+}
+
+/** A direction of the field as a canvas counts angles: clockwise from the right. */
+export const toCanvasAngle = ({ turns = 0 }: Camera, angle: number): number => -(angle + (turns * Math.PI) / 2);
 
 const kCarpet = "#23523a";
 const kLine = "#e8efe9";
 
 export function drawField(pen: Pen, camera: Camera, field: Field): void {
   const { length, width, border } = field;
-  const corner = toScreen(camera, { x: -length / 2 - border, y: width / 2 + border });
+  const [one, other] = [-1, 1].map((side) => toScreen(camera, { x: side * (length / 2 + border), y: side * (width / 2 + border) }));
   pen.fillStyle = kCarpet;
-  pen.fillRect(corner.x, corner.y, camera.scale * (length + 2 * border), camera.scale * (width + 2 * border));
+  pen.fillRect(Math.min(one!.x, other!.x), Math.min(one!.y, other!.y), Math.abs(other!.x - one!.x), Math.abs(other!.y - one!.y));
 
   pen.strokeStyle = kLine;
   pen.lineWidth = Math.max(1, camera.scale * field.lineWidth);
@@ -78,8 +96,10 @@ export function drawField(pen: Pen, camera: Camera, field: Field): void {
       [field.penaltyAreaLength, field.penaltyAreaWidth],
     ] as const)
       if (deep > 0) strokeBox(pen, camera, { x: side > 0 ? length / 2 - deep : -length / 2, y: wide / 2 }, deep, wide);
-    const mark = { x: side * (length / 2 - field.penaltyMark), y: 0 };
-    fillCircle(pen, camera, mark, 1.2 * field.lineWidth, kLine);
+    // a cross, as on the carpet: not to be taken for a ball
+    const [at, arm] = [side * (length / 2 - field.penaltyMark), 0.05];
+    strokeLine(pen, camera, { x: at - arm, y: 0 }, { x: at + arm, y: 0 });
+    strokeLine(pen, camera, { x: at, y: -arm }, { x: at, y: arm });
   }
   drawGoals(pen, camera, field);
 }
@@ -108,8 +128,8 @@ export const strokeLine = (pen: Pen, camera: Camera, from: Point, to: Point): vo
 
 /** `corner` is the one with the smallest x and the greatest y. */
 function strokeBox(pen: Pen, camera: Camera, corner: Point, length: number, width: number): void {
-  const { x, y } = toScreen(camera, corner);
-  pen.strokeRect(x, y, camera.scale * length, camera.scale * width);
+  const [one, other] = [toScreen(camera, corner), toScreen(camera, { x: corner.x + length, y: corner.y - width })];
+  pen.strokeRect(Math.min(one.x, other.x), Math.min(one.y, other.y), Math.abs(other.x - one.x), Math.abs(other.y - one.y));
 }
 
 export function strokeCircle(pen: Pen, camera: Camera, centre: Point, radius: number): void {
@@ -121,6 +141,51 @@ export function fillCircle(pen: Pen, camera: Camera, centre: Point, radius: numb
   pen.fillStyle = style;
   circle(pen, camera, centre, radius);
   pen.fill();
+}
+
+/** Half axes [m] and the direction of the first one [rad]. */
+export interface Ellipse {
+  a: number;
+  b: number;
+  angle: number;
+}
+
+export function strokeEllipse(pen: Pen, camera: Camera, centre: Point, { a, b, angle }: Ellipse, least = 0): void {
+  ellipse(pen, camera, centre, { a: Math.max(a, least), b: Math.max(b, least), angle });
+  pen.stroke();
+}
+
+export function fillEllipse(pen: Pen, camera: Camera, centre: Point, size: Ellipse, style: string): void {
+  pen.fillStyle = style;
+  ellipse(pen, camera, centre, size);
+  pen.fill();
+}
+
+function ellipse(pen: Pen, camera: Camera, centre: Point, { a, b, angle }: Ellipse): void {
+  const { x, y } = toScreen(camera, centre);
+  pen.beginPath();
+  pen.ellipse(x, y, Math.max(1, camera.scale * a), Math.max(1, camera.scale * b), toCanvasAngle(camera, angle), 0, 2 * Math.PI);
+}
+
+/** What lies within `half` [rad] of a direction, up to `radius` [m]. */
+export function fillSector(pen: Pen, camera: Camera, from: Point, angle: number, half: number, radius: number, style: string): void {
+  const { x, y } = toScreen(camera, from);
+  const middle = toCanvasAngle(camera, angle);
+  pen.fillStyle = style;
+  pen.beginPath();
+  pen.moveTo(x, y);
+  pen.arc(x, y, camera.scale * radius, middle - half, middle + half);
+  pen.closePath();
+  pen.fill();
+}
+
+/** A line with a head of `head` [m] at its end. */
+export function strokeArrow(pen: Pen, camera: Camera, from: Point, to: Point, head = 0.08): void {
+  const [length, angle] = [Math.hypot(to.x - from.x, to.y - from.y), Math.atan2(to.y - from.y, to.x - from.x)];
+  if (!(length > 0)) return;
+  const barb = (side: number): Point => ({ x: to.x - head * Math.cos(angle + side * 0.5), y: to.y - head * Math.sin(angle + side * 0.5) });
+  strokeLine(pen, camera, from, to);
+  strokePath(pen, camera, [barb(-1), to, barb(1)]);
 }
 
 function circle(pen: Pen, camera: Camera, centre: Point, radius: number): void {

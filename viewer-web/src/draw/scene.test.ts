@@ -2,25 +2,28 @@ import { expect, test } from "vitest";
 import type { Memory } from "../memory/memory";
 import type { Value } from "../memory/value";
 import { kUsualField } from "./field";
-import { sceneOf, topicsOf } from "./scene";
+import { ellipseOf } from "./beliefs";
+import { fieldIn, oneWorld, sceneOf, topicsOf } from "./scene";
 
 const fields = (entries: Record<string, Value>) => new Map(Object.entries(entries));
 
 /** A memory of decoded values, by topic; all of one capture time unless `log_ns` has another. */
 function memoryOf(values: Record<string, Record<string, Value>>, log_ns: Record<string, bigint> = {}): Memory {
   const object = (topic: string) =>
-    values[topic] && { newest: { log_ns: log_ns[topic] ?? 10_000_000_000n }, decoded: () => ({ fields: fields(values[topic]!) }) };
-  return { get: object } as unknown as Memory;
+    values[topic] && { shown: { log_ns: log_ns[topic] ?? 10_000_000_000n }, decoded: () => ({ fields: fields(values[topic]!) }) };
+  const age = ({ shown }: { shown: { log_ns: bigint } }) => Number(10_000_000_000n - shown.log_ns) / 1e9;
+  return { get: object, age } as unknown as Memory;
 }
 
+const told = (memory: Memory, robots: string[], suffix = "") => ({ memory, robots, keyOf: (robot: string) => robot + suffix });
 const kPose = { x: 1, y: 0.5, heading: Math.PI / 2, deviation_x: 0.1, deviation_y: 0.3 };
 const kBall = { x: 2, y: 0, deviation: 0.2, seen_ns: 9_500_000_000n };
 const kTruth = { ball: fields({ x: 0.5, y: -1 }), robots: [fields({ team: 14, player: 2, x: 1.1, y: 0.4, heading: 1.5, fallen: true })] };
-const only = (memory: Memory, robots = ["14/2"]) => sceneOf(memory, robots).robots.find(({ name }) => name === "14/2")!;
+const only = (memory: Memory, robots = ["14/2"]) => sceneOf([told(memory, robots)], 0).robots.find(({ name }) => name === "14/2")!;
 
 test("a belief stands where the robot believes, the ball seen from there", () => {
   const robot = only(memoryOf({ "/14/2/pose": kPose, "/14/2/ball": kBall, "/14/2/game": { attacks_positive_x: true } }));
-  expect(robot.pose).toEqual({ x: 1, y: 0.5, heading: Math.PI / 2, deviation: 0.3 });
+  expect(robot.pose).toMatchObject({ x: 1, y: 0.5, heading: Math.PI / 2, deviation: 0.3, age: 0, uncertainty: { a: 0.1, b: 0.3 } });
   expect(robot.ball!.x).toBeCloseTo(1);
   expect(robot.ball!.y).toBeCloseTo(2.5);
   expect(robot.ball!.deviation).toBe(0.2);
@@ -37,31 +40,79 @@ test("who attacks towards -x is turned by half a turn, and so is his ball", () =
 });
 
 test("the truth is what it is, whoever tells his own beliefs", () => {
-  const scene = sceneOf(memoryOf({ "/truth/world": kTruth }), []);
-  expect(scene.ball).toEqual({ x: 0.5, y: -1 });
+  const scene = sceneOf([told(memoryOf({ "/truth/world": kTruth }), [])], 0);
+  expect(scene.ball).toMatchObject({ x: 0.5, y: -1 });
   expect(scene.robots.map(({ name }) => name)).toEqual(["14/2"]);
   expect(scene.robots[0]).toMatchObject({ truth: { x: 1.1, y: 0.4, heading: 1.5 }, fallen: true, pose: undefined });
 });
 
-test("a belief that is a second older than the truth is none any more", () => {
+test("a belief ages, and is none any more after ten seconds", () => {
   const values = { "/14/2/pose": kPose, "/truth/world": kTruth };
-  expect(only(memoryOf(values, { "/14/2/pose": 9_500_000_000n })).pose).toBeDefined();
-  expect(only(memoryOf(values, { "/14/2/pose": 8_900_000_000n })).pose).toBeUndefined();
+  expect(only(memoryOf(values, { "/14/2/pose": 8_500_000_000n })).pose!.age).toBe(1.5);
+  expect(only(memoryOf(values, { "/14/2/pose": -100_000_000n })).pose).toBeUndefined();
+});
+
+test("what it intends and sees is seen from where it believes to be", () => {
+  const command = { walk_to: fields({ x: 1, y: 0, heading: 0.5 }), kick: fields({ ball_x: 0.2, ball_y: 0, direction: -Math.PI / 2, distance: 2 }), look_to: fields({ x: 0, y: 1 }) };
+  const values = { "/14/2/pose": kPose, "/14/2/motion_command": command };
+  const { target, kick, view } = only(memoryOf(values));
+  expect([target!.x, target!.y, target!.heading]).toEqual([expect.closeTo(1), expect.closeTo(1.5), expect.closeTo(Math.PI / 2 + 0.5)]);
+  expect([kick!.from.x, kick!.from.y, kick!.to.x, kick!.to.y]).toEqual([expect.closeTo(1), expect.closeTo(0.7), expect.closeTo(3), expect.closeTo(0.7)]);
+  expect(view!.angle).toBeCloseTo(Math.PI);
+  // the camera's own matrix knows better: this one looks to the right
+  const camera = { rotation: [0, 0, 0, 0, 0, -1, 0, 0, 0], width: 640, focal_x: 320 };
+  const seen = only(memoryOf({ ...values, "/14/2/camera_top_matrix": camera })).view!;
+  expect([seen.angle, seen.half]).toEqual([expect.closeTo(0), expect.closeTo(Math.PI / 4)]);
+  // an old command is no intent
+  expect(only(memoryOf(values, { "/14/2/motion_command": 8_000_000_000n })).target).toBeUndefined();
+});
+
+test("teammates are where the robot was told, as long ago as it was told", () => {
+  const mate = fields({ player: 3, pose: fields({ x: 2, y: 1, heading: 0 }), received_ns: 8_000_000_000n });
+  const silent = fields({ player: 4, received_ns: 8_000_000_000n });
+  const values = { "/14/2/team": { teammates: [mate, silent] }, "/14/2/game": { attacks_positive_x: false } };
+  expect(only(memoryOf(values)).teammates).toEqual([{ x: -2, y: -1, heading: Math.PI, player: 3, age: 2 }]);
+});
+
+test("a covariance is an ellipse whose axes are its own", () => {
+  const turned = (angle: number, a: number, b: number) => {
+    const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+    return fields({ covariance_xx: a * a * cos * cos + b * b * sin * sin, covariance_yy: a * a * sin * sin + b * b * cos * cos, covariance_xy: (a * a - b * b) * cos * sin });
+  };
+  for (const angle of [-1.2, 0, 0.3, 1.5]) {
+    const ellipse = ellipseOf(turned(angle, 0.5, 0.2), 9, 1);
+    expect([ellipse.a, ellipse.b]).toEqual([expect.closeTo(0.5), expect.closeTo(0.2)]);
+    expect(Math.abs(Math.sin(ellipse.angle - 1 - angle))).toBeLessThan(1e-6);
+  }
+  expect(ellipseOf(fields({}), 0.4, 1)).toEqual({ a: 0.4, b: 0.4, angle: 0 });
+});
+
+test("several servers are one scene; the first that tells the truth is believed, and equal names stay apart", () => {
+  const [near, far] = [memoryOf({ "/14/2/pose": kPose }), memoryOf({ "/14/2/pose": { ...kPose, x: -1 }, "/truth/world": kTruth })];
+  const scene = sceneOf([told(near, ["14/2"]), told(far, ["14/2"], "@far")], 0);
+  expect(scene.robots.map(({ key, pose, truth }) => [key, pose!.x, truth !== undefined])).toEqual([["14/2", 1, false], ["14/2@far", -1, true]]);
+  expect(scene.ball).toMatchObject({ x: 0.5 });
+});
+
+test("two truths are two games: only the first one's is shown, and robots that tell none", () => {
+  const [game, other, live] = [memoryOf({ "/truth/world": kTruth }), memoryOf({ "/truth/world": kTruth }), memoryOf({ "/14/2/pose": kPose })].map((memory) => told(memory, []));
+  expect(oneWorld([game!, other!, live!])).toEqual([game, live]);
+  expect(oneWorld([live!, game!])).toEqual([live]);
 });
 
 test("the simulation says who plays at home and on which field", () => {
   const field = { length: 9, width: 6, border: 0.7, line_width: 0.05, penalty_area_length: 1.65, penalty_area_width: 4 };
   const simulation = { home: fields({ number: 14 }), field: fields(field) };
-  const scene = sceneOf(memoryOf({ "/sim/state": simulation }), ["5/1", "14/2"]);
+  const scene = sceneOf([told(memoryOf({ "/sim/state": simulation }), ["5/1", "14/2"])], 0);
   expect(scene.robots.map(({ name, home }) => [name, home])).toEqual([["5/1", false], ["14/2", true]]);
   expect(scene.field).toMatchObject({ length: 9, width: 6, penaltyAreaWidth: 4 });
-  expect(sceneOf(memoryOf({}), []).field).toEqual(kUsualField);
+  expect(fieldIn(sceneOf([told(memoryOf({}), [])], 0))).toEqual(kUsualField);
 });
 
 test("nothing, or nonsense, draws nothing", () => {
-  expect(sceneOf(memoryOf({}), ["14/2"])).toMatchObject({ ball: undefined, robots: [{ truth: undefined, pose: undefined, ball: undefined }] });
+  expect(sceneOf([told(memoryOf({}), ["14/2"])], 0)).toMatchObject({ ball: undefined, robots: [{ truth: undefined, pose: undefined, ball: undefined }] });
   const nonsense = memoryOf({ "/truth/world": { ball: "round", robots: 7 }, "/14/2/pose": { x: NaN, y: 1 }, "/14/2/ball": {} });
-  expect(sceneOf(nonsense, ["14/2"])).toMatchObject({ ball: undefined, robots: [{ pose: undefined, ball: undefined }] });
+  expect(sceneOf([told(nonsense, ["14/2"])], 0)).toMatchObject({ ball: undefined, robots: [{ pose: undefined, ball: undefined }] });
 });
 
 test("only what is offered is asked for", () => {

@@ -33,6 +33,11 @@ export function testPen(): TestPen {
       points.push({ x, y });
       circle = { x, y, radius };
     },
+    closePath: () => {},
+    ellipse(x, y, radius) {
+      points.push({ x, y });
+      circle = { x, y, radius };
+    },
     fill: () => circle && pen.circles.push({ ...circle, filled: true, style: String(pen.fillStyle), alpha: pen.globalAlpha }),
     stroke: () => circle && pen.circles.push({ ...circle, filled: false, style: String(pen.strokeStyle), alpha: pen.globalAlpha }),
     fillRect: box,

@@ -126,7 +126,8 @@ export function textOfRow(row: Row): string {
   return textOfValue(row.value, row.open !== true);
 }
 
-function textOfValue(value: Value, glimpse: boolean): string {
+/** A value as one line; of what holds more, with `glimpse`, the beginning. */
+export function textOfValue(value: Value, glimpse: boolean): string {
   if (value === undefined) return "absent";
   if (typeof value === "number") return number(value);
   if (typeof value === "string") return JSON.stringify(value.length > 200 ? `${value.slice(0, 200)}…` : value);

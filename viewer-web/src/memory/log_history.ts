@@ -1,9 +1,10 @@
 // The sentences the robots said lately. Unlike other objects, the older ones matter too.
 
+import type { Entry } from "./history";
 import type { MemoryObject, RobotName } from "./memory_object";
 import { numberOf, textOf, wordOf } from "./value";
 
-const kMost = 500; // [sentences] what a person would scroll through
+const kMost = 2000; // [sentences] what a person would search through
 
 export type LogLevel = "debug" | "info" | "warning" | "error" | "fatal";
 export const kLogLevels: LogLevel[] = ["debug", "info", "warning", "error", "fatal"];
@@ -27,10 +28,8 @@ export class LogHistory {
     this.#entries = [];
   }
 
-  arrived(object: MemoryObject, log_ns: bigint): void {
-    const decoded = object.decoded();
-    if (!decoded) return;
-    const { fields, error } = decoded;
+  arrived(object: MemoryObject, { log_ns, data }: Entry): void {
+    const { fields, error } = object.decode(data);
     const level = fields ? (wordOf(fields, "level") as LogLevel) : "error";
     this.#entries.push({
       id: this.#next++,
@@ -44,9 +43,14 @@ export class LogHistory {
     if (this.#entries.length > kMost) this.#entries.splice(0, this.#entries.length - kMost);
   }
 
-  /** What this robot said, and what the server of no robot did. Newest last. */
-  entries(robot: RobotName, least: LogLevel): LogEntry[] {
+  /** What this robot said up to `until_ns`, and what the server of no robot did. Newest last. */
+  entries(robot: RobotName, least: LogLevel, until_ns?: bigint): LogEntry[] {
+    return this.all(least, until_ns).filter((entry) => entry.robot === robot || entry.robot === "");
+  }
+
+  /** What all robots of the server said. */
+  all(least: LogLevel, until_ns?: bigint): LogEntry[] {
     const from = kLogLevels.indexOf(least);
-    return this.#entries.filter((entry) => (entry.robot === robot || entry.robot === "") && kLogLevels.indexOf(entry.level) >= from);
+    return this.#entries.filter(({ level, log_ns }) => kLogLevels.indexOf(level) >= from && (until_ns === undefined || log_ns <= until_ns));
   }
 }

@@ -78,3 +78,37 @@ test("what came evenly and stopped is overdue; events, and what nobody subscribe
   expect(overdue({ delivery: "reliable" }, true)).toEqual([undefined, undefined]);
   expect(overdue({}, false)).toEqual([undefined, undefined]);
 });
+
+test("a moment of the past is shown by all objects, while new messages come and are kept", () => {
+  const memory = new Memory();
+  memory.offer(kPerceptChannel);
+  const object = memory.get(kTopic)!;
+  const second = (count: number) => BigInt(count) * 1_000_000_000n;
+  for (let i = 1; i <= 5; ++i) memory.arrived(kTopic, second(i), percept({ x: i }), i);
+  const shown = () => object.decoded()?.fields!.get("x");
+  memory.show(second(3) + 5n);
+  expect(shown()).toBe(3);
+  expect(memory.age(object, 99)).toBeCloseTo(5e-9);
+  memory.arrived(kTopic, second(6), percept({ x: 6 }), 6);
+  expect(shown()).toBe(3);
+  memory.show(second(0));
+  expect([shown(), object.shown]).toEqual([undefined, undefined]);
+  memory.show(undefined);
+  expect(shown()).toBe(6);
+  expect(memory.range()).toEqual({ first_ns: second(1), last_ns: second(6) });
+});
+
+test("a recording that begins again takes nothing away from who looks at it", () => {
+  const memory = new Memory();
+  memory.offer(kPerceptChannel);
+  const object = memory.get(kTopic)!;
+  const play = () => [10, 11, 12].forEach((second) => memory.arrived(kTopic, BigInt(second) * 1_000_000_000n, percept({ x: second }), second));
+  play();
+  memory.show(11_000_000_000n);
+  memory.restart();
+  memory.arrived(kTopic, 10_000_000_000n, percept({ x: 10 }), 13);
+  expect(object.decoded()!.fields!.get("x")).toBe(11);
+  memory.show(undefined);
+  expect(object.decoded()!.fields!.get("x")).toBe(10);
+  expect(object.history.end - object.history.begin).toBe(0);
+});

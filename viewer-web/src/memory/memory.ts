@@ -1,30 +1,61 @@
-// Everything the connected robots tell: the newest value of each memory object, by topic.
+// Everything one server tells: each memory object by topic, its newest value and its past.
 
 import type { Channel } from "../source/texts";
-import { MemoryObject, type RobotName } from "./memory_object";
+import { GameEvents } from "./game_events";
 import { LogHistory } from "./log_history";
+import { MemoryObject, type Moment, type RobotName } from "./memory_object";
+import { Past } from "./past";
 import { ServerClock } from "./server_clock";
 
 export class Memory {
   readonly clock = new ServerClock();
   readonly log = new LogHistory();
+  readonly events = new GameEvents();
   #objects = new Map<string, MemoryObject>();
+  #moment: Moment = { ns: undefined };
+
+  constructor(readonly past = new Past()) {}
+
+  /** The capture time that all objects show; undefined: the newest of each. */
+  get moment_ns(): bigint | undefined {
+    return this.#moment.ns;
+  }
+
+  /** Shows the moment `log_ns` in all objects; undefined: now. */
+  show(log_ns: bigint | undefined): void {
+    const returns = log_ns === undefined && this.#moment.ns !== undefined;
+    this.#moment.ns = log_ns;
+    // time went back meanwhile: what was looked at is not the past of what comes now
+    if (returns) for (const { history, newest } of this.#objects.values()) if (newest && history.goesBack(newest.log_ns)) history.clear();
+  }
+
+  /** The server's time went back, by a seek or because a recording began again: another past begins, unless one is looked at. */
+  restart(): void {
+    this.clock.clear();
+    if (this.#moment.ns !== undefined) return;
+    for (const { history } of this.#objects.values()) history.clear();
+    this.events.clear();
+  }
 
   /** Forgets everything: another run of the server begins. */
   reset(): void {
+    for (const topic of [...this.#objects.keys()]) this.withdraw(topic);
     this.clock.clear();
     this.log.clear();
-    this.#objects.clear();
+    this.events.clear();
   }
 
-  /** A channel known from before, same schema, keeps its value and counts: the connection was lost, not the run. */
+  /** A channel known from before, same schema, keeps its past and counts: the connection was lost, not the run. */
   offer(channel: Channel): void {
     const known = this.#objects.get(channel.topic)?.channel;
     if (known && known.schema === channel.schema && known.schemaName === channel.schemaName) return;
-    this.#objects.set(channel.topic, new MemoryObject(channel));
+    this.withdraw(channel.topic);
+    this.#objects.set(channel.topic, new MemoryObject(channel, this.#moment));
   }
 
   withdraw(topic: string): void {
+    const object = this.#objects.get(topic);
+    if (object) this.past.forget(object.history);
     this.#objects.delete(topic);
   }
 
@@ -40,16 +71,46 @@ export class Memory {
     const object = this.#objects.get(topic);
     if (!object) return;
     object.arrived(log_ns, data, now);
-    if (isLog(object)) this.log.arrived(object, log_ns);
+    this.#keep(object);
+    if (isLog(object)) this.log.arrived(object, object.newest!);
+    this.events.arrived(object, object.newest!);
+  }
+
+  /** A recording that begins again must not take the past away from somebody who looks at it. */
+  #keep(object: MemoryObject): void {
+    const { history, newest } = object;
+    if (this.#moment.ns !== undefined && history.goesBack(newest!.log_ns)) return;
+    this.past.keep(history, newest!, object.isImage);
   }
 
   get(topic: string): MemoryObject | undefined {
     return this.#objects.get(topic);
   }
 
-  /** [s] since the newest value of `object` was sensed; undefined when there is none or the server tells no time. */
+  /** [s] since the shown value of `object` was sensed; undefined when there is none or the server tells no time. */
   age(object: MemoryObject, now: number): number | undefined {
-    return object.newest && this.clock.age(object.newest.log_ns, now);
+    return object.shown && this.ageOf(object.shown.log_ns, now);
+  }
+
+  /** [s] from `capture_ns` to the moment that is shown. */
+  ageOf(capture_ns: bigint, now: number): number | undefined {
+    const at_ns = this.#moment.ns;
+    return at_ns === undefined ? this.clock.age(capture_ns, now) : Math.max(0, Number(at_ns - capture_ns) / 1e9);
+  }
+
+  objects(): Iterable<MemoryObject> {
+    return this.#objects.values();
+  }
+
+  /** Capture times of the oldest value that is kept and of the newest moment known. */
+  range(): { first_ns: bigint; last_ns: bigint } | undefined {
+    let [first, last]: [bigint | undefined, bigint | undefined] = [undefined, this.clock.last_ns];
+    for (const { history } of this.#objects.values()) {
+      const { first_ns, last_ns } = history;
+      if (first_ns !== undefined && (first === undefined || first_ns < first)) first = first_ns;
+      if (last_ns !== undefined && (last === undefined || last_ns > last)) last = last_ns;
+    }
+    return first === undefined || last === undefined ? undefined : { first_ns: first, last_ns: last };
   }
 
   /** All robots that offer anything, in order of team and player. */

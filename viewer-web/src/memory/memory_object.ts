@@ -2,6 +2,7 @@
 
 import type { Channel } from "../source/texts";
 import { decoderOf, type Decoded, type Decoder } from "./decoder";
+import { History, type Entry } from "./history";
 import { Rate } from "./rate";
 
 /** `""` for what belongs to no single robot, such as /truth/world and what the lab's server says of itself. */
@@ -19,6 +20,11 @@ export function objectOf(channel: Pick<Channel, "topic" | "metadata">): string {
   return channel.topic.startsWith(prefix) ? channel.topic.slice(prefix.length) : channel.topic.replace(/^\//, "");
 }
 
+/** Which moment is shown, of all objects of a server together: a capture time, undefined for now. */
+export interface Moment {
+  ns: bigint | undefined;
+}
+
 export class MemoryObject {
   readonly robot: RobotName;
   readonly name: string;
@@ -29,17 +35,23 @@ export class MemoryObject {
   /** One image per message: too much to subscribe to unasked. */
   readonly isImage: boolean;
 
-  /** The newest message, undecoded; `arrived` [s] is on our own steady clock. */
-  newest: { log_ns: bigint; data: Uint8Array; arrived: number } | undefined;
+  /** The newest message, undecoded. */
+  newest: Entry | undefined;
+  /** What came lately, the newest included. */
+  readonly history = new History();
   received = 0;
   readonly rate = new Rate();
   /** Whether messages are on their way: we are connected and subscribed. */
   subscribed = false;
 
   #decoder: Decoder | undefined; // made at first use: most schemas are never looked at
-  #decoded: Decoded | undefined;
+  #decoded: { entry: Entry; value: Decoded } | undefined;
+  #shown: { ns: bigint; end: number; entry: Entry | undefined } | undefined; // found last in the history
 
-  constructor(readonly channel: Channel) {
+  constructor(
+    readonly channel: Channel,
+    readonly moment: Moment = { ns: undefined },
+  ) {
     this.robot = robotOf(channel);
     this.name = objectOf(channel);
     this.kind = this.name.slice(this.name.lastIndexOf("/") + 1);
@@ -49,16 +61,41 @@ export class MemoryObject {
 
   arrived(log_ns: bigint, data: Uint8Array, now: number): void {
     this.newest = { log_ns, data, arrived: now };
-    this.#decoded = undefined;
     ++this.received;
     this.rate.arrived(now);
   }
 
-  /** The newest message decoded, once per message and only when asked; undefined before the first one. */
+  /** What a view shows: the newest message, or the newest of the moment looked at. */
+  get shown(): Entry | undefined {
+    const { ns } = this.moment;
+    if (ns === undefined) return this.newest;
+    const { end } = this.history;
+    if (this.#shown?.ns !== ns || this.#shown.end !== end) {
+      const entry = this.history.at(ns);
+      // the same message stays the same object, so that it is decoded and drawn once
+      const same = entry && entry.log_ns === this.#shown?.entry?.log_ns && entry.arrived === this.#shown.entry.arrived;
+      this.#shown = { ns, end, entry: same ? this.#shown!.entry : entry };
+    }
+    return this.#shown.entry;
+  }
+
+  /** The shown message decoded, once per message and only when asked; undefined where there is none. */
   decoded(): Decoded | undefined {
-    if (!this.newest) return undefined;
+    const entry = this.shown;
+    if (!entry) return undefined;
+    if (this.#decoded?.entry !== entry) this.#decoded = { entry, value: this.decode(entry.data) };
+    return this.#decoded.value;
+  }
+
+  /** Any of its messages decoded. */
+  decode(data: Uint8Array): Decoded {
     this.#decoder ??= decoderOf(this.channel);
-    return (this.#decoded ??= this.#decoder(this.newest.data));
+    return this.#decoder(data);
+  }
+
+  /** [Hz] now, or at the moment looked at. */
+  hz(now: number): number {
+    return this.moment.ns === undefined ? this.rate.hz(now) : this.history.hzAt(this.moment.ns);
   }
 
   /** [s] for how long nothing came of what should have; undefined while all is well. Events are never due. */

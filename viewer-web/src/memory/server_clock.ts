@@ -10,6 +10,18 @@ const kWindow = 30; // [s] long enough to meet a fast frame, short enough to fol
 export class ServerClock {
   #origin_ns: bigint | undefined; // differences to it fit a double without loss
   #last_ns = 0n;
+
+  /** What the server said last; undefined until the first Time frame. */
+  get last_ns(): bigint | undefined {
+    return this.#origin_ns === undefined ? undefined : this.#last_ns;
+  }
+
+  /** What its clock shows now; undefined until the first Time frame. */
+  now_ns(now: number): bigint | undefined {
+    const least = this.#differences[0];
+    return least && this.#origin_ns! + BigInt(Math.round(1e9 * (now - least.difference)));
+  }
+
   // Candidates for the minimum, oldest first, growing: one that is older and not less can never become it.
   #differences: { at: number; difference: number }[] = [];
 

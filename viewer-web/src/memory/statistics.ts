@@ -71,3 +71,58 @@ export function recordingStatistics(runtime: Fields): RecordingStatistics | unde
     message: textOf(recording, "message"),
   };
 }
+
+/** The server's process: what it takes of its machine. NaN for what it does not tell. */
+export interface ProcessStatistics {
+  /** [cores] 1: one core fully busy. */
+  cpu: number;
+  resident_bytes: number;
+  disk_free_bytes: number;
+  log_dir_bytes: number;
+  /** [s] */
+  uptime: number;
+}
+
+export function processStatistics(runtime: Fields): ProcessStatistics | undefined {
+  const process = fieldsOf(runtime, "process");
+  if (process.size === 0) return undefined;
+  return {
+    cpu: numberOf(process, "cpu"),
+    resident_bytes: numberOf(process, "resident_bytes"),
+    disk_free_bytes: numberOf(process, "disk_free_bytes"),
+    log_dir_bytes: numberOf(process, "log_dir_bytes"),
+    uptime: numberOf(process, "uptime_ns") / 1e9,
+  };
+}
+
+/** One who watches, over all channels together. */
+export interface ClientStatistics {
+  id: number;
+  address: string;
+  agent: string;
+  lossless: boolean;
+  /** [s]; NaN before the first answer. */
+  round_trip: number;
+  channels: number;
+  sent: number;
+  dropped: number;
+  queued_bytes: number;
+}
+
+export function clientStatistics(runtime: Fields): ClientStatistics[] {
+  return listOf(runtime, "clients").map((client) => {
+    const channels = listOf(client, "channels");
+    const sum = (name: string) => channels.reduce((total, channel) => total + (numberOf(channel, name) || 0), 0);
+    return {
+      id: numberOf(client, "id"),
+      address: textOf(client, "address"),
+      agent: textOf(client, "user_agent"),
+      lossless: client.get("lossless") === true,
+      round_trip: numberOf(client, "round_trip_ns") / 1e9,
+      channels: channels.length,
+      sent: sum("sent"),
+      dropped: sum("dropped"),
+      queued_bytes: sum("queued_bytes"),
+    };
+  });
+}

@@ -139,6 +139,18 @@ test("another session id is another run, also when it comes mid-connection", asy
   expect(newest().take("subscribe")).toMatchObject([{ subscriptions: [{ channelId: 3 }] }]);
 });
 
+test("a server whose time went back need not offer its channels again", async () => {
+  client.want("/14/2/ball");
+  newest().say(kInfo, { op: "advertise", channels: [kChannel] });
+  await turn();
+  newest().sent = events = [];
+  newest().say({ ...kInfo, sessionId: "two" });
+  await turn();
+  expect(events).not.toContain("unadvertised /14/2/ball");
+  expect(newest().take("unsubscribe")).toHaveLength(1);
+  expect(newest().take("subscribe")).toMatchObject([{ subscriptions: [{ channelId: 3 }] }]);
+});
+
 test("a channel that comes back with another schema is withdrawn first", async () => {
   client.want("/14/2/ball");
   newest().say(kInfo, { op: "advertise", channels: [kChannel] });

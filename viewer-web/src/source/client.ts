@@ -17,8 +17,11 @@ export type Connection = { state: "connecting" | "open" } | { state: "waiting"; 
 /** What the client tells. Times of the wire stay bigint ns. */
 export interface Listener {
   connection(connection: Connection): void;
-  /** A server introduced itself. `fresh`: another run than before, so everything known is void. Channels follow. */
-  introduced(info: ServerInfo, fresh: boolean): void;
+  /**
+   * A server introduced itself. `fresh`: another run than before, so everything known is void. Channels follow.
+   * `restarted`: over the same connection, since its time went back: what it offers stays.
+   */
+  introduced(info: ServerInfo, fresh: boolean, restarted: boolean): void;
   advertised(channels: Channel[]): void;
   unadvertised(channels: Channel[]): void;
   /** Whether messages of this topic are on their way from now on. */
@@ -173,12 +176,14 @@ export class Client {
 
   #introduce(info: ServerInfo): void {
     const fresh = info.sessionId === undefined || info.sessionId !== this.#sessionId;
+    const restarted = this.#open;
     this.#sessionId = info.sessionId;
-    this.#forget();
+    if (restarted) this.#resubscribe();
+    else this.#forget();
     this.#open = true;
     this.#expectMore();
     this.listener.connection({ state: "open" });
-    this.listener.introduced(info, fresh);
+    this.listener.introduced(info, fresh, restarted);
 
     if (info.capabilities.includes("parameters")) this.#send({ op: "getParameters", parameterNames: [], id: "all" });
     if (info.capabilities.includes("parametersSubscribe"))
@@ -266,6 +271,14 @@ export class Client {
     }
     this.#open = this.#heartbeat = false;
     this.#forget();
+  }
+
+  /** Begins anew with what is offered: the newest of each object comes again. */
+  #resubscribe(): void {
+    for (const { topic } of this.#subscriptions.values()) this.listener.subscribed(topic, false);
+    if (this.#subscriptions.size > 0) this.#send({ op: "unsubscribe", subscriptionIds: [...this.#subscriptions.keys()] });
+    this.#subscriptions.clear();
+    this.#sync();
   }
 
   /** Forgets what is only good for one connection or one run. What is wanted stays wanted. */

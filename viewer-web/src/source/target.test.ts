@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { targetOf } from "./target";
+import { addressOf, targetOf, targetOfHost } from "./target";
 
 const nothing = () => "";
 const kept = (host: string) => (host === "robot" ? "old" : "");
@@ -39,4 +39,20 @@ test("an address that is none is refused with a sentence", () => {
     expect(targetOf(`http://lab/?ws=${encodeURIComponent(wanted)}`, nothing)).toMatchObject({
       error: expect.stringContaining(`got '${wanted}'`),
     });
+});
+
+test("another robot is added by what a person types or copies", () => {
+  const cases: [string, string][] = [
+    ["10.0.14.2", "10.0.14.2:8765"],
+    [" nao14.local:9000 ", "nao14.local:9000"],
+    ["http://localhost:8801/#/14/2/field", "localhost:8801"],
+    ["ws://[::1]:8766/live", "[::1]:8766"],
+    ["http://lab:80", "lab:80"],
+  ];
+  for (const [typed, host] of cases) expect(addressOf(typed), typed).toEqual({ host, token: "" });
+  expect(addressOf("http://robot:8765/?token=s%26cret")).toEqual({ host: "robot:8765", token: "s&cret" });
+  for (const typed of ["", "a b", "javascript:alert(1)", "ftp://robot", "user:word@robot", "robot:port", "<b>", "https://robot"])
+    expect(addressOf(typed), typed).toEqual({ error: expect.any(String) });
+  expect(targetOfHost("robot:8765", "x&y")).toMatchObject({ url: "ws://robot:8765/live?token=x%26y", host: "robot:8765", ownHost: false });
+  expect(targetOfHost("a b", "")).toBeUndefined();
 });

@@ -37,3 +37,33 @@ export function targetOf(address: string, keptToken: (host: string) => string): 
   if (token) url.searchParams.set("token", token);
   return { url: url.href, host: url.host, ownHost: url.host === page.host, token, cleanAddress: given === null ? address : page.href };
 }
+
+const kUsualPort = 8765;
+
+/**
+ * What a person types to add a robot: "10.0.14.2", "nao.local:8765", or an address copied from a browser. A token in
+ * it is taken apart, since addresses are shown and shared.
+ */
+export function addressOf(typed: string): { host: string; token: string } | { error: string } {
+  const error = { error: `Expected host or host:port, such as 10.0.14.2:8765, got '${typed.trim()}'.` };
+  let url: URL;
+  try {
+    url = new URL(/^\w+:\/\//.test(typed.trim()) ? typed.trim() : `ws://${typed.trim()}`);
+  } catch {
+    return error;
+  }
+  if (!["ws:", "wss:", "http:", "https:"].includes(url.protocol) || url.username || !/^[\w.:[\]-]+$/.test(url.hostname)) return error;
+  const secure = url.protocol === "wss:" || url.protocol === "https:";
+  const port = url.port || (/:80\/?$/.test(typed.trim()) ? "80" : String(kUsualPort));
+  if (secure) return { error: "Other robots are reached without encryption: leave 'https' out." };
+  return { host: `${url.hostname}:${port}`, token: url.searchParams.get("token") ?? "" };
+}
+
+/** Another server than the page's own, by "host:port"; undefined where that is none. */
+export function targetOfHost(host: string, token: string): Target | undefined {
+  const address = addressOf(host);
+  if ("error" in address) return undefined;
+  const url = new URL(`ws://${address.host}/live`);
+  if (token) url.searchParams.set("token", token);
+  return { url: url.href, host: address.host, ownHost: false, token, cleanAddress: "" };
+}

@@ -1,24 +1,43 @@
-// The part of the address after `#`: which robot, which view. #/14/2/objects
+// The part of the address after `#`: which robot, which view, and their settings. #/14/2/field?with=10.0.14.3:8765&at=…
 
-export const kViews = ["field", "camera", "objects", "rates", "log", "sessions"] as const;
+export const kViews = ["field", "camera", "objects", "plot", "decision", "health", "log", "sessions"] as const;
 export type View = (typeof kViews)[number];
 
+/** Views by the names they had before. */
+const kFormer: Record<string, View> = { rates: "health" };
+
 export interface Route {
-  /** "" where no robot was chosen. */
+  /** "" where no robot was chosen; "14/2@host:port" for one of another server than the page's. */
   robot: string;
   /** "" where none was chosen. */
   view: View | "";
+  /** By name: `with` (other servers), `at` (the moment), and what the views note. Never a token. */
+  settings: ReadonlyMap<string, string>;
 }
 
 /** Reads any hash; what makes no sense chooses nothing. */
 export function routeOf(hash: string): Route {
-  const parts = hash.replace(/^#?\/?/, "").split("/").map(decoded);
-  const view = kViews.find((name) => name === parts.at(-1)) ?? "";
-  return { robot: parts.length === 3 ? parts.slice(0, 2).join("/") : "", view };
+  const [path, query] = split(hash.replace(/^#?\/?/, ""));
+  const parts = path.split("/").map(decoded);
+  const last = parts.at(-1)!;
+  const view = kViews.find((name) => name === last) ?? (Object.hasOwn(kFormer, last) ? kFormer[last]! : "");
+  const settings = new Map([...new URLSearchParams(query)].filter(([name]) => name !== "token"));
+  return { robot: parts.length === 3 ? parts.slice(0, 2).join("/") : "", view, settings };
 }
 
-export const hashOf = ({ robot, view }: Route): string =>
-  `#/${[...(robot ? robot.split("/") : []), ...(view ? [view] : [])].map(encodeURIComponent).join("/")}`;
+export function hashOf({ robot, view, settings }: Route): string {
+  const path = [...(robot ? robot.split("/") : []), ...(view ? [view] : [])].map(encoded).join("/");
+  const query = [...settings].map(([name, value]) => `${encoded(name)}=${encoded(value)}`).join("&");
+  return `#/${path}${query && `?${query}`}`;
+}
+
+function split(text: string): [string, string] {
+  const at = text.indexOf("?");
+  return at < 0 ? [text, ""] : [text.slice(0, at), text.slice(at + 1)];
+}
+
+/** Signs that are harmless after `#` stay as people write them. */
+const encoded = (part: string): string => encodeURIComponent(part).replace(/%(40|3A|2C|2F|5B|5D)/g, decodeURIComponent);
 
 function decoded(part: string): string {
   try {

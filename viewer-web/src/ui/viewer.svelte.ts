@@ -1,53 +1,146 @@
-// What the page knows: fed by the client, read by the views. Values of memory objects are plain and read when drawn;
-// only what changes rarely is reactive.
+// What the page knows: the servers it watches, the robot and the view that were chosen, the time that is shown. Values of
+// memory objects are plain and read when drawn; only what changes rarely is reactive.
 
-import type { MemoryObject } from "../memory/memory_object";
 import { kTruth } from "../draw/scene";
-import { Memory } from "../memory/memory";
-import { allStreamStatistics, recordingStatistics, runtimesOf, type RecordingStatistics, type StreamStatistics } from "../memory/statistics";
-import { Client, type Connection, type Listener, type Socket } from "../source/client";
-import { ClockExchange } from "../source/clock_exchange";
-import type { Target } from "../source/target";
-import type { Channel, Level, ServerInfo } from "../source/texts";
+import type { MemoryObject, RobotName } from "../memory/memory_object";
+import { capsFor, Past } from "../memory/past";
+import { addressOf, targetOfHost, type Target } from "../source/target";
+import type { Level } from "../source/texts";
 import { withAlert, withoutAlerts, type Alert } from "./alerts";
-import { now } from "./frame.svelte";
+import { keep, kept } from "./browser";
 import { hashOf, routeOf, type Route, type View } from "./route";
+import { Server, type Speaker } from "./server.svelte";
+import { Time } from "./time.svelte";
 
-export class Viewer implements Listener {
-  readonly memory = new Memory();
-  readonly client: Client;
+/** One robot of one server. */
+export interface Source {
+  server: Server;
+  robot: RobotName;
+  /** In addresses and lists: "14/2" on the page's own server, "14/2@10.0.14.2:8765" on another. */
+  key: string;
+}
 
-  connectionState = $state.raw<Connection>({ state: "connecting" });
-  /** Why there is no connection; "" while there is one, and before the first try failed. */
-  lost = $state("");
-  info = $state.raw<ServerInfo>();
+const tokenKey = (host: string): string => `token ${host}`;
+
+export class Viewer implements Speaker {
+  readonly past = new Past(capsFor(matchMedia("(pointer: coarse)").matches));
+  /** The first is the page's own. */
+  servers = $state.raw<Server[]>([]);
   alerts = $state.raw<Alert[]>([]);
-  parameterValues = $state.raw<ReadonlyMap<string, unknown>>(new Map());
-  serviceNames = $state.raw<string[]>([]);
   route = $state.raw<Route>(routeOf(location.hash));
-  #clock = new ClockExchange((request) => this.client.call("clock_sync", request));
-  #offers = $state(0); // grows when objects come or go
+  readonly time: Time;
 
-  robots = $derived.by(() => (this.#offers, this.memory.robots()));
-  /** The chosen robot while it is there, else the one that the program is, else the first one. */
-  robot = $derived([this.route.robot, this.info?.metadata["robots"]].find((name) => this.robots.includes(name ?? "")) ?? this.robots[0] ?? "");
-  objects: MemoryObject[] = $derived.by(() => (this.#offers, this.memory.objectsOf(this.robot)));
+  /** All robots of all servers. */
+  sources: Source[] = $derived(this.servers.flatMap((server) => server.robots.map((robot) => ({ server, robot, key: this.#keyOf(server, robot) }))));
+  /** The chosen robot while it is there, else the one that the own program is, else the first one. */
+  source: Source | undefined = $derived(
+    [this.route.robot, this.servers[0]?.info?.metadata["robots"]].map((key) => this.sources.find((source) => source.key === key)).find((source) => source) ??
+      this.sources[0],
+  );
+  /** Of the chosen robot; the page's own while there is no robot. */
+  server: Server = $derived(this.source?.server ?? this.servers[0]!);
+  robot: RobotName = $derived(this.source?.robot ?? "");
+  robotKey: string = $derived(this.source?.key ?? "");
+  objects: MemoryObject[] = $derived(this.server.objectsOf(this.robot));
   /** The chosen view; where none was chosen what the robot sees, or the game of one that has no camera. */
   view: View = $derived(this.route.view || (this.#playsBlind() ? "field" : "camera"));
 
   constructor(readonly target: Target) {
-    this.client = new Client(target.url, this, (url, subprotocols) => new WebSocket(url, subprotocols) as Socket);
-    window.addEventListener("hashchange", () => (this.route = routeOf(location.hash)));
-    this.client.start();
+    this.servers = [new Server(target, this.past, this)];
+    this.time = new Time(this);
+    this.#followRoute();
+    window.addEventListener("hashchange", () => {
+      this.route = routeOf(location.hash);
+      this.#followRoute();
+    });
+  }
+
+  get several(): boolean {
+    return this.servers.length > 1;
+  }
+
+  get memory() {
+    return this.server.memory;
+  }
+
+  #keyOf(server: Server, robot: RobotName): string {
+    return server === this.servers[0] ? robot : `${robot}@${server.target.host}`;
   }
 
   #playsBlind(): boolean {
     return this.objects.some(({ channel }) => channel.topic === kTruth) && !this.objects.some(({ isImage }) => isImage);
   }
 
+  // robots and views, all of them in the page's address
+
   go(to: Partial<Route>): void {
-    location.hash = hashOf({ robot: this.robot, view: this.view, ...to });
+    location.hash = this.linkTo(to);
   }
+
+  linkTo(to: Partial<Route>): string {
+    return hashOf({ ...this.route, robot: this.robotKey, view: this.view, ...to });
+  }
+
+  /** Notes a view's setting in the address, so that a link shows the same; "" takes it out. Nothing to go back to. */
+  set(name: string, value: string): void {
+    if (this.get(name) === value) return;
+    const settings = new Map(this.route.settings);
+    if (value) settings.set(name, value);
+    else settings.delete(name);
+    this.route = { ...this.route, settings };
+    history.replaceState(null, "", hashOf({ ...this.route, robot: this.route.robot, view: this.route.view || this.view }));
+  }
+
+  get(name: string): string {
+    return this.route.settings.get(name) ?? "";
+  }
+
+  /** The next robot of all, or the one before. */
+  chooseNeighbour(step: 1 | -1): void {
+    const { sources } = this;
+    if (sources.length === 0) return;
+    const at = sources.findIndex(({ key }) => key === this.robotKey);
+    this.go({ robot: sources[(at + step + sources.length) % sources.length]!.key });
+  }
+
+  // servers
+
+  /** Watches another server, "10.0.14.2" or "10.0.14.2:8765"; a sentence when the address makes no sense. */
+  add(typed: string): string {
+    const address = addressOf(typed);
+    if ("error" in address) return address.error;
+    if (address.token) keep("sessionStorage", tokenKey(address.host), address.token);
+    if (this.servers.some(({ target }) => target.host === address.host)) return `${address.host} is watched already.`;
+    this.set("with", [...this.#others(), address.host].join(","));
+    this.#followRoute();
+    return "";
+  }
+
+  remove(server: Server): void {
+    this.set("with", this.#others().filter((host) => host !== server.target.host).join(","));
+    this.#followRoute();
+  }
+
+  #others(): string[] {
+    return this.get("with").split(",").filter(Boolean);
+  }
+
+  /** The servers are the own one and those that the address names. */
+  #followRoute(): void {
+    const hosts = [...new Set(this.#others())].filter((host) => host !== this.target.host);
+    const [own, ...others] = this.servers;
+    const gone = others.filter(({ target }) => !hosts.includes(target.host));
+    gone.forEach((server) => server.stop());
+    const come = hosts
+      .filter((host) => !others.some(({ target }) => target.host === host))
+      .flatMap((host) => {
+        const target = targetOfHost(host, kept("sessionStorage", tokenKey(host)));
+        return target ? [new Server(target, this.past, this)] : [];
+      });
+    if (gone.length > 0 || come.length > 0) this.servers = [own!, ...others.filter((server) => !gone.includes(server)), ...come];
+  }
+
+  // sentences
 
   say(level: Level, text: string, key?: string): void {
     this.alerts = withAlert(this.alerts, level, text, key);
@@ -55,74 +148,5 @@ export class Viewer implements Listener {
 
   dismiss(keys: string[]): void {
     this.alerts = withoutAlerts(this.alerts, keys);
-  }
-
-  /** Calls a service; a failure becomes an alert. True when it was done. */
-  async do(service: string, request: object): Promise<boolean> {
-    try {
-      await this.client.call(service, request);
-      this.dismiss([`service ${service}`]);
-      return true;
-    } catch (error) {
-      this.say("error", (error as Error).message, `service ${service}`);
-      return false;
-    }
-  }
-
-  /** The server's own count of its streams, by topic; empty until a `runtime` object came. */
-  statistics(): Map<string, StreamStatistics> {
-    return allStreamStatistics(runtimesOf(this.objects));
-  }
-
-  recording(): RecordingStatistics | undefined {
-    const [runtime] = runtimesOf(this.objects);
-    return runtime && recordingStatistics(runtime);
-  }
-
-  // what the client tells
-
-  connection(connection: Connection): void {
-    this.connectionState = connection;
-    if (connection.state === "open") this.lost = "";
-    if (connection.state === "waiting") this.lost = connection.why;
-  }
-  introduced(info: ServerInfo, fresh: boolean): void {
-    this.info = info;
-    if (!fresh) return;
-    this.memory.reset();
-    this.alerts = [];
-    this.parameterValues = new Map();
-    ++this.#offers;
-  }
-  advertised(channels: Channel[]): void {
-    for (const channel of channels) this.memory.offer(channel);
-    ++this.#offers;
-  }
-  unadvertised(channels: Channel[]): void {
-    for (const { topic } of channels) this.memory.withdraw(topic);
-    ++this.#offers;
-  }
-  subscribed(topic: string, is: boolean): void {
-    this.memory.subscribed(topic, is);
-  }
-  message(topic: string, log_ns: bigint, data: Uint8Array): void {
-    this.memory.arrived(topic, log_ns, data, now());
-  }
-  time(now_ns: bigint): void {
-    this.memory.clock.heard(now_ns, now());
-  }
-  status(level: Level, message: string, id?: string): void {
-    this.say(level, message, id);
-  }
-  removeStatus(ids: string[]): void {
-    this.dismiss(ids);
-  }
-  parameters(values: { name: string; value: unknown }[]): void {
-    this.parameterValues = new Map([...this.parameterValues, ...values.map(({ name, value }) => [name, value] as const)]);
-  }
-  services(names: string[]): void {
-    this.serviceNames = names;
-    if (names.includes("clock_sync")) this.#clock.start();
-    else this.#clock.stop();
   }
 }

@@ -1,0 +1,175 @@
+// What one robot believes and intends, in the frame `field`.
+
+import type { Memory } from "../memory/memory";
+import type { MemoryObject, RobotName } from "../memory/memory_object";
+import { fieldsOf, listOf, numberOf, textOf, type Fields, type Value } from "../memory/value";
+import type { Ellipse, Point } from "./field";
+
+export interface Pose extends Point {
+  /** [rad] counter-clockwise from +x; NaN when not known. */
+  heading: number;
+}
+
+/** [s] since it was believed so. */
+interface Aged {
+  age: number;
+}
+
+export interface PoseBelief extends Pose, Aged {
+  /** [m] one standard deviation, of the less certain direction. */
+  deviation: number;
+  uncertainty: Ellipse;
+  /** [rad] */
+  headingDeviation: number;
+}
+
+export interface BallBelief extends Point, Aged {
+  /** [m] one standard deviation. */
+  deviation: number;
+  uncertainty: Ellipse;
+  /** [m/s] */
+  velocity: Point;
+}
+
+export interface Teammate extends Pose, Aged {
+  player: number;
+}
+
+export interface Beliefs {
+  /** Where it believes to be; undefined when it believes nothing (any more). */
+  pose: PoseBelief | undefined;
+  ball: BallBelief | undefined;
+  teammates: Teammate[];
+  /** [rad] where the camera looks, and half of what it sees to both sides. */
+  view: { angle: number; half: number } | undefined;
+  /** Where it walks to. */
+  target: Pose | undefined;
+  /** Where it is about to kick from and to. */
+  kick: { from: Point; to: Point } | undefined;
+  role: string;
+  skill: string;
+}
+
+/** The objects that are read. */
+export const kBeliefs = ["pose", "ball", "game", "team", "motion_command", "camera_top_matrix", "joints", "decision"];
+
+const kForgotten = 10; // [s] a belief so old is not shown any more
+const kHalfView = 0.53; // [rad] of the Nao's cameras, 61° in all (Aldebaran's documentation); the camera matrix knows better
+const kKickLength = 1; // [m] of an arrow where the command tells no distance
+
+export const valueOf = (object: MemoryObject | undefined): Fields => object?.decoded()?.fields ?? new Map();
+
+export function pointOf(fields: Fields, x = "x", y = "y"): Point | undefined {
+  const point = { x: numberOf(fields, x), y: numberOf(fields, y) };
+  return Number.isFinite(point.x) && Number.isFinite(point.y) ? point : undefined;
+}
+
+export function beliefsOf(memory: Memory, name: RobotName, now: number): Beliefs {
+  const object = (what: string) => memory.get(`/${name}/${what}`);
+  const age = (what: string) => object(what)?.shown && (memory.age(object(what)!, now) ?? 0);
+  const turned = valueOf(object("game")).get("attacks_positive_x") === false;
+  const pose = poseOf(valueOf(object("pose")), age("pose"), turned);
+  const command = valueOf(object("motion_command"));
+  const current = (age("motion_command") ?? Infinity) < 1;
+  const decision = (age("decision") ?? Infinity) < 1 ? valueOf(object("decision")) : new Map();
+  const ball = pose && ballOf(object("ball"), pose, age("ball"));
+  return {
+    pose,
+    ball,
+    teammates: teammatesOf(object("team"), turned),
+    view: pose && viewOf(valueOf(object("joints")), command, valueOf(object("camera_top_matrix")), pose),
+    target: pose && current ? targetOf(fieldsOf(command, "walk_to"), pose) : undefined,
+    kick: pose && current ? kickOf(fieldsOf(command, "kick"), pose, ball) : undefined,
+    role: textOf(decision, "role"),
+    skill: textOf(decision, "skill"),
+  };
+}
+
+/** `team_field` is `field`, or turned by π where the own team attacks towards -x. */
+function inField(fields: Fields, turned: boolean): Pose | undefined {
+  const point = pointOf(fields);
+  const sign = turned ? -1 : 1;
+  return point && { x: sign * point.x, y: sign * point.y, heading: numberOf(fields, "heading") + (turned ? Math.PI : 0) };
+}
+
+function poseOf(fields: Fields, age: number | undefined, turned: boolean): PoseBelief | undefined {
+  const pose = inField(fields, turned);
+  if (!pose || age === undefined || age > kForgotten) return undefined;
+  const [a, b] = [numberOf(fields, "deviation_x") || 0, numberOf(fields, "deviation_y") || 0];
+  return { ...pose, age, deviation: Math.max(a, b), uncertainty: { a, b, angle: 0 }, headingDeviation: numberOf(fields, "deviation_heading") || 0 };
+}
+
+/** What is at `x`, `y` of the robot's own frame. */
+const seenFrom = ({ x, y, heading }: Pose, seen: Point): Point => ({
+  x: x + Math.cos(heading) * seen.x - Math.sin(heading) * seen.y,
+  y: y + Math.sin(heading) * seen.x + Math.cos(heading) * seen.y,
+});
+
+/** Seen from where the robot believes to stand: its errors of both add up, as they do in its decisions. */
+function ballOf(object: MemoryObject | undefined, pose: Pose, writtenAge: number | undefined): BallBelief | undefined {
+  const fields = valueOf(object);
+  const seen = pointOf(fields);
+  const seen_ns = fields.get("seen_ns");
+  if (!object?.shown || !seen || typeof seen_ns !== "bigint") return undefined;
+  const age = Number(object.shown.log_ns - seen_ns) / 1e9 + (writtenAge ?? 0);
+  if (age > 3 * kForgotten) return undefined;
+  const deviation = numberOf(fields, "deviation");
+  const ground = pointOf(fields, "velocity_x", "velocity_y") ?? { x: 0, y: 0 };
+  return {
+    ...seenFrom(pose, seen),
+    age,
+    deviation,
+    uncertainty: ellipseOf(fields, deviation, pose.heading),
+    velocity: seenFrom({ x: 0, y: 0, heading: pose.heading }, ground),
+  };
+}
+
+/** The half axes of a covariance, turned with the robot; a circle where only one deviation is told. */
+export function ellipseOf(fields: Fields, deviation: number, heading: number): Ellipse {
+  const [xx, xy, yy] = ["xx", "xy", "yy"].map((name) => numberOf(fields, `covariance_${name}`)) as [number, number, number];
+  if (!(xx > 0 && yy > 0) || !Number.isFinite(xy)) return { a: deviation, b: deviation, angle: 0 };
+  const [mean, half] = [(xx + yy) / 2, Math.hypot((xx - yy) / 2, xy)];
+  return { a: Math.sqrt(mean + half), b: Math.sqrt(Math.max(0, mean - half)), angle: heading + Math.atan2(2 * xy, xx - yy) / 2 };
+}
+
+function teammatesOf(object: MemoryObject | undefined, turned: boolean): Teammate[] {
+  const told_ns = object?.shown?.log_ns;
+  return listOf(valueOf(object), "teammates").flatMap((mate) => {
+    const pose = inField(fieldsOf(mate, "pose"), turned);
+    const received_ns = mate.get("received_ns");
+    if (!pose || told_ns === undefined || typeof received_ns !== "bigint") return [];
+    const age = Number(told_ns - received_ns) / 1e9;
+    return age > 3 * kForgotten ? [] : [{ ...pose, player: numberOf(mate, "player"), age }];
+  });
+}
+
+/** Where the camera was, else the head as measured, else as commanded. */
+function viewOf(joints: Fields, command: Fields, camera: Fields, pose: Pose): Beliefs["view"] {
+  const bearing = ({ x, y }: Point) => Math.atan2(y, x);
+  const entry = (list: Value, index: number) => (Array.isArray(list) && typeof list[index] === "number" ? list[index] : NaN);
+  const place = pointOf(fieldsOf(command, "look_to"));
+  const yaw = [
+    bearing({ x: entry(camera.get("rotation"), 2), y: entry(camera.get("rotation"), 5) }), // the optical axis
+    entry(joints.get("position"), 0),
+    numberOf(fieldsOf(command, "head_angles"), "yaw"),
+    place ? bearing(place) : NaN,
+  ].find(Number.isFinite);
+  if (yaw === undefined) return undefined;
+  const [width, focal] = [numberOf(camera, "width"), numberOf(camera, "focal_x")];
+  // no head turns further than 119.5°
+  return { angle: pose.heading + Math.max(-2.09, Math.min(2.09, yaw)), half: width > 0 && focal > 0 ? Math.atan(width / (2 * focal)) : kHalfView };
+}
+
+function targetOf(walkTo: Fields, pose: Pose): Pose | undefined {
+  const point = pointOf(walkTo);
+  return point && { ...seenFrom(pose, point), heading: pose.heading + (numberOf(walkTo, "heading") || 0) };
+}
+
+function kickOf(kick: Fields, pose: Pose, ball: Point | undefined): Beliefs["kick"] {
+  if (kick.size === 0) return undefined;
+  const place = pointOf(kick, "ball_x", "ball_y");
+  const from = place ? seenFrom(pose, place) : (ball ?? seenFrom(pose, { x: 0.2, y: 0 }));
+  const angle = pose.heading + (numberOf(kick, "direction") || 0);
+  const length = numberOf(kick, "distance") || kKickLength;
+  return { from, to: { x: from.x + length * Math.cos(angle), y: from.y + length * Math.sin(angle) } };
+}

@@ -1,0 +1,57 @@
+// What the agent did over time, as a strip: one colour and one word per skill.
+
+import type { Phase } from "../memory/decisions";
+import type { Pen } from "./field";
+import { agoWords, ticksOf, xOf, type Colours, type Span } from "./timeline";
+
+/** Bright enough for dark words on them, and of unlike brightness; the words tell the rest. */
+const kSkillColours = ["#56b4e9", "#e69f00", "#58c3a0", "#e0a0c8", "#f0e442", "#a8b4f0", "#d0d7de", "#f0a080"];
+
+/** The same skill has the same colour all the time, and neighbours in the list unlike ones. */
+export const colourOfSkill = (skills: string[], skill: string): string => kSkillColours[Math.max(0, skills.indexOf(skill)) % kSkillColours.length]!;
+
+export interface Piece {
+  from: number;
+  to: number;
+  skill: string;
+  role: string;
+}
+
+/** Phases as pieces of the plot's own time [s], of which something is on screen; what follows at once with the same skill is one. */
+export function piecesOf(phases: Phase[], span: Span, secondsOf: (ns: bigint) => number): Piece[] {
+  const pieces: Piece[] = [];
+  phases.forEach(({ from_ns, skill, role }, i) => {
+    const next = phases[i + 1];
+    const [from, to] = [secondsOf(from_ns), next ? secondsOf(next.from_ns) : span.to];
+    if (to < span.from || from > span.to) return;
+    const before = pieces.at(-1);
+    if (before && before.skill === skill && before.role === role) before.to = to;
+    else pieces.push({ from: Math.max(span.from, from), to: Math.min(span.to, to), skill, role });
+  });
+  return pieces;
+}
+
+export function drawPhases(pen: Pen, width: number, height: number, pieces: Piece[], skills: string[], { span, at, now }: { span: Span; at: number; now: number }, colours: Colours): void {
+  const bar = { top: 4, height: height - 24 };
+  pen.fillStyle = colours.line;
+  pen.fillRect(0, bar.top, width, bar.height);
+  pen.textBaseline = "middle";
+  pen.font = "11px system-ui, sans-serif";
+  for (const { from, to, skill } of pieces) {
+    const [left, right] = [xOf(span, width, from), xOf(span, width, Math.min(to, span.to))];
+    pen.fillStyle = colourOfSkill(skills, skill);
+    pen.fillRect(left, bar.top, Math.max(1, right - left), bar.height);
+    const word = skill.replaceAll("_", " ");
+    if (right - left > 6.2 * word.length + 8) {
+      pen.fillStyle = "#10161c";
+      pen.textAlign = "left";
+      pen.fillText(word, left + 4, bar.top + bar.height / 2);
+    }
+  }
+  pen.textAlign = "center";
+  const { step, at: ticks } = ticksOf({ from: span.from - now, to: span.to - now }, width, 90);
+  pen.fillStyle = colours.soft;
+  for (const tick of ticks) pen.fillText(agoWords(tick, step), Math.min(width - 14, Math.max(18, xOf(span, width, tick + now))), height - 8);
+  pen.fillStyle = colours.accent;
+  pen.fillRect(Math.min(width - 2, xOf(span, width, at)) - 1, 0, 2.5, bar.top + bar.height + 4);
+}

@@ -1,0 +1,40 @@
+import { expect, test } from "vitest";
+import { testPen } from "./test_pen";
+import { agoWords, drawStrip, spanOf, ticksOf, timeAt, within, xOf, zoomedSpan } from "./timeline";
+
+const kept = { from: 100, to: 400 };
+
+test("a place on the strip and back is the time", () => {
+  for (const time of [100, 123.4, 400]) expect(timeAt(kept, 800, xOf(kept, 800, time))).toBeCloseTo(time);
+});
+
+test("the strip shows the last seconds, never more than there is", () => {
+  expect(spanOf(kept, 60)).toEqual({ from: 340, to: 400 });
+  expect(spanOf(kept, 1e9)).toEqual(kept);
+  expect(spanOf({ from: 400, to: 400 }, 60)).toEqual({ from: 398, to: 400 });
+});
+
+test("what is under the pointer stays there when zoomed, except at the ends", () => {
+  const nearer = zoomedSpan(kept, kept, 200, 2);
+  expect(nearer.to - nearer.from).toBeCloseTo(150);
+  expect(xOf(nearer, 800, 200)).toBeCloseTo(xOf(kept, 800, 200));
+  expect(zoomedSpan(nearer, kept, 200, 0.01)).toEqual(kept);
+  expect(within({ from: 50, to: 80 }, kept)).toEqual({ from: 100, to: 130 });
+});
+
+test("ticks are round and far enough apart", () => {
+  for (const length of [2, 17, 130, 900, 5000]) {
+    const { step, at } = ticksOf({ from: -length, to: 0 }, 900, 76);
+    expect((step / length) * 900).toBeGreaterThanOrEqual(Math.min(76, (3600 / length) * 900));
+    for (const time of at) expect(Math.abs(time / step - Math.round(time / step))).toBeLessThan(1e-6);
+  }
+  expect([agoWords(0, 10), agoWords(-70, 10), agoWords(-0.5, 0.1), agoWords(-30, 10)]).toEqual(["now", "−1:10", "−0.5 s", "−30 s"]);
+});
+
+test("goals and errors are told by letters", () => {
+  const pen = testPen();
+  const colours = { ink: "#000", soft: "#000", line: "#000", fill: "#000", accent: "#000", warn: "#000" };
+  const marks = (["goal", "error", "state"] as const).map((kind, i) => ({ at: 150 + 50 * i, kind, text: "" }));
+  drawStrip(pen, 800, 40, { kept, shown: kept, at: 300, live: false, marks, hover: undefined }, colours);
+  expect(pen.texts.filter(({ text }) => ["G", "!"].includes(text)).map(({ x }) => Math.round(x))).toEqual([133, 267]);
+});

@@ -1,0 +1,35 @@
+import { expect, test } from "vitest";
+import { GameEvents, changesOfGame, changesOfSimulation } from "./game_events";
+import type { MemoryObject } from "./memory_object";
+import { EnumValue, type Fields, type Value } from "./value";
+
+const fields = (entries: Record<string, Value>): Fields => new Map(Object.entries(entries));
+const team = (number: number, score: number, ...penalised: boolean[]) =>
+  fields({ number, score, players: penalised.map((is) => fields({ penalised: is })) });
+const game = (state: string, own: Fields, opponent: Fields) => fields({ state: new EnumValue(0, `STATE_${state}`), own, opponent });
+const texts = (changes: { text: string }[]) => changes.map(({ text }) => text);
+
+test("a goal, another state and a penalty are told once, when they come", () => {
+  const before = game("SET", team(14, 0, false, false), team(5, 1, false));
+  expect(changesOfGame(before, before)).toEqual([]);
+  expect(texts(changesOfGame(before, game("PLAYING", team(14, 1, false, true), team(5, 1, false))))).toEqual(["playing", "goal of team 14", "14/2 penalised"]);
+  // back on the field, and a score corrected by the referee, are no events
+  expect(changesOfGame(game("SET", team(14, 1, true), team(5, 0)), game("SET", team(14, 0, false), team(5, 0)))).toEqual([]);
+});
+
+test("a simulated game tells goals and new games", () => {
+  const state = (seed: number, tick: number, score: number) => fields({ seed: BigInt(seed), tick, home: team(14, score), away: team(5, 0) });
+  expect(texts(changesOfSimulation(state(7, 10, 0), state(7, 11, 1)))).toEqual(["goal of team 14"]);
+  expect(texts(changesOfSimulation(state(7, 10, 1), state(8, 0, 0)))).toEqual(["new game, seed 8"]);
+});
+
+test("what all robots tell happened once; nonsense happened never", () => {
+  const events = new GameEvents();
+  const states = [game("READY", team(14, 0), team(5, 0)), game("SET", team(14, 0), team(5, 0))];
+  const object = (robot: string) =>
+    ({ name: "game", kind: "game", derived: false, robot, channel: { topic: `/${robot}/game` }, decode: (data: Uint8Array) => ({ fields: states[data[0]!] }) }) as unknown as MemoryObject;
+  for (const robot of ["14/1", "14/2"]) for (const i of [0, 1, 9]) events.arrived(object(robot), { log_ns: BigInt(i) * 10n ** 9n, data: Uint8Array.of(i), arrived: i });
+  expect(events.all()).toEqual([{ log_ns: 10n ** 9n, kind: "state", text: "set", robot: "14/1" }]);
+  events.clear();
+  expect(events.all()).toEqual([]);
+});

@@ -1,0 +1,97 @@
+// What happened in the game, as moments on the timeline: goals, states, penalties, and errors in the log.
+
+import type { Entry } from "./history";
+import { kLogLevels, type LogLevel } from "./log_history";
+import type { MemoryObject, RobotName } from "./memory_object";
+import { kSimulation } from "./simulation";
+import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "./value";
+
+export type EventKind = "goal" | "state" | "penalty" | "error";
+
+export interface GameEvent {
+  log_ns: bigint;
+  kind: EventKind;
+  text: string;
+  /** Who told; "" where it was nobody's. */
+  robot: RobotName;
+}
+
+const kMost = 2000;
+const kSame_ns = 5_000_000_000n; // the same told by several robots within so long happened once
+const kMostPlayers = 20;
+
+/** What one message of `game` says that the one before did not. */
+export function changesOfGame(before: Fields, after: Fields): { kind: EventKind; text: string }[] {
+  const changes: { kind: EventKind; text: string }[] = [];
+  const state = wordOf(after, "state");
+  if (state && state !== wordOf(before, "state")) changes.push({ kind: "state", text: state });
+  const setPlay = wordOf(after, "set_play");
+  if (setPlay && setPlay !== "unspecified" && setPlay !== wordOf(before, "set_play")) changes.push({ kind: "state", text: setPlay.replaceAll("_", " ") });
+  for (const side of ["own", "opponent"]) {
+    const [was, is] = [fieldsOf(before, side), fieldsOf(after, side)];
+    if (numberOf(was, "number") !== numberOf(is, "number")) continue;
+    const team = numberOf(is, "number");
+    const scored = numberOf(is, "score") - numberOf(was, "score");
+    if (scored > 0) changes.push({ kind: "goal", text: `goal of team ${team}` });
+    const [wasPenalised, isPenalised] = [was, is].map((fields) => listOf(fields, "players").map((player) => player.get("penalised") === true));
+    for (const [i, penalised] of isPenalised!.slice(0, kMostPlayers).entries())
+      if (penalised && wasPenalised![i] === false) changes.push({ kind: "penalty", text: `${team}/${i + 1} penalised` });
+  }
+  return changes;
+}
+
+/** What one message of /sim/state says that the one before did not. */
+export function changesOfSimulation(before: Fields, after: Fields): { kind: EventKind; text: string }[] {
+  if (numberOf(after, "seed") !== numberOf(before, "seed") || numberOf(after, "tick") < numberOf(before, "tick"))
+    return [{ kind: "state", text: `new game, seed ${numberOf(after, "seed")}` }];
+  return ["home", "away"].flatMap((side) => {
+    const [was, is] = [fieldsOf(before, side), fieldsOf(after, side)];
+    return numberOf(is, "score") > numberOf(was, "score") ? [{ kind: "goal" as const, text: `goal of team ${numberOf(is, "number")}` }] : [];
+  });
+}
+
+export class GameEvents {
+  #events: GameEvent[] = [];
+  #before = new Map<string, Fields>(); // by topic
+
+  clear(): void {
+    this.#events = [];
+    this.#before.clear();
+  }
+
+  /** In the order they came. */
+  all(): readonly GameEvent[] {
+    return this.#events;
+  }
+
+  arrived(object: MemoryObject, entry: Entry): void {
+    if (object.derived) return;
+    if (object.kind === "log") this.#logged(object, entry);
+    else if (object.channel.topic === kSimulation) this.#compare(object, entry, changesOfSimulation);
+    else if (object.name === "game") this.#compare(object, entry, changesOfGame);
+  }
+
+  #logged(object: MemoryObject, { log_ns, data }: Entry): void {
+    const fields = object.decode(data).fields;
+    const level = fields ? kLogLevels.indexOf(wordOf(fields, "level") as LogLevel) : -1;
+    if (fields && level >= kLogLevels.indexOf("error")) this.#add({ log_ns, kind: "error", text: textOf(fields, "text"), robot: object.robot });
+  }
+
+  #compare(object: MemoryObject, { log_ns, data }: Entry, changes: (before: Fields, after: Fields) => { kind: EventKind; text: string }[]): void {
+    const fields = object.decode(data).fields;
+    if (!fields) return;
+    const { topic } = object.channel;
+    const before = this.#before.get(topic);
+    this.#before.set(topic, fields);
+    for (const change of before ? changes(before, fields) : []) this.#add({ log_ns, robot: object.robot, ...change });
+  }
+
+  #add(event: GameEvent): void {
+    const isSame = ({ kind, text, log_ns }: GameEvent) => kind === event.kind && text === event.text && abs(log_ns - event.log_ns) < kSame_ns;
+    if (this.#events.slice(-64).some(isSame)) return;
+    this.#events.push(event);
+    if (this.#events.length > kMost) this.#events.splice(0, this.#events.length - kMost);
+  }
+}
+
+const abs = (value: bigint): bigint => (value < 0n ? -value : value);

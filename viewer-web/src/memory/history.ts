@@ -1,0 +1,159 @@
+// What one memory object held during the last minutes, packed into few buffers, so that a page can go back.
+
+/** One message as it came. `log_ns` is its capture time; `arrived` [s] is on our own steady clock. */
+export interface Entry {
+  log_ns: bigint;
+  data: Uint8Array;
+  arrived: number;
+}
+
+const kBlockBytes = 32768; // a small message costs its own bytes and 20 more
+const kPerMessage = 20; // [bytes] of times and places in the blocks' own arrays
+const kMostPerBlock = 256; // [messages]
+const kSeek_ns = 1_000_000_000n; // a capture time so much smaller than the last one is a seek: another past begins
+
+/** Messages one after the other. A block is written once and dropped whole. */
+interface Block {
+  data: Uint8Array;
+  used: number; // [bytes]
+  count: number;
+  times: BigInt64Array; // [ns] capture times, never decreasing
+  arrivals: Float64Array; // [s]
+  ends: Uint32Array; // [bytes] where each message ends
+}
+
+function newBlock(least_bytes: number): Block {
+  const large = least_bytes > kBlockBytes / 2;
+  const most = large ? 1 : kMostPerBlock;
+  return {
+    data: new Uint8Array(large ? least_bytes : kBlockBytes),
+    used: 0,
+    count: 0,
+    times: new BigInt64Array(most),
+    arrivals: new Float64Array(most),
+    ends: new Uint32Array(most),
+  };
+}
+
+const sizeOf = ({ data, times }: Block): number => data.length + kPerMessage * times.length;
+
+/**
+ * Messages in order of capture time. They are numbered from the first one ever; old ones go, numbers stay, so whoever
+ * reads on from a number misses nothing that is still there. A message slightly older than the one before stands at
+ * that one's time; a much older one means that somebody sought, and what was before is forgotten.
+ */
+export class History {
+  #blocks: Block[] = [];
+  #starts: number[] = []; // number of each block's first message
+  #end = 0;
+  /** Counts how often the past was forgotten: numbers from before mean nothing any more. */
+  generation = 0;
+  size_bytes = 0;
+
+  /** Number of the oldest message that is still there. */
+  get begin(): number {
+    return this.#starts[0] ?? this.#end;
+  }
+  /** One more than the number of the newest. */
+  get end(): number {
+    return this.#end;
+  }
+  get first_ns(): bigint | undefined {
+    return this.#blocks[0]?.times[0];
+  }
+  get last_ns(): bigint | undefined {
+    const last = this.#blocks.at(-1);
+    return last?.times[last.count - 1];
+  }
+
+  clear(): void {
+    this.#blocks = [];
+    this.#starts = [];
+    this.size_bytes = 0;
+    ++this.generation;
+  }
+
+  /** Whether a message of this capture time would end the past that is kept. */
+  goesBack(log_ns: bigint): boolean {
+    const last_ns = this.last_ns;
+    return last_ns !== undefined && log_ns < last_ns - kSeek_ns;
+  }
+
+  /** Keeps a copy. */
+  add({ log_ns, data, arrived }: Entry): void {
+    if (this.goesBack(log_ns)) this.clear();
+    const last_ns = this.last_ns ?? log_ns;
+    let block = this.#blocks.at(-1);
+    if (!block || block.count === block.times.length || block.used + data.length > block.data.length) {
+      block = newBlock(data.length);
+      this.#blocks.push(block);
+      this.#starts.push(this.#end);
+      this.size_bytes += sizeOf(block);
+    }
+    block.data.set(data, block.used);
+    block.used += data.length;
+    block.times[block.count] = log_ns > last_ns ? log_ns : last_ns;
+    block.arrivals[block.count] = arrived;
+    block.ends[block.count++] = block.used;
+    ++this.#end;
+  }
+
+  /** The message of this number; undefined when it is gone or has not come. */
+  get(index: number): Entry | undefined {
+    const at = this.#place(index);
+    if (!at) return undefined;
+    const { block, i } = at;
+    return { log_ns: block.times[i]!, data: block.data.subarray(i === 0 ? 0 : block.ends[i - 1], block.ends[i]), arrived: block.arrivals[i]! };
+  }
+
+  timeOf(index: number): bigint | undefined {
+    const at = this.#place(index);
+    return at && at.block.times[at.i];
+  }
+
+  /** Number of the newest message sensed at `log_ns` or before; one less than `begin` when there is none. */
+  indexAt(log_ns: bigint): number {
+    let [low, high] = [this.begin, this.#end];
+    while (low < high) {
+      const middle = (low + high) >>> 1;
+      if (this.timeOf(middle)! <= log_ns) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+
+  /** What was the newest at `log_ns`. */
+  at(log_ns: bigint): Entry | undefined {
+    return this.get(this.indexAt(log_ns));
+  }
+
+  /** [Hz] of the two seconds up to `log_ns`. */
+  hzAt(log_ns: bigint): number {
+    return (this.indexAt(log_ns) - this.indexAt(log_ns - 2_000_000_000n)) / 2;
+  }
+
+  /** [s] when the newest message of the oldest block came; undefined when only one block is left: that one stays. */
+  oldestArrival(): number | undefined {
+    const [oldest, next] = this.#blocks;
+    return next && oldest!.arrivals[oldest!.count - 1];
+  }
+
+  /** Drops the oldest block. */
+  dropOldest(): void {
+    const block = this.#blocks.shift();
+    if (!block) return;
+    this.#starts.shift();
+    this.size_bytes -= sizeOf(block);
+  }
+
+  #place(index: number): { block: Block; i: number } | undefined {
+    if (index < this.begin || index >= this.#end) return undefined;
+    let [low, high] = [0, this.#starts.length - 1];
+    while (low < high) {
+      const middle = (low + high + 1) >>> 1;
+      if (this.#starts[middle]! <= index) low = middle;
+      else high = middle - 1;
+    }
+    return { block: this.#blocks[low]!, i: index - this.#starts[low]! };
+  }
+}

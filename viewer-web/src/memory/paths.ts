@@ -1,0 +1,75 @@
+// Paths to one number: a topic, then steps into its message. /14/2/ball.x, /14/2/vision.robots[0].detection.distance,
+// and by what an entry says: /truth/world.robots[team=14,player=2].x
+
+import { EnumValue, type Fields, type Value } from "./value";
+
+export type Step = string | number | Record<string, number>;
+
+export interface Path {
+  topic: string;
+  steps: Step[];
+}
+
+/** Takes a path apart. Topics may hold dots, so the longest known one that fits is meant. */
+export function pathOf(text: string, topics: Iterable<string>): Path | undefined {
+  let topic = "";
+  for (const known of topics) if (known.length > topic.length && (text.startsWith(`${known}.`) || text === known)) topic = known;
+  if (topic === "") return undefined;
+  const steps: Step[] = [];
+  for (let rest = text.slice(topic.length); rest !== ""; ) {
+    const found = /^\.([^.[\]]+)|^\[(\d+)\]|^\[([^\]]+)\]/.exec(rest);
+    if (!found) return undefined;
+    const step = stepOf(found);
+    if (step === undefined) return undefined;
+    steps.push(step);
+    rest = rest.slice(found[0].length);
+  }
+  return { topic, steps };
+}
+
+function stepOf([, name, index, filter]: RegExpExecArray): Step | undefined {
+  if (name !== undefined) return name;
+  if (index !== undefined) return Number(index);
+  const entries = filter!.split(",").map((part) => part.split("=").map((word) => word.trim()));
+  if (entries.some(([key, value]) => !key || value === undefined || value === "" || !Number.isFinite(Number(value)))) return undefined;
+  return Object.fromEntries(entries.map(([key, value]) => [key, Number(value)]));
+}
+
+/** What is there; undefined when nothing is. */
+export function valueAt(fields: Fields, steps: Step[]): Value {
+  let value: Value = fields;
+  for (const step of steps) {
+    if (typeof step === "string") value = value instanceof Map ? value.get(step) : undefined;
+    else if (!Array.isArray(value)) return undefined;
+    else if (typeof step === "number") value = value[step];
+    else value = value.find((entry) => entry instanceof Map && Object.entries(step).every(([key, wanted]) => numeric(entry.get(key)) === wanted));
+  }
+  return value;
+}
+
+/** The number there; NaN when there is none. Truth is 1, enums are their numbers. */
+export const numberAt = (fields: Fields, steps: Step[]): number => numeric(valueAt(fields, steps));
+
+function numeric(value: Value): number {
+  if (typeof value === "number") return value;
+  if (typeof value === "bigint" || typeof value === "boolean") return Number(value);
+  return value instanceof EnumValue ? value.number : NaN;
+}
+
+const kMost = 4000; // [paths] more nobody would choose from
+const kEntries = 8; // of a list
+
+/** All paths to numbers within a message, for search: "ball.velocity_x". Times since the epoch are none. */
+export function numbersIn(fields: Fields, before: string, found: string[] = []): string[] {
+  for (const [name, value] of fields) {
+    if (found.length >= kMost) break;
+    if (!name.endsWith("_ns")) collect(value, `${before}.${name}`, found);
+  }
+  return found;
+}
+
+function collect(value: Value, path: string, found: string[]): void {
+  if (value instanceof Map) numbersIn(value, path, found);
+  else if (Array.isArray(value)) value.slice(0, kEntries).forEach((entry, i) => collect(entry, `${path}[${i}]`, found));
+  else if (!Number.isNaN(numeric(value))) found.push(path);
+}
