@@ -18,6 +18,7 @@ struct ClientIdentity {
   ClientContext context;  // the id is given by the hub
   std::string user_agent, subprotocol;
   bool lossless = false;  // it gets every message or is disconnected
+  bool playback = false;  // it is told how the playback goes; older clients take that for an error
 };
 
 struct Client : std::enable_shared_from_this<Client> {

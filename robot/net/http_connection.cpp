@@ -80,7 +80,8 @@ void HttpConnection::upgrade(const HttpRequest& request) {
       .context = {.address = remote_.text(), .loopback = access.loopback, .may_control = access.may_control},
       .user_agent = std::string(request.header("user-agent").value_or("").substr(0, 200)),
       .subprotocol = agreed->subprotocol,
-      .lossless = target->parameter("delivery") == "lossless"};
+      .lossless = target->parameter("delivery") == "lossless",
+      .playback = target->parameters.contains("playback")};
   auto connection = std::make_shared<WebSocketConnection>(std::move(socket_), context_);
   context_.web_sockets.insert(connection);
   connection->start(std::move(identity), agreed->response, parser_.take_rest());

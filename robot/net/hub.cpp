@@ -63,7 +63,7 @@ std::shared_ptr<Client> Hub::join(ClientIdentity identity) {
   }
   if (!advertisements.empty()) say(*client, foxglove::advertise(advertisements));
   if (const auto services = services_.list(); !services.empty()) say(*client, foxglove::advertise_services(services));
-  if (options_.playback) say_binary(*client, playback_state(false, ""));
+  if (options_.playback && client->identity.playback) say_binary(*client, playback_state(false, ""));
   return client;
 }
 
@@ -156,11 +156,12 @@ std::string Hub::playback_state(bool did_seek, std::string_view request_id) cons
   return foxglove::playback_state(state.status, state.time_ns, state.speed, did_seek, request_id);
 }
 
-/// Tells everybody how the playback is going; the one who asked for it by the id of the request.
+/// Tells those who understand it how the playback is going; the one who asked for it by the id of the request.
 void Hub::tell_playback(bool did_seek, const Client* asker, const std::string& request_id) {
   told_ = options_.playback->state().status;
   for (const auto& client : clients_)
-    say_binary(*client, playback_state(did_seek, client.get() == asker ? request_id : std::string_view()));
+    if (client->identity.playback)
+      say_binary(*client, playback_state(did_seek, client.get() == asker ? request_id : std::string_view()));
 }
 
 void Hub::restart_time() {

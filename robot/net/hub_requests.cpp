@@ -157,6 +157,7 @@ void Hub::handle(Client& client, const foxglove::PlaybackControl& message) {
     return complain(client, "playback: " + refusal);
   if (!(message.speed >= 0.01F && message.speed <= 1000))
     return complain(client, "playback: expected a speed of 0.01 .. 1000, got " + std::to_string(message.speed));
+  client.identity.playback = true;  // who asks understands the answer
   const bool did_seek = options_.playback->control(message);
   if (did_seek) {
     last_time_ns_ = 0;

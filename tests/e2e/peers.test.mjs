@@ -54,7 +54,7 @@ test("both subprotocols introduce the server and offer every stream and what is 
 
   const { name, capabilities, supportedEncodings, metadata, sessionId } = live.infos[0];
   assert.equal(name, "foresight-lab 14/2");
-  assert.deepEqual(capabilities, ["time", "parameters", "parametersSubscribe", "services"]);
+  assert.deepEqual(capabilities, ["time", "parameters", "parametersSubscribe", "services", "playbackControl"]);
   assert.deepEqual(supportedEncodings, ["json"]);
   const { build } = await statusOf(server);
   assert.deepEqual(metadata, { build, body: "recording", robots: "14/2" });
@@ -156,6 +156,8 @@ test("pictures and log come in the forms that Foxglove and Lichtblick draw", asy
   const { live, recorded } = await played(t, { seconds: 2 });
   const topics = ["/14/2/camera_top", "/14/2/camera_top/raw", "/14/2/camera_top/jpeg", "/14/2/log", "/14/2/log/foxglove"];
   live.subscribe(...topics);
+  const last = recorded.get("/14/2/camera_top").messages.at(-1).logTime;
+  await live.until(() => live.messages.get("/14/2/camera_top/raw").at(-1)?.log_ns === last, "the last picture");
   const messages = await Promise.all(topics.map((topic) => live.newest(topic)));
   const [image, raw, jpeg, text, log] = messages.map((message, i) => live.decoded(topics[i], message));
 

@@ -30,7 +30,7 @@ const stateOf = (bytes) => ({
 /** Connects and keeps what it is told of the playback; `ask` resolves with the answer. */
 async function viewer(t, server) {
   const states = [];
-  const live = await Live.open(t, server);
+  const live = await Live.open(t, server, { path: "/?playback" });
   live.onFrame = (bytes) => {
     if (bytes[0] === 5) states.push(stateOf(bytes));
   };

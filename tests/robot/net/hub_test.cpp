@@ -307,7 +307,8 @@ TEST_F(HubTest, TimeDoesNotGoBackExceptWithANewSession) {
 TEST_F(HubTest, ARecordingIsPausedAndMovedByWhoMayControl) {
   HandPlayback playback;
   make_hub(&playback);
-  const auto stranger = hub->join({.context = {.address = "10.0.0.9:1"}});
+  const auto unaware = join();
+  const auto stranger = hub->join({.context = {.address = "10.0.0.9:1"}, .playback = true});
   const auto first = said(*stranger);
   EXPECT_EQ(first.at(0)["capabilities"].back(), "playbackControl");
   EXPECT_EQ(first.at(0)["dataStartTime"], Json({{"sec", 0}, {"nsec", 1000}}));
@@ -338,6 +339,8 @@ TEST_F(HubTest, ARecordingIsPausedAndMovedByWhoMayControl) {
   const auto told = said(*stranger);  // what had not gone out yet does not come any more
   ASSERT_EQ(told.size(), 1u);
   EXPECT_EQ(told[0]["bytes"], foxglove::playback_state(foxglove::Playback::paused, 5000, 2, true, "").substr(1));
+
+  EXPECT_EQ(gist(*unaware), "");
 
   clock.set(5000);
   playback.now.status = foxglove::Playback::ended;  // by itself
