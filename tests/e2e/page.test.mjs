@@ -98,10 +98,12 @@ test("the tree shows each field as the recording holds it; search finds fields b
 
 /** The texts of a row of the table of channels, by the column's head. */
 async function rates(page, object) {
-  const heads = await page.locator("thead th").allTextContents();
   const row = page.getByRole("row").filter({ has: page.getByRole("rowheader", { name: object, exact: true }) });
-  const cells = await row.locator("th, td").allTextContents();
-  return Object.fromEntries(heads.map((head, i) => [head.trim(), cells[i]?.trim()]));
+  return until(async () => {
+    const heads = await page.locator("thead th").allTextContents();
+    const cells = await row.locator("th, td").allTextContents();
+    return cells.length === heads.length && Object.fromEntries(heads.map((head, i) => [head.trim(), cells[i].trim()]));
+  }, `the row of ${object}`);
 }
 
 test("rates tell what came and what the server of the recording counts", async (t) => {

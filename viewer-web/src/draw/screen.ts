@@ -27,8 +27,8 @@ export class Screen {
     if (picture.kind === "jpeg") return this.#showJpeg(picture.data);
     const { data, width, height } = picture;
     if (this.#painter) {
+      this.#reveal(this.shaded); // first: what WebGL draws on a hidden canvas need not be there when it is shown
       this.#painter.paint(data, width, height);
-      this.#reveal(this.shaded);
     } else {
       this.#showFlat(width, height, (ctx) => ctx.putImageData(new ImageData(rgbaFromYuyv(data, width, height), width, height), 0, 0));
     }
