@@ -186,7 +186,23 @@ void to_proto(const sim::agent::Beliefs& beliefs, int player, const Timeline& ti
     told.set_sent_ns(timeline.at(mate.sent));
     told.set_received_ns(timeline.at(mate.sent));
     told.set_active(mate.active);
-    told.set_time_to_ball(mate.time_to_ball);
+    told.set_time_to_ball(mate.time_to_ball());
+    if (mate.choice.strategy == sim::agent::kNoStrategy) continue;
+    told.set_strategy(mate.choice.strategy);
+    told.set_epoch(mate.choice.epoch);
+  }
+}
+
+void to_proto(const sim::agent::Beliefs& beliefs, const Timeline& timeline, pb::Opponents& message) {
+  message.Clear();
+  for (int i = 0; i < sim::kMaxPlayers; ++i) {
+    const sim::agent::Opponent& opponent = beliefs.opponents[i];
+    if (opponent.seen == sim::kNever) continue;
+    pb::Opponents::Opponent& told = *message.add_opponents();
+    told.set_player(static_cast<std::uint32_t>(i + 1));
+    told.set_x(opponent.position.x);
+    told.set_y(opponent.position.y);
+    told.set_seen_ns(timeline.at(opponent.seen));
   }
 }
 
@@ -253,9 +269,9 @@ void to_proto(const sim::Body& body, const sim::motion::Command& command, const 
   }
 }
 
-void to_proto(const sim::agent::Trace& trace, const std::string& strategy, pb::DecisionTrace& message) {
+void to_proto(const sim::agent::Trace& trace, pb::DecisionTrace& message) {
   message.Clear();
-  message.set_strategy(strategy);
+  message.set_strategy(trace.strategy);
   message.set_role(trace.role);
   message.set_skill(trace.skill);
   for (const sim::agent::Trace::Node& visited : trace.visited) {

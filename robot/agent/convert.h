@@ -11,6 +11,7 @@
 #include "proto/foresight/ball.pb.h"
 #include "proto/foresight/game.pb.h"
 #include "proto/foresight/motion.pb.h"
+#include "proto/foresight/opponents.pb.h"
 #include "proto/foresight/pose.pb.h"
 #include "proto/foresight/team.pb.h"
 #include "proto/foresight/truth.pb.h"
@@ -61,6 +62,9 @@ void to_proto(const sim::agent::Pose& pose, pb::Pose& message);
 /// when it was sent. The number of messages is not known here.
 void to_proto(const sim::agent::Beliefs& beliefs, int player, const Timeline& timeline, pb::Team& message);
 
+/// Where the opponents were seen.
+void to_proto(const sim::agent::Beliefs& beliefs, const Timeline& timeline, pb::Opponents& message);
+
 /// What the GameController of a simulated game told the robot with index `robot`.
 void to_proto(const sim::Params& params, const sim::State& state, int robot, const TeamNumbers& teams,
               const Timeline& timeline, pb::GameState& message);
@@ -71,8 +75,8 @@ void to_proto(const sim::motion::Command& command, const sim::motion::Model& mod
 void to_proto(const sim::Body& body, const sim::motion::Command& command, const sim::motion::Model& model,
               sim::Tick now, pb::MotionStatus& message);
 
-/// `strategy` is the name of the behaviour. The time the decision took is left 0.
-void to_proto(const sim::agent::Trace& trace, const std::string& strategy, pb::DecisionTrace& message);
+/// The time the decision took is left 0.
+void to_proto(const sim::agent::Trace& trace, pb::DecisionTrace& message);
 
 /// All that is on the field; removed robots are not.
 void to_proto(const sim::World& world, const TeamNumbers& teams, pb::GroundTruth& message);

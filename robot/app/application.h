@@ -34,11 +34,17 @@ class Application final : public net::Application {
   /// What the game is like; asked for each status. Set before the server starts; without it there is no game.
   void tell_game_by(std::function<GameStatus()> game) { game_ = std::move(game); }
 
+  /// Answers who asks for parts of a recording that is played. Set before the server starts; without it there is none.
+  void play_by(std::function<net::HttpResponse(const net::PlayedRequest&)> played) { played_ = std::move(played); }
+
   std::string status_json() override;
   std::string sessions_json() override;
   Result<net::LogFile> open_log(const net::LogRequest& request) override;
   net::HttpResponse session_files(const std::string& session) override;
   net::HttpResponse delete_session(const std::string& session) override;
+  net::HttpResponse played(const net::PlayedRequest& request) override {
+    return played_ ? played_(request) : net::Application::played(request);
+  }
   bool match_mode() const override;
 
  private:
@@ -48,6 +54,7 @@ class Application final : public net::Application {
   const logging::Recorder* const recorder_;
   std::function<std::size_t()> count_clients_ = [] { return std::size_t{0}; };
   std::function<GameStatus()> game_;
+  std::function<net::HttpResponse(const net::PlayedRequest&)> played_;
   logging::Downloads downloads_;
 };
 

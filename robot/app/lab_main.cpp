@@ -1,11 +1,18 @@
 // foresight-lab: recordings in, described and shown, on the lab's machine.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "robot/app/build_id.h"
+#include "robot/app/clock_option.h"
+#include "robot/app/forecast_report.h"
 #include "robot/app/import.h"
+#include "robot/app/lab_foresight.h"
 #include "robot/app/play.h"
+#include "robot/app/relay.h"
+#include "robot/foresight/question.h"
+#include "robot/foresight/scorer.h"
 #include "robot/lab/session_report.h"
 #include "robot/logging/session.h"
 
@@ -69,22 +76,59 @@ struct ImportCommand {
   bool chosen = false;
 };
 
+void add_clock_option(CLI::App& command, double& seconds) {
+  command
+      .add_option("--max-clock-offset", seconds,
+                  "[s] a machine whose clock is further off than that is refused; another one's times are set right")
+      ->capture_default_str();
+}
+
 struct InfoCommand {
-  std::string session;
+  std::vector<std::string> sessions;
+  double max_clock_offset = 60;
   bool json = false, chosen = false;
 
   void add_to(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("info", "what a session holds: objects, counts, rates, gaps, time span");
-    command->add_option("session", session, "folder of the session")->required();
-    command->add_flag("--json", json, "report as JSON");
+    CLI::App* command =
+        app.add_subcommand("info", "what sessions hold: objects, counts, rates, gaps, time span, clocks");
+    command->add_option("sessions", sessions, "folders of sessions, or .mcap files; the clocks of several are compared")
+        ->required();
+    add_clock_option(*command, max_clock_offset);
+    command->add_flag("--json", json, "report as JSON: an object for each session");
     command->callback([this] { chosen = true; });
   }
 
   int run() const {
-    const auto report = lab::inspect(session);
-    if (!report) return fail(report.error());
-    std::printf("%s\n", (json ? to_json(*report) : to_text(*report)).c_str());
+    std::vector<lab::RecordedClock> clocks;
+    for (const std::string& session : sessions) {
+      const auto report = lab::inspect(session);
+      if (!report) return fail(report.error());
+      clocks.push_back(report->clock);
+      tell(*report);
+    }
+    const auto most_ns = clock_offset_ns(max_clock_offset);
+    if (!most_ns) return fail(most_ns.error());
+    const auto agreements = lab::agree(clocks, *most_ns);
+    if (!agreements) return fail(agreements.error());
+    for (const lab::Agreement& agreement : *agreements)
+      if (!agreement.sentence.empty() && !json) std::printf("%s\n", agreement.sentence.c_str());
     return kDone;
+  }
+
+  /// The session, and how well the forecasts in it came true.
+  void tell(const lab::SessionReport& report) const {
+    const auto scores = score_forecasts(report.session);
+    if (json) {
+      nlohmann::json all = to_json(report);
+      for (const auto& [robot, score] : scores) all["forecasts"][robot] = foreseeing::to_json(score);
+      std::printf("%s\n", all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+      return;
+    }
+    std::printf("%s\n", to_text(report).c_str());
+    for (const auto& [robot, score] : scores) {
+      const std::string text = foreseeing::to_text(score);
+      if (!text.empty()) std::printf("%s foretold:\n%s\n", robot.c_str(), text.c_str());
+    }
   }
 };
 
@@ -100,6 +144,12 @@ struct PlayCommand {
         ->required();
     command->add_option("--speed", options.speed, "0.01 .. 1000, 1 is real time")->capture_default_str();
     command->add_flag("--loop", options.loop, "begin again at the end");
+    add_clock_option(*command, options.max_clock_offset);
+    command->add_option("--map", options.map,
+                        "JSON file that says which topics of others are which of our objects: robot/lab/mapping.h");
+    command->add_option(
+        "--rules", options.rules,
+        "rules that what-if questions go by; those of a recorded simulation if not given, else spl2025");
     add_server_options(*command, options.server);
     command->callback([this] { chosen = true; });
   }
@@ -107,6 +157,98 @@ struct PlayCommand {
   int run() const {
     const Result<void> played = play(options);
     return played ? kDone : fail(played.error());
+  }
+};
+
+struct RelayCommand {
+  RelayOptions options;
+  bool chosen = false;
+
+  void add_to(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("relay", "serve live robots to any number of viewers, and record them");
+    command
+        ->add_option("robots", options.robots,
+                     "addresses such as 10.0.14.22:8765, or names or players of the robots file")
+        ->required();
+    command->add_option("--robots", options.robots_file,
+                        "the robots file; $FORESIGHT_ROBOTS or ~/.config/foresight/robots.json if not given");
+    command
+        ->add_option("--pictures", options.pictures,
+                     "of the cameras: jpeg (what a wireless network can carry), raw or none")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, lab::Pictures>{
+            {"jpeg", lab::Pictures::jpeg}, {"raw", lab::Pictures::raw}, {"none", lab::Pictures::none}}))
+        ->default_str("jpeg");
+    command->add_flag("--lossless", options.lossless,
+                      "every message, or the robot ends the connection; otherwise the newest where it is too slow");
+    add_clock_option(*command, options.max_clock_offset);
+    command->add_flag("--record", options.record, "begin to record at once");
+    command->add_option("--name", options.name, "name of the session that --record begins");
+    command->add_option("--log-dir", options.log_folder, "where sessions are recorded")->capture_default_str();
+    command->add_option("--log-mb", options.log_mb, "what all sessions together may take [MB]; the oldest go first")
+        ->capture_default_str();
+    add_server_options(*command, options.server);
+    command->callback([this] { chosen = true; });
+  }
+
+  int run() const {
+    const Result<void> relayed = relay(options);
+    return relayed ? kDone : fail(relayed.error());
+  }
+};
+
+struct WhatIfCommand {
+  WhatIfOptions options;
+  std::string question = "{}";
+  std::vector<std::string> strategies;
+  double horizon = 0;
+  std::uint32_t budget_ms = 2000;
+  bool json = false, chosen = false;
+
+  void add_to(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("what-if", "which strategy would have been best from a moment of a session on");
+    command->add_option("session", options.session, "folder of the session, or an .mcap file")->required();
+    command->add_option("--at", options.at, "[s] since the beginning; negative: before the end")->required();
+    command->add_option("--robot", options.robot, "<team>/<player>, where the session has several");
+    command->add_option("--strategies", strategies, "the first is what is played; all that there are if not given")
+        ->delimiter(',');
+    command->add_option("--horizon", horizon, "[s] how far it looks: 1 .. 1200; 30 if not given");
+    command->add_option("--budget-ms", budget_ms, "[ms] for the answer: 10 .. 10000")->capture_default_str();
+    command->add_option("--rules", options.rules,
+                        "a year's; those of a recorded simulation if not given, else spl2025");
+    command->add_option("--question", question,
+                        "more of the question, as JSON: {\"until\": \"half\", \"edit\": {...}}");
+    command->add_flag("--json", json, "report as JSON");
+    command->callback([this] { chosen = true; });
+  }
+
+  int run() {
+    const auto more = nlohmann::json::parse(question, nullptr, /*allow_exceptions=*/false);
+    if (more.is_discarded()) return fail("--question: expected JSON, got " + question.substr(0, 80));
+    auto parsed = foreseeing::parse_question(more);
+    if (!parsed) return fail("--question: " + parsed.error());
+    options.question = *parsed;
+    for (const std::string& name : strategies) options.question.add_strategies(name);
+    if (horizon != 0) options.question.set_horizon(static_cast<float>(horizon));
+    options.question.set_budget_ms(budget_ms);
+    const auto forecast = what_if(options);
+    if (!forecast) return fail(forecast.error());
+    if (!forecast->refusal().empty()) return fail(forecast->reason());
+    if (json)
+      std::printf("%s\n", foreseeing::to_json(*forecast, true).dump(2).c_str());
+    else
+      print(*forecast);
+    return kDone;
+  }
+
+  static void print(const foresight::Forecast& forecast) {
+    std::printf("%-20s%9s%18s%26s%8s%9s%10s\n", "", "futures", "value", "gain, 95 % interval", "best", "scores",
+                "concedes");
+    for (const auto& told : forecast.strategies())
+      std::printf("%-20s%9u%9.3f ± %-6.3f%9.3f (%6.3f .. %6.3f)%6.0f %%%7.0f %%%8.0f %%\n", told.strategy().c_str(),
+                  told.rollouts(), told.mean(), told.error(), told.gain(), told.gain_low(), told.gain_high(),
+                  100 * told.best(), 100 * told.score(), 100 * told.concede());
+    std::printf("\n%s\n", forecast.reason().c_str());
   }
 };
 
@@ -140,10 +282,14 @@ int lab_main(int argc, char** argv) {
   ImportCommand import;
   InfoCommand info;
   PlayCommand play;
+  RelayCommand relay;
+  WhatIfCommand what_if;
   SynthesizeCommand synthesize;
   import.add_to(app);
   info.add_to(app);
   play.add_to(app);
+  relay.add_to(app);
+  what_if.add_to(app);
   synthesize.add_to(app);
   try {
     app.parse(argc, argv);
@@ -153,6 +299,8 @@ int lab_main(int argc, char** argv) {
   if (import.chosen) return import.run();
   if (info.chosen) return info.run();
   if (play.chosen) return play.run();
+  if (relay.chosen) return relay.run();
+  if (what_if.chosen) return what_if.run();
   return synthesize.run();
 }
 

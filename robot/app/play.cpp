@@ -1,25 +1,22 @@
 #include "robot/app/play.h"
 
+#include <cstdio>
 #include <limits>
+#include <optional>
 
+#include "robot/app/clock_option.h"
+#include "robot/app/lab_foresight.h"
+#include "robot/app/lab_objects.h"
+#include "robot/app/played_range.h"
 #include "robot/app/runtime.h"
 #include "robot/app/signals.h"
+#include "robot/app/what_if_service.h"
 #include "robot/body/replay/replay.h"
+#include "robot/lab/clock_agreement.h"
+#include "robot/lab/mapping.h"
 
 namespace robot::app {
 namespace {
-
-/// What the lab's own process says of itself; everything else on its channels comes from the recording.
-struct LabObjects {
-  explicit LabObjects(const Clock& clock) {
-    runtime.announce("/lab/1/runtime", memory::Delivery::latest, clock);
-    clock_sample.announce("/lab/1/clock", memory::Delivery::reliable, clock);
-    log.announce("/lab/1/log", memory::Delivery::reliable, clock);
-  }
-  memory::MemoryObject<foresight::RuntimeStatistics> runtime;
-  memory::MemoryObject<foresight::ClockSample> clock_sample;
-  memory::MemoryObject<foresight::LogText> log;
-};
 
 class RecordingPlayback final : public net::Playback {
  public:
@@ -52,26 +49,76 @@ class RecordingPlayback final : public net::Playback {
   body::Replay& replay_;
 };
 
+/// What is to be added to the times of each session, said for each.
+Result<std::vector<std::int64_t>> shifts_between(const PlayOptions& options) {
+  std::vector<std::int64_t> shifts_ns;
+  const auto most_ns = clock_offset_ns(options.max_clock_offset);
+  if (!most_ns) return Error{most_ns.error()};
+  if (options.sessions.size() < 2) return shifts_ns;
+  std::vector<lab::RecordedClock> clocks;
+  for (const std::filesystem::path& path : options.sessions) {
+    const auto session = logging::open_session(path);
+    if (!session) return Error{session.error()};
+    clocks.push_back(lab::read_clock(*session));
+  }
+  const auto agreements = lab::agree(clocks, *most_ns);
+  if (!agreements) return Error{"play: " + agreements.error()};
+  for (const lab::Agreement& agreement : *agreements) {
+    shifts_ns.push_back(agreement.shift_ns);
+    if (!agreement.sentence.empty()) std::printf("%s\n", agreement.sentence.c_str());
+  }
+  return shifts_ns;
+}
+
+std::vector<body::MadeStream> made_by(const lab::Mapping& mapping) {
+  std::vector<body::MadeStream> made;
+  for (const lab::TopicRule& rule : mapping.topics)
+    made.push_back(
+        {.from = rule.from, .to = rule.info.topic, .make = [rule](std::unique_ptr<logging::InProvider> stream) {
+           return std::make_unique<lab::MappedInProvider>(std::move(stream), rule);
+         }});
+  return made;
+}
+
 }  // namespace
 
 Result<void> play(const PlayOptions& options) {
   block_end_signals();
-  auto replay = body::Replay::open(options.sessions, {.speed = options.speed, .loop = options.loop});
-  if (!replay) return Error{replay.error()};
+  const auto shifts_ns = shifts_between(options);
+  if (!shifts_ns) return Error{shifts_ns.error()};
+  std::optional<lab::Mapping> mapping;
+  if (!options.map.empty()) {
+    auto read = lab::read_mapping(options.map);
+    if (!read) return Error{read.error()};
+    mapping = std::move(*read);
+  }
+  auto replay =
+      body::Replay::open(options.sessions, {.speed = options.speed,
+                                            .loop = options.loop,
+                                            .robot = "",
+                                            .shifts_ns = *shifts_ns,
+                                            .made = mapping ? made_by(*mapping) : std::vector<body::MadeStream>(),
+                                            .skipped_objects = {"lab/1/runtime", "lab/1/clock"}});
+  if (!replay) return Error{(mapping ? mapping->name + ": " : "") + replay.error()};
+  const std::string robot = mapping ? mapping->robot : (*replay)->robots().front();
   const Clock& clock = (*replay)->clock();
   const auto own = std::make_shared<LabObjects>(clock);
   RecordingPlayback playback(**replay);
+  LabForesight seer(options.rules, {});  // outlives the server that asks it
   Runtime runtime({.program = "foresight-lab",
                    .body = "recording",
-                   .robot = (*replay)->robots().front(),
+                   .robot = robot,
                    .server = options.server,
                    .log_folder = std::filesystem::absolute(options.sessions.front()).lexically_normal().parent_path(),
                    .log_bytes = std::numeric_limits<std::uint64_t>::max(),
                    .records = false,
-                   .playback = &playback},
+                   .playback = &playback,
+                   .played = [&replay](const net::PlayedRequest& asked) { return played_range(**replay, asked); }},
                   clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
-  for (memory::Channel* channel : std::initializer_list<memory::Channel*>{&own->runtime, &own->clock_sample, &own->log})
-    if (Result<void> listed = runtime.channels().add({own, channel}); !listed) return listed;
+  if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
+  add_what_if(runtime.services(), robot, [&](const std::string& whose, const foresight::WhatIf& question) {
+    return seer.ask(runtime.channels(), whose, question, clock.now_ns());
+  });
   if (Result<void> started = runtime.start(); !started) return started;
   (*replay)->start(runtime.channels(), runtime.board());
   runtime.run([&] {

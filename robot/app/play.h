@@ -13,11 +13,15 @@ struct PlayOptions {
   std::vector<std::filesystem::path> sessions;
   double speed = 1;  // 0.01 .. 1000
   bool loop = false;
+  double max_clock_offset = 60;  // [s] a session whose clock is further off than that from the first one's is refused
+  std::filesystem::path map;     // which of their topics is which of our objects; empty: none is
+  std::string rules;             // of foresight; empty: those of the recorded simulation, else spl2025
   ServerSettings server;
 };
 
-/// Serves the sessions in one time base, and all others in the folder of the first for download, until the process is
-/// told to end. Clients may pause, go elsewhere and change the speed.
+/// Serves the sessions in one time base, that of the first one's clock as far as their clock samples tell, and all others in the folder of the first for download, until the process is
+/// told to end. Clients may pause, go elsewhere and change the speed, and ask foresight what would
+/// have been best from there on.
 Result<void> play(const PlayOptions& options);
 
 }  // namespace robot::app

@@ -7,6 +7,7 @@
 #include "robot/app/build_id.h"
 #include "robot/app/robot_options.h"
 #include "robot/app/run_attached.h"
+#include "robot/app/run_nao.h"
 #include "robot/app/run_replay.h"
 #include "robot/app/run_simulation.h"
 #include "robot/app/signals.h"
@@ -22,6 +23,7 @@ constexpr int kGivenBack_bytes = 512 * 1024;  // a 640x480 picture has 600 kB
 
 Result<void> run(const RobotOptions& options) {
   if (options.body == "attached") return run_attached(options);
+  if (options.body == "nao") return run_nao(options);
   return options.body == "sim" ? run_simulation(options) : run_replay(options);
 }
 

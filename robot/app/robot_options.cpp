@@ -8,8 +8,8 @@ namespace robot::app {
 namespace {
 
 void add_body_options(CLI::App& app, RobotOptions& options) {
-  app.add_option("--body", options.body, "where sensor data come from: attached, replay or sim")
-      ->check(CLI::IsMember({"attached", "replay", "sim"}))
+  app.add_option("--body", options.body, "where sensor data come from: attached, nao, replay or sim")
+      ->check(CLI::IsMember({"attached", "nao", "replay", "sim"}))
       ->capture_default_str();
   app.add_option("--team", options.team, "number of the team; that of the session, or 14, if not given")
       ->check(CLI::Range(0, 255));
@@ -18,9 +18,14 @@ void add_body_options(CLI::App& app, RobotOptions& options) {
   app.add_option("--speed", options.speed, "of replay: 0.01 .. 1000, of sim: 0.1 .. 100; 1 is real time")
       ->capture_default_str();
   app.add_flag("--loop", options.loop, "begin again at the end: the recording, or another game of the next seed");
+  app.add_option("--door", options.door,
+                 "socket by which a team's processes join body attached or nao; $FORESIGHT_DOOR, or one of this user's "
+                 "if not given");
+  app.add_option("--guardian", options.guardian,
+                 "link of the guardian for body nao; $FORESIGHT_GUARDIAN, or one of this user's if not given");
   app.add_option(
-      "--door", options.door,
-      "socket by which a team's processes join body attached; $FORESIGHT_DOOR, or one of this user's if not given");
+      "--nao-config", options.nao_config,
+      "file of calibration and cameras for body nao (robot/body/nao/config.h); a V6 as it is planned if not given");
   app.add_option("--session", options.session, "folder of the session that body replay plays");
 }
 
@@ -38,13 +43,28 @@ void add_simulation_options(CLI::App& app, RobotOptions& options) {
       ->capture_default_str()
       ->group(group);
   app.add_option("--away", options.away, "strategy of the away team")->capture_default_str()->group(group);
-  app.add_option("--rules", options.rules, "rules of a year")->capture_default_str()->group(group);
+  app.add_option("--rules", options.rules, "rules of a year, in foresight too")->capture_default_str()->group(group);
   app.add_option("--models", options.models, "what robots can do and perceive")->capture_default_str()->group(group);
   app.add_option("--home-models", options.home_models, "the home team's own")->group(group);
   app.add_option("--away-models", options.away_models, "the away team's own")->group(group);
   app.add_option("--seed", options.seed, "all chance of the game follows from it")
       ->check(CLI::Range(std::uint64_t{0}, body::SimBody::kGreatestSeed))
       ->capture_default_str()
+      ->group(group);
+}
+
+void add_foresight_options(CLI::App& app, RobotOptions& options) {
+  const char* const group = "Foresight";
+  app.add_option("--strategies", options.strategies,
+                 "what can be chosen from, by name or path; the first is what is played at first")
+      ->delimiter(',')
+      ->group(group);
+  app.add_flag_callback(
+         "--foresight", [&options] { options.foresight = true; }, "the captain asks of its own accord")
+      ->group(group);
+  app.add_flag_callback(
+         "--no-foresight", [&options] { options.foresight = false; },
+         "it does not; with body sim it does where nobody says otherwise")
       ->group(group);
 }
 
@@ -81,13 +101,14 @@ void add_recording_options(CLI::App& app, RobotOptions& options) {
 void add_options(CLI::App& app, RobotOptions& options) {
   add_body_options(app, options);
   add_simulation_options(app, options);
+  add_foresight_options(app, options);
   add_game_options(app, options);
   add_recording_options(app, options);
   add_server_options(app, options.server);
 }
 
-std::set<std::string> written_by_game(const RobotOptions& options) {
-  std::set<std::string> objects;
+std::set<std::string> written_by_us(const RobotOptions& options) {
+  std::set<std::string> objects{"forecast", "forecast_score", "strategy"};
   if (options.game_controller) objects.insert("game");
   if (options.return_packets || options.team_messages) objects.insert("team");
   return objects;
@@ -106,7 +127,8 @@ RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
                          .server = options.server,
                          .log_folder = options.log_folder,
                          .log_bytes = options.log_mb * 1'000'000};
-  if (!options.game_controller && options.body != "attached") return runtime;
+  const bool may_hear = options.body == "attached" || options.body == "nao";
+  if (!options.game_controller && !may_hear) return runtime;
   const auto team = static_cast<std::uint32_t>(robot.team), player = static_cast<std::uint32_t>(robot.player);
   runtime.game = GameOptions{.link = {.team = team,
                                       .player = player,

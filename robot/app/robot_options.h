@@ -20,8 +20,12 @@ struct RobotOptions {
   double speed = 1;
   bool loop = false;
 
-  // body attached
+  // bodies attached and nao
   std::filesystem::path door;  // empty: where clients look for it
+
+  // body nao
+  std::filesystem::path guardian;    // its link; empty: where it is by itself
+  std::filesystem::path nao_config;  // robot/body/nao/config.h; empty: a V6 as it is planned
 
   // body replay
   std::filesystem::path session;
@@ -30,8 +34,12 @@ struct RobotOptions {
   std::string side = "home";
   int opponent = 5;
   std::string home = "baseline", away = "baseline";
-  std::string rules = "spl2012", models = "match", home_models, away_models;
+  std::string rules = "spl2012", models = "match", home_models, away_models;  // rules and models of foresight, too
   std::uint64_t seed = 1;
+
+  // foresight
+  std::vector<std::string> strategies;  // empty: default_strategies()
+  std::optional<bool> foresight;        // nothing: with body sim alone
 
   // game
   bool game_controller = false, return_packets = false, team_messages = false;
@@ -49,8 +57,8 @@ struct RobotOptions {
 
 void add_options(CLI::App& app, RobotOptions& options);
 
-/// Objects of our robot that following a real game writes, as the options ask for it.
-std::set<std::string> written_by_game(const RobotOptions& options);
+/// Objects of our robot that foresight and, as the options ask for it, following a real game write whatever the body.
+std::set<std::string> written_by_us(const RobotOptions& options);
 
 /// The robot that the options name: 14/2 where they do not.
 RobotName robot_named_by(const RobotOptions& options);

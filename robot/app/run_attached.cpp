@@ -3,24 +3,30 @@
 #include <memory>
 #include <utility>
 
+#include "robot/app/foresight_control.h"
 #include "robot/app/parameter_object.h"
 #include "robot/app/runtime.h"
 #include "robot/body/attached/door.h"
 
 namespace robot::app {
 
-Result<void> run_attached(const RobotOptions& options) {
+Result<void> run_attached(const RobotOptions& options, const OwnBody& own) {
   const RobotName robot = robot_named_by(options);
   const SessionClock clock;
   const auto memory = std::make_shared<memory::Memory>(robot.text(), clock);
   Runtime runtime(runtime_options(options, robot), clock, own_objects(*memory));
   if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
+  if (own.add_services) own.add_services(runtime.services());
+  const auto foresight = ForesightControl::open(foreseer_options(options), options.foresight.value_or(false), runtime,
+                                                *memory, robot.text(), [&clock] { return clock.now_ns(); });
+  if (!foresight) return Error{foresight.error()};
   if (Result<void> listed = list_parameters(runtime.parameters(), robot.text(), runtime.channels(), clock); !listed)
     return listed;
   std::unique_ptr<body::Door> door;
   if (!options.plan) {
     body::DoorOptions at{.path = options.door.empty() ? body::default_door() : options.door, .robot = robot.text()};
-    at.own_objects.merge(written_by_game(options));
+    at.own_objects.merge(written_by_us(options));
+    at.own_objects.insert(own.objects.begin(), own.objects.end());
     auto opened = body::Door::open(std::move(at), clock, runtime.channels(), runtime.board());
     if (!opened) return Error{opened.error()};
     door = std::move(*opened);
@@ -28,6 +34,7 @@ Result<void> run_attached(const RobotOptions& options) {
   const Result<bool> begun = begin(runtime, options);
   if (!begun) return Error{begun.error()};
   if (!*begun) return {};
+  const std::shared_ptr<void> body = own.begin ? own.begin(*memory, clock) : nullptr;
   runtime.run([] { return true; });
   return {};
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "robot/app/foresight_control.h"
 #include "robot/app/runtime.h"
 #include "robot/body/replay/replay.h"
 
@@ -17,8 +18,8 @@ Result<void> run_replay(const RobotOptions& options) {
   const RobotName robot{.team = options.team.value_or(recorded->info.team),
                         .player = options.player.value_or(recorded->info.player)};
   // these this process writes itself
-  std::vector<std::string> skipped{"runtime", "clock", "log"};
-  for (const std::string& object : written_by_game(options)) skipped.push_back(object);
+  std::vector<std::string> skipped{"runtime", "clock", "log", "what_if"};
+  for (const std::string& object : written_by_us(options)) skipped.push_back(object);
   auto replay = body::Replay::open(
       {options.session},
       {.speed = options.speed, .loop = options.loop, .robot = robot.text(), .skipped_objects = std::move(skipped)});
@@ -26,6 +27,10 @@ Result<void> run_replay(const RobotOptions& options) {
   const auto memory = std::make_shared<memory::Memory>(robot.text(), (*replay)->clock());
   Runtime runtime(runtime_options(options, robot), (*replay)->clock(), own_objects(*memory));
   if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
+  const auto foresight =
+      ForesightControl::open(foreseer_options(options), options.foresight.value_or(false), runtime, *memory,
+                             robot.text(), [&clock = (*replay)->clock()] { return clock.now_ns(); });
+  if (!foresight) return Error{foresight.error()};
   const Result<bool> begun = begin(runtime, options);
   if (!begun) return Error{begun.error()};
   if (!*begun) return {};

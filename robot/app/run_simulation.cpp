@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "robot/app/foresight_control.h"
 #include "robot/app/runtime.h"
 #include "robot/app/simulation_control.h"
 #include "robot/body/sim/sim_body.h"
@@ -47,6 +48,11 @@ Result<void> run_simulation(const RobotOptions& options) {
   Runtime runtime(runtime_options(options, robot), clock, own_objects(*(*body)->memory()));
   if (Result<void> listed = (*body)->list(runtime.channels()); !listed) return listed;
   add_simulation_control(**body, runtime.services());
+  // a game that is paused stands still for foresight, too
+  const auto shown_ns = [&simulation = (*body)->memory()->simulation] { return simulation.read()->capture_ns(); };
+  const auto foresight = ForesightControl::open(foreseer_options(options), options.foresight.value_or(true), runtime,
+                                                *(*body)->memory(), robot.text(), shown_ns);
+  if (!foresight) return Error{foresight.error()};
   const Result<bool> begun = begin(runtime, options);
   if (!begun) return Error{begun.error()};
   if (!*begun) return {};

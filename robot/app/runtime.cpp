@@ -58,6 +58,7 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
           store_, options_.records ? &recorder_ : nullptr),
       statistics_(channels_, clock_, board_, store_, options_.records ? &recorder_ : nullptr),
       clock_sampler_(system_ns() - monotonic_ns()) {
+  application_.play_by(options_.played);
   net::declare_image_parameters(parameters_);
   if (options_.records) add_recording_control(recorder_, store_, parameters_, services_);
   net::add_clock_sync(services_, clock_, [this](const net::PeerClock& peer) {
@@ -79,6 +80,10 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
 
 Runtime::~Runtime() {
   set_report_listener({});
+  stop();
+}
+
+void Runtime::stop() {
   if (server_) server_->stop();
 }
 
@@ -135,7 +140,9 @@ void Runtime::run(const std::function<bool()>& tick) {
 
 void Runtime::every_second() {
   own_.clock.write(clock_sampler_.sample(monotonic_ns(), system_ns()), clock_.now_ns());
-  own_.runtime.write(statistics_.collect(server_->statistics()), clock_.now_ns());
+  foresight::RuntimeStatistics statistics = statistics_.collect(server_->statistics());
+  if (options_.add_statistics) options_.add_statistics(statistics);
+  own_.runtime.write(statistics, clock_.now_ns());
   if (options_.records) store_.make_room(0, clock_.now_ns());
 }
 

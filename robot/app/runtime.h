@@ -14,6 +14,10 @@
 //   game              GameControl  hears the GameController (--game-controller)                each packet
 //   team              GameControl  answers it (--return-packets), tells the teammates          1 Hz; as the budget allows
 //                                  (--team-messages)
+//   nao               NaoBody   writes what LoLA tells, gives the guardian its orders (nao)    each cycle, 83 Hz
+//   camera top        NaoCameras  writes images, and where the camera was (nao)               30 Hz
+//   camera bottom     NaoCameras  the same
+//   relay             RobotLink  carries one robot's channels into memory (foresight-lab relay) when there is something
 //   simulation        SimBody   plays the game and writes all robots' memories (sim)           30 Hz x speed
 //
 // Loggers, parsers and the net thread run at nice 10: whoever decides and moves comes first.
@@ -54,7 +58,9 @@ struct RuntimeOptions {
   std::uint64_t log_bytes = 4'000'000'000;  // all sessions together
   bool records = true;                      // false where recordings are only shown
   net::Playback* playback = nullptr;        // of the recording that is played; outlives the runtime
-  std::optional<GameOptions> game;          // where a real game may be; needs `records`
+  std::function<net::HttpResponse(const net::PlayedRequest&)> played;  // tells parts of that recording; may be empty
+  std::optional<GameOptions> game;                                     // where a real game may be; needs `records`
+  std::function<void(foresight::RuntimeStatistics&)> add_statistics;  // adds what only this program knows; may be empty
 };
 
 /// The objects a process writes about itself.
@@ -90,6 +96,9 @@ class Runtime {
   /// Does the housekeeping and calls `tick` ten times a second, until `tick` returns false or the process is told to
   /// end (SIGINT, SIGTERM).
   void run(const std::function<bool()>& tick);
+
+  /// From now on nobody is served. Once it returns no service is being called. Again is nothing.
+  void stop();
 
  private:
   void every_second();

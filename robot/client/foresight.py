@@ -29,7 +29,7 @@ import tempfile
 import time
 
 __all__ = [
-    "Writer", "Reader", "Message", "now_ns", "image", "YUYV", "JPEG", "LATEST", "FIFO", "RELIABLE",
+    "Writer", "Reader", "Message", "Adviser", "Advice", "now_ns", "image", "YUYV", "JPEG", "LATEST", "FIFO", "RELIABLE",
     "uint_field", "float_field", "bytes_field", "floats_field", "fields", "as_float",
 ]
 
@@ -441,3 +441,48 @@ def fields(message):
 def as_float(value):
     """What a float field holds."""
     return struct.unpack("<f", value)[0]
+
+
+class Advice(collections.namedtuple("Advice", "known change choice reason")):
+    """What a forecast comes to. `known`: False where it cannot tell, `reason` says why; `change`: another strategy than
+    the first is better for sure; `choice`: what to play; `reason`: one sentence."""
+
+
+class Adviser:
+    """Asks foresight which strategy is best from here on. The runtime has to know pose, ball and game of the robot, and
+    the strategies by name (--strategies)."""
+
+    def __init__(self, door=None):
+        self._questions = Writer("what_if", "foresight.WhatIf", delivery=RELIABLE, door=door)
+        self._forecasts = Reader("forecast", door=door)
+        self._asked = None
+
+    def ask(self, strategies, horizon=30.0, budget_ms=500):
+        """Asks; the first strategy is what is played now. Looks `horizon` [s] ahead. True: the question is on its way."""
+        self._asked = now_ns()
+        names = b"".join(bytes_field(2, name) for name in strategies)
+        question = uint_field(1, self._asked) + names + float_field(6, horizon) + uint_field(7, budget_ms)
+        return self._questions.write(self._asked, question)
+
+    def answer(self):
+        """The Advice that answers the last question; None while there is none. Never waits."""
+        for message in self._forecasts:
+            forecast = dict(fields(message.bytes))
+            if self._asked and dict(fields(forecast.get(1, b""))).get(1) == self._asked:
+                kind = forecast.get(3, 0)
+                texts = (forecast.get(number, b"").decode(errors="replace") for number in (4, 5))
+                return Advice(kind != 0, kind == 2, *texts)
+        return None
+
+    def what_if(self, strategies, horizon=30.0, budget_ms=500):
+        """Asks and waits for the Advice, at most 100 ms longer than the budget; None: there was none."""
+        self.answer()  # takes what came before, and connects
+        late_ns = now_ns() + (budget_ms + 100) * 1000000
+        if not self.ask(strategies, horizon, budget_ms):
+            return None
+        while now_ns() < late_ns:
+            advice = self.answer()
+            if advice:
+                return advice
+            self._forecasts.wait((late_ns - now_ns()) / 1e9)
+        return self.answer()

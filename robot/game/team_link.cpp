@@ -86,6 +86,9 @@ void TeamLink::take_message(const TeamMessage& message, std::uint64_t now_ns) {
   mate.set_fallen(message.fallen);
   mate.clear_pose();
   mate.clear_ball();
+  mate.clear_strategy();
+  mate.clear_epoch();
+  if (message.strategy != kNoStrategy) mate.set_strategy(message.strategy), mate.set_epoch(message.epoch);
   if (message.pose) *mate.mutable_pose() = *message.pose;
   if (message.ball) *mate.mutable_ball() = *message.ball;
   write_team();
@@ -136,6 +139,10 @@ void TeamLink::tell_teammates() {
     message.fallen = (*motion)->fall() == pb::MotionStatus::FALL_FALLEN;
   if (const auto pose = memory_.pose.read()) message.pose = pose->value();
   if (const auto ball = memory_.ball.read()) message.ball = ball->value();
+  if (const auto strategy = memory_.strategy.read()) {
+    if ((*strategy)->chosen()) message.strategy = static_cast<std::uint8_t>((*strategy)->number());
+    message.epoch = static_cast<std::uint8_t>((*strategy)->epoch());
+  }
   last_message_ns_ = monotonic;
   // counted before it is known to have gone: the budget counts what the GameController hears
   guard_.count();

@@ -12,8 +12,8 @@ namespace {
 // pose x, y [mm], heading [1/10000 rad], deviations x, y [mm], heading [1/10000 rad],
 // ball x, y [mm], velocity x, y [mm/s], deviation [mm], age [ms]
 constexpr std::string_view kLetters = "FSgt";
-constexpr std::uint32_t kVersion = 1;
-constexpr std::size_t kBytes = 36;
+constexpr std::uint32_t kVersion = 2;
+constexpr std::size_t kBytes = 38;
 static_assert(kBytes <= kMaxTeamMessageBytes);
 
 constexpr std::uint32_t kHasPose = 1, kHasBall = 2, kFallen = 4, kAllFlags = 7;
@@ -95,6 +95,8 @@ std::string to_bytes(const TeamMessage& message, std::uint64_t now_ns) {
   put(out, message.player, 1);
   put(out, (has_pose ? kHasPose : 0) | (has_ball ? kHasBall : 0) | (message.fallen ? kFallen : 0), 1);
   put(out, message.sender, 4);
+  put(out, message.strategy);
+  put(out, message.epoch);
   put_pose(out, has_pose ? *message.pose : pb::Pose());
   put_ball(out, has_ball ? *message.ball : pb::Ball(), now_ns);
   return out;
@@ -110,6 +112,8 @@ Result<TeamMessage> parse_team_message(std::string_view bytes, std::uint64_t now
   TeamMessage message{.team = in.number<std::uint8_t>(), .player = in.number<std::uint8_t>()};
   const auto flags = in.number<std::uint8_t>();
   message.sender = in.number<std::uint32_t>();
+  message.strategy = in.number<std::uint8_t>();
+  message.epoch = in.number<std::uint8_t>();
   if (message.player < 1 || message.player > 20 || flags > kAllFlags)
     return Error{"team message: expected player 1 .. 20 and flags 0 .. 7, got player " +
                  std::to_string(message.player) + " and flags " + std::to_string(flags)};

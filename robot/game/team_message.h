@@ -1,4 +1,4 @@
-// What robots with our own behaviour tell each other: one UDP packet of 36 bytes, of which the rules allow 128.
+// What robots with our own behaviour tell each other: one UDP packet of 38 bytes, of which the rules allow 128.
 #pragma once
 
 #include <cstdint>
@@ -21,12 +21,15 @@ inline constexpr std::size_t kMaxTeamMessageBytes = 128;
 /// Team messages go to UDP port 10000 + number of the team.
 inline constexpr std::uint16_t kTeamPortBase = 10'000;
 
+inline constexpr std::uint8_t kNoStrategy = 0xff;
+
 struct TeamMessage {
   std::uint32_t team = 0, player = 0;
   std::uint32_t sender = 0;  // by chance, once per start of the program: two programs with one number differ in it
   bool fallen = false;
-  std::optional<pb::Pose> pose;  // [team_field] position, heading and their deviations
-  std::optional<pb::Ball> ball;  // [robot] position, velocity, deviation; `seen_ns` by the own clock
+  std::uint8_t strategy = kNoStrategy, epoch = 0;  // the team's choice that it follows (sim/agent/choice.h)
+  std::optional<pb::Pose> pose;                    // [team_field] position, heading and their deviations
+  std::optional<pb::Ball> ball;                    // [robot] position, velocity, deviation; `seen_ns` by the own clock
 };
 
 /// The packet. Positions in millimetres within ±32 m, angles in 1/10000 rad; deviations grow at most to 65 m. What is not a

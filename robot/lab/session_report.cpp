@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <nlohmann/json.hpp>
 
 #include "robot/core/clock.h"
 #include "robot/logging/file_provider.h"
@@ -29,14 +28,14 @@ std::string utc(std::uint64_t time_ns) {
 
 StreamReport inspect_stream(const logging::Session& session, const logging::StreamFile& file) {
   StreamReport report{.topic = file.topic, .schema = file.schema, .size_bytes = file.size_bytes, .damage = file.damage};
-  logging::FileInProvider stream(session.folder / file.file);
-  if (const auto info = stream.open(); !info) {
+  const auto stream = logging::provider_of(session, file);
+  if (const auto info = stream->open(); !info) {
     report.damage = info.error();
     return report;
   }
   std::uint64_t last_sequence = 0, last_capture_ns = 0;
   while (true) {
-    const Result<std::optional<logging::Record>> record = stream.read();
+    const Result<std::optional<logging::Record>> record = stream->read();
     if (!record) {
       if (report.damage.empty()) report.damage = record.error();
       continue;
@@ -45,7 +44,8 @@ StreamReport inspect_stream(const logging::Session& session, const logging::Stre
     const logging::Record& message = **record;
     if (report.messages == 0) report.start_ns = report.end_ns = message.capture_ns;
     if (report.messages > 0) {
-      if (message.sequence > last_sequence + 1) report.missing += message.sequence - last_sequence - 1;
+      if (session.numbered && message.sequence > last_sequence + 1)
+        report.missing += message.sequence - last_sequence - 1;
       if (message.capture_ns > last_capture_ns)
         report.longest_gap =
             std::max(report.longest_gap, static_cast<double>(message.capture_ns - last_capture_ns) * 1e-9);
@@ -64,10 +64,11 @@ StreamReport inspect_stream(const logging::Session& session, const logging::Stre
 
 }  // namespace
 
-Result<SessionReport> inspect(const std::filesystem::path& folder) {
-  Result<logging::Session> session = logging::read_session(folder);
+Result<SessionReport> inspect(const std::filesystem::path& path) {
+  Result<logging::Session> session = logging::open_session(path);
   if (!session) return Error{session.error()};
-  SessionReport report{.session = std::move(*session), .streams = {}};
+  SessionReport report{.session = std::move(*session), .streams = {}, .clock = {}};
+  report.clock = read_clock(report.session);
   for (const logging::StreamFile& file : report.session.streams)
     report.streams.push_back(inspect_stream(report.session, file));
   return report;
@@ -81,6 +82,8 @@ std::string to_text(const SessionReport& report) {
   text += format("time     %s UTC, %.1f s\n", utc(session.start_ns).c_str(),
                  static_cast<double>(session.end_ns - session.start_ns) * 1e-9);
   text += format("size     %.1f MB\n", static_cast<double>(session.size_bytes) * 1e-6);
+  for (const auto& [peer, offset] : report.clock.peers)
+    text += "clock    " + peer + " is " + to_text(offset) + " of that of " + report.clock.who + "\n";
   if (!session.message.empty()) text += "note     " + session.message + "\n";
   text += format("\n%-30s %-24s %9s %9s %9s %9s %11s\n", "topic", "schema", "messages", "Hz", "missing", "kB",
                  "longest gap");
@@ -94,7 +97,7 @@ std::string to_text(const SessionReport& report) {
   return text;
 }
 
-std::string to_json(const SessionReport& report) {
+nlohmann::json to_json(const SessionReport& report) {
   const logging::Session& session = report.session;
   nlohmann::json streams = nlohmann::json::array();
   for (const StreamReport& stream : report.streams)
@@ -108,17 +111,20 @@ std::string to_json(const SessionReport& report) {
                        {"missing", stream.missing},
                        {"longest_gap_s", stream.longest_gap},
                        {"damage", stream.damage}});
-  return nlohmann::json{{"session", session.id()},
-                        {"state", name(session.state)},
-                        {"message", session.message},
-                        {"robot", session.info.robot},
-                        {"profile", session.info.profile},
-                        {"build", session.info.build},
-                        {"start_ns", std::to_string(session.start_ns)},
-                        {"end_ns", std::to_string(session.end_ns)},
-                        {"size_bytes", session.size_bytes},
-                        {"streams", streams}}
-      .dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+  nlohmann::json peers = nlohmann::json::object();
+  for (const auto& [peer, offset] : report.clock.peers)
+    peers[peer] = {{"offset_ns", std::to_string(offset.offset_ns)}, {"error_ns", std::to_string(offset.error_ns)}};
+  return {{"session", session.id()},
+          {"state", name(session.state)},
+          {"message", session.message},
+          {"robot", session.info.robot},
+          {"profile", session.info.profile},
+          {"build", session.info.build},
+          {"start_ns", std::to_string(session.start_ns)},
+          {"end_ns", std::to_string(session.end_ns)},
+          {"size_bytes", session.size_bytes},
+          {"clock", {{"of", report.clock.who}, {"peers", std::move(peers)}}},
+          {"streams", std::move(streams)}};
 }
 
 }  // namespace robot::lab

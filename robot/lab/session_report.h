@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "robot/core/result.h"
+#include "robot/lab/clock_agreement.h"
 #include "robot/logging/session.h"
 
 namespace robot::lab {
@@ -24,13 +26,14 @@ struct StreamReport {
 struct SessionReport {
   logging::Session session;
   std::vector<StreamReport> streams;
+  RecordedClock clock;
 };
 
-/// Reads every message of the session in `folder`.
-Result<SessionReport> inspect(const std::filesystem::path& folder);
+/// Reads every message of the session in a folder, or of a recording of many channels in one file.
+Result<SessionReport> inspect(const std::filesystem::path& path);
 
 /// As a table for a terminal, and as JSON.
 std::string to_text(const SessionReport& report);
-std::string to_json(const SessionReport& report);
+nlohmann::json to_json(const SessionReport& report);
 
 }  // namespace robot::lab

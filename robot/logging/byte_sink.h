@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "robot/core/files.h"
@@ -38,6 +39,25 @@ class FileSink final : public ByteSink {
 
   std::filesystem::path path_;
   FileDescriptor file_;
+};
+
+/// Bytes in memory.
+class MemorySink final : public ByteSink {
+ public:
+  /// `bytes` outlives the sink.
+  explicit MemorySink(std::string& bytes) : bytes_(bytes) {}
+
+  Result<void> append(std::span<const std::string_view> pieces) override {
+    for (const std::string_view piece : pieces) bytes_ += piece;
+    return {};
+  }
+  Result<void> truncate(std::uint64_t size) override {
+    bytes_.resize(static_cast<std::size_t>(size));
+    return {};
+  }
+
+ private:
+  std::string& bytes_;
 };
 
 }  // namespace robot::logging

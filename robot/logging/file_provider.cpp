@@ -7,6 +7,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/logging/assembly.h"
+#include "robot/logging/session.h"
 
 namespace robot::logging {
 
@@ -64,17 +65,25 @@ Result<memory::ChannelInfo> FileInProvider::open() {
   return channel_info(index->channels.begin()->second, index->schemas);
 }
 
-/// Of the file, only the chunks that matter.
+/// Of the file, only the chunks that matter. Other writers may have several channels of one topic, and no chunks.
 Result<memory::ChannelInfo> FileInProvider::open_topic(std::shared_ptr<const ByteSource> source,
                                                        const McapIndex& index) {
-  const auto channel = std::ranges::find_if(index.channels, [&](const auto& id) { return id.second.topic == *topic_; });
-  if (channel == index.channels.end())
-    return Error{path_.string() + ": expected a channel " + *topic_ + ", there is none"};
+  std::optional<memory::ChannelInfo> info;
+  for (const auto& [id, channel] : index.channels) {
+    if (channel.topic != *topic_) continue;
+    const memory::ChannelInfo one = channel_info(channel, index.schemas);
+    if (!info) info = one;
+    if (one == *info) channel_ids_.insert(id);
+  }
+  if (!info) return Error{path_.string() + ": expected a channel " + *topic_ + ", there is none"};
+  if (index.unchunked_messages > 0) {
+    reader_.emplace(std::move(source));
+    return *info;
+  }
   Result<Assembly> chunks = assemble({std::move(source)}, {.topic = *topic_});
   if (!chunks) return Error{chunks.error()};
-  channel_id_ = channel->first;
   reader_.emplace(std::make_shared<const Assembly>(std::move(*chunks)));
-  return channel_info(channel->second, index.schemas);
+  return *info;
 }
 
 Result<std::optional<Record>> FileInProvider::read() {
@@ -90,7 +99,7 @@ Result<std::optional<Record>> FileInProvider::read_on() {
     Result<std::optional<McapMessage>> message = reader_->next();
     if (!message) return Error{message.error()};
     if (!*message) break;
-    if (topic_ && (*message)->channel_id != channel_id_) continue;
+    if (topic_ && !channel_ids_.contains((*message)->channel_id)) continue;
     return std::optional<Record>(std::move((*message)->record));
   }
   return std::optional<Record>();
@@ -121,6 +130,11 @@ Result<void> FileInProvider::seek(std::uint64_t capture_ns) {
     return {};
   }
   return reader_->seek(0);
+}
+
+std::unique_ptr<InProvider> provider_of(const Session& session, const StreamFile& stream) {
+  return std::make_unique<FileInProvider>(session.folder / stream.file,
+                                          session.one_file ? std::optional(stream.topic) : std::nullopt);
 }
 
 }  // namespace robot::logging

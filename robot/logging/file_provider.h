@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "robot/core/clock.h"
@@ -16,6 +17,9 @@
 #include "robot/logging/provider.h"
 
 namespace robot::logging {
+
+struct Session;
+struct StreamFile;
 
 /// Records one channel into a new file. An existing file is never overwritten.
 class FileOutProvider final : public OutProvider {
@@ -71,10 +75,13 @@ class FileInProvider final : public InProvider {
 
   std::filesystem::path path_;
   std::optional<std::string> topic_;
-  std::uint16_t channel_id_ = 0;  // of the topic
+  std::set<std::uint16_t> channel_ids_;  // of the topic
   std::optional<McapReader> reader_;
   std::deque<Record> ahead_;  // read already by seek()
   std::atomic<bool> cancelled_ = false;
 };
+
+/// The messages of one stream of a session.
+std::unique_ptr<InProvider> provider_of(const Session& session, const StreamFile& stream);
 
 }  // namespace robot::logging

@@ -147,6 +147,17 @@ Result<std::string> encode_jpeg(std::string_view yuyv, int width, int height, Jp
   return std::string(reinterpret_cast<char*>(compressor.buffer), compressor.size);
 }
 
+Result<ImageSize> size_of_jpeg(std::string_view jpeg) {
+  const std::unique_ptr<void, void (*)(tjhandle)> decoder(tjInitDecompress(), [](tjhandle used) { tjDestroy(used); });
+  ImageSize size;
+  int subsampling = 0, colours = 0;
+  if (tjDecompressHeader3(decoder.get(), reinterpret_cast<const unsigned char*>(jpeg.data()), jpeg.size(), &size.width,
+                          &size.height, &subsampling, &colours) != 0)
+    return Error{std::string("JPEG: ") + tjGetErrorStr2(decoder.get())};
+  if (colours == TJCS_CMYK || colours == TJCS_YCCK) size.width *= 2;  // they count pairs
+  return size;
+}
+
 Result<YuyvImage> decode_jpeg(std::string_view jpeg) {
   jpeg_decompress_struct decoder{};
   JpegErrors errors;

@@ -22,6 +22,13 @@ struct YuyvImage {
   std::string yuyv;           // 2 bytes per pixel
 };
 
+struct ImageSize {
+  int width = 0, height = 0;  // [px]
+};
+
+/// How large the picture is that decode_jpeg() makes of a JPEG, without decoding it.
+Result<ImageSize> size_of_jpeg(std::string_view jpeg);
+
 /// The pixels of a JPEG. Two kinds are understood: an ordinary colour JPEG, and the four-component JPEG of the 2009
 /// B-Human recordings, whose components are the Y U Y V of each pair of pixels, so that its width counts pairs.
 /// At most 4096 x 4096 px.

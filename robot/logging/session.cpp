@@ -18,6 +18,7 @@ namespace robot::logging {
 namespace {
 
 constexpr std::size_t kMaxSessionJsonBytes = 1 << 20;
+constexpr const char* kSessionMetadata = "foresight.session";
 constexpr std::size_t kPieceBytes = 1 << 18;
 using Type = nlohmann::json::value_t;
 
@@ -67,7 +68,7 @@ std::string robot_of(const std::string& topic) {
 SessionInfo info_of(const McapIndex& index, const std::filesystem::path& file) {
   SessionInfo info{.name = file.stem().string(), .robot = "", .profile = "import", .complete = index.complete};
   for (const mcap::Metadata& metadata : index.metadata)
-    if (metadata.name == "foresight.session")
+    if (metadata.name == kSessionMetadata)
       for (const auto& [key, value] : metadata.entries) {
         if (key == "name" && !value.empty()) info.name = value;
         if (key == "robot") info.robot = value;
@@ -100,7 +101,7 @@ std::string to_json(const SessionInfo& info) {
 }
 
 MetadataByName metadata_of(const SessionInfo& info) {
-  return {{"foresight.session",
+  return {{kSessionMetadata,
            {{"name", info.name},
             {"robot", info.robot},
             {"team", std::to_string(info.team)},
@@ -162,7 +163,7 @@ Result<std::vector<SessionFile>> read_session_files(const std::filesystem::path&
     if (!source) return Error{source.error()};
     SessionFile file{.name = entry.path().filename().string(), .size_bytes = (*source)->size()};
     for (std::uint64_t at = 0; at < file.size_bytes; at += kPieceBytes) {
-      piece.resize(std::min<std::uint64_t>(kPieceBytes, file.size_bytes - at));
+      piece.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kPieceBytes, file.size_bytes - at)));
       if (const Result<void> read = (*source)->read(at, piece); !read) return Error{read.error()};
       file.crc32 = mcap::crc32(piece, file.crc32);
     }
@@ -221,6 +222,9 @@ Result<Session> read_recording(const std::filesystem::path& file) {
   if (!index) return Error{index.error()};
 
   Session session{.folder = file.parent_path(), .info = info_of(*index, file)};
+  session.one_file = true;
+  session.numbered =
+      std::ranges::find(index->metadata, kSessionMetadata, &mcap::Metadata::name) != index->metadata.end();
   session.state = index->damage.empty() ? SessionState::complete : SessionState::damaged;
   session.message = index->damage;
   session.size_bytes = index->size_bytes;
@@ -228,14 +232,26 @@ Result<Session> read_recording(const std::filesystem::path& file) {
   session.end_ns = index->statistics.end_ns;
   std::map<std::uint16_t, std::uint64_t> messages(index->statistics.channel_messages.begin(),
                                                   index->statistics.channel_messages.end());
-  for (const auto& [id, channel] : index->channels)
+  for (const auto& [id, channel] : index->channels) {
+    // other writers may have several channels of one topic
+    const auto known = std::ranges::find(session.streams, channel.topic, &StreamFile::topic);
+    if (known != session.streams.end()) {
+      known->messages += messages[id];
+      continue;
+    }
     session.streams.push_back({.topic = channel.topic,
                                .file = file.filename().string(),
                                .schema = channel_info(channel, index->schemas).schema.name,
                                .messages = messages[id],
                                .start_ns = session.start_ns,
                                .end_ns = session.end_ns});
+  }
   return session;
+}
+
+Result<Session> open_session(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored) ? read_recording(path) : read_session(path);
 }
 
 }  // namespace robot::logging

@@ -57,6 +57,8 @@ struct Session {
   SessionState state = SessionState::complete;
   std::string message;  // what is wrong, one sentence, or empty
   std::vector<StreamFile> streams;
+  bool one_file = false;  // holds all streams
+  bool numbered = true;   // messages of a stream are numbered 1, 2, 3 …; other writers number as they like
   std::uint64_t size_bytes = 0;
   std::uint64_t start_ns = 0, end_ns = 0;  // [ns since the epoch] of all messages
 
@@ -75,6 +77,9 @@ Result<Session> read_session(const std::filesystem::path& folder, bool being_wri
 /// Reads one MCAP file with many channels, such as a downloaded session or a simulated game, as a session whose streams
 /// are all in that file. What the file does not tell of the session is made up from its name and topics.
 Result<Session> read_recording(const std::filesystem::path& file);
+
+/// As read_session() of a folder, as read_recording() of a file.
+Result<Session> open_session(const std::filesystem::path& path);
 
 /// A file of a session, as it lies on the disk.
 struct SessionFile {

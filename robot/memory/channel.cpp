@@ -59,14 +59,17 @@ void Channel::detach(Listener& listener) {
   std::erase(listeners_, &listener);
 }
 
-VersionPtr Channel::publish(std::shared_ptr<Version> version, std::uint64_t capture_ns, std::size_t size_bytes) {
+VersionPtr Channel::publish(std::shared_ptr<Version> version, std::uint64_t capture_ns, std::size_t size_bytes,
+                            const Published* elsewhere) {
   assert(clock_ && "a channel is announced before it is written");
   version->capture_ns_ = capture_ns;
-  version->publish_ns_ = clock_->now_ns();
+  version->publish_ns_ = elsewhere ? elsewhere->publish_ns : clock_->now_ns();
   version->size_bytes_ = size_bytes;
 
   const std::lock_guard guard(writers_);
-  version->sequence_ = ++last_sequence_;
+  ++last_sequence_;
+  if (elsewhere) last_sequence_ = std::max(last_sequence_, elsewhere->sequence);
+  version->sequence_ = last_sequence_;
   VersionPtr shared = std::move(version);
   for (Listener* listener : listeners_) listener->on_version(shared);
 
@@ -80,6 +83,11 @@ RawChannel::RawChannel(ChannelInfo info, const Clock& clock) { announce(std::mov
 Result<void> RawChannel::write_bytes(std::string_view bytes, std::uint64_t capture_ns) {
   publish(std::make_shared<RawVersion>(std::string(bytes)), capture_ns, bytes.size());
   return {};
+}
+
+void RawChannel::relay(std::string bytes, std::uint64_t capture_ns, Published published) {
+  const std::size_t size_bytes = bytes.size();
+  publish(std::make_shared<RawVersion>(std::move(bytes)), capture_ns, size_bytes, &published);
 }
 
 }  // namespace robot::memory

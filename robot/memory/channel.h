@@ -42,6 +42,11 @@ struct ChannelInfo {
   bool operator==(const ChannelInfo&) const = default;
 };
 
+/// Which number a version had, and when it entered memory, in the process that it comes from.
+struct Published {
+  std::uint64_t sequence = 0, publish_ns = 0;
+};
+
 class Version;
 using VersionPtr = std::shared_ptr<const Version>;
 
@@ -50,7 +55,7 @@ class Version {
  public:
   virtual ~Version() = default;
 
-  std::uint64_t sequence() const { return sequence_; }      // 1, 2, 3 … without gaps within a channel
+  std::uint64_t sequence() const { return sequence_; }  // 1, 2, 3 …; a gap tells of versions lost on their way here
   std::uint64_t capture_ns() const { return capture_ns_; }  // [ns since the epoch] when the data were sensed
   std::uint64_t publish_ns() const { return publish_ns_; }  // [ns since the epoch] when it entered memory
   std::size_t size_bytes() const { return size_bytes_; }    // of bytes()
@@ -113,7 +118,9 @@ class Channel {
 
   /// Gives `version` its number and times, makes it the newest and tells the listeners.
   /// Writers wait for each other; they never wait for a reader. Returns the version that was newest before.
-  VersionPtr publish(std::shared_ptr<Version> version, std::uint64_t capture_ns, std::size_t size_bytes);
+  /// What was published `elsewhere` keeps its number and time.
+  VersionPtr publish(std::shared_ptr<Version> version, std::uint64_t capture_ns, std::size_t size_bytes,
+                     const Published* elsewhere = nullptr);
 
  private:
   ChannelInfo info_;
@@ -135,6 +142,10 @@ class RawChannel final : public Channel {
 
   /// Accepts any bytes.
   Result<void> write_bytes(std::string_view bytes, std::uint64_t capture_ns) override;
+
+  /// As write_bytes(), for what another process published: number and publish time stay as they were there. Numbers only
+  /// grow: one that does not is replaced by the next.
+  void relay(std::string bytes, std::uint64_t capture_ns, Published published);
 };
 
 }  // namespace robot::memory

@@ -8,12 +8,15 @@
 #include "proto/foresight/agent.pb.h"
 #include "proto/foresight/ball.pb.h"
 #include "proto/foresight/camera.pb.h"
+#include "proto/foresight/forecast.pb.h"
 #include "proto/foresight/game.pb.h"
 #include "proto/foresight/motion.pb.h"
+#include "proto/foresight/opponents.pb.h"
 #include "proto/foresight/pose.pb.h"
 #include "proto/foresight/runtime.pb.h"
 #include "proto/foresight/sensors.pb.h"
 #include "proto/foresight/sim.pb.h"
+#include "proto/foresight/strategy.pb.h"
 #include "proto/foresight/team.pb.h"
 #include "proto/foresight/truth.pb.h"
 #include "proto/foresight/vision.pb.h"
@@ -39,15 +42,21 @@ struct Memory {
   MemoryObject<pb::Sonar> sonar;
   MemoryObject<pb::Touch> touch;
   MemoryObject<pb::Battery> battery;
+  MemoryObject<pb::Body> body;
   MemoryObject<pb::Odometry> odometry;
   MemoryObject<pb::Vision> vision;
   MemoryObject<pb::Ball> ball;
   MemoryObject<pb::Pose> pose;
   MemoryObject<pb::Team> team;
+  MemoryObject<pb::Opponents> opponents;
   MemoryObject<pb::GameState> game;
   MemoryObject<pb::MotionCommand> motion_command;
   MemoryObject<pb::MotionStatus> motion_status;
   MemoryObject<pb::DecisionTrace> decision;
+  MemoryObject<pb::WhatIf> what_if;
+  MemoryObject<pb::Forecast> forecast;
+  MemoryObject<pb::Strategy> strategy;
+  MemoryObject<pb::ForecastScore> forecast_score;
   MemoryObject<pb::ClockSample> clock;
   MemoryObject<pb::RuntimeStatistics> runtime;
   MemoryObject<pb::LogText> log;
@@ -69,15 +78,21 @@ struct Memory {
     see("sonar", sonar, fifo);
     see("touch", touch, fifo);
     see("battery", battery, latest);
+    see("body", body, reliable);
     see("odometry", odometry, fifo);
     see("vision", vision, latest);
     see("ball", ball, latest);
     see("pose", pose, latest);
     see("team", team, latest);
+    see("opponents", opponents, latest);
     see("game", game, reliable);
     see("motion_command", motion_command, fifo);
     see("motion_status", motion_status, fifo);
     see("decision", decision, fifo);
+    see("what_if", what_if, reliable);
+    see("forecast", forecast, reliable);
+    see("strategy", strategy, reliable);
+    see("forecast_score", forecast_score, latest);
     see("clock", clock, reliable);
     see("runtime", runtime, latest);
     see("log", log, reliable);

@@ -1,53 +1,16 @@
 #include "robot/memory/schema_check.h"
 
-#include <google/protobuf/descriptor.pb.h>
-#include <google/protobuf/descriptor_database.h>
-
 #include <set>
 #include <string>
+
+#include "robot/memory/schema_pool.h"
 
 namespace robot::memory {
 namespace {
 
 using google::protobuf::Descriptor;
-using google::protobuf::DescriptorPool;
 using google::protobuf::EnumDescriptor;
 using google::protobuf::FieldDescriptor;
-
-/// Keeps the first complaint instead of printing it.
-class FirstComplaint final : public DescriptorPool::ErrorCollector {
- public:
-  void AddError(const std::string& file, const std::string& element, const google::protobuf::Message* /*descriptor*/,
-                ErrorLocation /*location*/, const std::string& message) override {
-    if (text.empty()) text = file + ": " + element + ": " + message;
-  }
-
-  std::string text;
-};
-
-/// The messages of a serialised FileDescriptorSet, its files in any order.
-struct Files {
-  google::protobuf::SimpleDescriptorDatabase files;
-  FirstComplaint complaint;
-  DescriptorPool pool{&files, &complaint};
-
-  /// The message that `schema` names.
-  Result<const Descriptor*> read(const Schema& schema) {
-    google::protobuf::FileDescriptorSet set;
-    if (!set.ParseFromString(schema.bytes))
-      return Error{"schema of " + schema.name + ": expected a serialised FileDescriptorSet, got " +
-                   std::to_string(schema.bytes.size()) + " bytes that are none"};
-    std::set<std::string> names;  // the database would tell of a second one on stderr
-    for (const auto& file : set.file())
-      if (!names.insert(file.name()).second || !files.Add(file))
-        return Error{"schema of " + schema.name + ": expected every file and every name once, got " + file.name() +
-                     " again"};
-    const Descriptor* message = pool.FindMessageTypeByName(schema.name);
-    if (message) return message;
-    return Error{"schema of " + schema.name + ": expected a description of that message with all it imports, got " +
-                 (complaint.text.empty() ? std::to_string(set.file_size()) + " files without it" : complaint.text)};
-  }
-};
 
 /// "float", "repeated foresight.Pose.Particle": what must be equal for the bytes to mean the same.
 std::string type_of(const FieldDescriptor& field) {
@@ -100,13 +63,13 @@ Result<void> compare(const Descriptor& ours, const Descriptor& theirs, std::set<
 
 Result<void> check_readable(const Schema& schema) {
   if (schema.encoding != "protobuf") return {};
-  const Result<const Descriptor*> message = Files().read(schema);
+  const Result<const Descriptor*> message = SchemaPool().read(schema);
   return message ? Result<void>() : Result<void>(Error{message.error()});
 }
 
 Result<void> check_same_meaning(const Descriptor& ours, const Schema& theirs) {
-  Files files;
-  const Result<const Descriptor*> message = files.read(theirs);
+  SchemaPool pool;
+  const Result<const Descriptor*> message = pool.read(theirs);
   if (!message) return Error{message.error()};
   std::set<const Descriptor*> seen;
   return compare(ours, **message, seen);

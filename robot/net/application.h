@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,15 @@ struct LogFile {
   std::optional<std::uint64_t> redirect_until_ns;  // the session is live: ask again with this `until`; no body then
 };
 
+/// What `GET /api/played` asks for: a part of one topic of the recording that is played.
+struct PlayedRequest {
+  std::string topic;                                                             // "/14/2/ball"
+  std::uint64_t from_ns = 0, to_ns = std::numeric_limits<std::uint64_t>::max();  // capture times, both included
+};
+
+/// Until when the answer to a PlayedRequest reaches [ns since the epoch]; the rest is to be asked for.
+inline constexpr const char* kPlayedUntil = "Foresight-Until";
+
 /// Where status, sessions and recordings come from. Called by one thread of the server that may wait for the disk.
 class Application {
  public:
@@ -48,6 +58,13 @@ class Application {
 
   /// The answer to `DELETE /logs/<session>`: 204, 404, 409 for one that is kept or being recorded.
   virtual HttpResponse delete_session(const std::string& session) = 0;
+
+  /// The answer to `GET /api/played`: an MCAP file of one channel with the messages captured in that time, as they are
+  /// played, or so many of the first of them as go into one answer, with the header kPlayedUntil. 404 where nothing is
+  /// played, or nothing of that topic.
+  virtual HttpResponse played(const PlayedRequest& /*request*/) {
+    return error_response(404, "no recording is played here");
+  }
 
   /// Whether a real game is in progress that the league's rules hold for: wireless networks stay silent, and from
   /// beyond this machine nobody controls or downloads anything. Any thread; asked ten times a second.

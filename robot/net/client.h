@@ -18,11 +18,13 @@ struct ClientIdentity {
   ClientContext context;  // the id is given by the hub
   std::string user_agent, subprotocol;
   bool lossless = false;  // it gets every message or is disconnected
+  bool numbered = false;  // it is told the numbers of the messages, beyond the protocol
   bool playback = false;  // it is told how the playback goes; older clients take that for an error
 };
 
 struct Client : std::enable_shared_from_this<Client> {
-  Client(ClientIdentity who, const QueueLimits& limits) : identity(std::move(who)), queue(limits, identity.lossless) {}
+  Client(ClientIdentity who, const QueueLimits& limits)
+      : identity(std::move(who)), queue(limits, identity.lossless, identity.numbered) {}
 
   ClientIdentity identity;
   ClientQueue queue;

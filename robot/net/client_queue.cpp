@@ -150,7 +150,7 @@ bool ClientQueue::take_message(Batch& batch, std::deque<Slot*>& lane) {
   Slot& slot = *lane.front();
   if (!slot.waiting.empty()) {
     const std::size_t size = slot.waiting.front()->size_bytes();
-    const std::size_t copied = kFrameHeaderBytes + foxglove::kMessageDataHeaderBytes + (size < kLargeBytes ? size : 0);
+    const std::size_t copied = kFrameHeaderBytes + foxglove::kNumberedDataHeaderBytes + (size < kLargeBytes ? size : 0);
     if (!batch.bytes.empty() && batch.bytes.size() + copied > kBatchBytes) return false;
     take_front(batch, slot);
   }
@@ -165,8 +165,13 @@ void ClientQueue::take_front(Batch& batch, Slot& slot) {
   ++slot.sent;
 
   const std::string_view payload = version->bytes();
-  append_frame_header(batch.bytes, Opcode::binary, foxglove::kMessageDataHeaderBytes + payload.size());
-  foxglove::append_message_data_header(batch.bytes, slot.subscription, version->capture_ns());
+  const std::size_t header = numbered_ ? foxglove::kNumberedDataHeaderBytes : foxglove::kMessageDataHeaderBytes;
+  append_frame_header(batch.bytes, Opcode::binary, header + payload.size());
+  if (numbered_)
+    foxglove::append_numbered_data_header(batch.bytes, slot.subscription, version->capture_ns(),
+                                          {.sequence = version->sequence(), .publish_ns = version->publish_ns()});
+  else
+    foxglove::append_message_data_header(batch.bytes, slot.subscription, version->capture_ns());
   if (payload.size() < kLargeBytes) {
     batch.bytes += payload;
     return;

@@ -43,8 +43,9 @@ class ClientQueue {
     overflow,  // it may not be left out and there is no room: the client has to go
   };
 
-  /// A `lossless` client gets every message of every channel.
-  ClientQueue(const QueueLimits& limits, bool lossless) : limits_(limits), lossless_(lossless) {}
+  /// A `lossless` client gets every message of every channel; a `numbered` one is told the numbers of the messages.
+  ClientQueue(const QueueLimits& limits, bool lossless, bool numbered = false)
+      : limits_(limits), lossless_(lossless), numbered_(numbered) {}
   ClientQueue(const ClientQueue&) = delete;
   ClientQueue& operator=(const ClientQueue&) = delete;
 
@@ -113,7 +114,7 @@ class ClientQueue {
   void take_front(Batch& batch, Slot& slot);
 
   const QueueLimits limits_;
-  const bool lossless_;
+  const bool lossless_, numbered_;
   std::vector<std::unique_ptr<Slot>> slots_;  // by channel id
   std::array<std::deque<Slot*>, kLanes> lanes_;
   std::size_t messages_ = 0, message_bytes_ = 0;  // waiting, in all slots

@@ -151,6 +151,10 @@ std::string to_text(const Subscribe& subscribe) {
   return Json{{"op", "subscribe"}, {"subscriptions", std::move(items)}}.dump();
 }
 
+std::string to_text(const Unsubscribe& unsubscribe) {
+  return Json{{"op", "unsubscribe"}, {"subscriptionIds", unsubscribe.subscriptions}}.dump();
+}
+
 std::string to_bytes(const ServiceCall& call) {
   std::string bytes = "\x02";
   put(bytes, call.service);

@@ -79,6 +79,9 @@ Result<ClientMessage> parse_client_binary(std::string_view bytes);
 /// For clients: the text of a `subscribe`.
 std::string to_text(const Subscribe& subscribe);
 
+/// Likewise of an `unsubscribe`.
+std::string to_text(const Unsubscribe& unsubscribe);
+
 /// For clients: the bytes of binary messages.
 std::string to_bytes(const ServiceCall& call);
 std::string to_bytes(const ClientPublish& message);

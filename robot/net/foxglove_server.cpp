@@ -13,6 +13,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr char kMessageData = 1, kServiceResponse = 3, kNumberedData = 0x40;
+
 // texts may come from anywhere: what is not UTF-8 in them is replaced, not thrown at us
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -39,6 +41,14 @@ std::string text_of(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+std::map<std::string, std::string> texts_of(const Json& object, const char* key) {
+  std::map<std::string, std::string> texts;
+  const Json inner = object.value(key, Json::object());
+  for (const auto& [name, value] : inner.items())
+    if (value.is_string()) texts[name] = value.get<std::string>();
+  return texts;
+}
+
 Result<Advertised> parse_channel(const Json& json) {
   if (!json.is_object() || !json.value("id", Json()).is_number_unsigned())
     return Error{"advertise: expected channels with a number as 'id', got one without"};
@@ -53,9 +63,7 @@ Result<Advertised> parse_channel(const Json& json) {
     if (!bytes) return Error{"advertise: the schema of " + channel.info.topic + ": " + bytes.error()};
     channel.info.schema.bytes = std::move(*bytes);
   }
-  const Json metadata = json.value("metadata", Json::object());
-  for (const auto& [key, value] : metadata.items())
-    if (value.is_string()) channel.metadata[key] = value.get<std::string>();
+  channel.metadata = texts_of(json, "metadata");
   channel.info.delivery = delivery_of(channel.metadata);
   return channel;
 }
@@ -135,9 +143,18 @@ std::string service_call_failure(std::uint32_t service, std::uint32_t call, std:
 }
 
 void append_message_data_header(std::string& out, std::uint32_t subscription, std::uint64_t log_time_ns) {
-  out += '\x01';
+  out += kMessageData;
   put(out, subscription);
   put(out, log_time_ns);
+}
+
+void append_numbered_data_header(std::string& out, std::uint32_t subscription, std::uint64_t log_time_ns,
+                                 memory::Published published) {
+  out += kNumberedData;
+  put(out, subscription);
+  put(out, log_time_ns);
+  put(out, published.sequence);
+  put(out, published.publish_ns);
 }
 
 std::string time(std::uint64_t time_ns) {
@@ -174,30 +191,70 @@ std::string playback_state(Playback playback, std::uint64_t time_ns, float speed
   return bytes;
 }
 
-Result<std::vector<Advertised>> parse_advertise(std::string_view text) {
+Result<ServerText> parse_server_text(std::string_view text) {
   const Json message = Json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (!message.is_object() || text_of(message, "op").empty())
     return Error{"server message: expected a JSON object with 'op'"};
-  std::vector<Advertised> channels;
-  if (text_of(message, "op") != "advertise") return channels;
-
-  const auto list = message.find("channels");
-  if (list == message.end() || !list->is_array()) return Error{"advertise: 'channels' must be an array"};
-  for (const Json& json : *list) {
-    auto channel = parse_channel(json);
-    if (!channel) return Error{channel.error()};
-    channels.push_back(std::move(*channel));
+  const std::string op = text_of(message, "op");
+  ServerText read;
+  if (op == "serverInfo") {
+    read.info = ServerInfo{.name = text_of(message, "name"),
+                           .capabilities = {},
+                           .encodings = {},
+                           .metadata = texts_of(message, "metadata"),
+                           .session_id = text_of(message, "sessionId")};
+    for (const Json& capability : message.value("capabilities", Json::array()))
+      if (capability.is_string()) read.info->capabilities.push_back(capability.get<std::string>());
+    return read;
   }
-  return channels;
+  const bool advertises_channels = op == "advertise";
+  if (!advertises_channels && op != "advertiseServices") return read;
+  const char* const key = advertises_channels ? "channels" : "services";
+  const auto list = message.find(key);
+  if (list == message.end() || !list->is_array()) return Error{op + ": '" + key + "' must be an array"};
+  for (const Json& json : *list)
+    if (advertises_channels) {
+      auto channel = parse_channel(json);
+      if (!channel) return Error{channel.error()};
+      read.channels.push_back(std::move(*channel));
+    } else if (json.is_object() && json.value("id", Json()).is_number_unsigned()) {
+      read.services.push_back({json["id"].get<std::uint32_t>(), text_of(json, "name")});
+    }
+  return read;
+}
+
+Result<std::vector<Advertised>> parse_advertise(std::string_view text) {
+  auto read = parse_server_text(text);
+  if (!read) return Error{read.error()};
+  return std::move(read->channels);
 }
 
 Result<std::optional<MessageData>> parse_message_data(std::string_view bytes) {
   ByteReader reader(bytes);
-  if (reader.number<std::uint8_t>() != 1) return std::optional<MessageData>();
+  const auto opcode = reader.number<std::uint8_t>();
+  if (opcode != kMessageData && opcode != kNumberedData) return std::optional<MessageData>();
   MessageData message{.subscription = reader.number<std::uint32_t>(), .log_time_ns = reader.number<std::uint64_t>()};
-  if (!reader.ok()) return Error{"message data: expected a header of 13 bytes, got " + std::to_string(bytes.size())};
+  if (opcode == kNumberedData) {
+    const auto sequence = reader.number<std::uint64_t>();
+    message.published = {.sequence = sequence, .publish_ns = reader.number<std::uint64_t>()};
+  }
+  if (!reader.ok())
+    return Error{"message data: expected a header of " +
+                 std::to_string(opcode == kNumberedData ? kNumberedDataHeaderBytes : kMessageDataHeaderBytes) +
+                 " bytes, got " + std::to_string(bytes.size())};
   message.payload = reader.rest();
   return std::optional(message);
+}
+
+Result<std::optional<ServiceAnswer>> parse_service_answer(std::string_view bytes) {
+  ByteReader reader(bytes);
+  if (reader.number<std::uint8_t>() != kServiceResponse) return std::optional<ServiceAnswer>();
+  ServiceAnswer answer{
+      .service = reader.number<std::uint32_t>(), .call = reader.number<std::uint32_t>(), .payload = {}};
+  reader.text();  // the encoding: we ask in JSON
+  if (!reader.ok()) return Error{"service response: it is cut short at " + std::to_string(bytes.size()) + " bytes"};
+  answer.payload = reader.rest();
+  return std::optional(answer);
 }
 
 }  // namespace robot::net::foxglove

@@ -65,6 +65,12 @@ inline constexpr std::size_t kMessageDataHeaderBytes = 13;
 /// Appends the header of a MessageData; the payload follows.
 void append_message_data_header(std::string& out, std::uint32_t subscription, std::uint64_t log_time_ns);
 
+/// Beyond the protocol, for clients that ask for `?numbered`: the header of a MessageData that also tells the number of
+/// the version and when it entered memory, so that they can count what they miss and record what was.
+inline constexpr std::size_t kNumberedDataHeaderBytes = 29;
+void append_numbered_data_header(std::string& out, std::uint32_t subscription, std::uint64_t log_time_ns,
+                                 memory::Published published);
+
 std::string time(std::uint64_t time_ns);
 std::string service_response(std::uint32_t service, std::uint32_t call, std::string_view encoding,
                              std::string_view payload);
@@ -79,13 +85,32 @@ std::string playback_state(Playback playback, std::uint64_t time_ns, float speed
 /// The channels of an `advertise`; nothing if `text` is another message, an Error if it is none of the protocol.
 Result<std::vector<Advertised>> parse_advertise(std::string_view text);
 
+/// What a server says in text, as far as our client minds.
+struct ServerText {
+  std::optional<ServerInfo> info;  // without encodings and the span of a recording
+  std::vector<Advertised> channels;
+  std::vector<Service> services;
+};
+
+/// Reads a text message; all empty if it is another one, an Error if it is none of the protocol.
+Result<ServerText> parse_server_text(std::string_view text);
+
 struct MessageData {
   std::uint32_t subscription = 0;
   std::uint64_t log_time_ns = 0;
+  std::optional<memory::Published> published = {};  // where the message is numbered
+  std::string_view payload = {};
+};
+
+/// A MessageData, numbered or not; nothing if `bytes` is another binary message, an Error if it is cut short.
+Result<std::optional<MessageData>> parse_message_data(std::string_view bytes);
+
+struct ServiceAnswer {
+  std::uint32_t service = 0, call = 0;
   std::string_view payload;
 };
 
-/// A MessageData; nothing if `bytes` is another binary message, an Error if it is cut short.
-Result<std::optional<MessageData>> parse_message_data(std::string_view bytes);
+/// A ServiceCallResponse; nothing if `bytes` is another binary message, an Error if it is cut short.
+Result<std::optional<ServiceAnswer>> parse_service_answer(std::string_view bytes);
 
 }  // namespace robot::net::foxglove

@@ -81,6 +81,7 @@ void HttpConnection::upgrade(const HttpRequest& request) {
       .user_agent = std::string(request.header("user-agent").value_or("").substr(0, 200)),
       .subprotocol = agreed->subprotocol,
       .lossless = target->parameter("delivery") == "lossless",
+      .numbered = target->parameters.contains("numbered"),
       .playback = target->parameters.contains("playback")};
   auto connection = std::make_shared<WebSocketConnection>(std::move(socket_), context_);
   context_.web_sockets.insert(connection);

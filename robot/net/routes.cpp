@@ -22,13 +22,13 @@ bool is_safe_name(std::string_view name) {
   return !name.empty() && name.size() <= 200 && name.front() != '.' && std::ranges::all_of(name, allowed);
 }
 
-Result<std::optional<std::uint64_t>> parse_time(const Target& target, const char* name) {
+Result<std::optional<std::uint64_t>> parse_time(const Target& target, const char* name, const char* who = "logs") {
   const std::string text = target.parameter(name);
   if (text.empty()) return std::optional<std::uint64_t>();
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
-    return Error{"logs: '" + std::string(name) + "' must be a time in ns since the epoch"};
+    return Error{std::string(who) + ": '" + name + "' must be a time in ns since the epoch"};
   return std::optional(value);
 }
 
@@ -136,6 +136,7 @@ HttpResponse Routes::answer_data(const HttpRequest& request, const Target& targe
   if (const auto session = between("/api/sessions/", target.path, "/files"))
     return application_.session_files(*session);
   if (target.path.starts_with(kLogs)) return answer_log(request, target);
+  if (target.path == "/api/played") return answer_played(target);
   return error_response(404, "there is nothing at this path");
 }
 
@@ -176,13 +177,19 @@ HttpResponse Routes::answer_log(const HttpRequest& request, const Target& target
   return response;
 }
 
+HttpResponse Routes::answer_played(const Target& target) const {
+  const auto request = parse_played_request(target);
+  return request ? application_.played(*request) : error_response(400, request.error());
+}
+
 // pages of accepted origins may read what we serve: Lichtblick opens recordings by their address
 void Routes::add_cross_origin_headers(const HttpRequest& request, HttpResponse& response) const {
   const auto origin = request.header("origin");
   if (!origin || !check_origin(access_.origins, origin, request.header("host").value_or(""))) return;
   response.headers.emplace_back("Access-Control-Allow-Origin", *origin);
-  response.headers.emplace_back("Access-Control-Expose-Headers",
-                                "Accept-Ranges, Content-Length, Content-Range, ETag, Content-Type");
+  response.headers.emplace_back(
+      "Access-Control-Expose-Headers",
+      "Accept-Ranges, Content-Length, Content-Range, ETag, Content-Type, " + std::string(kPlayedUntil));
   if (request.method == "OPTIONS") {
     response.headers.emplace_back("Access-Control-Allow-Methods", "GET, HEAD, OPTIONS");
     response.headers.emplace_back("Access-Control-Allow-Headers", "Range, If-Range, If-None-Match, Accept");
@@ -216,6 +223,17 @@ Result<LogRequest> parse_log_request(const Target& target) {
     const auto time = parse_time(target, name);
     if (!time) return Error{time.error()};
     request.*field = *time;
+  }
+  return request;
+}
+
+Result<PlayedRequest> parse_played_request(const Target& target) {
+  PlayedRequest request{.topic = target.parameter("topic")};
+  if (request.topic.empty()) return Error{"played: expected ?topic=<topic>, and from and to in ns since the epoch"};
+  for (const auto& [name, field] : {std::pair{"from", &PlayedRequest::from_ns}, {"to", &PlayedRequest::to_ns}}) {
+    const auto time = parse_time(target, name, "played");
+    if (!time) return Error{time.error()};
+    if (*time) request.*field = **time;
   }
   return request;
 }

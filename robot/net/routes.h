@@ -50,6 +50,7 @@ class Routes {
  private:
   HttpResponse route(const HttpRequest& request, const Target& target, std::string_view address) const;
   HttpResponse answer_data(const HttpRequest& request, const Target& target, const Access& access) const;
+  HttpResponse answer_played(const Target& target) const;
   HttpResponse answer_log(const HttpRequest& request, const Target& target) const;
   HttpResponse delete_session(const HttpRequest& request, const Target& target, const Access& access) const;
   HttpResponse answer_sessions(const HttpRequest& request) const;
@@ -60,6 +61,9 @@ class Routes {
   std::span<const Asset> assets_;
   Application& application_;
 };
+
+/// Reads the query of `GET /api/played`.
+Result<PlayedRequest> parse_played_request(const Target& target);
 
 /// Reads the path and query of `GET /logs/…mcap`.
 Result<LogRequest> parse_log_request(const Target& target);

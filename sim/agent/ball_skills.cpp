@@ -97,7 +97,7 @@ float intend(const View& view, Mind& mind, Vec2 way) {
   if (in_team < -kPi) in_team += 2 * kPi;
   mind.kick_direction = in_team;
   const float side = cross(way, view.ball);
-  if (std::abs(side) > kOtherLeg) mind.search_side = sign(side);
+  if (std::abs(side) > kOtherLeg) mind.search_side = left_or_right(side);
   return heading;
 }
 

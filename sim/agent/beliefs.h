@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "sim/agent/choice.h"
 #include "sim/field/rules.h"
 #include "sim/math/tick.h"
 #include "sim/math/vec2.h"
@@ -36,14 +37,22 @@ struct Pose {
 
 /// What a teammate last told.
 struct Mate {
-  Pose2 pose;                       // [team_field]
-  Vec2 ball;                        // [m, team_field] where it believed the ball
-  float time_to_ball = 0;           // [s] that it said it needs
-  Tick sent = kNever;               // when it told; kNever: never heard
-  std::uint16_t ball_age = 0xffff;  // [ticks] since it had seen the ball when it told; 0xffff: never
-  std::uint8_t role = 0;            // agent::Role
-  bool active = false;              // was not penalised when it told
+  Pose2 pose;                         // [team_field]
+  Vec2 ball;                          // [m, team_field] where it believed the ball
+  Tick sent = kNever;                 // when it told; kNever: never heard
+  std::uint16_t ball_age = 0xffff;    // [ticks] since it had seen the ball when it told; 0xffff: never
+  std::uint16_t time_to_ball_cs = 0;  // [10 ms] that it said it needs, at most 0xffff
+  std::uint8_t role = 0;              // agent::Role
+  bool active = false;                // was not penalised when it told
+  Choice choice;                      // that it followed
+
+  float time_to_ball() const { return 0.01f * static_cast<float>(time_to_ball_cs); }  // [s]
 };
+/// Of a time [s] >= 0, as a teammate tells it, and what is left of it.
+constexpr std::uint16_t centiseconds(float seconds) {
+  return seconds < 655 ? static_cast<std::uint16_t>(0.5f * (200 * seconds + 1)) : std::uint16_t{0xffff};
+}
+constexpr float as_told(float seconds) { return 0.01f * static_cast<float>(centiseconds(seconds)); }
 
 /// [1..7] whom beliefs.mates[index] of `player` is about.
 constexpr int player_of_mate(int player, int index) { return index + 1 < player ? index + 1 : index + 2; }

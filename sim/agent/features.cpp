@@ -3,6 +3,7 @@
 #include <iterator>
 #include <limits>
 
+#include "sim/agent/own.h"
 #include "sim/agent/roles.h"
 
 namespace sim::agent {
@@ -167,7 +168,7 @@ float quickest_mate(const View& view) {
   float quickest = kUnknown;
   view.for_each_mate([&](const Mate& mate, int index) {
     if (view.player_of_mate(index) == 1) return;
-    if (!(quickest <= mate.time_to_ball)) quickest = mate.time_to_ball;
+    if (!(quickest <= mate.time_to_ball())) quickest = mate.time_to_ball();
   });
   return quickest;
 }
@@ -207,9 +208,15 @@ float ball_value(Feature feature, const View& view) {
   }
 }
 
+const OwnFeature& own(Feature feature) { return own_features()[static_cast<std::size_t>(feature) - kFeatureCount]; }
+
 }  // namespace
 
-const FeatureInfo& info_of(Feature feature) { return kTable[static_cast<int>(feature)]; }
+int feature_count() { return kFeatureCount + static_cast<int>(own_features().size()); }
+
+const FeatureInfo& info_of(Feature feature) {
+  return feature < Feature::count ? kTable[static_cast<int>(feature)] : own(feature).info;
+}
 
 float compute(Feature feature, const View& view) {
   const bool kick_on = view.game.set_play != Game::SetPlay::none;
@@ -261,14 +268,16 @@ float compute(Feature feature, const View& view) {
     case Feature::half: return static_cast<float>(view.game.half);
     case Feature::score_difference: return static_cast<float>(int{view.game.own_score} - int{view.game.opponent_score});
     case Feature::players: return static_cast<float>(view.game.players);
-    default: return view.ball_known ? ball_value(feature, view) : kUnknown;
+    default:
+      if (feature >= Feature::count) return own(feature).value(view);
+      return view.ball_known ? ball_value(feature, view) : kUnknown;
   }
 }
 
 Feature find_feature(std::string_view name) {
-  for (int i = 0; i < kFeatureCount; ++i)
-    if (name == kTable[i].name) return static_cast<Feature>(i);
-  return Feature::count;
+  for (int i = 0; i < feature_count(); ++i)
+    if (name == info_of(static_cast<Feature>(i)).name) return static_cast<Feature>(i);
+  return kNoFeature;
 }
 
 float clearance(const View& view, Vec2 from, Vec2 to) {

@@ -74,6 +74,11 @@ enum class Feature : std::uint8_t {
 };
 inline constexpr int kFeatureCount = static_cast<int>(Feature::count);
 static_assert(kFeatureCount <= kMaxFeatures);
+/// What find_feature says of a name that it does not know.
+inline constexpr Feature kNoFeature{255};
+
+/// How many there are with those of a team's own (sim/agent/own.h), which follow ours: static_cast<Feature>(0 ..).
+int feature_count();
 
 /// One row of the table of features.
 struct FeatureInfo {
@@ -88,7 +93,7 @@ struct FeatureInfo {
   const char* about;
 };
 const FeatureInfo& info_of(Feature feature);
-/// Feature::count if there is none of that name.
+/// kNoFeature if there is none of that name.
 Feature find_feature(std::string_view name);
 
 /// The value [SI; 1 or 0 for yes or no; the number of a name], NaN where the robot does not know: every comparison with

@@ -34,7 +34,7 @@ Beliefs mirrored(Beliefs beliefs) {
 Mind mirrored(Mind mind) {
   mind.slot = static_cast<std::uint8_t>(2 * kMiddleLane - mind.slot);
   mind.ball = across(mind.ball);
-  mind.search_side = -mind.search_side;
+  mind.search_side = static_cast<std::int8_t>(-mind.search_side);
   mind.kick_direction = -mind.kick_direction;
   return mind;
 }

@@ -51,8 +51,9 @@ float time_to_ball(const View& view) {
 
 void assign_role(const View& view, Mind& mind) {
   const Roles& roles = view.settings.roles;
-  mind.settled = static_cast<std::uint16_t>(view.now);
-  mind.time_to_ball = view.ball_known ? time_to_ball(view) : 1e6f;
+  mind.settled = static_cast<std::uint8_t>(view.now);
+  // as the others hear it, or they would not agree
+  mind.time_to_ball = as_told(view.ball_known ? time_to_ball(view) : 1e6f);
   if (view.game.player == 1) {
     set_role(mind, Role::keeper, view.now);
     mind.slot = kMiddleLane;
@@ -70,7 +71,7 @@ void assign_role(const View& view, Mind& mind) {
     const auto role = static_cast<Role>(mate.role);
     const float since = static_cast<float>(view.now - mate.sent) * kTickDuration;
     const float left =
-        role == Role::chaser && mate.time_to_ball > since ? mate.time_to_ball - since : mate.time_to_ball;
+        role == Role::chaser && mate.time_to_ball() > since ? mate.time_to_ball() - since : mate.time_to_ball();
     all[count] = candidate(roles, role, left, mate.pose.position, player);
     if (quicker(all[count], all[chaser])) chaser = count;
     ++count;

@@ -4,6 +4,7 @@
 
 #include "sim/agent/ball_skills.h"
 #include "sim/agent/head.h"
+#include "sim/agent/own.h"
 #include "sim/agent/place_skills.h"
 #include "sim/agent/search.h"
 
@@ -84,14 +85,20 @@ constexpr SkillInfo kTable[] = {
 };
 static_assert(std::size(kTable) == kSkillCount);
 
+const OwnSkill& own(Skill skill) { return own_skills()[static_cast<std::size_t>(skill) - kSkillCount]; }
+
 }  // namespace
 
-const SkillInfo& info_of(Skill skill) { return kTable[static_cast<int>(skill)]; }
+int skill_count() { return kSkillCount + static_cast<int>(own_skills().size()); }
+
+const SkillInfo& info_of(Skill skill) {
+  return skill < Skill::count ? kTable[static_cast<int>(skill)] : own(skill).info;
+}
 
 Skill find_skill(std::string_view name) {
-  for (int i = 0; i < kSkillCount; ++i)
-    if (name == kTable[i].name) return static_cast<Skill>(i);
-  return Skill::count;
+  for (int i = 0; i < skill_count(); ++i)
+    if (name == info_of(static_cast<Skill>(i)).name) return static_cast<Skill>(i);
+  return kNoSkill;
 }
 
 motion::Command run(Skill skill, const float* with, const View& view, Mind& mind) {
@@ -108,10 +115,10 @@ motion::Command run(Skill skill, const float* with, const View& view, Mind& mind
     case Skill::block: return block(view, {with[0], with[1], with[2], with[3]});
     case Skill::keep_goal: return keep_goal(view, {with[0], with[1], with[2], with[3]});
     case Skill::get_ready: return get_ready(view);
-    case Skill::stand:
+    case Skill::stand: return stand(view);
     case Skill::count: break;
   }
-  return stand(view);
+  return own(skill).run(with, view, mind);
 }
 
 }  // namespace sim::agent

@@ -25,6 +25,8 @@ enum class Skill : std::uint8_t {
   count,
 };
 inline constexpr int kSkillCount = static_cast<int>(Skill::count);
+/// What find_skill says of a name that it does not know.
+inline constexpr Skill kNoSkill{255};
 inline constexpr int kMaxArguments = 8;
 
 /// One parameter of a skill.
@@ -45,8 +47,10 @@ struct SkillInfo {
   int count;  // of its parameters
   ParameterInfo parameters[kMaxArguments];
 };
+/// How many there are with those of a team's own (sim/agent/own.h), which follow ours: static_cast<Skill>(0 ..).
+int skill_count();
 const SkillInfo& info_of(Skill skill);
-/// Skill::count if there is none of that name.
+/// kNoSkill if there is none of that name.
 Skill find_skill(std::string_view name);
 
 /// What the skill does now. `arguments` are as many as the skill has parameters, in their order.

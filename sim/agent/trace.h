@@ -21,12 +21,13 @@ struct Trace {
     const char* name;
     float value;  // [SI]
   };
+  const char* strategy = "";  // whose tree it is
   std::vector<Node> visited;  // from the root to the leaf
   const char* skill = "";
   std::vector<Argument> arguments;
   const char* role = "";
 
-  void clear() { visited.clear(), arguments.clear(), skill = "", role = ""; }
+  void clear() { strategy = "", visited.clear(), arguments.clear(), skill = "", role = ""; }
 };
 
 }  // namespace sim::agent

@@ -16,7 +16,7 @@ void remember_ball(const View& view, Mind& mind) {
   if (!view.ball_known) return;
   mind.ball = view.ball_in_team;
   mind.ball_seen = view.ball_seen;
-  if (view.ball_distance > 0.6f && std::abs(view.ball.y) > 0.2f) mind.search_side = sign(view.ball.y);
+  if (view.ball_distance > 0.6f && std::abs(view.ball.y) > 0.2f) mind.search_side = left_or_right(view.ball.y);
 }
 
 void remember_leaf(Mind& mind, std::uint16_t leaf, Tick now) {
@@ -93,12 +93,12 @@ TreeBehaviour::TreeBehaviour(Tree tree) : tree_(std::move(tree)) {
 
 motion::Command TreeBehaviour::decide(const Surroundings& surroundings, const Game& game, const Beliefs& beliefs,
                                       Tick now, Mind& mind, Trace* trace) const {
-  if (trace) trace->clear();
+  if (trace) trace->clear(), trace->strategy = tree_.name.c_str();
   const View view(surroundings, tree_.settings, game, beliefs, now, mind);
   if (!plays(game)) return wait(view, mind, trace);
 
   remember_ball(view, mind);
-  const auto since = static_cast<std::uint16_t>(now - mind.settled);
+  const auto since = static_cast<std::uint8_t>(now - mind.settled);
   if (mind.leaf == kNoLeaf || since >= kSettle) assign_role(view, mind);
   const std::uint16_t entry = entries_[view.ball_known][static_cast<int>(mind.role)];
   const std::uint16_t number =

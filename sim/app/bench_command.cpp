@@ -19,10 +19,13 @@ struct Cost {
   double robot_ticks = 0;
 };
 
-Cost cost_of(const Params& params, std::uint64_t seed) {
+Cost cost_of(const Lineup& lineup, std::uint64_t seed, Problem& problem) {
+  const Cast cast(lineup, seed);
+  const Params& params = cast.params();
   Cost cost{.cycles_per_ns = cycles_per_ns()};
   const std::uint64_t begin = computed_ns();
   const Result result = play_game(params, {.seed = seed});
+  if (cast.failed()) problem.tell(cast.problem());
   cost.ns = static_cast<double>(computed_ns() - begin);
   cost.robot_ticks = 2.0 * params.rules.players * result.ticks;
   return cost;
@@ -47,9 +50,10 @@ class BenchCommand final : public Command {
   }
 
   int run() override {
-    const auto setup = io::prepare(choice_.choice());
-    if (!setup) return fail(setup.error());
-    play_game(setup->params, {.seed = 0});  // caches and clock warm
+    const auto lineup = choice_.line_up();
+    if (!lineup) return fail(lineup.error());
+    Problem problem;
+    cost_of(*lineup, 0, problem);  // caches and clock warm
 
     std::vector<Cost> costs(static_cast<std::size_t>(games_));
     const auto begin = std::chrono::steady_clock::now();
@@ -59,12 +63,13 @@ class BenchCommand final : public Command {
           games_, threads_,
           [&](int game) {
             costs[static_cast<std::size_t>(game)] =
-                cost_of(setup->params, kFirstSeed + static_cast<std::uint64_t>(game));
+                cost_of(*lineup, kFirstSeed + static_cast<std::uint64_t>(game), problem);
           },
           [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    report(setup->params, costs, seconds.count());
+    if (problem.is_known()) return fail(problem.text());
+    report(lineup->params(), costs, seconds.count());
     return kDone;
   }
 

@@ -46,10 +46,13 @@ class ListCommand final : public Command {
   }
 
  private:
+  std::string noun() const { return kind_ == "strategies" ? "strategy" : kind_ == "situations" ? "situation" : kind_; }
+
   /// As it is written, with its sources; or, where something differs from that, what comes of it.
   int print_one() {
-    if (kind_ != "strategies" && show_.find_first_of(",:") != show_.npos) return print_variation();
-    const auto source = io::find_source(kind_, kind_ == "strategies" ? "strategy" : kind_, show_);
+    const bool varies = kind_ == "rules" || kind_ == "models";
+    if (varies && show_.find_first_of(",:") != show_.npos) return print_variation();
+    const auto source = io::find_source(kind_, noun(), show_);
     if (!source) return fail(source.error());
     std::fputs(source->text.c_str(), stdout);
     return kDone;
@@ -83,8 +86,14 @@ int fail(const std::string& sentence) {
 void ChoiceOptions::add_to(CLI::App& command) {
   command.add_option("--rules", choice_.rules, "a year's: name, name:players, name,field=value or file")
       ->capture_default_str();
-  command.add_option("--home", choice_.strategies[0], "strategy of the home side: name or file")->capture_default_str();
-  command.add_option("--away", choice_.strategies[1], "strategy of the away side")->capture_default_str();
+  command
+      .add_option("--home", choice_.strategies[0], "behaviour of the home side: name, file, library or pipe:command")
+      ->capture_default_str();
+  command.add_option("--away", choice_.strategies[1], "behaviour of the away side")->capture_default_str();
+  command.add_option("--home-rest", rest_[0], "behaviour of the home players behind the first --changed");
+  command.add_option("--away-rest", rest_[1], "behaviour of the away players behind the first --changed");
+  command.add_option("--changed", changed_, "so many players of a side with a rest play --home or --away")
+      ->check(CLI::Range(1, kMaxPlayers));
   command.add_option("--models", models_, "what robots can do: name, name,effect=off,walk.forward=0.2 or file")
       ->capture_default_str();
   command.add_option("--home-models", home_models_, "those of the home side; ball and contacts are theirs");
@@ -100,6 +109,10 @@ io::Choice ChoiceOptions::choice() const {
   choice.models[1] = away_models_.empty() ? models_ : away_models_;
   choice.pace = every_tick_ ? Pace::every_tick : Pace::thinned;
   return choice;
+}
+
+robot::Result<Lineup> ChoiceOptions::line_up() const {
+  return Lineup::prepare({.game = choice(), .rest = {rest_[0], rest_[1]}, .changed = changed_});
 }
 
 std::unique_ptr<Command> signature_command(CLI::App& app) { return std::make_unique<SignatureCommand>(app); }

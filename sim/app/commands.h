@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/io/setup.h"
+#include "sim/app/lineup.h"
 
 namespace sim::app {
 
@@ -29,15 +29,20 @@ class Command {
   CLI::App* subcommand_;
 };
 
-/// --rules, --home, --away, --models, --home-models, --away-models, --players, --every-tick: who plays what how.
+/// --rules, --home, --away, --home-rest, --away-rest, --changed, --models, --home-models, --away-models, --players,
+/// --every-tick: who plays what how.
 class ChoiceOptions {
  public:
   void add_to(CLI::App& command);
   /// As they were typed.
   io::Choice choice() const;
+  /// Who that is.
+  robot::Result<Lineup> line_up() const;
 
  private:
   io::Choice choice_;
+  std::string rest_[2];
+  int changed_ = kMaxPlayers;
   std::string models_ = "match", home_models_, away_models_;
   bool every_tick_ = false;
 };
@@ -46,8 +51,11 @@ std::unique_ptr<Command> match_command(CLI::App& app);
 std::unique_ptr<Command> situation_command(CLI::App& app);
 std::unique_ptr<Command> compare_command(CLI::App& app);
 std::unique_ptr<Command> bench_command(CLI::App& app);
+std::unique_ptr<Command> calibration_command(CLI::App& app);
+std::unique_ptr<Command> outlook_command(CLI::App& app);
+std::unique_ptr<Command> vet_command(CLI::App& app);
 std::unique_ptr<Command> signature_command(CLI::App& app);
-/// rules, models and strategies: what there is.
+/// rules, models, strategies and situations: what there is.
 std::unique_ptr<Command> list_command(CLI::App& app, const std::string& kind);
 
 }  // namespace sim::app

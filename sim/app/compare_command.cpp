@@ -1,70 +1,66 @@
 // foresight-sim compare: is behaviour B better than A?
-#include <unistd.h>
-
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 
 #include "sim/app/commands.h"
-#include "sim/app/contest.h"
+#include "sim/app/compare_runs.h"
+#include "sim/app/contest_page.h"
 #include "sim/app/contest_report.h"
 #include "sim/app/series.h"
 
 namespace sim::app {
 namespace {
 
-constexpr std::int64_t kPilotPairs = 200;
-constexpr int kVerified = 2;  // blocks
-
 class CompareCommand final : public Command {
  public:
   explicit CompareCommand(CLI::App& app)
       : Command(app.add_subcommand("compare", "is behaviour B better than A? pairs of games with the same luck")) {
-    options().add_option("a", choice_.a, "strategy: name or file")->required();
-    options().add_option("b", choice_.b, "strategy; A against itself if not given, which must come out as identical");
-    options().add_option("--vs", choice_.opponent, "a third strategy that both play against, instead of each other");
+    options().add_option("a", choice_.a, "behaviour: name, file, library or pipe:command");
+    options().add_option("b", choice_.b, "behaviour; A against itself if not given, which must come out as identical");
+    options().add_option("--vs", choice_.opponent, "a third behaviour that both play against, instead of each other");
+    options()
+        .add_option("--changed", choice_.changed, "of B's side only players 1 .. so many play B, the others A")
+        ->check(CLI::Range(1, kMaxPlayers));
     add_world();
     add_length();
-    options().add_option("--out", out_, "folder that keeps what was played");
+    add_kinds();
+    options().add_option("--out", task_.out, "folder that keeps what was played");
     options().add_flag("--resume", resume_, "go on with what is in --out");
-    options().add_flag("--verify", verify_, "play two blocks of --out again and compare them");
-    options().add_flag("--plan", plan_, "say how many games an answer takes, from a pilot of 200 pairs");
+    options().add_option("--html", html_, "file for a page with pictures, to be kept and sent");
     options().add_flag("--explain", explain_, "name the pairs that one of them won most clearly, and how to see them");
-    options().add_flag("--json", json_, "report as JSON");
+    options().add_flag("--json", task_.json, "report as JSON");
     options().footer("Exit status: 0 B is better, 1 it is not, 3 undecided, 2 bad usage or input.");
   }
 
   int run() override {
-    if (choice_.b.empty()) choice_.b = choice_.a;
     if (const std::string wrong = read_words(); !wrong.empty()) return fail(wrong);
+    if (robust_) return run_robust(task_);
+    if (!itself_.empty()) return run_itself(task_);
     const auto comparison = Comparison::prepare(choice_);
     if (!comparison) return fail(comparison.error());
-    if (plan_) return run_plan(*comparison);
+    if (plan_) return run_plan(task_, *comparison);
 
     std::optional<RunFolder> folder;
-    if (!out_.empty()) {
-      auto opened = RunFolder::open(out_, comparison->specification(), resume_ || verify_);
+    if (!task_.out.empty()) {
+      auto opened = RunFolder::open(task_.out, comparison->specification(), use());
       if (!opened) return fail(opened.error());
       folder.emplace(*std::move(opened));
-    } else if (resume_ || verify_) {
-      return fail("--resume and --verify need --out, the folder of the run");
     }
-    if (verify_) return run_verify(*comparison, *folder);
+    if (verify_) return run_verify(task_, *comparison, *folder);
+    if (!task_.blocks.empty()) return run_blocks(task_, *comparison, *folder);
+    if (engine_ == "slurm") return run_slurm(task_, *comparison, *folder, words_for_jobs());
 
-    const auto outcome = play_contest(*comparison, contest_, folder ? &*folder : nullptr, line());
-    if (isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
+    const auto outcome =
+        merge_ ? merge(*comparison, contest_, *folder)
+               : play_contest(*comparison, contest_, folder ? &*folder : nullptr, progress_line(contest_));
+    clear_line();
     if (!outcome) return fail(outcome.error());
-    const ContestReport report{*comparison, contest_, *outcome};
-    if (json_)
-      std::printf("%s\n", to_json(report).dump(2).c_str());
-    else
-      std::fputs(to_text(report, explain_).c_str(), stdout);
-    return status_of(outcome->verdict);
+    return tell({*comparison, contest_, *outcome}, folder ? &*folder : nullptr);
   }
 
  private:
-  static constexpr int kNo = 1, kUndecided = 3;
-
   void add_world() {
     options()
         .add_option("--rules", choice_.rules, "a year's: name, name:players, name,field=value or file")
@@ -76,14 +72,15 @@ class CompareCommand final : public Command {
         .add_option("--players", choice_.players, "a side; as the rules say when not given")
         ->check(CLI::Range(1, kMaxPlayers));
     options().add_flag("--every-tick", every_tick_, "everybody decides 30 times a second, also far from the ball");
-    options()
-        .add_option("--from", choice_.situation, "a described moment in which games begin")
-        ->check(CLI::ExistingFile);
+    options().add_option("--from", choice_.situation,
+                         "where games begin: a described moment, its name or file, or a folder of them, evenly");
+    options().add_flag("--fuzz", choice_.fuzz, "with --from: in each pair everybody stands a little elsewhere");
     options()
         .add_option("--seconds", choice_.seconds, "how long a game goes on at most, getting ready included")
         ->check(CLI::Range(1., 36000.));
     options()
-        .add_option("--metric", metric_, "goals, first_goal, conceded (with --vs), or score_within:30s")
+        .add_option("--metric", metric_,
+                    "goals, first_goal, conceded (with --vs), score_within:30s or ball_advance:30s")
         ->capture_default_str();
     options()
         .add_option("--seed", choice_.seed, "of the first pair; each pair has the next")
@@ -95,103 +92,133 @@ class CompareCommand final : public Command {
     CLI::Option* const sprt = options()
                                   .add_option("--sprt", question_, "H0,H1: a sequential test of these gains per game")
                                   ->capture_default_str();
-    CLI::Option* const pairs =
-        options().add_option("--pairs", pairs_, "so many pairs of games instead")->check(CLI::Range(2, 10'000'000));
+    CLI::Option* const pairs = options()
+                                   .add_option("--pairs", task_.pairs, "so many pairs of games instead")
+                                   ->check(CLI::Range(2, 10'000'000));
     options()
         .add_option("--time", contest_.seconds, "stop after so many seconds, answer or not")
         ->check(CLI::Range(1., 1e6));
     options()
-        .add_option("--jobs", contest_.jobs, "threads; as many as there are processors if not given")
+        .add_option("--jobs", contest_.jobs, "processes; as many as there are processors if not given")
         ->check(CLI::Range(1, 256));
+    options()
+        .add_option("--engine", engine_, "who plays: processes here (local), or a cluster's jobs (slurm, with --pairs)")
+        ->check(CLI::IsMember({"local", "slurm"}))
+        ->capture_default_str();
     pairs->excludes(sprt);
     contest_.jobs = threads_for(1 << 20);
   }
 
+  /// What else there is to do than to give the verdict.
+  void add_kinds() {
+    CLI::Option_group* const kinds = options().add_option_group("instead of the plain verdict");
+    kinds->require_option(0, 1);
+    kinds->add_flag("--robust", robust_, "the verdict again with other walks, kicks and eyes: does it hang on these?");
+    kinds->add_option("--aa", itself_, "behaviour: against itself, which must gain nothing, and neither end must");
+    kinds->add_flag("--plan", plan_, "say how many games an answer takes, from a pilot of 200 pairs");
+    options()
+        .add_option("--delta", task_.delta, "with --plan: the gain per game that is looked for, instead of --sprt's")
+        ->check(CLI::Range(1e-6, 100.));
+    options()
+        .add_option("--pilot", task_.pilot, "with --plan: folder of a run of the same comparison, for its variance")
+        ->check(CLI::ExistingDirectory);
+    kinds->add_flag("--verify", verify_, "play two blocks of --out again and compare them");
+    kinds->add_option("--blocks", task_.blocks, "FROM..TO: play blocks FROM to TO - 1 of --out, which others share");
+    kinds->add_flag("--merge", merge_, "the verdict of the blocks in --out, of which none may be missing");
+  }
+
+  RunFolder::Use use() const {
+    if (!task_.blocks.empty() || merge_ || engine_ == "slurm") return RunFolder::Use::share;
+    return resume_ || verify_ ? RunFolder::Use::go_on : RunFolder::Use::begin;
+  }
+
+  /// The report, wherever it is wanted; the exit status.
+  int tell(const ContestReport& report, const RunFolder* folder) const {
+    const Json json = to_whole_json(report);
+    if (folder)
+      if (const auto written = folder->write_result(to_json(report).dump(2) + "\n"); !written)
+        return fail(written.error());
+    if (!html_.empty())
+      if (const auto written = robot::replace_file(html_, page_of(json)); !written) return fail(written.error());
+    if (task_.json)
+      std::printf("%s\n", json.dump(2).c_str());
+    else
+      std::fputs(to_text(report, explain_).c_str(), stdout);
+    return status_of(report.outcome.verdict);
+  }
+
   /// What CLI11 leaves as text; a sentence if it makes no sense.
   std::string read_words() {
+    if (!itself_.empty()) {
+      if (!choice_.a.empty()) return "--aa names the behaviour; got another one: '" + choice_.a + "'";
+      choice_.a = itself_;
+    }
+    if (choice_.a.empty()) return "expected behaviours to compare, such as baseline kick_now";
+    if (choice_.b.empty()) choice_.b = choice_.a;
+    if ((resume_ || verify_ || merge_ || !task_.blocks.empty()) && task_.out.empty())
+      return "--resume, --verify, --merge and --blocks need --out, the folder of the run";
+    if (engine_ == "slurm" && (task_.out.empty() || task_.pairs == 0))
+      return "--engine slurm needs --pairs, and --out, a folder that all machines of the cluster see";
+    if ((robust_ || !itself_.empty()) && (!task_.out.empty() || !html_.empty() || engine_ == "slurm"))
+      return "--robust and --aa are several runs: --out, --html and --engine slurm are of one";
+    if (task_.delta > 0 && !plan_) return "--delta is for --plan; a test is asked by --sprt";
     choice_.pace = every_tick_ ? Pace::every_tick : Pace::thinned;
     compare::Question& question = contest_.question;
     int used = 0;
     if (std::sscanf(question_.c_str(), "%lf,%lf%n", &question.h0, &question.h1, &used) != 2 ||
         used != static_cast<int>(question_.size()) || !(question.h0 < question.h1) || !std::isfinite(question.h1))
       return "--sprt: expected two gains, the smaller one first, such as 0,0.1, got '" + question_ + "'";
-    if (pairs_ > 0) contest_.pairs = pairs_;
+    if (task_.pairs > 0) contest_.pairs = task_.pairs;
 
+    return read_metric();
+  }
+
+  std::string read_metric() {
     double seconds = 0;
-    used = 0;
+    int used = 0;
+    const auto timed = [&](const char* format) {
+      return std::sscanf(metric_.c_str(), format, &seconds, &used) == 1 && used == static_cast<int>(metric_.size()) &&
+             seconds >= 1 && seconds <= 36000;
+    };
     if (metric_ == "goals") {
       choice_.metric = Metric::goals;
     } else if (metric_ == "first_goal") {
       choice_.metric = Metric::first_goal;
     } else if (metric_ == "conceded") {
       choice_.metric = Metric::conceded;
-    } else if (std::sscanf(metric_.c_str(), "score_within:%lfs%n", &seconds, &used) == 1 &&
-               used == static_cast<int>(metric_.size()) && seconds >= 1 && seconds <= 36000) {
+    } else if (timed("score_within:%lfs%n")) {
       choice_.metric = Metric::score_within;
       choice_.seconds = seconds;
+    } else if (timed("ball_advance:%lfs%n")) {
+      choice_.metric = Metric::ball_advance;
+      choice_.seconds = seconds;
     } else {
-      return "--metric: expected goals, first_goal, conceded or score_within:30s, got '" + metric_ + "'";
+      return "--metric: expected goals, first_goal, conceded, score_within:30s or ball_advance:30s, got '" + metric_ +
+             "'";
     }
     return "";
   }
 
-  /// What is known so far, on a terminal.
-  std::function<void(const Mark&, double)> line() const {
-    if (isatty(STDERR_FILENO) == 0) return {};
-    return [this](const Mark& mark, double games_per_minute) {
-      std::fprintf(stderr, "\rpairs %lld  gain %+.3f ± %.3f  LLR %+.2f of ±%.2f  %.0f games/min \033[K",
-                   static_cast<long long>(mark.pairs), mark.gain.mean, mark.gain.high - mark.gain.mean, mark.llr,
-                   compare::bounds_of(contest_.question).h1, games_per_minute);
-      std::fflush(stderr);
-    };
-  }
-
-  int run_plan(const Comparison& comparison) {
-    ContestOptions pilot = contest_;
-    pilot.pairs = pairs_ > 0 ? pairs_ : kPilotPairs;
-    const auto outcome = play_contest(comparison, pilot, nullptr, line());
-    if (isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
-    if (!outcome) return fail(outcome.error());
-    if (outcome->tally.gain_squares == 0)
-      return fail("--plan: the pilot's " + std::to_string(outcome->tally.pairs) +
-                  " pairs all came out even, which tells nothing; try more with --pairs");
-    const ContestReport report{comparison, pilot, *outcome};
-    if (json_)
-      std::printf("%s\n", plan_json(report).dump(2).c_str());
-    else
-      std::fputs(plan_text(report).c_str(), stdout);
-    return kDone;
-  }
-
-  /// The first and the last block there are.
-  int run_verify(const Comparison& comparison, const RunFolder& folder) {
-    std::int64_t blocks = 0;
-    while (folder.read(blocks)) ++blocks;
-    if (blocks == 0) return fail("run " + out_ + ": expected at least one block of games, there is none");
-    int differing = 0;
-    const std::int64_t chosen[kVerified] = {static_cast<std::int64_t>(choice_.seed) % blocks, blocks - 1};
-    for (const std::int64_t block : chosen) {
-      const auto kept = folder.read(block);
-      for (std::int64_t i = 0; i < RunFolder::kPairsPerBlock; ++i)
-        if (comparison.play(block * RunFolder::kPairsPerBlock + i) != (*kept)[static_cast<std::size_t>(i)]) ++differing;
-      std::printf("block %lld: %s\n", static_cast<long long>(block), differing == 0 ? "identical" : "NOT identical");
+  /// This command line, for somebody who plays a part of it: one process, and no engine.
+  std::vector<std::string> words_for_jobs() {
+    std::vector<std::string> words = {std::filesystem::read_symlink("/proc/self/exe").string(), "compare"};
+    for (const CLI::Option* option : options().get_options()) {
+      const std::string name = option->get_name();
+      if (option->count() == 0 || name == "--engine" || name == "--jobs" || name == "--html") continue;
+      if (!option->get_positional()) words.push_back(name);
+      if (option->get_items_expected_max() > 0)
+        for (const std::string& value : option->results()) words.push_back(value);
     }
-    return differing == 0 ? kDone : kNo;
+    words.insert(words.end(), {"--jobs", "1"});
+    return words;
   }
 
-  static int status_of(compare::Verdict verdict) {
-    switch (verdict) {
-      case compare::Verdict::better: return kDone;
-      case compare::Verdict::undecided: return kUndecided;
-      default: return kNo;
-    }
-  }
-
-  ComparisonChoice choice_;
-  ContestOptions contest_;
-  std::string question_ = "0,0.1", metric_ = "goals", out_;
-  std::int64_t pairs_ = 0;
-  bool every_tick_ = false, resume_ = false, verify_ = false, plan_ = false, explain_ = false, json_ = false;
+  CompareTask task_;
+  ComparisonChoice& choice_ = task_.choice;
+  ContestOptions& contest_ = task_.contest;
+  std::string question_ = "0,0.1", metric_ = "goals", html_, itself_, engine_ = "local";
+  bool every_tick_ = false, resume_ = false, verify_ = false, plan_ = false, explain_ = false;
+  bool robust_ = false, merge_ = false;
 };
 
 }  // namespace

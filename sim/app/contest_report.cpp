@@ -1,8 +1,11 @@
 #include "sim/app/contest_report.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <string_view>
+#include <cstring>
+#include <optional>
 
 namespace sim::app {
 namespace {
@@ -25,79 +28,134 @@ double per_game(const Outcome& outcome, std::int64_t sum) {
   return outcome.tally.pairs == 0 ? 0 : static_cast<double>(sum) / static_cast<double>(games_of(outcome));
 }
 
+/// The end of a name tells more than its beginning.
+std::string shortened(const std::string& name) {
+  constexpr std::size_t kMost = 11;
+  return name.size() <= kMost ? name : ".." + name.substr(name.size() - kMost + 2);
+}
+
+std::string name_of_b(const ComparisonChoice& choice) {
+  return choice.changed > 0 ? choice.b + text(" of players 1 .. %d", choice.changed) : choice.b;
+}
+
 const char* noun(Metric metric) {
   switch (metric) {
     case Metric::goals: return "goals";
     case Metric::first_goal: return "of the first goal";
     case Metric::conceded: return "fewer conceded goals";
     case Metric::score_within: return "of scoring in time";
+    case Metric::ball_advance: return "m of the ball's way";
   }
   return "";
 }
 
-/// The sentence that people take home.
-std::string verdict_sentence(const ContestReport& report) {
-  const ComparisonChoice& choice = report.comparison.choice();
-  const Interval gain = compare::gain_per_game(report.outcome.tally);
-  const std::string amount =
-      text("%+.3f %s per game (95 %%: %+.3f .. %+.3f)", gain.mean, noun(choice.metric), gain.low, gain.high);
-  switch (report.outcome.verdict) {
-    case Verdict::better: return choice.b + " is better than " + choice.a + ": " + amount;
-    case Verdict::not_better:
-      return choice.b + " is not better than " + choice.a + text(" by %.2g per game: ", report.options.question.h1) +
-             amount;
-    case Verdict::undecided: return "undecided whether " + choice.b + " is better than " + choice.a + ": " + amount;
-    case Verdict::identical: return choice.b + " and " + choice.a + " are identical: every pair came out even";
-  }
-  return "";
+/// As the shell takes it.
+std::string quoted(const std::string& word) {
+  const auto plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || std::strchr("_-+=.,:/%", c);
+  };
+  if (!word.empty() && std::ranges::all_of(word, plain)) return word;
+  std::string all = "'";
+  for (const char c : word) all += c == '\'' ? "'\\''" : std::string(1, c);
+  return all + "'";
 }
 
+/// The command that plays the game of a pair in which B is at home.
 std::string replay_of(const ContestReport& report, const DecisivePair& pair) {
   const ComparisonChoice& choice = report.comparison.choice();
   const std::string& against = choice.opponent.empty() ? choice.a : choice.opponent;
-  std::string command = "foresight-sim match --home " + choice.b + " --away " + against + " --rules " + choice.rules +
-                        " --models " + choice.models;
+  std::string command = "foresight-sim match --home " + quoted(choice.b) + " --away " + quoted(against) + " --rules " +
+                        quoted(choice.rules) + " --models " + quoted(choice.models);
+  if (choice.changed > 0)
+    command += " --changed " + std::to_string(choice.changed) + " --home-rest " + quoted(choice.a);
   if (choice.players > 0) command += " --players " + std::to_string(choice.players);
   if (choice.pace == Pace::every_tick) command += " --every-tick";
+  if (!choice.situation.empty()) command += " --from " + quoted(choice.situation);
+  if (choice.fuzz) command += " --fuzz";
+  if (choice.seconds > 0) command += text(" --seconds %g", choice.seconds);
   return command + " --seed " + std::to_string(report.comparison.seed_of(pair.number)) + " --mcap game.mcap";
 }
 
+/// What is not known is infinite, which JSON cannot say.
+Json bound_json(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
 Json to_json(const Interval& interval) {
-  // what is not known is infinite, which JSON cannot say
-  const auto bound = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
-  return {{"mean", interval.mean}, {"low", bound(interval.low)}, {"high", bound(interval.high)}};
+  return {{"mean", interval.mean}, {"low", bound_json(interval.low)}, {"high", bound_json(interval.high)}};
+}
+
+/// After a sequential test that has answered.
+std::optional<Interval> unbiased(const ContestReport& report) {
+  const double unit = report.comparison.unit();
+  if (!report.outcome.sequential || compare::pair_variance(report.outcome.tally, unit) <= 0) return {};
+  return compare::unbiased_gain(report.outcome.tally, report.options.question, unit);
+}
+
+Json unbiased_json(const ContestReport& report) {
+  const auto gain = unbiased(report);
+  return gain ? to_json(*gain) : Json();
 }
 
 }  // namespace
 
+std::string sentence_of(const ContestReport& report) {
+  const ComparisonChoice& choice = report.comparison.choice();
+  const Interval gain = compare::gain_per_game(report.outcome.tally, report.comparison.unit());
+  const std::string amount =
+      text("%+.3f %s per game (95 %%: %+.3f .. %+.3f)", gain.mean, noun(choice.metric), gain.low, gain.high);
+  switch (report.outcome.verdict) {
+    case Verdict::better: return name_of_b(choice) + " is better than " + choice.a + ": " + amount;
+    case Verdict::not_better:
+      return name_of_b(choice) + " is not better than " + choice.a +
+             text(" by %.2g per game: ", report.options.question.h1) + amount;
+    case Verdict::undecided:
+      return "undecided whether " + name_of_b(choice) + " is better than " + choice.a + ": " + amount;
+    case Verdict::identical: return name_of_b(choice) + " and " + choice.a + " are identical: every pair came out even";
+  }
+  return "";
+}
+
 Json to_json(const ContestReport& report) {
   const auto& [comparison, options, outcome] = report;
   const compare::Tally& tally = outcome.tally;
-  const double ratio = compare::llr(tally, options.question);
+  const double unit = comparison.unit();
+  const double ratio = compare::llr(tally, options.question, unit);
+  const compare::Bounds bounds = compare::bounds_of(options.question);
   Json json = {{"run", Json::parse(comparison.specification())},
                {"verdict", compare::name(outcome.verdict)},
-               {"sentence", verdict_sentence(report)},
+               {"sentence", sentence_of(report)},
                {"pairs", tally.pairs},
                {"games", games_of(outcome)},
-               {"gain", to_json(compare::gain_per_game(tally))},
+               {"gain", to_json(compare::gain_per_game(tally, unit))},
+               {"unbiased_gain", unbiased_json(report)},
                {"llr", std::isfinite(ratio) ? Json(ratio) : Json()},
+               {"bounds", {bounds.h0, bounds.h1}},
                {"h0", options.question.h0},
                {"h1", options.question.h1}};
   for (const int behaviour : {kA, kB})
     json[behaviour == kA ? "a" : "b"] = {{"goals", per_game(outcome, tally.goals[behaviour])},
                                          {"conceded", per_game(outcome, tally.conceded[behaviour])}};
   json["b_won_drawn_lost"] = {tally.won, tally.drawn, tally.lost};
+  json["b_points_of_pairs"] = tally.points;
   json["pairing_gain"] = compare::pairing_gain(tally);
-  json["home_advantage"] = to_json(compare::home_advantage(tally));
+  json["home_advantage"] = to_json(compare::home_advantage(tally, unit));
   json["models_fitted"] = false;
-  json["seconds"] = outcome.seconds;
   json["marks"] = Json::array();
   for (const Mark& mark : outcome.marks)
-    json["marks"].push_back({mark.pairs, mark.gain.mean, std::isfinite(mark.llr) ? Json(mark.llr) : Json()});
-  json["histogram"] = {{"from", -Outcome::kWidest}, {"pairs", outcome.histogram}};
+    json["marks"].push_back({mark.pairs, mark.gain.mean, std::isfinite(mark.llr) ? Json(mark.llr) : Json(),
+                             bound_json(mark.gain.low), bound_json(mark.gain.high)});
+  const double column = column_of(comparison.choice().metric);
+  json["histogram"] = {{"from", -Outcome::kWidest * column}, {"column", column}, {"pairs", outcome.histogram}};
   json["decisive"] = Json::array();
   for (const DecisivePair& pair : outcome.decisive)
-    json["decisive"].push_back({{"pair", pair.number}, {"gain", pair.gain}, {"replay", replay_of(report, pair)}});
+    json["decisive"].push_back(
+        {{"pair", pair.number}, {"gain", pair.gain / unit}, {"replay", replay_of(report, pair)}});
+  return json;
+}
+
+Json to_whole_json(const ContestReport& report) {
+  Json json = to_json(report);
+  json["seconds"] = report.outcome.seconds;
+  json["decision_us"] = {report.outcome.cost[kA].mean_us(), report.outcome.cost[kB].mean_us()};
   return json;
 }
 
@@ -105,34 +163,44 @@ std::string to_text(const ContestReport& report, bool explain) {
   const auto& [comparison, options, outcome] = report;
   const compare::Tally& tally = outcome.tally;
   const ComparisonChoice& choice = comparison.choice();
-  std::string out = verdict_sentence(report) + "\n\n";
+  std::string out = sentence_of(report) + "\n\n";
   out += text("%-22s%12s%12s\n", "", "A", "B");
-  out += text("%-22s%12.12s%12.12s\n", "", choice.a.c_str(), choice.b.c_str());
+  out += text("%-22s%12s%12s\n", "", shortened(choice.a).c_str(), shortened(choice.b).c_str());
   out += text("%-22s%12.3f%12.3f\n", "goals per game", per_game(outcome, tally.goals[kA]),
               per_game(outcome, tally.goals[kB]));
   out += text("%-22s%12.3f%12.3f\n", "conceded", per_game(outcome, tally.conceded[kA]),
               per_game(outcome, tally.conceded[kB]));
   out += text("%-22s%12lld%12lld\n", "won", static_cast<long long>(tally.lost), static_cast<long long>(tally.won));
-  out += text("%-22s%12lld\n\n", "drawn", static_cast<long long>(tally.drawn));
+  out += text("%-22s%12lld\n", "drawn", static_cast<long long>(tally.drawn));
+  if (outcome.cost[kA].timed > 0)
+    out += text("%-22s%12.2f%12.2f us\n", "a decision costs", outcome.cost[kA].mean_us(), outcome.cost[kB].mean_us());
+  out += "\n";
 
-  out += text("games            %lld in %lld pairs, %.0f s, %.0f a minute\n", static_cast<long long>(games_of(outcome)),
-              static_cast<long long>(tally.pairs), outcome.seconds,
-              static_cast<double>(games_of(outcome)) * 60 / std::max(outcome.seconds, 1e-3));
+  out += text("games            %lld in %lld pairs", static_cast<long long>(games_of(outcome)),
+              static_cast<long long>(tally.pairs));
+  // those that lay on the disk took no time
+  if (outcome.cost[kA].timed > 0)
+    out += text(", %.0f s, %.0f a minute", outcome.seconds,
+                static_cast<double>(games_of(outcome)) * 60 / std::max(outcome.seconds, 1e-3));
+  out += "\n";
   const compare::Bounds bounds = compare::bounds_of(options.question);
   if (!options.pairs)
-    out += text("test             LLR %+.2f of %+.2f for %g, %+.2f for %g\n", compare::llr(tally, options.question),
-                bounds.h0, options.question.h0, bounds.h1, options.question.h1);
+    out += text("test             LLR %+.2f of %+.2f for %g, %+.2f for %g\n",
+                compare::llr(tally, options.question, comparison.unit()), bounds.h0, options.question.h0, bounds.h1,
+                options.question.h1);
   if (const double gain = compare::pairing_gain(tally); gain > 0)
-    out += text("pairs            spare %.2f times as many games without\n", gain);
-  const Interval home = compare::home_advantage(tally);
+    out += text("pairing gain     %.2f times as many games without pairs\n", gain);
+  const Interval home = compare::home_advantage(tally, comparison.unit());
   out += text("home advantage   %+.3f (95 %%: %+.3f .. %+.3f)\n", home.mean, home.low, home.high);
   out += "holds for        rules " + choice.rules + ", models " + choice.models + " (not fitted to robots of yours)\n";
-  if (!options.pairs && outcome.verdict != Verdict::undecided && outcome.verdict != Verdict::identical)
-    out += "                 a test that stops early tends to overstate the gain a little\n";
+  if (const auto gain = unbiased(report))
+    out += text("unbiased gain    %+.3f (95 %%: %+.3f .. %+.3f), when to stop allowed for\n", gain->mean, gain->low,
+                gain->high);
   if (!explain) return out;
 
   out += "\nmost decisive pairs, with the game that B plays at home\n";
-  for (const DecisivePair& pair : outcome.decisive) out += text("  %+d  ", pair.gain) + replay_of(report, pair) + "\n";
+  for (const DecisivePair& pair : outcome.decisive)
+    out += text("  %+g  ", pair.gain / comparison.unit()) + replay_of(report, pair) + "\n";
   return out;
 }
 
@@ -144,7 +212,7 @@ struct Needed {
 };
 
 Needed needed_by(const ContestReport& pilot) {
-  const double variance = compare::pair_variance(pilot.outcome.tally);
+  const double variance = compare::pair_variance(pilot.outcome.tally, pilot.comparison.unit());
   compare::Plan plan = compare::plan(variance, pilot.options.question.h1 - pilot.options.question.h0);
   // the sequential test gives no answer before
   const auto fewest = static_cast<double>(pilot.options.question.fewest_pairs);

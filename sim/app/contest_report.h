@@ -14,7 +14,13 @@ struct ContestReport {
   const Outcome& outcome;
 };
 
+/// The verdict in one sentence.
+std::string sentence_of(const ContestReport& report);
+
+/// All of it but what hangs on the machine.
 Json to_json(const ContestReport& report);
+/// With that: how long it took, and what a decision costs.
+Json to_whole_json(const ContestReport& report);
 /// With the decisive pairs and how to see them, where that is asked for.
 std::string to_text(const ContestReport& report, bool explain);
 

@@ -138,7 +138,7 @@ Result<void> GameFile::add_mind(const State& state, int robot, Tick tick, const 
 
   if (*trace.skill == '\0') return {};
   pb::DecisionTrace decided;
-  to_proto(trace, side.behaviour->name(), decided);
+  to_proto(trace, decided);
   return write(at(decision), tick, decided);
 }
 

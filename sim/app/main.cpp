@@ -15,8 +15,11 @@ int sim_main(int argc, char** argv) {
   commands.push_back(situation_command(app));
   commands.push_back(compare_command(app));
   commands.push_back(bench_command(app));
+  commands.push_back(calibration_command(app));
+  commands.push_back(outlook_command(app));
+  commands.push_back(vet_command(app));
   commands.push_back(signature_command(app));
-  for (const char* kind : {"rules", "models", "strategies"}) commands.push_back(list_command(app, kind));
+  for (const char* kind : {"rules", "models", "strategies", "situations"}) commands.push_back(list_command(app, kind));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

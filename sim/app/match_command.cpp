@@ -7,6 +7,7 @@
 #include "sim/app/game_file.h"
 #include "sim/app/game_line.h"
 #include "sim/app/game_report.h"
+#include "sim/app/openings.h"
 #include "sim/app/progress.h"
 
 namespace sim::app {
@@ -42,15 +43,21 @@ robot::Result<void> recorded_step(const Params& params, State& state, referee::E
   return file.add_minds(state, tick, traces.data());
 }
 
-/// A whole game, into `file` if there is one.
-robot::Result<GameReport> play_one(const Params& params, std::uint64_t seed, GameFile* file, Progress* progress) {
+/// When a game that lasts at most so long ends [s]; 0: whenever it does.
+Tick end_of(const State& state, float seconds) { return seconds > 0 ? state.world.tick + ticks(seconds) : kNever; }
+
+/// A game into `file` if there is one.
+robot::Result<GameReport> play_one(const Cast& cast, const Openings& openings, float seconds, std::uint64_t seed,
+                                   GameFile* file, Progress* progress) {
+  const Params& params = cast.params();
   GameReport report{.seed = seed};
   referee::Events events;
-  State state = begin(params, {.seed = seed}, events);
+  State state = openings.begin(params, seed, events);
   take_notes(state, events, report);
+  const Tick end = end_of(state, seconds);
   std::vector<agent::Trace> traces(kMaxRobots);
   const Tick expected = expected_ticks(params.rules);
-  while (!finished(state)) {
+  while (!finished(state) && state.world.tick < end && !cast.failed()) {
     if (!file) {
       step(params, state, events);
     } else if (const auto written = recorded_step(params, state, events, *file, traces); !written) {
@@ -64,6 +71,7 @@ robot::Result<GameReport> play_one(const Params& params, std::uint64_t seed, Gam
     if (written) written = file->close();
     if (!written) return robot::Error{written.error()};
   }
+  if (cast.failed()) return robot::Error{cast.problem()};
   report.result = result_of(state);
   count_events(report);
   return report;
@@ -85,6 +93,12 @@ class MatchCommand final : public Command {
         .add_option("--threads", threads_, "how many of several games at once; 0: as many as there are processors")
         ->check(CLI::Range(0, 256))
         ->capture_default_str();
+    options().add_option("--from", from_,
+                         "where it begins: a described moment, its name or file, or a folder of them, evenly");
+    options().add_flag("--fuzz", fuzz_, "with --from: everybody stands a little elsewhere");
+    options()
+        .add_option("--seconds", seconds_, "how long it goes on at most, getting ready included")
+        ->check(CLI::Range(1., 36000.));
     options().add_flag("--json", json_, "report as JSON");
     options().add_flag("--lines", lines_, "of each game a line of JSON, with what robots believed beside what was so");
     options().add_option("--mcap", mcap_, "new file for a recording of the game: truth, beliefs and decisions");
@@ -101,19 +115,25 @@ class MatchCommand final : public Command {
   int run() override {
     if (!mcap_.empty() && lines_) return fail("--mcap and --lines do not go together");
     if (!mcap_.empty() && games_ > 1) return fail("--mcap records one game, got --games " + std::to_string(games_));
+    if (fuzz_ && from_.empty()) return fail("--fuzz needs --from, the situation that is varied");
     if (teams_.home == teams_.away)
       return fail("the teams must have different numbers, got " + std::to_string(teams_.home) + " twice");
-    const auto setup = io::prepare(choice_.choice());
-    if (!setup) return fail(setup.error());
-    if (lines_) return run_lines(setup->params);
-    return games_ > 1 ? run_many(setup->params) : run_one(setup->params);
+    if (lines_ && !from_.empty()) return fail("--lines and --from do not go together");
+    const auto lineup = choice_.line_up();
+    if (!lineup) return fail(lineup.error());
+    const auto openings = Openings::read(from_, fuzz_, lineup->params());
+    if (!openings) return fail(openings.error());
+    if (lines_) return run_lines(*lineup);
+    return games_ > 1 ? run_many(*lineup, *openings) : run_one(*lineup, *openings);
   }
 
  private:
   // beyond 2^53 a seed would not survive a browser
   static constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;
 
-  int run_one(const Params& params) {
+  int run_one(const Lineup& lineup, const Openings& openings) {
+    const Cast cast(lineup, seed_);
+    const Params& params = cast.params();
     std::optional<GameFile> file;
     if (!mcap_.empty()) {
       auto made = GameFile::create(mcap_, params, teams_, seed_);
@@ -122,52 +142,71 @@ class MatchCommand final : public Command {
     }
     const auto report = [&] {
       Progress progress("recording", file ? expected_ticks(params.rules) : 0);
-      return play_one(params, seed_, file ? &*file : nullptr, &progress);
+      return play_one(cast, openings, seconds_, seed_, file ? &*file : nullptr, &progress);
     }();
     if (!report) return fail(report.error());
     if (json_)
       std::printf("%s\n", to_json(*report, params.rules.players).dump(2).c_str());
     else
-      std::fputs(to_text(*report, choice_.choice(), params).c_str(), stdout);
+      std::printf("%s%s", to_text(*report, choice_.choice(), params).c_str(),
+                  cost_text(cast.cost(Side::home), cast.cost(Side::away)).c_str());
     if (file && !json_)
       std::printf("\n%s: %llu messages, %.1f MB\n", mcap_.c_str(), static_cast<unsigned long long>(file->messages()),
                   static_cast<double>(file->size_bytes()) / 1e6);
     return kDone;
   }
 
-  int run_many(const Params& params) {
+  int run_many(const Lineup& lineup, const Openings& openings) {
     std::vector<GameReport> reports(static_cast<std::size_t>(games_));
-    play_all([&](int game, std::uint64_t seed) {
-      reports[static_cast<std::size_t>(game)] = {.seed = seed, .result = play_game(params, {.seed = seed})};
+    Costs costs;
+    const std::string problem = play_all(lineup, [&](int game, std::uint64_t seed, const Cast& cast) {
+      if (auto report = play_one(cast, openings, seconds_, seed, nullptr, nullptr)) {
+        report->moments.clear();
+        reports[static_cast<std::size_t>(game)] = *std::move(report);
+      }
+      costs.add(cast);
     });
+    if (!problem.empty()) return fail(problem);
     if (json_)
-      std::printf("%s\n", to_json(reports, params.rules.players).dump(2).c_str());
+      std::printf("%s\n", to_json(reports, lineup.params().rules.players).dump(2).c_str());
     else
-      std::fputs(to_text(reports, choice_.choice(), params).c_str(), stdout);
+      std::printf("%s%s", to_text(reports, choice_.choice(), lineup.params()).c_str(), costs.text().c_str());
     return kDone;
   }
 
-  int run_lines(const Params& params) {
+  int run_lines(const Lineup& lineup) {
     std::vector<std::string> lines(static_cast<std::size_t>(games_));
-    play_all([&](int game, std::uint64_t seed) { lines[static_cast<std::size_t>(game)] = game_line(params, seed); });
+    const std::string problem = play_all(lineup, [&](int game, std::uint64_t seed, const Cast& cast) {
+      lines[static_cast<std::size_t>(game)] = game_line(cast.params(), seed);
+    });
+    if (!problem.empty()) return fail(problem);
     for (const std::string& line : lines) std::fputs(line.c_str(), stdout);
     return kDone;
   }
 
-  /// Calls play(game, seed) for each game.
-  void play_all(const std::function<void(int, std::uint64_t)>& play) const {
+  /// Calls play(game, seed, cast) for each game; what is wrong with a behaviour from outside, or empty.
+  std::string play_all(const Lineup& lineup, const std::function<void(int, std::uint64_t, const Cast&)>& play) const {
     Progress progress("playing", static_cast<std::uint64_t>(games_));
+    Problem problem;
     for_each_game(
         games_, threads_ > 0 ? threads_ : threads_for(games_),
-        [&](int game) { play(game, seed_ + static_cast<std::uint64_t>(game)); },
+        [&](int game) {
+          if (problem.is_known()) return;
+          const std::uint64_t seed = seed_ + static_cast<std::uint64_t>(game);
+          const Cast cast(lineup, seed);
+          play(game, seed, cast);
+          if (cast.failed()) problem.tell(cast.problem());
+        },
         [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
+    return problem.text();
   }
 
   ChoiceOptions choice_;
   std::uint64_t seed_ = 1;
   int games_ = 1, threads_ = 0;
-  bool json_ = false, lines_ = false;
-  std::string mcap_;
+  float seconds_ = 0;
+  bool json_ = false, lines_ = false, fuzz_ = false;
+  std::string mcap_, from_;
   robot::agent::TeamNumbers teams_;
 };
 

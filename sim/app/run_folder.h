@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "robot/core/files.h"
 #include "robot/core/result.h"
 #include "sim/compare/tally.h"
 
@@ -17,23 +17,42 @@ class RunFolder {
  public:
   static constexpr std::int64_t kPairsPerBlock = 25;
 
-  /// Opens or makes the folder of a run. A folder that holds another run is refused; one that holds this run only goes on
-  /// where that is asked for.
-  static robot::Result<RunFolder> open(const std::filesystem::path& folder, const std::string& specification,
-                                       bool resume);
+  /// What somebody wants of a run.
+  enum class Use {
+    begin,  // nothing is there
+    go_on,  // what is there is this run
+    share,  // likewise, and others write other blocks of it meanwhile
+  };
 
-  /// The pairs of a block, if they are there. A file that is damaged or of another run counts as not there.
-  std::optional<std::vector<compare::Pair>> read(std::int64_t block) const;
+  /// Opens or makes the folder of a run. A folder that holds another run is refused, and one that somebody else is using,
+  /// unless all of them share it.
+  static robot::Result<RunFolder> open(const std::filesystem::path& folder, const std::string& specification, Use use);
+
+  /// The pairs of a block; an Error where it is missing, damaged or of another run.
+  robot::Result<std::vector<compare::Pair>> read(std::int64_t block) const;
+
+  /// There is a file for that block, whatever is in it.
+  bool has(std::int64_t block) const;
 
   robot::Result<void> write(std::int64_t block, const std::vector<compare::Pair>& pairs) const;
 
+  /// How many blocks there are if none is missing: one more than the last.
+  std::int64_t blocks() const;
+
+  /// What was found, without what hangs on the machine: result.json.
+  robot::Result<void> write_result(const std::string& json) const;
+
+  const std::filesystem::path& path() const { return folder_; }
+
  private:
   RunFolder(std::filesystem::path folder, std::string run) : folder_(std::move(folder)), run_(std::move(run)) {}
+  robot::Result<void> lock(Use use);
 
   std::filesystem::path path_of(std::int64_t block) const;
 
   std::filesystem::path folder_;
   std::string run_;  // the hash of its specification
+  robot::FileDescriptor lock_;
 };
 
 }  // namespace sim::app

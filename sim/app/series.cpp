@@ -26,6 +26,18 @@ int threads_for(int games) {
   return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, std::max(games, 1));
 }
 
+void Problem::tell(const std::string& problem) {
+  const std::lock_guard guard(lock_);
+  if (text_.empty()) text_ = problem;
+}
+
+bool Problem::is_known() const { return !text().empty(); }
+
+std::string Problem::text() const {
+  const std::lock_guard guard(lock_);
+  return text_;
+}
+
 Mean mean_of(const std::vector<double>& values) {
   if (values.empty()) return {};
   const auto count = static_cast<double>(values.size());

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <mutex>
+#include <string>
 #include <vector>
 
 namespace sim::app {
@@ -14,6 +16,20 @@ void for_each_game(int games, int threads, const std::function<void(int)>& play,
 
 /// As many threads as the machine has processors, but not more than games.
 int threads_for(int games);
+
+/// What went wrong in one of many games; any thread.
+class Problem {
+ public:
+  /// The first one counts.
+  void tell(const std::string& problem);
+  bool is_known() const;
+  /// Empty: nothing did.
+  std::string text() const;
+
+ private:
+  mutable std::mutex lock_;
+  std::string text_;
+};
 
 /// A mean, and how far it may be off.
 struct Mean {

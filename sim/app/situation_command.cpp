@@ -1,11 +1,14 @@
 // foresight-sim situation: what becomes of a moment of a game.
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
 #include "sim/app/commands.h"
 #include "sim/app/game_report.h"
+#include "sim/app/openings.h"
 #include "sim/app/progress.h"
-#include "sim/io/situation.h"
+#include "sim/app/race_report.h"
+#include "sim/io/playbook.h"
 #include "sim/match/play.h"
 
 namespace sim::app {
@@ -23,11 +26,11 @@ struct Rollout {
   double possession_home = 0;  // [0..1]
 };
 
-Rollout roll_out(const Params& params, State state, Tick end) {
+Rollout roll_out(const Cast& cast, State state, Tick end) {
   const State start = state;
   Rollout rollout;
   play(
-      params, state, [&](const State& now) { return now.world.tick >= end; },
+      cast.params(), state, [&](const State& now) { return now.world.tick >= end || cast.failed(); },
       [&](const referee::Event& event) {
         if (event.kind == Kind::out || event.kind == Kind::kick_in || event.kind == Kind::goal_kick ||
             event.kind == Kind::corner_kick)
@@ -122,11 +125,17 @@ void print(const Summary& summary, double seconds) {
               100 * possession.mean, 100 * possession.error);
 }
 
+std::vector<std::string> listed(const auto& names) { return {names.begin(), names.end()}; }
+
+std::size_t index_of(const std::string& name, const auto& names) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
 class SituationCommand final : public Command {
  public:
   explicit SituationCommand(CLI::App& app)
       : Command(app.add_subcommand("situation", "play on from a described moment, many times")) {
-    options().add_option("file", file_, "the moment, as JSON")->required();
+    options().add_option("file", file_, "the moment: its name or file, or a folder of them, evenly")->required();
     choice_.add_to(options());
     options()
         .add_option("--rollouts", rollouts_, "how many continuations, each with its own chance")
@@ -136,42 +145,108 @@ class SituationCommand final : public Command {
         .add_option("--seconds", seconds_, "how long each is")
         ->check(CLI::Range(0.1, 36000.))
         ->capture_default_str();
+    options().add_flag("--fuzz", fuzz_, "in each everybody stands a little elsewhere");
+    options()
+        .add_option("--strategies", strategies_,
+                    "which of these should the home side play from here on? The first is what it plays now")
+        ->delimiter(',');
+    options()
+        .add_option("--measure", measure_, "by what --strategies are compared")
+        ->check(CLI::IsMember(listed(foresight::kMeasureNames)))
+        ->capture_default_str();
+    options()
+        .add_option("--until", until_, "how far --strategies look; horizon: --seconds")
+        ->check(CLI::IsMember(listed(foresight::kUntilNames)))
+        ->capture_default_str();
     options().add_flag("--json", json_, "report as JSON");
   }
 
-  int run() override {
-    const auto setup = io::prepare(choice_.choice());
-    if (!setup) return fail(setup.error());
-    const auto start = io::load_situation(file_, setup->params);
-    if (!start) return fail(start.error());
+  int run() override { return strategies_.empty() ? play_on() : choose(); }
 
-    const Tick end = start->world.tick + ticks(static_cast<float>(seconds_));
+ private:
+  /// What becomes of the moment.
+  int play_on() {
+    const auto lineup = choice_.line_up();
+    if (!lineup) return fail(lineup.error());
+    const auto openings = Openings::read(file_, fuzz_, lineup->params());
+    if (!openings) return fail(openings.error());
+
+    Costs costs;
+    Problem problem;
     std::vector<Rollout> rollouts(static_cast<std::size_t>(rollouts_));
     {
       Progress progress("rolling out", static_cast<std::uint64_t>(rollouts_));
       for_each_game(
           rollouts_, threads_for(rollouts_),
           [&](int i) {
-            State state = *start;
-            state.world.key.seed += static_cast<std::uint64_t>(i);
-            rollouts[static_cast<std::size_t>(i)] = roll_out(setup->params, state, end);
+            if (problem.is_known()) return;
+            const auto seed = static_cast<std::uint64_t>(i);
+            const Cast cast(*lineup, seed);
+            const State start = openings->begin(cast.params(), seed);
+            const Tick end = start.world.tick + ticks(static_cast<float>(seconds_));
+            rollouts[static_cast<std::size_t>(i)] = roll_out(cast, start, end);
+            costs.add(cast);
+            if (cast.failed()) problem.tell(cast.problem());
           },
           [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
     }
+    if (problem.is_known()) return fail(problem.text());
     const Summary summary(rollouts);
-    if (json_)
+    if (json_) {
       std::printf("%s\n", to_json(summary, seconds_).dump(2).c_str());
-    else
+    } else {
       print(summary, seconds_);
+      std::fputs(costs.text().c_str(), stdout);
+    }
     return kDone;
   }
 
- private:
+  /// Which strategy to play.
+  int choose() {
+    const io::Choice game = choice_.choice();
+    const auto playbook = io::prepare_playbook({.strategies = strategies_,
+                                                .opponent = game.strategies[1],
+                                                .rules = game.rules,
+                                                .models = game.models[0],
+                                                .opponent_models = game.models[1],
+                                                .players = game.players,
+                                                .pace = game.pace});
+    if (!playbook) return fail(playbook.error());
+    const auto openings = Openings::read(file_, fuzz_, playbook->params.front());
+    if (!openings) return fail(openings.error());
+
+    // what is described is certain
+    const foresight::Situation situation{.state = openings->begin(playbook->params.front(), 0), .doubt = {}};
+    std::vector<int> all(strategies_.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+    const foresight::Question question{
+        .measure = static_cast<foresight::Measure>(index_of(measure_, foresight::kMeasureNames)),
+        .until = static_cast<foresight::Until>(index_of(until_, foresight::kUntilNames)),
+        .horizon = ticks(static_cast<float>(seconds_))};
+    const foresight::Task task = io::task_of(*playbook, all, situation, question, situation.state.world.key);
+    const double budget = static_cast<double>(rollouts_) * static_cast<double>(all.size());
+    foresight::Tally tally;
+    {
+      Progress progress("rolling out", static_cast<std::uint64_t>(budget));
+      foresight::race(
+          task, [&](std::int64_t rollouts) { return static_cast<double>(rollouts) / budget; },
+          [&](const foresight::Tally& now) { progress.at(static_cast<std::uint64_t>(now.spent * budget)); }, tally);
+    }
+    const foresight::Forecast forecast = foresight::forecast(tally, task.question, task.key);
+    if (json_)
+      std::printf("%s\n", race_json(forecast, task.question, strategies_).dump(2).c_str());
+    else
+      print_race(forecast, task.question, strategies_);
+    return kDone;
+  }
+
   ChoiceOptions choice_;
   std::string file_;
+  std::vector<std::string> strategies_;
+  std::string measure_ = "goal_difference", until_ = "horizon";
   int rollouts_ = 200;
   double seconds_ = 60;
-  bool json_ = false;
+  bool json_ = false, fuzz_ = false;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@ namespace sim::compare {
 void Tally::add(const Pair& pair) {
   ++pairs;
   std::int64_t sum = 0;
+  int got = 2;
   for (const int place : {0, 1}) {
     const Game& game = pair.games[place];
     sum += game.gain;
@@ -18,7 +19,9 @@ void Tally::add(const Pair& pair) {
     }
     const int lead = game.goals[kB] - game.conceded[kB] - (game.goals[kA] - game.conceded[kA]);
     ++(lead > 0 ? won : lead < 0 ? lost : drawn);
+    got += lead > 0 ? 1 : lead < 0 ? -1 : 0;
   }
+  ++points[got];
   gain += sum;
   gain_squares += sum * sum;
 }
@@ -36,6 +39,7 @@ void Tally::add(const Tally& other) {
   won += other.won;
   drawn += other.drawn;
   lost += other.lost;
+  for (int i = 0; i < 5; ++i) points[i] += other.points[i];
 }
 
 }  // namespace sim::compare

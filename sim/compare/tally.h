@@ -32,6 +32,7 @@ struct Tally {
   std::int64_t game_gain[2] = {0, 0}, game_gain_squares[2] = {0, 0};  // by the game's place in the pair
   std::int64_t goals[2] = {0, 0}, conceded[2] = {0, 0};               // by behaviour
   std::int64_t won = 0, drawn = 0, lost = 0;                          // games, as B sees them
+  std::int64_t points[5] = {0, 0, 0, 0, 0};  // pairs in which B got 0 .. 4 points: 2 of a game won, 1 of one drawn
 
   void add(const Pair& pair);
   void add(const Tally& other);

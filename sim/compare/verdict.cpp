@@ -102,6 +102,83 @@ Verdict judge(const Tally& tally, const Question& question, double unit) {
   return gain.high < question.h1 ? Verdict::not_better : Verdict::undecided;
 }
 
+namespace {
+
+/// A Brownian motion of variance 1 per unit of time that starts between two bounds: 0 < `start` < `width`.
+struct Walk {
+  double start, width;
+
+  /// The probability that it has left at the upper bound by `time`, drifting by `drift` per unit of time.
+  double up_by(double drift, double time) const {
+    const double way = width - start;
+    if (way * way > kSoon * time) return up_soon(drift, way, time);
+    const double pi = std::acos(-1.0);
+    const double ever = std::abs(drift * width) < 1e-9
+                            ? start / width
+                            : std::expm1(-2 * drift * start) / std::expm1(-2 * drift * width);
+    // what is yet to leave there: eigenfunctions of the strip
+    double later = 0;
+    for (int n = 1; n <= kTerms; ++n) {
+      const double rate = drift * drift / 2 + n * n * pi * pi / (2 * width * width);
+      const double term = n * std::sin(n * pi * start / width) * std::exp(drift * way - rate * time) / rate;
+      later += n % 2 == 1 ? term : -term;
+    }
+    return ever - pi / (width * width) * later;
+  }
+
+  /// The probability of an outcome that speaks more for a large drift than leaving above (or below) at `time` does:
+  /// above sooner; or above at all, or below later.
+  double more_than(bool above, double time, double drift) const {
+    const double up = up_by(drift, above ? time : kInfinity);
+    if (above) return up;
+    const Walk mirrored{width - start, width};
+    return 1 - mirrored.up_by(-drift, time);
+  }
+
+  /// The same where it has left so soon that the other bound does not matter: above all by one bound (inverse Gaussian).
+  static double up_soon(double drift, double way, double time) {
+    const double root = std::sqrt(time), z = (way + drift * time) / root, off = (way - drift * time) / root;
+    const double reflected =  // exp(2 drift way) Phi(-z), by what the tail is far out where it would overflow
+        z > 5 ? std::exp(-off * off / 2) * (1 - 1 / (z * z)) / (z * std::sqrt(2 * std::acos(-1.0)))
+              : std::exp(2 * drift * way) * 0.5 * std::erfc(z / std::sqrt(2.0));
+    return 0.5 * std::erfc(off / std::sqrt(2.0)) + reflected;
+  }
+
+  static constexpr int kTerms = 400;
+  static constexpr double kSoon = 24;
+};
+
+}  // namespace
+
+// the log-likelihood ratio is the motion: per pair it drifts by (h1-h0)(2 gain-h0-h1)/(2 variance), and varies by
+// (h1-h0)^2/variance
+Interval unbiased_gain(const Tally& tally, const Question& question, double unit) {
+  const double variance = pair_variance(tally, unit);
+  const double step = question.h1 - question.h0;
+  const double ratio = llr(tally, question, unit);
+  const Bounds bounds = bounds_of(question);
+  const bool above = ratio > 0;
+  // where it stopped is beyond the bound by what one look brings
+  const double lower = above ? bounds.h0 : std::min(bounds.h0, ratio);
+  const double upper = above ? std::max(bounds.h1, ratio) : bounds.h1;
+  const double scale = step / std::sqrt(variance);  // of the ratio, per root of a pair
+  const Walk walk{-lower / scale, (upper - lower) / scale};
+  const auto time = static_cast<double>(tally.pairs);
+  const auto drift_of = [&](double gain) { return (gain - (question.h0 + question.h1) / 2) / std::sqrt(variance); };
+
+  // the gain for which an outcome that says more is so likely; the likelihood rises with the gain
+  const double mean = gain_per_game(tally, unit).mean, off = 12 * std::sqrt(variance / time);
+  const auto gain_at = [&](double probability) {
+    double low = mean - off, high = mean + off;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (low + high) / 2;
+      (walk.more_than(above, time, drift_of(middle)) < probability ? low : high) = middle;
+    }
+    return (low + high) / 2;
+  };
+  return {.mean = gain_at(0.5), .low = gain_at(0.025), .high = gain_at(0.975)};
+}
+
 Plan plan(double variance, double delta) {
   const double per_square = variance / (delta * delta);
   const auto fixed = [&](double power) { return (kNormal975 + power) * (kNormal975 + power) * per_square; };

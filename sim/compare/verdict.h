@@ -59,6 +59,11 @@ Verdict decide(const Tally& tally, const Question& question, double unit = 1);
 /// not reach `h1`.
 Verdict judge(const Tally& tally, const Question& question, double unit = 1);
 
+/// B's gain per game after a sequential test that has an answer: the mean of the pairs is the larger the sooner it stopped,
+/// this one is as often too high as too low, and its interval covers the truth in 95 % (the test as Brownian motion
+/// between its two bounds, outcomes in the order of when and where they stopped).
+Interval unbiased_gain(const Tally& tally, const Question& question, double unit = 1);
+
 /// How many pairs tell a gain of `delta` from none, for pairs of this variance.
 struct Plan {
   double fixed_80 = 0, fixed_95 = 0;  // found in 80 % and in 95 % of runs of a fixed length

@@ -32,9 +32,9 @@ std::string quoted(std::string_view text) { return shown(std::string(text)); }
 
 Result<Feature> feature_named(std::string_view name) {
   const Feature feature = agent::find_feature(name);
-  if (feature != Feature::count) return feature;
+  if (feature != agent::kNoFeature) return feature;
   std::vector<std::string_view> known;
-  for (int i = 0; i < agent::kFeatureCount; ++i) known.emplace_back(info_of(static_cast<Feature>(i)).name);
+  for (int i = 0; i < agent::feature_count(); ++i) known.emplace_back(info_of(static_cast<Feature>(i)).name);
   return Error{"no feature " + quoted(name) + hint(name, known)};
 }
 

@@ -1,8 +1,8 @@
 #include "sim/io/setup.h"
 
+#include "sim/io/chooser.h"
 #include "sim/io/models.h"
 #include "sim/io/rules.h"
-#include "sim/io/strategy.h"
 
 namespace sim::io {
 
@@ -24,7 +24,7 @@ Result<Setup> prepare(const Choice& choice) {
   for (const int side : {0, 1}) {
     Result<Models> models = load_models(choice.models[side]);
     if (!models) return Error{models.error()};
-    auto behaviour = load_strategy(choice.strategies[side]);
+    auto behaviour = load_behaviour(choice.strategies[side], choice, static_cast<Side>(side));
     if (!behaviour) return Error{behaviour.error()};
     setup.behaviours[side] = std::move(*behaviour);
     setup.params.teams[side] = {.behaviour = setup.behaviours[side].get(), .models = std::move(*models)};

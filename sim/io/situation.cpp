@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "robot/core/files.h"
 #include "sim/io/reader.h"
 #include "sim/io/source.h"
 #include "sim/match/situation.h"
 #include "sim/match/step.h"
-#include "sim/perception/perception.h"
 
 namespace sim::io {
 
@@ -26,6 +24,13 @@ constexpr std::array kSetPlays = {"none", "kick_off", "kick_in", "goal_kick", "c
 constexpr std::array kSides = {"home", "away"};
 
 constexpr float kKnownDeviation = 0.1f;  // [m] and [m/s] of what was just seen
+
+// of a situation that is shaken
+constexpr float kShaken = 0.3f;                           // [m]
+constexpr float kTurned = 0.35f;                          // [rad]
+constexpr float kRoomToBall = 0.2f, kRoomToRobot = 0.4f;  // [m] between middles
+constexpr std::uint32_t kTries = 20;
+constexpr std::uint32_t kShakes = 1000;  // numbers of the event from here on
 
 struct Clock {
   int half = 1;
@@ -96,7 +101,8 @@ Enum name_at(Reader& reader, const Json& object, const std::string& path, const 
 /// Makes a state step by step from what a description says.
 class Scene {
  public:
-  Scene(Reader& reader, const Params& params) : reader_(reader), params_(params) {}
+  Scene(Reader& reader, const Params& params, const RandomKey* shaken)
+      : reader_(reader), params_(params), shaken_(shaken) {}
 
   State build(const Json& json) {
     referee::Events events;
@@ -107,9 +113,11 @@ class Scene {
     reader_.refuse_unknown(
         json, "", {"about", "seed", "phase", "set_play", "kicking", "half", "clock", "score", "ball", "robots"});
     if (!reader_.good()) return state_;
+    if (shaken_) shake();
     start_play(params_, state_);
     set_phase(json);
-    tell_everybody();
+    // everybody sees the ball and hears what its team sees
+    know_ball(state_, state_.world.tick, kKnownDeviation);
     return state_;
   }
 
@@ -212,54 +220,66 @@ class Scene {
     state_.book.penalised_until[robot] = until;
   }
 
-  /// Everybody knows where it stands, sees the ball and hears what its team sees.
-  void tell_everybody() {
-    const World& world = state_.world;
+  /// Each to the first place drawn near its own that is free.
+  void shake() {
+    World& world = state_.world;
+    const auto offset = [&](int robot, std::uint32_t number) {
+      const auto words = draw(*shaken_, static_cast<std::uint32_t>(robot), Event::situation, kShakes + number);
+      const auto one = [&](int i) { return 2 * uniform(words[static_cast<std::size_t>(i)]) - 1; };
+      return Pose2{{kShaken * one(0), kShaken * one(1)}, kTurned * one(2)};
+    };
+    sim::place(world.ball, world.ball.position + offset(kNobody, 0).position);
     for_each_robot(world.players, [&](int robot) {
-      const Body& body = world.bodies[robot];
+      Body& body = world.bodies[robot];
       if (body.doing == Body::Doing::removed) return;
-      agent::Ball& ball = state_.robots[robot].beliefs.ball;
-      ball = {};
-      ball.position = turned_back(world.ball.position - body.position, body.facing);
-      ball.velocity = turned_back(world.ball.velocity, body.facing);
-      ball.variance = ball.velocity_variance = kKnownDeviation * kKnownDeviation;
-      ball.seen = world.tick;
+      const Vec2 place = body.position;
+      for (std::uint32_t number = 0; number < kTries; ++number) {
+        const Pose2 by = offset(robot, number);
+        body.position = place + by.position;
+        if (!is_free(robot)) continue;
+        body.heading = normalized(body.heading + by.heading);
+        body.facing = direction(body.heading);
+        return;
+      }
+      body.position = place;
     });
-    for_each_robot(world.players, [&](int sender) {
-      const Robot& robot = state_.robots[sender];
-      const bool away = world.bodies[sender].doing == Body::Doing::removed;
-      const agent::Mate packet = perception::packet_of(robot.beliefs, robot.mind, away, world.tick);
-      for_each_robot(world.players, [&](int receiver) {
-        if (receiver == sender || side_of(receiver) != side_of(sender)) return;
-        // of player 3, mates[2] is player 4
-        const int mate = sender < receiver ? player_of(sender) - 1 : player_of(sender) - 2;
-        if (!away) state_.robots[receiver].beliefs.mates[mate] = packet;
-      });
+  }
+
+  bool is_free(int robot) const {
+    const World& world = state_.world;
+    const Vec2 place = world.bodies[robot].position;
+    bool free = squared_length(place - world.ball.position) > kRoomToBall * kRoomToBall;
+    for_each_robot(world.players, [&](int other) {
+      const Body& body = world.bodies[other];
+      if (other == robot || body.doing == Body::Doing::removed) return;
+      if (squared_length(place - body.position) < kRoomToRobot * kRoomToRobot) free = false;
     });
+    return free;
   }
 
   Reader& reader_;
   const Params& params_;
+  const RandomKey* const shaken_;
   State state_;
   bool named_[kMaxRobots] = {};
 };
 
 }  // namespace
 
-Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params) {
+Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params,
+                              const RandomKey* shaken) {
   const Result<Json> json = parse_object(text, called);
   if (!json) return Error{json.error()};
   Reader reader(called);
-  const State state = Scene(reader, params).build(*json);
+  const State state = Scene(reader, params, shaken).build(*json);
   if (!reader.good()) return reader.error();
   return state;
 }
 
-Result<State> load_situation(const std::string& path, const Params& params) {
-  const std::string called = "situation '" + path + "'";
-  const Result<std::string> text = robot::read_file(path, kMaxFileBytes);
-  if (!text) return Error{called + ": " + text.error()};
-  return parse_situation(*text, called, params);
+Result<State> load_situation(const std::string& name, const Params& params) {
+  const Result<Source> source = find_source("situations", "situation", name);
+  if (!source) return Error{source.error()};
+  return parse_situation(source->text, source->called, params);
 }
 
 std::string save_situation(const State& state) {

@@ -23,10 +23,13 @@
 namespace sim::io {
 
 /// The state in which that moment is played on. Everybody has just seen the ball and told the others, and stands still.
-robot::Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params);
+/// `shaken`: everybody and the ball stand a little elsewhere, up to 0.3 m along each axis and 20 degrees, as that game's
+/// luck has it; nobody on top of another.
+robot::Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params,
+                                     const RandomKey* shaken = nullptr);
 
-/// From the file at `path`.
-robot::Result<State> load_situation(const std::string& path, const Params& params);
+/// An embedded situation by name, or the file at a path.
+robot::Result<State> load_situation(const std::string& name, const Params& params);
 
 /// A description that parse_situation makes the same moment of, beliefs and motion of the robots apart.
 std::string save_situation(const State& state);

@@ -17,7 +17,7 @@ struct Source {
   std::string called;  // "models 'match'"
 };
 
-/// The names of the embedded files of that kind ("models", "rules", "strategies"), ascending.
+/// The names of the embedded files of that kind ("models", "outlooks", "rules", "strategies"), ascending.
 std::vector<std::string_view> names_of(std::string_view kind);
 
 /// What contains a '/' or ends in ".json" is the path of a file, anything else the name of an embedded one.

@@ -163,10 +163,10 @@ class Compiler {
 
   std::uint16_t leaf(const Json& json, const Place& place) {
     const Json& name = json["do"];
-    const Skill skill = name.is_string() ? agent::find_skill(name.get_ref<const std::string&>()) : Skill::count;
-    if (skill == Skill::count) {
+    const Skill skill = name.is_string() ? agent::find_skill(name.get_ref<const std::string&>()) : agent::kNoSkill;
+    if (skill == agent::kNoSkill) {
       std::vector<std::string_view> known;
-      for (int i = 0; i < agent::kSkillCount; ++i) known.emplace_back(info_of(static_cast<Skill>(i)).name);
+      for (int i = 0; i < agent::skill_count(); ++i) known.emplace_back(info_of(static_cast<Skill>(i)).name);
       return refuse(place.at(".do"),
                     "no skill " + shown(name) + (name.is_string() ? hint(name.get<std::string>(), known) : "")),
              std::uint16_t{0};

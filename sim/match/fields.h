@@ -86,10 +86,13 @@ void visit_members(Struct& whole, See&& see) {
   } else if constexpr (std::is_same_v<Type, agent::Pose>) {
     auto& [pose, deviation, deviation_heading] = whole;
     see("pose", pose), see("deviation", deviation), see("deviation_heading", deviation_heading);
+  } else if constexpr (std::is_same_v<Type, agent::Choice>) {
+    auto& [strategy, epoch] = whole;
+    see("strategy", strategy), see("epoch", epoch);
   } else if constexpr (std::is_same_v<Type, agent::Mate>) {
-    auto& [pose, ball, time_to_ball, sent, ball_age, role, active] = whole;
-    see("pose", pose), see("ball", ball), see("time_to_ball", time_to_ball), see("sent", sent);
-    see("ball_age", ball_age), see("role", role), see("active", active);
+    auto& [pose, ball, sent, ball_age, time_to_ball_cs, role, active, choice] = whole;
+    see("pose", pose), see("ball", ball), see("sent", sent), see("ball_age", ball_age);
+    see("time_to_ball_cs", time_to_ball_cs), see("role", role), see("active", active), see("choice", choice);
   } else if constexpr (std::is_same_v<Type, agent::Opponent>) {
     auto& [position, seen] = whole;
     see("position", position), see("seen", seen);
@@ -97,12 +100,13 @@ void visit_members(Struct& whole, See&& see) {
     auto& [ball, pose, mates, opponents] = whole;
     see("ball", ball), see("pose", pose), see("mates", mates), see("opponents", opponents);
   } else if constexpr (std::is_same_v<Type, agent::Mind>) {
-    auto& [role, slot, leaf, role_since, leaf_since, time_to_ball, ball, ball_seen, search_side, search_since,
-           kick_direction, kick, aligned, settled] = whole;
+    auto& [role, slot, leaf, role_since, leaf_since, time_to_ball, ball, ball_seen, search_since, kick_direction, kick,
+           aligned, settled, search_side, choice, told] = whole;
     see("role", role), see("slot", slot), see("leaf", leaf), see("role_since", role_since);
     see("leaf_since", leaf_since), see("time_to_ball", time_to_ball), see("ball", ball), see("ball_seen", ball_seen);
-    see("search_side", search_side), see("search_since", search_since), see("kick_direction", kick_direction);
-    see("kick", kick), see("aligned", aligned), see("settled", settled);
+    see("search_since", search_since), see("kick_direction", kick_direction), see("kick", kick);
+    see("aligned", aligned), see("settled", settled), see("search_side", search_side);
+    see("choice", choice), see("told", told);
   } else if constexpr (std::is_same_v<Type, perception::Cognition>) {
     auto& [odometry_scale, turn_scale, last, walked, turned, flipped, on_air, packet] = whole;
     see("odometry_scale", odometry_scale), see("turn_scale", turn_scale), see("last", last), see("walked", walked);

@@ -1,6 +1,7 @@
 #include "sim/match/situation.h"
 
 #include "sim/match/step.h"
+#include "sim/perception/perception.h"
 
 namespace sim {
 namespace {
@@ -39,6 +40,30 @@ void start_play(const Params& params, State& state) {
   book.stuck_at = book.last_touch_at = book.ball_before = world.ball.position;
   for_each_robot(world.players, [&](int robot) {
     if (world.bodies[robot].doing != Body::Doing::removed) enter(params, state, robot);
+  });
+}
+
+void know_ball(State& state, Tick seen, float deviation) {
+  const World& world = state.world;
+  const auto is_away = [&](int robot) { return world.bodies[robot].doing == Body::Doing::removed; };
+  for_each_robot(world.players, [&](int robot) {
+    if (is_away(robot)) return;
+    const Body& body = world.bodies[robot];
+    agent::Ball& ball = state.robots[robot].beliefs.ball;
+    ball = {};
+    ball.position = turned_back(world.ball.position - body.position, body.facing);
+    ball.velocity = turned_back(world.ball.velocity, body.facing);
+    ball.variance = ball.velocity_variance = deviation * deviation;
+    ball.seen = seen;
+  });
+  for_each_robot(world.players, [&](int sender) {
+    if (is_away(sender)) return;
+    const agent::Mate packet =
+        perception::packet_of(state.robots[sender].beliefs, state.robots[sender].mind, false, world.tick);
+    for_each_robot(world.players, [&](int receiver) {
+      if (receiver != sender && side_of(receiver) == side_of(sender))
+        perception::receive(packet, sender, receiver, state.robots[receiver].beliefs);
+    });
   });
 }
 

@@ -13,7 +13,7 @@
 namespace sim {
 
 /// Goes up whenever the fields of State change; older snapshots are then refused.
-inline constexpr std::uint32_t kSnapshotVersion = 1;
+inline constexpr std::uint32_t kSnapshotVersion = 2;
 
 /// "FSIM", the version, every field in its order, and the hash of all that.
 std::vector<std::uint8_t> snapshot_of(const State& state);

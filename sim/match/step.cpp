@@ -1,7 +1,5 @@
 #include "sim/match/step.h"
 
-#include <cmath>
-
 #include "sim/match/pace.h"
 #include "sim/motion/motion.h"
 #include "sim/perception/perception.h"
@@ -199,7 +197,7 @@ void enter(const Params& params, State& state, int robot) {
   state.schedule.lag[robot] = 1;
   // a robot in a mirror begins to search the other way
   const float sign = attack_sign(state.world, side_of(robot));
-  self.mind.search_side = std::copysign(1.f, sign * state.world.bodies[robot].position.y);
+  self.mind.search_side = agent::left_or_right(sign * state.world.bodies[robot].position.y);
   perception::enter(means_of(params, side_of(robot)).perceiving, state.world, robot, self.beliefs, self.cognition);
 }
 

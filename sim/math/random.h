@@ -42,6 +42,7 @@ enum class Event : std::uint32_t {
   kick_off = 17,
   official = 18,
   situation = 19,
+  belief = 20,
 };
 
 /// 128 random bits for one event. `robot` is its index in the state (kNobody for the game's own events); `number`

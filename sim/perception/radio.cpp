@@ -12,9 +12,10 @@ constexpr float kLongestDelay = 5;  // times the mean: what comes later than tha
 agent::Mate packet_of(const agent::Beliefs& beliefs, const agent::Mind& mind, bool penalised, Tick now) {
   const Pose2& pose = beliefs.pose.pose;
   const agent::Ball& ball = beliefs.ball;
-  agent::Mate packet{.pose = pose, .time_to_ball = mind.time_to_ball, .sent = now};
+  agent::Mate packet{.pose = pose, .sent = now, .time_to_ball_cs = agent::centiseconds(mind.time_to_ball)};
   packet.role = static_cast<std::uint8_t>(mind.role);
   packet.active = !penalised;
+  packet.choice = mind.choice;
   if (ball.seen == kNever) return packet;
 
   packet.ball = pose.position + turned(ball.position, direction(pose.heading));

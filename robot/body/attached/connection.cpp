@@ -85,7 +85,7 @@ Result<std::optional<logging::Frame>> Connection::next() {
 
 Result<std::string> Connection::copy(const logging::SharedMessage& message) const {
   if (!shared_) return Error{"expected a file before the first message that lies in it, got none"};
-  std::string bytes(message.length, '\0');
+  std::string bytes(static_cast<std::size_t>(message.length), '\0');
   std::size_t copied = 0;
   while (copied < bytes.size()) {
     const ssize_t n = ::pread(shared_.get(), bytes.data() + copied, bytes.size() - copied,

@@ -3,7 +3,6 @@
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,44 +11,15 @@
 #include <utility>
 
 #include "robot/body/attached/providers.h"
-#include "robot/core/local_address.h"
+#include "robot/core/local_listener.h"
 #include "robot/core/thread.h"
 
 namespace robot::body {
 namespace {
 
 constexpr std::uint32_t kVersion = 1;  // of what is said at the door
-constexpr int kBacklog = 128;          // all streams of all processes come at once after a restart
 constexpr int kClearingMs = 100;       // how soon what ended is cleared away, and what is new is found
 constexpr uid_t kRoot = 0;             // who may do everything anyway
-
-FileDescriptor make_socket() {
-  return FileDescriptor(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-}
-
-/// A socket whose process was killed stays behind, and only that may be taken away.
-Result<void> make_way(const std::filesystem::path& path, const LocalAddress& address) {
-  struct stat status {};
-  if (::lstat(path.c_str(), &status) != 0) return {};
-  if (!S_ISSOCK(status.st_mode) || status.st_uid != ::geteuid())
-    return Error{"door: expected nothing or a socket of user " + std::to_string(::geteuid()) + " at " + path.string() +
-                 ", got something else"};
-  const FileDescriptor probe = make_socket();
-  if (address.connect(probe.get()) || errno != ECONNREFUSED)
-    return Error{"door: expected nobody to listen at " + path.string() +
-                 ", another runtime does; end it, or choose another --door"};
-  if (::unlink(path.c_str()) != 0) return file_error("door: cannot replace", path, errno);
-  return {};
-}
-
-Result<FileDescriptor> listen_at(const std::filesystem::path& path) {
-  const auto address = LocalAddress::of(path, "door");
-  if (!address) return Error{address.error()};
-  if (Result<void> free = make_way(path, *address); !free) return Error{free.error()};
-  FileDescriptor socket = make_socket();
-  if (!socket || !address->listen(socket.get(), kBacklog)) return file_error("door: cannot listen at", path, errno);
-  return socket;
-}
 
 }  // namespace
 
@@ -60,7 +30,12 @@ std::filesystem::path default_door() {
 
 Result<std::unique_ptr<Door>> Door::open(DoorOptions options, const SessionClock& clock, memory::Channels& channels,
                                          logging::LoggingBoard& board) {
-  Result<FileDescriptor> listening = listen_at(options.path);
+  // all streams of all processes come at once after a restart
+  Result<FileDescriptor> listening =
+      listen_locally(options.path, {.who = "door",
+                                    .another = "another runtime does; end it, or choose another --door",
+                                    .type = SOCK_STREAM,
+                                    .backlog = kMaxConnections});
   if (!listening) return Error{listening.error()};
   FileDescriptor bell(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
   if (!bell) return file_error("door: cannot make an event for", options.path, errno);

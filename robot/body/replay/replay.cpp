@@ -1,24 +1,21 @@
 #include "robot/body/replay/replay.h"
 
 #include <algorithm>
-#include <optional>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include "robot/logging/file_provider.h"
+#include "robot/logging/shifted_provider.h"
 
 namespace robot::body {
 
 Result<Replay::Recording> Replay::read(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const bool one_file = std::filesystem::is_regular_file(path, ignored);
-  Result<logging::Session> session = one_file ? logging::read_recording(path) : logging::read_session(path);
+  Result<logging::Session> session = logging::open_session(path);
   if (!session) return Error{session.error()};
   std::uint64_t messages = 0;
   for (const logging::StreamFile& stream : session->streams) messages += stream.messages;
   if (messages == 0) return Error{"replay: expected a session with messages, " + path.string() + " has none"};
-  return Recording{std::move(*session), one_file};
+  return Recording{.session = std::move(*session)};
 }
 
 Result<std::unique_ptr<Replay>> Replay::open(const std::vector<std::filesystem::path>& paths, ReplayOptions options) {
@@ -35,9 +32,12 @@ Result<std::unique_ptr<Replay>> Replay::open(const std::vector<std::filesystem::
     if (recording->session.streams.empty())
       return Error{"replay: expected recordings of different robots, " + path.string() +
                    " holds nothing but what those before it do"};
+    if (recordings.size() < options.shifts_ns.size()) recording->shift_ns = options.shifts_ns[recordings.size()];
     recordings.push_back(std::move(*recording));
   }
-  return std::unique_ptr<Replay>(new Replay(std::move(recordings), std::move(options)));
+  auto replay = std::unique_ptr<Replay>(new Replay(std::move(recordings), std::move(options)));
+  if (Result<void> makes = replay->check_made(); !makes) return Error{makes.error()};
+  return replay;
 }
 
 Replay::Replay(std::vector<Recording> recordings, ReplayOptions options)
@@ -61,15 +61,66 @@ bool Replay::skipped(const std::string& topic) const {
                              [&](const std::string& object) { return topic.ends_with("/" + object); });
 }
 
+/// A topic of the recorded robot as one of the robot that it appears as here.
+std::string Replay::renamed(const Recording& from, const std::string& topic) const {
+  const std::string recorded = "/" + from.session.info.robot + "/";
+  if (options_.robot.empty() || !topic.starts_with(recorded)) return topic;
+  return "/" + options_.robot + "/" + topic.substr(recorded.size());
+}
+
 /// The channel of a stream's topic; made when nobody has it yet.
 Result<std::shared_ptr<memory::Channel>> Replay::destination(const Recording& from, memory::ChannelInfo info) {
-  const std::string recorded = "/" + from.session.info.robot + "/";
-  if (!options_.robot.empty() && info.topic.starts_with(recorded))
-    info.topic = "/" + options_.robot + "/" + info.topic.substr(recorded.size());
+  info.topic = renamed(from, info.topic);
   if (std::shared_ptr<memory::Channel> known = channels_->find(info.topic)) return known;
   auto made = std::make_shared<memory::RawChannel>(std::move(info), clock_);
   if (Result<void> added = channels_->add(made); !added) return Error{added.error()};
   return std::shared_ptr<memory::Channel>(made);
+}
+
+/// All that is played: streams as they are, and those that are made of them.
+std::vector<Replay::Played> Replay::played() const {
+  std::vector<Played> streams;
+  for (const Recording& recording : recordings_)
+    for (const logging::StreamFile& file : recording.session.streams) {
+      if (file.messages == 0) continue;
+      if (!skipped(file.topic)) streams.push_back({.recording = &recording, .file = &file, .made = nullptr});
+      for (const MadeStream& made : options_.made)
+        if (made.from == file.topic) streams.push_back({.recording = &recording, .file = &file, .made = &made});
+    }
+  return streams;
+}
+
+std::unique_ptr<logging::InProvider> Replay::open_stream(const Played& played) const {
+  std::unique_ptr<logging::InProvider> stream = logging::provider_of(played.recording->session, *played.file);
+  if (played.made) stream = played.made->make(std::move(stream));
+  if (played.recording->shift_ns == 0) return stream;
+  return std::make_unique<logging::ShiftedInProvider>(std::move(stream), played.recording->shift_ns);
+}
+
+std::unique_ptr<logging::InProvider> Replay::stream_of(const std::string& topic) const {
+  for (const Played& stream : played())
+    if ((stream.made ? stream.made->to : renamed(*stream.recording, stream.file->topic)) == topic)
+      return open_stream(stream);
+  return nullptr;
+}
+
+Result<void> Replay::check_made() const {
+  std::string topics;
+  for (const Recording& recording : recordings_)
+    for (const logging::StreamFile& file : recording.session.streams) {
+      topics += (topics.empty() ? "" : ", ") + file.topic;
+      for (const MadeStream& made : options_.made)
+        if (made.to == file.topic)
+          return Error{"expected no topic " + made.to + " in the recording to be replaced by " + made.from};
+    }
+  const std::vector<Played> streams = played();
+  for (const MadeStream& made : options_.made) {
+    const auto found = std::ranges::find(streams, &made, &Played::made);
+    if (found == streams.end())
+      return Error{"expected one of the topics that have messages (" + topics + "), got '" + made.from + "'"};
+    if (const auto opened = open_stream(*found)->open(); !opened) return Error{opened.error()};
+  }
+  return {};
 }
 
 void Replay::start(memory::Channels& channels, logging::LoggingBoard& board) {
@@ -78,15 +129,12 @@ void Replay::start(memory::Channels& channels, logging::LoggingBoard& board) {
   clock_.start();
   // not owned: the parsers end before the clock does
   const std::shared_ptr<logging::Pace> pace(std::shared_ptr<void>(), &clock_);
-  for (const Recording& recording : recordings_)
-    for (const logging::StreamFile& stream : recording.session.streams) {
-      if (stream.messages == 0 || skipped(stream.topic)) continue;
-      parsers_.push_back(board_->start_parser(
-          std::make_unique<logging::FileInProvider>(recording.session.folder / stream.file,
-                                                    recording.one_file ? std::optional(stream.topic) : std::nullopt),
-          {.destination = [this, &recording](const memory::ChannelInfo& info) { return destination(recording, info); },
-           .pace = pace}));
-    }
+  for (const Played& stream : played())
+    parsers_.push_back(board_->start_parser(open_stream(stream), {.destination =
+                                                                      [this, stream](const memory::ChannelInfo& info) {
+                                                                        return destination(*stream.recording, info);
+                                                                      },
+                                                                  .pace = pace}));
 }
 
 Replay::Tick Replay::tick() {

@@ -11,7 +11,7 @@
 namespace robot::body {
 namespace {
 
-constexpr sim::Tick kGameTicks = 15, kTeamTicks = 30;  // told at least so often
+constexpr sim::Tick kGameTicks = 15, kTeamTicks = 30, kOpponentTicks = 3;  // told at least so often
 
 /// Calls see(object) for what a simulated robot has; it has no camera and no joints.
 template <class See>
@@ -20,6 +20,7 @@ void for_each_simulated(memory::Memory& memory, See&& see) {
   see(memory.ball);
   see(memory.pose);
   see(memory.team);
+  see(memory.opponents);
   see(memory.game);
   see(memory.motion_command);
   see(memory.motion_status);
@@ -80,7 +81,8 @@ Result<void> Memories::list(memory::Channels& channels) const {
     if (memory) for_each_simulated(*memory, [&](memory::Channel& object) { add(memory, object); });
   memory::Memory& mine = *own();
   for (memory::Channel* object :
-       std::initializer_list<memory::Channel*>{&mine.clock, &mine.runtime, &mine.log, &mine.truth, &mine.simulation})
+       std::initializer_list<memory::Channel*>{&mine.clock, &mine.runtime, &mine.log, &mine.truth, &mine.simulation,
+                                               &mine.what_if, &mine.forecast, &mine.strategy, &mine.forecast_score})
     add(own(), *object);
   return listed;
 }
@@ -121,8 +123,14 @@ void Memories::write_mind(const Game& game, int robot, const agent::Timeline& ti
   memory.pose.write(std::move(pose), capture_ns);
   if (const sim::agent::Trace* trace = game.decision(robot)) {
     auto decision = memory.decision.draft();
-    agent::to_proto(*trace, team.behaviour->name(), *decision);
+    agent::to_proto(*trace, *decision);
     memory.decision.write(std::move(decision), capture_ns);
+  }
+  // ten times a second is as good as each image
+  if (game.state().world.tick % kOpponentTicks == 0 || written_ == sim::kNever) {
+    auto opponents = memory.opponents.draft();
+    agent::to_proto(mind.beliefs, timeline, *opponents);
+    memory.opponents.write(std::move(opponents), capture_ns);
   }
   auto command = memory.motion_command.draft();
   agent::to_proto(mind.command, team.models.motion, *command);

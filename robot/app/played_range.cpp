@@ -1,0 +1,62 @@
+#include "robot/app/played_range.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "robot/logging/byte_sink.h"
+#include "robot/logging/compression.h"
+#include "robot/logging/mcap_writer.h"
+
+namespace robot::app {
+namespace {
+
+constexpr std::uint64_t kMostBytes = 8 << 20;
+
+/// Writes the messages of `stream` from one time to the other, as many as there is room for; until when that reaches.
+Result<std::uint64_t> copy_range(logging::InProvider& stream, const net::PlayedRequest& request,
+                                 logging::McapWriter& writer) {
+  std::uint64_t bytes = 0, last_ns = request.from_ns;
+  while (true) {
+    auto record = stream.read();
+    if (!record) continue;  // what is damaged is left out; the parser told of it
+    if (!*record || (*record)->capture_ns > request.to_ns) return request.to_ns;
+    const logging::Record& message = **record;
+    if (message.capture_ns < request.from_ns) continue;
+    // messages of one time stay together: the next request begins behind them
+    if (bytes > kMostBytes && message.capture_ns > last_ns) return message.capture_ns - 1;
+    const Result<void> written = writer.write({.sequence = message.sequence,
+                                               .capture_ns = message.capture_ns,
+                                               .publish_ns = message.publish_ns,
+                                               .bytes = message.bytes},
+                                              0);
+    if (!written) return Error{written.error()};
+    bytes += message.bytes.size();
+    last_ns = std::max(last_ns, message.capture_ns);
+  }
+}
+
+}  // namespace
+
+net::HttpResponse played_range(const body::Replay& replay, const net::PlayedRequest& request) {
+  const auto stream = replay.stream_of(request.topic);
+  if (!stream) return net::error_response(404, "nothing is played of the topic " + request.topic);
+  const auto info = stream->open();
+  if (!info) return net::error_response(404, info.error());
+  // to before that: of several messages of one time a seek would find the last
+  if (const Result<void> sought = stream->seek(request.from_ns - std::min<std::uint64_t>(request.from_ns, 1)); !sought)
+    return net::error_response(500, sought.error());
+  std::string file;
+  auto writer = logging::McapWriter::open(std::make_unique<logging::MemorySink>(file), *info,
+                                          {.metadata = {}, .compression = logging::Compression::lz4});
+  if (!writer) return net::error_response(500, writer.error());
+  const Result<std::uint64_t> until_ns = copy_range(*stream, request, *writer);
+  const Result<void> closed = writer->close();
+  if (!until_ns || !closed) return net::error_response(500, until_ns ? closed.error() : until_ns.error());
+  net::HttpResponse response = net::text_response(200, "application/octet-stream", std::move(file));
+  response.headers.emplace_back(net::kPlayedUntil, std::to_string(*until_ns));
+  return response;
+}
+
+}  // namespace robot::app

@@ -1,0 +1,67 @@
+#include "robot/app/run_nao.h"
+
+#include <iterator>
+#include <memory>
+#include <string>
+
+#include "robot/app/run_attached.h"
+#include "robot/body/nao/config.h"
+#include "robot/body/nao/guardian/runtime_link.h"
+#include "robot/body/nao/nao_body.h"
+#include "robot/body/nao/nao_cameras.h"
+#include "robot/core/report.h"
+
+namespace robot::app {
+namespace {
+
+/// Objects that the body writes; a team's process gets them by the door, and does not write them.
+const char* const kOwnObjects[] = {"joints", "inertial", "fsr", "sonar", "touch", "battery", "body", "motion_status"};
+
+/// Who has LoLA or a camera, in a sentence; empty: nobody.
+std::string whose_it_is(const body::nao::NaoOptions& nao, const body::nao::NaoConfig& config) {
+  const std::string taken = body::nao::NaoBody::taken_by_others(nao);
+  return taken.empty() ? body::nao::NaoCameras::taken_by_others(config) : taken;
+}
+
+/// Who stands beside the robot may always make it soft.
+void add_sit_and_soft(const std::filesystem::path& link, net::Services& services) {
+  services.add("sit_and_soft", net::Services::For::everybody,
+               [link](const nlohmann::json&, const net::ClientContext&) -> nlohmann::json {
+                 const Result<void> asked = body::nao::sit_and_soft(link);
+                 return asked ? nlohmann::json{{"ok", true}} : net::failure("sit_and_soft: " + asked.error());
+               });
+}
+
+struct BodyAndCameras {
+  const body::nao::NaoBody body;
+  const body::nao::NaoCameras cameras;
+
+  BodyAndCameras(const body::nao::NaoOptions& nao, const body::nao::NaoConfig& config, memory::Memory& memory,
+                 const SessionClock& clock)
+      : body(nao, memory, clock), cameras(config, body, memory, clock) {}
+};
+
+}  // namespace
+
+Result<void> run_nao(const RobotOptions& options) {
+  Result<body::nao::NaoConfig> config =
+      options.nao_config.empty() ? body::nao::NaoConfig() : body::nao::read_nao_config(options.nao_config);
+  if (!config) return Error{config.error()};
+  const body::nao::NaoOptions nao{.link = options.guardian.empty() ? body::nao::default_link() : options.guardian,
+                                  .calibration = config->calibration};
+  if (const std::string taken = options.plan ? "" : whose_it_is(nao, *config); !taken.empty()) {
+    report(Level::warning, "nao", taken + "; going on as body attached");
+    RobotOptions beside = options;
+    beside.body = "attached";
+    return run_attached(beside);
+  }
+
+  return run_attached(options,
+                      {.objects = {std::begin(kOwnObjects), std::end(kOwnObjects)},
+                       .add_services = [&](net::Services& services) { add_sit_and_soft(nao.link, services); },
+                       .begin = [&](memory::Memory& memory, const SessionClock& clock) -> std::shared_ptr<void> {
+                         return std::make_shared<BodyAndCameras>(nao, *config, memory, clock);
+                       }});
+}
+
+}  // namespace robot::app

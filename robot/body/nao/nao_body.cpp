@@ -1,0 +1,171 @@
+#include "robot/body/nao/nao_body.h"
+
+#include <chrono>
+#include <mutex>
+#include <utility>
+
+#include "robot/body/nao/guardian/lola_connection.h"
+#include "robot/body/nao/guardian/socket_owner.h"
+#include "robot/body/nao/messages.h"
+#include "robot/core/report.h"
+#include "robot/core/thread.h"
+
+namespace robot::body::nao {
+namespace {
+
+constexpr const char* kSource = "nao";
+constexpr int kPatience_ms = 100;
+constexpr int kFirstWord_ms = 2000;
+constexpr std::uint64_t kTryAgain_ns = kSecond;
+constexpr std::uint64_t kBody_ns = kSecond, kBattery_ns = kSecond, kSonar_ns = kSecond / 10;  // between two versions
+constexpr std::uint64_t kNear_ns = 50 * kMillisecond;  // how old joints may be for an image
+constexpr std::size_t kMoments = 64;                   // 0.75 s of them
+
+std::uint64_t distance(std::uint64_t a, std::uint64_t b) { return a > b ? a - b : b - a; }
+
+}  // namespace
+
+std::string NaoBody::taken_by_others(const NaoOptions& options) {
+  Result<GuardianClient> guardian = GuardianClient::open(options.link);
+  if (!guardian) {
+    const std::string owner = who_is_connected_to(kLolaPath);
+    return owner.empty() ? "" : "LoLA at " + std::string(kLolaPath) + " belongs to " + owner;
+  }
+  const auto report = guardian->next(kFirstWord_ms);
+  return report && *report && (*report)->lola_is_taken ? (*report)->problem.data() : "";
+}
+
+NaoBody::NaoBody(NaoOptions options, memory::Memory& memory, const SessionClock& clock)
+    : options_(std::move(options)),
+      memory_(memory),
+      clock_(clock),
+      kinematics_(options_.calibration),
+      motion_(kinematics_),
+      thread_([this] { run(); }) {}
+
+NaoBody::~NaoBody() {
+  ends_ = true;
+  thread_.join();
+}
+
+void NaoBody::run() {
+  name_thread("nao");
+  while (!ends_) {
+    if (!guardian_ && !find_guardian()) continue;
+    Result<std::optional<Report>> report = guardian_->next(kPatience_ms);
+    // all that have come go into memory, the newest is answered
+    std::optional<Report> newest;
+    while (report && *report) {
+      newest = **report;
+      take(*newest);
+      report = guardian_->next(0);
+    }
+    if (!report) {
+      guardian_.reset();
+      write_body(nullptr, report.error());
+      continue;
+    }
+    if (!newest) continue;
+    const std::uint64_t capture_ns = newest->capture_ns + clock_.epoch_offset_ns();
+    // whoever does not take it is found gone with the next report
+    if (newest->has_sensors) static_cast<void>(guardian_->give(order_after(*newest, capture_ns)));
+    write_body(&*newest, "");
+  }
+  if (guardian_) static_cast<void>(guardian_->ask(Request::What::goodbye));
+}
+
+bool NaoBody::find_guardian() {
+  if (monotonic_ns() < next_try_ns_) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(kPatience_ms));
+    return false;
+  }
+  next_try_ns_ = monotonic_ns() + kTryAgain_ns;
+  Result<GuardianClient> guardian = GuardianClient::open(options_.link);
+  if (!guardian) {
+    write_body(nullptr, guardian.error());
+    return false;
+  }
+  guardian_.emplace(std::move(*guardian));
+  return true;
+}
+
+void NaoBody::take(const Report& report) {
+  if (!report.has_sensors) return;
+  const std::uint64_t capture_ns = report.capture_ns + clock_.epoch_offset_ns();
+  write_sensors(report, capture_ns);
+  const std::lock_guard guard(lock_);
+  moments_.push_back({.capture_ns = capture_ns, .position = report.sensors.position, .angles = report.sensors.angles});
+  if (moments_.size() > kMoments) moments_.pop_front();
+}
+
+void NaoBody::write_sensors(const Report& report, std::uint64_t capture_ns) {
+  const auto write = [&](auto& object) {
+    auto draft = object.draft();
+    fill(report, *draft);
+    object.write(std::move(draft), capture_ns);
+  };
+  write(memory_.joints);
+  write(memory_.inertial);
+  write(memory_.fsr);
+  write(memory_.touch);
+  if (capture_ns - sonar_ns_ >= kSonar_ns) {
+    sonar_ns_ = capture_ns;
+    write(memory_.sonar);
+  }
+  if (capture_ns - battery_ns_ >= kBattery_ns) {
+    battery_ns_ = capture_ns;
+    write(memory_.battery);
+  }
+  auto status = memory_.motion_status.draft();
+  motion_.fill_status(report, *status);
+  memory_.motion_status.write(std::move(status), capture_ns);
+}
+
+Order NaoBody::order_after(const Report& report, std::uint64_t capture_ns) {
+  const auto command = memory_.motion_command.read();
+  const auto game = memory_.game.read();
+  const std::uint64_t said_ns = command ? command->capture_ns() : 0;
+  return motion_.next(report, command ? &command->value() : nullptr, capture_ns > said_ns ? capture_ns - said_ns : 0,
+                      game ? &game->value() : nullptr);
+}
+
+/// `report` null: there is no guardian, as `problem` says.
+void NaoBody::write_body(const Report* report, const std::string& problem) {
+  foresight::Body body;
+  if (report) fill(*report, body);
+  if (!report) body.set_reason(problem);
+  body.set_refused(motion_.refused());
+  const std::uint64_t now_ns = clock_.now_ns();
+  const bool changed = body.SerializeAsString() != body_.SerializeAsString();
+  if (!changed && now_ns - body_ns_ < kBody_ns) return;
+  if (body.reason() != body_.reason()) say(body.reason());
+  if (body.refused() != body_.refused()) say(body.refused());
+  body_ = body;
+  body_ns_ = now_ns;
+  memory_.body.write(body, now_ns);
+}
+
+void NaoBody::say(const std::string& sentence) {
+  if (!sentence.empty()) report(Level::warning, kSource, sentence);
+}
+
+std::optional<Transform> NaoBody::robot_from_camera(Camera camera, std::uint64_t capture_ns) const {
+  std::optional<Moment> nearest;
+  {
+    const std::lock_guard guard(lock_);
+    for (const Moment& moment : moments_)
+      if (!nearest || distance(moment.capture_ns, capture_ns) < distance(nearest->capture_ns, capture_ns))
+        nearest = moment;
+  }
+  if (!nearest || distance(nearest->capture_ns, capture_ns) > kNear_ns) return std::nullopt;
+  return kinematics_.robot_from_hip(nearest->position, nearest->angles[0], nearest->angles[1]) *
+         kinematics_.hip_from_camera(nearest->position, camera);
+}
+
+Result<void> sit_and_soft(const std::filesystem::path& link) {
+  Result<GuardianClient> guardian = GuardianClient::open(link);
+  if (!guardian) return Error{guardian.error()};
+  return guardian->ask(Request::What::sit_and_soft);
+}
+
+}  // namespace robot::body::nao

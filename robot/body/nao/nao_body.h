@@ -1,0 +1,85 @@
+// The body that is a Nao of ours: what LoLA tells goes into memory, what memory says of motion goes to the guardian.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "robot/body/nao/guardian/guardian_client.h"
+#include "robot/body/nao/kinematics/kinematics.h"
+#include "robot/body/nao/motion.h"
+#include "robot/core/clock.h"
+#include "robot/core/lock.h"
+#include "robot/core/result.h"
+#include "robot/memory/memory.h"
+
+namespace robot::body::nao {
+
+struct NaoOptions {
+  std::filesystem::path link;  // the guardian's; default_link()
+  Calibration calibration;
+};
+
+/// A thread of its own, woken by each report of the guardian's. Where the guardian is gone, it looks for it once a second.
+class NaoBody {
+ public:
+  /// What the body needs and somebody else has: a sentence; empty if nothing. Waits at most two seconds for the
+  /// guardian's word.
+  static std::string taken_by_others(const NaoOptions& options);
+
+  /// `memory` is that of our robot; it and `clock` outlive this.
+  NaoBody(NaoOptions options, memory::Memory& memory, const SessionClock& clock);
+
+  /// Says goodbye to the guardian, which then sits the robot down.
+  ~NaoBody();
+  NaoBody(const NaoBody&) = delete;
+  NaoBody& operator=(const NaoBody&) = delete;
+
+  /// Where `camera` was at `capture_ns` [ns since the epoch]; nothing if joints of that time, give or take 50 ms, are not
+  /// known. Any thread.
+  std::optional<Transform> robot_from_camera(Camera camera, std::uint64_t capture_ns) const;
+
+ private:
+  /// The joints at one time.
+  struct Moment {
+    std::uint64_t capture_ns;  // since the epoch
+    PerJoint<float> position;
+    std::array<float, 2> angles;
+  };
+
+  void run();
+  bool find_guardian();
+  void take(const Report& report);
+  void write_sensors(const Report& report, std::uint64_t capture_ns);
+  void write_body(const Report* report, const std::string& problem);
+  Order order_after(const Report& report, std::uint64_t capture_ns);
+  void say(const std::string& sentence);
+
+  const NaoOptions options_;
+  memory::Memory& memory_;
+  const SessionClock& clock_;
+  const Kinematics kinematics_;
+
+  // of the thread
+  std::optional<GuardianClient> guardian_;
+  Motion motion_;
+  std::string said_;  // the last problem
+  foresight::Body body_;
+  std::uint64_t body_ns_ = 0, battery_ns_ = 0, sonar_ns_ = 0, next_try_ns_ = 0;
+
+  mutable Mutex lock_;
+  std::deque<Moment> moments_;
+
+  std::atomic<bool> ends_ = false;
+  std::thread thread_;  // last: it uses all the others
+};
+
+/// Takes the stiffness away, whatever the runtime does otherwise. Does not wait. An Error if there is no guardian.
+Result<void> sit_and_soft(const std::filesystem::path& link);
+
+}  // namespace robot::body::nao

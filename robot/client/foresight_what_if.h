@@ -1,0 +1,113 @@
+// How a team's own behaviour asks foresight: which of these strategies is best from here on? C99, beside foresight.h.
+//
+//   ForesightAdviser adviser = foresight_adviser(NULL);                          // once
+//   ForesightAdvice advice;
+//   if (foresight_what_if(&adviser, names, 2, 30, 200, &advice))                 // waits 200 ms, or:
+//     play(advice.choice);
+//
+//   foresight_ask(&adviser, names, 2, 30, 200);                                  // goes on at once
+//   if (foresight_answer(&adviser, &advice)) play(advice.choice);                // in a later cycle
+//
+// The runtime has to know pose, ball and game of the robot, and the strategies by name (--strategies). One adviser is used
+// by one thread.
+#ifndef FORESIGHT_WHAT_IF_H
+#define FORESIGHT_WHAT_IF_H
+
+#include <foresight.h>
+#include <foresight_fields.h>
+#include <string.h>
+
+typedef struct {
+  ForesightWriter* questions;
+  ForesightReader* forecasts;
+  uint64_t asked;  // number of the last question; 0: none yet
+} ForesightAdviser;
+
+/// What a forecast comes to. Its numbers are in the object `forecast`, as proto/foresight/forecast.proto has them.
+typedef struct {
+  int known;         // 0: it cannot tell, or had too little processor time; `reason` says why
+  int change;        // 1: another strategy than the first is better for sure
+  char choice[64];   // what to play: the first strategy unless `change`
+  char reason[320];  // in one sentence
+} ForesightAdvice;
+
+/// To the door at `door`; NULL: where the runtime of the same user has it.
+static inline ForesightAdviser foresight_adviser(const char* door) {
+  ForesightObject object;
+  ForesightAdviser adviser;
+  memset(&object, 0, sizeof object);
+  object.topic = "what_if";
+  object.type = "foresight.WhatIf";
+  object.message_encoding = "protobuf";
+  object.schema_encoding = "protobuf";
+  object.delivery = FORESIGHT_RELIABLE;
+  adviser.questions = foresight_announce_as(&object, door);
+  adviser.forecasts = foresight_want_from("forecast", door);
+  adviser.asked = 0;
+  return adviser;
+}
+
+/// Asks which of `strategies` is best; the first is what is played now. Looks `horizon` [s] ahead and answers after
+/// `budget_ms`. 1: the question is on its way.
+static inline int foresight_ask(ForesightAdviser* adviser, const char* const* strategies, int count, float horizon,
+                                unsigned budget_ms) {
+  unsigned char room[1024];
+  ForesightBytes question = foresight_bytes(room, sizeof room);
+  int i;
+  adviser->asked = foresight_now_ns();
+  foresight_put_uint(&question, 1, adviser->asked);
+  for (i = 0; i < count; ++i) foresight_put_bytes(&question, 2, strategies[i], strlen(strategies[i]));
+  foresight_put_float(&question, 6, horizon);
+  foresight_put_uint(&question, 7, budget_ms);
+  return !question.overflow && foresight_write(adviser->questions, adviser->asked, question.bytes, question.size);
+}
+
+static inline void foresight_copy_text(char* to, size_t room, const ForesightField* field) {
+  const size_t size = field->size < room - 1 ? field->size : room - 1;
+  memcpy(to, field->bytes, size);
+  to[size] = '\0';
+}
+
+/// The number of the question that a forecast answers; fills in what it advises.
+static inline uint64_t foresight_read_forecast(const ForesightMessage* message, ForesightAdvice* advice) {
+  uint64_t id = 0;
+  ForesightField field = foresight_fields(message->bytes, message->size);
+  memset(advice, 0, sizeof *advice);
+  while (foresight_next_field(&field)) {
+    if (field.number == 1) {
+      ForesightField asked = foresight_fields(field.bytes, field.size);
+      while (foresight_next_field(&asked))
+        if (asked.number == 1) id = asked.value;
+    }
+    if (field.number == 3) {
+      advice->known = field.value != 0;
+      advice->change = field.value == 2;
+    }
+    if (field.number == 4) foresight_copy_text(advice->choice, sizeof advice->choice, &field);
+    if (field.number == 5) foresight_copy_text(advice->reason, sizeof advice->reason, &field);
+  }
+  return id;
+}
+
+/// 1: the answer to the last question is there. Never waits.
+static inline int foresight_answer(ForesightAdviser* adviser, ForesightAdvice* advice) {
+  ForesightMessage message;
+  while (foresight_read(adviser->forecasts, &message))
+    if (foresight_read_forecast(&message, advice) == adviser->asked && adviser->asked != 0) return 1;
+  return 0;
+}
+
+/// Asks and waits for the answer, at most 100 ms longer than the budget. 0: there was none.
+static inline int foresight_what_if(ForesightAdviser* adviser, const char* const* strategies, int count, float horizon,
+                                    unsigned budget_ms, ForesightAdvice* advice) {
+  const uint64_t late_ns = foresight_now_ns() + (uint64_t)(budget_ms + 100) * 1000000;
+  foresight_answer(adviser, advice);  // takes what came before, and connects
+  if (!foresight_ask(adviser, strategies, count, horizon, budget_ms)) return 0;
+  while (foresight_now_ns() < late_ns) {
+    if (foresight_answer(adviser, advice)) return 1;
+    foresight_wait(adviser->forecasts, (int)((late_ns - foresight_now_ns()) / 1000000) + 1);
+  }
+  return foresight_answer(adviser, advice);
+}
+
+#endif

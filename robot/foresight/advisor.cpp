@@ -1,0 +1,202 @@
+#include "robot/foresight/advisor.h"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+#include "robot/core/clock.h"
+#include "robot/core/report.h"
+#include "robot/core/thread.h"
+#include "robot/foresight/triggers.h"
+
+namespace robot::foreseeing {
+namespace {
+
+constexpr std::uint64_t kLookNs = 100'000'000;
+
+/// An answer to what could not even be asked.
+pb::Forecast refused(const pb::WhatIf& question, std::uint64_t now_ns, const std::string& sentence) {
+  pb::Forecast forecast;
+  *forecast.mutable_question() = question;
+  forecast.set_refusal(sentence);
+  forecast.set_reason(sentence);
+  forecast.set_asked_ns(now_ns);
+  return forecast;
+}
+
+}  // namespace
+
+/// Hears of questions in memory.
+class Advisor::Inbox final : public memory::Listener {
+ public:
+  explicit Inbox(Advisor& advisor) : advisor_(advisor) {}
+
+  void on_version(const memory::VersionPtr& version) override {
+    const std::lock_guard guard(advisor_.lock_);
+    advisor_.asked_ = version;
+    advisor_.woken_.notify_all();
+  }
+
+ private:
+  Advisor& advisor_;
+};
+
+Advisor::Advisor(std::unique_ptr<Foreseer> foreseer, memory::Memory& memory, const memory::Channels& channels,
+                 std::string robot, std::function<std::uint64_t()> now_ns, std::function<AskingOptions()> options)
+    : foreseer_(std::move(foreseer)),
+      strategies_(foreseer_->strategies()),
+      memory_(memory),
+      channels_(channels),
+      robot_(std::move(robot)),
+      now_ns_(std::move(now_ns)),
+      options_(std::move(options)),
+      following_(static_cast<int>(strategies_.size())),
+      inbox_(std::make_unique<Inbox>(*this)) {
+  memory_.what_if.attach(*inbox_);
+  thread_ = std::thread([this] { run(); });
+}
+
+Advisor::~Advisor() {
+  memory_.what_if.detach(*inbox_);
+  {
+    const std::lock_guard guard(lock_);
+    running_ = false;
+    woken_.notify_all();
+  }
+  thread_.join();
+  foreseer_.reset();  // the last answers still come to a whole advisor
+}
+
+Result<pb::Forecast> Advisor::ask(pb::WhatIf question) {
+  Result<pb::Forecast> forecast = foreseer_->ask_and_wait(question, recollect(channels_, robot_, now_ns_()));
+  if (forecast) keep(*forecast);
+  return forecast;
+}
+
+std::string Advisor::strategy() const {
+  const std::lock_guard guard(lock_);
+  return strategies_[static_cast<std::size_t>(following_.choice().played())];
+}
+
+void Advisor::run() {
+  become_background_thread("advisor");
+  Triggers triggers;
+  while (true) {
+    std::shared_ptr<const memory::Version> asked;
+    {
+      const std::lock_guard guard(lock_);
+      if (!asked_ && running_) woken_.wait_until(lock_, monotonic_ns() + kLookNs);
+      if (!running_) return;
+      asked = std::exchange(asked_, nullptr);
+    }
+    if (asked) {
+      pb::WhatIf question;
+      const std::string_view bytes = asked->bytes();
+      if (question.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) take_question(question);
+      continue;
+    }
+    const std::uint64_t now_ns = now_ns_();
+    follow(now_ns);
+    score(now_ns);
+    const AskingOptions options = options_();
+    if (!options.on) continue;
+    const Recollection now = recollect(channels_, robot_, now_ns);
+    const char* const why = triggers.look(now, static_cast<std::uint64_t>(options.period * 1e9));
+    if (!why) continue;
+    pb::WhatIf question;
+    question.set_asked_by(std::string("captain: ") + why);
+    question.set_budget_ms(options.budget_ms);
+    question.set_horizon(static_cast<float>(options.horizon));
+    question.set_id(now.now_ns);
+    // what is played now goes first
+    const std::string incumbent = strategy();
+    question.add_strategies(incumbent);
+    for (const std::string& name : strategies_)
+      if (name != incumbent) question.add_strategies(name);
+    // busy with what somebody else asked: there will be another reason soon
+    (void)foreseer_->ask(question, now, [this](const pb::Forecast& forecast) { decide(forecast); });
+  }
+}
+
+/// Of a team's own process: whatever comes of it is an answer.
+void Advisor::take_question(const pb::WhatIf& question) {
+  const std::uint64_t now_ns = now_ns_();
+  const Result<void> asked = foreseer_->ask(question, recollect(channels_, robot_, now_ns),
+                                            [this](const pb::Forecast& forecast) { keep(forecast); });
+  if (!asked) keep(refused(question, now_ns, asked.error()));
+}
+
+void Advisor::keep(const pb::Forecast& forecast) {
+  {
+    const std::lock_guard guard(lock_);
+    unscored_.push_back({forecast, forecast.asked_ns()});
+  }
+  memory_.forecast.write(forecast, forecast.asked_ns());
+}
+
+/// The captain's own question is answered.
+void Advisor::decide(const pb::Forecast& forecast) {
+  keep(forecast);
+  if (!forecast.refusal().empty()) return;
+  const auto choice = std::find(strategies_.begin(), strategies_.end(), forecast.choice());
+  if (choice == strategies_.end()) return;
+  const bool changes = forecast.advice() == pb::Forecast::ADVICE_CHANGE;
+  {
+    const std::lock_guard guard(lock_);
+    following_.choose(static_cast<int>(choice - strategies_.begin()), forecast.asked_ns());
+    if (changes) reason_ = forecast.reason();
+  }
+  if (changes) report(Level::info, "foresight", forecast.reason());
+  write_strategy(forecast.asked_ns());
+}
+
+/// What the captain told, where another is it.
+void Advisor::follow(std::uint64_t now_ns) {
+  const auto game = memory_.game.read();
+  const auto team = memory_.team.read();
+  bool due = false;
+  {
+    const std::lock_guard guard(lock_);
+    const auto before = following_.choice();
+    const int player = game ? static_cast<int>(game->value().own_player()) : 0;
+    captain_ = game ? captain_of(game->value()) : 0;
+    if (team) following_.hear(team->value(), captain_, player, now_ns);
+    following_.forget(captain_ != 0 && captain_ == player, now_ns);
+    const auto after = following_.choice();
+    if (after.epoch != before.epoch || after.strategy != before.strategy) reason_.clear(), due = true;
+    due = due || now_ns >= written_ns_ + kSecond || now_ns < written_ns_;
+  }
+  if (due) write_strategy(now_ns);
+}
+
+void Advisor::write_strategy(std::uint64_t now_ns) {
+  auto message = memory_.strategy.draft();
+  {
+    const std::lock_guard guard(lock_);
+    const sim::agent::Choice choice = following_.choice();
+    message->set_name(strategies_[static_cast<std::size_t>(choice.played())]);
+    message->set_number(static_cast<std::uint32_t>(choice.played()));
+    message->set_epoch(choice.epoch);
+    message->set_chosen(choice.strategy != sim::agent::kNoStrategy);
+    message->set_captain(static_cast<std::uint32_t>(captain_));
+    message->set_told_ns(following_.told_ns());
+    message->set_reason(reason_);
+    written_ns_ = now_ns;
+  }
+  memory_.strategy.write(std::move(message), now_ns);
+}
+
+void Advisor::score(std::uint64_t now_ns) {
+  const auto game = memory_.game.read();
+  if (!game) return;
+  std::vector<Remembered<pb::Forecast>> fresh;
+  {
+    const std::lock_guard guard(lock_);
+    fresh.swap(unscored_);
+  }
+  // goals of before the forecast are none that it foretold
+  for (const auto& forecast : fresh) scorer_.foretell(forecast.value, forecast.capture_ns);
+  if (scorer_.see(game->value(), now_ns)) memory_.forecast_score.write(scorer_.score(), now_ns);
+}
+
+}  // namespace robot::foreseeing

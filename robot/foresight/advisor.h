@@ -1,0 +1,83 @@
+// Foresight's place on the robot: it hears questions, asks some of its own accord, and writes the answers to memory.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "robot/core/lock.h"
+#include "robot/foresight/following.h"
+#include "robot/foresight/foreseer.h"
+#include "robot/foresight/scorer.h"
+#include "robot/memory/memory.h"
+
+namespace robot::foreseeing {
+
+/// What people may change while it runs; read before each question.
+struct AskingOptions {
+  bool on = true;                 // the captain asks of its own accord
+  double period = 10;             // [s] at most from one such question to the next
+  std::uint32_t budget_ms = 500;  // for each
+  double horizon = 30;            // [s]
+};
+
+/// A thread of its own: it waits for the object `what_if`, which a team's process writes, and looks ten times a second
+/// whether the captain has a reason to ask. Every answer becomes the object `forecast`; what the team plays, chosen here or
+/// heard from the captain, is the object `strategy`, and how well forecasts come true `forecast_score`.
+class Advisor {
+ public:
+  /// It owns `foreseer`; all others outlive the advisor. `now_ns`: the time of what memory holds [ns since the epoch]; both functions are called by
+  /// any thread.
+  Advisor(std::unique_ptr<Foreseer> foreseer, memory::Memory& memory, const memory::Channels& channels,
+          std::string robot, std::function<std::uint64_t()> now_ns, std::function<AskingOptions()> options);
+  ~Advisor();
+  Advisor(const Advisor&) = delete;
+  Advisor& operator=(const Advisor&) = delete;
+
+  /// Asks and waits for the answer, which becomes the object `forecast` too. Any thread but the advisor's own.
+  Result<pb::Forecast> ask(pb::WhatIf question);
+
+  Foreseer& foreseer() { return *foreseer_; }
+
+  /// What the team plays now: as this robot chose it, or heard that another did; first the first strategy.
+  std::string strategy() const;
+
+ private:
+  class Inbox;
+
+  void run();
+  void take_question(const pb::WhatIf& question);
+  void ask_of_own_accord();
+  void keep(const pb::Forecast& forecast);
+  void decide(const pb::Forecast& forecast);
+  void follow(std::uint64_t now_ns);
+  void score(std::uint64_t now_ns);
+  void write_strategy(std::uint64_t now_ns);
+
+  std::unique_ptr<Foreseer> foreseer_;
+  const std::vector<std::string> strategies_;  // its own; the last answers come while it ends
+  memory::Memory& memory_;
+  const memory::Channels& channels_;
+  const std::string robot_;
+  const std::function<std::uint64_t()> now_ns_;
+  const std::function<AskingOptions()> options_;
+
+  mutable Mutex lock_;
+  Condition woken_;
+  Following following_;
+  std::string reason_;  // why this robot chose what is played; empty where another did
+  int captain_ = 0;
+  std::uint64_t written_ns_ = 0;                    // when `strategy` was written last
+  std::vector<Remembered<pb::Forecast>> unscored_;  // that the scorer has not heard yet
+  // of the advisor's own thread
+  Scorer scorer_;
+  std::shared_ptr<const memory::Version> asked_;  // the newest question that was not taken yet
+  bool running_ = true;
+  std::unique_ptr<Inbox> inbox_;
+  std::thread thread_;
+};
+
+}  // namespace robot::foreseeing

@@ -1,0 +1,31 @@
+#include "robot/foresight/following.h"
+
+#include <algorithm>
+
+namespace robot::foreseeing {
+
+using sim::agent::kNoStrategy;
+
+void Following::hear(const pb::Team& team, int captain, int player, std::uint64_t now_ns) {
+  for (const pb::Teammate& mate : team.teammates()) {
+    const int sender = static_cast<int>(mate.player());
+    const bool stale = mate.received_ns() + kStaleNs <= now_ns;
+    const bool known = mate.has_strategy() && static_cast<int>(mate.strategy()) < strategies_;
+    if (sender == player || stale || !known) continue;
+    const bool followed = choice_.strategy != kNoStrategy;
+    const sim::agent::Choice heard{static_cast<std::uint8_t>(mate.strategy()), static_cast<std::uint8_t>(mate.epoch())};
+    if (!follow(heard, sender == captain, choice_)) continue;
+    told_ns_ = followed ? std::max(told_ns_, mate.received_ns()) : mate.received_ns();
+  }
+}
+
+void Following::forget(bool leads, std::uint64_t now_ns) {
+  if (!leads && told_ns_ + kStaleNs <= now_ns) choice_.strategy = kNoStrategy;
+}
+
+void Following::choose(int strategy, std::uint64_t now_ns) {
+  sim::agent::choose(static_cast<std::uint8_t>(strategy), choice_);
+  told_ns_ = now_ns;
+}
+
+}  // namespace robot::foreseeing

@@ -1,0 +1,233 @@
+#include "robot/foresight/foreseer.h"
+
+#include <future>
+#include <mutex>
+#include <utility>
+
+#include "robot/core/clock.h"
+#include "robot/core/thread.h"
+#include "robot/foresight/question.h"
+#include "sim/foresight/forecast.h"
+#include "sim/match/hash.h"
+
+namespace robot::foreseeing {
+namespace {
+
+namespace pf = sim::foresight;
+
+constexpr std::size_t kMostJobs = 2;       // one runs, one waits
+constexpr std::size_t kMostPlaybooks = 8;  // kept ready
+constexpr std::uint64_t kMillion = 1'000'000;
+
+void add_paths(const pf::Account& account, int players, pb::Forecast::StrategyForecast& told) {
+  for (const pf::Path& path : account.paths) {
+    if (path.points == 0) continue;
+    pb::Forecast::Path& shown = *told.add_paths();
+    shown.set_spacing(path.spacing);
+    for (int i = 0; i < path.points; ++i) shown.add_ball(path.ball[i].x), shown.add_ball(path.ball[i].y);
+    for (int player = 1; player <= players; ++player) {
+      pb::Forecast::RobotPath& robot = *shown.add_robots();
+      robot.set_player(static_cast<std::uint32_t>(player));
+      for (int i = 0; i < path.points; ++i) {
+        robot.add_points(path.robots[i][player - 1].x);
+        robot.add_points(path.robots[i][player - 1].y);
+      }
+    }
+  }
+  told.set_heat_columns(pf::HeatMap::kColumns);
+  for (const auto& row : account.heat.counts)
+    for (const std::uint32_t count : row) told.add_heat(count);
+}
+
+void fill(const pf::Standing& standing, const pf::Account& account, int players, pb::Forecast::StrategyForecast& told) {
+  told.set_rollouts(static_cast<std::uint32_t>(standing.rollouts));
+  told.set_mean(static_cast<float>(standing.mean));
+  told.set_error(static_cast<float>(standing.error));
+  told.set_score(static_cast<float>(standing.score));
+  told.set_concede(static_cast<float>(standing.concede));
+  told.set_gain(static_cast<float>(standing.gain));
+  told.set_gain_low(static_cast<float>(standing.gain_low));
+  told.set_gain_high(static_cast<float>(standing.gain_high));
+  told.set_best(static_cast<float>(standing.best));
+  told.set_raced_on(standing.raced_on);
+  add_paths(account, players, told);
+}
+
+void fill(const pf::Situation& situation, pb::Forecast::Situation& told) {
+  const sim::World& world = situation.state.world;
+  told.set_ball_x(world.ball.position.x);
+  told.set_ball_y(world.ball.position.y);
+  told.set_ball_deviation(situation.doubt.ball);
+  sim::for_each_robot(world.players, [&](int robot) {
+    const sim::Body& body = world.bodies[robot];
+    if (body.doing == sim::Body::Doing::removed) return;
+    pb::Forecast::Situation::Body& shown = *told.add_bodies();
+    shown.set_opponent(sim::side_of(robot) == sim::Side::away);
+    shown.set_player(static_cast<std::uint32_t>(sim::player_of(robot)));
+    shown.set_x(body.position.x);
+    shown.set_y(body.position.y);
+    shown.set_heading(body.heading);
+    shown.set_deviation(situation.doubt.position[robot]);
+  });
+}
+
+/// What every answer says, whatever came of it.
+pb::Forecast began(const pb::WhatIf& question, std::uint64_t asked_ns, const std::string& models) {
+  pb::Forecast forecast;
+  *forecast.mutable_question() = question;
+  forecast.set_asked_ns(asked_ns);
+  forecast.set_choice(question.strategies(0));
+  forecast.set_horizon(question.horizon());
+  forecast.set_models(models);
+  return forecast;
+}
+
+/// Luck of its own for each question, and the same for the same question about the same moment.
+sim::RandomKey key_of(const pb::WhatIf& question, const pf::Situation& situation) {
+  sim::Hash hash;
+  hash.add(sim::hash_of(situation.state));
+  hash.add(question.id());
+  return {.seed = hash.value()};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Foreseer>> Foreseer::open(ForeseerOptions options) {
+  if (options.strategies.empty()) return Error{"foresight: there are no strategies to choose from"};
+  auto made = std::unique_ptr<Foreseer>(new Foreseer(std::move(options)));
+  // everything is read once, so that a wrong file is told now
+  if (const auto playbook = made->playbook_for(made->options_.strategies.front(), 0); !playbook)
+    return Error{"foresight: " + playbook.error()};
+  made->answering_ = std::thread([foreseer = made.get()] { foreseer->answer(); });
+  return made;
+}
+
+Foreseer::Foreseer(ForeseerOptions options) : options_(std::move(options)) {}
+
+Foreseer::~Foreseer() {
+  {
+    const std::lock_guard guard(lock_);
+    running_ = false;
+    changed_.notify_all();
+  }
+  if (answering_.joinable()) answering_.join();
+}
+
+/// Of all strategies against that opponent, in the order of the options; 0 players: as the rules say.
+Result<std::shared_ptr<const sim::io::Playbook>> Foreseer::playbook_for(const std::string& opponent, int players) {
+  const std::lock_guard guard(preparing_);
+  const std::pair key(opponent, players);
+  if (const auto kept = playbooks_.find(key); kept != playbooks_.end()) return kept->second;
+  auto playbook = sim::io::prepare_playbook({.strategies = options_.strategies,
+                                             .opponent = opponent,
+                                             .rules = options_.rules,
+                                             .models = options_.models,
+                                             .opponent_models = options_.opponent_models,
+                                             .players = players});
+  if (!playbook) return Error{playbook.error()};
+  if (playbooks_.size() == kMostPlaybooks) playbooks_.clear();
+  return playbooks_[key] = std::make_shared<const sim::io::Playbook>(std::move(*playbook));
+}
+
+Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollection, Answered answered) {
+  Result<pb::WhatIf> question = complete(asked, options_.strategies);
+  if (!question) return Error{question.error()};
+  const std::uint32_t told = recollection.game ? recollection.game->value.players_per_team() : 0;
+  const int players = told >= 1 && told <= sim::kMaxPlayers ? static_cast<int>(told) : 0;
+  const auto playbook = playbook_for(question->opponent(), players);
+  if (!playbook) return Error{playbook.error()};
+  const sim::Params& params = (*playbook)->params.front();
+
+  auto job = std::make_unique<Job>();
+  job->asked_ns = recollection.now_ns;
+  const auto knowledge = knowledge_of(recollection, params.teams[0].models.motion);
+  const pf::Believed believed =
+      knowledge ? pf::believe(params, *knowledge) : pf::Believed{.situation = {}, .refusal = knowledge.error()};
+  if (!believed.refusal.empty()) {
+    pb::Forecast forecast = began(*question, job->asked_ns, options_.models);
+    forecast.set_refusal(believed.refusal);
+    forecast.set_reason("cannot tell, because " + believed.refusal);
+    answered(forecast);
+    return {};
+  }
+  job->futures.situation = believed.situation;
+  if (question->has_edit())
+    if (Result<void> applied = apply(question->edit(), params, job->futures.situation); !applied) return applied;
+  for (const std::string& name : question->strategies())
+    job->futures.strategies.push_back(static_cast<int>(
+        std::find((*playbook)->names().begin(), (*playbook)->names().end(), name) - (*playbook)->names().begin()));
+  job->futures.playbook = *playbook;
+  job->futures.question = question_of(*question);
+  job->futures.key = key_of(*question, job->futures.situation);
+  job->question = std::move(*question);
+  job->answered = std::move(answered);
+
+  const std::lock_guard guard(lock_);
+  if (jobs_.size() >= kMostJobs) return Error{"foresight is busy: one question runs and another one waits"};
+  jobs_.push_back(std::move(job));
+  changed_.notify_all();
+  return {};
+}
+
+Result<pb::Forecast> Foreseer::ask_and_wait(const pb::WhatIf& question, const Recollection& recollection) {
+  const auto answer = std::make_shared<std::promise<pb::Forecast>>();
+  auto coming = answer->get_future();
+  if (Result<void> asked =
+          ask(question, recollection, [answer](const pb::Forecast& forecast) { answer->set_value(forecast); });
+      !asked)
+    return Error{asked.error()};
+  return coming.get();
+}
+
+/// The thread that answers.
+void Foreseer::answer() {
+  name_thread("advice");
+  Rollouts rollouts;
+  while (true) {
+    const Job* job;
+    {
+      const std::lock_guard guard(lock_);
+      while (running_ && jobs_.empty()) changed_.wait(lock_);
+      if (!running_) return;
+      job = jobs_.front().get();
+    }
+    answer(*job, rollouts);
+    const std::lock_guard guard(lock_);
+    jobs_.pop_front();
+  }
+}
+
+void Foreseer::answer(const Job& job, Rollouts& rollouts) {
+  const std::uint64_t began_ns = monotonic_ns();
+  const std::uint64_t deadline_ns = began_ns + job.question.budget_ms() * kMillion;
+  rollouts.begin(job.futures, deadline_ns);
+  {
+    const std::lock_guard guard(lock_);
+    while (running_ && monotonic_ns() < deadline_ns) changed_.wait_until(lock_, deadline_ns);
+  }
+  const Progress progress = rollouts.progress();
+  rollouts.end();
+  job.answered(forecast_of(job, progress, began_ns));
+}
+
+pb::Forecast Foreseer::forecast_of(const Job& job, const Progress& progress, std::uint64_t began_ns) const {
+  const auto& [playbook, strategies, situation, question, key] = job.futures;
+  const pf::Forecast known = pf::forecast(progress.tally, question, key);
+  const std::vector<std::string> names(job.question.strategies().begin(), job.question.strategies().end());
+  pb::Forecast forecast = began(job.question, job.asked_ns, options_.models);
+  forecast.set_advice(static_cast<pb::Forecast::Advice>(known.advice));
+  forecast.set_choice(names[static_cast<std::size_t>(known.choice)]);
+  forecast.set_reason(pf::reason(known, question, names.data()));
+  for (int i = 0; i < known.strategies; ++i) {
+    pb::Forecast::StrategyForecast& strategy = *forecast.add_strategies();
+    strategy.set_strategy(names[static_cast<std::size_t>(i)]);
+    fill(known.standings[i], progress.tally.accounts[i], situation.state.world.players, strategy);
+  }
+  forecast.set_answered_ms(static_cast<float>(monotonic_ns() - began_ns) / 1e6f);
+  forecast.set_computed_ms(static_cast<float>(progress.computed_ns) / 1e6f);
+  forecast.set_simulated(static_cast<float>(progress.tally.ticks) * sim::kTickDuration);
+  fill(situation, *forecast.mutable_situation());
+  return forecast;
+}
+
+}  // namespace robot::foreseeing

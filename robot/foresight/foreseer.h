@@ -1,0 +1,80 @@
+// Answers what-if questions while the robot plays: the thread, the clock and the deadline round sim/foresight.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "proto/foresight/forecast.pb.h"
+#include "robot/core/lock.h"
+#include "robot/core/result.h"
+#include "robot/foresight/knowledge.h"
+#include "robot/foresight/rollouts.h"
+#include "sim/io/playbook.h"
+
+namespace robot::foreseeing {
+
+struct ForeseerOptions {
+  std::vector<std::string> strategies;  // 1 .. 8 that can be asked about, by name or path; the first is played
+  std::string rules = "spl2025";
+  std::string models = "match";           // of one's own robots
+  std::string opponent_models = "match";  // of the others'
+};
+
+/// Two threads: rollouts at idle priority, and at normal priority one that answers at the deadline from the last whole
+/// stripe, however little the rollouts got. All functions from any thread.
+class Foreseer {
+ public:
+  /// An Error if a strategy, the rules or the models cannot be had.
+  static Result<std::unique_ptr<Foreseer>> open(ForeseerOptions options);
+  ~Foreseer();
+  Foreseer(const Foreseer&) = delete;
+  Foreseer& operator=(const Foreseer&) = delete;
+
+  const std::vector<std::string>& strategies() const { return options_.strategies; }
+
+  /// Called on the answering thread; must not wait for a question of its own.
+  using Answered = std::function<void(const pb::Forecast&)>;
+
+  /// Asks from where `recollection` is. One question runs at a time, and one may wait for it: a third is refused, and so
+  /// is what makes no sense; then `answered` is not called. What cannot be told is an answer, with its `refusal`; it comes
+  /// before this returns. The budget counts from when the question runs.
+  Result<void> ask(const pb::WhatIf& question, const Recollection& recollection, Answered answered);
+
+  /// As above, and waits for the answer.
+  Result<pb::Forecast> ask_and_wait(const pb::WhatIf& question, const Recollection& recollection);
+
+ private:
+  struct Job {
+    pb::WhatIf question;
+    Futures futures;
+    std::uint64_t asked_ns = 0;  // [ns since the epoch]
+    Answered answered;
+  };
+
+  explicit Foreseer(ForeseerOptions options);
+
+  Result<std::shared_ptr<const sim::io::Playbook>> playbook_for(const std::string& opponent, int players);
+  void answer();
+  void answer(const Job& job, Rollouts& rollouts);
+  pb::Forecast forecast_of(const Job& job, const Progress& progress, std::uint64_t began_ns) const;
+
+  const ForeseerOptions options_;
+
+  Mutex preparing_;
+  std::map<std::pair<std::string, int>, std::shared_ptr<const sim::io::Playbook>> playbooks_;
+
+  Mutex lock_;
+  Condition changed_;
+  std::deque<std::unique_ptr<const Job>> jobs_;  // the first runs, the others wait
+  bool running_ = true;
+  std::thread answering_;
+};
+
+}  // namespace robot::foreseeing

@@ -1,0 +1,253 @@
+#include "robot/foresight/knowledge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+
+#include "sim/agent/roles.h"
+#include "sim/math/vec2.h"
+
+namespace robot::foreseeing {
+namespace {
+
+using sim::Tick;
+using sim::Vec2;
+using Phase = sim::agent::Game::Phase;
+using SetPlay = sim::agent::Game::SetPlay;
+using Doing = sim::Body::Doing;
+
+constexpr float kVelocityDeviation = 0.3f;  // [m/s] of a filter that does not tell how sure it is
+constexpr float kSameOpponent = 1;          // [m] a robot that is seen so near to a known one is that one
+constexpr std::uint64_t kTickNs = 1'000'000'000 / 30;
+
+/// [ticks] from then to now, at most an hour.
+Tick ticks_since(std::uint64_t now_ns, std::uint64_t then_ns) {
+  const std::uint64_t since = now_ns > then_ns ? (now_ns - then_ns) / kTickNs : 0;
+  return static_cast<Tick>(std::min<std::uint64_t>(since, sim::ticks(3600)));
+}
+
+/// When that was, by the count in which kNow is now.
+Tick tick_of(std::uint64_t now_ns, std::uint64_t then_ns) { return kNow - ticks_since(now_ns, then_ns); }
+
+float finite(float value, float otherwise = 0) { return std::isfinite(value) ? value : otherwise; }
+
+sim::Pose2 pose_of(const pb::Pose& pose) {
+  return {{finite(pose.x()), finite(pose.y())}, sim::normalized(finite(pose.heading()))};
+}
+
+sim::agent::Ball ball_of(const pb::Ball& told, std::uint64_t now_ns) {
+  sim::agent::Ball ball;
+  ball.position = {finite(told.x()), finite(told.y())};
+  ball.velocity = {finite(told.velocity_x()), finite(told.velocity_y())};
+  ball.variance = finite(told.deviation() * told.deviation(), 1);
+  const float velocity = told.has_velocity_deviation() ? finite(told.velocity_deviation(), 1) : kVelocityDeviation;
+  ball.velocity_variance = velocity * velocity;
+  ball.heat = std::clamp(finite(told.heat()), 0.f, 1.f);
+  if (told.seen_ns() != 0) ball.seen = tick_of(now_ns, told.seen_ns());
+  ball.visible = told.visible();
+  ball.frames = static_cast<std::uint8_t>(
+      std::min(told.visible() ? told.frames_visible() : told.frames_missing(), std::uint32_t{255}));
+  return ball;
+}
+
+sim::agent::Role role_of(std::string_view name) {
+  for (int i = 0; i < sim::agent::kRoleCount; ++i)
+    if (const auto role = static_cast<sim::agent::Role>(i); name == sim::agent::name_of(role)) return role;
+  return sim::agent::Role::supporter;
+}
+
+sim::agent::Mate mate_of(const pb::Teammate& told, std::uint64_t now_ns) {
+  sim::agent::Mate mate;
+  if (!told.has_pose()) return mate;
+  const std::uint64_t sent_ns = told.sent_ns() != 0 ? told.sent_ns() : told.received_ns();
+  mate.pose = pose_of(told.pose());
+  mate.time_to_ball_cs =
+      sim::agent::centiseconds(std::max(told.has_time_to_ball() ? finite(told.time_to_ball(), 1e6f) : 1e6f, 0.f));
+  mate.sent = tick_of(now_ns, sent_ns);
+  mate.role = static_cast<std::uint8_t>(role_of(told.role()));
+  mate.active = told.active();
+  if (!told.has_ball() || told.ball().seen_ns() == 0) return mate;
+  const Vec2 ball{finite(told.ball().x()), finite(told.ball().y())};
+  mate.ball = mate.pose.position + sim::turned(ball, sim::direction(mate.pose.heading));
+  mate.ball_age = static_cast<std::uint16_t>(std::min<Tick>(ticks_since(sent_ns, told.ball().seen_ns()), 0xfffe));
+  return mate;
+}
+
+Phase phase_of(const pb::GameState& game) {
+  switch (game.state()) {
+    case pb::GameState::STATE_READY: return Phase::ready;
+    case pb::GameState::STATE_SET: return Phase::set;
+    case pb::GameState::STATE_PLAYING: return Phase::playing;
+    case pb::GameState::STATE_FINISHED: return Phase::finished;
+    default: return Phase::initial;
+  }
+}
+
+/// Whatever stops the others from touching the ball is played as the free kick that is nearest to it.
+SetPlay set_play_of(const pb::GameState& game) {
+  switch (game.set_play()) {
+    case pb::GameState::SET_PLAY_GOAL_KICK: return SetPlay::goal_kick;
+    case pb::GameState::SET_PLAY_CORNER_KICK: return SetPlay::corner_kick;
+    case pb::GameState::SET_PLAY_KICK_IN:
+    case pb::GameState::SET_PLAY_PUSHING_FREE_KICK:
+    case pb::GameState::SET_PLAY_PENALTY_KICK: return SetPlay::kick_in;
+    default: break;
+  }
+  // a kick-off is none to the GameController
+  const bool coming = game.state() == pb::GameState::STATE_READY || game.state() == pb::GameState::STATE_SET;
+  return coming ? SetPlay::kick_off : SetPlay::none;
+}
+
+std::uint8_t byte_of(std::uint32_t value) { return static_cast<std::uint8_t>(std::min<std::uint32_t>(value, 255)); }
+
+sim::agent::Game game_of(const pb::GameState& told) {
+  sim::agent::Game game;
+  game.phase = phase_of(told);
+  game.set_play = set_play_of(told);
+  game.own_kick = told.has_kicking_team() && told.kicking_team() == told.own_team();
+  game.player = byte_of(told.own_player());
+  game.players = byte_of(told.players_per_team());
+  game.half = byte_of(std::max(told.half(), std::uint32_t{1}));
+  game.own_score = byte_of(told.own().score());
+  game.opponent_score = byte_of(told.opponent().score());
+  game.remaining = std::clamp(finite(told.seconds_remaining()), 0.f, 36'000.f);
+  const int own = static_cast<int>(told.own_player()) - 1;
+  game.penalised = own >= 0 && own < told.own().players_size() && told.own().players(own).penalised();
+  return game;
+}
+
+void take_away(const pb::TeamState& team, Tick (&away)[sim::kMaxPlayers]) {
+  for (int i = 0; i < std::min(team.players_size(), sim::kMaxPlayers); ++i) {
+    const pb::PlayerState& player = team.players(i);
+    if (!player.penalised()) continue;
+    const bool returns = player.penalty() != pb::PlayerState::PENALTY_SUBSTITUTE;
+    const float seconds = std::clamp(finite(player.seconds_till_unpenalised()), 0.f, 3600.f);
+    away[i] = returns ? std::max<Tick>(sim::ticks(seconds), 1) : sim::kNever;
+  }
+}
+
+/// Opponents in places of their own: by number where that is known, else the nearest known one, else the next free place.
+class Opponents {
+ public:
+  explicit Opponents(sim::agent::Opponent (&places)[sim::kMaxPlayers]) : places_(places) {}
+
+  void add(Vec2 position, Tick seen, int player = 0) {
+    if (!std::isfinite(position.x) || !std::isfinite(position.y)) return;
+    const int place = player >= 1 && player <= sim::kMaxPlayers ? player - 1 : place_near(position);
+    if (place < 0) return;
+    sim::agent::Opponent& known = places_[place];
+    if (known.seen == sim::kNever || seen >= known.seen) known = {position, seen};
+  }
+
+ private:
+  int place_near(Vec2 position) const {
+    int nearest = -1, free = -1;
+    float best = kSameOpponent;
+    // the first is the keeper: others come behind it as long as there is room
+    for (int i = sim::kMaxPlayers - 1; i >= 0; --i) {
+      if (places_[i].seen == sim::kNever) {
+        if (i > 0 || free < 0) free = i;
+      } else if (const float apart = sim::distance(places_[i].position, position); apart < best) {
+        best = apart;
+        nearest = i;
+      }
+    }
+    return nearest >= 0 ? nearest : free;
+  }
+
+  sim::agent::Opponent (&places_)[sim::kMaxPlayers];
+};
+
+void see_opponents(const Recollection& from, const sim::Pose2& own, sim::agent::Beliefs& beliefs) {
+  Opponents opponents(beliefs.opponents);
+  if (from.opponents)
+    for (const pb::Opponents::Opponent& told : from.opponents->value.opponents())
+      opponents.add({told.x(), told.y()}, tick_of(from.now_ns, told.seen_ns()),
+                    told.has_player() ? static_cast<int>(told.player()) : 0);
+  if (!from.vision) return;
+  for (const pb::VisualRobot& robot : from.vision->value.robots()) {
+    if (robot.side() == pb::VisualRobot::SIDE_OWN) continue;
+    const Vec2 at{robot.detection().x(), robot.detection().y()};
+    const int player =
+        robot.has_player() && robot.side() == pb::VisualRobot::SIDE_OPPONENT ? static_cast<int>(robot.player()) : 0;
+    opponents.add(own.position + sim::turned(at, sim::direction(own.heading)),
+                  tick_of(from.now_ns, from.vision->capture_ns), player);
+  }
+}
+
+/// What it is in the middle of.
+sim::Body body_of(const pb::MotionStatus& status, const sim::motion::Model& model) {
+  sim::Body body;
+  body.since = kNow;
+  if (status.fall() == pb::MotionStatus::FALL_FALLEN || status.fall() == pb::MotionStatus::FALL_FALLING) {
+    body.doing = Doing::fallen;
+    return body;
+  }
+  if (status.fall() == pb::MotionStatus::FALL_GETTING_UP) {
+    body.doing = Doing::getting_up;
+    return body;
+  }
+  for (int kick = 0; kick < model.kick_count; ++kick) {
+    if (status.running() != model.kicks[kick].name) continue;
+    const float elapsed = std::clamp(model.kicks[kick].duration - finite(status.remaining()), 0.f, 10.f);
+    body.doing = Doing::kicking;
+    body.kick = static_cast<std::uint8_t>(kick);
+    body.since = kNow - sim::ticks(elapsed);
+    body.kick_done = elapsed >= model.kicks[kick].delay;
+    return body;
+  }
+  if (!status.walking()) return body;
+  body.doing = Doing::walking;
+  const auto within = [](float value, float limit) { return std::clamp(finite(value), -limit, limit); };
+  body.velocity = {within(status.velocity_x(), model.walk.forward), within(status.velocity_y(), model.walk.sideward)};
+  body.turn_rate = within(status.turn_rate(), model.walk.turn_rate);
+  return body;
+}
+
+}  // namespace
+
+Recollection recollect(const memory::Channels& channels, const std::string& robot, std::uint64_t now_ns) {
+  Recollection recollection{.now_ns = now_ns};
+  Recollection::visit(recollection, [&](const char* name, auto& object) {
+    using Object = typename std::remove_reference_t<decltype(object)>::value_type;
+    const auto channel = channels.find("/" + robot + "/" + name);
+    const auto version = channel ? channel->newest() : nullptr;
+    if (!version) return;
+    Object read;
+    const std::string_view bytes = version->bytes();
+    if (!read.value.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return;
+    read.capture_ns = version->capture_ns();
+    object = std::move(read);
+  });
+  return recollection;
+}
+
+Result<sim::foresight::Knowledge> knowledge_of(const Recollection& from, const sim::motion::Model& model) {
+  if (!from.game) return Error{"the robot does not know of a game: there is no object game yet"};
+  if (!from.pose) return Error{"the robot does not know where it is: there is no object pose yet"};
+  const std::uint64_t pose_ns = from.pose->capture_ns;
+  if (from.now_ns > pose_ns + kStalePoseNs)
+    return Error{"the robot does not know where it is: its pose is " +
+                 std::to_string((from.now_ns - pose_ns) / 1'000'000'000) + " s old"};
+  sim::foresight::Knowledge knowledge{.now = kNow, .game = game_of(from.game->value)};
+  sim::agent::Beliefs& beliefs = knowledge.beliefs;
+  const pb::Pose& pose = from.pose->value;
+  beliefs.pose = {pose_of(pose), std::max(pose.deviation_x(), pose.deviation_y()), finite(pose.deviation_heading(), 2)};
+  if (from.ball) beliefs.ball = ball_of(from.ball->value, from.now_ns);
+  if (from.team)
+    for (const pb::Teammate& told : from.team->value.teammates()) {
+      const int player = static_cast<int>(told.player()), own = knowledge.game.player;
+      if (player < 1 || player > sim::kMaxPlayers || player == own) continue;
+      beliefs.mates[player < own ? player - 1 : player - 2] = mate_of(told, from.now_ns);
+    }
+  see_opponents(from, beliefs.pose.pose, beliefs);
+  take_away(from.game->value.own(), knowledge.away[0]);
+  take_away(from.game->value.opponent(), knowledge.away[1]);
+  if (from.motion) knowledge.body = body_of(from.motion->value, model);
+  if (from.decision) knowledge.mind.role = role_of(from.decision->value.role());
+  knowledge.mind.role_since = knowledge.mind.leaf_since = kNow;
+  return knowledge;
+}
+
+}  // namespace robot::foreseeing

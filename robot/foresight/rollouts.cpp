@@ -1,0 +1,90 @@
+#include "robot/foresight/rollouts.h"
+
+#include <sched.h>
+
+#include <utility>
+
+#include "robot/core/clock.h"
+#include "robot/core/thread.h"
+
+namespace robot::foreseeing {
+Rollouts::Rollouts() : thread_([this] { run(); }) {}
+
+Rollouts::~Rollouts() {
+  end();
+  running_ = false;
+  wake();
+  thread_.join();
+}
+
+void Rollouts::begin(Futures futures, std::uint64_t deadline_ns) {
+  end();
+  std::erase_if(races_, [](const auto& race) { return race->let_go.load(); });
+  auto race = std::make_unique<Race>();
+  race->number = ++number_;
+  race->futures = std::move(futures);
+  race->began_ns = monotonic_ns();
+  race->deadline_ns = deadline_ns;
+  races_.push_back(std::move(race));
+  offered_ = races_.back().get();
+  wake();
+}
+
+Progress Rollouts::progress() {
+  const Progress& newest = mailbox_.newest();
+  if (newest.race == number_) return newest;
+  Progress nothing{.race = number_, .tally = {}};
+  if (!races_.empty()) nothing.tally.strategies = static_cast<int>(races_.back()->futures.strategies.size());
+  return nothing;
+}
+
+void Rollouts::end() {
+  if (races_.empty()) return;
+  races_.back()->over = true;
+  // who was never taken never will be
+  if (Race* const untaken = offered_.exchange(nullptr)) untaken->let_go = true;
+}
+
+void Rollouts::wake() {
+  ++wakes_;
+  wakes_.notify_one();
+}
+
+void Rollouts::run() {
+  name_thread("foresee");
+  sched_param none{};
+  sched_setscheduler(0, SCHED_IDLE, &none);  // of this thread; needs no rights
+  while (true) {
+    const std::uint32_t seen = wakes_;
+    if (Race* const race = offered_.exchange(nullptr)) {
+      play(*race);
+      race->let_go = true;
+    } else if (running_) {
+      wakes_.wait(seen);
+    } else {
+      return;
+    }
+  }
+}
+
+void Rollouts::play(const Race& race) {
+  const Futures& futures = race.futures;
+  const std::uint64_t since_ns = thread_cpu_ns();
+  const auto spent = [&race](std::int64_t) {
+    if (race.over) return 1.;
+    return static_cast<double>(monotonic_ns() - race.began_ns) / static_cast<double>(race.deadline_ns - race.began_ns);
+  };
+  const auto told = [&](const sim::foresight::Tally& tally) {
+    Progress& draft = mailbox_.draft();
+    draft.race = race.number;
+    draft.tally = tally;
+    draft.computed_ns = thread_cpu_ns() - since_ns;
+    mailbox_.publish();
+  };
+  const auto task =
+      sim::io::task_of(*futures.playbook, futures.strategies, futures.situation, futures.question, futures.key);
+  sim::foresight::Tally tally;
+  sim::foresight::race(task, spent, told, tally);
+}
+
+}  // namespace robot::foreseeing

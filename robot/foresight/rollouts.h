@@ -1,0 +1,74 @@
+// The thread that plays the futures of a question, at idle priority: on what nobody else wants of one processor.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "robot/foresight/mailbox.h"
+#include "sim/foresight/race.h"
+#include "sim/io/playbook.h"
+
+namespace robot::foreseeing {
+
+/// What one question's futures are played from.
+struct Futures {
+  std::shared_ptr<const sim::io::Playbook> playbook;
+  std::vector<int> strategies;  // of the playbook
+  sim::foresight::Situation situation;
+  sim::foresight::Question question;
+  sim::RandomKey key;
+};
+
+/// What they have come to.
+struct Progress {
+  std::uint64_t race = 0;  // which `begin` they are of
+  sim::foresight::Tally tally;
+  std::uint64_t computed_ns = 0;  // of processor time
+};
+
+/// On a busy processor a thread of idle priority may sleep for a second wherever it is. So it shares no lock with anybody,
+/// and nothing here waits for it but the destructor.
+///
+/// All functions from one thread.
+class Rollouts {
+ public:
+  Rollouts();
+  ~Rollouts();
+  Rollouts(const Rollouts&) = delete;
+  Rollouts& operator=(const Rollouts&) = delete;
+
+  /// Plays `futures` from now on, in place of what it played, until monotonic_ns() is `deadline_ns` or `end`.
+  void begin(Futures futures, std::uint64_t deadline_ns);
+
+  /// As of the last whole stripe since `begin`; empty before there is one.
+  Progress progress();
+
+  /// Plays nothing any more.
+  void end();
+
+ private:
+  struct Race {
+    std::uint64_t number = 0;
+    Futures futures;
+    std::uint64_t began_ns = 0, deadline_ns = 0;  // [monotonic]
+    std::atomic<bool> over = false;               // it is to end
+    std::atomic<bool> let_go = false;             // the thread of the rollouts does not look at it any more
+  };
+
+  void run();
+  void play(const Race& race);
+  void wake();
+
+  std::vector<std::unique_ptr<Race>> races_;  // the last one, and those that are not let go yet
+  std::uint64_t number_ = 0;
+  std::atomic<Race*> offered_ = nullptr;  // to be taken by the thread of the rollouts
+  std::atomic<std::uint32_t> wakes_ = 0;
+  std::atomic<bool> running_ = true;
+  Mailbox<Progress> mailbox_;
+  std::thread thread_;
+};
+
+}  // namespace robot::foreseeing

@@ -1,0 +1,191 @@
+// foresight-sim calibration: do forecasts come true as often as they say? Asked in the middle of whole games, from what
+// one robot believes, and compared with how the game went on.
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "sim/app/commands.h"
+#include "sim/app/game_report.h"
+#include "sim/app/progress.h"
+#include "sim/app/series.h"
+#include "sim/foresight/race.h"
+#include "sim/foresight/reliability.h"
+#include "sim/io/playbook.h"
+#include "sim/match/play.h"
+
+namespace sim::app {
+namespace {
+
+using foresight::Reliability;
+
+constexpr int kAsked = 1;    // home 2, the captain as a rule
+constexpr int kPerGame = 8;  // situations
+constexpr std::uint64_t kFirstSeed = 2'000'001;
+
+/// One forecast of one event, and whether it came.
+struct Case {
+  double foretold = 0;  // [0..1]
+  bool came = false;
+};
+
+struct Cases {
+  std::vector<Case> score, concede;
+  int untold = 0;  // situations in which nothing could be told
+
+  void add(const Cases& other) {
+    score.insert(score.end(), other.score.begin(), other.score.end());
+    concede.insert(concede.end(), other.concede.begin(), other.concede.end());
+    untold += other.untold;
+  }
+};
+
+Reliability reliability_of(const std::vector<Case>& cases) {
+  Reliability reliability;
+  for (const Case& one : cases) reliability.add(one.foretold, one.came);
+  return reliability;
+}
+
+Json json_of(const Reliability& reliability) {
+  Json bins = Json::array();
+  for (const Reliability::Bin& bin : reliability.bins)
+    if (bin.cases > 0)
+      bins.push_back({{"cases", bin.cases},
+                      {"foretold", bin.foretold / bin.cases},
+                      {"came", static_cast<double>(bin.came) / bin.cases}});
+  return {{"brier", reliability.brier()},
+          {"base_rate", reliability.rate()},
+          {"base_rate_brier", reliability.brier_of_rate()},
+          {"deciles", std::move(bins)}};
+}
+
+void print(const char* what, const Reliability& reliability) {
+  std::printf("%s: Brier score %.4f, of the base rate %.1f %%: %.4f\n", what, reliability.brier(),
+              100 * reliability.rate(), reliability.brier_of_rate());
+  for (const Reliability::Bin& bin : reliability.bins)
+    if (bin.cases > 0)
+      std::printf("  foretold %5.1f %%  came %5.1f ± %4.1f %%  %6d cases\n", 100 * bin.foretold / bin.cases,
+                  100. * bin.came / bin.cases,
+                  100 * std::sqrt(static_cast<double>(bin.came) * (bin.cases - bin.came) / bin.cases) / bin.cases,
+                  bin.cases);
+}
+
+class CalibrationCommand final : public Command {
+ public:
+  explicit CalibrationCommand(CLI::App& app)
+      : Command(app.add_subcommand("calibration", "do forecasts come true as often as they say?")) {
+    choice_.add_to(options());
+    options()
+        .add_option("--situations", situations_, "how many are asked about")
+        ->check(CLI::Range(kPerGame, 1'000'000))
+        ->capture_default_str();
+    options()
+        .add_option("--rollouts", rollouts_, "how many futures each forecast comes from")
+        ->check(CLI::Range(foresight::kFewestStripes, 100'000))
+        ->capture_default_str();
+    options()
+        .add_option("--seconds", seconds_, "how far each forecast looks")
+        ->check(CLI::Range(1., 300.))
+        ->capture_default_str();
+    options().add_flag("--json", json_, "report as JSON");
+  }
+
+  int run() override {
+    const io::Choice choice = choice_.choice();
+    const auto setup = io::prepare(choice);
+    if (!setup) return fail(setup.error());
+    const auto playbook = io::prepare_playbook({.strategies = {choice.strategies[0]},
+                                                .opponent = choice.strategies[1],
+                                                .rules = choice.rules,
+                                                .models = choice.models[0],
+                                                .opponent_models = choice.models[1],
+                                                .players = choice.players,
+                                                .pace = choice.pace});
+    if (!playbook) return fail(playbook.error());
+    const int games = (situations_ + kPerGame - 1) / kPerGame;
+    std::vector<Cases> by_game(static_cast<std::size_t>(games));
+    {
+      Progress progress("foretelling", static_cast<std::uint64_t>(games));
+      for_each_game(
+          games, threads_for(games),
+          [&](int game) {
+            by_game[static_cast<std::size_t>(game)] =
+                play(setup->params, *playbook, kFirstSeed + static_cast<std::uint64_t>(game));
+          },
+          [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
+    }
+    Cases all;
+    for (const Cases& cases : by_game) all.add(cases);
+    report(all);
+    return kDone;
+  }
+
+ private:
+  /// A game that stops at evenly spaced moments for a forecast, and goes on as if it had not.
+  Cases play(const Params& params, const io::Playbook& playbook, std::uint64_t seed) const {
+    Cases cases;
+    referee::Events events;
+    State state = begin(params, {.seed = seed}, events);
+    const Tick apart = ticks(params.rules.half_duration * static_cast<float>(params.rules.halves)) / (kPerGame + 1);
+    const Tick horizon = ticks(static_cast<float>(seconds_));
+    for (int i = 0; i < kPerGame && !finished(state); ++i) {
+      const Tick at = state.world.tick + apart;
+      sim::play(
+          params, state, [&](const State& now) { return now.world.tick >= at && referee::in_play(now.book); },
+          [](const referee::Event&) {});
+      if (finished(state)) break;
+      const foresight::Believed believed =
+          foresight::believe(playbook.params.front(), foresight::knowledge_of(params, state, kAsked));
+      if (!believed.refusal.empty()) {
+        ++cases.untold;
+        continue;
+      }
+      foresight::Tally tally;
+      const foresight::Question question{.until = foresight::Until::next_goal, .horizon = horizon};
+      foresight::race(
+          io::task_of(playbook, {0}, believed.situation, question,
+                      {.seed = seed * 1000 + static_cast<std::uint64_t>(i)}),
+          [&](std::int64_t rollouts) { return static_cast<double>(rollouts) / rollouts_; }, {}, tally);
+
+      State truth = state;
+      int next = -1;
+      sim::play(
+          params, truth, [&](const State& now) { return next >= 0 || now.world.tick >= state.world.tick + horizon; },
+          [&](const referee::Event& event) {
+            if (event.kind == referee::Event::Kind::goal && next < 0) next = static_cast<int>(event.side);
+          });
+      const double futures = tally.accounts[0].rollouts;
+      cases.score.push_back({tally.accounts[0].scored / futures, next == 0});
+      cases.concede.push_back({tally.accounts[0].conceded / futures, next == 1});
+    }
+    return cases;
+  }
+
+  void report(const Cases& cases) const {
+    const Reliability score = reliability_of(cases.score), concede = reliability_of(cases.concede);
+    if (json_) {
+      const Json json = {{"situations", cases.score.size()},
+                         {"untold", cases.untold},
+                         {"rollouts", rollouts_},
+                         {"seconds", seconds_},
+                         {"score", json_of(score)},
+                         {"concede", json_of(concede)}};
+      std::printf("%s\n", json.dump(2).c_str());
+      return;
+    }
+    std::printf("%zu situations, %d futures of %g s each; in %d others it could not tell\n\n", cases.score.size(),
+                rollouts_, seconds_, cases.untold);
+    print("own goal next", score);
+    print("goal of the others next", concede);
+  }
+
+  ChoiceOptions choice_;
+  int situations_ = 1000, rollouts_ = 100;
+  double seconds_ = 30;
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> calibration_command(CLI::App& app) { return std::make_unique<CalibrationCommand>(app); }
+
+}  // namespace sim::app

@@ -1,0 +1,127 @@
+// foresight-sim vet: is a behaviour fit to be compared? Are its games the same each time, can they be taken back, and what
+// does a decision cost?
+#include <cstdio>
+
+#include "sim/app/commands.h"
+#include "sim/app/compare_runs.h"
+#include "sim/app/game_report.h"
+#include "sim/match/hash.h"
+
+namespace sim::app {
+namespace {
+
+/// How a game went.
+
+struct Played {
+  std::uint64_t hash = 0;
+  DecisionCost cost;
+  std::string problem;
+};
+
+class VetCommand final : public Command {
+ public:
+  explicit VetCommand(CLI::App& app)
+      : Command(app.add_subcommand("vet", "is a behaviour fit to be compared? twice the same, and what it costs")) {
+    options().add_option("behaviour", name_, "name, file, library or pipe:command")->required();
+    options()
+        .add_option("--seconds", seconds_, "of the game that is played")
+        ->check(CLI::Range(1., 3600.))
+        ->capture_default_str();
+    options().add_option("--seed", seed_, "of the game")->capture_default_str();
+    options().add_flag("--json", json_, "report as JSON");
+    options().footer("Exit status: 0 fit, 1 not, 2 bad usage or input.");
+  }
+
+  int run() override {
+    const auto lineup = Lineup::prepare({.game = {.strategies = {name_, "baseline"}}, .rest = {}});
+    if (!lineup) return fail(lineup.error());
+    const Played first = play(*lineup), again = play(*lineup);
+    for (const Played* played : {&first, &again})
+      if (!played->problem.empty()) return fail(played->problem);
+    const auto taken_back = take_back(*lineup);
+    if (!taken_back) return fail(taken_back.error());
+    const bool same = first.hash == again.hash, returns = taken_back->hash == first.hash;
+    report(same, returns, taken_back->by_memory, first.cost);
+    return same && returns ? kDone : kNo;
+  }
+
+ private:
+  struct TakenBack {
+    std::uint64_t hash = 0;
+    bool by_memory = false;  // not by playing it again
+  };
+
+  Tick length() const { return ticks(static_cast<float>(seconds_)); }
+
+  /// Plays on to that tick.
+  static void play_on(const Cast& cast, State& state, Tick end) {
+    referee::Events events;
+    while (state.world.tick < end && !finished(state) && !cast.failed()) step(cast.params(), state, events);
+  }
+
+  State begun(const Cast& cast) const {
+    referee::Events events;
+    return begin(cast.params(), {.seed = seed_}, events);
+  }
+
+  Played play(const Lineup& lineup) const {
+    const Cast cast(lineup, seed_);
+    State state = begun(cast);
+    play_on(cast, state, length());
+    return {.hash = hash_of(state), .cost = cast.cost(Side::home), .problem = cast.problem()};
+  }
+
+  /// To the end, back to the middle, and to the end again.
+  robot::Result<TakenBack> take_back(const Lineup& lineup) const {
+    Cast cast(lineup, seed_);
+    State state = begun(cast);
+    play_on(cast, state, length() / 2);
+    const State middle = state;
+    const auto memory = cast.save();
+    play_on(cast, state, length());
+    if (cast.failed()) return robot::Error{cast.problem()};
+    if (memory) {
+      state = middle;
+      if (auto loaded = cast.load(*memory); !loaded) return robot::Error{loaded.error()};
+      play_on(cast, state, length());
+      return TakenBack{.hash = hash_of(state), .by_memory = true};
+    }
+    // what cannot be loaded is played again from its seed
+    const Cast second(lineup, seed_);
+    State from_start = begun(second);
+    play_on(second, from_start, length() / 2);
+    const bool met = hash_of(from_start) == hash_of(middle);
+    play_on(second, from_start, length());
+    if (second.failed()) return robot::Error{second.problem()};
+    return TakenBack{.hash = met ? hash_of(from_start) : 0, .by_memory = false};
+  }
+
+  void report(bool same, bool returns, bool by_memory, const DecisionCost& cost) const {
+    if (json_) {
+      const Json json = {{"behaviour", name_},
+                         {"same_each_time", same},
+                         {"taken_back", returns},
+                         {"taken_back_by", by_memory ? "memory" : "replay"},
+                         {"decision_us", cost.mean_us()},
+                         {"decisions_timed", cost.timed}};
+      std::printf("%s\n", json.dump(2).c_str());
+      return;
+    }
+    std::printf("%s, %g s of a game against baseline\n", name_.c_str(), seconds_);
+    std::printf("  the same each time   %s\n", same ? "yes" : "NO: its decisions hang on something else than the game");
+    std::printf("  taken back           %s%s\n", by_memory ? "by its memory" : "by playing again from the seed",
+                returns ? "" : ", and then it is ANOTHER game");
+    std::printf("  a decision costs     %.2f us\n", cost.mean_us());
+  }
+
+  std::string name_;
+  double seconds_ = 100;
+  std::uint64_t seed_ = 1;
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> vet_command(CLI::App& app) { return std::make_unique<VetCommand>(app); }
+
+}  // namespace sim::app

@@ -1,0 +1,121 @@
+#include "sim/foresight/chooser.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+#include "sim/foresight/forecast.h"
+#include "sim/foresight/race.h"
+
+namespace sim::foresight {
+namespace {
+
+using Phase = agent::Game::Phase;
+
+constexpr int kKeeper = 1;
+constexpr float kLeastApart = 2;   // [s] strategies do not flutter
+constexpr float kBallLostFor = 4;  // [s] unseen: a reason to ask
+
+/// Ticks since `then`, of which the lower 16 bits are known: at most 36 min.
+Tick since(Tick now, std::uint16_t then) { return static_cast<std::uint16_t>(now - then); }
+
+/// When something happened that is a reason to ask, whatever the period: a stoppage, or the ball is lost.
+Tick last_event(const agent::Game& game, const agent::Beliefs& beliefs, Tick now) {
+  const Tick since_phase = std::min(ticks(std::clamp(game.since_phase, 0.f, 3600.f)), now);
+  Tick event = now - since_phase;
+  if (beliefs.ball.seen != kNever) {
+    const Tick lost = beliefs.ball.seen + ticks(kBallLostFor);
+    if (lost <= now) event = std::max(event, lost);
+  }
+  return event;
+}
+
+/// Other beliefs, other luck.
+RandomKey key_of(const agent::Beliefs& beliefs, Tick now) {
+  const auto bits = [](float value) { return std::uint64_t{std::bit_cast<std::uint32_t>(value)}; };
+  return {(bits(beliefs.pose.pose.position.x) << 32 | bits(beliefs.ball.position.x)) ^ std::uint64_t{now} << 20};
+}
+
+}  // namespace
+
+int captain_of(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, Tick stale) {
+  for (int player = kKeeper + 1; player <= game.players; ++player) {
+    if (player == game.player) {
+      if (!game.penalised) return player;
+      continue;
+    }
+    const agent::Mate& mate = beliefs.mates[player < game.player ? player - 1 : player - 2];
+    if (mate.active && mate.sent != kNever && now - mate.sent < stale) return player;
+  }
+  return 0;
+}
+
+Chooser::Chooser(std::string name, Plans plans, const Terms& terms)
+    : name_(std::move(name)), plans_(std::move(plans)), terms_(terms) {
+  assert(plans_.params.size() >= 2 && plans_.params.size() <= static_cast<std::size_t>(kMaxStrategies));
+}
+
+motion::Command Chooser::decide(const agent::Surroundings& surroundings, const agent::Game& game,
+                                const agent::Beliefs& beliefs, Tick now, agent::Mind& mind, agent::Trace* trace) const {
+  const int before = mind.choice.played();
+  follow_mates(game, beliefs, now, mind);
+  if (has_reason(game, beliefs, now, mind)) ask(game, beliefs, now, mind);
+  // the leaves of another tree are other leaves
+  if (mind.choice.played() != before) mind.leaf = agent::kNoLeaf;
+  const agent::Behaviour& played = *plans_.params[static_cast<std::size_t>(mind.choice.played())].teams[0].behaviour;
+  return played.decide(surroundings, game, beliefs, now, mind, trace);
+}
+
+void Chooser::follow_mates(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, agent::Mind& mind) const {
+  const Tick stale = ticks(terms_.stale);
+  const int captain = captain_of(game, beliefs, now, stale);
+  for (int i = 0; i + 1 < game.players; ++i) {
+    const agent::Mate& mate = beliefs.mates[i];
+    if (mate.sent == kNever || now - mate.sent >= stale) continue;
+    const bool known = static_cast<std::size_t>(mate.choice.played()) < plans_.params.size();
+    const bool by_captain = agent::player_of_mate(game.player, i) == captain;
+    const bool followed = mind.choice.strategy != agent::kNoStrategy;
+    if (!known || !follow(mate.choice, by_captain, mind.choice)) continue;
+    if (!followed || now - mate.sent < since(now, mind.told)) mind.told = static_cast<std::uint16_t>(mate.sent);
+  }
+  if (captain != game.player && since(now, mind.told) >= stale) mind.choice.strategy = agent::kNoStrategy;
+}
+
+bool Chooser::has_reason(const agent::Game& game, const agent::Beliefs& beliefs, Tick now,
+                         const agent::Mind& mind) const {
+  const bool in_game = game.phase == Phase::ready || game.phase == Phase::set || game.phase == Phase::playing;
+  if (!in_game || captain_of(game, beliefs, now, ticks(terms_.stale)) != game.player) return false;
+  const Tick asked = since(now, mind.told);
+  if (asked < ticks(kLeastApart)) return false;
+  return asked >= ticks(terms_.period) || now - last_event(game, beliefs, now) < asked;
+}
+
+void Chooser::ask(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, agent::Mind& mind) const {
+  mind.told = static_cast<std::uint16_t>(now);
+  Knowledge knowledge{.now = now, .game = game, .beliefs = beliefs, .mind = mind};
+  for (int i = 0; i + 1 < game.players; ++i)
+    if (beliefs.mates[i].sent != kNever && !beliefs.mates[i].active)
+      knowledge.away[0][agent::player_of_mate(game.player, i) - 1] = kNever;
+  const Believed believed = believe(plans_.params[0], knowledge);
+  if (!believed.refusal.empty()) return;
+
+  // what is played now goes first
+  const int count = static_cast<int>(plans_.params.size());
+  int order[kMaxStrategies] = {mind.choice.played()};
+  for (int strategy = 0, next = 1; strategy < count; ++strategy)
+    if (strategy != mind.choice.played()) order[next++] = strategy;
+  const Question question{.horizon = ticks(terms_.horizon), .switching_cost = terms_.switching_cost};
+  Task task{.situation = &believed.situation,
+            .strategies = count,
+            .question = question,
+            .outlook = &plans_.outlook,
+            .key = key_of(beliefs, now)};
+  for (int i = 0; i < count; ++i) task.params[i] = &plans_.params[static_cast<std::size_t>(order[i])];
+  Tally tally;
+  race(
+      task, [this](std::int64_t rollouts) { return static_cast<double>(rollouts) / terms_.rollouts; }, {}, tally);
+  const Forecast told = forecast(tally, question, task.key);
+  choose(static_cast<std::uint8_t>(order[told.choice]), mind.choice);
+}
+
+}  // namespace sim::foresight

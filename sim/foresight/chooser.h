@@ -1,0 +1,68 @@
+// A team that chooses its strategy by foresight while it plays.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/agent/behaviour.h"
+#include "sim/foresight/outlook.h"
+#include "sim/foresight/question.h"
+#include "sim/match/params.h"
+
+namespace sim::foresight {
+
+/// What it chooses from, and what it takes the others to be.
+struct Plans {
+  std::vector<Params> params;  // by strategy, its own side at home; the first is the default
+  Outlook outlook;
+  std::vector<std::shared_ptr<const agent::Behaviour>> behaviours;  // that the parameters point to
+};
+
+/// When it asks, and how.
+struct Terms {
+  int rollouts = 64;             // for a question, all strategies together
+  float horizon = 20;            // [s] of game time that each looks ahead
+  float period = 10;             // [s] from one question to the next, at most
+  float stale = 20;              // [s] a choice that was not confirmed for longer is not followed
+  float switching_cost = 0.02f;  // [goals] Question::switching_cost
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("rollouts", self.rollouts, "", 8, 100'000);
+    see("horizon", self.horizon, "s", 1.f, 1200.f);
+    see("period", self.period, "s", 2.f, 1200.f);
+    see("stale", self.stale, "s", 1.f, 1200.f);
+    see("switching_cost", self.switching_cost, "goals", 0.f, 1.f);
+  }
+};
+
+/// Each robot follows the newest choice that it heard; the captain, as it believes that it is, asks what its strategies
+/// would come to, from its own beliefs, and chooses. So two robots may disagree for as long as their messages take.
+///
+/// Remembers in the mind alone, and asks with a random key made of its beliefs: a game stays a function of its seed.
+class Chooser final : public agent::Behaviour {
+ public:
+  /// 2 .. kMaxStrategies strategies.
+  Chooser(std::string name, Plans plans, const Terms& terms);
+
+  const std::string& name() const override { return name_; }
+  motion::Command decide(const agent::Surroundings& surroundings, const agent::Game& game,
+                         const agent::Beliefs& beliefs, Tick now, agent::Mind& mind,
+                         agent::Trace* trace) const override;
+
+ private:
+  void follow_mates(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, agent::Mind& mind) const;
+  bool has_reason(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, const agent::Mind& mind) const;
+  void ask(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, agent::Mind& mind) const;
+
+  const std::string name_;
+  const Plans plans_;
+  const Terms terms_;
+};
+
+/// [1..7] the captain, as a robot believes: the field player of the lowest number that plays, itself or a teammate that
+/// told so within `stale` [ticks]. 0: nobody.
+int captain_of(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, Tick stale);
+
+}  // namespace sim::foresight

@@ -1,0 +1,166 @@
+#include "sim/foresight/forecast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/foresight/race.h"
+#include "sim/math/random.h"
+
+namespace sim::foresight {
+namespace {
+
+constexpr int kDraws = 1000;  // for P(best): 0.016 of standard error at most
+
+/// Cornish and Fisher's expansion of Student's quantile round the normal one's, `z`.
+double student(double z, double freedom) {
+  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
+  return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom) +
+         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * freedom * freedom * freedom);
+}
+
+/// The stripes that both played: who leaves the race does not come back.
+int common(const Tally& tally, int i, int j) {
+  return std::min(tally.accounts[i].rollouts, tally.accounts[j].rollouts);
+}
+
+/// Between the gains of two strategies in the same stripe.
+double covariance(const Tally& tally, int i, int j) {
+  const int count = common(tally, i, j);
+  if (count < 2) return 0;
+  return (tally.products[i][j] - tally.gains[i][j] * tally.gains[j][i] / count) / (count - 1);
+}
+
+double mean_gain(const Tally& tally, int i) {
+  return tally.accounts[i].rollouts == 0 ? 0 : tally.gains[i][i] / tally.accounts[i].rollouts;
+}
+
+double gain_error(const Tally& tally, int i) {
+  const int count = tally.accounts[i].rollouts;
+  return count < 2 ? 0 : std::sqrt(std::max(covariance(tally, i, i), 0.) / count);
+}
+
+/// The lower triangle whose product with its transpose is the covariance of the mean gains.
+struct Triangle {
+  double at[kMaxStrategies][kMaxStrategies] = {};
+
+  explicit Triangle(const Tally& tally) {
+    for (int i = 1; i < tally.strategies; ++i)
+      for (int j = 1; j <= i; ++j) {
+        const int count = std::max({tally.accounts[i].rollouts, tally.accounts[j].rollouts, 1});
+        double rest = covariance(tally, i, j) / count;
+        for (int k = 1; k < j; ++k) rest -= at[i][k] * at[j][k];
+        if (i == j)
+          at[i][i] = std::sqrt(std::max(rest, 0.));
+        else
+          at[i][j] = at[j][j] > 0 ? rest / at[j][j] : 0;
+      }
+  }
+};
+
+/// How likely each strategy is the best: the mean gains are drawn from the normal distribution that the tally tells.
+void count_best(const Tally& tally, RandomKey key, Standing* standings) {
+  const Triangle triangle(tally);
+  for (int n = 0; n < kDraws; ++n) {
+    float drawn[kMaxStrategies];
+    for (std::uint32_t pair = 0; pair < kMaxStrategies / 2; ++pair) {
+      const auto words = draw(key, pair, Event::belief, static_cast<std::uint32_t>(n) + 1);
+      const auto two = normals(words[0], words[1]);
+      drawn[2 * pair] = two[0];
+      drawn[2 * pair + 1] = two[1];
+    }
+    int best = 0;
+    double most = 0;  // the incumbent's
+    for (int i = 1; i < tally.strategies; ++i) {
+      double gain = mean_gain(tally, i);
+      for (int j = 1; j <= i; ++j) gain += triangle.at[i][j] * static_cast<double>(drawn[j]);
+      if (gain > most) most = gain, best = i;
+    }
+    standings[best].best += 1. / kDraws;
+  }
+}
+
+Standing standing_of(const Tally& tally, int i) {
+  const Account& account = tally.accounts[i];
+  const int n = account.rollouts;
+  Standing standing{.rollouts = n, .raced_on = account.racing};
+  if (n == 0) return standing;
+  standing.mean = account.sum / n;
+  standing.score = static_cast<double>(account.scored) / n;
+  standing.concede = static_cast<double>(account.conceded) / n;
+  if (n < 2) return standing;
+  const double variance = std::max(account.squares - account.sum * account.sum / n, 0.) / (n - 1);
+  standing.error = std::sqrt(variance / n);
+  if (i == 0) return standing;
+  const double reach = t_95(n - 1) * gain_error(tally, i);
+  standing.gain = mean_gain(tally, i);
+  standing.gain_low = standing.gain - reach;
+  standing.gain_high = standing.gain + reach;
+  return standing;
+}
+
+const char* unit_of(Measure measure) { return measure == Measure::goal_difference ? "goals" : "in probability"; }
+
+std::string text(const char* format, auto... values) {
+  char buffer[320];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+}  // namespace
+
+double t_95(double freedom) { return student(1.959964, freedom); }
+double t_90_one_sided(double freedom) { return student(1.281552, freedom); }
+
+Forecast forecast(const Tally& tally, const Question& question, RandomKey key) {
+  Forecast forecast{.strategies = tally.strategies};
+  for (int i = 0; i < tally.strategies; ++i) forecast.standings[i] = standing_of(tally, i);
+  if (tally.stripes > 0) count_best(tally, key, forecast.standings);
+  for (int i = 1; i < tally.strategies; ++i) {
+    const Standing& standing = forecast.standings[i];
+    if (!standing.raced_on) continue;
+    const int so_far = forecast.challenger;
+    if (so_far == 0 || standing.gain > forecast.standings[so_far].gain) forecast.challenger = i;
+  }
+  if (tally.stripes < kFewestStripes) return forecast;
+
+  forecast.advice = Forecast::Advice::keep;
+  const int challenger = forecast.challenger;
+  if (challenger == 0) return forecast;
+  const double sure = forecast.standings[challenger].gain -
+                      t_90_one_sided(tally.accounts[challenger].rollouts - 1) * gain_error(tally, challenger);
+  if (sure <= static_cast<double>(question.switching_cost)) return forecast;
+  forecast.advice = Forecast::Advice::change;
+  forecast.choice = challenger;
+  return forecast;
+}
+
+std::string reason(const Forecast& forecast, const Question& question, const std::string* names) {
+  const Standing& incumbent = forecast.standings[0];
+  if (forecast.advice == Forecast::Advice::none)
+    return text("no advice: %d of at least %d futures were played in the time given", incumbent.rollouts,
+                kFewestStripes);
+  const std::string& kept = names[0];
+  if (forecast.challenger == 0) return text("keeps %s: there is nothing else to play", kept.c_str());
+  const Standing& best = forecast.standings[forecast.challenger];
+  const std::string& name = names[forecast.challenger];
+  const char* unit = unit_of(question.measure);
+  const double reach = best.gain_high - best.gain;
+  if (forecast.advice == Forecast::Advice::change)
+    return text("changes from %s to %s: that gains %.2f ± %.2f %s (%d futures)", kept.c_str(), name.c_str(), best.gain,
+                reach, unit, best.rollouts);
+  if (best.gain_high < 0)
+    return text("keeps %s: %s, the best of the others, would lose %.2f ± %.2f %s (%d futures)", kept.c_str(),
+                name.c_str(), -best.gain, reach, unit, best.rollouts);
+  if (best.gain_low > 0)
+    return text("keeps %s: %s would gain %.2f ± %.2f %s, too little for a change, which costs %.2f (%d futures)",
+                kept.c_str(), name.c_str(), best.gain, reach, unit, static_cast<double>(question.switching_cost),
+                best.rollouts);
+  if (best.gain <= 0)
+    return text("keeps %s: nothing else looks better; %s comes next, with %.2f ± %.2f %s less (%d futures)",
+                kept.c_str(), name.c_str(), std::abs(best.gain), reach, unit, best.rollouts);
+  return text("keeps %s: %s would gain %.2f ± %.2f %s, which may be chance (%d futures)", kept.c_str(), name.c_str(),
+              best.gain, reach, unit, best.rollouts);
+}
+
+}  // namespace sim::foresight

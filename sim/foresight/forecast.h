@@ -1,0 +1,46 @@
+// What a tally says: what each strategy is worth, how sure that is, and whether to change.
+#pragma once
+
+#include <string>
+
+#include "sim/foresight/question.h"
+#include "sim/foresight/tally.h"
+
+namespace sim::foresight {
+
+/// What is expected of one strategy. Values are in the unit of the measure.
+struct Standing {
+  int rollouts = 0;
+  double mean = 0, error = 0;          // and its standard error
+  double score = 0, concede = 0;       // [0..1] how often the next goal is one's own, the others'
+  double gain = 0;                     // over the incumbent, in the stripes that both played
+  double gain_low = 0, gain_high = 0;  // its 95 % interval
+  double best = 0;                     // [0..1] the probability that it is the best of all
+  bool raced_on = true;                // false: left behind before the end
+};
+
+struct Forecast {
+  enum class Advice {
+    none,    // too few rollouts to tell: no advice
+    keep,    // nothing gains more than chance and the change's cost explain
+    change,  // to `choice`
+  };
+  Advice advice = Advice::none;
+  int strategies = 0;
+  int choice = 0;      // index of the strategy to play; the incumbent's, 0, where nothing is better
+  int challenger = 0;  // the best of the others; 0: there is none
+  Standing standings[kMaxStrategies];
+};
+
+/// It changes when the gain of the best is above the switching cost for 90 % sure (one-sided), never else.
+Forecast forecast(const Tally& tally, const Question& question, RandomKey key);
+
+/// The advice in one sentence, with the numbers behind it: "keeps baseline: passing would gain 0.04 ± 0.09 goals, which
+/// may be chance (212 futures)". `names` are the strategies', by index.
+std::string reason(const Forecast& forecast, const Question& question, const std::string* names);
+
+/// Of Student's t, two-sided 95 % and one-sided 90 %, for `freedom` >= 1 degrees; within 1 % from 3 on.
+double t_95(double freedom);
+double t_90_one_sided(double freedom);
+
+}  // namespace sim::foresight

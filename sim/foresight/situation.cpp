@@ -1,0 +1,238 @@
+#include "sim/foresight/situation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/foresight/guess.h"
+#include "sim/match/situation.h"
+#include "sim/match/step.h"
+#include "sim/perception/localisation.h"
+#include "sim/referee/referee.h"
+
+namespace sim::foresight {
+namespace {
+
+using Phase = agent::Game::Phase;
+using SetPlay = agent::Game::SetPlay;
+using Doing = Body::Doing;
+
+constexpr float kBorder = 0.3f;  // [m] beyond the lines where a robot may still be
+
+std::string sentence(const char* format, double value) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+const char* why_no_game(Phase phase) {
+  if (phase == Phase::initial) return "the game has not begun";
+  return phase == Phase::finished ? "the game is over" : nullptr;
+}
+
+/// Puts a body where it is taken to be, with what it does.
+void put(Body& body, const Pose2& pose) {
+  body.position = pose.position;
+  body.heading = normalized(pose.heading);
+  body.facing = direction(body.heading);
+}
+
+/// Makes the most likely state, and notes how unsure each part of it is.
+class Guesswork {
+ public:
+  Guesswork(const Params& params, const Knowledge& knowledge)
+      : params_(params), knowledge_(knowledge), own_(robot_of(Side::home, knowledge.game.player)) {}
+
+  Believed believe() {
+    Believed believed;
+    believed.refusal = why_not();
+    if (!believed.refusal.empty()) return believed;
+    referee::Events opening;
+    state_ = begin(params_, {}, opening);
+    state_.world.tick = knowledge_.now;
+    state_.world.home_attacks = 1;
+    doubt_.whose = static_cast<std::uint8_t>(own_);
+    place_ball();
+    for_each_robot(state_.world.players, [&](int robot) { place_robot(robot); });
+    start_play(params_, state_);
+    take_over_game();
+    know_ball(state_, ball_.seen, std::max(doubt_.ball, kKnownBall));
+    take_over_mind();
+    believed.situation = {state_, doubt_};
+    return believed;
+  }
+
+ private:
+  static constexpr float kKnownBall = 0.1f;  // [m] and [m/s]
+
+  std::string why_not() {
+    const agent::Pose& pose = knowledge_.beliefs.pose;
+    if (const char* no_game = why_no_game(knowledge_.game.phase)) return no_game;
+    if (knowledge_.game.player < 1 || knowledge_.game.player > params_.rules.players)
+      return sentence("player %g does not play in such a game", knowledge_.game.player);
+    if (!std::isfinite(pose.deviation) || pose.deviation > kLost)
+      return sentence("the robot does not know where it is: its position is off by %.1f m", double{pose.deviation});
+    ball_ = guess_ball(knowledge_);
+    if (ball_.seen == kNever) return "nobody has seen the ball yet";
+    if (age(knowledge_.now, ball_.seen) > kBallLost)
+      return sentence("nobody has seen the ball for %.0f s", double{age(knowledge_.now, ball_.seen)});
+    return {};
+  }
+
+  void place_ball() {
+    place(state_.world.ball, ball_.position);
+    state_.world.ball.velocity = ball_.velocity;
+    doubt_.ball = ball_.deviation;
+    doubt_.ball_velocity = ball_.velocity_deviation;
+    doubt_.ball_elsewhere = ball_.elsewhere;
+    doubt_.ball_by_own_eyes = ball_.by_own_eyes;
+  }
+
+  void place_robot(int robot) {
+    Body& body = state_.world.bodies[robot];
+    const int side = static_cast<int>(side_of(robot));
+    const Tick away = knowledge_.away[side][player_of(robot) - 1];
+    const RobotGuess guess = guess_robot(params_, knowledge_, ball_.position, robot);
+    body = robot == own_ ? knowledge_.body : Body{};
+    put(body, guess.pose);
+    doubt_.position[robot] = guess.deviation;
+    doubt_.heading[robot] = guess.deviation_heading;
+    if (away == 0) {
+      // a body that the game has just put back on the field stands
+      if (body.doing == Doing::removed) body.doing = Doing::standing;
+      state_.book.penalised_until[robot] = 0;
+      return;
+    }
+    body.doing = Doing::removed;
+    state_.book.penalised_until[robot] = away == kNever ? kNever : knowledge_.now + away;
+  }
+
+  void take_over_game() {
+    const agent::Game& game = knowledge_.game;
+    referee::Book& book = state_.book;
+    book.phase = game.phase;
+    book.set_play = game.set_play;
+    book.kicking = book.last_touch = game.own_kick ? Side::home : Side::away;
+    book.ball_free = game.set_play == SetPlay::none;
+    book.half = game.half;
+    book.first_kick_off = game.half % 2 == 1 ? book.kicking : other(book.kicking);
+    const float played = std::clamp(params_.rules.half_duration - game.remaining, 0.f, params_.rules.half_duration);
+    book.clock = ticks(played);
+    book.score[0] = game.own_score;
+    book.score[1] = game.opponent_score;
+    const Tick since = std::min(ticks(std::clamp(game.since_phase, 0.f, 3600.f)), knowledge_.now);
+    book.phase_since = book.told_phase_since = knowledge_.now - since;
+  }
+
+  /// The robot itself goes on with what it knows; so the others believe what they told.
+  void take_over_mind() {
+    for_each_robot(state_.world.players, [&](int robot) {
+      state_.robots[robot].beliefs.pose.pose = perception::true_pose(state_.world, robot);
+    });
+    Robot& self = state_.robots[own_];
+    self.beliefs = knowledge_.beliefs;
+    self.mind = knowledge_.mind;
+  }
+
+  const Params& params_;
+  const Knowledge& knowledge_;
+  const int own_;
+  BallGuess ball_;
+  State state_;
+  Doubt doubt_;
+};
+
+/// Four draws of the standard normal distribution.
+struct Normals {
+  float values[4];
+};
+Normals normals_of(RandomKey key, int who) {
+  const auto words = draw(key, static_cast<std::uint32_t>(who), Event::belief, 0);
+  const auto first = normals(words[0], words[1]), second = normals(words[2], words[3]);
+  return {{first[0], first[1], second[0], second[1]}};
+}
+
+Vec2 clamped(const field::Field& field, Vec2 point, float beyond) {
+  const Vec2 reach{field.length / 2 + beyond, field.width / 2 + beyond};
+  return {std::clamp(point.x, -reach.x, reach.x), std::clamp(point.y, -reach.y, reach.y)};
+}
+
+/// Everybody but `whose` knows where it is; the ball is where the team takes it to be, or for its opponents where it is.
+void let_others_know(Vec2 supposed_ball, int whose, State& state) {
+  const World& world = state.world;
+  for_each_robot(world.players, [&](int robot) {
+    const Body& body = world.bodies[robot];
+    if (robot == whose || body.doing == Doing::removed) return;
+    agent::Beliefs& beliefs = state.robots[robot].beliefs;
+    beliefs.pose.pose = perception::true_pose(world, robot);
+    const Vec2 ball = side_of(robot) == side_of(whose) ? supposed_ball : world.ball.position;
+    beliefs.ball.position = turned_back(ball - body.position, body.facing);
+  });
+}
+
+}  // namespace
+
+Knowledge knowledge_of(const Params& params, const State& state, int robot) {
+  const World& world = state.world;
+  const Robot& self = state.robots[robot];
+  Knowledge knowledge{.now = world.tick,
+                      .game = referee::game_for(params.rules, world, state.book, robot),
+                      .beliefs = self.beliefs,
+                      .mind = self.mind,
+                      .body = world.bodies[robot]};
+  for_each_robot(world.players, [&](int other) {
+    const Tick until = state.book.penalised_until[other];
+    if (until == 0) return;
+    const int side = side_of(other) == side_of(robot) ? 0 : 1;
+    knowledge.away[side][player_of(other) - 1] =
+        until == kNever ? kNever : std::max<Tick>(until, world.tick + 1) - world.tick;
+  });
+  return knowledge;
+}
+
+Believed believe(const Params& params, const Knowledge& knowledge) { return Guesswork(params, knowledge).believe(); }
+
+State sample(const Params& params, const Situation& situation, RandomKey key) {
+  const Doubt& doubt = situation.doubt;
+  State state = situation.state;
+  World& world = state.world;
+  world.key = key;
+  Pose2 seen_from;  // where the robot that saw the ball is taken to stand
+  if (doubt.ball_by_own_eyes) {
+    const Body& body = world.bodies[doubt.whose];
+    seen_from = {body.position, body.heading};
+  }
+  for_each_robot(world.players, [&](int robot) {
+    Body& body = world.bodies[robot];
+    if (body.doing == Doing::removed) return;
+    const Normals drawn = normals_of(key, robot);
+    const Vec2 off = doubt.position[robot] * Vec2{drawn.values[0], drawn.values[1]};
+    put(body, {clamped(params.rules.field, body.position + off, kBorder),
+               body.heading + doubt.heading[robot] * drawn.values[2]});
+    state.robots[robot].cognition.last = {body.position, body.heading};
+  });
+
+  const auto words = draw(key, kNobody, Event::belief, 1);
+  const bool elsewhere = uniform(words[0]) < doubt.ball_elsewhere;
+  // what its eyes told of the ball moves with the robot
+  const Normals drawn = normals_of(key, kNobody);
+  Vec2 position = world.ball.position + doubt.ball * Vec2{drawn.values[0], drawn.values[1]};
+  Vec2 velocity = world.ball.velocity + doubt.ball_velocity * Vec2{drawn.values[2], drawn.values[3]};
+  if (doubt.ball_by_own_eyes) {
+    const Body& body = world.bodies[doubt.whose];
+    const Vec2 turn = direction(normalized(body.heading - seen_from.heading));
+    position = body.position + turned(position - seen_from.position, turn);
+    velocity = turned(velocity, turn);
+  }
+  if (elsewhere) {
+    const field::Field& field = params.rules.field;
+    position = {field.length * (uniform(words[1]) - 0.5f), field.width * (uniform(words[2]) - 0.5f)};
+    velocity = {};
+  }
+  place(world.ball, clamped(params.rules.field, position, 0));
+  world.ball.velocity = velocity;
+  if (doubt.whose != kNobody) let_others_know(situation.state.world.ball.position, doubt.whose, state);
+  return state;
+}
+
+}  // namespace sim::foresight

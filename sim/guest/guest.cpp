@@ -1,0 +1,63 @@
+#include "sim/guest/guest.h"
+
+#include <filesystem>
+#include <sstream>
+
+#include "robot/core/files.h"
+#include "sim/agent/trace.h"
+#include "sim/guest/library.h"
+#include "sim/guest/moment.h"
+#include "sim/guest/pipe.h"
+
+namespace sim::guest {
+namespace {
+
+constexpr std::string_view kPipe = "pipe:";
+constexpr std::size_t kMostBytes = 256 << 20;  // of a library
+
+/// FNV-1a.
+void add(std::uint64_t& hash, std::string_view bytes) {
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+}
+
+}  // namespace
+
+motion::Command Guest::decide(const agent::Surroundings& surroundings, const agent::Game& game,
+                              const agent::Beliefs& beliefs, Tick now, agent::Mind& mind, agent::Trace* trace) const {
+  if (trace) trace->clear(), trace->strategy = trace->skill = name_.c_str();
+  // the memory of a guest is its own, not the state's: of all behaviours only guests change by deciding
+  auto& self = const_cast<Guest&>(*this);
+  if (problem_.empty()) {
+    ForesightPlayer& player = self.players_[game.player];
+    if (player.player == 0) player = player_of(surroundings, game, seed_ * kMaxPlayers + game.player);
+    const bool entered = mind.leaf == agent::kNoLeaf;
+    ForesightCommand command = usual_command(mind);
+    self.problem_ = self.ask(player, moment_of(game, beliefs, now, entered), command);
+    if (problem_.empty()) {
+      self.problem_ = problem_of(command, player.kick_count);
+      if (problem_.empty()) return command_of(command, surroundings, game, beliefs, now, mind);
+    }
+    self.problem_ = "behaviour '" + name_ + "': player " + std::to_string(game.player) + ", tick " +
+                    std::to_string(now) + ": " + problem_;
+  }
+  return {};
+}
+
+bool is_guest(const std::string& name) { return name.starts_with(kPipe) || name.ends_with(".so"); }
+
+robot::Result<std::shared_ptr<const Source>> open(const std::string& name) {
+  return name.starts_with(kPipe) ? open_pipe(name, name.substr(kPipe.size())) : open_library(name);
+}
+
+std::uint64_t content_of(const std::string& name) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  add(hash, name);
+  std::istringstream words(name.starts_with(kPipe) ? name.substr(kPipe.size()) : name);
+  std::error_code failed;
+  for (std::string word; words >> word;)
+    if (std::filesystem::is_regular_file(word, failed))
+      if (const auto bytes = robot::read_file(word, kMostBytes)) add(hash, *bytes);
+  return hash;
+}
+
+}  // namespace sim::guest

@@ -1,0 +1,129 @@
+#include "sim/guest/library.h"
+
+#include <dlfcn.h>
+
+#include <cstring>
+
+namespace sim::guest {
+namespace {
+
+using robot::Error;
+using robot::Result;
+
+constexpr std::size_t kMostMemory = 1 << 24;  // bytes of a player
+
+/// A player that the library made.
+class Player {
+ public:
+  Player(const ForesightBehaviour& behaviour, const ForesightPlayer& facts)
+      : behaviour_(behaviour), self_(behaviour.create(&facts)) {}
+  ~Player() {
+    if (self_) behaviour_.destroy(self_);
+  }
+  Player(const Player&) = delete;
+  Player& operator=(const Player&) = delete;
+
+  void* self() const { return self_; }
+
+ private:
+  const ForesightBehaviour& behaviour_;
+  void* const self_;
+};
+
+class LibraryGuest final : public Guest {
+ public:
+  LibraryGuest(std::string name, std::uint64_t seed, const ForesightBehaviour& behaviour)
+      : Guest(std::move(name), seed), behaviour_(behaviour) {}
+
+  std::optional<std::string> save() const override {
+    if (!behaviour_.save) return {};
+    std::string all;
+    for (const auto& player : players_) {
+      const std::size_t size = player ? behaviour_.save(player->self(), nullptr, 0) : 0;
+      if (size > kMostMemory) return {};
+      std::string bytes(size, '\0');
+      if (size > 0 && behaviour_.save(player->self(), bytes.data(), size) != size) return {};
+      const auto length = static_cast<std::uint32_t>(size);
+      all.append(reinterpret_cast<const char*>(&length), sizeof length).append(bytes);
+    }
+    return all;
+  }
+
+  Result<void> load(std::string_view bytes) override {
+    for (const auto& player : players_) {
+      std::uint32_t length = 0;
+      if (bytes.size() < sizeof length) return Error{name() + ": what was saved is not whole"};
+      std::memcpy(&length, bytes.data(), sizeof length);
+      bytes.remove_prefix(sizeof length);
+      if (length > bytes.size()) return Error{name() + ": what was saved is not whole"};
+      if (player && length > 0 && behaviour_.load(player->self(), bytes.data(), length) == 0)
+        return Error{"behaviour '" + name() + "': load does not know what save made"};
+      bytes.remove_prefix(length);
+    }
+    return {};
+  }
+
+ private:
+  std::string ask(const ForesightPlayer& facts, const ForesightMoment& moment, ForesightCommand& command) override {
+    auto& player = players_[static_cast<std::size_t>(facts.player)];
+    if (!player) player = std::make_unique<Player>(behaviour_, facts);
+    if (!player->self()) return "create returned no player";
+    behaviour_.decide(player->self(), &moment, &command);
+    return {};
+  }
+
+  const ForesightBehaviour& behaviour_;
+  std::array<std::unique_ptr<Player>, kMaxPlayers + 1> players_;  // by number
+};
+
+/// Stays loaded to the end of the program: players may still be around.
+class Library final : public Source {
+ public:
+  Library(std::string path, const ForesightBehaviour& behaviour) : path_(std::move(path)), behaviour_(behaviour) {}
+
+  std::unique_ptr<Guest> begin(std::uint64_t seed) const override {
+    return std::make_unique<LibraryGuest>(path_, seed, behaviour_);
+  }
+  bool saves() const override { return behaviour_.save != nullptr; }
+
+ private:
+  const std::string path_;
+  const ForesightBehaviour& behaviour_;
+};
+
+std::string numbers(std::initializer_list<std::uint64_t> values) {
+  std::string all;
+  for (const std::uint64_t value : values) all += (all.empty() ? "" : ", ") + std::to_string(value);
+  return all;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Source>> open_library(const std::string& path) {
+  const std::string called = "behaviour '" + path + "': ";
+  // a name without a folder would be looked for among the system's libraries
+  const std::string place = path.find('/') == path.npos ? "./" + path : path;
+  void* const library = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!library) return Error{called + "cannot be loaded: " + dlerror()};
+  const auto entry = reinterpret_cast<const ForesightBehaviour* (*)()>(dlsym(library, "foresight_behaviour"));
+  if (!entry) return Error{called + "exports no foresight_behaviour, see sim/guest/foresight_behaviour.h"};
+  const ForesightBehaviour* const behaviour = entry();
+  if (!behaviour) return Error{called + "foresight_behaviour returned nothing"};
+  if (behaviour->version != FORESIGHT_BEHAVIOUR_VERSION)
+    return Error{called + "expected version " + numbers({FORESIGHT_BEHAVIOUR_VERSION}) + " of the interface, got " +
+                 numbers({behaviour->version}) + "; build it anew with this sim/guest/foresight_behaviour.h"};
+  if (behaviour->player_bytes != sizeof(ForesightPlayer) || behaviour->moment_bytes != sizeof(ForesightMoment) ||
+      behaviour->command_bytes != sizeof(ForesightCommand))
+    return Error{called + "expected structs of " +
+                 numbers({sizeof(ForesightPlayer), sizeof(ForesightMoment), sizeof(ForesightCommand)}) +
+                 " bytes, got " +
+                 numbers({behaviour->player_bytes, behaviour->moment_bytes, behaviour->command_bytes}) +
+                 "; build it anew with this sim/guest/foresight_behaviour.h"};
+  if (!behaviour->create || !behaviour->destroy || !behaviour->decide)
+    return Error{called + "create, destroy and decide must be there"};
+  if (!behaviour->save != !behaviour->load)
+    return Error{called + "expected save and load, or neither, got one of them"};
+  return std::shared_ptr<const Source>(std::make_shared<Library>(path, *behaviour));
+}
+
+}  // namespace sim::guest

@@ -1,0 +1,14 @@
+// A behaviour in a shared library: sim/guest/foresight_behaviour.h.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sim/guest/guest.h"
+
+namespace sim::guest {
+
+/// Loads the library at that path, and looks whether it is one of ours, of this version, and whole.
+robot::Result<std::shared_ptr<const Source>> open_library(const std::string& path);
+
+}  // namespace sim::guest

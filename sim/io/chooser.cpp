@@ -1,0 +1,105 @@
+#include "sim/io/chooser.h"
+
+#include <algorithm>
+
+#include "sim/foresight/chooser.h"
+#include "sim/io/playbook.h"
+#include "sim/io/reader.h"
+#include "sim/io/source.h"
+#include "sim/io/strategy.h"
+#include "sim/io/variation.h"
+
+namespace sim::io {
+
+using robot::Error;
+using robot::Result;
+
+namespace {
+
+struct Description {
+  std::string name;
+  std::vector<std::string> strategies;
+  std::string opponent = "baseline";
+  std::string opponent_models;  // empty: as they are
+  foresight::Terms terms;
+};
+
+void read_text(Reader& reader, const Json& json, const char* key, std::string& into) {
+  const Json* found = reader.find(json, key, Fields::some);
+  if (!found) return;
+  if (!found->is_string()) return reader.refuse(std::string(key) + " must be a text, got " + shown(*found));
+  into = found->get<std::string>();
+}
+
+Result<Description> parse(std::string_view text, const std::string& called, const Json& changes) {
+  Result<Json> json = parse_object(text, called);
+  if (!json) return Error{json.error()};
+  json->update(changes);
+  Reader reader(called);
+  Description description;
+  std::string about;
+  reader.read(*json, "", Fields::some, description.terms, {"name", "about", "choose", "opponent", "opponent_models"});
+  read_text(reader, *json, "name", description.name);
+  read_text(reader, *json, "about", about);
+  read_text(reader, *json, "opponent", description.opponent);
+  read_text(reader, *json, "opponent_models", description.opponent_models);
+  const Json& from = (*json)["choose"];
+  const bool names = from.is_array() && std::ranges::all_of(from, [](const Json& name) { return name.is_string(); });
+  if (!names || from.size() < 2)
+    reader.refuse("choose must be a list of 2 .. 8 strategies, got " + shown(from));
+  else
+    for (const Json& name : from) description.strategies.push_back(name.get<std::string>());
+  if (!reader.good()) return reader.error();
+  return description;
+}
+
+bool is_embedded_playbook(const std::string& name) {
+  const auto names = names_of("playbooks");
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// The text of a description that chooses; empty: what is called so does not.
+Result<std::string> find_chooser(const std::string& name, const std::string& called) {
+  if (is_embedded_playbook(name)) return find_source("playbooks", "playbook", name)->text;
+  if (!is_path(name)) return std::string();
+  const Result<Source> source = find_source("strategies", "strategy", name);
+  if (!source) return Error{source.error()};
+  const Result<Json> json = parse_object(source->text, called);
+  if (!json) return Error{json.error()};
+  return json->contains("choose") ? source->text : std::string();
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string& name, const Choice& game, Side side) {
+  using Behaviour = std::shared_ptr<const agent::Behaviour>;
+  const std::string called = "strategy '" + name + "'";
+  const Result<Variation> variation = parse_variation(name, called);
+  if (!variation) return Error{variation.error()};
+  const Result<std::string> chooser = find_chooser(variation->name, called);
+  if (!chooser) return Error{chooser.error()};
+  if (chooser->empty()) {
+    auto tree = load_strategy(name);
+    if (!tree) return Error{tree.error()};
+    return Behaviour(std::move(*tree));
+  }
+
+  Result<Description> description = parse(*chooser, called, variation->changes);
+  if (!description) return Error{description.error()};
+  const auto own = static_cast<std::size_t>(side), others = 1 - own;
+  auto playbook = prepare_playbook(
+      {.strategies = description->strategies,
+       .opponent = description->opponent,
+       .rules = game.rules,
+       .models = game.models[own],
+       .opponent_models = description->opponent_models.empty() ? game.models[others] : description->opponent_models,
+       .players = game.players,
+       .pace = game.pace});
+  if (!playbook) return Error{called + ": " + playbook.error()};
+  return Behaviour(std::make_shared<foresight::Chooser>(
+      description->name + name.substr(variation->name.size()),
+      foresight::Plans{std::move(playbook->params), playbook->outlook, std::move(playbook->behaviours)},
+      description->terms));
+}
+
+}  // namespace sim::io

@@ -1,0 +1,56 @@
+#include "sim/io/playbook.h"
+
+#include <algorithm>
+
+#include "sim/io/outlook.h"
+#include "sim/io/setup.h"
+#include "sim/io/strategy.h"
+
+namespace sim::io {
+
+using robot::Error;
+using robot::Result;
+
+Result<Playbook> prepare_playbook(const PlaybookChoice& choice) {
+  const std::size_t count = choice.strategies.size();
+  if (count < 1 || count > foresight::kMaxStrategies)
+    return Error{"strategies must be 1 .. " + std::to_string(foresight::kMaxStrategies) + ", got " +
+                 std::to_string(count)};
+  for (auto name = choice.strategies.begin(); name != choice.strategies.end(); ++name)
+    if (std::find(choice.strategies.begin(), name, *name) != name)
+      return Error{"strategies must differ, '" + *name + "' is there twice"};
+
+  const auto own = static_cast<std::size_t>(choice.own), others = 1 - own;
+  // the others play a tree: whoever would choose too, would have to think of us thinking of them
+  if (const auto opponent = load_strategy(choice.opponent); !opponent) return Error{opponent.error()};
+  Choice game{.rules = choice.rules, .players = choice.players, .pace = choice.pace};
+  game.strategies[own] = choice.strategies.front();
+  game.strategies[others] = choice.opponent;
+  game.models[own] = choice.models;
+  game.models[others] = choice.opponent_models;
+  const Result<Setup> setup = prepare(game);
+  if (!setup) return Error{setup.error()};
+  const Result<foresight::Outlook> outlook = load_outlook(choice.rules);
+  if (!outlook) return Error{outlook.error()};
+
+  Playbook playbook{.choice = choice, .params = {}, .outlook = *outlook, .behaviours = {setup->behaviours[others]}};
+  for (const std::string& name : choice.strategies) {
+    auto behaviour = load_strategy(name);
+    if (!behaviour) return Error{behaviour.error()};
+    playbook.params.push_back(setup->params);
+    playbook.params.back().teams[own].behaviour = behaviour->get();
+    playbook.behaviours.push_back(std::move(*behaviour));
+  }
+  return playbook;
+}
+
+foresight::Task task_of(const Playbook& playbook, const std::vector<int>& strategies,
+                        const foresight::Situation& situation, const foresight::Question& question, RandomKey key) {
+  foresight::Task task{.situation = &situation, .question = question, .outlook = &playbook.outlook, .key = key};
+  task.question.own = playbook.choice.own;
+  for (const int strategy : strategies)
+    task.params[task.strategies++] = &playbook.params[static_cast<std::size_t>(strategy)];
+  return task;
+}
+
+}  // namespace sim::io
