@@ -21,5 +21,6 @@ export default defineConfig({
       "/live": { target: robot.replace(/^http/, "ws"), ws: true },
     },
   },
-  test: { include: ["src/**/*.test.ts", "embed.test.ts", "schema_comments.test.ts"] },
+  // none takes long; a busy machine may
+  test: { testTimeout: 60_000, include: ["src/**/*.test.ts", "embed.test.ts", "schema_comments.test.ts"] },
 });

@@ -35,11 +35,19 @@ export interface Teammate extends Pose, Aged {
   player: number;
 }
 
+export interface OpponentBelief extends Point, Aged {
+  /** Undefined where they are not told apart. */
+  player: number | undefined;
+  /** [m] one standard deviation; 0 where it is not estimated. */
+  deviation: number;
+}
+
 export interface Beliefs {
   /** Where it believes to be; undefined when it believes nothing (any more). */
   pose: PoseBelief | undefined;
   ball: BallBelief | undefined;
   teammates: Teammate[];
+  opponents: OpponentBelief[];
   /** [rad] where the camera looks, and half of what it sees to both sides. */
   view: { angle: number; half: number } | undefined;
   /** Where it walks to. */
@@ -51,7 +59,7 @@ export interface Beliefs {
 }
 
 /** The objects that are read. */
-export const kBeliefs = ["pose", "ball", "game", "team", "motion_command", "camera_top_matrix", "joints", "decision"];
+export const kBeliefs = ["pose", "ball", "game", "team", "opponents", "motion_command", "camera_top_matrix", "joints", "decision"];
 
 const kForgotten = 10; // [s] a belief so old is not shown any more
 const kHalfView = 0.53; // [rad] of the Nao's cameras, 61° in all (Aldebaran's documentation); the camera matrix knows better
@@ -77,6 +85,7 @@ export function beliefsOf(memory: Memory, name: RobotName, now: number): Beliefs
     pose,
     ball,
     teammates: teammatesOf(object("team"), turned),
+    opponents: opponentsOf(object("opponents"), age("opponents"), turned),
     view: pose && viewOf(valueOf(object("joints")), command, valueOf(object("camera_top_matrix")), pose),
     target: pose && current ? targetOf(fieldsOf(command, "walk_to"), pose) : undefined,
     kick: pose && current ? kickOf(fieldsOf(command, "kick"), pose, ball) : undefined,
@@ -86,7 +95,7 @@ export function beliefsOf(memory: Memory, name: RobotName, now: number): Beliefs
 }
 
 /** `team_field` is `field`, or turned by π where the own team attacks towards -x. */
-function inField(fields: Fields, turned: boolean): Pose | undefined {
+export function inField(fields: Fields, turned: boolean): Pose | undefined {
   const point = pointOf(fields);
   const sign = turned ? -1 : 1;
   return point && { x: sign * point.x, y: sign * point.y, heading: numberOf(fields, "heading") + (turned ? Math.PI : 0) };
@@ -140,6 +149,18 @@ function teammatesOf(object: MemoryObject | undefined, turned: boolean): Teammat
     if (!pose || told_ns === undefined || typeof received_ns !== "bigint") return [];
     const age = Number(told_ns - received_ns) / 1e9;
     return age > 3 * kForgotten ? [] : [{ ...pose, player: numberOf(mate, "player"), age }];
+  });
+}
+
+function opponentsOf(object: MemoryObject | undefined, writtenAge: number | undefined, turned: boolean): OpponentBelief[] {
+  const told_ns = object?.shown?.log_ns;
+  return listOf(valueOf(object), "opponents").flatMap((opponent) => {
+    const place = inField(opponent, turned);
+    const seen_ns = opponent.get("seen_ns");
+    if (!place || told_ns === undefined || typeof seen_ns !== "bigint") return [];
+    const age = Number(told_ns - seen_ns) / 1e9 + (writtenAge ?? 0);
+    const player = numberOf(opponent, "player");
+    return age > 3 * kForgotten ? [] : [{ x: place.x, y: place.y, player: Number.isFinite(player) ? player : undefined, deviation: numberOf(opponent, "deviation") || 0, age }];
   });
 }
 

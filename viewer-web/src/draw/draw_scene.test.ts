@@ -8,7 +8,7 @@ import { testPen } from "./test_pen";
 const kCamera = { scale: 100, centreX: 400, centreY: 300 };
 const robot = (name: string, x: number, more: Partial<Robot> = {}): Robot => ({
   name, key: name, home: name.startsWith("14/"), truth: { x, y: 1, heading: 0 }, fallen: false, pose: undefined, ball: undefined,
-  teammates: [], view: undefined, target: undefined, kick: undefined, role: "", skill: "", ...more,
+  teammates: [], opponents: [], view: undefined, target: undefined, kick: undefined, role: "", skill: "", ...more,
 });
 const kPose = { x: 0, y: 1, heading: 0, deviation: 0.3, uncertainty: { a: 0.3, b: 0.1, angle: 0 }, headingDeviation: 0.1, age: 0 };
 const scene = (...robots: Robot[]): Scene => ({ field: kUsualField, ball: { x: 0.5, y: -0.25, velocity: undefined }, robots });
@@ -84,4 +84,25 @@ test("hovering tells what is there, what is believed and by how much it is wrong
   expect(factsAt(what, { x: 0.5, y: 0 }, "")!.lines).toEqual(["x 0.50, y 0.00 m ± 0.40 m", "rolls 0.50 m/s", "seen 2.00 s ago", "wrong by 0.25 m"]);
   expect(factsAt(what, { x: 0.5, y: -0.25 }, "")!.title).toBe("Ball, as it is");
   expect(factsAt(what, { x: -2, y: -1 }, "")).toBeUndefined();
+});
+
+test("opponents stand where they are believed to be, fade while they are not seen, and are told on hovering", () => {
+  const believing = (age: number) => scene(robot("14/2", -2, { opponents: [{ x: 1.5, y: 1.5, player: 3, deviation: 0.4, age }] }));
+  const place = toScreen(kCamera, { x: 1.5, y: 1.5 });
+  const circle = (age: number, layers: Layer[] = ["opponents"]) => drawn(believing(age), "14/2", layers).circles.find(({ x, y }) => x === place.x && y === place.y);
+  expect(circle(0)!.radius).toBeCloseTo(40);
+  expect(circle(9)!.alpha).toBeLessThan(circle(1)!.alpha);
+  expect(circle(0, ["truth"])).toBeUndefined();
+  expect(factsAt(believing(2), { x: 1.5, y: 1.5 }, "14/2")).toEqual({ title: "Opponent 3, as 14/2 believes", lines: ["x 1.50, y 1.50 m ± 0.40 m", "seen 2.00 s ago"] });
+});
+
+test("futures are drawn where they lead, and only when they are wanted", () => {
+  const foreseen = { home: true, paths: [{ spacing: 1, ball: [{ x: 0, y: 0 }, { x: 2.5, y: -1.5 }], robots: [] }] };
+  const end = toScreen(kCamera, { x: 2.5, y: -1.5 });
+  const leads = (layers: Layer[]) => {
+    const pen = testPen();
+    drawScene(pen, kCamera, scene(), { chosen: "", layers: new Set(layers), trails: [], foreseen });
+    return pen.points.some(({ x, y }) => x === end.x && y === end.y);
+  };
+  expect([leads(["forecast"]), leads(kUsualLayers)]).toEqual([true, false]);
 });

@@ -1,10 +1,11 @@
 // Draws a game, layer by layer: what is true in full, what the chosen robot believes over it, what the others believe
 // faintly. A filled disc is where a robot is, an outline where it believes to be.
 
-import type { BallBelief, Beliefs, PoseBelief } from "./beliefs";
+import type { Path } from "../memory/forecast";
+import type { BallBelief, Beliefs, Pose, PoseBelief } from "./beliefs";
 import { drawField, fillCircle, fillEllipse, fillSector, strokeArrow, strokeCircle, strokeEllipse, strokeLine, strokePath, toScreen } from "./field";
 import type { Camera, Pen, Point } from "./field";
-import type { Pose } from "./beliefs";
+import { drawPaths } from "./futures";
 import { fieldIn, type Robot, type Scene } from "./scene";
 
 export const kLayers = {
@@ -15,45 +16,57 @@ export const kLayers = {
   view: "where the camera looks",
   intent: "walk target and kick",
   team: "teammates, as the chosen robot believes them",
+  opponents: "opponents, as the chosen robot believes them",
   trail: "the last seconds of ball and robot",
+  forecast: "the futures of the newest forecast's choice",
   names: "what robots are doing, in words",
   everyone: "all this for every robot, not only the chosen one",
 };
 export type Layer = keyof typeof kLayers;
-export const kUsualLayers: Layer[] = ["truth", "belief", "error", "uncertainty", "view", "intent", "trail"];
+export const kUsualLayers: Layer[] = ["truth", "belief", "error", "uncertainty", "view", "intent", "opponents", "trail"];
+
+/** In the frame `field`. */
+export interface Foreseen {
+  paths: Path[];
+  home: boolean;
+}
 
 /** What a scene is drawn with. Trails go from old to new. */
 export interface Drawing {
   chosen: string;
   layers: ReadonlySet<Layer>;
   trails: { key: string; points: Point[]; kind: "ball" | "truth" | "belief" }[];
+  /** Of the newest forecast, and in which colour its team plays. */
+  foreseen?: Foreseen | undefined;
 }
 
 const kRobotRadius = 0.15; // [m] of a Nao from above, arms included
 const kBallRadius = 0.05; // [m] a little larger than it is, to be seen
 const kViewRange = 1.6; // [m] of the drawn cone
-const kColours = { home: "#5aa9f8", away: "#ff9f40" };
+export const kRobotColours = { home: "#5aa9f8", away: "#ff9f40" };
 const kInk = "#0d1712";
 const kBright = "#ffffff";
 
 /** 1 for what was seen just now, falling to 0.15 after five seconds. */
 export const freshness = (age: number): number => Math.min(1, Math.max(0.15, 1 - age / 5));
 
-const colourOf = ({ home }: Robot): string => (home ? kColours.home : kColours.away);
+const colourOf = ({ home }: Robot): string => (home ? kRobotColours.home : kRobotColours.away);
 /** The chosen robot's beliefs are white, so that they stand out from the discs. */
 const inkOf = (robot: Robot, front: boolean): string => (front ? kBright : colourOf(robot));
 
-export function drawScene(pen: Pen, camera: Camera, scene: Scene, { chosen, layers, trails }: Drawing): void {
+export function drawScene(pen: Pen, camera: Camera, scene: Scene, { chosen, layers, trails, foreseen }: Drawing): void {
   const isFront = ({ key }: Robot) => key === chosen;
   const inOrder = [...scene.robots].sort((a, b) => Number(isFront(a)) - Number(isFront(b)));
   const detailed = inOrder.filter((robot) => isFront(robot) || layers.has("everyone"));
   const when = (layer: Layer, draw: () => void) => layers.has(layer) && draw();
 
   drawField(pen, camera, fieldIn(scene));
+  when("forecast", () => foreseen && drawPaths(pen, camera, foreseen.paths, { strength: 0.45, colour: kRobotColours[foreseen.home ? "home" : "away"] }));
   when("view", () => detailed.forEach((robot) => drawView(pen, camera, robot)));
   when("trail", () => drawTrails(pen, camera, scene, trails));
   when("belief", () => inOrder.filter((robot) => !detailed.includes(robot)).forEach((robot) => drawFaintBeliefs(pen, camera, robot)));
   when("team", () => detailed.forEach((robot) => drawTeammates(pen, camera, robot)));
+  when("opponents", () => detailed.forEach((robot) => drawOpponents(pen, camera, robot)));
   when("truth", () => scene.robots.forEach((robot) => robot.truth && drawRobot(pen, camera, robot, robot.truth, isFront(robot))));
   when("truth", () => scene.ball && drawBall(pen, camera, scene.ball));
   when("error", () => detailed.forEach((robot) => drawErrors(pen, camera, robot, scene, layers.has("belief") && layers.has("truth"))));
@@ -203,6 +216,20 @@ function drawTeammates(pen: Pen, camera: Camera, robot: Robot): void {
     if (Number.isFinite(mate.heading)) strokeLine(pen, camera, mate, ahead(mate, 1.5 * kRobotRadius));
     const at = ahead({ ...mate, heading: Math.PI / 2 }, 1.9 * kRobotRadius);
     drawNumber(pen, camera, { ...robot, name: String(mate.player) }, at, colourOf(robot));
+  }
+}
+
+/** Crosses in the colour of the other team: they cannot be taken for what is so. */
+function drawOpponents(pen: Pen, camera: Camera, robot: Robot): void {
+  const colour = kRobotColours[robot.home ? "away" : "home"];
+  for (const opponent of robot.opponents) {
+    style(pen, colour, 2, 0.9 * freshness(opponent.age / 3));
+    const arm = 0.6 * kRobotRadius;
+    for (const side of [-1, 1]) strokeLine(pen, camera, { x: opponent.x - arm, y: opponent.y - side * arm }, { x: opponent.x + arm, y: opponent.y + side * arm });
+    style(pen, colour, 1.5, pen.globalAlpha);
+    dashed(pen, () => strokeCircle(pen, camera, opponent, Math.max(kRobotRadius, opponent.deviation)));
+    const at = { x: opponent.x, y: opponent.y + 1.9 * kRobotRadius };
+    if (opponent.player !== undefined) drawNumber(pen, camera, { ...robot, name: String(opponent.player) }, at, colour);
   }
 }
 

@@ -36,6 +36,11 @@ export function factsAt(scene: Scene, point: Point, chosen: string, reach = kRea
         title: `Teammate ${mate.player}, as ${robot.key} believes`,
         lines: [`${place(mate)}, ${degrees(mate.heading)}`, `heard ${duration(mate.age)} ago`],
       }));
+    for (const { age, deviation, player, ...at } of robot.opponents)
+      add(at, 0.02, () => ({
+        title: `Opponent${player === undefined ? "" : ` ${player}`}, as ${robot.key} believes`,
+        lines: [`${place(at)}${deviation > 0 ? ` ± ${metres(deviation)}` : ""}`, `seen ${duration(age)} ago`],
+      }));
     add(robot.target, 0.02, () => ({ title: `Where ${robot.key} walks to`, lines: [`${place(robot.target!)}, ${degrees(robot.target!.heading)}`] }));
   }
   return found.sort((a, b) => a.distance - b.distance)[0]?.facts();

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import { colourOfSkill, drawPhases, piecesOf } from "./phases";
+import { countOf } from "./timeline";
 import { testPen } from "./test_pen";
 
 const phase = (second: number, skill: string, leaf = skill) => ({ from_ns: BigInt(second) * 1_000_000_000n, skill, leaf, role: "" });
@@ -16,7 +17,7 @@ test("a piece that is wide enough says what it is", () => {
   const pen = testPen();
   const colours = { ink: "#000", soft: "#000", line: "#000", fill: "#000", accent: "#000", warn: "#000" };
   const pieces = piecesOf([phase(0, "walk_to_ball"), phase(9, "kick")], { from: 0, to: 10 }, seconds);
-  drawPhases(pen, 400, 50, pieces, ["kick", "walk_to_ball"], { span: { from: 0, to: 10 }, at: 5, now: 10 }, colours);
+  drawPhases(pen, 400, 50, pieces, ["kick", "walk_to_ball"], { span: { from: 0, to: 10 }, at: 5, count: countOf({ from: 0, to: 10 }, false) }, colours);
   expect(pen.texts.map(({ text }) => text)).toContain("walk to ball");
   expect(colourOfSkill(["a", "b"], "a")).not.toBe(colourOfSkill(["a", "b"], "b"));
 });

@@ -2,10 +2,10 @@
 
 import type { Phase } from "../memory/decisions";
 import type { Pen } from "./field";
-import { agoWords, ticksOf, xOf, type Colours, type Span } from "./timeline";
+import { ticksOf, xOf, type Colours, type Count, type Span } from "./timeline";
 
 /** Bright enough for dark words on them, and of unlike brightness; the words tell the rest. */
-const kSkillColours = ["#56b4e9", "#e69f00", "#58c3a0", "#e0a0c8", "#f0e442", "#a8b4f0", "#d0d7de", "#f0a080"];
+export const kSkillColours = ["#56b4e9", "#e69f00", "#f0e442", "#7486fe", "#4eee73", "#f84360", "#39aea5", "#5658f2"];
 
 /** The same skill has the same colour all the time, and neighbours in the list unlike ones. */
 export const colourOfSkill = (skills: string[], skill: string): string => kSkillColours[Math.max(0, skills.indexOf(skill)) % kSkillColours.length]!;
@@ -31,7 +31,7 @@ export function piecesOf(phases: Phase[], span: Span, secondsOf: (ns: bigint) =>
   return pieces;
 }
 
-export function drawPhases(pen: Pen, width: number, height: number, pieces: Piece[], skills: string[], { span, at, now }: { span: Span; at: number; now: number }, colours: Colours): void {
+export function drawPhases(pen: Pen, width: number, height: number, pieces: Piece[], skills: string[], { span, at, count: { zero, wordsOf } }: { span: Span; at: number; count: Count }, colours: Colours): void {
   const bar = { top: 4, height: height - 24 };
   pen.fillStyle = colours.line;
   pen.fillRect(0, bar.top, width, bar.height);
@@ -49,9 +49,9 @@ export function drawPhases(pen: Pen, width: number, height: number, pieces: Piec
     }
   }
   pen.textAlign = "center";
-  const { step, at: ticks } = ticksOf({ from: span.from - now, to: span.to - now }, width, 90);
+  const { step, at: ticks } = ticksOf({ from: span.from - zero, to: span.to - zero }, width, 90);
   pen.fillStyle = colours.soft;
-  for (const tick of ticks) pen.fillText(agoWords(tick, step), Math.min(width - 14, Math.max(18, xOf(span, width, tick + now))), height - 8);
+  for (const tick of ticks) pen.fillText(wordsOf(tick, step), Math.min(width - 14, Math.max(18, xOf(span, width, tick + zero))), height - 8);
   pen.fillStyle = colours.accent;
   pen.fillRect(Math.min(width - 2, xOf(span, width, at)) - 1, 0, 2.5, bar.top + bar.height + 4);
 }

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import { axesOf, columnsOf, drawPlot, rangeOf, valueTicks, type Line } from "./plot";
+import { countOf } from "./timeline";
 import { testPen } from "./test_pen";
 
 function line(values: number[], hz = 30, more: Partial<Line> = {}): Line {
@@ -57,6 +58,6 @@ test("lines of one unit share an axis", () => {
   expect(axesOf(lines)).toEqual(["m", "s"]);
   const pen = testPen();
   const colours = { ink: "#000", soft: "#000", line: "#000", fill: "#000", accent: "#000", warn: "#000" };
-  drawPlot(pen, 600, 300, { lines, span: { from: 0, to: 1 }, at: 0.5, hover: 0.2, now: 1 }, colours);
+  drawPlot(pen, 600, 300, { lines, span: { from: 0, to: 1 }, at: 0.5, hover: 0.2, count: countOf({ from: 0, to: 1 }, false) }, colours);
   expect(pen.texts.map(({ text }) => text)).toEqual(expect.arrayContaining(["m", "s", "now", "160", "3"]));
 });

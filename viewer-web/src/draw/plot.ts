@@ -1,7 +1,7 @@
 // Numbers against time on a canvas: as many lines as wanted, one axis per unit. Plain drawing, no browser needed.
 
 import type { Pen } from "./field";
-import { agoWords, ticksOf, xOf, type Colours, type Span } from "./timeline";
+import { ticksOf, xOf, type Colours, type Count, type Span } from "./timeline";
 
 /** A line to be drawn: only what lies within the span is looked at. Times [s] in the plot's own time. */
 export interface Line {
@@ -120,20 +120,19 @@ export interface Plot {
   /** The moment shown, and under the pointer. */
   at: number;
   hover: number | undefined;
-  /** [s] what is called now. */
-  now: number;
+  count: Count;
 }
 
 export const axesOf = (lines: Line[]): string[] => [...new Set(lines.map(({ axis }) => axis))];
 
-export function drawPlot(pen: Pen, width: number, height: number, { lines, span, at, hover, now }: Plot, colours: Colours): void {
+export function drawPlot(pen: Pen, width: number, height: number, { lines, span, at, hover, count }: Plot, colours: Colours): void {
   const axes = axesOf(lines);
   const area = areaOf(width, height, axes.length);
   const x = (time: number) => area.left + xOf(span, area.width, time);
   const drawn = lines.map((line) => ({ line, columns: columnsOf(line, span, area.width) }));
   const ranges = new Map(axes.map((axis) => [axis, rangeOf(drawn.filter(({ line }) => line.axis === axis).map(({ columns }) => columns))]));
 
-  drawTimes(pen, area, span, now, x, colours);
+  drawTimes(pen, area, span, count, x, colours);
   axes.forEach((axis, i) => {
     const single = lines.filter((line) => line.axis === axis);
     drawAxis(pen, area, axis, ranges.get(axis)!, kAxisWidth * (axes.length - i), i === 0, single.length === 1 ? single[0]!.colour : colours.soft, colours);
@@ -147,16 +146,16 @@ export function drawPlot(pen: Pen, width: number, height: number, { lines, span,
 
 type Area = ReturnType<typeof areaOf>;
 
-function drawTimes(pen: Pen, area: Area, span: Span, now: number, x: (time: number) => number, colours: Colours): void {
-  const { step, at } = ticksOf({ from: span.from - now, to: span.to - now }, area.width, 90);
+function drawTimes(pen: Pen, area: Area, span: Span, { zero, wordsOf }: Count, x: (time: number) => number, colours: Colours): void {
+  const { step, at } = ticksOf({ from: span.from - zero, to: span.to - zero }, area.width, 90);
   pen.font = "11px system-ui, sans-serif";
   pen.textAlign = "center";
   pen.textBaseline = "middle";
   for (const tick of at) {
     pen.fillStyle = colours.line;
-    pen.fillRect(Math.round(x(tick + now)), area.top, 1, area.height);
+    pen.fillRect(Math.round(x(tick + zero)), area.top, 1, area.height);
     pen.fillStyle = colours.soft;
-    pen.fillText(agoWords(tick, step), Math.min(area.left + area.width - 14, x(tick + now)), area.top + area.height + 12);
+    pen.fillText(wordsOf(tick, step), Math.min(area.left + area.width - 14, x(tick + zero)), area.top + area.height + 12);
   }
 }
 

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { sessionsOf } from "../source/http";
-import { lengthOf, otherViewers, startOf } from "./recording";
+import { lengthOf, otherViewers, partOf, secondsOf, startOf } from "./recording";
 
 const kStart_ns = 1795269731000000000n; // 2026-11-21 14:02:11 UTC
 const entry = (more: object) => ({ session: "s", start_ns: String(kStart_ns), ...more });
@@ -42,4 +42,15 @@ test("other viewers get the file's address; web pages only where they may read i
   expect(links("http://10.0.14.2:8765/x").map(({ protocol }) => protocol)).toEqual(["lichtblick:", "https:"]);
   expect(links("http://10.0.14.2:8765/x")[1]!.searchParams.get("openIn")).toBe("desktop");
   expect(links("http://127.0.0.1:8765/x").map(({ protocol }) => protocol)).toEqual(["https:", "https:"]);
+});
+
+test("a part of a recording is told in minutes and seconds, and asked for in ns", () => {
+  expect(["0:05", "65", "1:05.5", "1:00:00", "", "1:2:3:4", "x", "-1", "1:"].map(secondsOf)).toEqual([5, 65, 65.5, 3600, undefined, undefined, undefined, undefined, undefined]);
+  const session = { url: "/logs/s.mcap", start_ns: kStart_ns, end_ns: kStart_ns + 60_000_000_000n };
+  expect(partOf(session, "", "")).toEqual({ url: "/logs/s.mcap" });
+  expect(partOf(session, "0:01.5", "10")).toEqual({ url: "/logs/s.mcap?from=1795269732500000000&to=1795269741000000000" });
+  expect(partOf(session, "", "0:02")).toEqual({ url: "/logs/s.mcap?to=1795269733000000000" });
+  expect(partOf(session, "soon", "")).toEqual({ error: "Expected minutes and seconds such as 1:05, got 'soon'." });
+  expect(partOf(session, "5", "5")).toEqual({ error: "The part must end after it begins." });
+  expect(partOf(session, "2:00", "")).toEqual({ error: "The recording is shorter than that." });
 });

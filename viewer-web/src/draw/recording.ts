@@ -48,8 +48,25 @@ export function otherViewers(file_url: string): OtherViewer[] {
     },
     {
       name: "Foxglove",
-      url: `https://app.foxglove.dev/?${query}${reachable ? "" : "&openIn=desktop"}`,
+      url: `https://app.foxglove.dev/~/view?${query}${reachable ? "" : "&openIn=desktop"}`,
       hint,
     },
   ];
+}
+
+/** "1:05", "65", "1:05.5", "1:00:00" in seconds; undefined where it is none of these. */
+export function secondsOf(text: string): number | undefined {
+  const found = /^(?:(?:(\d+):)?(\d+):)?(\d+(?:\.\d+)?)$/.exec(text.trim());
+  return found ? 3600 * Number(found[1] ?? 0) + 60 * Number(found[2] ?? 0) + Number(found[3]) : undefined;
+}
+
+/** Where a part of a recording is to be had, from and to counted from its beginning; "" means its ends. */
+export function partOf({ url, start_ns, end_ns }: Pick<Session, "url" | "start_ns" | "end_ns">, from: string, to: string): { url: string } | { error: string } {
+  const [first, last] = [from, to].map((text) => (text.trim() === "" ? null : secondsOf(text)));
+  if (first === undefined || last === undefined) return { error: `Expected minutes and seconds such as 1:05, got '${(first === undefined ? from : to).trim()}'.` };
+  if (first !== null && last !== null && first! >= last!) return { error: "The part must end after it begins." };
+  const after = (seconds: number) => (start_ns ?? 0n) + BigInt(Math.round(seconds * 1e9));
+  if (first !== null && end_ns !== undefined && after(first!) > end_ns) return { error: "The recording is shorter than that." };
+  const query = new URLSearchParams({ ...(first !== null && { from: String(after(first!)) }), ...(last !== null && { to: String(after(last!)) }) }).toString();
+  return { url: query ? `${url}?${query}` : url };
 }

@@ -86,7 +86,8 @@ function robotsOf({ memory, robots, keyOf }: Told, world: Fields, homeTeam: numb
   });
 }
 
-function fieldOf(fields: Fields): Field | undefined {
+/** As /sim/state tells it; undefined where it does not. */
+export function fieldOf(fields: Fields): Field | undefined {
   if (!(numberOf(fields, "length") > 0 && numberOf(fields, "width") > 0)) return undefined;
   const size = (name: string) => numberOf(fields, name) || 0;
   return {

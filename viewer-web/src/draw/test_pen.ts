@@ -7,6 +7,8 @@ export interface TestPen extends Pen {
   points: Point[];
   circles: (Point & { radius: number; filled: boolean; style: string; alpha: number })[];
   texts: (Point & { text: string })[];
+  /** Filled. */
+  boxes: (Point & { width: number; height: number; style: string })[];
 }
 
 export function testPen(): TestPen {
@@ -19,6 +21,7 @@ export function testPen(): TestPen {
     points,
     circles: [],
     texts: [],
+    boxes: [],
     fillStyle: "",
     strokeStyle: "",
     lineWidth: 1,
@@ -40,7 +43,10 @@ export function testPen(): TestPen {
     },
     fill: () => circle && pen.circles.push({ ...circle, filled: true, style: String(pen.fillStyle), alpha: pen.globalAlpha }),
     stroke: () => circle && pen.circles.push({ ...circle, filled: false, style: String(pen.strokeStyle), alpha: pen.globalAlpha }),
-    fillRect: box,
+    fillRect(x, y, width, height) {
+      box(x, y, width, height);
+      pen.boxes.push({ x, y, width, height, style: String(pen.fillStyle) });
+    },
     strokeRect: box,
     fillText: (text, x, y) => void pen.texts.push({ text, x, y }),
     setLineDash: () => {},

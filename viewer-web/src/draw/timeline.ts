@@ -11,19 +11,35 @@ export interface Span {
 
 export interface Mark {
   at: number;
-  kind: EventKind;
+  kind: EventKind | "bookmark";
   text: string;
 }
 
 export interface Strip {
-  /** What is kept. */
+  /** What there is. */
   kept: Span;
+  /** What of it is drawn as being at hand; up to the moment shown where undefined. */
+  seen?: Span | undefined;
   shown: Span;
   at: number;
   live: boolean;
   marks: Mark[];
+  /** When something that was searched holds. */
+  matches?: Span[];
+  /** Played over and over. */
+  loop?: Span | undefined;
+  count: Count;
   hover: number | undefined;
 }
+
+/** Where ticks count from [s], and how they are called. */
+export interface Count {
+  zero: number;
+  wordsOf(seconds: number, step: number): string;
+}
+
+/** What is live is counted back from now, a recording from its beginning. */
+export const countOf = (kept: Span, recorded: boolean): Count => (recorded ? { zero: kept.from, wordsOf: elapsedWords } : { zero: kept.to, wordsOf: agoWords });
 
 export interface Colours {
   ink: string;
@@ -80,34 +96,60 @@ export function agoWords(seconds: number, step: number): string {
   return whole < 60 ? `${sign}${whole} s` : `${sign}${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
 }
 
-const kShape: Record<EventKind, { letter: string; important: boolean }> = {
+/** "1:05" after the beginning; tenths where steps are so fine. */
+export function elapsedWords(seconds: number, step: number): string {
+  const tenths = Math.round(10 * Math.max(0, seconds));
+  const whole = step < 1 ? Math.floor(tenths / 10) : Math.round(tenths / 10);
+  const words = `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
+  return step < 1 ? `${words}.${tenths % 10}` : words;
+}
+
+const kShape: Record<Mark["kind"], { letter: string; important: boolean }> = {
   goal: { letter: "G", important: true },
   penalty: { letter: "P", important: false },
+  fall: { letter: "F", important: false },
   state: { letter: "", important: false },
   error: { letter: "!", important: true },
+  bookmark: { letter: "◆", important: true },
 };
 
 export function drawStrip(pen: Pen, width: number, height: number, strip: Strip, colours: Colours): void {
-  const { shown, kept, at, live, marks } = strip;
+  const { shown, kept, seen, at, live, marks, loop } = strip;
+  const { zero, wordsOf } = strip.count;
   const bar = { top: height - 12, height: 6 };
   const x = (time: number) => xOf(shown, width, time);
+  const fill = (from: number, to: number, top: number, high: number, least = 0) => {
+    const left = Math.max(0, x(from));
+    pen.fillRect(left, top, Math.max(least, Math.min(width, x(to)) - left), high);
+  };
 
-  // what is kept, and of that what lies before the moment shown
+  // what there is, and of that what is at hand
   pen.fillStyle = colours.line;
   pen.fillRect(0, bar.top, width, bar.height);
   pen.fillStyle = colours.fill;
-  pen.fillRect(Math.max(0, x(kept.from)), bar.top, Math.max(0, Math.min(width, x(at)) - Math.max(0, x(kept.from))), bar.height);
+  fill(seen?.from ?? kept.from, seen?.to ?? at, bar.top, bar.height);
+  // when what is searched holds, however short
+  pen.fillStyle = colours.warn;
+  for (const match of strip.matches ?? []) if (match.to >= shown.from && match.from <= shown.to) fill(match.from, match.to, bar.top + bar.height + 1, 4, 2);
+
+  if (loop) {
+    pen.fillStyle = colours.accent;
+    pen.globalAlpha = 0.18;
+    fill(loop.from, loop.to, 0, height);
+    pen.globalAlpha = 1;
+    for (const edge of [loop.from, loop.to]) if (edge >= shown.from && edge <= shown.to) pen.fillRect(Math.min(width - 2, x(edge)), 0, 2, height);
+  }
 
   pen.font = "11px system-ui, sans-serif";
   pen.textBaseline = "middle";
   pen.textAlign = "center";
-  const { step, at: ticks } = ticksOf({ from: shown.from - kept.to, to: shown.to - kept.to }, width, 76);
+  const { step, at: ticks } = ticksOf({ from: shown.from - zero, to: shown.to - zero }, width, 76);
   for (const tick of ticks) {
-    const place = x(tick + kept.to);
+    const place = x(tick + zero);
     pen.fillStyle = colours.line;
     pen.fillRect(place, bar.top - 4, 1, 4);
     pen.fillStyle = colours.soft;
-    if (place > 20 && place < width - 20) pen.fillText(agoWords(tick, step), place, 8);
+    if (place > 20 && place < width - 20) pen.fillText(wordsOf(tick, step), place, 8);
   }
   for (const mark of marks) drawMark(pen, x(mark.at), bar.top, mark.kind, colours);
 
@@ -123,8 +165,25 @@ export function drawStrip(pen: Pen, width: number, height: number, strip: Strip,
   pen.fill();
 }
 
+export interface Piece extends Span {
+  colour: string;
+}
+
+/** A whole recording in short [s after its beginning]: what the agent did as a band, what happened as marks. */
+export function drawSummary(pen: Pen, width: number, height: number, length: number, pieces: Piece[], marks: Mark[], colours: Colours): void {
+  const whole = { from: 0, to: Math.max(length, 1e-3) };
+  const bar = { top: height - 8, height: 8 };
+  pen.fillStyle = colours.line;
+  pen.fillRect(0, bar.top, width, bar.height);
+  for (const { from, to, colour } of pieces) {
+    pen.fillStyle = colour;
+    pen.fillRect(xOf(whole, width, from), bar.top, Math.max(0.5, xOf(whole, width, to) - xOf(whole, width, from)), bar.height);
+  }
+  for (const mark of marks) drawMark(pen, Math.min(width - 4, Math.max(4, xOf(whole, width, mark.at))), bar.top, mark.kind, colours);
+}
+
 /** Goals and errors are signs with letters, the rest lines: told apart without colour. */
-function drawMark(pen: Pen, x: number, bottom: number, kind: EventKind, colours: Colours): void {
+function drawMark(pen: Pen, x: number, bottom: number, kind: Mark["kind"], colours: Colours): void {
   const { letter, important } = kShape[kind];
   pen.fillStyle = kind === "error" ? colours.warn : important ? colours.accent : colours.soft;
   pen.fillRect(x - 0.5, bottom - (important ? 6 : 4), 1.5, important ? 12 : 10);

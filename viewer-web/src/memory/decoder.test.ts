@@ -65,3 +65,15 @@ test("a schema that cannot be read is a sentence that names it", () => {
   for (const channel of broken)
     expect(decoderOf(channel)(Uint8Array.of()).error).toMatch(`The schema '${channel.schemaName}' cannot be read: `);
 });
+
+test("JSON shows as it is, whatever it is", () => {
+  const json = decoderOf({ encoding: "json", schemaName: "", schema: "" });
+  const of = (text: string) => json(new TextEncoder().encode(text));
+  expect(of('{"x": 1.5, "at": [1, {"y": true}], "__proto__": "name", "none": null}').fields).toEqual(
+    new Map<string, unknown>([["x", 1.5], ["at", [1, new Map([["y", true]])]], ["__proto__", "name"], ["none", undefined]]),
+  );
+  expect(of("7").fields).toEqual(new Map([["value", 7]]));
+  expect(of('{"x": ').error).toMatch(/^This message is no JSON: /);
+  expect(json(Uint8Array.of(0xff, 0xfe)).error).toMatch(/^This message is no JSON: /);
+  expect(of("[".repeat(1_000_000)).error).toMatch(/^This message is no JSON: /);
+});

@@ -14,6 +14,7 @@ export type Decoder = (data: Uint8Array) => Decoded;
 
 /** Reads the channel's schema. Never throws, and neither does what it returns: a bad schema or message is a sentence. */
 export function decoderOf(channel: Pick<Channel, "encoding" | "schemaName" | "schema">): Decoder {
+  if (channel.encoding === "json") return decodeJson;
   let schema: DescMessage;
   try {
     schema = schemaOf(channel);
@@ -31,7 +32,7 @@ export function decoderOf(channel: Pick<Channel, "encoding" | "schemaName" | "sc
 }
 
 function schemaOf({ encoding, schemaName, schema }: Pick<Channel, "encoding" | "schemaName" | "schema">): DescMessage {
-  if (encoding !== "protobuf") throw new Error(`its encoding is '${encoding}', expected protobuf`);
+  if (encoding !== "protobuf") throw new Error(`its encoding is '${encoding}', expected protobuf or json`);
   const registry = createFileRegistry(fromBinary(FileDescriptorSetSchema, base64Decode(schema)));
   const message = registry.getMessage(schemaName);
   if (!message) throw new Error("the descriptor set does not contain it");
@@ -76,3 +77,20 @@ const plain = (value: unknown): Value =>
   typeof value === "object" && value !== null && !(value instanceof Uint8Array)
     ? fieldsOf(value as ReflectMessage)
     : (value as Value);
+
+/** A message that is no object is one with the field `value`. */
+function decodeJson(data: Uint8Array): Decoded {
+  try {
+    const value: unknown = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(data));
+    const decoded = ofJson(value);
+    return { fields: decoded instanceof Map ? decoded : new Map([["value", decoded]]) };
+  } catch (error) {
+    return { error: `This message is no JSON: ${reason(error)}` };
+  }
+}
+
+function ofJson(value: unknown): Value {
+  if (Array.isArray(value)) return value.map(ofJson);
+  if (typeof value === "object" && value !== null) return new Map(Object.entries(value).map(([name, inner]) => [name, ofJson(inner)]));
+  return value === null ? undefined : (value as string | number | boolean);
+}

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { GameEvents, changesOfGame, changesOfSimulation } from "./game_events";
+import { GameEvents, changesOfGame, changesOfMotion, changesOfSimulation } from "./game_events";
 import type { MemoryObject } from "./memory_object";
 import { EnumValue, type Fields, type Value } from "./value";
 
@@ -32,4 +32,13 @@ test("what all robots tell happened once; nonsense happened never", () => {
   expect(events.all()).toEqual([{ log_ns: 10n ** 9n, kind: "state", text: "set", robot: "14/1" }]);
   events.clear();
   expect(events.all()).toEqual([]);
+});
+
+test("a robot that falls is told once, until it stood again", () => {
+  const motion = (fall: string, side = "UNSPECIFIED"): Fields => new Map<string, Value>([["fall", new EnumValue(0, `FALL_${fall}`)], ["fall_side", new EnumValue(0, `FALL_SIDE_${side}`)]]);
+  const told = (before: Fields, after: Fields) => changesOfMotion(before, after).map(({ text }) => text);
+  expect(told(motion("UPRIGHT"), motion("FALLING", "FRONT"))).toEqual(["falls front"]);
+  expect(told(motion("FALLING"), motion("FALLEN"))).toEqual([]);
+  expect(told(motion("GETTING_UP"), motion("UPRIGHT"))).toEqual([]);
+  expect(told(motion("UPRIGHT"), motion("FALLEN"))).toEqual(["falls"]);
 });

@@ -1,4 +1,4 @@
-// What happened in the game, as moments on the timeline: goals, states, penalties, and errors in the log.
+// What happened in the game, as moments on the timeline: goals, states, penalties, falls, and errors in the log.
 
 import type { Entry } from "./history";
 import { kLogLevels, type LogLevel } from "./log_history";
@@ -6,7 +6,7 @@ import type { MemoryObject, RobotName } from "./memory_object";
 import { kSimulation } from "./simulation";
 import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "./value";
 
-export type EventKind = "goal" | "state" | "penalty" | "error";
+export type EventKind = "goal" | "state" | "penalty" | "fall" | "error";
 
 export interface GameEvent {
   log_ns: bigint;
@@ -50,6 +50,18 @@ export function changesOfSimulation(before: Fields, after: Fields): { kind: Even
   });
 }
 
+/** What one message of `motion_status` says that the one before did not. */
+export function changesOfMotion(before: Fields, after: Fields): { kind: EventKind; text: string }[] {
+  const down = ["falling", "fallen"];
+  const [was, is] = [wordOf(before, "fall"), wordOf(after, "fall")];
+  return down.includes(is) && !down.includes(was) ? [{ kind: "fall", text: `falls ${wordOf(after, "fall_side").replace("unspecified", "")}`.trim() }] : [];
+}
+
+/** How the messages of an object tell of events; undefined where they do not. */
+export function changesTold(name: string): ((before: Fields, after: Fields) => { kind: EventKind; text: string }[]) | undefined {
+  return { game: changesOfGame, motion_status: changesOfMotion }[name];
+}
+
 export class GameEvents {
   #events: GameEvent[] = [];
   #before = new Map<string, Fields>(); // by topic
@@ -59,7 +71,12 @@ export class GameEvents {
     this.#before.clear();
   }
 
-  /** In the order they came. */
+  /** A recording goes on elsewhere: what is other there did not happen there. */
+  sought(): void {
+    this.#before.clear();
+  }
+
+  /** In order of time. */
   all(): readonly GameEvent[] {
     return this.#events;
   }
@@ -68,7 +85,10 @@ export class GameEvents {
     if (object.derived) return;
     if (object.kind === "log") this.#logged(object, entry);
     else if (object.channel.topic === kSimulation) this.#compare(object, entry, changesOfSimulation);
-    else if (object.name === "game") this.#compare(object, entry, changesOfGame);
+    else {
+      const changes = changesTold(object.name);
+      if (changes) this.#compare(object, entry, changes);
+    }
   }
 
   #logged(object: MemoryObject, { log_ns, data }: Entry): void {
@@ -87,9 +107,10 @@ export class GameEvents {
   }
 
   #add(event: GameEvent): void {
-    const isSame = ({ kind, text, log_ns }: GameEvent) => kind === event.kind && text === event.text && abs(log_ns - event.log_ns) < kSame_ns;
-    if (this.#events.slice(-64).some(isSame)) return;
-    this.#events.push(event);
+    const isSame = ({ kind, text, log_ns, robot }: GameEvent) => kind === event.kind && text === event.text && (kind !== "fall" || robot === event.robot) && abs(log_ns - event.log_ns) < kSame_ns;
+    if (this.#events.some(isSame)) return;
+    const after = this.#events.findLastIndex(({ log_ns }) => log_ns <= event.log_ns);
+    this.#events.splice(after + 1, 0, event);
     if (this.#events.length > kMost) this.#events.splice(0, this.#events.length - kMost);
   }
 }

@@ -76,3 +76,10 @@ test("of pictures few are kept: raw ones fewest", () => {
   expect(count(40_000)).toBe(100);
   expect(count(614_400)).toBe(20);
 });
+
+test("what was sensed nearest to a moment is found, unless it was too far from it", () => {
+  const history = new History();
+  for (const log_ns of [100n, 200n, 210n]) history.add({ log_ns, data: Uint8Array.of(1), arrived: 0 });
+  const near = (log_ns: bigint) => history.near(log_ns, 20n)?.log_ns;
+  expect([near(80n), near(79n), near(120n), near(150n), near(204n), near(206n), near(231n)]).toEqual([100n, undefined, 100n, undefined, 200n, 210n, undefined]);
+});

@@ -49,6 +49,8 @@ export class History {
   /** Counts how often the past was forgotten: numbers from before mean nothing any more. */
   generation = 0;
   size_bytes = 0;
+  /** [ns] capture time before which something was dropped for want of room. */
+  given_up_ns: bigint | undefined;
 
   /** Number of the oldest message that is still there. */
   get begin(): number {
@@ -70,6 +72,7 @@ export class History {
     this.#blocks = [];
     this.#starts = [];
     this.size_bytes = 0;
+    this.given_up_ns = undefined;
     ++this.generation;
   }
 
@@ -127,6 +130,15 @@ export class History {
     return this.get(this.indexAt(log_ns));
   }
 
+  /** What was sensed nearest to `log_ns`; undefined where nothing was within `most_ns` of it. */
+  near(log_ns: bigint, most_ns: bigint): Entry | undefined {
+    const index = this.indexAt(log_ns);
+    const away = (entry: Entry) => (entry.log_ns > log_ns ? entry.log_ns - log_ns : log_ns - entry.log_ns);
+    const [before, after] = [this.get(index), this.get(index + 1)];
+    const nearest = before && (!after || away(before) <= away(after)) ? before : after;
+    return nearest && away(nearest) <= most_ns ? nearest : undefined;
+  }
+
   /** [Hz] of the two seconds up to `log_ns`. */
   hzAt(log_ns: bigint): number {
     return (this.indexAt(log_ns) - this.indexAt(log_ns - 2_000_000_000n)) / 2;
@@ -144,6 +156,7 @@ export class History {
     if (!block) return;
     this.#starts.shift();
     this.size_bytes -= sizeOf(block);
+    this.given_up_ns = this.first_ns ?? block.times[block.count - 1];
   }
 
   #place(index: number): { block: Block; i: number } | undefined {

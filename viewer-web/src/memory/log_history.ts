@@ -28,6 +28,11 @@ export class LogHistory {
     this.#entries = [];
   }
 
+  /** A recording goes on at `at_ns`: what was said later will be said again. */
+  sought(at_ns: bigint): void {
+    this.#entries = this.#entries.filter(({ log_ns }) => log_ns < at_ns);
+  }
+
   arrived(object: MemoryObject, { log_ns, data }: Entry): void {
     const { fields, error } = object.decode(data);
     const level = fields ? (wordOf(fields, "level") as LogLevel) : "error";

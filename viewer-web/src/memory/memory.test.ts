@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { Memory } from "./memory";
 import { objectOf, robotOf } from "./memory_object";
+import { Played } from "./played";
 import { kPerceptChannel, percept } from "./test_schema";
 
 const channel = (topic: string, metadata: Record<string, string> = {}) => ({ ...kPerceptChannel, topic, metadata });
@@ -111,4 +112,49 @@ test("a recording that begins again takes nothing away from who looks at it", ()
   memory.show(undefined);
   expect(object.decoded()!.fields!.get("x")).toBe(10);
   expect(object.history.end - object.history.begin).toBe(0);
+});
+
+test("of a recording it knows the part that was seen without a gap, and keeps it when that is sought again", () => {
+  const memory = new Memory();
+  memory.offer(kPerceptChannel);
+  const object = memory.get(kTopic)!;
+  const played = (memory.played = new Played(0n, 1000n));
+  const go = (at_ns: bigint) => {
+    played.told({ status: "paused", time_ns: at_ns, speed: 1 }, 0);
+    memory.reached(0);
+  };
+  expect(memory.range()).toEqual({ first_ns: 0n, last_ns: 1000n });
+  go(100n);
+  memory.subscribed(kTopic, true, 0);
+  memory.sought(100n);
+  for (const [log_ns, x] of [[95n, 1], [120n, 2], [140n, 3]] as const) memory.arrived(kTopic, log_ns, percept({ x }), 0);
+  go(150n);
+  expect(memory.seen()).toEqual({ from_ns: 100n, to_ns: 150n });
+  expect([99n, 100n, 150n, 151n].map((at_ns) => memory.holds(at_ns))).toEqual([false, true, true, false]);
+
+  // inside: what was seen stays, and what comes again is not kept twice
+  memory.sought(125n);
+  go(125n);
+  memory.arrived(kTopic, 120n, percept({ x: 2 }), 0);
+  expect(object.decoded()!.fields!.get("x")).toBe(2);
+  expect([object.history.end - object.history.begin, memory.holds(150n)]).toEqual([3, true]);
+  // outside: another part begins
+  memory.sought(500n);
+  go(500n);
+  expect(memory.seen()).toEqual({ from_ns: 500n, to_ns: 500n });
+});
+
+test("what has no value at the time that was sought is taken away, the rest only replaced", () => {
+  const memory = new Memory();
+  for (const topic of ["/14/2/a", "/14/2/b"]) {
+    memory.offer(channel(topic));
+    memory.arrived(topic, 50n, percept({ x: 5 }), 0);
+  }
+  memory.played = new Played(0n, 100n);
+  memory.sought(20n);
+  expect(memory.get("/14/2/a")!.decoded()).toBeDefined();
+  memory.arrived("/14/2/a", 10n, percept({ x: 1 }), 0);
+  memory.dropOutdated();
+  expect(memory.get("/14/2/a")!.decoded()!.fields!.get("x")).toBe(1);
+  expect(memory.get("/14/2/b")!.decoded()).toBeUndefined();
 });

@@ -5,14 +5,18 @@ import { GameEvents } from "./game_events";
 import { LogHistory } from "./log_history";
 import { MemoryObject, type Moment, type RobotName } from "./memory_object";
 import { Past } from "./past";
+import type { Played } from "./played";
 import { ServerClock } from "./server_clock";
 
 export class Memory {
   readonly clock = new ServerClock();
   readonly log = new LogHistory();
   readonly events = new GameEvents();
+  /** Of a server that plays a recording; set by whoever connects. */
+  played: Played | undefined;
   #objects = new Map<string, MemoryObject>();
   #moment: Moment = { ns: undefined };
+  #seen = { from_ns: 0n, to_ns: 0n }; // of a recording: all of this came here, nothing between was left out
 
   constructor(readonly past = new Past()) {}
 
@@ -23,7 +27,7 @@ export class Memory {
 
   /** Shows the moment `log_ns` in all objects; undefined: now. */
   show(log_ns: bigint | undefined): void {
-    const returns = log_ns === undefined && this.#moment.ns !== undefined;
+    const returns = log_ns === undefined && this.#moment.ns !== undefined && !this.played;
     this.#moment.ns = log_ns;
     // time went back meanwhile: what was looked at is not the past of what comes now
     if (returns) for (const { history, newest } of this.#objects.values()) if (newest && history.goesBack(newest.log_ns)) history.clear();
@@ -37,12 +41,58 @@ export class Memory {
     this.events.clear();
   }
 
+  /**
+   * The playback goes on at `at_ns`, and the newest of each object from before it comes next. Until then the last values
+   * stay, so that nothing flickers; what has no value before that time is to go by dropOutdated().
+   */
+  sought(at_ns: bigint): void {
+    const { from_ns, to_ns } = this.#seen;
+    const leavesGap = at_ns < from_ns || at_ns > to_ns;
+    if (leavesGap) this.#seen = { from_ns: at_ns, to_ns: at_ns };
+    for (const object of this.#objects.values()) {
+      if (leavesGap) object.history.clear();
+      object.outdated = object.newest !== undefined;
+    }
+    this.events.sought();
+    this.log.sought(at_ns);
+  }
+
+  /** Takes away what the time that was sought does not know. */
+  dropOutdated(): void {
+    for (const object of this.#objects.values()) if (object.outdated) object.forget();
+  }
+
+  /** What is told of a recording: how far it is, at `now`. */
+  reached(now: number): void {
+    const at_ns = this.played?.at(now) ?? 0n;
+    if (at_ns > this.#seen.to_ns) this.#seen.to_ns = at_ns;
+    this.#moment.still = this.played !== undefined && !this.played.runs;
+  }
+
+  /** The part of a recording of which the histories tell what the server would; undefined where it is none. */
+  seen(): { from_ns: bigint; to_ns: bigint } | undefined {
+    if (!this.played) return undefined;
+    let from_ns = this.#seen.from_ns;
+    for (const { subscribed, since_ns, history } of this.#objects.values()) {
+      if (!subscribed) continue;
+      if (since_ns > from_ns) from_ns = since_ns;
+      if (history.given_up_ns !== undefined && history.given_up_ns > from_ns) from_ns = history.given_up_ns;
+    }
+    return { from_ns, to_ns: this.#seen.to_ns };
+  }
+
+  holds(at_ns: bigint): boolean {
+    const seen = this.seen();
+    return seen !== undefined && at_ns >= seen.from_ns && at_ns <= seen.to_ns;
+  }
+
   /** Forgets everything: another run of the server begins. */
   reset(): void {
     for (const topic of [...this.#objects.keys()]) this.withdraw(topic);
     this.clock.clear();
     this.log.clear();
     this.events.clear();
+    this.#seen = { from_ns: 0n, to_ns: 0n };
   }
 
   /** A channel known from before, same schema, keeps its past and counts: the connection was lost, not the run. */
@@ -60,11 +110,14 @@ export class Memory {
   }
 
   /** What came before a pause says nothing about the rate after it. */
-  subscribed(topic: string, is: boolean): void {
+  subscribed(topic: string, is: boolean, now = 0): void {
     const object = this.#objects.get(topic);
     if (!object) return;
     object.subscribed = is;
     object.rate.clear();
+    if (!this.played || !is) return;
+    // of this one nothing is known beyond
+    object.since_ns = this.#seen.to_ns = this.played.at(now);
   }
 
   arrived(topic: string, log_ns: bigint, data: Uint8Array, now: number): void {
@@ -79,6 +132,8 @@ export class Memory {
   /** A recording that begins again must not take the past away from somebody who looks at it. */
   #keep(object: MemoryObject): void {
     const { history, newest } = object;
+    // played once more, or the last from before a place that was sought
+    if (this.played && history.last_ns !== undefined && newest!.log_ns <= history.last_ns) return;
     if (this.#moment.ns !== undefined && history.goesBack(newest!.log_ns)) return;
     this.past.keep(history, newest!, object.isImage);
   }
@@ -95,15 +150,17 @@ export class Memory {
   /** [s] from `capture_ns` to the moment that is shown. */
   ageOf(capture_ns: bigint, now: number): number | undefined {
     const at_ns = this.#moment.ns;
-    return at_ns === undefined ? this.clock.age(capture_ns, now) : Math.max(0, Number(at_ns - capture_ns) / 1e9);
+    const shown_ns = at_ns ?? this.played?.at(now);
+    return shown_ns === undefined ? this.clock.age(capture_ns, now) : Math.max(0, Number(shown_ns - capture_ns) / 1e9);
   }
 
   objects(): Iterable<MemoryObject> {
     return this.#objects.values();
   }
 
-  /** Capture times of the oldest value that is kept and of the newest moment known. */
+  /** Capture times of the oldest value that is kept and of the newest moment known; of a recording all of it. */
   range(): { first_ns: bigint; last_ns: bigint } | undefined {
+    if (this.played) return { first_ns: this.played.start_ns, last_ns: this.played.end_ns };
     let [first, last]: [bigint | undefined, bigint | undefined] = [undefined, this.clock.last_ns];
     for (const { history } of this.#objects.values()) {
       const { first_ns, last_ns } = history;

@@ -23,6 +23,8 @@ export function objectOf(channel: Pick<Channel, "topic" | "metadata">): string {
 /** Which moment is shown, of all objects of a server together: a capture time, undefined for now. */
 export interface Moment {
   ns: bigint | undefined;
+  /** The recording stands: nothing is to come. */
+  still?: boolean;
 }
 
 export class MemoryObject {
@@ -43,6 +45,10 @@ export class MemoryObject {
   readonly rate = new Rate();
   /** Whether messages are on their way: we are connected and subscribed. */
   subscribed = false;
+  /** [ns] of a recording: the place where the subscription began. */
+  since_ns = 0n;
+  /** The newest value is of another time of the recording than the one that was sought. */
+  outdated = false;
 
   #decoder: Decoder | undefined; // made at first use: most schemas are never looked at
   #decoded: { entry: Entry; value: Decoded } | undefined;
@@ -62,7 +68,15 @@ export class MemoryObject {
   arrived(log_ns: bigint, data: Uint8Array, now: number): void {
     this.newest = { log_ns, data, arrived: now };
     ++this.received;
+    this.outdated = false;
     this.rate.arrived(now);
+  }
+
+  /** Nothing is known any more. */
+  forget(): void {
+    this.newest = undefined;
+    this.outdated = false;
+    this.history.clear();
   }
 
   /** What a view shows: the newest message, or the newest of the moment looked at. */
@@ -101,6 +115,6 @@ export class MemoryObject {
   /** [s] for how long nothing came of what should have; undefined while all is well. Events are never due. */
   overdue(now: number): number | undefined {
     const isEvent = this.channel.metadata["delivery"] === "reliable";
-    return this.subscribed && !isEvent && this.rate.overdue(now) ? this.rate.silence(now) : undefined;
+    return this.subscribed && !isEvent && !this.moment.still && this.rate.overdue(now) ? this.rate.silence(now) : undefined;
   }
 }

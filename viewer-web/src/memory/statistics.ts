@@ -126,3 +126,36 @@ export function clientStatistics(runtime: Fields): ClientStatistics[] {
     };
   });
 }
+
+/** One robot that the server relays. */
+export interface LinkStatistics {
+  /** As the relay was told: an address or a name. */
+  name: string;
+  /** "14/2"; "" before it said so. */
+  robot: string;
+  /** "connected", "connecting", "refused", or what a later relay may say. */
+  state: string;
+  received: number;
+  lost: number;
+  connections: number;
+  /** [s] how far its clock is ahead of the relay's; NaN where that is not known. */
+  clock_offset: number;
+  /** [s] added to its times. */
+  shift: number;
+  /** Why there is no connection; "" while there is one. */
+  message: string;
+}
+
+export function linkStatistics(runtime: Fields): LinkStatistics[] {
+  return listOf(runtime, "links").map((link) => ({
+    name: textOf(link, "name"),
+    robot: textOf(link, "robot"),
+    state: wordOf(link, "state"),
+    received: numberOf(link, "received"),
+    lost: numberOf(link, "lost"),
+    connections: numberOf(link, "connections"),
+    clock_offset: numberOf(link, "clock_offset_ns") / 1e9,
+    shift: numberOf(link, "shift_ns") / 1e9,
+    message: textOf(link, "message"),
+  }));
+}

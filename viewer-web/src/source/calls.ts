@@ -16,10 +16,10 @@ export class Calls {
   #next = 0;
 
   /** Starts a call: its id for the wire, and the answer to come. Rejects with a sentence, also when the service says no. */
-  begin(service: string): { id: number; answer: Promise<Answer> } {
+  begin(service: string, timeoutMs = kTimeoutMs): { id: number; answer: Promise<Answer> } {
     const id = this.#next++;
     const answer = new Promise<unknown>((resolve, reject) => {
-      const timer = setTimeout(() => this.fail(id, `The robot did not answer '${service}' in time.`), kTimeoutMs);
+      const timer = setTimeout(() => this.fail(id, `The robot did not answer '${service}' in time.`), timeoutMs);
       this.#pending.set(id, { service, resolve, reject, timer });
     });
     return { id, answer: answer.then((value) => accepted(service, value)) };

@@ -44,6 +44,7 @@ const listener: Listener = {
   subscribed: (topic, is) => events.push(`${is ? "subscribed" : "unsubscribed"} ${topic}`),
   message: (topic, log_ns, data) => events.push(`message ${topic} ${log_ns} [${data}]`),
   time: (now_ns) => events.push(`time ${now_ns}`),
+  playback: ({ status, time_ns, request }) => events.push(`playback ${status} ${time_ns} ${request}`),
   status: (level, message) => events.push(`${level}: ${message}`),
   removeStatus: (ids) => events.push(`removeStatus ${ids}`),
   parameters: (values) => events.push(`parameters ${values.map(({ name, value }) => `${name}=${value}`)}`),
@@ -205,6 +206,15 @@ test("parameters are asked for and followed where the server can", () => {
   expect(newest().take("subscribeParameterUpdates")).toHaveLength(1);
   newest().say({ op: "parameterValues", parameters: [{ name: "recording", value: true }, 5] });
   expect(events.at(-1)).toBe("parameters recording=true");
+});
+
+test("a server that plays a recording tells its span, is asked, and answers", () => {
+  expect(client.ask({ play: true, speed: 1 }, "early")).toBe(false);
+  newest().say({ ...kInfo, capabilities: ["playbackControl"], dataStartTime: { sec: 2, nsec: 5 }, dataEndTime: { sec: 9, nsec: 0 } });
+  expect(client.ask({ play: false, speed: 2, seek_ns: 7n }, "a")).toBe(true);
+  expect(newest().sent.at(-1)).toBeInstanceOf(Uint8Array);
+  newest().frame(5, 1, 7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 128, 63, 1, 1, 0, 0, 0, 97);
+  expect(events.at(-1)).toBe("playback paused 7 a");
 });
 
 const response = (call: number, text: string) => [

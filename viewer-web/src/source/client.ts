@@ -1,7 +1,7 @@
 // Our client of the Foxglove WebSocket protocol v1: stays connected, keeps the wanted topics subscribed, calls services.
 
 import { Calls, type Answer } from "./calls";
-import { readFrame, writeServiceCall } from "./frames";
+import { readFrame, writePlaybackWish, writeServiceCall, type PlaybackState, type PlaybackWish } from "./frames";
 import { readText, type Channel, type Level, type ServerInfo } from "./texts";
 
 export const kSubprotocols = ["foxglove.sdk.v1", "foxglove.websocket.v1"];
@@ -28,6 +28,7 @@ export interface Listener {
   subscribed(topic: string, is: boolean): void;
   message(topic: string, log_ns: bigint, data: Uint8Array): void;
   time(now_ns: bigint): void;
+  playback(state: PlaybackState): void;
   status(level: Level, message: string, id?: string): void;
   removeStatus(ids: string[]): void;
   parameters(values: { name: string; value: unknown }[]): void;
@@ -98,14 +99,20 @@ export class Client {
     };
   }
 
-  /** Calls a service that speaks JSON. Rejects with a sentence, also when the service answers {"ok": false}. */
-  call(name: string, request: object): Promise<Answer> {
+  /** Calls a service that speaks JSON. Rejects with a sentence, also when the service answers {"ok": false}, or not in time. */
+  call(name: string, request: object, timeoutMs?: number): Promise<Answer> {
     const service = this.#services.get(name);
     if (!this.#open) return Promise.reject(new Error("Not connected to the robot."));
     if (service === undefined) return Promise.reject(new Error(`The robot does not offer '${name}'.`));
-    const { id, answer } = this.#calls.begin(name);
+    const { id, answer } = this.#calls.begin(name, timeoutMs);
     this.#socket?.send(writeServiceCall(service, id, "json", new TextEncoder().encode(JSON.stringify(request))));
     return answer;
+  }
+
+  /** Asks a server that plays a recording for something; its answer carries `request`. False while there is none to ask. */
+  ask(wish: PlaybackWish, request: string): boolean {
+    if (this.#open) this.#socket?.send(writePlaybackWish(wish, request));
+    return this.#open;
   }
 
   #receive(data: unknown): void {
@@ -127,6 +134,9 @@ export class Client {
         this.#heartbeat = true;
         this.#expectMore();
         this.listener.time(frame.now_ns);
+        break;
+      case "playback":
+        this.listener.playback(frame.state);
         break;
       case "response":
         this.#calls.answer(frame.call, frame.encoding, frame.data);

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { readFrame, writeServiceCall } from "./frames";
+import { readFrame, writePlaybackWish, writeServiceCall } from "./frames";
 
 const bytes = (hex: string) => Uint8Array.from(hex.match(/../g) ?? [], (pair) => parseInt(pair, 16));
 const hex = (data: Uint8Array) => Array.from(data, (byte) => byte.toString(16).padStart(2, "0")).join("");
@@ -9,6 +9,7 @@ const text = (data: Uint8Array) => new TextDecoder().decode(data);
 const kTime = "02d202964900000000";
 const kResponse = "030a0000000c000000040000006a736f6e7b226b6579223a202276616c7565227d";
 const kMessage = "0107000000" + "15cd853dfe9c9717" + "08012a";
+const kPlayback = "050039300000000000000000803f0100000000";
 const kServiceCall = "020a0000000c000000040000006a736f6e7b226b6579223a202276616c7565227d";
 
 test("a Time frame carries the server's clock", () => {
@@ -32,9 +33,25 @@ test("a service call is written as the SDK writes it", () => {
   expect(hex(writeServiceCall(10, 12, "json", data))).toBe(kServiceCall);
 });
 
+test("a playback state tells where and how fast, and whose request it answers", () => {
+  const state = { status: "playing", time_ns: 12345n, speed: 1, didSeek: true, request: "" };
+  expect(readFrame(bytes(kPlayback).buffer)).toEqual({ kind: "playback", state });
+  const answer = bytes(`${kPlayback.slice(0, -8)}02000000${hex(new TextEncoder().encode("r7"))}`);
+  expect(readFrame(answer.buffer)).toMatchObject({ state: { request: "r7" } });
+  answer[1] = 4;
+  expect(readFrame(answer.buffer)).toMatchObject({ kind: "malformed", why: expect.stringContaining("got 4") });
+});
+
+test("a playback wish is written as the SDK writes it", () => {
+  const of = (wish: Parameters<typeof writePlaybackWish>[0]) => hex(writePlaybackWish(wish, "some-id"));
+  expect(of({ play: true, speed: 1 })).toBe("03000000803f00000000000000000007000000736f6d652d6964");
+  expect(of({ play: false, speed: 1 })).toBe("03010000803f00000000000000000007000000736f6d652d6964");
+  expect(of({ play: true, speed: 1, seek_ns: 123456789n })).toBe("03000000803f0115cd5b070000000007000000736f6d652d6964");
+});
+
 test("every truncation of a frame is malformed or has less payload, and never throws", () => {
-  for (const whole of [kTime, kResponse, kMessage].map(bytes)) {
-    const least = { 1: 13, 2: 9, 3: 17 }[whole[0]!]!;
+  for (const whole of [kTime, kResponse, kMessage, kPlayback].map(bytes)) {
+    const least = { 1: 13, 2: 9, 3: 17, 5: 19 }[whole[0]!]!;
     for (let length = 0; length < whole.length; ++length) {
       const frame = readFrame(whole.slice(0, length).buffer);
       expect(frame.kind === "malformed", `opcode ${whole[0]}, ${length} bytes`).toBe(length < least);
@@ -48,7 +65,6 @@ test("an encoding longer than the frame is malformed", () => {
   expect(readFrame(frame.buffer)).toMatchObject({ kind: "malformed" });
 });
 
-test("opcodes of asset and playback frames are unknown to us, not errors", () => {
-  for (const frame of ["040a000000000000000064617461", "050039300000000000000000803f0000000000"])
-    expect(readFrame(bytes(frame).buffer).kind).toBe("unknown");
+test("the opcode of an asset is unknown to us, not an error", () => {
+  expect(readFrame(bytes("040a000000000000000064617461").buffer).kind).toBe("unknown");
 });

@@ -5,8 +5,33 @@ export type ServerFrame =
   | { kind: "message"; subscription: number; log_ns: bigint; data: Uint8Array }
   | { kind: "time"; now_ns: bigint }
   | { kind: "response"; service: number; call: number; encoding: string; data: Uint8Array }
+  | { kind: "playback"; state: PlaybackState }
   | { kind: "unknown"; opcode: number }
   | { kind: "malformed"; why: string };
+
+const kPlaybackStatus = ["playing", "paused", "buffering", "ended"] as const;
+
+/** How a server's playback goes. */
+export interface PlaybackState {
+  status: (typeof kPlaybackStatus)[number];
+  /** [ns since the epoch] capture time. */
+  time_ns: bigint;
+  /** 1 is real time. */
+  speed: number;
+  /** It goes on at another time: what comes from now on is of that one. */
+  didSeek: boolean;
+  /** Of the request that is answered; "" where nobody of us asked. */
+  request: string;
+}
+
+/** What a client may wish of a playback. */
+export interface PlaybackWish {
+  play: boolean;
+  /** 0.01 .. 1000; 1 is real time. */
+  speed: number;
+  /** [ns since the epoch] where to go on; undefined: where it is. */
+  seek_ns?: bigint | undefined;
+}
 
 /** Reads one frame; never throws. An opcode of a later protocol is `unknown`, a frame cut short is `malformed`. */
 export function readFrame(frame: ArrayBuffer): ServerFrame {
@@ -14,7 +39,7 @@ export function readFrame(frame: ArrayBuffer): ServerFrame {
   if (view.byteLength === 0) return { kind: "malformed", why: "binary frame: empty, expected an opcode byte" };
 
   const opcode = view.getUint8(0);
-  const least = { 1: 13, 2: 9, 3: 13 }[opcode];
+  const least = { 1: 13, 2: 9, 3: 13, 5: 19 }[opcode];
   if (least === undefined) return { kind: "unknown", opcode };
   const short = (expected: number): ServerFrame => ({
     kind: "malformed",
@@ -32,6 +57,15 @@ export function readFrame(frame: ArrayBuffer): ServerFrame {
       };
     case 2:
       return { kind: "time", now_ns: view.getBigUint64(1, true) };
+    case 5: {
+      const status = kPlaybackStatus[view.getUint8(1)];
+      const requestEnd = 19 + view.getUint32(15, true);
+      if (view.byteLength < requestEnd) return short(requestEnd);
+      if (!status) return { kind: "malformed", why: `playback state: expected a status of 0 .. 3, got ${view.getUint8(1)}` };
+      const request = new TextDecoder().decode(new Uint8Array(frame, 19, requestEnd - 19));
+      const state = { status, time_ns: view.getBigUint64(2, true), speed: view.getFloat32(10, true), didSeek: view.getUint8(14) !== 0, request };
+      return { kind: "playback", state };
+    }
     default: {
       const encodingEnd = 13 + view.getUint32(9, true);
       if (view.byteLength < encodingEnd) return short(encodingEnd);
@@ -57,5 +91,20 @@ export function writeServiceCall(service: number, call: number, encoding: string
   view.setUint32(9, name.length, true);
   frame.set(name, 13);
   frame.set(data, 13 + name.length);
+  return frame;
+}
+
+/** The frame that asks for another way of playing; the answer carries the same `request`, which is not empty. */
+export function writePlaybackWish({ play, speed, seek_ns }: PlaybackWish, request: string): Uint8Array {
+  const id = new TextEncoder().encode(request);
+  const frame = new Uint8Array(19 + id.length);
+  const view = new DataView(frame.buffer);
+  view.setUint8(0, 3);
+  view.setUint8(1, play ? 0 : 1);
+  view.setFloat32(2, speed, true);
+  view.setUint8(6, seek_ns === undefined ? 0 : 1);
+  view.setBigUint64(7, seek_ns ?? 0n, true);
+  view.setUint32(15, id.length, true);
+  frame.set(id, 19);
   return frame;
 }

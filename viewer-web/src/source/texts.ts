@@ -15,6 +15,8 @@ export interface ServerInfo {
   capabilities: string[];
   metadata: Record<string, string>;
   sessionId?: string;
+  /** [ns since the epoch] what a server holds that plays a recording. */
+  span?: { start_ns: bigint; end_ns: bigint };
 }
 
 export type Level = "info" | "warning" | "error";
@@ -41,6 +43,12 @@ const isId = (value: unknown): value is number =>
   typeof value === "number" && Number.isInteger(value) && value >= 0 && value <= 0xffffffff;
 
 const textOf = (value: unknown): string => (isText(value) ? value : "");
+/** {"sec": 1, "nsec": 5} of the protocol, in ns. */
+function timeOf(value: unknown): bigint | undefined {
+  const [sec, nsec] = isFields(value) ? [value["sec"], value["nsec"]] : [];
+  const isCount = (part: unknown): part is number => typeof part === "number" && Number.isSafeInteger(part) && part >= 0;
+  return isCount(sec) && isCount(nsec) ? BigInt(sec) * 1_000_000_000n + BigInt(nsec) : undefined;
+}
 const listOf = (value: unknown): unknown[] => (Array.isArray(value) ? value : []);
 const textMapOf = (value: unknown): Record<string, string> =>
   Object.fromEntries(Object.entries(isFields(value) ? value : {}).filter((entry): entry is [string, string] => isText(entry[1])));
@@ -77,6 +85,8 @@ export function readText(text: string): ServerText {
         metadata: textMapOf(fields["metadata"]),
       };
       if (isText(fields["sessionId"])) info.sessionId = fields["sessionId"];
+      const [start_ns, end_ns] = [timeOf(fields["dataStartTime"]), timeOf(fields["dataEndTime"])];
+      if (start_ns !== undefined && end_ns !== undefined && start_ns <= end_ns) info.span = { start_ns, end_ns };
       return { op: "serverInfo", info };
     }
     case "advertise": {

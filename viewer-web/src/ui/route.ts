@@ -1,6 +1,6 @@
 // The part of the address after `#`: which robot, which view, and their settings. #/14/2/field?with=10.0.14.3:8765&at=…
 
-export const kViews = ["field", "camera", "objects", "plot", "decision", "health", "log", "sessions"] as const;
+export const kViews = ["field", "camera", "objects", "plot", "decision", "what-if", "health", "log", "sessions"] as const;
 export type View = (typeof kViews)[number];
 
 /** Views by the names they had before. */

@@ -8,6 +8,7 @@ import { addressOf, targetOfHost, type Target } from "../source/target";
 import type { Level } from "../source/texts";
 import { withAlert, withoutAlerts, type Alert } from "./alerts";
 import { keep, kept } from "./browser";
+import { Moments } from "./moments.svelte";
 import { hashOf, routeOf, type Route, type View } from "./route";
 import { Server, type Speaker } from "./server.svelte";
 import { Time } from "./time.svelte";
@@ -29,6 +30,7 @@ export class Viewer implements Speaker {
   alerts = $state.raw<Alert[]>([]);
   route = $state.raw<Route>(routeOf(location.hash));
   readonly time: Time;
+  readonly moments: Moments;
 
   /** All robots of all servers. */
   sources: Source[] = $derived(this.servers.flatMap((server) => server.robots.map((robot) => ({ server, robot, key: this.#keyOf(server, robot) }))));
@@ -48,6 +50,7 @@ export class Viewer implements Speaker {
   constructor(readonly target: Target) {
     this.servers = [new Server(target, this.past, this)];
     this.time = new Time(this);
+    this.moments = new Moments(this);
     this.#followRoute();
     window.addEventListener("hashchange", () => {
       this.route = routeOf(location.hash);
@@ -89,6 +92,12 @@ export class Viewer implements Speaker {
     else settings.delete(name);
     this.route = { ...this.route, settings };
     history.replaceState(null, "", hashOf({ ...this.route, robot: this.route.robot, view: this.route.view || this.view }));
+  }
+
+  /** Shows another arrangement, at the moment that is shown now. */
+  arrange(layout: Route): void {
+    const settings = new Map([...this.route.settings].filter(([name]) => ["at", "marks", "loop"].includes(name)));
+    location.hash = hashOf({ ...layout, settings: new Map([...layout.settings, ...settings]) });
   }
 
   get(name: string): string {
@@ -144,6 +153,10 @@ export class Viewer implements Speaker {
 
   say(level: Level, text: string, key?: string): void {
     this.alerts = withAlert(this.alerts, level, text, key);
+  }
+
+  follow(server: Server): void {
+    this.time?.follow(server);
   }
 
   dismiss(keys: string[]): void {

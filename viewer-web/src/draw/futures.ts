@@ -1,0 +1,59 @@
+// Continuations of a game as foresight tells them: the ball's way thick, the robots' thin, a mark every five seconds.
+
+import type { Path, Place } from "../memory/forecast";
+import { fillCircle, strokeLine, strokePath, type Camera, type Pen, type Point } from "./field";
+
+const kInk = "#0d1712";
+const kBright = "#ffffff";
+const kTick = 5; // [s] between marks on a path
+
+/** Where it is after `at` [s]: between two points, at the end after the last. Undefined where there are none. */
+export function placeAt(points: Place[], spacing: number, at: number): Point | undefined {
+  if (points.length === 0) return undefined;
+  const step = spacing > 0 ? Math.min(points.length - 1, Math.max(0, at / spacing)) : 0;
+  const [one, other, share] = [points[Math.floor(step)]!, points[Math.ceil(step)]!, step % 1];
+  return { x: one.x + share * (other.x - one.x), y: one.y + share * (other.y - one.y) };
+}
+
+/** [s] of the longest. */
+export const lengthOf = (paths: Path[]): number => Math.max(0, ...paths.map(({ spacing, ball }) => spacing * (ball.length - 1)));
+
+/** Up to `at` [s] in full, what comes after it faintly; at 0 all in full. Robots in `colour`. */
+export function drawPaths(pen: Pen, camera: Camera, paths: Path[], { strength, colour, at = 0 }: { strength: number; colour: string; at?: number }): void {
+  for (const path of paths) {
+    for (const { points } of path.robots) drawTrack(pen, camera, points, path.spacing, at, { colour, width: 1.5, alpha: 0.75 * strength });
+    drawTrack(pen, camera, path.ball, path.spacing, at, { colour: kInk, width: 5, alpha: 0.55 * strength });
+    drawTrack(pen, camera, path.ball, path.spacing, at, { colour: kBright, width: 3, alpha: 0.95 * strength });
+    drawTicks(pen, camera, path, strength);
+  }
+  pen.globalAlpha = 1;
+}
+
+function drawTrack(pen: Pen, camera: Camera, points: Place[], spacing: number, at: number, { colour, width, alpha }: { colour: string; width: number; alpha: number }): void {
+  if (points.length < 2) return;
+  pen.strokeStyle = colour;
+  pen.lineWidth = width;
+  const here = at > 0 ? placeAt(points, spacing, at)! : points.at(-1)!;
+  const passed = at > 0 && spacing > 0 ? Math.min(points.length, Math.floor(at / spacing) + 1) : points.length;
+  pen.globalAlpha = alpha;
+  strokePath(pen, camera, [...points.slice(0, passed), here]);
+  pen.globalAlpha = 0.25 * alpha;
+  if (passed < points.length) strokePath(pen, camera, [here, ...points.slice(passed)]);
+}
+
+function drawTicks(pen: Pen, camera: Camera, { ball, spacing }: Path, strength: number): void {
+  const length = spacing * (ball.length - 1);
+  pen.globalAlpha = strength;
+  for (let at = kTick; at < length; at += kTick) {
+    const place = placeAt(ball, spacing, at)!;
+    fillCircle(pen, camera, place, 4.5 / camera.scale, kInk);
+    fillCircle(pen, camera, place, 3 / camera.scale, kBright);
+  }
+  const end = ball.at(-1);
+  if (!end || length <= 0) return;
+  // an end that is told from a tick by its shape
+  pen.strokeStyle = kBright;
+  pen.lineWidth = 2;
+  const arm = 5 / camera.scale;
+  for (const side of [-1, 1]) strokeLine(pen, camera, { x: end.x - arm, y: end.y - side * arm }, { x: end.x + arm, y: end.y + side * arm });
+}

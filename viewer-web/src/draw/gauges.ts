@@ -1,0 +1,44 @@
+// Numbers of forecasts as bars, intervals and words: where they begin and end on an axis that shows zero.
+
+import type { Forecast, Measure } from "../memory/forecast";
+
+export interface Axis {
+  low: number;
+  high: number;
+}
+
+const kLeastSpan: Record<Measure, number> = { goal_difference: 0.1, score_next: 0.05, concede: 0.05 };
+
+/** Holds all values and zero, with a little room. */
+export function axisOf(values: number[], least: number): Axis {
+  const [low, high] = [Math.min(0, ...values), Math.max(0, ...values)];
+  const span = Math.max(high - low, least);
+  const spare = (span - (high - low)) / 2 + 0.06 * span;
+  return { low: low - spare, high: high + spare };
+}
+
+/** [%] from the axis' left end, never beyond its ends. */
+export const shareOf = ({ low, high }: Axis, value: number): number => 100 * Math.min(1, Math.max(0, (value - low) / (high - low)));
+
+/** One axis for all means, one for all gains. */
+export function axesOf({ strategies, measure }: Forecast): { mean: Axis; gain: Axis } {
+  const played = strategies.filter(({ rollouts }) => rollouts > 0);
+  return {
+    mean: axisOf(played.flatMap(({ mean, error }) => [mean - error, mean + error]), kLeastSpan[measure]),
+    gain: axisOf(played.flatMap(({ gain, gainLow, gainHigh }) => [gain, gainLow, gainHigh]), kLeastSpan[measure]),
+  };
+}
+
+const signed = (value: number, digits: number): string => {
+  const text = Math.abs(value).toFixed(digits);
+  return Number(text) === 0 ? text : `${value < 0 ? "−" : "+"}${text}`;
+};
+
+/** "+0.125" goals, "−3.4 %" of a chance. */
+export const amount = (measure: Measure, value: number): string => (measure === "goal_difference" ? signed(value, 3) : `${signed(100 * value, 1)} %`);
+
+/** "0.052", "1.2 %" */
+export const size = (measure: Measure, value: number): string => amount(measure, Math.abs(value)).replace("+", "");
+
+/** "62 %"; nobody knows it to less than one in a hundred. */
+export const percent = (share: number): string => (share > 0 && share < 0.005 ? "< 1 %" : `${Math.round(100 * share)} %`);

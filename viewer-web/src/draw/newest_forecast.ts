@@ -1,0 +1,37 @@
+// The futures for the Field view: of the newest forecast that any robot made, in the frame `field`.
+
+import { chosenOf, forecastOf, type Path, type Place } from "../memory/forecast";
+import type { MemoryObject } from "../memory/memory_object";
+import { valueOf } from "./beliefs";
+import type { Foreseen } from "./draw_scene";
+import type { Robot, Told } from "./scene";
+
+const read = new WeakMap<Uint8Array, Path[]>(); // each message once
+
+/** The topics that it reads; only those that are offered. */
+export const forecastTopicsOf = ({ memory, robots }: Pick<Told, "memory" | "robots">): string[] => robots.map((robot) => `/${robot}/forecast`).filter((topic) => memory.get(topic));
+
+/** The chosen robot's, where it tells any; `robots` say who plays at home. */
+export function foreseenBy(told: Told[], robots: Robot[], chosen: string): Foreseen | undefined {
+  const all = told.flatMap(({ memory, robots, keyOf }) =>
+    robots.flatMap((robot) => {
+      const object = memory.get(`/${robot}/forecast`);
+      return object?.shown ? [{ object, key: keyOf(robot), turned: valueOf(memory.get(`/${robot}/game`)).get("attacks_positive_x") === false, at_ns: object.shown.log_ns }] : [];
+    }),
+  );
+  const newest = all.find(({ key }) => key === chosen) ?? all.sort((a, b) => Number(b.at_ns - a.at_ns))[0];
+  if (!newest) return undefined;
+  return { paths: pathsOf(newest.object, newest.turned), home: robots.find(({ key }) => key === newest.key)?.home ?? true };
+}
+
+function pathsOf(object: MemoryObject, turned: boolean): Path[] {
+  const { data } = object.shown!;
+  const known = read.get(data);
+  if (known) return known;
+  const fields = object.decoded()?.fields;
+  const paths = (fields && chosenOf(forecastOf(fields), "")?.paths) ?? [];
+  const inField = (points: Place[]) => (turned ? points.map(({ x, y }) => ({ x: -x, y: -y })) : points);
+  const placed = paths.map(({ spacing, ball, robots }) => ({ spacing, ball: inField(ball), robots: robots.map(({ player, points }) => ({ player, points: inField(points) })) }));
+  read.set(data, placed);
+  return placed;
+}

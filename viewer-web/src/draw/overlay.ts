@@ -1,0 +1,219 @@
+// What is drawn over a camera's picture: what the vision found in it, where the ground ends, and where the field's lines
+// should be if the robot stood where it believes to.
+
+import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "../memory/value";
+import type { Pose } from "./beliefs";
+import type { Field, Pen, Point } from "./field";
+import { horizonOf, lineToPixels, outlineOf, resized, type Optics } from "./optics";
+
+export const kOverlays = {
+  found: "what the vision found in this picture",
+  horizon: "where the ground ends, by the camera matrix",
+  lines: "where the field's lines are, if the robot is where it believes to be",
+};
+export type Overlay = keyof typeof kOverlays;
+
+/** All of the picture's own capture time; undefined where nothing of that time is known. */
+export interface Seen {
+  vision: Fields | undefined;
+  /** 1 top, 2 bottom, as in Detection.Camera. */
+  camera: number;
+  optics: Optics | undefined;
+  pose: Pose | undefined;
+  field: Field;
+}
+
+/** How an image of `width` x `height` [px] lies on the canvas: whole, in the middle. */
+export interface Fit {
+  width: number;
+  height: number;
+  scale: number; // [px of the page / px of the image]
+  left: number;
+  top: number;
+}
+
+export function fitOf(image: { width: number; height: number }, width: number, height: number): Fit {
+  const scale = Math.min(width / image.width, height / image.height);
+  return { ...image, scale, left: (width - scale * image.width) / 2, top: (height - scale * image.height) / 2 };
+}
+
+export const toCanvas = ({ scale, left, top }: Fit, { x, y }: Point): Point => ({ x: left + scale * x, y: top + scale * y });
+export const toImage = ({ scale, left, top }: Fit, { x, y }: Point): Point => ({ x: (x - left) / scale, y: (y - top) / scale });
+
+// told apart by shape and word, too
+export const kOverlayColours = { ball: "#ffb057", own: "#6bb1f5", robot: "#ffffff", post: "#f0e442", corner: "#cc79a7", line: "#f0e442", horizon: "#ffffff", field: "#56b4e9" };
+const kInk = "#0b0e11";
+const kStep = 0.25; // [m] a long line is drawn in pieces: each end may lie beside the picture
+
+export function drawOverlay(pen: Pen, fit: Fit, overlays: ReadonlySet<Overlay>, { vision, camera, optics, pose, field }: Seen): void {
+  const sized = optics && resized(optics, fit.width, fit.height);
+  if (overlays.has("lines") && sized && pose) drawFieldLines(pen, fit, sized, pose, field);
+  if (overlays.has("horizon") && sized) drawHorizon(pen, fit, sized);
+  if (overlays.has("found") && vision) drawFound(pen, fit, vision, camera);
+  pen.globalAlpha = 1;
+}
+
+/** Twice: dark and wide below, so that it stands out on any picture. */
+function stroke(pen: Pen, colour: string, width: number, points: Point[], closed = false): void {
+  for (const [style, wide, alpha] of [[kInk, width + 2, 0.55], [colour, width, 1]] as const) {
+    pen.strokeStyle = style;
+    pen.lineWidth = wide;
+    pen.globalAlpha = alpha;
+    pen.beginPath();
+    points.forEach(({ x, y }, i) => (i === 0 ? pen.moveTo(x, y) : pen.lineTo(x, y)));
+    if (closed) pen.closePath();
+    pen.stroke();
+  }
+}
+
+/** Begins at `at`; where there is no room to the right of it, it ends at `end` [px]. */
+function label(pen: Pen, fit: Fit, text: string, at: Point, colour: string, end = Infinity): void {
+  pen.font = "600 12px system-ui, sans-serif";
+  pen.textAlign = "left";
+  pen.textBaseline = "middle";
+  const width = 7.4 * text.length + 8;
+  const most = fit.left + fit.scale * fit.width - width;
+  const x = Math.max(fit.left, at.x <= most ? at.x : Math.min(most, end - width));
+  const y = Math.max(fit.top + 9, at.y);
+  pen.globalAlpha = 0.7;
+  pen.fillStyle = kInk;
+  pen.fillRect(x, y - 9, width, 18);
+  pen.globalAlpha = 1;
+  pen.fillStyle = colour;
+  pen.fillText(text, x + 4, y);
+}
+
+function drawHorizon(pen: Pen, fit: Fit, optics: Optics): void {
+  const ends = horizonOf(optics)?.map((end) => toCanvas(fit, end));
+  const [top, bottom] = [fit.top, fit.top + fit.scale * fit.height];
+  if (!ends || ends.every(({ y }) => y < top) || ends.every(({ y }) => y > bottom)) return;
+  pen.setLineDash([8, 6]);
+  stroke(pen, kOverlayColours.horizon, 1.5, ends);
+  pen.setLineDash([]);
+}
+
+/** Lines of the field in its own frame, from end to end [m]; circles as many short ones. */
+export function linesOf(field: Field): [Point, Point][] {
+  const { length, width, centreCircleRadius: radius } = field;
+  const lines: [Point, Point][] = [[{ x: 0, y: -width / 2 }, { x: 0, y: width / 2 }]];
+  const box = (left: number, right: number, wide: number) => {
+    const corners = [{ x: left, y: wide / 2 }, { x: right, y: wide / 2 }, { x: right, y: -wide / 2 }, { x: left, y: -wide / 2 }];
+    corners.forEach((corner, i) => lines.push([corner, corners[(i + 1) % 4]!]));
+  };
+  box(-length / 2, length / 2, width);
+  for (const side of [-1, 1])
+    for (const [deep, wide] of [[field.goalAreaLength, field.goalAreaWidth], [field.penaltyAreaLength, field.penaltyAreaWidth]] as const)
+      if (deep > 0) box((side * length) / 2, side * (length / 2 - deep), wide);
+  const on = (i: number): Point => ({ x: radius * Math.cos((i * Math.PI) / 24), y: radius * Math.sin((i * Math.PI) / 24) });
+  for (let i = 0; i < 48; ++i) lines.push([on(i), on(i + 1)]);
+  return lines;
+}
+
+/** What is at `x`, `y` of the field, seen from where the robot is. */
+function inRobot({ x, y, heading }: Pose, point: Point): Point {
+  const [dx, dy] = [point.x - x, point.y - y];
+  return { x: Math.cos(heading) * dx + Math.sin(heading) * dy, y: Math.cos(heading) * dy - Math.sin(heading) * dx };
+}
+
+/** What is at `x`, `y` of the robot, on the field. */
+export const onField = ({ x, y, heading }: Pose, point: Point): Point => ({
+  x: x + Math.cos(heading) * point.x - Math.sin(heading) * point.y,
+  y: y + Math.sin(heading) * point.x + Math.cos(heading) * point.y,
+});
+
+function drawFieldLines(pen: Pen, fit: Fit, optics: Optics, pose: Pose, field: Field): void {
+  const near = ({ x, y }: Point) => x > -optics.width && x < 2 * optics.width && y > -optics.height && y < 2 * optics.height;
+  for (const [from, to] of linesOf(field)) {
+    const pieces = Math.max(1, Math.round(Math.hypot(to.x - from.x, to.y - from.y) / kStep));
+    for (let i = 0; i < pieces; ++i) {
+      const [one, other] = [i, i + 1].map((at) => ({ ...inRobot(pose, { x: from.x + (at / pieces) * (to.x - from.x), y: from.y + (at / pieces) * (to.y - from.y) }), z: 0 }));
+      const ends = lineToPixels(optics, one!, other!);
+      if (ends?.some(near)) stroke(pen, kOverlayColours.field, 1.5, ends.map((end) => toCanvas(fit, end)));
+    }
+  }
+}
+
+function drawFound(pen: Pen, page: Fit, vision: Fields, camera: number): void {
+  const [width, height] = [numberOf(vision, "image_width"), numberOf(vision, "image_height")];
+  if (!(width > 0 && height > 0)) return;
+  // pixels of the vision's own image, which may have another size than the picture
+  const fit: Fit = { ...page, width, height, scale: (page.scale * page.width) / width };
+  const isHere = (fields: Fields) => cameraOf(fields) === camera || cameraOf(fields) === 0;
+  const detections = (name: string) => listOf(vision, name).filter((entry) => isHere(fieldsOf(entry, "detection")));
+
+  for (const line of listOf(vision, "lines").filter(isHere)) {
+    const ends = ["image_start", "image_end"].map((name) => toCanvas(fit, pixelOf(fieldsOf(line, name))));
+    stroke(pen, kOverlayColours.line, 2.5, ends);
+  }
+  for (const name of ["corners", "crosses"]) for (const entry of detections(name)) drawSpot(pen, fit, entry, wordOf(entry, "shape").replaceAll("_", " ").toUpperCase() || "mark");
+  for (const post of detections("goal_posts")) drawBox(pen, fit, post, `${textOf(post, "colour")} post`.trim(), kOverlayColours.post);
+  for (const robot of detections("robots")) {
+    const side = wordOf(robot, "side");
+    const known = side && side !== "unspecified" ? `${side} robot` : "robot";
+    drawBox(pen, fit, robot, known, side === "own" ? kOverlayColours.own : side === "opponent" ? kOverlayColours.ball : kOverlayColours.robot);
+  }
+  const ball = fieldsOf(vision, "ball");
+  if (ball.size > 0 && isHere(fieldsOf(ball, "detection"))) drawBall(pen, fit, ball);
+}
+
+const cameraOf = (fields: Fields): number => {
+  const camera = fields.get("camera");
+  return typeof camera === "object" && camera !== null && "number" in camera ? (camera.number as number) : 0;
+};
+const pixelOf = (pixel: Fields): Point => ({ x: numberOf(pixel, "x"), y: numberOf(pixel, "y") });
+const centreOf = (detection: Fields): Point => ({ x: numberOf(detection, "image_x"), y: numberOf(detection, "image_y") });
+const away = (detection: Fields): string => {
+  const distance = numberOf(detection, "distance");
+  return Number.isFinite(distance) ? ` ${distance.toFixed(1)} m` : "";
+};
+
+function drawSpot(pen: Pen, fit: Fit, entry: Fields, word: string): void {
+  const { x, y } = toCanvas(fit, centreOf(fieldsOf(entry, "detection")));
+  stroke(pen, kOverlayColours.corner, 2, [{ x: x - 6, y: y - 6 }, { x: x + 6, y: y + 6 }]);
+  stroke(pen, kOverlayColours.corner, 2, [{ x: x - 6, y: y + 6 }, { x: x + 6, y: y - 6 }]);
+  label(pen, fit, word, { x: x + 9, y }, kOverlayColours.corner, x - 9);
+}
+
+function drawBox(pen: Pen, fit: Fit, entry: Fields, word: string, colour: string): void {
+  const detection = fieldsOf(entry, "detection");
+  const outline = outlineOf(detection).map((corner) => toCanvas(fit, corner));
+  const { x, y } = toCanvas(fit, centreOf(detection));
+  if (outline.length === 0) return drawSpot(pen, fit, entry, word);
+  stroke(pen, colour, 2, outline, true);
+  label(pen, fit, word + away(detection), { x: Math.min(x, ...outline.map((corner) => corner.x)), y: Math.min(y, ...outline.map((corner) => corner.y)) - 10 }, colour);
+}
+
+function drawBall(pen: Pen, fit: Fit, ball: Fields): void {
+  const detection = fieldsOf(ball, "detection");
+  const { x, y } = toCanvas(fit, centreOf(detection));
+  const radius = Math.max(3, fit.scale * (numberOf(ball, "radius") || 0));
+  for (const [style, width, alpha] of [[kInk, 4.5, 0.55], [kOverlayColours.ball, 2.5, 1]] as const) {
+    pen.strokeStyle = style;
+    pen.lineWidth = width;
+    pen.globalAlpha = alpha;
+    pen.beginPath();
+    pen.arc(x, y, radius, 0, 2 * Math.PI);
+    pen.stroke();
+  }
+  label(pen, fit, `ball${away(detection)}`, { x: x + radius + 5, y }, kOverlayColours.ball, x - radius - 5);
+}
+
+/** Luma and colour of a pixel, 0 .. 255. */
+export interface Yuv {
+  y: number;
+  u: number;
+  v: number;
+}
+
+/** Of a YUYV picture; pairs of pixels share `u` and `v`. */
+export function yuvAt(yuyv: Uint8Array, width: number, { x, y }: Point): Yuv {
+  const [column, row] = [Math.floor(x), Math.floor(y)];
+  const pair = 2 * (row * width + (column & ~1));
+  return { y: yuyv[2 * (row * width + column)]!, u: yuyv[pair + 1]!, v: yuyv[pair + 3]! };
+}
+
+/** Of red, green and blue, 0 .. 255, by BT.601 with full range. */
+export const yuvOf = (red: number, green: number, blue: number): Yuv => {
+  const y = 0.299 * red + 0.587 * green + 0.114 * blue;
+  return { y: Math.round(y), u: Math.round(128 + (blue - y) / 1.772), v: Math.round(128 + (red - y) / 1.402) };
+};

@@ -1,0 +1,52 @@
+import { expect, test } from "vitest";
+import { kRobotColours } from "./draw_scene";
+import { kEditColour, kHeatColour } from "./foreseen";
+import { kOverlayColours } from "./overlay";
+import { kSkillColours } from "./phases";
+import { kLineStyles } from "./plot";
+import { distance, kSights } from "./test_sight";
+
+/** The two of a palette that look most alike to whoever sees them least. */
+function nearest(colours: string[]): { apart: number; who: string } {
+  let found = { apart: Infinity, who: "" };
+  for (const [name, sight] of Object.entries(kSights))
+    colours.forEach((one, i) =>
+      colours.slice(i + 1).forEach((other) => {
+        const apart = distance(sight, one, other);
+        if (apart < found.apart) found = { apart, who: `${one} and ${other}, ${name}` };
+      }),
+    );
+  return found;
+}
+
+test("the measure itself: black and white are far apart, and red and green are near for who does not see them", () => {
+  for (const sight of Object.values(kSights)) expect(distance(sight, "#000000", "#ffffff")).toBeCloseTo(100, 0);
+  const [all, protanopia, deuteranopia] = ["all colours", "protanopia", "deuteranopia"].map((name) => distance(kSights[name]!, "#cc6644", "#77994a"));
+  expect(all).toBeGreaterThan(55);
+  expect(Math.min(protanopia!, deuteranopia!)).toBeLessThan(20);
+});
+
+test("lines of a plot that are dashed alike are told apart by all", () => {
+  const dashes = [...new Set(kLineStyles.map(({ dash }) => dash.join()))];
+  for (const dash of dashes) {
+    const { apart, who } = nearest(kLineStyles.filter((style) => style.dash.join() === dash).map(({ colour }) => colour));
+    expect(apart, who).toBeGreaterThan(15);
+  }
+});
+
+test("both teams are told apart by all, on the carpet too", () => {
+  const { apart, who } = nearest([kRobotColours.home, kRobotColours.away, "#23523a"]);
+  expect(apart, who).toBeGreaterThan(35);
+});
+
+test("what the agent does is told apart by all, and what is drawn over pictures", () => {
+  const skills = nearest(kSkillColours);
+  expect(skills.apart, skills.who).toBeGreaterThan(15);
+  const over = nearest([kOverlayColours.ball, kOverlayColours.own, kOverlayColours.robot, kOverlayColours.post]);
+  expect(over.apart, over.who).toBeGreaterThan(18);
+});
+
+test("on the What-if field teams, heat and what was edited are told apart by all", () => {
+  const { apart, who } = nearest([kRobotColours.home, kRobotColours.away, kEditColour, kHeatColour, "#23523a"]);
+  expect(apart, who).toBeGreaterThan(20);
+});

@@ -1,0 +1,116 @@
+// When a condition held, out of the histories of all objects that it looks at, bit by bit.
+
+import type { Condition } from "./condition";
+import type { Entry, History } from "./history";
+import type { Decoded } from "./decoder";
+import type { Fields } from "./value";
+
+/** The past of one topic. */
+export interface Source {
+  readonly history: History;
+  decode(data: Uint8Array): Decoded;
+}
+
+/** The condition held from one capture time to another [ns]; `to_ns` of the newest grows while it holds. */
+export interface Match {
+  from_ns: bigint;
+  to_ns: bigint;
+}
+
+const kMostMatches = 5000;
+const kLate_ns = 500_000_000n; // so much later than the others a message may come and still be taken in order
+
+interface Reading {
+  topic: string;
+  source: Source;
+  next: number;
+  generation: number;
+  fields: Fields | undefined;
+}
+
+export class Finder {
+  /** In order of time. */
+  matches: Match[] = [];
+  #readings: Reading[] = [];
+  #open: Match | undefined; // it still holds
+
+  /** `recorded`: what was found stays when another part of a recording is read, also a part once more. */
+  constructor(
+    readonly condition: Condition,
+    sources: ReadonlyMap<string, Source>,
+    readonly recorded = false,
+  ) {
+    for (const topic of condition.topics) {
+      const source = sources.get(topic);
+      if (source) this.#readings.push({ topic, source, next: 0, generation: -1, fields: undefined });
+    }
+    this.#restart();
+  }
+
+  /** Reads on, for at most `milliseconds`; true when everything is read. */
+  update(milliseconds: number, clock: () => number = () => performance.now()): boolean {
+    if (this.#readings.some(({ source, generation }) => source.history.generation !== generation)) this.#restart();
+    const until_ns = this.#orderedUntil();
+    const end = clock() + milliseconds;
+    for (let read = 0; ; ++read) {
+      if (read % 16 === 15 && clock() > end) return false;
+      const reading = this.#earliest();
+      const entry = reading?.source.history.get(reading.next);
+      if (!reading || !entry || entry.log_ns > until_ns) return true;
+      ++reading.next;
+      reading.fields = reading.source.decode(entry.data).fields;
+      this.#note(entry);
+    }
+  }
+
+  #restart(): void {
+    if (!this.recorded) this.matches = [];
+    this.#open = undefined;
+    for (const reading of this.#readings) {
+      reading.generation = reading.source.history.generation;
+      reading.next = reading.source.history.begin;
+      reading.fields = undefined;
+    }
+  }
+
+  /** Up to here nothing earlier is to be expected from anybody. */
+  #orderedUntil(): bigint {
+    let [first, last]: [bigint | undefined, bigint] = [undefined, 0n];
+    for (const { source } of this.#readings) {
+      const last_ns = source.history.last_ns ?? 0n;
+      if (first === undefined || last_ns < first) first = last_ns;
+      if (last_ns > last) last = last_ns;
+    }
+    const least = last - kLate_ns;
+    return first !== undefined && first > least ? first : least;
+  }
+
+  #earliest(): Reading | undefined {
+    let [found, time]: [Reading | undefined, bigint] = [undefined, 0n];
+    for (const reading of this.#readings) {
+      const { history } = reading.source;
+      reading.next = Math.max(reading.next, history.begin);
+      const log_ns = history.timeOf(reading.next);
+      if (log_ns !== undefined && (!found || log_ns < time)) [found, time] = [reading, log_ns];
+    }
+    return found;
+  }
+
+  #note({ log_ns }: Entry): void {
+    const holds = this.condition.holds((topic) => this.#readings.find((reading) => reading.topic === topic)?.fields);
+    if (this.#open && log_ns > this.#open.to_ns) this.#open.to_ns = log_ns;
+    if (!holds) this.#open = undefined;
+    else this.#open ??= this.#begin(log_ns);
+    if (this.matches.length > kMostMatches) this.matches.splice(0, kMostMatches / 10);
+  }
+
+  /** The match that begins now, or the one from before that holds then. */
+  #begin(log_ns: bigint): Match {
+    const last = this.matches.findLastIndex(({ from_ns }) => from_ns <= log_ns);
+    const known = this.matches[last];
+    if (known && known.to_ns >= log_ns) return known;
+    const match = { from_ns: log_ns, to_ns: log_ns };
+    this.matches.splice(last + 1, 0, match);
+    return match;
+  }
+}

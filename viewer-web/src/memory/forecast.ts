@@ -1,0 +1,197 @@
+// What foresight expects of each strategy: as the object `forecast` says it, or the service /foresight/what_if.
+
+import type { Fields, Value } from "./value";
+import { fieldsOf, listOf, numberOf, textOf, wordOf } from "./value";
+
+export const kMeasures = { goal_difference: "goal difference", score_next: "scoring next", concede: "not conceding next" };
+export type Measure = keyof typeof kMeasures;
+
+export const kUntils = { horizon: "for some seconds", next_goal: "to the next goal", half: "to the end of the half", game: "to the end of the game" };
+export type Until = keyof typeof kUntils;
+
+export type Side = "own" | "opponent";
+export type Advice = "none" | "keep" | "change";
+
+/** [m] of team_field: the own team attacks towards +x. */
+export interface Place {
+  x: number;
+  y: number;
+}
+
+/** One robot of the moment that was played on from. */
+export interface Body extends Place {
+  side: Side;
+  player: number;
+  /** [rad] */
+  heading: number;
+  /** [m] one standard deviation; 0: certain. */
+  deviation: number;
+}
+
+export interface Situation {
+  ball: (Place & { deviation: number }) | undefined;
+  bodies: Body[];
+}
+
+/** One continuation. */
+export interface Path {
+  /** [s] between points. */
+  spacing: number;
+  ball: Place[];
+  /** Of the own team. */
+  robots: { player: number; points: Place[] }[];
+}
+
+/** How often the ball was where: counts row by row from (-length/2, -width/2), along x first. */
+export interface Heat {
+  columns: number;
+  counts: number[];
+}
+
+/** Values are in the unit of the measure. */
+export interface StrategyForecast {
+  name: string;
+  rollouts: number;
+  mean: number;
+  /** One standard error of the mean. */
+  error: number;
+  /** [0..1] */
+  score: number;
+  concede: number;
+  /** Over what is played now, and its 95 % interval. */
+  gain: number;
+  gainLow: number;
+  gainHigh: number;
+  /** [0..1] that it is the best of all. */
+  best: number;
+  /** False: it was left behind. */
+  racedOn: boolean;
+  paths: Path[];
+  heat: Heat | undefined;
+}
+
+export interface Forecast {
+  measure: Measure;
+  until: Until;
+  opponent: string;
+  askedBy: string;
+  advice: Advice;
+  choice: string;
+  reason: string;
+  strategies: StrategyForecast[];
+  /** [ms] from the question to the answer; of processor time. */
+  answeredMs: number;
+  computedMs: number;
+  /** [s] of game time, all rollouts together; of each at most. */
+  simulated: number;
+  horizon: number;
+  models: string;
+  situation: Situation;
+}
+
+const finite = (fields: Fields, name: string): number => {
+  const value = numberOf(fields, name);
+  return Number.isFinite(value) ? value : 0;
+};
+
+const known = <Word extends string>(words: Record<Word, unknown>, word: string, otherwise: Word): Word => (Object.hasOwn(words, word) ? (word as Word) : otherwise);
+const kAdvice = { none: 0, keep: 0, change: 0 };
+
+/** Reads either; what is missing is nothing or 0. */
+export function forecastOf(fields: Fields): Forecast {
+  const question = fieldsOf(fields, "question");
+  const count = (name: string) => finite(fields, name);
+  return {
+    measure: known(kMeasures, wordOf(question, "measure"), "goal_difference"),
+    until: known(kUntils, wordOf(question, "until"), "horizon"),
+    opponent: textOf(question, "opponent"),
+    askedBy: textOf(question, "asked_by"),
+    advice: known(kAdvice, wordOf(fields, "advice"), "none"),
+    choice: textOf(fields, "choice"),
+    reason: textOf(fields, "reason") || textOf(fields, "refusal"),
+    strategies: listOf(fields, "strategies").map(strategyOf),
+    answeredMs: count("answered_ms"),
+    computedMs: count("computed_ms"),
+    simulated: count("simulated"),
+    horizon: count("horizon") || finite(question, "horizon"),
+    models: textOf(fields, "models"),
+    situation: situationOf(fieldsOf(fields, "situation")),
+  };
+}
+
+/** An object that a service answered with, as if it had been a message. */
+export function fieldsOfJson(value: unknown): Fields {
+  const read = (part: unknown): Value => {
+    if (Array.isArray(part)) return part.map(read);
+    if (typeof part === "object" && part !== null) return new Map(Object.entries(part).map(([name, entry]) => [name, read(entry)]));
+    return typeof part === "number" || typeof part === "string" || typeof part === "boolean" ? part : undefined;
+  };
+  const fields = read(value);
+  return fields instanceof Map ? fields : new Map();
+}
+
+function strategyOf(fields: Fields): StrategyForecast {
+  const of = (name: string) => finite(fields, name);
+  return {
+    name: textOf(fields, "strategy"),
+    rollouts: of("rollouts"),
+    mean: of("mean"),
+    error: of("error"),
+    score: of("score"),
+    concede: of("concede"),
+    gain: of("gain"),
+    gainLow: of("gain_low"),
+    gainHigh: of("gain_high"),
+    best: of("best"),
+    racedOn: fields.get("raced_on") === true,
+    paths: listOf(fields, "paths").map(pathOf),
+    heat: heatOf(fields),
+  };
+}
+
+const pathOf = (fields: Fields): Path => ({
+  spacing: finite(fields, "spacing"),
+  ball: pointsOf(fields.get("ball")),
+  robots: listOf(fields, "robots").map((robot) => ({ player: finite(robot, "player"), points: pointsOf(robot.get("points")) })),
+});
+
+/** x, y of each point, up to the first that is none. */
+function pointsOf(list: Value): Place[] {
+  const points: Place[] = [];
+  if (!Array.isArray(list)) return points;
+  for (let i = 0; i + 1 < list.length; i += 2) {
+    const [x, y] = [list[i], list[i + 1]];
+    if (typeof x !== "number" || typeof y !== "number" || !Number.isFinite(x) || !Number.isFinite(y)) break;
+    points.push({ x, y });
+  }
+  return points;
+}
+
+function heatOf(fields: Fields): Heat | undefined {
+  const columns = numberOf(fields, "heat_columns");
+  const counts = fields.get("heat");
+  const fits = Array.isArray(counts) && counts.length > 0 && Number.isInteger(columns) && columns > 0 && counts.length % columns === 0;
+  return fits ? { columns, counts: counts.map((count) => (typeof count === "number" && count > 0 ? count : 0)) } : undefined;
+}
+
+/** The object calls them ball_x and bodies, the service ball.x and robots. */
+function situationOf(fields: Fields): Situation {
+  const ball = fieldsOf(fields, "ball");
+  const [x, y, deviation] = ["x", "y", "deviation"].map((name) => (ball.size > 0 ? numberOf(ball, name) : numberOf(fields, `ball_${name}`)));
+  const bodies = [...listOf(fields, "bodies"), ...listOf(fields, "robots")];
+  return {
+    ball: Number.isFinite(x) && Number.isFinite(y) ? { x: x!, y: y!, deviation: deviation || 0 } : undefined,
+    bodies: bodies.map((body) => ({
+      side: body.get("opponent") === true || body.get("side") === "opponent" ? "opponent" : "own",
+      player: finite(body, "player"),
+      x: finite(body, "x"),
+      y: finite(body, "y"),
+      heading: finite(body, "heading"),
+      deviation: finite(body, "deviation"),
+    })),
+  };
+}
+
+/** The one that is meant by `name`, else the one to play, else the first. */
+export const chosenOf = ({ strategies, choice }: Forecast, name: string): StrategyForecast | undefined =>
+  strategies.find((strategy) => strategy.name === name) ?? strategies.find((strategy) => strategy.name === choice) ?? strategies[0];

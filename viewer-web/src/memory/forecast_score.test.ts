@@ -1,0 +1,33 @@
+import { expect, test } from "vitest";
+import { fieldsOfJson } from "./forecast";
+import { forecastScoreOf, strategyOf } from "./forecast_score";
+
+const bins = (at: number, forecasts: number, came: number, foretold: number) => Array.from({ length: 10 }, (_, i) => (i === at ? { forecasts, came, foretold } : { forecasts: 0, came: 0, foretold: 0 }));
+const event = (came: number, brier: number, at: number, forecasts: number, foretold: number) => ({ came, brier, bins: bins(at, forecasts, came, foretold) });
+
+test("strategies and horizons are counted together, each by its forecasts", () => {
+  const score = forecastScoreOf(
+    fieldsOfJson({
+      entries: [
+        { strategy: "baseline", horizon: 30, forecasts: 30, score: event(9, 0.2, 3, 30, 0.3), concede: event(0, 0.01, 0, 30, 0.05) },
+        { strategy: "passing", horizon: 30, forecasts: 10, score: event(5, 0.4, 3, 10, 0.34), concede: event(2, 0.09, 0, 10, 0.05) },
+      ],
+    }),
+  )!;
+  expect(score.forecasts).toBe(40);
+  expect(score.score.came).toBe(14);
+  expect(score.score.brier).toBeCloseTo(0.25);
+  expect(score.score.brierOfRate).toBeCloseTo(0.35 * 0.65);
+  expect(score.score.bins).toHaveLength(1);
+  expect(score.score.bins[0]).toMatchObject({ forecasts: 40, came: 0.35 });
+  expect(score.score.bins[0]!.foretold).toBeCloseTo(0.31);
+  expect(score.score.bins[0]!.error).toBeCloseTo(Math.sqrt((0.35 * 0.65) / 40));
+  expect(score.concede.brier).toBeCloseTo(0.03);
+});
+
+test("before one was scored there is no score, nor a strategy where nobody says one", () => {
+  expect(forecastScoreOf(new Map())).toBeUndefined();
+  expect(forecastScoreOf(fieldsOfJson({ entries: [], open: 3 }))).toBeUndefined();
+  expect(strategyOf(new Map())).toBeUndefined();
+  expect(strategyOf(fieldsOfJson({ name: "passing", chosen: true, captain: 2 }))).toEqual({ name: "passing", chosen: true, captain: 2 });
+});

@@ -1,0 +1,60 @@
+// How often what was foretold came true, as the robot counted: the object `forecast_score`.
+import { type Fields, fieldsOf, listOf, numberOf, textOf } from "./value";
+
+/** Forecasts that foretold about as much. */
+export interface Bin {
+  forecasts: number;
+  /** [0..1] how often it came. */
+  came: number;
+  /** [0..1] what was foretold, on average. */
+  foretold: number;
+  /** [0..1] one standard error of `came`. */
+  error: number;
+}
+
+/** One kind of event. */
+export interface Scored {
+  came: number;
+  /** [0..1] small is good. */
+  brier: number;
+  /** [0..1] of always foretelling how often it came. */
+  brierOfRate: number;
+  /** Those with forecasts, ascending. */
+  bins: Bin[];
+}
+
+export interface ForecastScore {
+  forecasts: number;
+  score: Scored;
+  concede: Scored;
+}
+
+const finite = (fields: Fields, name: string): number => numberOf(fields, name) || 0;
+
+/** Of all strategies and horizons together; undefined before one was scored. */
+export function forecastScoreOf(fields: Fields): ForecastScore | undefined {
+  const entries = listOf(fields, "entries");
+  const forecasts = entries.reduce((sum, entry) => sum + finite(entry, "forecasts"), 0);
+  if (forecasts === 0) return undefined;
+  const merged = (kind: string): Scored => {
+    const events = entries.map((entry) => ({ weight: finite(entry, "forecasts"), event: fieldsOf(entry, kind) }));
+    const came = events.reduce((sum, { event }) => sum + finite(event, "came"), 0);
+    const brier = events.reduce((sum, { weight, event }) => sum + weight * finite(event, "brier"), 0) / forecasts;
+    const bins = Array.from({ length: 10 }, (_, index): Bin => {
+      const parts = events.map(({ event }) => listOf(event, "bins")[index] ?? new Map());
+      const count = parts.reduce((sum, bin) => sum + finite(bin, "forecasts"), 0);
+      const rate = parts.reduce((sum, bin) => sum + finite(bin, "came"), 0) / count;
+      const foretold = parts.reduce((sum, bin) => sum + finite(bin, "forecasts") * finite(bin, "foretold"), 0) / count;
+      return { forecasts: count, came: rate, foretold, error: Math.sqrt((rate * (1 - rate)) / count) };
+    });
+    const rate = came / forecasts;
+    return { came, brier, brierOfRate: rate * (1 - rate), bins: bins.filter((bin) => bin.forecasts > 0) };
+  };
+  return { forecasts, score: merged("score"), concede: merged("concede") };
+}
+
+/** "passing", and since which choice; undefined where foresight does not say. */
+export function strategyOf(fields: Fields): { name: string; chosen: boolean; captain: number } | undefined {
+  const name = textOf(fields, "name");
+  return name === "" ? undefined : { name, chosen: fields.get("chosen") === true, captain: finite(fields, "captain") };
+}

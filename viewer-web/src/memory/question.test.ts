@@ -1,0 +1,75 @@
+import { expect, test } from "vitest";
+import type { Situation } from "./forecast";
+import { believed, edited, isEdited, kNoEdit, kUsualQuestion, moved, movedIn, namesIn, putBack, questionOfText, requestOf, textOfQuestion, turned, type Question } from "./question";
+
+const kSituation: Situation = {
+  ball: { x: 1, y: 0.5, deviation: 0.2 },
+  bodies: [
+    { side: "own", player: 2, x: -1, y: 0, heading: 0.5, deviation: 0.1 },
+    { side: "opponent", player: 2, x: 2, y: 1, heading: 3, deviation: 0.3 },
+  ],
+};
+const kEdit = moved(moved(kNoEdit, "ball", { x: -0.51234, y: 2, heading: 0 }), "opponent 2", { x: 0, y: -1, heading: 7 });
+
+test("a thing that was moved is certain to be there, the rest is as believed", () => {
+  const now = edited(kSituation, kEdit);
+  expect(now.ball).toEqual({ x: -0.512, y: 2, deviation: 0 });
+  expect(now.bodies[0]).toEqual(kSituation.bodies[0]);
+  expect(now.bodies[1]).toEqual({ side: "opponent", player: 2, x: 0, y: -1, heading: 0.717, deviation: 0 });
+  expect(edited({ ball: undefined, bodies: [] }, kEdit).bodies).toHaveLength(1);
+});
+
+test("each thing is put back by itself", () => {
+  expect(movedIn(kEdit)).toEqual(["ball", "opponent 2"]);
+  expect(movedIn(putBack(kEdit, "ball"))).toEqual(["opponent 2"]);
+  expect(putBack(putBack(kEdit, "ball"), "opponent 2")).toEqual(kNoEdit);
+  expect([isEdited(kNoEdit), isEdited({ ...kNoEdit, ownScore: 0 }), isEdited(kEdit)]).toEqual([false, true, true]);
+});
+
+test("what is believed of a moved thing is what was believed before it was moved", () => {
+  const answered = edited(kSituation, kEdit);
+  expect(believed(answered, kEdit, kSituation)).toEqual(kSituation);
+  expect(believed(answered, kEdit, undefined)).toEqual({ ball: undefined, bodies: [kSituation.bodies[0]] });
+  expect(believed(kSituation, kNoEdit, undefined)).toEqual(kSituation);
+});
+
+test("headings stay within what the service takes, at every angle", () => {
+  for (let angle = -20; angle < 20; angle += 0.013) {
+    expect(Math.abs(turned(angle))).toBeLessThan(Math.PI);
+    expect(Math.cos(turned(angle) - angle)).toBeGreaterThan(0.99999);
+  }
+  expect(Math.abs(turned(Math.PI))).toBeLessThan(Math.PI);
+});
+
+test("the request holds what was asked, and nothing of what was not", () => {
+  expect(requestOf(kUsualQuestion, "14/2")).toEqual({ robot: "14/2", measure: "goal_difference", until: "horizon", horizon: 30, budget_ms: 1000 });
+  const question: Question = { ...kUsualQuestion, strategies: ["a", "b"], opponent: "c", edit: { ...kEdit, opponentScore: 2, secondsRemaining: 60 } };
+  expect(requestOf(question, "5/1")).toMatchObject({
+    strategies: ["a", "b"],
+    opponent: "c",
+    edit: { ball: { x: -0.512, y: 2 }, robots: [{ side: "opponent", player: 2, x: 0, y: -1, heading: 0.717 }], opponent_score: 2, seconds_remaining: 60 },
+  });
+  expect(requestOf(question, "5/1")["edit"]).not.toHaveProperty("own_score");
+});
+
+test("a question comes back from the address as it went in, whatever the names are", () => {
+  const questions: Question[] = [
+    kUsualQuestion,
+    { ...kUsualQuestion, strategies: ["base/line", "a,b:c", "ä <b>"], opponent: "x/y", measure: "concede", until: "half", horizon: 12.5, budgetMs: 200 },
+    { ...kUsualQuestion, edit: { ...kEdit, ownScore: 3, opponentScore: undefined, secondsRemaining: 90 } },
+    { ...kUsualQuestion, edit: { ...kNoEdit, ownScore: undefined, opponentScore: 0 } },
+  ];
+  expect(textOfQuestion(kUsualQuestion)).toBe("");
+  for (const question of questions) expect(questionOfText(textOfQuestion(question))).toEqual(question);
+});
+
+test("an address that makes no sense asks the usual", () => {
+  for (const text of ["", "/", "::/:", "by:luck/until:never/for:-3/in:1e99/ball:1/own2:1,2/own:1,2,3/opponent999:1,2,3/score:x,-1/left:-5", "ball:NaN,1/opponent2:1,2,1e5", "play:%E0%A4%A", "constructor:1/by:constructor"])
+    expect({ ...questionOfText(text), strategies: [] }).toEqual(kUsualQuestion);
+  expect(questionOfText(`play:${Array.from({ length: 50 }, (_, i) => `s${i}`).join(",")}`).strategies).toHaveLength(8);
+});
+
+test("a refusal that names the strategies is heard", () => {
+  expect(namesIn('no strategy "x"; there are: baseline, passing')).toEqual(["baseline", "passing"]);
+  expect(namesIn("the ball at 90, 0 is not on the field")).toEqual([]);
+});

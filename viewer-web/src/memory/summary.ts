@@ -1,0 +1,56 @@
+// A recording in short: what happened in it and what the agent did, out of its small objects.
+
+import { recordedIn, type Recorded } from "../source/mcap";
+import { decoderOf } from "./decoder";
+import { changesTold, type EventKind } from "./game_events";
+import { textOf, type Fields } from "./value";
+
+export interface Summary {
+  /** In order of time. */
+  events: { log_ns: bigint; kind: EventKind; text: string }[];
+  /** What the agent did from each moment on. */
+  skills: { from_ns: bigint; skill: string }[];
+}
+
+/** What is read, and of it no more than these many bytes each: a list of recordings is to be there at once. */
+export const kSummarised = ["game", "motion_status", "decision"];
+export const kMostSummarised = 4_000_000; // [bytes]
+
+const kMostEvents = 500;
+
+/** Of an object's name and the file of its recording. What cannot be read is left out. */
+export function summaryOf(files: { name: string; file: Uint8Array }[]): Summary {
+  const summary: Summary = { events: [], skills: [] };
+  for (const { name, file } of files) {
+    const recorded = recordedIn(file);
+    if (name === "decision") readSkills(recorded, summary);
+    else readEvents(name, recorded, summary);
+  }
+  summary.events.sort((a, b) => (a.log_ns < b.log_ns ? -1 : a.log_ns > b.log_ns ? 1 : 0));
+  summary.events.splice(kMostEvents);
+  return summary;
+}
+
+function* decoded({ encoding, schemaName, schema, messages }: Recorded): Generator<{ log_ns: bigint; fields: Fields }> {
+  const decode = decoderOf({ encoding, schemaName, schema });
+  for (const { log_ns, data } of messages) {
+    const { fields } = decode(data);
+    if (fields) yield { log_ns, fields };
+  }
+}
+
+function readEvents(name: string, recorded: Recorded, summary: Summary): void {
+  const changes = changesTold(name);
+  let before: Fields | undefined;
+  for (const { log_ns, fields } of changes ? decoded(recorded) : []) {
+    for (const change of before ? changes!(before, fields) : []) summary.events.push({ log_ns, ...change });
+    before = fields;
+  }
+}
+
+function readSkills(recorded: Recorded, { skills }: Summary): void {
+  for (const { log_ns, fields } of decoded(recorded)) {
+    const skill = textOf(fields, "skill");
+    if (skills.at(-1)?.skill !== skill) skills.push({ from_ns: log_ns, skill });
+  }
+}

@@ -1,0 +1,118 @@
+// Reads the recording of one object, an MCAP file as a robot serves it. https://mcap.dev/spec
+
+import { decompress as unpackZstd } from "fzstd";
+import { base64Encode } from "@bufbuild/protobuf/wire";
+import { unpackLz4 } from "./lz4";
+
+export interface Recorded {
+  topic: string;
+  encoding: string;
+  schemaName: string;
+  /** Of the schema's bytes, as a live channel has it. */
+  schema: string;
+  messages: { log_ns: bigint; data: Uint8Array }[];
+  /** What could not be read; "" where everything was. */
+  damage: string;
+}
+
+const kMagic = [0x89, 0x4d, 0x43, 0x41, 0x50, 0x30, 0x0d, 0x0a];
+const kOp = { schema: 3, channel: 4, message: 5, chunk: 6, dataEnd: 15 };
+const kMostBytes = 64e6; // [bytes] of a chunk: ours have 256 kB
+
+/** The first channel of a file, and its messages as they lie there. Never throws: what is damaged is said. */
+export function recordedIn(file: Uint8Array): Recorded {
+  const found: Recorded = { topic: "", encoding: "", schemaName: "", schema: "", messages: [], damage: "" };
+  if (!kMagic.every((byte, i) => file[i] === byte)) return { ...found, damage: "it is no MCAP file" };
+  const reader = new Reader(found);
+  try {
+    reader.records(file.subarray(kMagic.length));
+  } catch (error) {
+    found.damage = (error as Error).message;
+  }
+  return found;
+}
+
+class Reader {
+  #schemas = new Map<number, { name: string; data: Uint8Array }>();
+  #channel: number | undefined;
+
+  constructor(readonly found: Recorded) {}
+
+  /** Returns at the end of the data. */
+  records(bytes: Uint8Array): void {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    for (let at = 0; at < bytes.length; ) {
+      if (at + 9 > bytes.length) throw new Error("it is cut short");
+      const [op, length] = [view.getUint8(at), Number(view.getBigUint64(at + 1, true))];
+      if (op === kOp.dataEnd) return;
+      if (at + 9 + length > bytes.length) throw new Error("it is cut short");
+      this.#record(op, bytes.subarray(at + 9, at + 9 + length));
+      at += 9 + length;
+    }
+  }
+
+  #record(op: number, body: Uint8Array): void {
+    const fields = new Fields(body);
+    if (op === kOp.schema) {
+      const id = fields.u16();
+      const name = fields.text();
+      fields.text(); // its encoding: the channel's tells
+      this.#schemas.set(id, { name, data: fields.bytes() });
+    } else if (op === kOp.channel && this.#channel === undefined) {
+      this.#channel = fields.u16();
+      const schema = this.#schemas.get(fields.u16());
+      Object.assign(this.found, { topic: fields.text(), encoding: fields.text(), schemaName: schema?.name ?? "", schema: base64Encode(schema?.data ?? new Uint8Array()) });
+    } else if (op === kOp.message) {
+      if (fields.u16() !== this.#channel) return;
+      fields.skip(4);
+      const log_ns = fields.u64();
+      fields.skip(8);
+      this.found.messages.push({ log_ns, data: fields.rest() });
+    } else if (op === kOp.chunk) this.#chunk(fields);
+  }
+
+  #chunk(fields: Fields): void {
+    fields.skip(16);
+    const size = Number(fields.u64());
+    fields.skip(4);
+    const compression = fields.text();
+    if (size > kMostBytes) throw new Error(`a chunk says that it holds ${size} bytes`);
+    const packed = fields.bytes(Number(fields.u64()));
+    if (compression === "") this.records(packed);
+    else if (compression === "lz4") this.records(unpackLz4(packed, size));
+    else if (compression === "zstd") this.records(unpackZstd(packed, new Uint8Array(size)));
+    else throw new Error(`a chunk is compressed with '${compression}'`);
+  }
+}
+
+/** Reads one field after the other. Throws where there are fewer bytes. */
+class Fields {
+  #at = 0;
+  #view: DataView;
+
+  constructor(readonly body: Uint8Array) {
+    this.#view = new DataView(body.buffer, body.byteOffset, body.byteLength);
+  }
+  skip(bytes: number): void {
+    this.#at += bytes;
+  }
+  u16(): number {
+    return this.#view.getUint16((this.#at += 2) - 2, true);
+  }
+  u32(): number {
+    return this.#view.getUint32((this.#at += 4) - 4, true);
+  }
+  u64(): bigint {
+    return this.#view.getBigUint64((this.#at += 8) - 8, true);
+  }
+  bytes(length = this.u32()): Uint8Array {
+    if (this.#at + length > this.body.length) throw new Error("a record is cut short");
+    return this.body.subarray(this.#at, (this.#at += length));
+  }
+  text(): string {
+    return new TextDecoder().decode(this.bytes());
+  }
+  rest(): Uint8Array {
+    return this.body.subarray(this.#at);
+  }
+}

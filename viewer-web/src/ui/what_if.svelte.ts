@@ -1,0 +1,127 @@
+// A person's question to foresight: what is asked, what is edited, the answer, and what went wrong.
+
+import { forecastOf, fieldsOfJson, type Forecast, type Situation } from "../memory/forecast";
+import { believed, kMostStrategies, kNoEdit, moved, namesIn, putBack, questionOfText, requestOf, textOfQuestion } from "../memory/question";
+import type { Edit, Question, Standing, Thing } from "../memory/question";
+import { now } from "./frame.svelte";
+import type { Server } from "./server.svelte";
+import type { Viewer } from "./viewer.svelte";
+
+export const kService = "/foresight/what_if";
+
+const kPatienceMs = 15_000; // beyond the budget: another question may be before ours
+const kSettleMs = 3000; // until a recording stands where the page does
+const kNoteMs = 300; // the address follows so much later
+
+export interface Answered {
+  forecast: Forecast;
+  /** With what it was asked. */
+  edit: Edit;
+  /** What the robot believes, without the edit. */
+  believed: Situation;
+  /** [ns] capture time on the server's clock. */
+  at_ns: bigint;
+}
+
+export class WhatIf {
+  question = $state.raw<Question>(questionOfText(""));
+  answered = $state.raw<Answered>();
+  /** One sentence; "" while all is well. */
+  problem = $state("");
+  /** [s] when it was asked, and how long it takes at least; undefined while nothing is on its way. */
+  asking = $state.raw<{ since: number; lasts: number }>();
+  /** Strategies that the robot was heard to have. */
+  names = $state.raw<string[]>([]);
+  #noted: string | undefined;
+  #note: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(
+    readonly viewer: Viewer,
+    readonly server: Server,
+    readonly robot: string,
+  ) {}
+
+  get offered(): boolean {
+    return this.server.serviceNames.includes(kService);
+  }
+
+  /** The question of the page's address, unless it is there because of us. */
+  follow(text: string): void {
+    if (text === this.#noted) return;
+    this.#noted = text;
+    this.question = questionOfText(text);
+    this.hear(this.question.strategies);
+  }
+
+  change(to: Partial<Question>): void {
+    this.question = { ...this.question, ...to };
+    clearTimeout(this.#note);
+    this.#note = setTimeout(() => this.viewer.set("ask", (this.#noted = textOfQuestion(this.question))), kNoteMs);
+  }
+
+  edit(to: Partial<Edit>): void {
+    this.change({ edit: { ...this.question.edit, ...to } });
+  }
+  move(thing: Thing, to: Standing): void {
+    this.change({ edit: moved(this.question.edit, thing, to) });
+  }
+  putBack(thing: Thing): void {
+    this.change({ edit: putBack(this.question.edit, thing) });
+  }
+  reset(): void {
+    this.change({ edit: kNoEdit });
+  }
+
+  /** New names come last: a list does not jump under the pointer. */
+  hear(names: string[]): void {
+    const fresh = names.filter((name) => name && !this.names.includes(name));
+    if (fresh.length > 0) this.names = [...this.names, ...new Set(fresh)];
+  }
+
+  /** Asks, unless a question is on its way. `playing`: what is taken to be played now where nobody chose. */
+  async ask(playing: string): Promise<void> {
+    if (this.asking) return;
+    const { question } = this;
+    const all = [playing, ...this.names.filter((name) => name !== playing)].filter(Boolean).slice(0, kMostStrategies);
+    this.problem = "";
+    this.asking = { since: now(), lasts: question.budgetMs / 1000 };
+    try {
+      await this.#settled();
+      const at_ns = this.viewer.time.at_ns + this.viewer.time.shiftOf(this.server);
+      const strategies = question.strategies.length > 0 ? question.strategies : all;
+      const answer = await this.server.client.call(kService, requestOf({ ...question, strategies }, this.robot), question.budgetMs + kPatienceMs);
+      this.#answered(forecastOf(fieldsOfJson(answer["forecast"])), question.edit, at_ns);
+    } catch (error) {
+      this.problem = (error as Error).message.replace(`${kService}: `, "");
+      this.#named(namesIn(this.problem));
+    } finally {
+      this.asking = undefined;
+    }
+  }
+
+  /** The robot said which strategies there are: there are no others. */
+  #named(names: string[]): void {
+    if (names.length === 0) return;
+    this.names = [...new Set(names)];
+    this.change({ strategies: this.question.strategies.filter((name) => names.includes(name)) });
+  }
+
+  #answered(forecast: Forecast, edit: Edit, at_ns: bigint): void {
+    this.hear(forecast.strategies.map(({ name }) => name));
+    this.answered = { forecast, edit, at_ns, believed: believed(forecast.situation, edit, this.answered?.believed) };
+  }
+
+  /** A recording answers from where it stands: first it must stand where the page does. */
+  async #settled(): Promise<void> {
+    const { memory, played } = this.server;
+    const end = now() + kSettleMs / 1000;
+    const isThere = () => !this.server.asked && (memory.moment_ns === undefined || played!.at(now()) === memory.moment_ns);
+    while (played && !isThere() && now() < end) await new Promise((done) => setTimeout(done, 30));
+  }
+
+  /** What the robot foresees by itself is shown again. */
+  close(): void {
+    this.answered = undefined;
+    this.problem = "";
+  }
+}
