@@ -95,6 +95,13 @@ test_steps() {
   export FORESIGHT_BIN=$root/build/dev/bin
   step tests 'deploy' run_node_tests deploy "$root"/tests/deploy/*.test.mjs || true
 
+  step tests 'guardian' run_node_tests guardian "$root"/tests/guardian/*.test.mjs || true
+
+  # a viewer that is none of ours, for one browser test; without it that is passed over
+  local other=$root/tests/e2e/independent
+  [[ -d $other/node_modules ]] ||
+    step prepare 'another viewer' quietly npm --prefix "$other" ci --no-fund --no-audit --loglevel=error || true
+
   local browser_tests=("$root"/tests/e2e/*.test.mjs)
   if [[ -e ${browser_tests[0]} ]]; then
     step tests 'browser' run_node_tests browser "${browser_tests[@]}" || true

@@ -35,8 +35,8 @@ export const command = (name, ...args) => execFileSync(name, args, { encoding: "
 
 /**
  * Starts a program of ours. `before` are words in front of its name (ip netns exec …).
- * `output` becomes all it prints, `report` the JSON of its last line, `firstLine` its first line. `preset` is whose
- * build of it.
+ * `output` becomes all it prints, `report` the JSON of its last line, `firstLine` its first line, `address` what it
+ * says to be served at. `preset` is whose build of it.
  */
 export function start(name, args, before = [], preset = "release") {
   const words = [...before, join(builds, preset, "bin", name), ...args.map(String)];
@@ -53,9 +53,13 @@ export function start(name, args, before = [], preset = "release") {
     if (code !== 0) throw new Error(`${name} ended with status ${code}: ${words.join(" ")}`);
     return text.trim();
   });
+  const address = new Promise((done) => child.stdout.on("data", () => {
+    const found = /^http:\/\/\S+:\d+/m.exec(text);
+    if (found) done(found[0]);
+  }));
   const report = output.then((all) => JSON.parse(all.split("\n").at(-1)));
   for (const later of [output, report]) later.catch(() => {}); // whoever waits for it later gets the error then
-  return { pid: child.pid, firstLine, output, report, stop: () => child.kill("SIGTERM") };
+  return { pid: child.pid, firstLine, address, output, report, stop: () => child.kill("SIGTERM") };
 }
 
 let sessions = 0;

@@ -1,20 +1,24 @@
-// node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--kills N] [--jobs N]; see scripts/bench.
+// node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--kills N] [--jobs N] [--probes N] [--length N] [--large N] [--rollouts N]; see scripts/bench.
 import { budget } from "./budget.mjs";
+import { compare } from "./compare.mjs";
 import { deploy } from "./deploy.mjs";
 import { door } from "./door.mjs";
 import { equivalence } from "./equivalence.mjs";
 import { fanout } from "./fanout.mjs";
+import { foresight } from "./foresight.mjs";
 import { half } from "./half.mjs";
 import { interference } from "./interference.mjs";
+import { lola } from "./lola.mjs";
 import { nao } from "./nao.mjs";
-import { seek } from "./seek.mjs";
 import { shaped } from "./shaped.mjs";
 import { sim } from "./sim.mjs";
 import { soak } from "./soak.mjs";
 import { soccer } from "./soccer.mjs";
 import { streaming } from "./streaming.mjs";
+import { thesis } from "./thesis.mjs";
+import { viewer } from "./viewer.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak, door, sim, equivalence, soccer, nao, budget, seek, deploy };
+const benches = { streaming, half, interference, shaped, fanout, soak, door, sim, equivalence, soccer, nao, lola, budget, viewer, deploy, compare, thesis, foresight };
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};

@@ -20,16 +20,22 @@ export const rows = {
   "sim/perception": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent"],
   "sim/referee": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent"],
   "sim/match": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee"],
+  "sim/foresight": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee", "sim/match"],
   "sim/compare": [],
-  "sim/io": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee", "sim/match", "robot/core"],
+  "sim/io": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee", "sim/match", "sim/foresight", "robot/core"],
+  "sim/guest": ["sim/math", "sim/field", "sim/motion", "sim/world", "sim/agent", "robot/core"],
   "sim/app": "everything",
   "robot/core": [],
   "robot/memory": ["robot/core", "proto"],
   "robot/logging": ["robot/core", "robot/memory", "proto"],
   "robot/net": ["robot/core", "robot/memory", "robot/logging", "proto"],
+  "robot/foresight": ["robot/core", "robot/memory", "proto", "sim/math", "sim/field", "sim/motion", "sim/world", "sim/agent", "sim/match", "sim/foresight", "sim/io"],
   "robot/agent": ["robot/core", "robot/memory", "proto", "sim/math", "sim/field", "sim/motion", "sim/world", "sim/agent", "sim/perception", "sim/referee", "sim/match"],
   "robot/game": ["robot/core", "robot/memory", "proto"],
-  "robot/body": ["robot/core", "robot/memory", "robot/logging", "robot/agent", "proto", "sim/math", "sim/world", "sim/agent", "sim/referee", "sim/match", "sim/io"],
+  "robot/body": ["robot/core", "robot/memory", "robot/logging", "robot/agent", "robot/body/nao/lola", "robot/body/nao/guardian", "robot/body/nao/kinematics", "proto", "sim/math", "sim/world", "sim/agent", "sim/referee", "sim/match", "sim/io"],
+  "robot/body/nao/lola": ["robot/core"],
+  "robot/body/nao/guardian": ["robot/core", "robot/body/nao/lola"],
+  "robot/body/nao/kinematics": ["robot/body/nao/lola"],
   "robot/client": [],
   "robot/lab": ["robot/core", "robot/memory", "robot/logging", "robot/net", "proto"],
   "robot/app": "everything",
@@ -39,6 +45,7 @@ export const rows = {
 /** Libraries that only these folders know: by the first part of an #include, by the first part of a CMake target. */
 export const libraries = [
   { name: "Boost", include: "boost/", target: "Boost::", folders: ["robot/net", "tests"] },
+  { name: "Eigen", include: "Eigen/", target: "Eigen3::", folders: ["robot/body/nao/kinematics", "robot/body", "tests"] },
   { name: "Random123", include: "Random123/", target: "Random123::", folders: ["sim/math"] },
 ];
 

@@ -97,7 +97,7 @@ test("control from another machine needs the token; watching does not, unless re
 
   for (const path of ["/", "/?token=", "/?token=0123456789abcdef0123456789abcdef", `/?token=${token.slice(0, -1)}`, `/?token=${token}0`, `/?token=${token.toUpperCase()}x`]) {
     const guest = await from(path);
-    guest.subscribe("/14/2/joints"); // watching is free
+    await guest.subscribe("/14/2/joints"); // watching is free
     await guest.newest("/14/2/joints");
     for (const service of ["start_recording", "stop_recording", "keep_session"]) {
       const { ok, error } = await guest.call(service, {});
@@ -147,7 +147,7 @@ test("the token is made once, for its owner's eyes only, and told to nobody", as
   assert.equal(statSync(file).mode & 0o777, 0o600);
 
   const live = await Live.open(t, server, { path: `/?token=${token}` });
-  live.subscribe("/14/2/runtime", "/14/2/log");
+  await live.subscribe("/14/2/runtime", "/14/2/log");
   const runtime = await live.newest("/14/2/runtime");
   const said = [server.output, JSON.stringify(live.infos), JSON.stringify(live.decoded("/14/2/runtime", runtime)), live.messages.get("/14/2/log").map(({ data }) => data.toString("latin1")).join()];
   for (const path of ["/", "/api/status", "/api/sessions", `/logs/?token=${token}`, `/api/status?token=${token}`, `/nothing?token=${token}`]) {

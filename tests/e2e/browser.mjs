@@ -16,26 +16,28 @@ function isProgram(path) {
   }
 }
 
-// one browser for all tests of a file; each test has a profile of its own in it
-let launched;
-function browser() {
+// one browser of a kind for all tests of a file; each test has a profile of its own in it
+const launched = new Map();
+function browser(kind) {
   const executablePath = found("chromium") ?? found("chromium-browser") ?? found("google-chrome");
   if (!executablePath) throw new Error("there is no chromium in PATH; scripts/setup test installs it");
-  const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
-  launched ??= chromium.launch({ executablePath, args });
-  return launched;
+  const graphics = kind === "software3d" ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"] : ["--disable-gpu"];
+  const args = ["--no-sandbox", ...graphics, "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+  if (!launched.has(kind)) launched.set(kind, chromium.launch({ executablePath, args }));
+  return launched.get(kind);
 }
-after(async () => (await launched)?.close());
+after(() => Promise.all([...launched.values()].map(async (browser) => (await browser).close())));
 
 export const kDesktop = { width: 1280, height: 800 };
 export const kPhone = { width: 390, height: 844 };
 
 /**
  * Opens a page. `problems` collects what a person never sees: errors on the console, exceptions, refusals by the
- * Content-Security-Policy. A test that breaks connections on purpose says so.
+ * Content-Security-Policy. A test that breaks connections on purpose says so, and so does one whose page needs a graphics
+ * card's functions, at the pace of a processor (`software3d`).
  */
-export async function open(t, url, { viewport = kDesktop, breaksConnections = false, ...options } = {}) {
-  const context = await (await browser()).newContext({ viewport, locale: "en-GB", timezoneId: "UTC", reducedMotion: "reduce", ...options });
+export async function open(t, url, { viewport = kDesktop, breaksConnections = false, software3d = false, ...options } = {}) {
+  const context = await (await browser(software3d ? "software3d" : "plain")).newContext({ viewport, locale: "en-GB", timezoneId: "UTC", reducedMotion: "reduce", ...options });
   atEnd(t, () => context.close());
   const page = await context.newPage();
   page.setDefaultTimeout(15000);

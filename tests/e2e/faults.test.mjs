@@ -44,8 +44,8 @@ test("a viewer that hangs loses its own messages only", async (t) => {
   await hangingViewer(t, server);
   const recorded = readSession(session);
   const live = await Live.open(t, server, { path: "/?delivery=lossless" });
-  live.subscribe(...recorded.keys());
-  live.subscribe("/lab/1/runtime");
+  await live.subscribe(...recorded.keys());
+  await live.subscribe("/lab/1/runtime");
 
   // the robot knows who loses what
   const losses = () => {
@@ -86,7 +86,7 @@ test("a thousand connections that say nothing cost little and keep nobody out", 
   const grown = residentBytes(server.pid) - before;
   assert.ok(grown < 20e6, `grew by ${grown / 1e6} MB`);
   assert.ok(readdirSync(`/proc/${server.pid}/fd`).length < 400, "the oldest make room");
-  live.subscribe("/14/2/pose"); // who was there before is still served
+  await live.subscribe("/14/2/pose"); // who was there before is still served
   await live.newest("/14/2/pose");
 });
 
@@ -132,7 +132,7 @@ test("frames that are too large or break the protocol end their connection, clea
   assert.equal((await closeAfter(server, Buffer.from([0x88, 0x80, 0, 0, 0, 0]))).code, 1000); // a goodbye
 
   await until(async () => (await statusOf(server)).clients === 1, "only the witness to be left");
-  witness.subscribe("/14/2/pose");
+  await witness.subscribe("/14/2/pose");
   await witness.newest("/14/2/pose");
 });
 
@@ -142,7 +142,7 @@ for (const signal of ["SIGTERM", "SIGINT"]) {
     const session = await synthesize(folder, { seconds: 4 });
     const server = await robot(t, folder, session, "--record", "--profile", "full", "--loop", "--speed", "2");
     const live = await Live.open(t, server);
-    live.subscribe("/14/2/joints", "/14/2/camera_top", "/14/2/camera_top/jpeg");
+    await live.subscribe("/14/2/joints", "/14/2/camera_top", "/14/2/camera_top/jpeg");
     await hangingViewer(t, server);
     net.connect(server.port, "127.0.0.1").on("error", () => {}); // and one who says nothing
     await live.until(() => live.messages.get("/14/2/joints").length > 300, "some joints");

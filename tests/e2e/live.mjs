@@ -64,7 +64,9 @@ export class Live {
     this.socket.send(typeof message === "string" || Buffer.isBuffer(message) ? message : JSON.stringify(message));
   }
 
-  subscribe(...topics) {
+  /** Subscribes to `topics`, as soon as all of them are announced. */
+  async subscribe(...topics) {
+    await this.until(() => topics.every((topic) => this.channels.has(topic)), `the channels ${topics.join(", ")}`);
     const subscriptions = topics.map((topic) => ({ id: this.#topics.push(topic) - 1, channelId: this.channels.get(topic).id }));
     for (const topic of topics) this.messages.set(topic, this.messages.get(topic) ?? []);
     this.send({ op: "subscribe", subscriptions });

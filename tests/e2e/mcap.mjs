@@ -64,27 +64,38 @@ export function readSession(folder) {
   return new Map(files.flatMap((file) => [...readStreamed(readFileSync(join(folder, file))).topics]));
 }
 
+/**
+ * A file of many channels as @mcap/core writes it: of `channels` {topic, encoding, schema: {name, encoding, data} or none}
+ * each message of `messages` {topic, logTime, data}.
+ */
+export async function mcapOf(channels, messages, options = {}) {
+  const pieces = [];
+  let size = 0n;
+  const writable = {
+    position: () => size,
+    write: async (bytes) => {
+      pieces.push(Buffer.from(bytes));
+      size += BigInt(bytes.length);
+    },
+  };
+  const writer = new McapWriter({ writable, ...options });
+  await writer.start({ profile: "", library: "somebody else" });
+  const ids = new Map();
+  for (const { topic, encoding, schema } of channels) {
+    const schemaId = schema ? await writer.registerSchema(schema) : 0;
+    ids.set(topic, await writer.registerChannel({ topic, messageEncoding: encoding, schemaId, metadata: new Map() }));
+  }
+  for (const [sequence, { topic, logTime, data }] of messages.entries())
+    await writer.addMessage({ channelId: ids.get(topic), sequence, logTime, publishTime: logTime, data });
+  await writer.end();
+  return Buffer.concat(pieces);
+}
+
 /** Writes a session with one stream, as a program that is none of ours would: `schema` is {name, data}. */
 export async function writeSession(folder, { name, topic, schema, messages }) {
   mkdirSync(folder);
-  const pieces = [];
-  let size = 0n;
-  const writer = new McapWriter({
-    writable: {
-      position: () => size,
-      write: async (bytes) => {
-        pieces.push(Buffer.from(bytes));
-        size += BigInt(bytes.length);
-      },
-    },
-  });
-  await writer.start({ profile: "", library: "somebody else" });
-  const schemaId = await writer.registerSchema({ encoding: "protobuf", ...schema });
-  const channelId = await writer.registerChannel({ topic, messageEncoding: "protobuf", schemaId, metadata: new Map() });
-  for (const [sequence, { logTime, data }] of messages.entries())
-    await writer.addMessage({ channelId, sequence: sequence + 1, logTime, publishTime: logTime, data });
-  await writer.end();
-  writeFileSync(join(folder, "stream.mcap"), Buffer.concat(pieces));
+  const channel = { topic, encoding: "protobuf", schema: { encoding: "protobuf", ...schema } };
+  writeFileSync(join(folder, "stream.mcap"), await mcapOf([channel], messages.map((message) => ({ topic, ...message }))));
   const info = { name, robot: "14/2", team: 14, player: 2, build: "", profile: "full", kept: false, complete: true };
   writeFileSync(join(folder, "session.json"), JSON.stringify({ ...info, start_ns: String(messages[0].logTime) }));
 }

@@ -34,7 +34,7 @@ async function assertPicture(context, page, image) {
   const expected = coloursOfYuyv({ ...image, data: Buffer.from(image.data, "base64") }, columns, rows);
   const spread = expected.flat(2);
   assert.ok(Math.max(...spread) - Math.min(...spread) > 30, "a picture with something in it");
-  const canvas = page.locator("main canvas:visible");
+  const canvas = page.locator("main canvas[aria-label$=' camera']:visible");
   await canvas.waitFor();
   const difference = async () => {
     const seen = await coloursOnScreen(context, canvas, columns, rows);
@@ -46,7 +46,7 @@ async function assertPicture(context, page, image) {
 test("a picture appears with its colours, as JPEG and as it is in memory", async (t) => {
   const { server, recorded } = await synthetic(t);
   const image = lastOf(recorded.get("/14/2/camera_top"));
-  const { page, problems, context } = await open(t, server.http);
+  const { page, problems, context } = await open(t, `${server.http}/#/14/2/camera?over=none`);
   await connected(page);
   await assertPicture(context, page, image);
   await page.getByRole("button", { name: "Full" }).click();
@@ -60,8 +60,10 @@ test("a picture appears with its colours, as JPEG and as it is in memory", async
 test("a real recording's picture appears with its colours", needsData, async (t) => {
   const folder = temporaryFolder(t);
   const { server, recorded } = await played(t, await importReal(folder), folder);
-  const { page, problems, context } = await open(t, server.http);
+  const { page, problems, context } = await open(t, `${server.http}/#/14/2/camera?over=none`);
   await assertPicture(context, page, lastOf(recorded.get("/14/2/camera_bottom")));
+  for (const key of ["d", "h", "l"]) await page.keyboard.press(key);
+  await page.waitForURL((url) => !url.hash.includes("over="));
   await shoot(page, "camera-real");
   assert.deepEqual(problems, []);
 });
@@ -127,8 +129,21 @@ test("recordings are listed, and downloaded whole through the page", async (t) =
   const { server, recorded } = await synthetic(t);
   const { page, problems } = await open(t, `${server.http}/#/sessions`);
   await page.getByText("1 recording,").waitFor();
+  await page.getByLabel(/^What happened:/).waitFor();
+  await page.getByText("A part of it").click();
+  await page.getByLabel("From").fill("soon");
+  await page.getByText("Expected minutes and seconds such as 1:05, got 'soon'.").waitFor();
+  await page.getByLabel("From").fill("0:00.3");
+  await page.getByLabel("To").fill("0:00.7");
   await shoot(page, "sessions");
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("link", { name: "Download" }).click()]);
+  const [excerpt] = await Promise.all([page.waitForEvent("download"), page.getByRole("link", { name: "Download this part" }).click()]);
+  const of = (streams, topic) => streams.get(topic).messages.map(({ logTime }) => logTime);
+  const part = of(readStreamed(readFileSync(await excerpt.path())).topics, "/14/2/joints");
+  const from = of(recorded, "/14/2/joints")[0] + 300_000_000n;
+  assert.ok(part.some((time) => time >= from && time <= from + 400_000_000n)); // and what else lies in the same chunks
+  assert.match(await page.getByRole("link", { name: "Download this part" }).getAttribute("href"), /\?from=\d+&to=\d+$/);
+
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("link", { name: "Download", exact: true }).click()]);
   assert.equal(download.suggestedFilename(), "synthetic.mcap");
   const { topics } = readStreamed(readFileSync(await download.path()));
   assert.deepEqual([...topics.keys()].sort(), [...recorded.keys()].sort());
@@ -249,10 +264,10 @@ test("on a phone everything is within reach", async (t) => {
   const folder = temporaryFolder(t);
   const server = await robot(t, folder, await synthesize(folder, { seconds: 2 }), "--loop");
   const { page, problems } = await open(t, server.http, { viewport: kPhone, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
-  await page.locator("main canvas:visible").first().waitFor();
-  for (const view of ["field", "camera", "objects", "plot", "decision", "health", "log", "sessions"]) {
+  await page.locator("main canvas[aria-label$=' camera']:visible").first().waitFor();
+  for (const view of ["field", "camera", "objects", "plot", "decision", "what-if", "health", "log", "sessions"]) {
     await show(page, view);
-    await page.getByRole("region", { name: new RegExp(view, "i") }).first().waitFor();
+    await page.getByRole("region", { name: new RegExp(view.replace("-", "."), "i") }).first().waitFor();
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${view} is as wide as the phone`);
     // nothing that can be pressed is cut off at the side
     const cut = () =>
@@ -272,7 +287,7 @@ test("one page watches another server: two on two addresses, each with its robot
   const far = await robot(t, folder, there, "--team", "5", "--player", "1", "--bind", "127.0.0.2", "--loop");
   const { page, problems } = await open(t, `${near.http}/?ws=ws://127.0.0.2:${far.port}`);
   await page.getByText("Robot 5/1").waitFor();
-  await page.locator("main canvas:visible").first().waitFor();
+  await page.locator("main canvas[aria-label$=' camera']:visible").first().waitFor();
   await show(page, "sessions");
   await page.getByText("a page may list only its own host's recordings").waitFor();
 

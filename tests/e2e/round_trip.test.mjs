@@ -14,7 +14,7 @@ async function recordAgain(t, folder, session) {
   for (const topic of kOwn) original.delete(topic);
   const server = await robot(t, folder, session, "--speed", "10", "--record", "--profile", "full");
   const live = await Live.open(t, server);
-  live.subscribe("/14/2/runtime");
+  await live.subscribe("/14/2/runtime");
 
   // the robot's own statistics tell when its loggers have written all
   const written = () => {

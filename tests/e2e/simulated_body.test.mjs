@@ -57,8 +57,7 @@ test("the Foxglove client sees every robot's objects, decisions 30 times a secon
 test("the services do what they say, and memory shows it", async (t) => {
   const server = await simulated(t, "--seed", "7", "--side", "away", "--player", "3", "--team", "21", "--opponent", "9");
   const live = await Live.open(t, server);
-  await live.until(() => live.channels.has("/sim/state") && live.channels.has("/21/3/ball"), "the channels");
-  live.subscribe("/sim/state", "/truth/world");
+  await live.subscribe("/sim/state", "/truth/world", "/21/3/ball");
   const shown = async (what, holds) => {
     const messages = live.messages.get("/sim/state");
     await live.until(() => messages.length > 0 && holds(live.decoded("/sim/state", messages.at(-1))), what);
@@ -155,7 +154,7 @@ test("the page shows the field of a simulated game, and its buttons pause, step 
   await until(async () => (await live.call("/sim/state")).tick === tick + 1, "a step");
 
   // a robot is chosen where it stands
-  live.subscribe("/truth/world");
+  await live.subscribe("/truth/world");
   const truth = live.decoded("/truth/world", await live.newest("/truth/world"));
   const { x, y } = truth.robots.find(({ team, player }) => team === 5 && player === 1);
   const box = await page.locator("main canvas").boundingBox();

@@ -101,7 +101,7 @@ export async function start(t, folder, command, ...args) {
   const options = ["--state-dir", join(folder, "state"), ...(args.includes("--port") ? [] : ["--port", "0"])];
   if (program === "foresight-robot") options.push("--log-dir", join(folder, "logs"));
   const child = spawn(words[0], [...words.slice(1), ...args, ...options], { stdio: ["ignore", "pipe", "pipe"] });
-  const server = { pid: child.pid, output: "", kill: (signal) => child.kill(signal) };
+  const server = { pid: child.pid, folder, output: "", kill: (signal) => child.kill(signal) };
   for (const stream of [child.stdout, child.stderr]) stream.on("data", (bytes) => (server.output += bytes));
   server.ended = new Promise((resolve) => child.on("close", (status, signal) => resolve({ status, signal })));
 
@@ -136,6 +136,16 @@ export async function start(t, folder, command, ...args) {
 
 /** foresight-lab play. */
 export const play = (t, folder, session, ...args) => start(t, folder, "foresight-lab", "play", session, ...args);
+
+/** A short simulated game, recorded and played again and again. */
+export async function playGame(t) {
+  const folder = temporaryFolder(t);
+  const rules = "spl2012:2,half_duration=30,ready_duration=5";
+  const file = join(folder, "game.mcap");
+  const { status, stderr } = await run("foresight-sim", "match", "--seed", "7", "--rules", rules, "--mcap", file);
+  if (status !== 0) throw new Error(stderr);
+  return play(t, folder, file, "--loop");
+}
 
 /** foresight-robot with the body of a recording; sessions go to `folder`/logs. */
 export const robot = (t, folder, session, ...args) => start(t, folder, "foresight-robot", "--body", "replay", "--session", session, ...args);

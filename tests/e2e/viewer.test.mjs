@@ -2,12 +2,11 @@
 // game and on a recorded one, keys, phone, and what it costs.
 import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
-import { join } from "node:path";
 import { test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { kPhone, open, shoot } from "./browser.mjs";
 import { Live } from "./live.mjs";
-import { play, run, start, synthesize, temporaryFolder, until, within } from "./support.mjs";
+import { playGame, start, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
 const simulate = (t, folder, ...args) => start(t, folder, "foresight-robot", "--body", "sim", "--loop", ...args);
 const simulated = (t, ...args) => simulate(t, temporaryFolder(t), "--seed", "7", ...args);
@@ -20,14 +19,6 @@ async function playing(t, ...args) {
   await live.call("/sim/speed", { speed: 1 });
   return { server, live };
 }
-/** A short game, recorded and played again and again. */
-async function recorded(t) {
-  const folder = temporaryFolder(t);
-  const file = join(folder, "game.mcap");
-  const { status, stderr } = await run("foresight-sim", "match", "--seed", "7", "--rules", "spl2012:2,half_duration=30,ready_duration=5", "--mcap", file);
-  assert.equal(status, 0, stderr);
-  return play(t, folder, file, "--loop");
-}
 
 const at = (page) => BigInt(/[?&]at=(\d+)/.exec(page.url())?.[1] ?? 0);
 const footer = (page) => page.locator("footer");
@@ -35,13 +26,13 @@ const isLive = (page) => footer(page).getByText("● live").waitFor();
 /** What a canvas shows, as one number: the same picture has the same. */
 const pictureOf = async (locator) => createHash("sha1").update(await locator.screenshot()).digest("hex");
 const field = (page) => page.getByLabel("The field from above");
-const paused = (page) => footer(page).getByRole("button", { name: "Now" }).waitFor();
+const paused = (page) => footer(page).getByRole("button", { name: "Go on" }).waitFor();
 const seconds = (page) => page.evaluate(() => new Promise((done) => setTimeout(done, 700)));
 const row = (page, name) => page.getByRole("treeitem").filter({ has: page.locator(".name", { hasText: new RegExp(`^\\s*[▾▸]?${name}\\s*$`) }) }).first();
 
 test("time stands still while the robot goes on; a moment is in the address and shows what was so then", async (t) => {
   const { server, live } = await playing(t);
-  live.subscribe("/truth/world", "/sim/state");
+  await live.subscribe("/truth/world", "/sim/state");
   const { page, problems } = await open(t, `${server.http}/#/14/4/field?layers=truth,belief,error,uncertainty,view,intent,trail,names`, { colorScheme: "dark" });
   await field(page).waitFor();
   await isLive(page);
@@ -60,7 +51,7 @@ test("time stands still while the robot goes on; a moment is in the address and 
   // by keys: a frame back, a second back, to the oldest, to now
   await page.keyboard.press(",");
   await until(() => at(page) < moment, "a frame back");
-  assert.ok(moment - at(page) <= 70_000_000n, `a frame, not ${moment - at(page)} ns`);
+  assert.ok(moment - at(page) <= 200_000_000n, `a frame or, on a busy machine, some, not ${moment - at(page)} ns`);
   const before = at(page);
   await page.keyboard.press(".");
   await until(() => at(page) > before, "a frame on");
@@ -72,9 +63,9 @@ test("time stands still while the robot goes on; a moment is in the address and 
   await page.keyboard.press("3");
   await page.getByRole("region", { name: "Objects" }).waitFor();
   await page.getByRole("searchbox").fill("sim/state tick");
-  const tick = Number(await row(page, "tick").locator(".value > span").first().textContent());
   const then = live.messages.get("/sim/state").findLast(({ log_ns }) => log_ns <= shown);
-  assert.equal(tick, live.decoded("/sim/state", then).tick);
+  const { tick } = live.decoded("/sim/state", then);
+  await until(async () => Number(await row(page, "tick").locator(".value > span").first().textContent()) === tick, `tick ${tick} in the tree`);
 
   await page.getByRole("link", { name: "field", exact: true }).click();
   await shoot(page, "field-past");
@@ -151,7 +142,7 @@ test("several servers in one page: added by address, each with its robots, lost 
   assert.deepEqual([...problems, ...colleague.problems].filter((text) => !/WebSocket|REFUSED/.test(text)), []);
 });
 
-for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)).server], ["a recorded game", recorded]])
+for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)).server], ["a recorded game", playGame]])
   test(`field, plot and decision show ${what}`, async (t) => {
     const server = await serve(t);
     const { page, problems } = await open(t, `${server.http}/#/14/2/field`);
@@ -192,7 +183,7 @@ for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)
     await page.waitForURL(/at=\d+/);
     await paused(page);
     await shoot(page, `plot-${name}`);
-    await page.keyboard.press("End");
+    await page.keyboard.press(serve === playGame ? " " : "End");
 
     // decision: a way is lit, and a leaf says why it was not taken
     await page.getByRole("link", { name: "decision", exact: true }).click();
@@ -215,12 +206,12 @@ test("keys are told on ?, views are reached by number, and typing is only typing
   await shoot(page, "keys");
   await page.keyboard.press("Escape");
   await page.getByRole("dialog", { name: "Keys" }).waitFor({ state: "detached" });
-  for (const [key, view] of [["6", "Health"], ["5", "Decision"], ["7", "Log"], ["4", "Plot"], ["3", "Objects"]]) {
+  for (const [key, view] of [["7", "Health"], ["6", "What-if"], ["5", "Decision"], ["8", "Log"], ["4", "Plot"], ["3", "Objects"]]) {
     await page.keyboard.press(key);
     await page.getByRole("region", { name: view, exact: true }).waitFor();
   }
   const robot = await page.getByLabel("Robot", { exact: true }).inputValue();
-  await page.keyboard.press("]");
+  await page.keyboard.press("j");
   await until(async () => (await page.getByLabel("Robot", { exact: true }).inputValue()) !== robot, "the next robot");
   await page.getByRole("searchbox").fill("1 , . [ ?");
   await page.keyboard.type(" 2");

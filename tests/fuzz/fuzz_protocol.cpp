@@ -24,7 +24,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   net::foxglove::parse_client_text(bytes).operator bool();
   net::foxglove::parse_client_binary(bytes).operator bool();
   net::foxglove::parse_advertise(bytes).operator bool();
+  net::foxglove::parse_server_text(bytes).operator bool();
   net::foxglove::parse_message_data(bytes).operator bool();
+  net::foxglove::parse_service_answer(bytes).operator bool();
   net::from_base64(bytes).operator bool();
   net::parse_web_socket_url(bytes).operator bool();
   net::check_web_socket_response(bytes, "dGhlIHNhbXBsZSBub25jZQ==").operator bool();

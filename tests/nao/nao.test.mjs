@@ -20,7 +20,7 @@ async function serves(t, folder, command) {
   assert.match((await request(server, "/")).headers["content-type"], /^text\/html/, "the viewer");
   const live = await Live.open(t, server);
   await live.until(() => live.channels.has("/truth/world") && live.channels.has("/14/2/decision"), "the channels");
-  live.subscribe("/truth/world", "/14/2/decision");
+  await live.subscribe("/truth/world", "/14/2/decision");
   await live.until(() => [...live.messages.values()].every((list) => list.length >= 30), "a second of them");
   assert.equal(live.decoded("/14/2/decision", await live.newest("/14/2/decision")).strategy, "baseline");
   assert.equal((await live.call("stop_recording")).ok, true);
@@ -76,7 +76,7 @@ for (const preset of chosen) {
     const live = await Live.open(t, server);
     const pictures = ["/14/2/camera_top/raw", "/14/2/camera_bottom/jpeg"];
     await live.until(() => pictures.every((topic) => live.channels.has(topic)), "the channels");
-    live.subscribe(...pictures);
+    await live.subscribe(...pictures);
     await until(() => pictures.every((topic) => live.messages.get(topic).length >= 20), "pictures");
     const { now, most } = memoryOf(server.pid);
     t.diagnostic(`${now.toFixed(1)} MB, ${most.toFixed(1)} MB at most`);

@@ -106,7 +106,9 @@ TEST(Convert, WhatWasNotKnownHasNoValue) {
   trace.skill = "search_ball";
   trace.arguments.push_back({.name = "side", .value = -1});
   pb::DecisionTrace message;
-  to_proto(trace, "baseline", message);
+  trace.strategy = "baseline";
+  to_proto(trace, message);
+  EXPECT_EQ(message.strategy(), "baseline");
   ASSERT_EQ(message.visited_size(), 2);
   EXPECT_FALSE(message.visited(0).has_value());
   EXPECT_TRUE(message.visited(0).has_threshold());

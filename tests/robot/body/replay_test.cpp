@@ -226,5 +226,39 @@ TEST_F(Replaying, SaysWhatIsWrong) {
             "replay: expected a session with messages, " + (folder / "empty").string() + " has none");
 }
 
+TEST_F(Replaying, ARecordingWhoseClockIsOffIsPlayedInTheTimeOfTheOther) {
+  // another robot that saw its ball at the same times, by a clock 0.35 s ahead
+  const fs::path other = folder / "other";
+  auto writer = logging::SessionWriter::create(other, {.robot = "14/3", .team = 14, .player = 3});
+  const memory::ChannelInfo info = memory::Memory("14/3", ManualClock()).ball.info();
+  constexpr std::uint64_t kAhead = 350 * kMillisecond;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    foresight::Ball ball;
+    ball.set_seen_ns(kStart + kAhead + i * 10 * kMillisecond);
+    EXPECT_TRUE((*writer)->write(info, kStart + kAhead + i * 10 * kMillisecond, ball.SerializeAsString()));
+  }
+  ASSERT_TRUE((*writer)->close());
+  auto replay = Replay::open({recorded, other}, {.speed = 1000, .shifts_ns = {0, -static_cast<std::int64_t>(kAhead)}});
+  ASSERT_TRUE(replay) << replay.error();
+  EXPECT_EQ((*replay)->start_ns(), kStart);
+  EXPECT_EQ((*replay)->end_ns(), kStart + 2990 * kMillisecond);
+  (*replay)->start(channels, board);
+  wait_for_the_end(**replay);
+  const auto shown = [&] {
+    foresight::Ball ball;
+    EXPECT_TRUE(ball.ParseFromString(std::string(channels.find("/14/3/ball")->newest()->bytes())));
+    return ball.seen_ns();
+  };
+  EXPECT_EQ(newest_ns("/14/3/ball"), newest_ns("/14/2/ball"));
+  EXPECT_EQ(shown(), newest_ns("/14/3/ball")) << "times within messages are moved, too";
+  // wherever it is moved to, both show the same moment
+  (*replay)->clock().set(false, 1);
+  (*replay)->clock().seek(kStart + 1000 * kMillisecond);
+  while (newest_ns("/14/2/ball") != kStart + 1000 * kMillisecond ||
+         newest_ns("/14/3/ball") != kStart + 1000 * kMillisecond)
+    std::this_thread::yield();
+  EXPECT_EQ(shown(), kStart + 1000 * kMillisecond);
+}
+
 }  // namespace
 }  // namespace robot::body

@@ -182,6 +182,28 @@ class Door(unittest.TestCase):
             self.assertGreater(int(output.split()[0]), 0, output)
             self.assertEqual(child.returncode, 0)
 
+    def test_a_behaviour_lets_foresight_choose(self):
+        self.start("--rules", "spl2025", "--team", "14", "--player", "2")
+        pose = self.reader("pose")
+        until(lambda: pose.read() is None and not pose.problem, "a runtime")
+        self.run_beside(os.path.join(PROGRAMS, "example_team_framework"), "12")
+        game = self.reader("game")
+        until(game.read, "a game")
+        python = [sys.executable, os.path.join(CLIENT, "examples", "strategy.py"), "5"]
+        by_python = self.run_beside(*python, environment={"PYTHONPATH": CLIENT})
+        by_c = self.run_beside(os.path.join(PROGRAMS, "example_strategy"), "5")
+        # how many answers come in time hangs on how busy this machine is; that one comes does not
+        adviser = foresight.Adviser()
+        until(lambda: adviser.ask(["passing", "baseline"], horizon=5, budget_ms=20), "that the question is on its way")
+        advice = until(adviser.answer, "an answer")
+        self.assertIn(advice.choice, ("passing", "baseline"))
+        self.assertTrue(advice.reason)
+        for child in (by_python, by_c):
+            lines = child.communicate()[0].splitlines()
+            self.assertTrue(re.match(r"^\d+ answers; plays (baseline|passing|kick_now)$", lines[-1]), lines)
+            for line in lines[:-1]:
+                self.assertTrue(re.match(r"^(keeps|changes|no advice|cannot tell|foresight is busy)", line), line)
+
     def test_a_runtime_that_is_stopped_keeps_nobody_waiting(self):
         runtime = self.start()
         joints = self.writer("joints", "foresight.Joints")

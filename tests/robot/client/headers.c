@@ -1,6 +1,7 @@
 // What a team includes, used once each.
 #include <foresight.h>
 #include <foresight_fields.h>
+#include <foresight_what_if.h>
 
 int main(void) {
   unsigned char room[16];
@@ -11,5 +12,9 @@ int main(void) {
   ForesightField field = foresight_fields(message.bytes, message.size);
   while (foresight_next_field(&field))
     if (foresight_float(&field) > 1) return 1;
+  const char* strategies[] = {"baseline"};
+  ForesightAdviser adviser = foresight_adviser("/nowhere");
+  ForesightAdvice advice;
+  if (foresight_what_if(&adviser, strategies, 1, 30, 10, &advice)) return 1;
   return foresight_now_ns() == 0;
 }

@@ -93,6 +93,11 @@ TEST_F(Link, TellsTheTeammatesInMessagesTheRulesAllow) {
   ball.set_x(2);
   memory.ball.write(ball, clock.now_ns());
   hear(pb::GameState::STATE_PLAYING);
+  pb::Strategy strategy;
+  strategy.set_chosen(true);
+  strategy.set_number(1);
+  strategy.set_epoch(5);
+  memory.strategy.write(strategy, clock.now_ns());
   open({.team_messages = true});
   const auto heard = next(*mate);
   ASSERT_TRUE(heard);
@@ -102,6 +107,8 @@ TEST_F(Link, TellsTheTeammatesInMessagesTheRulesAllow) {
   EXPECT_EQ(message->team, 14u);
   EXPECT_EQ(message->player, 3u);
   EXPECT_FALSE(message->pose);
+  EXPECT_EQ(message->strategy, 1);
+  EXPECT_EQ(message->epoch, 5);
   EXPECT_NEAR(message->ball->x(), 2, 0.001);
   EXPECT_FALSE(next(*mate, 2 * kSecond)) << "one in several seconds";
   ASSERT_TRUE(memory.team.read());
@@ -111,7 +118,8 @@ TEST_F(Link, TellsTheTeammatesInMessagesTheRulesAllow) {
 
 TEST_F(Link, HearsItsTeammates) {
   open({.team_messages = true});
-  TeamMessage message{.team = 14, .player = 5, .sender = 1, .fallen = true, .pose = pb::Pose()};
+  TeamMessage message{
+      .team = 14, .player = 5, .sender = 1, .fallen = true, .strategy = 2, .epoch = 9, .pose = pb::Pose()};
   message.pose->set_x(-2);
   say_until(to_bytes(message, clock.now_ns()),
             [&] { return memory.team.read() && (*memory.team.read())->teammates_size() == 1; });
@@ -120,6 +128,8 @@ TEST_F(Link, HearsItsTeammates) {
   EXPECT_NEAR((*team)->teammates(0).pose().x(), -2, 0.001);
   EXPECT_FALSE((*team)->teammates(0).has_ball());
   EXPECT_TRUE((*team)->teammates(0).fallen());
+  EXPECT_EQ((*team)->teammates(0).strategy(), 2u);
+  EXPECT_EQ((*team)->teammates(0).epoch(), 9u);
   EXPECT_TRUE((*team)->teammates(0).active());
 }
 

@@ -13,8 +13,14 @@ namespace {
 constexpr std::uint64_t kNow = 1'700'000'000 * kSecond;
 
 TeamMessage message() {
-  TeamMessage message{
-      .team = 14, .player = 3, .sender = 0xdead'beef, .fallen = true, .pose = pb::Pose(), .ball = pb::Ball()};
+  TeamMessage message{.team = 14,
+                      .player = 3,
+                      .sender = 0xdead'beef,
+                      .fallen = true,
+                      .strategy = 3,
+                      .epoch = 201,
+                      .pose = pb::Pose(),
+                      .ball = pb::Ball()};
   message.pose->set_x(-4.321f);
   message.pose->set_y(2.5f);
   message.pose->set_heading(-3.1f);
@@ -32,7 +38,7 @@ TeamMessage message() {
 
 TEST(TeamMessage, ArrivesAsItWasSent) {
   const std::string bytes = to_bytes(message(), kNow);
-  EXPECT_EQ(bytes.size(), 36u);
+  EXPECT_EQ(bytes.size(), 38u);
   EXPECT_LE(bytes.size(), kMaxTeamMessageBytes);
   const std::uint64_t arrival = kNow + 77 * kSecond;  // by another robot's clock
   const Result<TeamMessage> read = parse_team_message(bytes, arrival);
@@ -41,6 +47,8 @@ TEST(TeamMessage, ArrivesAsItWasSent) {
   EXPECT_EQ(read->player, 3u);
   EXPECT_EQ(read->sender, 0xdead'beefu);
   EXPECT_TRUE(read->fallen);
+  EXPECT_EQ(read->strategy, 3);
+  EXPECT_EQ(read->epoch, 201);
   ASSERT_TRUE(read->pose && read->ball);
   EXPECT_NEAR(read->pose->x(), -4.321, 0.001);
   EXPECT_NEAR(read->pose->y(), 2.5, 0.001);
@@ -79,13 +87,13 @@ TEST(TeamMessage, RefusesEveryTruncationAndWhatIsTooLong) {
   const std::string bytes = to_bytes(message(), kNow);
   for (std::size_t size = 0; size < bytes.size(); ++size) EXPECT_FALSE(parse_team_message(bytes.substr(0, size), kNow));
   EXPECT_EQ(parse_team_message(bytes + "x", kNow).error(),
-            "team message: expected 36 bytes that begin with FSgt, got 37 bytes");
+            "team message: expected 38 bytes that begin with FSgt, got 39 bytes");
 }
 
 TEST(TeamMessage, RefusesOthersMessages) {
   std::string bytes = to_bytes(message(), kNow);
-  bytes[4] = 2;
-  EXPECT_EQ(parse_team_message(bytes, kNow).error(), "team message: expected version 1, got 2");
+  bytes[4] = 1;
+  EXPECT_EQ(parse_team_message(bytes, kNow).error(), "team message: expected version 2, got 1");
   bytes = to_bytes(message(), kNow);
   bytes[6] = 0;
   EXPECT_EQ(parse_team_message(bytes, kNow).error(),

@@ -20,6 +20,17 @@ std::string gradient(int width, int height) {
 
 int difference(char a, char b) { return std::abs(static_cast<unsigned char>(a) - static_cast<unsigned char>(b)); }
 
+TEST(Jpeg, ItsSizeIsToldWithoutDecodingIt) {
+  const Result<std::string> jpeg = encode_jpeg(gradient(320, 240), 320, 240, {.width = 160});
+  ASSERT_TRUE(jpeg);
+  const Result<ImageSize> size = size_of_jpeg(*jpeg);
+  ASSERT_TRUE(size) << size.error();
+  EXPECT_EQ(size->width, 160);
+  EXPECT_EQ(size->height, 120);
+  EXPECT_FALSE(size_of_jpeg("no picture"));
+  EXPECT_FALSE(size_of_jpeg(""));
+}
+
 TEST(Jpeg, GivesBackAlmostTheSamePicture) {
   const std::string picture = gradient(320, 240);
   const Result<std::string> jpeg = encode_jpeg(picture, 320, 240, {.width = 0, .quality = 95});

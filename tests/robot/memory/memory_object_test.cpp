@@ -215,5 +215,19 @@ TEST(WithBytes, KeepsTheTimesOfTheOriginal) {
   EXPECT_EQ(other->publish_ns(), 9u);
 }
 
+TEST(RawChannel, WhatWasPublishedElsewhereKeepsItsNumberAndTime) {
+  ManualClock clock(9);
+  RawChannel channel({.topic = "/1/1/x"}, clock);
+  channel.relay("seventh", 5, {.sequence = 7, .publish_ns = 6});
+  EXPECT_EQ(channel.newest()->sequence(), 7u);
+  EXPECT_EQ(channel.newest()->capture_ns(), 5u);
+  EXPECT_EQ(channel.newest()->publish_ns(), 6u);
+  channel.relay("late", 8, {.sequence = 3, .publish_ns = 9});
+  EXPECT_EQ(channel.newest()->sequence(), 8u) << "numbers only grow";
+  ASSERT_TRUE(channel.write_bytes("own", 10));
+  EXPECT_EQ(channel.newest()->sequence(), 9u);
+  EXPECT_EQ(channel.newest()->publish_ns(), 9u);
+}
+
 }  // namespace
 }  // namespace robot::memory

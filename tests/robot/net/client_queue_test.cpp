@@ -194,5 +194,25 @@ TEST_F(ClientQueueTest, EmptyMessagesAreMessages) {
   EXPECT_TRUE(queue.empty());
 }
 
+TEST(ClientQueue, ANumberedClientIsToldNumbersAndPublishTimes) {
+  TestChannel sensor("/14/2/sensor", Delivery::fifo);
+  ClientQueue queue({.fifo_messages = 1}, false, /*numbered=*/true);
+  queue.subscribe(1, 7, Delivery::fifo);
+  queue.push(1, sensor.write("lost"));
+  queue.push(1, sensor.write(std::string(ClientQueue::kLargeBytes, 'x')));
+  Batch batch;
+  ASSERT_TRUE(queue.fill(batch));
+  FrameParser parser(Sender::server, 64 << 20);
+  std::string payload;
+  EXPECT_FALSE(parser.feed(batch.bytes + std::string(batch.large),
+                           [&](Opcode, const std::string& message) { return payload = message, true; }));
+  const auto data = foxglove::parse_message_data(payload);
+  ASSERT_TRUE(data && *data && (*data)->published);
+  EXPECT_EQ((*data)->subscription, 7u);
+  EXPECT_EQ((*data)->published->sequence, 2u);
+  EXPECT_EQ((*data)->published->publish_ns, 1000u);
+  EXPECT_EQ((*data)->payload.size(), ClientQueue::kLargeBytes);
+}
+
 }  // namespace
 }  // namespace robot::net

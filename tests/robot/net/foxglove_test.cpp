@@ -160,5 +160,51 @@ TEST(Foxglove, ServerTextsHaveTheFieldsOfTheProtocol) {
   EXPECT_TRUE(Json::accept(status(StatusLevel::error, "\xff\xfe")));
 }
 
+TEST(Foxglove, WhatAServerSaysIsReadBack) {
+  const auto info = parse_server_text(server_info({.name = "x",
+                                                   .capabilities = {"time"},
+                                                   .encodings = {"json"},
+                                                   .metadata = {{"robots", "14/2"}},
+                                                   .session_id = "5"}));
+  ASSERT_TRUE(info && info->info);
+  EXPECT_EQ(info->info->capabilities, std::vector<std::string>{"time"});
+  EXPECT_EQ(info->info->metadata.at("robots"), "14/2");
+  EXPECT_EQ(info->info->session_id, "5");
+  const auto services = parse_server_text(advertise_services({{1, "clock_sync"}, {2, "other"}}));
+  ASSERT_TRUE(services);
+  EXPECT_EQ(services->services.at(1).name, "other");
+  EXPECT_EQ(services->services.at(1).id, 2u);
+  EXPECT_TRUE(parse_server_text(status(StatusLevel::info, "hello")));
+  EXPECT_FALSE(parse_server_text("[]"));
+  EXPECT_FALSE(parse_server_text(R"({"op":"advertiseServices"})"));
+
+  const auto unsubscribe = parse_client_text(to_text(Unsubscribe{{7, 9}}));
+  ASSERT_TRUE(unsubscribe);
+  EXPECT_EQ(std::get<Unsubscribe>(*unsubscribe).subscriptions, (std::vector<std::uint32_t>{7, 9}));
+}
+
+TEST(Foxglove, BinaryMessagesOfAServerAreReadBackAndSurviveEveryTruncation) {
+  const std::string answer = service_response(10, 12, "json", "{}");
+  const auto read = parse_service_answer(answer);
+  ASSERT_TRUE(read && *read);
+  EXPECT_EQ((*read)->service, 10u);
+  EXPECT_EQ((*read)->call, 12u);
+  EXPECT_EQ((*read)->payload, "{}");
+  for (std::size_t n = 1; n + 2 < answer.size(); ++n) EXPECT_FALSE(parse_service_answer(answer.substr(0, n)));
+
+  std::string numbered;
+  append_numbered_data_header(numbered, 7, 5, {.sequence = 3, .publish_ns = 6});
+  ASSERT_EQ(numbered.size(), kNumberedDataHeaderBytes);
+  for (std::size_t n = 1; n < numbered.size(); ++n) EXPECT_FALSE(parse_message_data(numbered.substr(0, n)));
+  const std::string frame = numbered + "abc";
+  const auto data = parse_message_data(frame);
+  ASSERT_TRUE(data && *data && (*data)->published);
+  EXPECT_EQ((*data)->log_time_ns, 5u);
+  EXPECT_EQ((*data)->published->sequence, 3u);
+  EXPECT_EQ((*data)->published->publish_ns, 6u);
+  EXPECT_EQ((*data)->payload, "abc");
+  EXPECT_FALSE(parse_service_answer(numbered)->has_value());
+}
+
 }  // namespace
 }  // namespace robot::net::foxglove

@@ -59,6 +59,13 @@ class TestApplication final : public robot::net::Application {
     deleted += session;
     return {.status = 204};
   }
+  robot::net::HttpResponse played(const robot::net::PlayedRequest& request) override {
+    if (request.topic != "/14/2/ball") return Application::played(request);
+    robot::net::HttpResponse response = robot::net::text_response(
+        200, "application/octet-stream", std::to_string(request.from_ns) + ".." + std::to_string(request.to_ns));
+    response.headers.emplace_back(robot::net::kPlayedUntil, "7");
+    return response;
+  }
   bool match_mode() const override { return game; }
 
   std::string body = "0123456789", deleted;

@@ -116,6 +116,21 @@ TEST_F(RoutesTest, ASessionIsHadAsItLiesOnTheDisk) {
     EXPECT_EQ(get(path).status, 404) << path;
 }
 
+TEST_F(RoutesTest, PartsOfWhatIsPlayedAreHadByTopicAndTime) {
+  const HttpResponse part = get("/api/played?topic=%2F14%2F2%2Fball&from=5&to=9");
+  EXPECT_EQ(part.status, 200);
+  EXPECT_EQ(text(part), "5..9");
+  EXPECT_EQ(header(part, "Foresight-Until"), "7");
+  EXPECT_EQ(text(get("/api/played?topic=/14/2/ball")), "0..18446744073709551615");
+  EXPECT_EQ(get("/api/played?topic=/14/2/x").status, 404);
+  EXPECT_EQ(get("/api/played").status, 400);
+  EXPECT_EQ(text(get("/api/played?topic=/14/2/ball&from=noon")),
+            "played: 'from' must be a time in ns since the epoch\n");
+  EXPECT_EQ(get("/api/played?topic=/14/2/ball", {}, "10.0.0.9").status, 401) << "needs the read token";
+  application.game = true;
+  EXPECT_EQ(get("/api/played?topic=/14/2/ball&token=r", {}, "10.0.0.9").status, 503);
+}
+
 TEST_F(RoutesTest, WhoControlsMayDeleteASession) {
   const auto remove = [&](std::string target, Headers headers = {}, std::string_view address = "10.0.0.9") {
     return get(std::move(target), std::move(headers), address, "DELETE").status;

@@ -23,14 +23,14 @@ void expect_same(float a, float b, const char* name) {
 
 TEST(Features, AreFoundByTheirNameAndHaveOneEach) {
   std::set<std::string> names;
-  for (int i = 0; i < kFeatureCount; ++i) {
+  for (int i = 0; i < feature_count(); ++i) {
     const auto feature = static_cast<Feature>(i);
     EXPECT_EQ(find_feature(info_of(feature).name), feature);
     EXPECT_TRUE(names.insert(info_of(feature).name).second) << info_of(feature).name;
     EXPECT_LT(info_of(feature).least, info_of(feature).most);
     EXPECT_NE(std::string(info_of(feature).about), "");
   }
-  EXPECT_EQ(find_feature("ball"), Feature::count);
+  EXPECT_EQ(find_feature("ball"), kNoFeature);
 }
 
 TEST(Features, LazyIsEagerWhateverIsAskedFirst) {
@@ -38,9 +38,9 @@ TEST(Features, LazyIsEagerWhateverIsAskedFirst) {
   for (int n = 0; n < 1000; ++n) {
     const Scene scene = random_scene(random);
     const View forwards = scene.view(), backwards = scene.view();
-    for (int i = 0; i < kFeatureCount; ++i) value_of(static_cast<Feature>(i), forwards);
-    for (int i = kFeatureCount; i-- > 0;) value_of(static_cast<Feature>(i), backwards);
-    for (int i = 0; i < kFeatureCount; ++i) {
+    for (int i = 0; i < feature_count(); ++i) value_of(static_cast<Feature>(i), forwards);
+    for (int i = feature_count(); i-- > 0;) value_of(static_cast<Feature>(i), backwards);
+    for (int i = 0; i < feature_count(); ++i) {
       const auto feature = static_cast<Feature>(i);
       const View alone = scene.view();
       expect_same(value_of(feature, forwards), value_of(feature, alone), info_of(feature).name);
@@ -54,7 +54,7 @@ TEST(Features, YesOrNoIsOneOrZeroAndNamesAreNumbersOfNames) {
   for (int n = 0; n < 1000; ++n) {
     const Scene scene = random_scene(random);
     const View view = scene.view();
-    for (int i = 0; i < kFeatureCount; ++i) {
+    for (int i = 0; i < feature_count(); ++i) {
       const FeatureInfo& info = info_of(static_cast<Feature>(i));
       const float value = value_of(static_cast<Feature>(i), view);
       if (info.kind == FeatureInfo::Kind::number || std::isnan(value)) continue;

@@ -66,7 +66,7 @@ TEST(Mirror, AMirroredTreeDecidesTheMirroredCommandInTheMirroredSituation) {
 }
 
 TEST(Mirror, AllSkillsAreMirrored) {
-  for (int i = 0; i < kSkillCount; ++i) {
+  for (int i = 0; i < skill_count(); ++i) {
     const std::string skill = info_of(static_cast<Skill>(i)).name;
     SCOPED_TRACE(skill);
     expect_mirrored_decisions(tree_of(R"({"name": "one", "tree": {"do": ")" + skill + R"("}})"), 2000, true);
@@ -87,7 +87,7 @@ TEST(Mirror, LateralFeaturesAreThoseThatChangeTheirSign) {
   for (int n = 0; n < 3000; ++n) {
     Scene scene = random_scene(random), image = image_of(scene);
     const View view = scene.view(), image_view = image.view();
-    for (int i = 0; i < kFeatureCount; ++i) {
+    for (int i = 0; i < feature_count(); ++i) {
       const auto feature = static_cast<Feature>(i);
       const float value = value_of(feature, view), image_value = value_of(feature, image_view);
       if (std::isnan(value)) {

@@ -50,7 +50,7 @@ Mate& Scene::hear(int player, Vec2 position, float time_to_ball, Role role, floa
   Mate& mate = beliefs.mates[player < game.player ? player - 1 : player - 2];
   mate = {};
   mate.pose.position = position;
-  mate.time_to_ball = time_to_ball;
+  mate.time_to_ball_cs = centiseconds(time_to_ball);
   mate.sent = now - ticks(ago);
   mate.role = static_cast<std::uint8_t>(role);
   mate.active = true;
@@ -82,7 +82,7 @@ Scene random_scene(std::mt19937& random) {
   for (Mate& mate : scene.beliefs.mates) {
     mate.pose = any_pose(random);
     mate.ball = anywhere(random);
-    mate.time_to_ball = between(random, 0, 30);
+    mate.time_to_ball_cs = centiseconds(between(random, 0, 30));
     mate.sent = lately(random, scene.now);
     mate.ball_age = one_in(random, 4) ? std::uint16_t{0xffff} : static_cast<std::uint16_t>(up_to(random, 300));
     mate.role = static_cast<std::uint8_t>(up_to(random, 3));
@@ -96,7 +96,7 @@ Scene random_scene(std::mt19937& random) {
   mind.leaf = static_cast<std::uint16_t>(up_to(random, 8));
   mind.ball = anywhere(random);
   mind.ball_seen = lately(random, scene.now);
-  mind.search_side = one_in(random, 2) ? 1.f : -1.f;
+  mind.search_side = one_in(random, 2) ? 1 : -1;
   mind.search_since = lately(random, scene.now);
   mind.kick_direction = between(random, -3.14f, 3.14f);
   mind.kick = static_cast<std::uint8_t>(up_to(random, 2));

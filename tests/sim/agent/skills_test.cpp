@@ -51,7 +51,7 @@ struct Practice {
 };
 
 TEST(Skills, AreFoundByTheirNameAndHaveParametersWithinTheirRange) {
-  for (int i = 0; i < kSkillCount; ++i) {
+  for (int i = 0; i < skill_count(); ++i) {
     const SkillInfo& info = info_of(static_cast<Skill>(i));
     EXPECT_EQ(find_skill(info.name), static_cast<Skill>(i));
     std::set<std::string> names;
@@ -63,7 +63,7 @@ TEST(Skills, AreFoundByTheirNameAndHaveParametersWithinTheirRange) {
       EXPECT_TRUE(!parameter.lateral || parameter.standard == 0);
     }
   }
-  EXPECT_EQ(find_skill("fly"), Skill::count);
+  EXPECT_EQ(find_skill("fly"), kNoSkill);
 }
 
 /// From all sides the robot comes round the ball, never into it, and shoots at the goal.

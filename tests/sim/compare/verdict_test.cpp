@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "sim/math/random.h"
@@ -34,6 +35,9 @@ TEST(Tally, IsTheSameInAnyOrderAndInAnyParts) {
   EXPECT_EQ(parts, whole);
   EXPECT_EQ(tally_of({pairs.rbegin(), pairs.rend()}), whole);
   EXPECT_EQ(whole.won + whole.drawn + whole.lost, 200);
+  EXPECT_EQ(whole.points[0] + whole.points[1] + whole.points[2] + whole.points[3] + whole.points[4], 100);
+  // a pair won and drawn is 3 points
+  EXPECT_EQ(tally_of({pair_of(1, 0)}).points[3], 1);
 }
 
 TEST(Gain, IsTheMeanPerGameWithStudentsInterval) {
@@ -139,6 +143,70 @@ TEST(Decide, ErrsAsOftenAsItSays) {
   EXPECT_LE(part_better(0, 3000, kBlock), 0.05);
   EXPECT_NEAR(part_better(0.1, 3000, kBlock), 0.95, 0.02);
   EXPECT_GE(part_better(0.2, 500, kBlock), 0.99);
+}
+
+// 1000 pairs of align_first against baseline, spl2012, models match, seeds 1 .. 1000: how many gained -7, -6, ..
+constexpr int kLeastGain = -7;
+constexpr int kPlayed[] = {3, 4, 29, 68, 101, 140, 174, 166, 140, 101, 44, 23, 5, 0, 2};
+
+/// Gains of those pairs in thousandths of a goal, moved so that their mean per game is `gain`.
+std::vector<int> played_pairs(double gain) {
+  std::vector<int> sums;
+  double mean = 0;
+  for (std::size_t i = 0; i < std::size(kPlayed); ++i)
+    for (int pair = 0; pair < kPlayed[i]; ++pair)
+      sums.push_back(1000 * (kLeastGain + static_cast<int>(i))), mean += sums.back();
+  mean /= static_cast<double>(sums.size());
+  for (int& sum : sums) sum += static_cast<int>(std::lround(2000 * gain - mean));
+  return sums;
+}
+
+/// A sequential test of pairs drawn from these again and again; what was known when it had its answer.
+Tally resampled(const std::vector<int>& sums, std::uint64_t test, Verdict& verdict) {
+  Tally tally;
+  verdict = Verdict::undecided;
+  for (std::uint32_t i = 0; verdict == Verdict::undecided; ++i) {
+    const auto words = draw({.seed = test}, kNobody, Event::situation, i);
+    tally.add(pair_of(sums[words[0] % sums.size()], 0));
+    if (tally.pairs % 25 == 0) verdict = decide(tally, {}, 1000);
+  }
+  return tally;
+}
+
+TEST(Decide, ErrsAsOftenAsItSaysOnPairsThatWerePlayed) {
+  const auto part_of = [](double gain) {
+    const std::vector<int> sums = played_pairs(gain);
+    int better = 0;
+    for (std::uint64_t test = 0; test < 1000; ++test) {
+      Verdict verdict;
+      resampled(sums, test, verdict);
+      better += verdict == Verdict::better;
+    }
+    return better / 1000.0;
+  };
+  EXPECT_LE(part_of(0), 0.05);
+  EXPECT_NEAR(part_of(0.1), 0.95, 0.02);
+}
+
+TEST(UnbiasedGain, IsAsOftenTooHighAsTooLowAndCoversTheTruth) {
+  for (const double gain : {0., 0.05, 0.1, 0.2}) {
+    const std::vector<int> sums = played_pairs(gain);
+    constexpr int kTests = 400;
+    int above = 0, plainly_above = 0, covered = 0;
+    for (std::uint64_t test = 0; test < kTests; ++test) {
+      Verdict verdict;
+      const Tally tally = resampled(sums, test, verdict);
+      const Interval found = unbiased_gain(tally, {}, 1000);
+      EXPECT_LT(found.low, found.mean);
+      EXPECT_LT(found.mean, found.high);
+      above += found.mean > gain;
+      plainly_above += gain_per_game(tally, 1000).mean > gain;
+      covered += found.low <= gain && gain <= found.high;
+    }
+    // the plain mean is off by up to 10 % more
+    EXPECT_NEAR(above / double{kTests}, 0.5, 0.06) << gain << ", plain mean: " << plainly_above / double{kTests};
+    EXPECT_NEAR(covered / double{kTests}, 0.95, 0.025) << gain;
+  }
 }
 
 }  // namespace

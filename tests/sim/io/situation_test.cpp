@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/io/source.h"
+#include "sim/match/fields.h"
 #include "sim/match/step.h"
 
 namespace sim::io {
@@ -124,6 +126,42 @@ TEST(Situation, SaysWhatIsWrong) {
 
 TEST(Situation, EveryTruncationIsRefused) {
   for (std::size_t size = 0; size < kDuel.size(); ++size) EXPECT_NE(error_of(kDuel.substr(0, size)), "") << size;
+}
+
+TEST(Situation, ShakenEverybodyStandsALittleElsewhereAsTheGamesLuckHasIt) {
+  for (const std::string_view name : names_of("situations")) {
+    const auto source = find_source("situations", "situation", std::string(name));
+    const State plain = parse_situation(source->text, "situation", setup().params).value();
+    const auto shaken = [&](std::uint64_t seed) {
+      const RandomKey luck{seed};
+      return parse_situation(source->text, "situation", setup().params, &luck).value();
+    };
+    EXPECT_EQ(difference(shaken(1), shaken(1)), "");
+    EXPECT_NE(difference(shaken(1), shaken(2)), "");
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+      const World world = shaken(seed).world;
+      const auto stands = [&](int robot) { return world.bodies[robot].doing != Body::Doing::removed; };
+      EXPECT_LE(length(world.ball.position - plain.world.ball.position), 0.3f * 1.415f);
+      for_each_robot(world.players, [&](int robot) {
+        EXPECT_EQ(world.bodies[robot].doing, plain.world.bodies[robot].doing);
+        if (!stands(robot)) return;
+        EXPECT_LE(length(world.bodies[robot].position - plain.world.bodies[robot].position), 0.3f * 1.415f);
+        for_each_robot(world.players, [&](int other) {
+          if (other != robot && stands(other)) {
+            EXPECT_GT(length(world.bodies[robot].position - world.bodies[other].position), 0.3f) << name << " " << seed;
+          }
+        });
+      });
+    }
+  }
+}
+
+TEST(Situation, TheEmbeddedOnesAreFoundByName) {
+  for (const std::string_view name : names_of("situations"))
+    EXPECT_TRUE(load_situation(std::string(name), setup().params));
+  const auto unknown = load_situation("blockd", setup().params);
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().find("no situation 'blockd'; there are: blocked, close_free"), 0u) << unknown.error();
 }
 
 TEST(Situation, AFileThatIsNotThereIsNamed) {

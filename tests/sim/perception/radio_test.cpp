@@ -74,7 +74,7 @@ TEST(Radio, APacketTellsWhatTheRobotBelieves) {
   EXPECT_EQ(packet.pose, beliefs.pose.pose);
   EXPECT_NEAR(distance(packet.ball, {0.75f, 2.5f}), 0, 1e-6f);
   EXPECT_EQ(packet.ball_age, 30);
-  EXPECT_EQ(packet.time_to_ball, 4.5f);
+  EXPECT_EQ(packet.time_to_ball(), 4.5f);
   EXPECT_EQ(packet.role, static_cast<std::uint8_t>(agent::Role::defender));
   EXPECT_EQ(packet.sent, 100u);
   EXPECT_TRUE(packet.active);

@@ -250,11 +250,11 @@ TEST_F(TheDoor, AProcessReadsTheNewestAndWhatFollows) {
 }
 
 TEST_F(TheDoor, AnObjectMayBeWantedBeforeItIsThere) {
-  const Reader reader = want("/14/2/forecast");
+  const Reader reader = want("/14/2/prophecy");
   ForesightMessage message;
   EXPECT_FALSE(foresight_read(reader.get(), &message));
-  const Writer forecast = announce("forecast", "team.Forecast", "", "json");
-  ASSERT_TRUE(write(forecast, "soon"));
+  const Writer prophecy = announce("prophecy", "team.Prophecy", "", "json");
+  ASSERT_TRUE(write(prophecy, "soon"));
   EXPECT_EQ(read(reader, message), "soon");
 }
 

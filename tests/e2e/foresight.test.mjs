@@ -1,0 +1,160 @@
+// Foresight as others use it: the independent Foxglove client asks a robot, memory holds the answer, nonsense does nothing.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { networkInterfaces } from "node:os";
+import { join } from "node:path";
+import { test } from "node:test";
+import { Live } from "./live.mjs";
+import { atEnd, require, run, start, temporaryFolder, until } from "./support.mjs";
+
+const { FoxgloveClient } = require("@foxglove/ws-protocol");
+const WebSocket = require("ws");
+
+const own = Object.values(networkInterfaces()).flat().find(({ family, internal }) => family === "IPv4" && !internal)?.address;
+const needsNetwork = { skip: own ? false : "this machine has no address but loopback" };
+const kService = "/foresight/what_if";
+const kStrategies = ["baseline", "passing", "kick_now", "align_first"];
+
+/** A robot in a simulated game that has been kicked off, which stands still. */
+async function paused(t, ...args) {
+  const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--no-foresight", ...args);
+  const live = await Live.open(t, server);
+  await live.call("/sim/pause");
+  assert.equal((await live.call("/sim/step", { ticks: 1800 })).ok, true);
+  return { server, live };
+}
+
+test("the Foxglove client asks and is answered, and memory holds the same", async (t) => {
+  const { server, live } = await paused(t);
+  await live.subscribe("/14/2/forecast");
+
+  const ws = new WebSocket(`ws://localhost:${server.port}`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]);
+  atEnd(t, () => ws.terminate());
+  const client = new FoxgloveClient({ ws });
+  const services = new Map();
+  const answers = [];
+  client.on("advertiseServices", (list) => list.forEach(({ id, name }) => services.set(name, id)));
+  client.on("serviceCallResponse", (response) => answers.push(response));
+  await until(() => services.has(kService), "the service");
+  const data = new TextEncoder().encode(JSON.stringify({ strategies: ["baseline", "kick_now"], budget_ms: 300, horizon: 10 }));
+  client.sendServiceCallRequest({ serviceId: services.get(kService), callId: 7, encoding: "json", data });
+  await until(() => answers.length > 0, "the answer");
+
+  const { data: bytes, callId } = answers[0];
+  const answer = JSON.parse(Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength).toString());
+  assert.equal(callId, 7);
+  assert.equal(answer.ok, true, answer.error);
+  assert.equal(answer.robot, "14/2");
+  const { forecast } = answer;
+  assert.deepEqual(forecast.strategies.map(({ strategy }) => strategy), ["baseline", "kick_now"]);
+  assert.ok(["none", "keep", "change"].includes(forecast.advice));
+  assert.ok(forecast.answered_ms >= 300);
+  assert.ok(forecast.computed_ms <= forecast.answered_ms);
+  assert.ok(forecast.situation.robots.length >= 6, "both teams");
+  for (const { rollouts, heat, heat_columns, best } of forecast.strategies) {
+    assert.equal(heat.length % heat_columns, 0);
+    assert.ok(best >= 0 && best <= 1);
+    assert.equal(rollouts, forecast.strategies[0].rollouts, "two strategies race to the end");
+  }
+
+  const { data: message, log_ns } = await live.newest("/14/2/forecast");
+  const held = live.decoded("/14/2/forecast", { data: message });
+  assert.equal(held.reason, forecast.reason);
+  assert.equal(held.asked_ns, forecast.asked_ns);
+  assert.equal(String(log_ns), forecast.asked_ns, "it stands beside the moment it is about");
+});
+
+test("any robot may be asked about, and situations that were changed by hand", async (t) => {
+  const { live } = await paused(t);
+  const other = await live.call(kService, { robot: "5/3", budget_ms: 50 });
+  assert.equal(other.robot ?? other.error, "5/3");
+  assert.deepEqual(other.forecast.strategies.map(({ strategy }) => strategy), kStrategies);
+
+  const edit = { ball: { x: 1.5, y: -1 }, robots: [{ side: "own", player: 3, x: 1, y: -1, heading: 0.5 }], own_score: 2, seconds_remaining: 60 };
+  const { forecast } = await live.call(kService, { budget_ms: 50, edit });
+  assert.deepEqual(forecast.situation.ball, { x: 1.5, y: -1, deviation: 0 });
+  assert.deepEqual(forecast.situation.robots.find(({ side, player }) => side === "own" && player === 3), { side: "own", player: 3, x: 1, y: -1, heading: 0.5, deviation: 0 });
+});
+
+test("nonsense gets one sentence, and nothing else happens", async (t) => {
+  const { live } = await paused(t);
+  await live.subscribe("/14/2/forecast");
+  const sentences = [
+    [{ strategies: ["tiki_taka"] }, `no strategy "tiki_taka"; there are: ${kStrategies.join(", ")}`],
+    [{ strategies: ["../../etc/passwd"] }, `no strategy "../../etc/passwd"; there are: ${kStrategies.join(", ")}`],
+    [{ rollouts: 1e9 }, "'rollouts' is nothing that a question has"],
+    [{ budget_ms: 1e9 }, "'budget_ms' must be 10 .. 10000 [ms], got 1000000000"],
+    [{ horizon: null }, "'horizon' must be a number, got null"],
+    [{ horizon: 1e300 }, "'horizon' must be 1 .. 1200 [s], got inf"],
+    [{ edit: { ball: { x: 3, y: 0.7 } } }, "the ball at 3, 0.7 is in a goalpost"],
+    [{ edit: { ball: { x: "NaN", y: 0 } } }, `'edit.ball.x' must be a number, got "NaN"`],
+    [{ edit: { robots: [{ side: "own", player: 2, x: 0, y: 0 }, { side: "own", player: 3, x: 0.1, y: 0 }] } }, "own player 3 stands in another robot"],
+    [{ edit: { seconds_remaining: 1e6 } }, "'seconds_remaining' must be 0 .. 600 [s], got 1e+06"],
+    [{ robot: "99/9" }, "there is no robot '99/9'"],
+    [{ strategies: Array(5000).fill("baseline") }, /^'strategies' must be a list of names, got \[.*…$/],
+  ];
+  for (const [question, sentence] of sentences) {
+    const { ok, error } = await live.call(kService, question);
+    assert.equal(ok, false, JSON.stringify(question).slice(0, 80));
+    assert.ok(error.startsWith(`${kService}: `), error);
+    const told = error.slice(kService.length + 2);
+    sentence instanceof RegExp ? assert.match(told, sentence) : assert.equal(told, sentence);
+  }
+  assert.equal(live.messages.get("/14/2/forecast").length, 0, "no forecast came of it");
+});
+
+test("the captain asks of its own accord, and foresight is switched on and off", async (t) => {
+  const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--speed", "10", "--player", "2");
+  const live = await Live.open(t, server);
+  await live.subscribe("/14/2/forecast");
+  live.send({ op: "setParameters", parameters: [{ name: "foresight_budget_ms", value: 50 }, { name: "foresight_horizon", value: 5 }] });
+  const { data } = await live.newest("/14/2/forecast");
+  const forecast = live.decoded("/14/2/forecast", { data });
+  assert.match(forecast.question.asked_by, /^captain: /);
+  assert.deepEqual(forecast.question.strategies, kStrategies);
+
+  live.send({ op: "setParameters", parameters: [{ name: "foresight", value: false }], id: "off" });
+  await live.until(() => live.values.some(({ parameters }) => parameters?.some(({ name, value }) => name === "foresight" && value === false)), "that it is off");
+});
+
+test("from another machine it needs the token", needsNetwork, async (t) => {
+  const folder = temporaryFolder(t);
+  const server = await start(t, folder, "foresight-robot", "--body", "sim", "--bind", "0.0.0.0");
+  const token = readFileSync(join(folder, "state/token"), "utf8").trim();
+  const guest = await Live.open(t, server, { address: own });
+  const { ok, error } = await guest.call(kService, { budget_ms: 50 });
+  assert.equal(ok, false);
+  assert.match(error, /control token.*\?token=/);
+  const trusted = await Live.open(t, server, { address: own, path: `/?token=${token}` });
+  assert.equal((await trusted.call(kService, { budget_ms: 1 })).error, `${kService}: 'budget_ms' must be 10 .. 10000 [ms], got 1`);
+});
+
+test("a recording is asked what would have been best, by the service and by the command", async (t) => {
+  const folder = temporaryFolder(t);
+  const game = join(folder, "game.mcap");
+  await run("foresight-sim", "match", "--seed", "5", "--rules", "spl2012,halves=1,half_duration=120", "--mcap", game);
+  const { stdout } = await run("foresight-lab", "what-if", game, "--robot", "14/3", "--at", "90", "--budget-ms", "200", "--strategies", "baseline,passing", "--json");
+  const told = JSON.parse(stdout);
+  assert.deepEqual(told.strategies.map(({ strategy }) => strategy), ["baseline", "passing"]);
+
+  for (const [args, sentence] of [
+    [["--at", "9000"], /--at: the session is .* s long, got 9000/],
+    [["--at", "90", "--robot", "77/1"], /there is no robot '77\/1'/],
+    [["--at", "90", "--question", "{"], /--question: expected JSON, got \{/],
+    [["--at", "90", "--question", '{"budget": 1}'], /'budget' is nothing that a question has/],
+  ]) {
+    const { status, stderr } = await run("foresight-lab", "what-if", game, ...args);
+    assert.equal(status, 2, args.join(" "));
+    assert.match(stderr, sentence);
+  }
+
+  const server = await start(t, folder, "foresight-lab", "play", game);
+  const live = await Live.open(t, server, { path: "/?playback" });
+  await live.subscribe("/14/3/pose", "/14/3/game", "/14/3/ball");
+  await live.newest("/14/3/ball");
+  const answer = await until(async () => {
+    const asked = await live.call(kService, { robot: "14/3", budget_ms: 50 });
+    return asked.ok ? asked : undefined;
+  }, "an answer");
+  assert.deepEqual(answer.forecast.strategies.map(({ strategy }) => strategy), kStrategies);
+});

@@ -1,0 +1,61 @@
+// A session of ours in a viewer that none of us wrote: Rerun's, in Chromium, reads it from our server.
+//
+// It is large, and nothing else needs it: `npm ci` in tests/e2e/independent brings it, else the test is passed over.
+import assert from "node:assert/strict";
+import { existsSync, readFileSync } from "node:fs";
+import http from "node:http";
+import { extname, join } from "node:path";
+import { test } from "node:test";
+import { coloursOnScreen, open, shoot } from "./browser.mjs";
+import { readSession } from "./mcap.mjs";
+import { atEnd, play, root, synthesize, temporaryFolder, until } from "./support.mjs";
+
+const kPackage = join(root, "tests/e2e/independent/node_modules/@rerun-io/web-viewer");
+const needsRerun = { skip: existsSync(kPackage) ? false : "npm ci in tests/e2e/independent brings the viewer that this needs" };
+const kTypes = { ".js": "text/javascript", ".wasm": "application/wasm" };
+const kPage = `<!doctype html><title>Rerun</title><style>body { margin: 0 }</style><script type="module">
+  import { WebViewer } from "/index.js";
+  window.viewer = new WebViewer();
+  window.opened = [];
+  viewer.on("recording_open", (event) => opened.push(event));
+  await viewer.start(new URLSearchParams(location.search).get("url"), document.body, { width: "1280px", height: "800px", hide_welcome_screen: true, render_backend: "webgl" });
+</script>`;
+
+/** The other viewer's own page and files: its address. */
+async function serveRerun(t) {
+  const server = http.createServer((request, response) => {
+    const name = new URL(request.url, "http://localhost").pathname.slice(1);
+    if (name === "") return response.writeHead(200, { "Content-Type": "text/html" }).end(kPage);
+    const file = join(kPackage, extname(name) ? name : `${name}.js`); // a module names another one without its ending
+    if (!/^[\w.]+$/.test(name) || !existsSync(file)) return response.writeHead(404).end();
+    response.writeHead(200, { "Content-Type": kTypes[extname(file)] ?? "application/octet-stream" }).end(readFileSync(file));
+  });
+  await new Promise((listening) => server.listen(0, "localhost", listening));
+  atEnd(t, () => server.close());
+  return `http://localhost:${server.address().port}`;
+}
+
+test("Rerun opens a session by its address, with all of its time", needsRerun, async (t) => {
+  const folder = temporaryFolder(t);
+  const session = await synthesize(folder, { name: "independent", seconds: 3 });
+  const rerun = await serveRerun(t);
+  const server = await play(t, folder, session, "--allow-origin", rerun);
+  const address = `http://localhost:${server.port}/logs/independent.mcap`;
+  const { page, context } = await open(t, `${rerun}/?url=${encodeURIComponent(address)}`, { software3d: true });
+
+  const recording = await until(() => page.evaluate(() => window.viewer?.ready && window.viewer.get_active_recording_id()), "an active recording", 60000);
+  const times = [...readSession(session).values()].flatMap(({ messages }) => messages.map(({ logTime }) => Number(logTime)));
+  // it has a timeline of its own too, log_time, when it read what; which of them it shows first changes from run to run
+  const range = () => page.evaluate((recording) => window.viewer.get_time_range(recording, "message_log_time"), recording);
+  const near = (one, other) => Math.abs(one - other) < 1e6; // [ns] a double holds such times to some hundred
+  await until(async () => {
+    const { min, max } = (await range()) ?? {};
+    return near(min, Math.min(...times)) && near(max, Math.max(...times));
+  }, "the whole time of the session");
+  assert.equal((await page.evaluate(() => window.opened)).length, 1);
+
+  // and something is seen of it: not one colour only
+  const unlike = async () => new Set((await coloursOnScreen(context, page.locator("canvas").first(), 16, 10)).flat().map((colour) => colour.map((value) => Math.round(value / 8)).join())).size;
+  await until(async () => (await unlike()) > 8, "a picture with something in it");
+  await shoot(page, "rerun");
+});

@@ -1,0 +1,285 @@
+// The What-if view in Chromium: questions to a simulated robot and to a recording, the situation edited, refusals shown.
+// What a forecast says depends on luck and on the processor's share; nothing here does.
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { test } from "node:test";
+import { kPhone, open, shoot } from "./browser.mjs";
+import { Live } from "./live.mjs";
+import { playGame, run, start, temporaryFolder, until } from "./support.mjs";
+
+const kService = "/foresight/what_if";
+const kUsual = "ask=in:200/for:10";
+
+/** A simulated game that is past its kick-off and stands, so that everybody knows where the ball is and it stays there. */
+async function paused(t, ...args) {
+  const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--seed", "7", ...args);
+  const live = await Live.open(t, server);
+  await live.call("/sim/speed", { speed: 50 });
+  await until(async () => (await live.call("/sim/state")).seconds > 60, "play");
+  await until(async () => (await live.call(kService, { budget_ms: 10 })).ok, "a robot that knows the ball");
+  await live.call("/sim/pause");
+  return { server, live };
+}
+
+/** The questions that the page sends, as they are sent. */
+function questionsOf(page) {
+  const questions = [];
+  page.on("websocket", (socket) =>
+    socket.on("framesent", ({ payload }) => {
+      const text = Buffer.from(payload).toString("latin1");
+      const at = text.indexOf('{"robot"');
+      if (at >= 0 && text.includes('"budget_ms"')) questions.push(JSON.parse(Buffer.from(payload).subarray(at).toString()));
+    }),
+  );
+  return questions;
+}
+
+/** Opens the view with the page listened to from its first word on. */
+async function ask(t, server, address = "#/14/2/what-if", options = {}) {
+  const opened = await open(t, "about:blank", options);
+  const questions = questionsOf(opened.page);
+  await opened.page.goto(`${server.http}/${address}${address.includes("?") ? "" : `?${kUsual}`}`);
+  await opened.page.getByRole("region", { name: "What-if" }).waitFor();
+  return { ...opened, questions };
+}
+
+const strategies = (page) => page.getByRole("list", { name: "Strategies" });
+const advice = (page) => page.getByRole("status", { name: "Advice" });
+const situation = (page) => page.getByLabel("The situation from above");
+const settled = (page) => page.getByRole("button", { name: "▶ Ask" }).waitFor();
+
+/** Where a place of the field [m] is on the screen: the whole carpet of 2012 fits into the canvas, and who is beyond it. */
+async function onScreen(page, things, { x, y }) {
+  const box = await situation(page).boundingBox();
+  const border = Math.min(2, Math.max(0.71, ...things.map((robot) => Math.max(Math.abs(robot.x) - 3, Math.abs(robot.y) - 2) + 0.3)));
+  const [length, width] = [6 + 2 * border, 4 + 2 * border];
+  const upright = box.height > 1.15 * box.width;
+  const scale = upright ? Math.min(box.height / length, box.width / width) : Math.min(box.width / length, box.height / width);
+  const [right, up] = upright ? [-y, x] : [x, y];
+  return { x: box.x + box.width / 2 + scale * right, y: box.y + box.height / 2 - scale * up };
+}
+
+async function drag(page, things, from, to) {
+  const [one, other] = [await onScreen(page, things, from), await onScreen(page, things, to)];
+  await page.mouse.move(one.x, one.y);
+  await page.mouse.down();
+  await page.mouse.move(other.x, other.y, { steps: 6 });
+  await page.mouse.up();
+}
+
+const near = (a, b, most = 0.12) => Math.hypot(a.x - b.x, a.y - b.y) < most;
+
+test("asked by Enter, answered with advice and a row for each strategy; arrow keys choose one, and the address keeps it", async (t) => {
+  const { server, live } = await paused(t);
+  const { page, problems, questions } = await ask(t, server, undefined, { colorScheme: "dark" });
+  await page.getByText("The situation appears with the first answer.").waitFor({ state: "attached" }).catch(() => {}); // a forecast of the captain may be there
+  await page.keyboard.press("Enter");
+  await page.getByRole("progressbar", { name: "Time to the answer" }).waitFor();
+  await page.getByText("Your question").waitFor();
+  await advice(page).getByText(/^(Keep|Change to|No advice)/).waitFor();
+  const { forecast } = await live.call(kService, { budget_ms: 10 });
+  const names = forecast.strategies.map(({ strategy }) => strategy);
+  assert.equal(await strategies(page).getByRole("listitem").count(), names.length);
+  assert.deepEqual(questions, [{ robot: "14/2", measure: "goal_difference", until: "horizon", horizon: 10, budget_ms: 200, ...(questions[0].strategies && { strategies: questions[0].strategies }) }]);
+  assert.equal(await strategies(page).getByText("plays now").count(), 1);
+
+  const pressed = strategies(page).locator("button[aria-pressed=true] .name");
+  for (let i = 0; i < names.length; ++i) await page.keyboard.press("ArrowUp");
+  await until(async () => (await pressed.textContent()) === names[0], "the first");
+  await page.keyboard.press("ArrowDown");
+  await until(async () => (await pressed.textContent()) === names[1], "the second");
+  await page.waitForURL(new RegExp(`pick=${names[1]}`));
+  await shoot(page, "what-if-dark");
+
+  // fewer of them, by another measure, further ahead
+  await page.getByRole("group", { name: "Strategies to compare it with" }).getByRole("button", { name: names[2] }).click();
+  await page.getByLabel("Better by").selectOption("concede");
+  await page.getByLabel("Looks ahead").selectOption("half");
+  await page.getByRole("button", { name: "▶ Ask" }).click();
+  await until(() => questions.length === 2, "the second question");
+  assert.deepEqual(
+    { ...questions[1] },
+    { robot: "14/2", strategies: names.filter((name) => name !== names[2]), measure: "concede", until: "half", horizon: 10, budget_ms: 200 },
+  );
+  await settled(page);
+  await until(async () => (await strategies(page).getByRole("listitem").count()) === names.length - 1, "one strategy less");
+  await page.waitForURL(/by:concede\/until:half/);
+  await page.keyboard.press("Escape");
+  await page.getByText("Forecast of 14/2").waitFor();
+  assert.deepEqual(problems, []);
+});
+
+test("ball and robots are dragged, turned and put back; what was moved goes along with the question and into the address", async (t) => {
+  const { server, live } = await paused(t);
+  const { page, problems, questions } = await ask(t, server);
+  await page.keyboard.press("Enter");
+  await page.getByText("Your question").waitFor();
+  const { forecast } = await live.call(kService, { budget_ms: 10 });
+  const { ball, robots } = forecast.situation;
+  assert.equal(questions[0].edit, undefined);
+
+  await drag(page, [ball, ...robots], ball, { x: -1.5, y: 1.2 });
+  const moved = page.getByRole("group", { name: "Edited" });
+  await moved.getByRole("button", { name: "ball" }).waitFor();
+  await page.keyboard.press("Enter");
+  await until(() => questions.length === 2, "the question with the ball elsewhere");
+  assert.ok(near(questions[1].edit.ball, { x: -1.5, y: 1.2 }), JSON.stringify(questions[1].edit));
+  assert.equal(questions[1].edit.robots, undefined);
+  await page.waitForURL(/ball:-1\.\d+,1\.\d+/);
+  await settled(page);
+
+  // an opponent, by numbers to where nobody is, and by the wheel
+  const opponent = robots.find(({ side }) => side === "opponent");
+  const free = [-1.5, 0, 1.5].flatMap((y) => [2, 1, 0, -1].map((x) => ({ x, y }))).find((place) => robots.every((one) => !near(one, place, 0.6)));
+  await page.getByLabel("Ball or robot to place").selectOption(`opponent ${opponent.player}`);
+  await page.getByLabel("x, m").fill(String(free.x));
+  await page.getByLabel("x, m").blur();
+  await page.getByLabel("y, m").fill(String(free.y));
+  await page.getByLabel("y, m").blur();
+  const at = await onScreen(page, [ball, ...robots], free);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.wheel(0, 400);
+  await page.getByLabel("Own goals").fill("1");
+  await page.getByLabel("Seconds left of the half").fill("90");
+  await page.getByRole("button", { name: "▶ Ask" }).click();
+  await until(() => questions.length === 3, "the third question");
+  const { edit } = questions[2];
+  assert.deepEqual([edit.own_score, edit.seconds_remaining, edit.robots.length], [1, 90, 1]);
+  assert.deepEqual([edit.robots[0].side, edit.robots[0].player, edit.robots[0].x, edit.robots[0].y], ["opponent", opponent.player, free.x, free.y]);
+  assert.notEqual(edit.robots[0].heading, Math.round(1000 * opponent.heading) / 1000);
+  await settled(page);
+  await shoot(page, "what-if-edited");
+
+  // a colleague's link holds the same question
+  const colleague = await ask(t, server, page.url().slice(page.url().indexOf("#")));
+  await colleague.page.getByRole("button", { name: "ball" }).waitFor();
+  await colleague.page.keyboard.press("Enter");
+  await until(() => colleague.questions.length === 1, "the colleague's question");
+  assert.deepEqual(colleague.questions[0].edit, edit);
+
+  await moved.getByRole("button", { name: "ball" }).click();
+  await moved.getByRole("button", { name: "ball" }).waitFor({ state: "detached" });
+  await page.locator("body").press("r");
+  await moved.getByRole("button", { name: "Reset all" }).waitFor({ state: "detached" });
+  await page.waitForURL((url) => !url.hash.includes("opponent"));
+  assert.deepEqual([...problems, ...colleague.problems], []);
+});
+
+test("what the service refuses is said in its sentence, and strategies that it names can be chosen then", async (t) => {
+  const { server } = await paused(t);
+  const { page, problems } = await ask(t, server, "#/14/2/what-if?ask=play:%253Cimg%2520src%253Dx%253E,baseline/in:100");
+  await page.keyboard.press("Enter");
+  await page.getByRole("alert").getByText(/^⚠ no strategy "<img src=x>"; there are: .*baseline/).waitFor();
+  await page.getByRole("group", { name: "Strategies to compare it with" }).getByRole("button", { name: "passing" }).waitFor();
+  assert.equal(await page.locator("section img").count(), 0);
+  await page.getByLabel("Plays now").selectOption("passing");
+  await page.getByLabel("Seconds", { exact: true }).fill("5000");
+  await page.locator("canvas").first().press("Enter");
+  await shoot(page, "what-if-refused");
+  assert.deepEqual(problems, []);
+});
+
+test("a recording is asked at the moment where the page stands: what would we have done", async (t) => {
+  const server = await playGame(t);
+  const { page, problems, questions } = await ask(t, server, "#/14/2/what-if", { colorScheme: "light" });
+  await page.locator("footer").getByRole("button", { name: "Freeze time" }).waitFor();
+  await page.keyboard.press("Home");
+  await page.waitForURL(/at=\d+/);
+  const answered = page.getByText("Your question");
+  const refused = page.getByRole("alert").filter({ hasText: "cannot tell, because" });
+  // from one moment to the next, until the robot knows enough; what was asked at is told
+  let asked = 0;
+  await until(async () => {
+    await page.keyboard.press("Shift+ArrowRight");
+    await page.keyboard.press("Enter");
+    await until(() => questions.length > asked, "the question");
+    asked = questions.length;
+    await settled(page);
+    await answered.or(refused).waitFor();
+    return answered.isVisible();
+  }, "a moment at which the robot knows enough");
+  const [, minutes, seconds] = /of (\d+):(\d\d)/.exec(await page.getByTitle("Go to this moment").first().textContent());
+  assert.equal(60 * Number(minutes) + Number(seconds), 10 * asked, "asked where the page stood");
+  await advice(page).waitFor();
+  await shoot(page, "what-if-recording");
+
+  // another robot of the recording
+  await page.keyboard.press("j");
+  await page.waitForURL((url) => !url.hash.startsWith("#/14/2/"));
+  await answered.waitFor({ state: "detached" });
+  await page.keyboard.press("Enter");
+  await until(() => questions.length > asked, "its question");
+  assert.notEqual(questions.at(-1).robot, "14/2");
+  assert.deepEqual(problems, []);
+});
+
+test("what was foreseen is listed and follows the page's time; the field shows it as a layer when that is wanted", async (t) => {
+  const { server, live } = await paused(t);
+  const { page, problems } = await ask(t, server);
+  await page.keyboard.press("Enter");
+  await page.getByText("Your question").waitFor();
+  await live.call("/sim/resume");
+  const { tick } = await live.call("/sim/state");
+  await until(async () => (await live.call("/sim/state")).tick > tick + 30, "a second of the game");
+  await settled(page);
+  const history = page.getByRole("listitem").filter({ has: page.getByTitle("Go to this moment") });
+  const byPeople = history.filter({ hasText: "people" });
+  const before = await byPeople.count();
+  assert.ok(before > 0);
+  await page.keyboard.press("Enter");
+  await until(async () => (await byPeople.count()) > before, "another forecast");
+  await settled(page);
+  const newest = await byPeople.first().elementHandle();
+  const isMarked = () => newest.evaluate((row) => row.getAttribute("aria-current") === "true");
+  await byPeople.last().getByRole("button").click();
+  await page.waitForURL(/at=\d+/);
+  await page.getByText("Forecast of 14/2").waitFor();
+  await page.getByText("The robot answers from now, not from the moment that is shown.").waitFor();
+  await until(async () => !(await isMarked()) && (await page.locator("li[aria-current]").count()) === 1, "another one held then");
+
+  await page.getByRole("link", { name: "field", exact: true }).click();
+  const layer = page.getByRole("group", { name: "Layers" }).getByRole("button", { name: "forecast" });
+  assert.equal(await layer.getAttribute("aria-pressed"), "false");
+  await layer.click();
+  await page.waitForURL(/layers=[^&]*forecast/);
+  await shoot(page, "what-if-layer");
+  assert.deepEqual(problems, []);
+});
+
+test("on a phone the situation stands upright and is moved by finger; the page scrolls beside it", async (t) => {
+  const { server, live } = await paused(t);
+  for (const colorScheme of ["dark", "light"]) {
+    const { page, problems, questions } = await ask(t, server, undefined, { viewport: kPhone, hasTouch: true, isMobile: true, deviceScaleFactor: 2, colorScheme });
+    await page.getByRole("button", { name: "▶ Ask" }).tap();
+    await page.getByText("Your question").waitFor();
+    const { ball, robots } = (await live.call(kService, { budget_ms: 10 })).forecast.situation;
+    await situation(page).evaluate((canvas) => canvas.scrollIntoView({ block: "start" }));
+    await drag(page, [ball, ...robots], ball, { x: 0.5, y: -1 });
+    await page.getByRole("group", { name: "Edited" }).getByRole("button", { name: "ball" }).waitFor();
+    await page.getByRole("button", { name: "▶ Ask" }).tap();
+    await until(() => questions.at(-1).edit, "the question with the ball elsewhere");
+    assert.ok(near(questions.at(-1).edit.ball, { x: 0.5, y: -1 }), JSON.stringify(questions.at(-1).edit));
+    await settled(page);
+    await page.mouse.move(5, 5);
+    await shoot(page, `what-if-phone-${colorScheme}`);
+    await advice(page).scrollIntoViewIfNeeded();
+    await shoot(page, `what-if-phone-${colorScheme}-answer`);
+    assert.deepEqual(problems, []);
+  }
+});
+
+test("a server that does not foresee says so", async (t) => {
+  const folder = temporaryFolder(t);
+  const { status, stderr } = await run("foresight-lab", "synthesize", join(folder, "session"), "--seconds", "2");
+  assert.equal(status, 0, stderr);
+  const server = await start(t, folder, "foresight-robot", "--body", "replay", "--session", join(folder, "session"), "--loop");
+  const live = await Live.open(t, server);
+  const { page, problems } = await ask(t, server, "#/14/2/what-if");
+  if (!live.services.has(kService)) await page.getByText("offers no service").waitFor();
+  else {
+    await page.keyboard.press("Enter");
+    await page.getByRole("alert").filter({ hasText: "cannot tell, because" }).waitFor();
+  }
+  await shoot(page, "what-if-none");
+  assert.deepEqual(problems, []);
+});

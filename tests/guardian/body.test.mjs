@@ -1,0 +1,178 @@
+// foresight-robot with the body nao: a robot that is none, the real guardian and the real runtime.
+import assert from "node:assert/strict";
+import { createSocket } from "node:dgram";
+import { spawn } from "node:child_process";
+import { describe, test } from "node:test";
+import { Live } from "../e2e/live.mjs";
+import { atEnd, root, start, statusOf, temporaryFolder, until } from "../e2e/support.mjs";
+import { World } from "./world.mjs";
+
+/** A robot, its guardian, and the runtime with a viewer that follows `objects`. */
+async function open(t, objects, ...args) {
+  const world = new World(t);
+  await world.startRobot();
+  await world.startGuardian();
+  const live = await join(t, world, objects, ...args);
+  return { world, ...live };
+}
+
+async function join(t, world, objects, ...args) {
+  const folder = temporaryFolder(t);
+  const door = `${folder}/door`;
+  const server = await start(t, folder, "foresight-robot", "--body", "nao", "--guardian", world.link, "--door", door, ...args);
+  const live = await Live.open(t, server);
+  await live.until(() => live.channels.has("/14/2/joints"), "the channels");
+  await live.subscribe(...objects.map((object) => `/14/2/${object}`));
+  /** The newest version of an object, decoded; undefined before the first. */
+  const newest = (object) => {
+    const message = live.messages.get(`/14/2/${object}`).at(-1);
+    return message && live.decoded(`/14/2/${object}`, message);
+  };
+  return { server, live, newest, door };
+}
+
+/** A team's process that writes the object motion_command, as JSON lines of fields tell it: Python, by the door. */
+function commander(t, door) {
+  const program = `
+import sys, threading, time, foresight
+writer = foresight.Writer("motion_command", "foresight.MotionCommand")
+newest = b""
+def go():
+    while True:
+        writer.write(foresight.now_ns(), newest)
+        time.sleep(0.03)
+threading.Thread(target=go, daemon=True).start()
+for line in sys.stdin: newest = bytes.fromhex(line.strip())
+`;
+  const child = spawn("python3", ["-c", program], { stdio: ["pipe", "inherit", "inherit"], env: { ...process.env, FORESIGHT_DOOR: door, PYTHONPATH: `${root}/robot/client` } });
+  atEnd(t, () => child.kill("SIGKILL"));
+  return (hex) => child.stdin.write(`${hex}\n`);
+}
+const float = (value) => {
+  const bytes = Buffer.alloc(4);
+  bytes.writeFloatLE(value);
+  return bytes.toString("hex");
+};
+const kWalk = `0a05` + `0d${float(0.2)}`; // walk_speed {x: 0.2}
+const kSit = "2002"; // posture: SIT
+const kStand = "2001";
+const kHead = (yaw, pitch) => `320a0d${float(yaw)}15${float(pitch)}`; // head_angles
+
+/** A UDP port that nobody has. */
+const freePort = async () => {
+  const probe = createSocket("udp4");
+  await new Promise((done) => probe.bind(0, "127.0.0.1", done));
+  const { port } = probe.address();
+  await new Promise((done) => probe.close(done));
+  return port;
+};
+
+describe("body nao", { concurrency: 4 }, () => {
+  test("what LoLA tells is in memory, with the robot's identity", async (t) => {
+    const { world, live, newest } = await open(t, ["joints", "inertial", "fsr", "touch", "battery", "sonar", "body", "motion_status"]);
+    for (const object of ["joints", "inertial", "fsr", "touch", "battery", "sonar", "body", "motion_status"])
+      await live.until(() => newest(object), object);
+    assert.equal(newest("joints").position.length, 25);
+    assert.ok(Math.abs(newest("inertial").accelerometer_z - 9.81) < 0.01);
+    assert.ok(Math.abs(newest("battery").charge - 0.8) < 0.001);
+    await live.until(() => newest("body").head_id === "P0000074A03S84F00006", "the identity");
+    assert.equal(newest("body").mode, "MODE_UNSTIFF");
+    world.happen("chest");
+    await live.until(() => newest("touch").chest_button, "the button");
+    world.happen("release");
+    await until(async () => newest("body").mode !== "MODE_UNSTIFF" || world.click(), "the mode");
+    await live.until(() => newest("motion_status").standing, "it stands");
+  });
+
+  test("a team's process moves the head and sits it down; a walk is refused visibly", async (t) => {
+    const { world, live, newest, door } = await open(t, ["body", "motion_status", "joints"]);
+    await live.until(() => newest("body"), "the body");
+    await world.play();
+    const command = commander(t, door);
+    command(kHead(0.8, 0.1));
+    const there = live.until(() => Math.abs(newest("joints").position[0] - 0.8) < 0.01 && Math.abs(newest("joints").position[1] - 0.1) < 0.01, "the head is there");
+    await there.catch((error) => assert.fail(`${error.message}: ${JSON.stringify(newest("body"))} ${JSON.stringify(newest("motion_status"))}`));
+    command(kWalk);
+    await live.until(() => newest("body").refused === "body nao does not walk yet: it stands", "the refusal");
+    command(kSit);
+    await live.until(() => newest("motion_status").running === "sit", "it sits down");
+    await world.untilSeated();
+    assert.equal(newest("body").refused, "");
+    command(kStand);
+    await world.untilStanding();
+  });
+
+  test("sit_and_soft needs no token and takes the stiffness away", async (t) => {
+    const { world, live, newest } = await open(t, ["body"]);
+    await live.until(() => newest("body"), "the body");
+    await world.play();
+    assert.deepEqual(await live.call("sit_and_soft"), { ok: true });
+    await world.until((state) => state.stiffness === 0, "it is soft");
+    await live.until(() => newest("body").reason.includes("told to be soft"), "the reason");
+  });
+
+  test("stopped on purpose it sits, and has not crashed", async (t) => {
+    const { world, server, live, newest } = await open(t, ["body"]);
+    await live.until(() => newest("body"), "the body");
+    await world.play();
+    live.socket.terminate();
+    await server.stop();
+    await world.untilSeated();
+    assert.doesNotMatch(world.guardian.errors, /crashed/);
+  });
+
+  test("killed and started again it waits for the GameController", async (t) => {
+    const { world, server, live, newest } = await open(t, ["body"]);
+    await live.until(() => newest("body"), "the body");
+    await world.play();
+    server.kill("SIGKILL");
+    await server.ended;
+    const port = await freePort();
+    const again = await join(t, world, ["body", "game"], "--game-controller", "--game-port", String(port), "--port", "0");
+    await again.live.until(() => again.newest("body")?.reason.includes("waits for the GameController"), "it waits");
+    assert.ok((await world.state()).stiffness > 0.8, "it holds");
+    const socket = createSocket("udp4");
+    atEnd(t, () => socket.close());
+    const packet = playingPacket();
+    await until(async () => {
+      socket.send(packet, port, "127.0.0.1");
+      return again.newest("body").mode === "MODE_PLAYING" && again.newest("body").reason === "";
+    }, "it plays");
+  });
+
+  test("LoLA that is somebody else's: the body is attached, and says whose", async (t) => {
+    const world = new World(t);
+    await world.startRobot();
+    const first = await world.startGuardian();
+    await world.untilSaid("LoLA is there");
+    world.link += "2";
+    await world.startGuardian();
+    await world.until(() => world.guardian.errors.includes("it serves one program"), "it is taken");
+    const folder = temporaryFolder(t);
+    const server = await start(t, folder, "foresight-robot", "--body", "nao", "--guardian", world.link, "--door", `${folder}/door`);
+    assert.match(server.output, new RegExp(`LoLA at .* belongs to foresight-guard \\(process ${first.pid}\\).*going on as body attached`));
+    assert.equal((await statusOf(server)).body, "attached");
+  });
+
+  test("without a guardian it says so, and begins when there is one", async (t) => {
+    const world = new World(t);
+    await world.startRobot();
+    const { live, newest } = await join(t, world, ["body", "joints"]);
+    await live.until(() => newest("body")?.reason.includes("expected foresight-guardian to listen"), "the reason");
+    await world.startGuardian();
+    await live.until(() => newest("joints"), "the joints");
+  });
+});
+
+/** A packet of the GameController of 2024: teams 14 and 5 play, nobody is penalised. */
+function playingPacket() {
+  const bytes = Buffer.alloc(118);
+  bytes.write("RGme");
+  bytes.set([18, 1, 5, 0, 0, 0, 3, 0, 1, 14], 4);
+  bytes.writeInt16LE(600, 14);
+  for (const [at, team] of [[18, 14], [68, 5]]) {
+    bytes[at] = team;
+    bytes.writeUInt16LE(1200, at + 8);
+  }
+  return bytes;
+}

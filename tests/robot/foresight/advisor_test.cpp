@@ -1,0 +1,119 @@
+#include "robot/foresight/advisor.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/robot/foresight/memories.h"
+
+namespace robot::foreseeing {
+namespace {
+
+/// An advisor in the memory of a robot that stands still in time.
+struct Fixture {
+  test::Played game;
+  std::unique_ptr<Advisor> advisor;
+
+  explicit Fixture(bool on) {
+    advisor = std::make_unique<Advisor>(
+        std::move(*Foreseer::open({.strategies = {"baseline", "kick_now"}, .rules = "spl2012"})), *game.memory,
+        game.channels, "14/2", [this] { return game.now_ns(); },
+        [on] { return AskingOptions{.on = on, .period = 10, .budget_ms = 20, .horizon = 5}; });
+  }
+
+  /// The forecast that answers `id`, waited for.
+  std::shared_ptr<const memory::TypedVersion<pb::Forecast>> answer(std::uint64_t id) {
+    while (true) {
+      if (const auto version = game.memory->forecast.read(); version && version->value().question().id() == id)
+        return version;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
+};
+
+TEST(Advisor, AnswersTheQuestionInMemory) {
+  Fixture fixture(false);
+  pb::WhatIf question;
+  question.set_id(7);
+  question.set_budget_ms(20);
+  fixture.game.memory->what_if.write(question, fixture.game.now_ns());
+  const auto forecast = fixture.answer(7);
+  EXPECT_EQ(forecast->value().strategies_size(), 2);
+  EXPECT_EQ(forecast->capture_ns(), fixture.game.now_ns()) << "beside the moment it is about";
+}
+
+TEST(Advisor, NonsenseInMemoryIsAnsweredToo) {
+  Fixture fixture(false);
+  pb::WhatIf question;
+  question.set_id(8);
+  question.add_strategies("tiki_taka");
+  fixture.game.memory->what_if.write(question, fixture.game.now_ns());
+  EXPECT_EQ(fixture.answer(8)->value().refusal(), "no strategy \"tiki_taka\"; there are: baseline, kick_now");
+}
+
+TEST(Advisor, TheCaptainAsksOfItsOwnAccord) {
+  Fixture fixture(true);
+  const auto forecast = fixture.answer(fixture.game.now_ns());
+  EXPECT_EQ(forecast->value().question().asked_by().find("captain: "), 0u);
+  EXPECT_EQ(forecast->value().question().strategies(0), "baseline");
+}
+
+TEST(Advisor, MemoryHoldsWhatTheTeamPlaysAndWhoChoseIt) {
+  Fixture fixture(true);
+  while (true) {
+    const auto strategy = fixture.game.memory->strategy.read();
+    if (!strategy || !strategy->value().chosen()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      continue;
+    }
+    EXPECT_EQ(strategy->value().captain(), 2u);
+    EXPECT_EQ(strategy->value().name(), fixture.advisor->strategy());
+    EXPECT_EQ(strategy->value().epoch(), 1u) << "the first choice";
+    break;
+  }
+}
+
+TEST(Advisor, FollowsWhatTheCaptainTold) {
+  Fixture fixture(false);
+  pb::Team team = fixture.game.memory->team.read()->value();
+  ASSERT_GT(team.teammates_size(), 0);
+  team.mutable_teammates(0)->set_player(3);
+  team.mutable_teammates(0)->set_received_ns(fixture.game.now_ns());
+  team.mutable_teammates(0)->set_strategy(1);
+  team.mutable_teammates(0)->set_epoch(44);
+  fixture.game.memory->team.write(team, fixture.game.now_ns());
+  while (fixture.advisor->strategy() != "kick_now") std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  while (fixture.game.memory->strategy.read()->value().epoch() != 44)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  EXPECT_TRUE(fixture.game.memory->strategy.read()->value().chosen());
+}
+
+TEST(Advisor, WhoAsksGetsTheAnswerAndSoDoesMemory) {
+  Fixture fixture(false);
+  pb::WhatIf question;
+  question.set_id(9);
+  question.set_budget_ms(20);
+  const auto forecast = fixture.advisor->ask(question);
+  ASSERT_TRUE(forecast) << forecast.error();
+  EXPECT_EQ(fixture.answer(9)->value().reason(), forecast->reason());
+  EXPECT_EQ(fixture.advisor->strategy(), "baseline") << "what people ask changes nothing";
+}
+
+TEST(Advisor, EndsWhileTheCaptainsQuestionIsAnswered) {
+  for (int i = 0; i < 60; ++i) {
+    Fixture fixture(true);
+    std::this_thread::sleep_for(std::chrono::milliseconds(i));
+  }
+}
+
+TEST(Advisor, EndsInTheMiddleOfAQuestion) {
+  for (int i = 0; i < 20; ++i) {
+    Fixture fixture(true);
+    pb::WhatIf question;
+    question.set_id(10);
+    question.set_budget_ms(10);
+    fixture.game.memory->what_if.write(question, fixture.game.now_ns());
+    std::this_thread::sleep_for(std::chrono::milliseconds(i));
+  }
+}
+
+}  // namespace
+}  // namespace robot::foreseeing

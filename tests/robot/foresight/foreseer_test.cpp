@@ -1,0 +1,103 @@
+#include "robot/foresight/foreseer.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+#include <vector>
+
+#include "tests/robot/foresight/memories.h"
+
+namespace robot::foreseeing {
+namespace {
+
+std::unique_ptr<Foreseer> foreseer(std::vector<std::string> strategies = {"baseline", "kick_now", "passing"}) {
+  auto opened = Foreseer::open({.strategies = std::move(strategies), .rules = "spl2012"});
+  if (!opened) {
+    ADD_FAILURE() << opened.error();
+    return nullptr;
+  }
+  return std::move(*opened);
+}
+
+pb::WhatIf question(std::uint32_t budget_ms = 100) {
+  pb::WhatIf asked;
+  asked.set_budget_ms(budget_ms);
+  asked.set_horizon(10);
+  return asked;
+}
+
+TEST(Foreseer, AnswersAtTheDeadlineWithWhatItHas) {
+  const test::Played game;
+  const auto foresight = foreseer();
+  const auto forecast = foresight->ask_and_wait(question(300), game.recollection());
+  ASSERT_TRUE(forecast) << forecast.error();
+  EXPECT_EQ(forecast->refusal(), "");
+  ASSERT_EQ(forecast->strategies_size(), 3);
+  EXPECT_EQ(forecast->strategies(0).strategy(), "baseline");
+  EXPECT_EQ(forecast->strategies(2).strategy(), "passing");
+  EXPECT_GE(forecast->answered_ms(), 300);
+  EXPECT_EQ(forecast->asked_ns(), game.now_ns());
+  EXPECT_EQ(forecast->situation().bodies_size() > 0, true);
+  EXPECT_FALSE(forecast->reason().empty());
+  // however busy the machine is, what it says fits what it has
+  const bool enough = forecast->strategies(0).rollouts() >= 8;
+  EXPECT_EQ(forecast->advice() == pb::Forecast::ADVICE_NONE, !enough) << forecast->reason();
+  EXPECT_LE(forecast->computed_ms(), forecast->answered_ms());
+}
+
+TEST(Foreseer, OneQuestionRunsOneWaitsAndTheThirdIsTold) {
+  const test::Played game;
+  const auto foresight = foreseer();
+  std::vector<std::promise<void>> answered(2);
+  for (std::promise<void>& one : answered)
+    ASSERT_TRUE(foresight->ask(question(400), game.recollection(), [&one](const pb::Forecast&) { one.set_value(); }));
+  const auto third = foresight->ask(question(), game.recollection(), [](const pb::Forecast&) { FAIL(); });
+  ASSERT_FALSE(third);
+  EXPECT_EQ(third.error(), "foresight is busy: one question runs and another one waits");
+  for (std::promise<void>& one : answered) one.get_future().wait();
+  EXPECT_TRUE(foresight->ask_and_wait(question(10), game.recollection()));
+}
+
+TEST(Foreseer, WhatCannotBeToldIsAnAnswer) {
+  const test::Played game;
+  const auto foresight = foreseer();
+  Recollection from = game.recollection();
+  from.pose.reset();
+  const auto forecast = foresight->ask_and_wait(question(), from);
+  ASSERT_TRUE(forecast);
+  EXPECT_EQ(forecast->advice(), pb::Forecast::ADVICE_NONE);
+  EXPECT_EQ(forecast->reason(),
+            "cannot tell, because the robot does not know where it is: there is no object pose yet");
+  EXPECT_EQ(forecast->choice(), "baseline");
+}
+
+TEST(Foreseer, NonsenseIsRefusedAndNothingRuns) {
+  const test::Played game;
+  const auto foresight = foreseer();
+  pb::WhatIf nonsense = question();
+  nonsense.add_strategies("tiki_taka");
+  EXPECT_FALSE(foresight->ask_and_wait(nonsense, game.recollection()));
+  pb::WhatIf absurd = question();
+  absurd.mutable_edit()->mutable_ball()->set_x(1e9f);
+  EXPECT_FALSE(foresight->ask_and_wait(absurd, game.recollection()));
+  EXPECT_TRUE(foresight->ask_and_wait(question(10), game.recollection()));
+}
+
+TEST(Foreseer, EndsInTheMiddleOfAQuestion) {
+  const test::Played game;
+  auto foresight = foreseer();
+  ASSERT_TRUE(foresight->ask(question(10'000), game.recollection(), [](const pb::Forecast&) {}));
+  foresight.reset();
+}
+
+TEST(Foreseer, StrategiesAreReadWhenItIsOpened) {
+  EXPECT_EQ(Foreseer::open({.strategies = {"baseline", "nonsuch"}}).error().find("foresight: no strategy 'nonsuch'"),
+            0u);
+  EXPECT_EQ(Foreseer::open({.strategies = std::vector<std::string>(9, "baseline")}).error(),
+            "foresight: strategies must be 1 .. 8, got 9");
+  EXPECT_FALSE(Foreseer::open({.strategies = {}}));
+  EXPECT_FALSE(Foreseer::open({.strategies = {"baseline"}, .rules = "spl1997"}));
+}
+
+}  // namespace
+}  // namespace robot::foreseeing

@@ -1,0 +1,152 @@
+#include "robot/foresight/knowledge.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/robot/foresight/memories.h"
+
+namespace robot::foreseeing {
+namespace {
+
+using test::Played;
+
+sim::foresight::Knowledge known(const Played& game, const Recollection& from) {
+  const auto knowledge = knowledge_of(from, game.setup.params.teams[0].models.motion);
+  if (!knowledge) {
+    ADD_FAILURE() << knowledge.error();
+    return {};
+  }
+  return *knowledge;
+}
+std::string why_not(const Played& game, const Recollection& from) {
+  const auto knowledge = knowledge_of(from, game.setup.params.teams[0].models.motion);
+  return knowledge ? "" : knowledge.error();
+}
+
+TEST(Knowledge, ThroughMemoryIsWhatTheSimulatedRobotKnows) {
+  for (const float seconds : {60.f, 80.f, 200.f, 333.f}) {
+    const Played game("match", seconds);
+    const auto direct = sim::foresight::knowledge_of(game.setup.params, game.state, 1);
+    const auto told = known(game, game.recollection());
+    const auto age = [](sim::Tick now, sim::Tick then) {
+      return then == sim::kNever ? -1 : static_cast<int>(now - then);
+    };
+
+    EXPECT_LT(sim::distance(told.beliefs.pose.pose.position, direct.beliefs.pose.pose.position), 1e-5f);
+    EXPECT_NEAR(told.beliefs.pose.deviation, direct.beliefs.pose.deviation, 1e-5);
+    if (direct.beliefs.ball.seen != sim::kNever) {
+      EXPECT_LT(sim::distance(told.beliefs.ball.position, direct.beliefs.ball.position), 1e-5f);
+      EXPECT_NEAR(told.beliefs.ball.variance, direct.beliefs.ball.variance, 1e-4f * direct.beliefs.ball.variance);
+      EXPECT_EQ(age(told.now, told.beliefs.ball.seen), age(direct.now, direct.beliefs.ball.seen));
+    }
+    for (int i = 0; i < sim::agent::kMaxMates; ++i) {
+      const sim::agent::Mate &a = told.beliefs.mates[i], &b = direct.beliefs.mates[i];
+      EXPECT_EQ(age(told.now, a.sent), age(direct.now, b.sent)) << i;
+      if (b.sent == sim::kNever) continue;
+      EXPECT_EQ(a.ball_age, b.ball_age);
+      EXPECT_EQ(a.role, b.role);
+      EXPECT_LT(sim::distance(a.pose.position, b.pose.position), 1e-5f);
+      if (b.ball_age != 0xffff) {
+        EXPECT_LT(sim::distance(a.ball, b.ball), 1e-4f);
+      }
+    }
+    for (int i = 0; i < sim::kMaxPlayers; ++i) {
+      EXPECT_EQ(age(told.now, told.beliefs.opponents[i].seen), age(direct.now, direct.beliefs.opponents[i].seen));
+      EXPECT_LT(sim::distance(told.beliefs.opponents[i].position, direct.beliefs.opponents[i].position), 1e-5f);
+    }
+    EXPECT_EQ(told.game.phase, direct.game.phase);
+    EXPECT_EQ(told.game.half, direct.game.half);
+    EXPECT_EQ(told.game.own_score, direct.game.own_score);
+    EXPECT_EQ(told.game.player, direct.game.player);
+    EXPECT_NEAR(told.game.remaining, direct.game.remaining, 1e-3);
+    for (const int side : {0, 1})
+      for (int i = 0; i < sim::kMaxPlayers; ++i) EXPECT_NEAR(told.away[side][i], direct.away[side][i], 1);
+  }
+}
+
+TEST(Knowledge, SaysWhatIsMissing) {
+  const Played game;
+  Recollection from = game.recollection();
+  from.game.reset();
+  EXPECT_EQ(why_not(game, from), "the robot does not know of a game: there is no object game yet");
+  from = game.recollection();
+  from.pose.reset();
+  EXPECT_EQ(why_not(game, from), "the robot does not know where it is: there is no object pose yet");
+  from = game.recollection();
+  from.now_ns += 7'200'000'000;
+  EXPECT_EQ(why_not(game, from), "the robot does not know where it is: its pose is 7 s old");
+  // all else may be absent
+  Recollection least{.now_ns = game.now_ns()};
+  least.game = game.recollection().game;
+  least.pose = game.recollection().pose;
+  EXPECT_EQ(why_not(game, least), "");
+}
+
+TEST(Knowledge, NumbersThatAreNoneDoNoHarm) {
+  const Played game;
+  Recollection from = game.recollection();
+  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+  from.ball.emplace();
+  from.ball->value.set_x(nan);
+  from.ball->value.set_velocity_y(inf);
+  from.ball->value.set_deviation(nan);
+  from.ball->value.set_seen_ns(from.now_ns + 1'000'000'000'000);
+  from.game->value.set_seconds_remaining(-inf);
+  from.game->value.mutable_own()->mutable_players(0)->set_penalised(true);
+  from.game->value.mutable_own()->mutable_players(0)->set_seconds_till_unpenalised(nan);
+  const auto knowledge = known(game, from);
+  EXPECT_EQ(knowledge.beliefs.ball.position, sim::Vec2{});
+  EXPECT_EQ(knowledge.beliefs.ball.seen, kNow);
+  EXPECT_EQ(knowledge.game.remaining, 0);
+  EXPECT_EQ(knowledge.away[0][0], 1u);
+}
+
+TEST(Knowledge, OpponentsComeFromTheVisionWhereNobodyTracksThem) {
+  const Played game("perfect");
+  Recollection from = game.recollection();
+  from.opponents.reset();
+  from.vision.emplace();
+  from.vision->capture_ns = from.now_ns - 1'000'000'000;
+  const auto add = [&](float x, float y, pb::VisualRobot::Side side) {
+    pb::VisualRobot& robot = *from.vision->value.add_robots();
+    robot.mutable_detection()->set_x(x);
+    robot.mutable_detection()->set_y(y);
+    robot.set_side(side);
+  };
+  add(1, 0.5f, pb::VisualRobot::SIDE_OPPONENT);
+  add(1.2f, 0.4f, pb::VisualRobot::SIDE_UNSPECIFIED);  // the same once more
+  add(2.5f, -1, pb::VisualRobot::SIDE_UNSPECIFIED);
+  add(0.5f, 0, pb::VisualRobot::SIDE_OWN);
+  const auto knowledge = known(game, from);
+  const sim::Pose2 own = knowledge.beliefs.pose.pose;
+  int seen = 0;
+  for (const sim::agent::Opponent& opponent : knowledge.beliefs.opponents) {
+    if (opponent.seen == sim::kNever) continue;
+    ++seen;
+    EXPECT_EQ(kNow - opponent.seen, sim::ticks(1));
+    const sim::Vec2 at = sim::turned_back(opponent.position - own.position, sim::direction(own.heading));
+    EXPECT_GT(at.x, 0.9f);
+  }
+  EXPECT_EQ(seen, 2);
+  EXPECT_EQ(knowledge.beliefs.opponents[0].seen, sim::kNever) << "the keeper's place is filled last";
+}
+
+TEST(Knowledge, WhatTheBodyIsInTheMiddleOfGoesOn) {
+  const Played game;
+  const sim::motion::Model& model = game.setup.params.teams[0].models.motion;
+  Recollection from = game.recollection();
+  from.motion->value.Clear();
+  from.motion->value.set_running(model.kicks[0].name);
+  from.motion->value.set_remaining(model.kicks[0].duration - 0.2f);
+  EXPECT_EQ(known(game, from).body.doing, sim::Body::Doing::kicking);
+  EXPECT_EQ(known(game, from).body.since, kNow - sim::ticks(0.2f));
+  from.motion->value.Clear();
+  from.motion->value.set_walking(true);
+  from.motion->value.set_velocity_x(99);
+  EXPECT_EQ(known(game, from).body.doing, sim::Body::Doing::walking);
+  EXPECT_EQ(known(game, from).body.velocity.x, model.walk.forward) << "nobody is faster than his limit";
+  from.motion->value.set_fall(pb::MotionStatus::FALL_FALLEN);
+  EXPECT_EQ(known(game, from).body.doing, sim::Body::Doing::fallen);
+}
+
+}  // namespace
+}  // namespace robot::foreseeing

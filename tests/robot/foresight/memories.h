@@ -1,0 +1,67 @@
+// A robot's memory in the middle of a simulated game, for tests.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "robot/agent/convert.h"
+#include "robot/core/clock.h"
+#include "robot/foresight/knowledge.h"
+#include "robot/memory/channels.h"
+#include "robot/memory/memory.h"
+#include "sim/io/setup.h"
+#include "sim/match/step.h"
+
+namespace robot::foreseeing::test {
+
+/// 14/2 in a game of `models`, so many seconds after it was opened.
+struct Played {
+  sim::io::Setup setup;
+  sim::State state;
+  SessionClock clock;
+  std::shared_ptr<memory::Memory> memory = std::make_shared<memory::Memory>("14/2", clock);
+  memory::Channels channels;
+  agent::Timeline timeline;
+
+  explicit Played(const std::string& models = "match", float seconds = 80) {
+    auto prepared = sim::io::prepare({.models = {models, models}, .pace = sim::Pace::every_tick});
+    if (!prepared) throw std::runtime_error(prepared.error());
+    setup = std::move(*prepared);
+    sim::referee::Events events;
+    state = sim::begin(setup.params, {.seed = 3}, events);
+    while (state.world.tick < sim::ticks(seconds)) sim::step(setup.params, state, events);
+    timeline.epoch_ns = clock.now_ns() - timeline.since_start_ns(state.world.tick);
+    if (auto listed = list(memory, channels); !listed) throw std::runtime_error(listed.error());
+    write();
+  }
+
+  std::uint64_t now_ns() const { return timeline.at(state.world.tick); }
+
+  /// Everything that 14/2 knows.
+  void write() {
+    constexpr int kRobot = 1;
+    const agent::TeamNumbers teams;
+    const sim::agent::Beliefs& beliefs = state.robots[kRobot].beliefs;
+    const sim::Models& models = setup.params.teams[0].models;
+    const auto put = [&](auto& object, auto&& fill) {
+      auto draft = object.draft();
+      fill(*draft);
+      object.write(std::move(draft), now_ns());
+    };
+    if (beliefs.ball.seen != sim::kNever)
+      put(memory->ball, [&](pb::Ball& ball) { to_proto(beliefs.ball, models.ball.deceleration, timeline, ball); });
+    put(memory->pose, [&](pb::Pose& pose) { agent::to_proto(beliefs.pose, pose); });
+    put(memory->team, [&](pb::Team& team) { agent::to_proto(beliefs, 2, timeline, team); });
+    put(memory->opponents, [&](pb::Opponents& opponents) { agent::to_proto(beliefs, timeline, opponents); });
+    put(memory->game,
+        [&](pb::GameState& game) { agent::to_proto(setup.params, state, kRobot, teams, timeline, game); });
+    put(memory->motion_status, [&](pb::MotionStatus& status) {
+      agent::to_proto(state.world.bodies[kRobot], state.robots[kRobot].command, models.motion, state.world.tick,
+                      status);
+    });
+  }
+
+  Recollection recollection() const { return recollect(channels, "14/2", now_ns()); }
+};
+
+}  // namespace robot::foreseeing::test

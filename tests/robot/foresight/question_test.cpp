@@ -1,0 +1,134 @@
+#include "robot/foresight/question.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/match/situation.h"
+#include "tests/robot/foresight/memories.h"
+
+namespace robot::foreseeing {
+namespace {
+
+const std::vector<std::string> kKnown = {"baseline", "passing", "kick_now"};
+
+std::string problem(const char* text) {
+  const auto json = nlohmann::json::parse(text);
+  auto question = parse_question(json);
+  if (!question) return question.error();
+  const auto completed = complete(*question, kKnown);
+  return completed ? "" : completed.error();
+}
+
+TEST(Question, EverythingMayBeLeftOut) {
+  const auto question = complete(*parse_question(nlohmann::json::object()), kKnown);
+  ASSERT_TRUE(question) << question.error();
+  EXPECT_EQ(question->strategies_size(), 3);
+  EXPECT_EQ(question->strategies(0), "baseline");
+  EXPECT_EQ(question->opponent(), "baseline");
+  EXPECT_EQ(question->horizon(), 30);
+  EXPECT_EQ(question->budget_ms(), 500u);
+  const auto asked = question_of(*question);
+  EXPECT_EQ(asked.horizon, sim::ticks(30));
+  EXPECT_EQ(asked.measure, sim::foresight::Measure::goal_difference);
+}
+
+TEST(Question, TheOthersPlayTheBaselineWhateverOneselfPlays) {
+  const auto question = complete({}, {"mine.json"});
+  ASSERT_TRUE(question) << question.error();
+  EXPECT_EQ(question->strategies(0), "mine.json");
+  EXPECT_EQ(question->opponent(), "baseline");
+}
+
+TEST(Question, SaysWhatIsWrong) {
+  EXPECT_EQ(problem(R"({"horizn": 3})"), "'horizn' is nothing that a question has");
+  EXPECT_EQ(problem(R"({"horizon": "far"})"), "'horizon' must be a number, got \"far\"");
+  EXPECT_EQ(problem(R"({"horizon": 1e9})"), "'horizon' must be 1 .. 1200 [s], got 1e+09");
+  EXPECT_EQ(problem(R"({"horizon": -3})"), "'horizon' must be 1 .. 1200 [s], got -3");
+  EXPECT_EQ(problem(R"({"budget_ms": 1000000000})"), "'budget_ms' must be 10 .. 10000 [ms], got 1000000000");
+  EXPECT_EQ(problem(R"({"budget_ms": -1})"), "'budget_ms' must be a whole number 0 .. 1000000000, got -1");
+  EXPECT_EQ(problem(R"({"rollouts": 1000000000})"), "'rollouts' is nothing that a question has");
+  EXPECT_EQ(problem(R"({"strategies": ["baseline", "tiki_taka"]})"),
+            "no strategy \"tiki_taka\"; there are: baseline, passing, kick_now");
+  EXPECT_EQ(problem(R"({"strategies": ["/etc/passwd"]})"),
+            "no strategy \"/etc/passwd\"; there are: baseline, passing, kick_now");
+  EXPECT_EQ(problem(R"({"opponent": "x"})"), "no strategy \"x\"; there are: baseline, passing, kick_now");
+  EXPECT_EQ(problem(R"({"strategies": ["passing", "passing"]})"), "'strategies' must differ, passing is there twice");
+  EXPECT_EQ(problem(R"({"strategies": "baseline"})"), "'strategies' must be a list of names, got \"baseline\"");
+  EXPECT_EQ(problem(R"({"measure": "fun"})"),
+            "'measure' must be one of goal_difference, score_next, concede, got \"fun\"");
+  EXPECT_EQ(problem(R"({"until": 3})"), "'until' must be one of horizon, next_goal, half, game, got 3");
+  EXPECT_EQ(problem(R"({"switching_cost": -1})"), "'switching_cost' must be 0 .. 10, got -1");
+  EXPECT_EQ(problem(R"({"edit": []})"), "'edit' must be an object, got []");
+  EXPECT_EQ(problem(R"({"edit": {"ball": {"x": 1}}})"), "'edit.ball.y' is missing");
+  EXPECT_EQ(problem(R"({"edit": {"robots": [{"side": "theirs", "player": 1, "x": 0, "y": 0}]}})"),
+            "'edit.robots[0].side' must be own or opponent, got \"theirs\"");
+  EXPECT_EQ(problem(R"({"edit": {"robots": [{"side": "own", "x": 0, "y": 0}]}})"),
+            "'edit.robots[0].player' is missing");
+  EXPECT_EQ(problem("[]"), "a question must be an object, got []");
+}
+
+TEST(Question, OfAMessageIsCheckedAsWell) {
+  pb::WhatIf question;
+  question.set_horizon(std::numeric_limits<float>::quiet_NaN());
+  EXPECT_FALSE(complete(question, kKnown));
+  question.Clear();
+  question.set_measure(static_cast<pb::WhatIf::Measure>(77));
+  EXPECT_EQ(complete(question, kKnown).error(), "'measure' is none that there is");
+}
+
+/// A situation in the middle of some game, and an edit of it.
+struct Edited {
+  test::Played game{"perfect"};
+  sim::foresight::Situation situation{.state = sim::random_situation(game.setup.params, {.seed = 4}), .doubt = {}};
+
+  Edited() {
+    for (float& deviation : situation.doubt.position) deviation = 0.5f;
+    situation.doubt.ball = 0.5f;
+  }
+  std::string operator()(const char* text) {
+    const auto question = parse_question(nlohmann::json{{"edit", nlohmann::json::parse(text)}});
+    if (!question) return question.error();
+    const Result<void> applied = apply(question->edit(), game.setup.params, situation);
+    return applied ? "" : applied.error();
+  }
+};
+
+TEST(Edit, IsCertain) {
+  Edited edit;
+  EXPECT_EQ(edit(R"({"ball": {"x": 1.5, "y": -1}, "own_score": 3, "opponent_score": 1, "seconds_remaining": 100,
+                     "robots": [{"side": "opponent", "player": 3, "x": -2, "y": 1, "heading": 1}]})"),
+            "");
+  const sim::State& state = edit.situation.state;
+  const int robot = sim::robot_of(sim::Side::away, 3);
+  EXPECT_EQ(state.world.ball.position, (sim::Vec2{1.5f, -1}));
+  EXPECT_EQ(state.world.ball.velocity, sim::Vec2{});
+  EXPECT_EQ(state.world.bodies[robot].position, (sim::Vec2{-2, 1}));
+  EXPECT_EQ(state.world.bodies[robot].heading, 1);
+  EXPECT_EQ(edit.situation.doubt.ball, 0);
+  EXPECT_EQ(edit.situation.doubt.position[robot], 0);
+  EXPECT_EQ(edit.situation.doubt.position[0], 0.5f) << "what was not moved is as sure as before";
+  EXPECT_EQ(state.book.score[0], 3);
+  EXPECT_EQ(state.book.score[1], 1);
+  EXPECT_EQ(state.book.clock, sim::ticks(edit.game.setup.params.rules.half_duration - 100));
+}
+
+TEST(Edit, SaysWhatCannotBe) {
+  Edited edit;
+  EXPECT_EQ(edit(R"({"ball": {"x": 99, "y": 0}})"), "the ball at 99, 0 is not on the field");
+  EXPECT_EQ(edit(R"({"ball": {"x": 3, "y": 0.7}})"), "the ball at 3, 0.7 is in a goalpost");
+  EXPECT_EQ(edit(R"({"robots": [{"side": "own", "player": 2, "x": 3, "y": 0.75}]})"),
+            "own player 2 at 3, 0.75 is in a goalpost");
+  EXPECT_EQ(edit(R"({"robots": [{"side": "own", "player": 9, "x": 0, "y": 0}]})"),
+            "own player 9 does not play: players are 1 .. 4");
+  EXPECT_EQ(edit(R"({"robots": [{"side": "own", "player": 2, "x": 0, "y": 0, "heading": 7}]})"),
+            "own player 2: 'heading' must be -3.1416 .. 3.1416 [rad], got 7");
+  EXPECT_EQ(edit(R"({"robots": [{"side": "own", "player": 2, "x": 0, "y": 0},
+                                {"side": "opponent", "player": 2, "x": 0.1, "y": 0}]})"),
+            "opponent player 2 stands in another robot");
+  EXPECT_EQ(edit(R"({"ball": {"x": 0, "y": 0}, "robots": [{"side": "own", "player": 2, "x": 0.05, "y": 0}]})"),
+            "own player 2 stands on the ball");
+  EXPECT_EQ(edit(R"({"own_score": 300})"), "a score must be 0 .. 255, got 300");
+  EXPECT_EQ(edit(R"({"seconds_remaining": 601})"), "'seconds_remaining' must be 0 .. 600 [s], got 601");
+}
+
+}  // namespace
+}  // namespace robot::foreseeing

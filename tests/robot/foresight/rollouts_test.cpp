@@ -1,0 +1,84 @@
+#include "robot/foresight/rollouts.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "robot/core/clock.h"
+#include "sim/foresight/situation.h"
+#include "sim/io/playbook.h"
+#include "sim/match/play.h"
+
+namespace robot::foreseeing {
+namespace {
+
+constexpr std::uint64_t kMinute = 60'000'000'000;
+
+Futures futures(int strategies = 1) {
+  static const auto playbook = std::make_shared<const sim::io::Playbook>(
+      *sim::io::prepare_playbook({.strategies = {"baseline", "kick_now"}, .rules = "spl2012"}));
+  static const sim::State state = [] {
+    sim::referee::Events events;
+    sim::State begun = sim::begin(playbook->params.front(), {.seed = 1}, events);
+    sim::play(
+        playbook->params.front(), begun, [](const sim::State& now) { return now.world.tick > 3000; },
+        [](const sim::referee::Event&) {});
+    return begun;
+  }();
+  Futures futures{.playbook = playbook,
+                  .strategies = {},
+                  .situation = {state, {}},
+                  .question = {.until = sim::foresight::Until::horizon, .horizon = sim::ticks(5)},
+                  .key = {.seed = 7}};
+  for (int i = 0; i < strategies; ++i) futures.strategies.push_back(i);
+  return futures;
+}
+
+Progress when_there_is_some(Rollouts& rollouts) {
+  Progress progress = rollouts.progress();
+  for (; progress.tally.stripes == 0; progress = rollouts.progress()) std::this_thread::yield();
+  return progress;
+}
+
+TEST(Rollouts, PlayStripesUntilTheyAreEnded) {
+  Rollouts rollouts;
+  rollouts.begin(futures(2), monotonic_ns() + kMinute);
+  const Progress progress = when_there_is_some(rollouts);
+  EXPECT_EQ(progress.tally.strategies, 2);
+  EXPECT_EQ(progress.tally.accounts[0].rollouts, progress.tally.stripes);
+  EXPECT_GT(progress.computed_ns, 0u);
+  rollouts.end();
+  EXPECT_GE(rollouts.progress().tally.stripes, progress.tally.stripes);
+}
+
+TEST(Rollouts, WhatWasPlayedForAnotherQuestionIsNotOfThisOne) {
+  Rollouts rollouts;
+  rollouts.begin(futures(2), monotonic_ns() + kMinute);
+  const std::uint64_t before = when_there_is_some(rollouts).race;
+  rollouts.begin(futures(1), monotonic_ns() + kMinute);
+  for (int i = 0; i < 1000; ++i) {
+    const Progress progress = rollouts.progress();
+    EXPECT_NE(progress.race, before);
+    EXPECT_EQ(progress.tally.strategies, 1);
+  }
+  EXPECT_EQ(when_there_is_some(rollouts).tally.strategies, 1);
+}
+
+/// The thread may be asleep with any of them in its hand, or never have taken it.
+TEST(Rollouts, AnyNumberOfQuestionsBeginAndEndWithoutWaiting) {
+  Rollouts rollouts;
+  for (int i = 0; i < 300; ++i) {
+    rollouts.begin(futures(), monotonic_ns() + kMinute);
+    if (i % 3 == 0) rollouts.end();
+  }
+  EXPECT_EQ(rollouts.progress().tally.strategies, 1);
+}
+
+TEST(Rollouts, EndWithoutEverHavingBegun) {
+  Rollouts rollouts;
+  rollouts.end();
+  EXPECT_EQ(rollouts.progress().tally.stripes, 0);
+}
+
+}  // namespace
+}  // namespace robot::foreseeing

@@ -1,0 +1,165 @@
+#include "sim/foresight/forecast.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "sim/foresight/race.h"
+
+namespace sim::foresight {
+namespace {
+
+constexpr RandomKey kKey{.seed = 7};
+const std::string kNames[] = {"baseline", "passing", "kick_now", "idle"};
+
+/// The tally of values by stripe and strategy; all race to the end.
+Tally tally_of(const std::vector<std::vector<double>>& stripes) {
+  Tally tally;
+  tally.strategies = static_cast<int>(stripes.front().size());
+  for (const std::vector<double>& values : stripes) {
+    ++tally.stripes;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      Account& account = tally.accounts[i];
+      ++account.rollouts;
+      account.sum += values[i];
+      account.squares += values[i] * values[i];
+      for (std::size_t j = 0; j < values.size(); ++j) {
+        tally.gains[i][j] += values[i] - values[0];
+        tally.products[i][j] += (values[i] - values[0]) * (values[j] - values[0]);
+      }
+    }
+  }
+  return tally;
+}
+
+/// Stripes whose values are drawn round `means`, with luck that all strategies share.
+std::vector<std::vector<double>> drawn(const std::vector<double>& means, int stripes, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<std::vector<double>> values;
+  for (int n = 0; n < stripes; ++n) {
+    const double luck = normal(random);
+    std::vector<double>& stripe = values.emplace_back();
+    for (const double mean : means) stripe.push_back(mean + luck + 0.3 * normal(random));
+  }
+  return values;
+}
+
+TEST(Forecast, MeansAndErrorsAreThoseOfTheStripes) {
+  const Forecast told = forecast(tally_of({{0, 1}, {1, 1}, {0, 0}, {1, 2}}), {}, kKey);
+  EXPECT_EQ(told.standings[0].rollouts, 4);
+  EXPECT_DOUBLE_EQ(told.standings[0].mean, 0.5);
+  EXPECT_DOUBLE_EQ(told.standings[1].mean, 1);
+  // squares about the mean 0.5: 4 x 0.25; over 3 degrees and 4 values
+  EXPECT_DOUBLE_EQ(told.standings[0].error, std::sqrt(1. / 3 / 4));
+  EXPECT_DOUBLE_EQ(told.standings[1].gain, 0.5);
+  // gains 1 0 0 1: error sqrt(1/3/4), t of 3 degrees 3.182
+  EXPECT_NEAR(told.standings[1].gain_high - 0.5, 3.182 * std::sqrt(1. / 12), 0.01);
+  EXPECT_NEAR(told.standings[1].gain_low + told.standings[1].gain_high, 1, 1e-12);
+}
+
+TEST(Forecast, StudentsQuantilesAreThoseOfTheTables) {
+  EXPECT_NEAR(t_95(3), 3.182, 0.032);
+  EXPECT_NEAR(t_95(7), 2.365, 0.003);
+  EXPECT_NEAR(t_95(30), 2.042, 0.001);
+  EXPECT_NEAR(t_95(1e9), 1.960, 0.001);
+  EXPECT_NEAR(t_90_one_sided(7), 1.415, 0.002);
+  EXPECT_NEAR(t_90_one_sided(30), 1.310, 0.001);
+}
+
+TEST(Forecast, ChangesWhenTheGainIsSure) {
+  const Forecast told = forecast(tally_of(drawn({0, 0.3}, 100, 1)), {}, kKey);
+  EXPECT_EQ(told.advice, Forecast::Advice::change);
+  EXPECT_EQ(told.choice, 1);
+  EXPECT_GT(told.standings[1].best, 0.99);
+  const std::string why = reason(told, {}, kNames);
+  EXPECT_EQ(why.find("changes from baseline to passing: that gains 0.3"), 0u) << why;
+}
+
+TEST(Forecast, KeepsWhatIsPlayedWhereChanceMayExplainTheGain) {
+  const Forecast told = forecast(tally_of(drawn({0, 0}, 100, 2)), {}, kKey);
+  EXPECT_EQ(told.advice, Forecast::Advice::keep);
+  EXPECT_EQ(told.choice, 0);
+  const std::string why = reason(told, {}, kNames);
+  EXPECT_NE(why.find(told.standings[1].gain > 0 ? "which may be chance (100 futures)" : "nothing else looks better"),
+            std::string::npos)
+      << why;
+}
+
+TEST(Forecast, AChangeHasToPayForItself) {
+  const Tally tally = tally_of(drawn({0, 0.3}, 100, 1));
+  const Forecast told = forecast(tally, {.switching_cost = 0.4f}, kKey);
+  EXPECT_EQ(told.advice, Forecast::Advice::keep);
+  EXPECT_NE(reason(told, {.switching_cost = 0.4f}, kNames).find("too little for a change, which costs 0.40"),
+            std::string::npos);
+}
+
+TEST(Forecast, ATieIsNoReasonToChange) {
+  // the same in each stripe: no doubt, and no gain
+  const Forecast told = forecast(tally_of(std::vector<std::vector<double>>(50, {1, 1})), {}, kKey);
+  EXPECT_EQ(told.advice, Forecast::Advice::keep);
+  EXPECT_EQ(told.standings[1].gain_low, 0);
+  EXPECT_EQ(told.standings[1].gain_high, 0);
+  EXPECT_NEAR(told.standings[0].best, 1, 1e-9);
+}
+
+TEST(Forecast, TooFewFuturesAreNoAdvice) {
+  const Forecast told = forecast(tally_of(drawn({0, 5}, kFewestStripes - 1, 3)), {}, kKey);
+  EXPECT_EQ(told.advice, Forecast::Advice::none);
+  EXPECT_EQ(reason(told, {}, kNames), "no advice: 7 of at least 8 futures were played in the time given");
+  EXPECT_EQ(forecast(Tally{.strategies = 2}, {}, kKey).advice, Forecast::Advice::none);
+  EXPECT_EQ(forecast(tally_of(drawn({0, 5}, kFewestStripes, 3)), {}, kKey).advice, Forecast::Advice::change);
+}
+
+TEST(Forecast, OneStrategyIsKept) {
+  const Forecast told = forecast(tally_of(drawn({0.2}, 20, 4)), {}, kKey);
+  EXPECT_EQ(told.advice, Forecast::Advice::keep);
+  EXPECT_EQ(reason(told, {}, kNames), "keeps baseline: there is nothing else to play");
+}
+
+TEST(Forecast, TheChancesOfBeingTheBestAddUp) {
+  const Forecast told = forecast(tally_of(drawn({0, 0.05, -0.05, 0}, 60, 5)), {}, kKey);
+  double all = 0;
+  for (int i = 0; i < 4; ++i) all += told.standings[i].best;
+  EXPECT_NEAR(all, 1, 1e-9);
+}
+
+TEST(Forecast, TheChanceOfBeingTheBestIsThatOfTheNormalDistribution) {
+  // gain 1 standard error: better with probability 0.841
+  Tally tally = tally_of(drawn({0, 0}, 50, 6));
+  const double error = [&] {
+    const double mean = tally.gains[1][1] / 50;
+    return std::sqrt((tally.products[1][1] - 50 * mean * mean) / 49 / 50);
+  }();
+  const double mean = tally.gains[1][1] / 50;
+  // moved so that the mean gain is its error
+  tally.products[1][1] += 50 * (error * error - mean * mean);
+  tally.gains[1][1] = 50 * error;
+  EXPECT_NEAR(forecast(tally, {}, kKey).standings[1].best, 0.841, 0.035);
+}
+
+TEST(Forecast, HowSureItIsHoldsInTheLongRun) {
+  // where nothing is better, another is chosen in at most 10 % of all cases, and about so often without a cost
+  int changed = 0, covered = 0;
+  constexpr int kCases = 1000;
+  for (unsigned n = 0; n < kCases; ++n) {
+    const Forecast told = forecast(tally_of(drawn({0, 0}, 30, 100 + n)), {.switching_cost = 0}, kKey);
+    changed += told.advice == Forecast::Advice::change ? 1 : 0;
+    covered += told.standings[1].gain_low <= 0 && told.standings[1].gain_high >= 0 ? 1 : 0;
+  }
+  EXPECT_NEAR(changed / 1000., 0.10, 0.03);
+  EXPECT_NEAR(covered / 1000., 0.95, 0.02);
+}
+
+TEST(Forecast, WhoWasLeftBehindIsNotChosen) {
+  Tally tally = tally_of(drawn({0, 0.1, 0.5}, 40, 8));
+  tally.accounts[2].racing = false;
+  const Forecast told = forecast(tally, {}, kKey);
+  EXPECT_EQ(told.challenger, 1);
+  EXPECT_FALSE(told.standings[2].raced_on);
+}
+
+}  // namespace
+}  // namespace sim::foresight

@@ -1,0 +1,269 @@
+#include "sim/foresight/situation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/foresight/guess.h"
+#include "sim/match/hash.h"
+#include "sim/match/situation.h"
+#include "tests/sim/support/games.h"
+
+namespace sim::foresight {
+namespace {
+
+using Phase = agent::Game::Phase;
+using Doing = Body::Doing;
+
+constexpr int kOwn = 1;  // home 2
+
+/// A game with `models`, 20 s after its kick-off.
+struct Fixture {
+  io::Setup setup;
+  State state;
+
+  explicit Fixture(const std::string& models = "match", std::uint64_t seed = 3)
+      : setup(test::setup_of(test::choice_of("spl2012", "baseline", models))), state(test::begun(setup.params, seed)) {
+    while (state.book.phase != Phase::playing || age(state.world.tick, state.book.phase_since) < 20)
+      state = test::after(setup.params, state, 1);
+  }
+  const Params& params() const { return setup.params; }
+  Knowledge knowledge() const { return knowledge_of(setup.params, state, kOwn); }
+};
+
+TEST(Believe, WhoKnowsEverythingBelievesWhatIsSo) {
+  const Fixture game("perfect");
+  const Believed believed = believe(game.params(), game.knowledge());
+  ASSERT_EQ(believed.refusal, "");
+  const World& is = game.state.world;
+  const World& thought = believed.situation.state.world;
+  EXPECT_LT(distance(thought.ball.position, is.ball.position), 0.02f);
+  for (int player = 1; player <= is.players; ++player) {
+    const int mate = robot_of(Side::home, player);
+    // what a teammate tells may be off, so that it is drawn a little to its usual place
+    const float drawn = mate == kOwn ? 0.05f : 0.1f;
+    EXPECT_LT(distance(thought.bodies[mate].position, is.home_attacks * is.bodies[mate].position), drawn) << player;
+  }
+  EXPECT_EQ(believed.situation.state.book.score[0], game.state.book.score[0]);
+  EXPECT_NEAR(static_cast<double>(believed.situation.state.book.clock), game.state.book.clock, 1);
+  EXPECT_EQ(believed.situation.state.book.phase, Phase::playing);
+}
+
+TEST(Believe, TheSecondHalfLooksLikeTheFirstToTheRobot) {
+  Fixture game;
+  Knowledge knowledge = game.knowledge();
+  const Believed first = believe(game.params(), knowledge);
+  knowledge.game.half = 2;
+  const Believed second = believe(game.params(), knowledge);
+  EXPECT_EQ(second.situation.state.book.half, 2);
+  EXPECT_EQ(second.situation.state.world.home_attacks, 1);
+  EXPECT_EQ(second.situation.state.world.ball.position, first.situation.state.world.ball.position);
+}
+
+TEST(Believe, SaysWhyItCannotTell) {
+  const Fixture game;
+  const auto why = [&](auto&& change) {
+    Knowledge knowledge = game.knowledge();
+    change(knowledge);
+    return believe(game.params(), knowledge).refusal;
+  };
+  EXPECT_EQ(why([](Knowledge&) {}), "");
+  EXPECT_EQ(why([](Knowledge& k) { k.game.phase = Phase::initial; }), "the game has not begun");
+  EXPECT_EQ(why([](Knowledge& k) { k.game.phase = Phase::finished; }), "the game is over");
+  EXPECT_EQ(why([](Knowledge& k) { k.game.player = 6; }), "player 6 does not play in such a game");
+  EXPECT_EQ(why([](Knowledge& k) { k.beliefs.pose.deviation = 2.04f; }),
+            "the robot does not know where it is: its position is off by 2.0 m");
+  EXPECT_NE(why([](Knowledge& k) { k.beliefs.pose.deviation = NAN; }), "");
+  const auto nobody_saw = [](Knowledge& k) {
+    k.beliefs.ball.seen = kNever;
+    for (agent::Mate& mate : k.beliefs.mates) mate.ball_age = 0xffff;
+  };
+  EXPECT_EQ(why(nobody_saw), "nobody has seen the ball yet");
+  EXPECT_EQ(why([&](Knowledge& k) {
+              nobody_saw(k);
+              k.beliefs.ball.seen = k.now;
+              k.now += ticks(31);
+            }),
+            "nobody has seen the ball for 31 s");
+}
+
+TEST(Believe, WhatWasSeenLongAgoIsLessSure) {
+  const Fixture game;
+  Knowledge knowledge = game.knowledge();
+  const int mate = robot_of(Side::home, 3), opponent = robot_of(Side::away, 2);
+  knowledge.beliefs.mates[1].sent = knowledge.beliefs.opponents[1].seen = knowledge.beliefs.ball.seen = knowledge.now;
+  for (agent::Mate& told : knowledge.beliefs.mates) told.ball_age = 0xffff;
+  const Doubt fresh = believe(game.params(), knowledge).situation.doubt;
+  Doubt last = fresh;
+  for (int seconds = 3; seconds < 30; seconds += 3) {
+    Knowledge later = knowledge;
+    later.now += ticks(static_cast<float>(seconds));
+    const Doubt doubt = believe(game.params(), later).situation.doubt;
+    EXPECT_GE(doubt.position[mate], last.position[mate]);
+    EXPECT_GE(doubt.position[opponent], last.position[opponent]);
+    EXPECT_GE(doubt.ball_elsewhere, last.ball_elsewhere);
+    last = doubt;
+  }
+  EXPECT_EQ(fresh.ball_elsewhere, 0);
+  EXPECT_GT(last.ball_elsewhere, 0.1f);
+  EXPECT_GT(last.position[mate], fresh.position[mate]);
+}
+
+TEST(Believe, TheNewestReportCountsWhenOwnEyesAreOld) {
+  const Fixture game;
+  Knowledge knowledge = game.knowledge();
+  knowledge.now += ticks(10);
+  knowledge.beliefs.mates[1] = {.ball = {1.5f, -0.5f}, .sent = knowledge.now - ticks(1), .ball_age = 0};
+  const BallGuess guess = guess_ball(knowledge);
+  EXPECT_EQ(guess.position, (Vec2{1.5f, -0.5f}));
+  EXPECT_FALSE(guess.by_own_eyes);
+}
+
+TEST(Believe, APenalisedRobotComesBackWhenItsTimeIsUp) {
+  const Fixture game;
+  Knowledge knowledge = game.knowledge();
+  knowledge.away[1][2] = ticks(12);
+  knowledge.away[0][3] = kNever;
+  const State state = believe(game.params(), knowledge).situation.state;
+  const int opponent = robot_of(Side::away, 3), mate = robot_of(Side::home, 4);
+  EXPECT_EQ(state.world.bodies[opponent].doing, Doing::removed);
+  EXPECT_EQ(test::after(game.params(), state, ticks(11)).world.bodies[opponent].doing, Doing::removed);
+  const State later = test::after(game.params(), state, ticks(13));
+  EXPECT_NE(later.world.bodies[opponent].doing, Doing::removed);
+  EXPECT_EQ(later.world.bodies[mate].doing, Doing::removed);
+}
+
+TEST(Believe, TheRobotGoesOnWithWhatItKnows) {
+  const Fixture game;
+  const Knowledge knowledge = game.knowledge();
+  const State state = believe(game.params(), knowledge).situation.state;
+  const Robot& self = state.robots[kOwn];
+  EXPECT_EQ(self.beliefs.ball.position, knowledge.beliefs.ball.position);
+  EXPECT_EQ(self.beliefs.pose.pose, knowledge.beliefs.pose.pose);
+  EXPECT_EQ(self.mind.role, knowledge.mind.role);
+  EXPECT_EQ(state.world.bodies[kOwn].doing, knowledge.body.doing);
+  EXPECT_EQ(state.world.bodies[kOwn].velocity, knowledge.body.velocity);
+}
+
+TEST(KnowledgeOf, IsTheSameFromBothSides) {
+  const Fixture game;
+  const Knowledge away = knowledge_of(game.params(), game.state, robot_of(Side::away, 2));
+  EXPECT_EQ(away.game.own_score, game.state.book.score[1]);
+  const Believed believed = believe(game.params(), away);
+  EXPECT_EQ(believed.refusal, "");
+  // its own side is home now, and attacks +x
+  EXPECT_EQ(believed.situation.state.world.bodies[robot_of(Side::home, 2)].position, away.beliefs.pose.pose.position);
+}
+
+TEST(Sample, WithoutDoubtThereIsOneWorld) {
+  const Fixture game;
+  const Situation sure{.state = game.state, .doubt = {}};
+  const State one = sample(game.params(), sure, {.seed = 1}), other = sample(game.params(), sure, {.seed = 2});
+  for_each_robot(one.world.players, [&](int robot) {
+    EXPECT_EQ(one.world.bodies[robot].position, game.state.world.bodies[robot].position);
+    EXPECT_EQ(one.world.bodies[robot].position, other.world.bodies[robot].position);
+  });
+  EXPECT_EQ(one.world.ball.position, game.state.world.ball.position);
+}
+
+TEST(Sample, TheSameKeyIsTheSameWorld) {
+  const Fixture game;
+  const Situation situation = believe(game.params(), game.knowledge()).situation;
+  EXPECT_EQ(hash_of(sample(game.params(), situation, {.seed = 9})),
+            hash_of(sample(game.params(), situation, {.seed = 9})));
+  EXPECT_NE(hash_of(sample(game.params(), situation, {.seed = 9})),
+            hash_of(sample(game.params(), situation, {.seed = 10})));
+}
+
+TEST(Sample, WorldsScatterAsMuchAsTheDoubtSays) {
+  const Fixture game;
+  Situation situation{.state = game.state, .doubt = {}};
+  situation.state.world.bodies[kOwn].position = {};
+  situation.doubt.position[kOwn] = 0.3f;
+  situation.doubt.heading[kOwn] = 0.2f;
+  const float heading = situation.state.world.bodies[kOwn].heading;
+  constexpr int kWorlds = 4000;
+  double x = 0, xx = 0, turns = 0;
+  for (int i = 0; i < kWorlds; ++i) {
+    const State world = sample(game.params(), situation, {.seed = static_cast<std::uint64_t>(i)});
+    const Body& body = world.world.bodies[kOwn];
+    x += static_cast<double>(body.position.x);
+    xx += static_cast<double>(body.position.x * body.position.x);
+    const auto turn = static_cast<double>(normalized(body.heading - heading));
+    turns += turn * turn;
+  }
+  EXPECT_NEAR(x / kWorlds, 0, 0.02);
+  EXPECT_NEAR(std::sqrt(xx / kWorlds), 0.3, 0.012);
+  EXPECT_NEAR(std::sqrt(turns / kWorlds), 0.2, 0.008);
+}
+
+TEST(Sample, TheBallIsWhereTheRobotSeesIt) {
+  const Fixture game;
+  Situation situation = believe(game.params(), game.knowledge()).situation;
+  situation.doubt.ball = situation.doubt.ball_velocity = situation.doubt.ball_elsewhere = 0;
+  situation.doubt.ball_by_own_eyes = true;
+  situation.state.world.ball.position = {0.3f, 0.2f};
+  situation.state.world.bodies[kOwn].position = {-0.4f, 0.1f};
+  const auto seen = [](const State& state) {
+    const Body& body = state.world.bodies[kOwn];
+    return turned_back(state.world.ball.position - body.position, body.facing);
+  };
+  const Vec2 as_believed = seen(situation.state);
+  for (std::uint64_t seed = 0; seed < 50; ++seed)
+    EXPECT_LT(distance(seen(sample(game.params(), situation, {.seed = seed})), as_believed), 1e-4f);
+}
+
+TEST(Sample, TheBallIsElsewhereAsOftenAsTheDoubtSays) {
+  const Fixture game;
+  Situation situation{.state = game.state, .doubt = {}};
+  situation.doubt.ball_elsewhere = 0.25f;
+  constexpr int kWorlds = 4000;
+  int elsewhere = 0;
+  double x = 0;
+  for (int i = 0; i < kWorlds; ++i) {
+    const State world = sample(game.params(), situation, {.seed = static_cast<std::uint64_t>(i)});
+    const Vec2 ball = world.world.ball.position;
+    if (ball == situation.state.world.ball.position) continue;
+    ++elsewhere;
+    x += static_cast<double>(ball.x);
+    EXPECT_TRUE(field::inside_field(game.params().rules.field, ball));
+  }
+  EXPECT_NEAR(static_cast<double>(elsewhere) / kWorlds, 0.25, 0.02);
+  EXPECT_NEAR(x / elsewhere, 0, 0.2);
+}
+
+/// What is in doubt for the robot is not for the others: where they stand they know, and the opponents see the ball.
+TEST(Sample, TheOthersKnowWhereTheyStand) {
+  const Fixture game;
+  const Situation situation = believe(game.params(), game.knowledge()).situation;
+  const State one = sample(game.params(), situation, {.seed = 3});
+  test::for_each_body(one.world, [&](int robot, const Body& body) {
+    const agent::Beliefs& beliefs = one.robots[robot].beliefs;
+    if (robot == kOwn) {
+      EXPECT_EQ(beliefs.pose.pose.position, situation.state.robots[kOwn].beliefs.pose.pose.position);
+      return;
+    }
+    const Vec2 position = side_of(robot) == Side::home ? body.position : -body.position;
+    EXPECT_LT(distance(beliefs.pose.pose.position, position), 1e-5f);
+    const Vec2 ball = body.position + turned(beliefs.ball.position, body.facing);
+    const Vec2 known = side_of(robot) == Side::home ? situation.state.world.ball.position : one.world.ball.position;
+    EXPECT_LT(distance(ball, known), 1e-5f);
+  });
+}
+
+TEST(Sample, NobodyLeavesTheCarpet) {
+  const Fixture game;
+  Situation situation{.state = game.state, .doubt = {}};
+  for (float& deviation : situation.doubt.position) deviation = 3;
+  situation.doubt.ball = 3;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const State state = sample(game.params(), situation, {.seed = seed});
+    EXPECT_TRUE(field::inside_field(game.params().rules.field, state.world.ball.position));
+    test::for_each_body(state.world, [&](int, const Body& body) {
+      EXPECT_TRUE(field::inside_field(game.params().rules.field, body.position, 0.3f));
+    });
+  }
+}
+
+}  // namespace
+}  // namespace sim::foresight

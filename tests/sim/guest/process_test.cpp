@@ -1,0 +1,56 @@
+#include "sim/guest/process.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+namespace sim::guest {
+namespace {
+
+robot::Result<std::string> answer_of(const std::string& command, double patience = 5) {
+  auto process = Process::start(command);
+  if (!process) return robot::Error{process.error()};
+  return process->ask("hello\n", patience);
+}
+
+TEST(Process, AnswersALineWithALine) {
+  auto process = Process::start("cat");
+  ASSERT_TRUE(process);
+  for (const char* line : {"one\n", "two\n", "three\n"}) {
+    const auto answer = process->ask(line, 5);
+    ASSERT_TRUE(answer) << answer.error();
+    EXPECT_EQ(*answer + "\n", line);
+  }
+}
+
+TEST(Process, SaysHowItEnded) {
+  EXPECT_EQ(answer_of("sh -c 'read x; exit 4'").error(), "the process ended with status 4 instead of answering");
+  EXPECT_EQ(answer_of("sh -c 'read x; kill -9 $$'").error(), "the process was killed by signal 9");
+  EXPECT_EQ(answer_of("no-such-command-anywhere 2>/dev/null").error(),
+            "the command was not found, or ended with status 127");
+}
+
+TEST(Process, IsNotWaitedForForEver) {
+  EXPECT_EQ(answer_of("sleep 60", 0.2).error(), "the process did not answer within 0.2 s");
+}
+
+TEST(Process, AnswersOneLineOfALimitedLength) {
+  EXPECT_EQ(answer_of("sh -c 'read x; echo one; echo two'").error(), "expected one line as answer, got more: 'two'");
+  EXPECT_EQ(answer_of("head -c 200000 /dev/zero").error(),
+            "expected a line of at most 65536 bytes as answer, got more");
+}
+
+TEST(Process, IsGoneWhenItIsNoLongerNeeded) {
+  std::string pid;
+  {
+    auto process = Process::start("sh -c 'read x; echo $$; sleep 60'");
+    ASSERT_TRUE(process);
+    const auto answer = process->ask("who\n", 5);
+    ASSERT_TRUE(answer);
+    pid = *answer;
+  }
+  EXPECT_NE(kill(std::stoi(pid), 0), 0);
+}
+
+}  // namespace
+}  // namespace sim::guest

@@ -1,0 +1,32 @@
+// A Nao's body as far as LoLA shows it: joints that follow, a torso that falls when it is told to, hands that touch it.
+#pragma once
+
+#include "robot/body/nao/lola/actuators.h"
+#include "robot/body/nao/lola/sensors.h"
+
+namespace tests {
+
+class FakeBody {
+ public:
+  /// Seated, without stiffness, upright.
+  FakeBody();
+
+  robot::body::nao::Sensors sensors;  // what LoLA tells next; tests may change any of it
+
+  /// Joints with stiffness follow as fast as they can, the others stay; the torso goes on falling.
+  void obey(const robot::body::nao::Actuators& actuators, float dt);
+
+  /// The torso tips over, or stands upright again at once.
+  void fall() { falls_ = true; }
+  void put_upright();
+
+  void lift() { sensors.fsr.fill(0); }
+  void put_down() { sensors.fsr.fill(0.65f); }
+  void press_chest(bool pressed) { sensors.touch[0] = pressed ? 1.0f : 0.0f; }
+  void hold_head(bool held) { sensors.touch[1] = sensors.touch[2] = sensors.touch[3] = held ? 1.0f : 0.0f; }
+
+ private:
+  bool falls_ = false;
+};
+
+}  // namespace tests
