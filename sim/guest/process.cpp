@@ -82,16 +82,25 @@ Error Process::how_it_ended() {
   return Error{"the process ended with status " + std::to_string(WEXITSTATUS(status)) + " instead of answering"};
 }
 
+Error Process::more_than_one_line() const {
+  return Error{"expected one line as answer, got more: '" +
+               read_.substr(0, std::min<std::size_t>(80, read_.find('\n'))) + "'"};
+}
+
 Result<std::string> Process::ask(std::string_view line, double patience_seconds) {
+  // what it said unasked, after the answer before, is no answer to this
+  char unasked[80];
+  if (const ssize_t got = recv(socket_.get(), unasked, sizeof unasked, MSG_DONTWAIT); got > 0) {
+    read_.append(unasked, static_cast<std::size_t>(got));
+    return more_than_one_line();
+  }
   const auto deadline =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience_seconds));
   while (true) {
     if (const std::size_t end = read_.find('\n'); line.empty() && end != read_.npos) {
       std::string answer = read_.substr(0, end);
       read_.erase(0, end + 1);
-      if (!read_.empty())
-        return Error{"expected one line as answer, got more: '" +
-                     read_.substr(0, std::min<std::size_t>(80, read_.find('\n'))) + "'"};
+      if (!read_.empty()) return more_than_one_line();
       return answer;
     }
     if (read_.size() > kLongestLine)

@@ -23,12 +23,13 @@ class Process {
   Process& operator=(Process&&) = delete;
   ~Process();
 
-  /// Its answer to `line`, without the line's end. The Error is the end of a sentence: "the process ended with status 1".
+  /// Its answer to `line`, without the line's end; what it said unasked is none. The Error is the end of a sentence: "the process ended with status 1".
   robot::Result<std::string> ask(std::string_view line, double patience_seconds);
 
  private:
   Process(pid_t pid, robot::FileDescriptor socket) : pid_(pid), socket_(std::move(socket)) {}
   robot::Error how_it_ended();
+  robot::Error more_than_one_line() const;
 
   pid_t pid_;
   robot::FileDescriptor socket_;

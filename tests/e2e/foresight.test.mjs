@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { networkInterfaces } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
-import { Live } from "./live.mjs";
+import { Live, pausedGame } from "./live.mjs";
 import { atEnd, require, run, start, temporaryFolder, until } from "./support.mjs";
 
 const { FoxgloveClient } = require("@foxglove/ws-protocol");
@@ -15,17 +15,8 @@ const needsNetwork = { skip: own ? false : "this machine has no address but loop
 const kService = "/foresight/what_if";
 const kStrategies = ["baseline", "passing", "kick_now", "align_first"];
 
-/** A robot in a simulated game that has been kicked off, which stands still. */
-async function paused(t, ...args) {
-  const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--no-foresight", ...args);
-  const live = await Live.open(t, server);
-  await live.call("/sim/pause");
-  assert.equal((await live.call("/sim/step", { ticks: 1800 })).ok, true);
-  return { server, live };
-}
-
 test("the Foxglove client asks and is answered, and memory holds the same", async (t) => {
-  const { server, live } = await paused(t);
+  const { server, live } = await pausedGame(t, "--no-foresight");
   await live.subscribe("/14/2/forecast");
 
   const ws = new WebSocket(`ws://localhost:${server.port}`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]);
@@ -65,7 +56,7 @@ test("the Foxglove client asks and is answered, and memory holds the same", asyn
 });
 
 test("any robot may be asked about, and situations that were changed by hand", async (t) => {
-  const { live } = await paused(t);
+  const { live } = await pausedGame(t, "--no-foresight");
   const other = await live.call(kService, { robot: "5/3", budget_ms: 50 });
   assert.equal(other.robot ?? other.error, "5/3");
   assert.deepEqual(other.forecast.strategies.map(({ strategy }) => strategy), kStrategies);
@@ -77,7 +68,7 @@ test("any robot may be asked about, and situations that were changed by hand", a
 });
 
 test("nonsense gets one sentence, and nothing else happens", async (t) => {
-  const { live } = await paused(t);
+  const { live } = await pausedGame(t, "--no-foresight");
   await live.subscribe("/14/2/forecast");
   const sentences = [
     [{ strategies: ["tiki_taka"] }, `no strategy "tiki_taka"; there are: ${kStrategies.join(", ")}`],

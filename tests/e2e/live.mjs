@@ -1,5 +1,6 @@
 // A client of the Foxglove WebSocket protocol made of nothing but `ws`, and messages decoded by the schemas it is told.
-import { atEnd, require, within } from "./support.mjs";
+import assert from "node:assert/strict";
+import { atEnd, require, start, temporaryFolder, within } from "./support.mjs";
 
 const WebSocket = require("ws");
 const { createFileRegistry, fromBinary, toJson } = require("@bufbuild/protobuf");
@@ -118,6 +119,17 @@ export class Live {
     this.onFrame?.(bytes);
     this.#changed();
   }
+}
+
+/** A simulated game that stands a minute after its beginning, the same to the bit whatever the machine is doing. */
+export async function pausedGame(t, ...args) {
+  const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", ...args);
+  const live = await Live.open(t, server);
+  await live.call("/sim/pause");
+  await live.call("/sim/reset", { seed: 7 });
+  const { ok, tick } = await live.call("/sim/step", { ticks: 1800 });
+  assert.deepEqual({ ok, tick }, { ok: true, tick: 1800 });
+  return { server, live };
 }
 
 /** The frame of a service call, written by hand from the description of the protocol. */

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <filesystem>
+#include <thread>
+
+#include "tests/support/temporary_folder.h"
 
 namespace sim::guest {
 namespace {
@@ -35,9 +39,23 @@ TEST(Process, IsNotWaitedForForEver) {
 }
 
 TEST(Process, AnswersOneLineOfALimitedLength) {
-  EXPECT_EQ(answer_of("sh -c 'read x; echo one; echo two'").error(), "expected one line as answer, got more: 'two'");
+  EXPECT_EQ(answer_of("sh -c 'read x; printf \"one\\ntwo\\n\"'").error(),
+            "expected one line as answer, got more: 'two'");
   EXPECT_EQ(answer_of("head -c 200000 /dev/zero").error(),
             "expected a line of at most 65536 bytes as answer, got more");
+}
+
+TEST(Process, WhatItSaysUnaskedIsNoAnswer) {
+  const tests::TemporaryFolder folder;
+  const std::string said = folder / "said";
+  auto process = Process::start("sh -c 'read x; echo one; echo two; >" + said + "; read x; echo three'");
+  ASSERT_TRUE(process);
+  const auto first = process->ask("hello\n", 5);
+  while (!std::filesystem::exists(said)) std::this_thread::yield();
+  // the second line came along with the first one, or is found before the next question
+  const auto answer = first ? process->ask("hello\n", 5) : first;
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error(), "expected one line as answer, got more: 'two'");
 }
 
 TEST(Process, IsGoneWhenItIsNoLongerNeeded) {

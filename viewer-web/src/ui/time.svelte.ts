@@ -23,6 +23,15 @@ export interface TimeRange {
   last_ns: bigint;
 }
 
+/** From one message of an object to its next one, or its last one, of which nothing is here. */
+interface Step {
+  object: MemoryObject;
+  from_ns: bigint;
+  by: 1 | -1;
+  /** Some message after it; the next one unless another one lies between. */
+  later_ns?: bigint;
+}
+
 /** What time needs of the viewer. */
 interface Watched {
   readonly servers: Server[];
@@ -46,7 +55,7 @@ export class Time {
   #shifts = new Map<Server, bigint>(); // [ns] how far ahead of the reference each clock was when the page stopped following
   #asked_ns: bigint | undefined; // by the address, until it is there
   #noted = 0; // [s] when the address was set last
-  #stepping: { object: MemoryObject; from_ns: bigint; by: 1 | -1 } | undefined; // by the server: its next message, or last one, is to come
+  #stepping: Step | undefined; // by the server: what is looked for is to come
   #steps = 0; // to be done when that has come
 
   constructor(readonly viewer: Watched) {
@@ -129,7 +138,7 @@ export class Time {
     // what was looked at may have been given up since
     if (!this.live && this.#at_ns < range.first_ns) this.#at_ns = range.first_ns;
     if (!this.live) this.#show();
-    if (!this.runs && (!this.live || this.recorded) && time - this.#noted > 0.3) this.#note(String(this.at_ns));
+    if (!this.runs && !this.#stepping && (!this.live || this.recorded) && time - this.#noted > 0.3) this.#note(String(this.at_ns));
     else if (this.moves && this.viewer.get("at") && this.recorded) this.#note("");
   }
 
@@ -230,8 +239,8 @@ export class Time {
 
   /** To the next or last frame of what the chosen robot, or its world, tells most evenly. */
   step(by: 1 | -1): void {
-    this.pause();
     const { server } = this.viewer;
+    if (!this.#stepping) this.pause();
     const object = this.#beat(server);
     if (!object) return;
     if (this.#stepping || (server.played && (server.asked || object.outdated))) {
@@ -255,16 +264,27 @@ export class Time {
   #finishStep(): void {
     const { server } = this.viewer;
     const step = this.#stepping;
-    const newest_ns = step?.object.newest?.log_ns;
-    if (step && newest_ns !== undefined && !step.object.outdated) {
-      const { history } = step.object;
-      const came_ns = step.by < 0 ? newest_ns : (history.timeOf(history.indexAt(step.from_ns) + 1) ?? newest_ns);
-      if (came_ns !== step.from_ns && !server.asked) this.seek(came_ns - this.shiftOf(server));
-    }
+    if (step && !server.asked && !step.object.outdated) this.#look(step, server);
     if (this.#stepping || this.#steps === 0 || server.asked) return;
     const by = this.#steps > 0 ? 1 : -1;
     this.#steps -= by;
     this.step(by);
+  }
+
+  /** Who plays on leaves messages out where a page cannot keep up: the last one before what came is asked for until it is known. */
+  #look(step: Step, server: Server): void {
+    const newest_ns = step.object.newest?.log_ns;
+    if (newest_ns === undefined) return;
+    const shift_ns = this.shiftOf(server);
+    if (step.by < 0) {
+      if (newest_ns !== step.from_ns) this.seek(newest_ns - shift_ns);
+    } else if (newest_ns <= step.from_ns) {
+      if (step.later_ns !== undefined) this.seek(step.later_ns - shift_ns);
+      else if (server.ended) this.#stepping = undefined;
+    } else {
+      this.#ask(false, newest_ns - 1n - shift_ns);
+      this.#stepping = { ...step, later_ns: newest_ns };
+    }
   }
 
   /** All events of all servers, in the reference's time, oldest first. */
