@@ -106,7 +106,7 @@ async function rates(page, object) {
   return until(async () => {
     const heads = await table.locator("thead th").allTextContents();
     const cells = await row.locator("th, td").allTextContents();
-    return cells.length === heads.length && Object.fromEntries(heads.map((head, i) => [head.trim(), cells[i].trim()]));
+    return cells.length > 0 && cells.length === heads.length && Object.fromEntries(heads.map((head, i) => [head.trim(), cells[i].trim()]));
   }, `the row of ${object}`);
 }
 
