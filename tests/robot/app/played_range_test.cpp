@@ -29,7 +29,7 @@ struct PlayedRange : testing::Test {
   }
   static std::uint64_t at(std::uint64_t i) { return kStart + i * kSecond; }
   /// By the clock that it is played by.
-  static std::uint64_t played(std::uint64_t i) { return at(i) + kShift; }
+  static std::uint64_t played(std::uint64_t i) { return at(i) + static_cast<std::uint64_t>(kShift); }
 
   struct Answer {
     std::vector<std::uint64_t> times_ns;

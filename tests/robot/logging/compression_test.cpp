@@ -29,7 +29,7 @@ TEST(Compression, ThereAndBackIsTheSame) {
   std::mt19937 random(1);
   for (const Compression compression : kAll) {
     Compressor compressor(compression);
-    for (const std::size_t size : {0, 1, 100, 65536, 70000, 1000000}) {
+    for (const std::size_t size : {0u, 1u, 100u, 65536u, 70000u, 1000000u}) {
       const std::string first = some_bytes(random, size), second = some_bytes(random, size / 2);
       const std::vector<std::string_view> pieces = {first, {}, second};
       std::string small = "what was here before";
@@ -50,7 +50,7 @@ TEST(Compression, MakesSmall) {
 TEST(Compression, ExactlyTheExpectedSizeComesOut) {
   const std::string bytes(1000, 'x');
   for (const Compression compression : kAll)
-    for (const std::size_t size : {0, 1, 999, 1001, 100'000})
+    for (const std::size_t size : {0u, 1u, 999u, 1001u, 100'000u})
       EXPECT_FALSE(decompress(compression, packed(compression, bytes), size)) << name(compression) << " " << size;
   EXPECT_EQ(decompress(Compression::zstd, packed(Compression::zstd, bytes), 1001).error(),
             "zstd: expected 1001 bytes, got 1000");

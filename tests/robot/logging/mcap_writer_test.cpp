@@ -111,7 +111,7 @@ TEST(McapWriter, ASmallFileLooksAsTheSpecificationSays) {
 TEST(McapWriter, WhatIsWrittenIsReadBack) {
   std::mt19937 random(1);
   for (const auto compression : {Compression::none, Compression::lz4, Compression::zstd})
-    for (const std::size_t chunk_bytes : {1, 100, 5000, 1 << 20}) {
+    for (const std::size_t chunk_bytes : {1u, 100u, 5000u, 1u << 20}) {
       McapOptions options;
       options.compression = compression;
       options.chunk_bytes = chunk_bytes;

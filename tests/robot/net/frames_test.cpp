@@ -66,7 +66,7 @@ TEST(Frames, MeanTheSameHoweverTheyAreCut) {
 }
 
 TEST(Frames, ComeBackFromBothDirectionsAtEverySize) {
-  for (const std::size_t size : {0, 1, 125, 126, 127, 999, 1000}) {
+  for (const std::size_t size : {0u, 1u, 125u, 126u, 127u, 999u, 1000u}) {
     const std::string expected = "binary:" + (size > 20 ? std::to_string(size) : std::string(size, 'x'));
     EXPECT_EQ(events(Sender::client, masked(Opcode::binary, std::string(size, 'x'))), expected);
     EXPECT_EQ(events(Sender::server, plain(Opcode::binary, std::string(size, 'x'))), expected);

@@ -27,7 +27,7 @@ TEST_F(NaoWatch, FindsAHealthyRobotHealthy) {
 }
 
 TEST_F(NaoWatch, KnowsAFallToAnySide) {
-  for (const std::size_t axis : {0, 1})
+  for (const std::size_t axis : {0u, 1u})
     for (const float sign : {-1.0f, 1.0f}) {
       body.put_upright();
       body.sensors.angles[axis] = sign * 0.6f;
