@@ -1,5 +1,6 @@
 #include "robot/foresight/foreseer.h"
 
+#include <algorithm>
 #include <future>
 #include <mutex>
 #include <utility>
@@ -53,11 +54,16 @@ void fill(const pf::Standing& standing, const pf::Account& account, int players,
   add_paths(account, players, told);
 }
 
-void fill(const pf::Situation& situation, pb::Forecast::Situation& told) {
+void fill(const pf::Situation& situation, const sim::field::Rules& rules, pb::Forecast::Situation& told) {
   const sim::World& world = situation.state.world;
+  const sim::referee::Book& book = situation.state.book;
   told.set_ball_x(world.ball.position.x);
   told.set_ball_y(world.ball.position.y);
   told.set_ball_deviation(situation.doubt.ball);
+  told.set_ball_elsewhere(situation.doubt.ball_elsewhere);
+  told.set_own_score(book.score[0]);
+  told.set_opponent_score(book.score[1]);
+  told.set_seconds_remaining(std::max(0.f, rules.half_duration - static_cast<float>(book.clock) * sim::kTickDuration));
   sim::for_each_robot(world.players, [&](int robot) {
     const sim::Body& body = world.bodies[robot];
     if (body.doing == sim::Body::Doing::removed) return;
@@ -226,7 +232,7 @@ pb::Forecast Foreseer::forecast_of(const Job& job, const Progress& progress, std
   forecast.set_answered_ms(static_cast<float>(monotonic_ns() - began_ns) / 1e6f);
   forecast.set_computed_ms(static_cast<float>(progress.computed_ns) / 1e6f);
   forecast.set_simulated(static_cast<float>(progress.tally.ticks) * sim::kTickDuration);
-  fill(situation, *forecast.mutable_situation());
+  fill(situation, playbook->params.front().rules, *forecast.mutable_situation());
   return forecast;
 }
 

@@ -181,8 +181,15 @@ json to_json(const pb::Forecast::Situation& situation) {
                       {"y", body.y()},
                       {"heading", body.heading()},
                       {"deviation", body.deviation()}});
-  return {{"ball", {{"x", situation.ball_x()}, {"y", situation.ball_y()}, {"deviation", situation.ball_deviation()}}},
-          {"robots", std::move(bodies)}};
+  return {{"ball",
+           {{"x", situation.ball_x()},
+            {"y", situation.ball_y()},
+            {"deviation", situation.ball_deviation()},
+            {"elsewhere", situation.ball_elsewhere()}}},
+          {"robots", std::move(bodies)},
+          {"own_score", situation.own_score()},
+          {"opponent_score", situation.opponent_score()},
+          {"seconds_remaining", situation.seconds_remaining()}};
 }
 
 bool is_within(float value, float least, float most) { return value >= least && value <= most; }
@@ -284,7 +291,9 @@ json to_json(const pb::Forecast& forecast, bool in_full) {
   json strategies = json::array();
   for (const auto& strategy : forecast.strategies()) strategies.push_back(to_json(strategy, in_full));
   return {{"question",
-           {{"opponent", question.opponent()},
+           {{"strategies", std::vector<std::string>(question.strategies().begin(), question.strategies().end())},
+            {"asked_by", question.asked_by()},
+            {"opponent", question.opponent()},
             {"measure", kMeasureNames[static_cast<std::size_t>(question.measure())]},
             {"until", kUntilNames[static_cast<std::size_t>(question.until())]},
             {"horizon", question.horizon()},

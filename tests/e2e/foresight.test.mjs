@@ -38,6 +38,8 @@ test("the Foxglove client asks and is answered, and memory holds the same", asyn
   assert.equal(answer.robot, "14/2");
   const { forecast } = answer;
   assert.deepEqual(forecast.strategies.map(({ strategy }) => strategy), ["baseline", "kick_now"]);
+  assert.deepEqual([forecast.question.strategies, forecast.question.asked_by], [["baseline", "kick_now"], "people"]);
+  assert.ok(forecast.situation.seconds_remaining > 0 && forecast.situation.seconds_remaining <= 600);
   assert.ok(["none", "keep", "change"].includes(forecast.advice));
   assert.ok(forecast.answered_ms >= 300);
   assert.ok(forecast.computed_ms <= forecast.answered_ms);
@@ -63,7 +65,8 @@ test("any robot may be asked about, and situations that were changed by hand", a
 
   const edit = { ball: { x: 1.5, y: -1 }, robots: [{ side: "own", player: 3, x: 1, y: -1, heading: 0.5 }], own_score: 2, seconds_remaining: 60 };
   const { forecast } = await live.call(kService, { budget_ms: 50, edit });
-  assert.deepEqual(forecast.situation.ball, { x: 1.5, y: -1, deviation: 0 });
+  assert.deepEqual(forecast.situation.ball, { x: 1.5, y: -1, deviation: 0, elsewhere: 0 });
+  assert.deepEqual([forecast.situation.own_score, Math.round(forecast.situation.seconds_remaining)], [2, 60]);
   assert.deepEqual(forecast.situation.robots.find(({ side, player }) => side === "own" && player === 3), { side: "own", player: 3, x: 1, y: -1, heading: 0.5, deviation: 0 });
 });
 

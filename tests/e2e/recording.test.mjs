@@ -248,6 +248,6 @@ test("a layout is saved as a file and shows the same again; what is none is refu
   await shoot(other.page, "layout");
   await load(text);
   await other.page.getByRole("list", { name: "Lines" }).getByText("/14/2/pose.y").waitFor();
-  assert.equal(await other.page.getByLabel("Robot", { exact: true }).inputValue(), "14/2");
+  await until(async () => (await other.page.getByLabel("Robot", { exact: true }).inputValue()) === "14/2", "the layout's robot");
   assert.deepEqual([...problems, ...other.problems], []);
 });

@@ -5,6 +5,7 @@
 #include <future>
 #include <vector>
 
+#include "robot/foresight/question.h"
 #include "tests/robot/foresight/memories.h"
 
 namespace robot::foreseeing {
@@ -43,6 +44,48 @@ TEST(Foreseer, AnswersAtTheDeadlineWithWhatItHas) {
   const bool enough = forecast->strategies(0).rollouts() >= 8;
   EXPECT_EQ(forecast->advice() == pb::Forecast::ADVICE_NONE, !enough) << forecast->reason();
   EXPECT_LE(forecast->computed_ms(), forecast->answered_ms());
+}
+
+TEST(Foreseer, TellsTheMomentThatItPlayedOnFrom) {
+  const test::Played game;
+  const auto foresight = foreseer();
+  pb::WhatIf asked = question(10);
+  asked.set_asked_by("a test");
+  asked.mutable_edit()->mutable_ball()->set_x(0.5f);
+  asked.mutable_edit()->set_own_score(2);
+  asked.mutable_edit()->set_opponent_score(1);
+  asked.mutable_edit()->set_seconds_remaining(90);
+  const auto forecast = foresight->ask_and_wait(asked, game.recollection());
+  ASSERT_TRUE(forecast) << forecast.error();
+  const pb::Forecast::Situation& situation = forecast->situation();
+  EXPECT_EQ(situation.ball_x(), 0.5f);
+  EXPECT_EQ(situation.ball_elsewhere(), 0) << "it is where the question puts it";
+  EXPECT_EQ(situation.own_score(), 2u);
+  EXPECT_EQ(situation.opponent_score(), 1u);
+  EXPECT_NEAR(situation.seconds_remaining(), 90, 1e-3);
+  const auto told = to_json(*forecast, false);
+  EXPECT_EQ(told["question"]["strategies"], (nlohmann::json{"baseline", "kick_now", "passing"}));
+  EXPECT_EQ(told["question"]["asked_by"], "a test");
+  EXPECT_EQ(told["situation"]["own_score"], 2);
+  EXPECT_EQ(told["situation"]["ball"]["elsewhere"], 0);
+}
+
+/// Who has not seen the ball for a while takes it to be somewhere else now and then.
+TEST(Foreseer, SaysHowLikelyTheBallIsElsewhere) {
+  const test::Played game;
+  const auto foresight = foreseer();
+  const auto elsewhere = [&](std::uint64_t seen_ns) {
+    pb::Ball ball = game.memory->ball.read()->value();
+    ball.set_seen_ns(seen_ns);
+    game.memory->ball.write(ball, game.now_ns());
+    Recollection from = game.recollection();
+    from.team.reset();  // nor has anybody told it
+    const auto forecast = foresight->ask_and_wait(question(10), from);
+    EXPECT_TRUE(forecast) << forecast.error();
+    EXPECT_EQ(forecast->refusal(), "");
+    return forecast->situation().ball_elsewhere();
+  };
+  EXPECT_GT(elsewhere(game.now_ns() - 5'000'000'000), elsewhere(game.now_ns()));
 }
 
 TEST(Foreseer, OneQuestionRunsOneWaitsAndTheThirdIsTold) {

@@ -17,7 +17,7 @@ const kAnswer = {
   computed_ms: 90,
   simulated: 3600,
   models: "match",
-  situation: { ball: { x: 1, y: 2, deviation: 0.3 }, robots: [{ side: "opponent", player: 4, x: 3, y: -1, heading: 0.1, deviation: 0.2 }] },
+  situation: { ball: { x: 1, y: 2, deviation: 0.3, elsewhere: 0.25 }, own_score: 2, opponent_score: 1, seconds_remaining: 95, robots: [{ side: "opponent", player: 4, x: 3, y: -1, heading: 0.1, deviation: 0.2 }] },
 };
 
 test("what the service answers is read", () => {
@@ -26,6 +26,7 @@ test("what the service answers is read", () => {
   expect(forecast.strategies[0]!.heat).toEqual({ columns: 3, counts: [0, 1, 2, 3, 4, 5] });
   expect(forecast.strategies[1]).toMatchObject({ gain: 0.2, gainLow: 0.1, gainHigh: 0.3, best: 0.9, racedOn: true });
   expect(forecast.strategies[1]!.paths).toEqual([{ spacing: 0.5, ball: [{ x: 0, y: 0 }, { x: 1, y: 2 }], robots: [{ player: 3, points: [{ x: 1, y: 1 }] }] }]);
+  expect(forecast).toMatchObject({ ballElsewhere: 0.25, standing: { score: [2, 1], remaining: 95 } });
   expect(forecast.situation).toEqual({ ball: { x: 1, y: 2, deviation: 0.3 }, bodies: [{ side: "opponent", player: 4, x: 3, y: -1, heading: 0.1, deviation: 0.2 }] });
 });
 
@@ -35,11 +36,12 @@ test("the memory object says the same in its own words", () => {
       question: fields({ measure: new EnumValue(2, "MEASURE_CONCEDE"), until: new EnumValue(1, "UNTIL_NEXT_GOAL"), asked_by: "captain: the ball is lost" }),
       refusal: "nobody has seen the ball yet",
       advice: new EnumValue(1, "ADVICE_KEEP"),
-      situation: fields({ ball_x: 1, ball_y: 2, ball_deviation: 0.3, bodies: [fields({ opponent: true, player: 4, x: 3, y: -1, heading: 0.1, deviation: 0.2 })] }),
+      situation: fields({ ball_x: 1, ball_y: 2, ball_deviation: 0.3, ball_elsewhere: 0.25, own_score: 2, opponent_score: 1, seconds_remaining: 95, bodies: [fields({ opponent: true, player: 4, x: 3, y: -1, heading: 0.1, deviation: 0.2 })] }),
     }),
   );
   expect(told).toMatchObject({ measure: "concede", until: "next_goal", advice: "keep", askedBy: "captain: the ball is lost", reason: "nobody has seen the ball yet" });
-  expect(told.situation).toEqual(forecastOf(fieldsOfJson(kAnswer)).situation);
+  const { situation, ballElsewhere, standing } = forecastOf(fieldsOfJson(kAnswer));
+  expect(told).toMatchObject({ situation, ballElsewhere, standing });
 });
 
 test("the strategy that is meant, else the choice, else the first", () => {
@@ -54,6 +56,7 @@ test("nonsense becomes an empty forecast, never an exception", () => {
     const forecast = forecastOf(fieldsOfJson(nonsense));
     expect(forecast.advice).toBe("none");
     expect(forecast.situation).toEqual({ ball: undefined, bodies: [] });
+    expect([forecast.ballElsewhere, forecast.standing]).toEqual([0, undefined]);
     for (const { heat, paths } of forecast.strategies) expect([heat, paths.flatMap(({ ball }) => ball)]).toEqual([undefined, []]);
   }
 });

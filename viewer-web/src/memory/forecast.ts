@@ -87,6 +87,10 @@ export interface Forecast {
   horizon: number;
   models: string;
   situation: Situation;
+  /** [0..1] in how many of the futures the ball lies anywhere else on the field, since nobody saw it for a while. */
+  ballElsewhere: number;
+  /** What was played on from: goals, the own ones first, and seconds left of the half; undefined where it is not told. */
+  standing: { score: [number, number]; remaining: number } | undefined;
 }
 
 const finite = (fields: Fields, name: string): number => {
@@ -101,6 +105,7 @@ const kAdvice = { none: 0, keep: 0, change: 0 };
 export function forecastOf(fields: Fields): Forecast {
   const question = fieldsOf(fields, "question");
   const count = (name: string) => finite(fields, name);
+  const situation = fieldsOf(fields, "situation");
   return {
     measure: known(kMeasures, wordOf(question, "measure"), "goal_difference"),
     until: known(kUntils, wordOf(question, "until"), "horizon"),
@@ -115,7 +120,9 @@ export function forecastOf(fields: Fields): Forecast {
     simulated: count("simulated"),
     horizon: count("horizon") || finite(question, "horizon"),
     models: textOf(fields, "models"),
-    situation: situationOf(fieldsOf(fields, "situation")),
+    situation: situationOf(situation),
+    ballElsewhere: finite(situation, "ball_elsewhere") || finite(fieldsOf(situation, "ball"), "elsewhere"),
+    standing: standingOf(situation),
   };
 }
 
@@ -190,6 +197,11 @@ function situationOf(fields: Fields): Situation {
       deviation: finite(body, "deviation"),
     })),
   };
+}
+
+function standingOf(situation: Fields): Forecast["standing"] {
+  const remaining = numberOf(situation, "seconds_remaining");
+  return Number.isFinite(remaining) ? { score: [finite(situation, "own_score"), finite(situation, "opponent_score")], remaining } : undefined;
 }
 
 /** The one that is meant by `name`, else the one to play, else the first. */

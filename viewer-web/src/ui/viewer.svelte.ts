@@ -80,8 +80,13 @@ export class Viewer implements Speaker {
     location.hash = this.linkTo(to);
   }
 
+  /** The robot that was asked for stays the one that is meant while it is not there, or not yet. */
+  get arrangement(): Route {
+    return { ...this.route, robot: this.route.robot || this.robotKey, view: this.view };
+  }
+
   linkTo(to: Partial<Route>): string {
-    return hashOf({ ...this.route, robot: this.robotKey, view: this.view, ...to });
+    return hashOf({ ...this.arrangement, ...to });
   }
 
   /** Notes a view's setting in the address, so that a link shows the same; "" takes it out. Nothing to go back to. */
