@@ -28,7 +28,8 @@ async function ask(t, server, address = "#/14/2/what-if", options = {}) {
   const opened = await open(t, "about:blank", options);
   const questions = questionsOf(opened.page);
   await opened.page.goto(`${server.http}/${address}${address.includes("?") ? "" : `?${kUsual}`}`);
-  await opened.page.getByRole("region", { name: "What-if" }).waitFor();
+  // it can be asked, or says why not
+  await opened.page.getByRole("button", { name: "▶ Ask" }).or(opened.page.getByText("offers no service")).first().waitFor();
   return { ...opened, questions };
 }
 

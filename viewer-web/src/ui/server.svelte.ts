@@ -17,6 +17,7 @@ import { now } from "./frame.svelte";
 const kBodyWords: Record<string, string> = { recording: "a recording", replay: "a replay", sim: "a simulation" };
 
 const kOutdated = 0.3; // [s] after a place was sought: what has not come by then has no value there
+const kIntroduction = 1; // [s] in which a server that offers no services tells what it has
 const kSettled = 0.15; // [s] a moment stands before the server goes there, too
 
 /** Where a server's sentences go. */
@@ -37,6 +38,9 @@ export class Server implements Listener {
   /** Why there is no connection; "" while there is one, and before the first try failed. */
   lost = $state("");
   info = $state.raw<ServerInfo>();
+  /** Whether it has told all that it has; ours tell it in parts, and their services last. */
+  toldAll = $state(false);
+  #introduced_s = 0; // when it began to
   parameterValues = $state.raw<ReadonlyMap<string, unknown>>(new Map());
   serviceNames = $state.raw<string[]>([]);
   #clock = new ClockExchange((request) => this.client.call("clock_sync", request));
@@ -130,6 +134,7 @@ export class Server implements Listener {
   frame(): void {
     const time = now();
     this.memory.reached(time);
+    if (this.info && !this.toldAll && time - this.#introduced_s > kIntroduction) this.toldAll = true;
     if (this.#sought !== undefined && time - this.#sought > kOutdated) {
       this.#sought = undefined;
       this.memory.dropOutdated();
@@ -182,6 +187,8 @@ export class Server implements Listener {
     this.info = info;
     if (restarted) return this.#beginAgain();
     if (!fresh) return;
+    this.toldAll = false;
+    this.#introduced_s = now();
     this.memory.reset();
     this.#wishes.clear();
     this.#refused = false;
@@ -245,6 +252,7 @@ export class Server implements Listener {
   }
   services(names: string[]): void {
     this.serviceNames = names;
+    if (names.length > 0) this.toldAll = true;
     if (names.includes("clock_sync")) this.#clock.start();
     else this.#clock.stop();
   }

@@ -34,11 +34,12 @@ export class Viewer implements Speaker {
 
   /** All robots of all servers. */
   sources: Source[] = $derived(this.servers.flatMap((server) => server.robots.map((robot) => ({ server, robot, key: this.#keyOf(server, robot) }))));
-  /** The chosen robot while it is there, else the one that the own program is, else the first one. */
-  source: Source | undefined = $derived(
-    [this.route.robot, this.servers[0]?.info?.metadata["robots"]].map((key) => this.sources.find((source) => source.key === key)).find((source) => source) ??
-      this.sources[0],
-  );
+  /** The chosen robot while it is there, else, once all are known, the one that the own program is, else the first one. */
+  source: Source | undefined = $derived.by(() => {
+    const named = (key: string | undefined) => this.sources.find((source) => source.key === key);
+    const own = this.servers[0];
+    return named(this.route.robot) ?? (own?.toldAll ? (named(own.info?.metadata["robots"]) ?? this.sources[0]) : undefined);
+  });
   /** Of the chosen robot; the page's own while there is no robot. */
   server: Server = $derived(this.source?.server ?? this.servers[0]!);
   robot: RobotName = $derived(this.source?.robot ?? "");
