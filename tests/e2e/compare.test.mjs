@@ -269,10 +269,17 @@ test("workers that are killed again and again change nothing", async (t) => {
   const child = spawn(join(bin, "foresight-sim"), ["compare", ...words, ...kShort, "--out", torn], { stdio: "ignore" });
   const ended = new Promise((done) => child.on("close", done));
   let kills = 0;
-  const killing = setInterval(() => {
-    const children = readFileSync(`/proc/${child.pid}/task/${child.pid}/children`, "utf8").trim().split(" ").filter(Boolean);
-    if (children.length > 0) process.kill(Number(children[kills++ % children.length]), "SIGKILL");
-  }, 1000);
+  const kill = () => {
+    try {
+      const children = readFileSync(`/proc/${child.pid}/task/${child.pid}/children`, "utf8").trim().split(" ").filter(Boolean);
+      if (children.length > 0 && process.kill(Number(children[kills % children.length]), "SIGKILL")) ++kills;
+    } catch (error) {
+      if (!["ENOENT", "ESRCH"].includes(error.code)) throw error; // it ended meanwhile
+    }
+    return kills;
+  };
+  await until(kill, "a worker"); // the first one at once: a fast machine is done within a second
+  const killing = setInterval(kill, 1000);
   atEnd(t, () => clearInterval(killing));
   const status = await ended;
   clearInterval(killing);
