@@ -10,6 +10,7 @@
 #include "robot/foresight/question.h"
 #include "sim/foresight/forecast.h"
 #include "sim/match/hash.h"
+#include "sim/referee/referee.h"
 
 namespace robot::foreseeing {
 namespace {
@@ -63,7 +64,7 @@ void fill(const pf::Situation& situation, const sim::field::Rules& rules, pb::Fo
   told.set_ball_elsewhere(situation.doubt.ball_elsewhere);
   told.set_own_score(book.score[0]);
   told.set_opponent_score(book.score[1]);
-  told.set_seconds_remaining(std::max(0.f, rules.half_duration - static_cast<float>(book.clock) * sim::kTickDuration));
+  told.set_seconds_remaining(std::max(0.f, sim::referee::left_of_half(rules, book)));
   sim::for_each_robot(world.players, [&](int robot) {
     const sim::Body& body = world.bodies[robot];
     if (body.doing == sim::Body::Doing::removed) return;

@@ -7,6 +7,7 @@
 #include "sim/foresight/outlook.h"
 #include "sim/io/outlook.h"
 #include "sim/match/play.h"
+#include "sim/referee/referee.h"
 
 namespace sim::app {
 namespace {
@@ -58,7 +59,7 @@ Moments moments_of(const Params& params, std::uint64_t seed) {
           moments.add(moment.away, moment.difference - difference());
           open.erase(open.begin());
         }
-        const float left = params.rules.half_duration - static_cast<float>(now.book.clock) * kTickDuration;
+        const float left = referee::left_of_half(params.rules, now.book);
         if (now.world.tick % kApart == 0 && referee::in_play(now.book) && left > age(kReach, 0))
           open.push_back({now.world.tick, foresight::place_of(params.rules.field, now, Side::home),
                           foresight::place_of(params.rules.field, now, Side::away), difference()});

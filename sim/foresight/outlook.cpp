@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/referee/referee.h"
+
 namespace sim::foresight {
 
 Place place_of(const field::Field& field, const State& state, Side side) {
@@ -12,7 +14,7 @@ Place place_of(const field::Field& field, const State& state, Side side) {
 }
 
 float worth(const Outlook& outlook, const Params& params, const State& state, Side side) {
-  const float left = params.rules.half_duration - static_cast<float>(state.book.clock) * kTickDuration;
+  const float left = referee::left_of_half(params.rules, state.book);
   const float share = std::clamp(left / outlook.reach, 0.f, 1.f);
   const Place place = place_of(params.rules.field, state, side);
   return share * outlook.worth[place.zone][place.touch];

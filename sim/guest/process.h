@@ -23,7 +23,8 @@ class Process {
   Process& operator=(Process&&) = delete;
   ~Process();
 
-  /// Its answer to `line`, without the line's end; what it said unasked is none. The Error is the end of a sentence: "the process ended with status 1".
+  /// Its answer to `line`, without the line's end; what it said unasked is none. The Error is the end of a sentence:
+  /// "the process ended with status 1".
   robot::Result<std::string> ask(std::string_view line, double patience_seconds);
 
  private:

@@ -2,6 +2,10 @@
 
 namespace sim::referee {
 
+float left_of_half(const field::Rules& rules, const Book& book) {
+  return rules.half_duration - static_cast<float>(book.clock) * kTickDuration;
+}
+
 agent::Game game_for(const field::Rules& rules, const World& world, const Book& book, int robot) {
   const Side side = side_of(robot);
   agent::Game game;
@@ -11,7 +15,7 @@ agent::Game game_for(const field::Rules& rules, const World& world, const Book& 
   game.half = book.half;
   game.own_score = book.score[static_cast<int>(side)];
   game.opponent_score = book.score[static_cast<int>(other(side))];
-  game.remaining = rules.half_duration - static_cast<float>(book.clock) * kTickDuration;
+  game.remaining = left_of_half(rules, book);
 
   // the last goal is not told yet: it is as if play went on
   if (world.tick < book.told_phase_since) {

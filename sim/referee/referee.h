@@ -24,6 +24,9 @@ void open(const Means& means, World& world, Book& book, Events& events);
 /// where those come back, `perception::enter` is called by whoever steps the game.
 void judge(const Means& means, World& world, Book& book, Tally& tally, Events& events);
 
+/// [s] of the half that are still to be played; the half ends with the first tick at which none are.
+float left_of_half(const field::Rules& rules, const Book& book);
+
 /// What the GameController tells a robot now.
 agent::Game game_for(const field::Rules& rules, const World& world, const Book& book, int robot);
 

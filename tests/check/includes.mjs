@@ -29,7 +29,7 @@ export const rows = {
   "robot/memory": ["robot/core", "proto"],
   "robot/logging": ["robot/core", "robot/memory", "proto"],
   "robot/net": ["robot/core", "robot/memory", "robot/logging", "proto"],
-  "robot/foresight": ["robot/core", "robot/memory", "proto", "sim/math", "sim/field", "sim/motion", "sim/world", "sim/agent", "sim/match", "sim/foresight", "sim/io"],
+  "robot/foresight": ["robot/core", "robot/memory", "proto", "sim/math", "sim/field", "sim/motion", "sim/world", "sim/agent", "sim/referee", "sim/match", "sim/foresight", "sim/io"],
   "robot/agent": ["robot/core", "robot/memory", "proto", "sim/math", "sim/field", "sim/motion", "sim/world", "sim/agent", "sim/perception", "sim/referee", "sim/match"],
   "robot/game": ["robot/core", "robot/memory", "proto"],
   "robot/body": ["robot/core", "robot/memory", "robot/logging", "robot/agent", "robot/body/nao/lola", "robot/body/nao/guardian", "robot/body/nao/kinematics", "proto", "sim/math", "sim/world", "sim/agent", "sim/referee", "sim/match", "sim/io"],
