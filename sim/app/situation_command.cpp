@@ -138,7 +138,8 @@ class SituationCommand final : public Command {
     options().add_option("file", file_, "the moment: its name or file, or a folder of them, evenly")->required();
     choice_.add_to(options());
     options()
-        .add_option("--rollouts", rollouts_, "how many continuations, each with its own chance")
+        .add_option("--rollouts", rollouts_,
+                    "how many continuations, each with its own chance; on average of each strategy")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
     options()
