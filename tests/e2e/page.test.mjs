@@ -116,10 +116,11 @@ test("rates tell what came and what the server of the recording counts", async (
   const count = recorded.get("/14/2/joints").messages.length;
   const joints = await until(async () => {
     const row = await rates(page, "joints").catch(() => undefined);
-    return row?.Sequence === String(count) && row;
-  }, "the server's count");
+    // a busy page may hear of the server's count before the first joints
+    return row?.Sequence === String(count) && Number(row.Received) >= 1 && row;
+  }, "the server's count, and joints");
   assert.deepEqual([joints.Schema, joints.Dropped], ["foresight.Joints", "0"]);
-  assert.ok(Number(joints.Received) >= 1 && Number(joints.Received) <= count); // from when the page watched it
+  assert.ok(Number(joints.Received) <= count); // from when the page watched it
   await until(async () => (await rates(page, "camera_top/jpeg"))["Rate [Hz]"] === "not shown", "a row of what nobody watches");
   await shoot(page, "health");
   assert.deepEqual(problems, []);
