@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "sim/foresight/guess.h"
 #include "sim/match/situation.h"
@@ -17,7 +18,8 @@ using Phase = agent::Game::Phase;
 using SetPlay = agent::Game::SetPlay;
 using Doing = Body::Doing;
 
-constexpr float kBorder = 0.3f;  // [m] beyond the lines where a robot may still be
+constexpr float kBorder = 0.3f;      // [m] beyond the lines where a robot may still be
+constexpr std::uint32_t kTries = 8;  // to find a place for the ball on the field near where it is believed
 
 std::string sentence(const char* format, double value) {
   char text[160];
@@ -146,8 +148,8 @@ class Guesswork {
 struct Normals {
   float values[4];
 };
-Normals normals_of(RandomKey key, int who) {
-  const auto words = draw(key, static_cast<std::uint32_t>(who), Event::belief, 0);
+Normals normals_of(RandomKey key, int who, std::uint32_t number = 0) {
+  const auto words = draw(key, static_cast<std::uint32_t>(who), Event::belief, number);
   const auto first = normals(words[0], words[1]), second = normals(words[2], words[3]);
   return {{first[0], first[1], second[0], second[1]}};
 }
@@ -155,6 +157,36 @@ Normals normals_of(RandomKey key, int who) {
 Vec2 clamped(const field::Field& field, Vec2 point, float beyond) {
   const Vec2 reach{field.length / 2 + beyond, field.width / 2 + beyond};
   return {std::clamp(point.x, -reach.x, reach.x), std::clamp(point.y, -reach.y, reach.y)};
+}
+
+/// A ball in play, where it may be near where it is believed. What the eyes of the robot that believes it told moves with
+/// that robot, which was taken to be at `seen_from`. Nothing where it would be out: then the referee has put it elsewhere.
+std::optional<Ball> ball_nearby(const field::Field& field, const World& world, const Doubt& doubt,
+                                const Pose2& seen_from, RandomKey key) {
+  Ball ball = world.ball;
+  for (std::uint32_t number = 0; number < kTries; ++number) {
+    const Normals drawn = normals_of(key, kNobody, number);
+    Vec2 position = world.ball.position + doubt.ball * Vec2{drawn.values[0], drawn.values[1]};
+    Vec2 velocity = world.ball.velocity + doubt.ball_velocity * Vec2{drawn.values[2], drawn.values[3]};
+    if (doubt.ball_by_own_eyes) {
+      const Body& body = world.bodies[doubt.whose];
+      const Vec2 turn = direction(normalized(body.heading - seen_from.heading));
+      position = body.position + turned(position - seen_from.position, turn);
+      velocity = turned(velocity, turn);
+    }
+    if (position != clamped(field, position, 0)) continue;
+    place(ball, position);
+    ball.velocity = velocity;
+    return ball;
+  }
+  return {};
+}
+
+/// A ball that lies anywhere on the field.
+Ball ball_elsewhere(const field::Field& field, Ball ball, float along, float across) {
+  place(ball, {field.length * (along - 0.5f), field.width * (across - 0.5f)});
+  ball.velocity = {};
+  return ball;
 }
 
 /// Everybody but `whose` knows where it is; the ball is where the team takes it to be, or for its opponents where it is.
@@ -212,25 +244,11 @@ State sample(const Params& params, const Situation& situation, RandomKey key) {
     state.robots[robot].cognition.last = {body.position, body.heading};
   });
 
-  const auto words = draw(key, kNobody, Event::belief, 1);
-  const bool elsewhere = uniform(words[0]) < doubt.ball_elsewhere;
-  // what its eyes told of the ball moves with the robot
-  const Normals drawn = normals_of(key, kNobody);
-  Vec2 position = world.ball.position + doubt.ball * Vec2{drawn.values[0], drawn.values[1]};
-  Vec2 velocity = world.ball.velocity + doubt.ball_velocity * Vec2{drawn.values[2], drawn.values[3]};
-  if (doubt.ball_by_own_eyes) {
-    const Body& body = world.bodies[doubt.whose];
-    const Vec2 turn = direction(normalized(body.heading - seen_from.heading));
-    position = body.position + turned(position - seen_from.position, turn);
-    velocity = turned(velocity, turn);
-  }
-  if (elsewhere) {
-    const field::Field& field = params.rules.field;
-    position = {field.length * (uniform(words[1]) - 0.5f), field.width * (uniform(words[2]) - 0.5f)};
-    velocity = {};
-  }
-  place(world.ball, clamped(params.rules.field, position, 0));
-  world.ball.velocity = velocity;
+  const field::Field& field = params.rules.field;
+  const auto words = draw(key, kNobody, Event::belief, kTries);
+  const bool stays = uniform(words[0]) >= doubt.ball_elsewhere;
+  const auto near = stays ? ball_nearby(field, world, doubt, seen_from, key) : std::nullopt;
+  world.ball = near ? *near : ball_elsewhere(field, world.ball, uniform(words[1]), uniform(words[2]));
   if (doubt.whose != kNobody) let_others_know(situation.state.world.ball.position, doubt.whose, state);
   return state;
 }

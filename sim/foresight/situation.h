@@ -60,7 +60,8 @@ Believed believe(const Params& params, const Knowledge& knowledge);
 
 /// One of the worlds that the situation may be, drawn by `key` (event `belief`), to be played on with that key. What
 /// the robot itself and its team believe of the ball stays, and where it takes itself to be; the world differs. Where the
-/// others are is in doubt for it, not for them: they know where they stand, and its opponents the ball.
+/// others are is in doubt for it, not for them: they know where they stand, and its opponents the ball. A ball that would
+/// be beyond a line lies elsewhere: the referee has put it back.
 State sample(const Params& params, const Situation& situation, RandomKey key);
 
 }  // namespace sim::foresight

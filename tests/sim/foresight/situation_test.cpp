@@ -119,6 +119,49 @@ TEST(Believe, TheNewestReportCountsWhenOwnEyesAreOld) {
   EXPECT_FALSE(guess.by_own_eyes);
 }
 
+TEST(Believe, AnUnsureVelocityIsMostlyTheFiltersFancy) {
+  const Fixture game;
+  Knowledge knowledge = game.knowledge();
+  knowledge.beliefs.ball.seen = knowledge.now;
+  knowledge.beliefs.ball.velocity = {1, 0};
+  const auto guess_with = [&](float variance) {
+    knowledge.beliefs.ball.velocity_variance = variance;
+    return guess_ball(knowledge);
+  };
+  EXPECT_FLOAT_EQ(length(guess_with(0).velocity), 1);
+  EXPECT_EQ(guess_with(0).velocity_deviation, 0);
+  EXPECT_FLOAT_EQ(length(guess_with(0.25f).velocity), 0.5f);  // as unsure as balls in general
+  EXPECT_LT(length(guess_with(1).velocity), 0.25f);
+  EXPECT_LT(guess_with(1).velocity_deviation, 0.5f);  // never less sure than of balls in general
+
+  knowledge.beliefs.ball.velocity = {};
+  EXPECT_LT(guess_with(0.25f).velocity_deviation, 0.2f);
+}
+
+TEST(Believe, OfOpponentsNobodySawOneIsAtTheBallAndTheRestDefend) {
+  const Fixture game;
+  Knowledge knowledge = game.knowledge();
+  for (agent::Opponent& opponent : knowledge.beliefs.opponents) opponent = {};
+  const Vec2 ball{1, 0.5f}, goal{game.params().rules.field.length / 2, 0};
+  const auto place_of_player = [&](int player) {
+    return guess_robot(game.params(), knowledge, ball, robot_of(Side::away, player)).pose.position;
+  };
+  int near = 0;
+  for (int player = 2; player <= game.params().rules.players; ++player) {
+    const Vec2 place = place_of_player(player);
+    EXPECT_NEAR(cross(place - goal, ball - goal), 0, 1e-3f);  // on the way between ball and goal
+    EXPECT_LT(distance(place, goal), distance(ball, goal));
+    near += distance(place, ball) < 0.25f * distance(ball, goal) ? 1 : 0;
+  }
+  EXPECT_EQ(near, 1);
+  EXPECT_LT(distance(place_of_player(1), goal), 0.8f);
+
+  // who is seen at the ball is the one
+  knowledge.beliefs.opponents[3] = {.position = ball, .seen = knowledge.now};
+  EXPECT_LT(distance(place_of_player(4), ball), 0.3f);
+  EXPECT_GT(distance(place_of_player(2), ball), 0.3f);
+}
+
 TEST(Believe, APenalisedRobotComesBackWhenItsTimeIsUp) {
   const Fixture game;
   Knowledge knowledge = game.knowledge();
@@ -230,6 +273,38 @@ TEST(Sample, TheBallIsElsewhereAsOftenAsTheDoubtSays) {
   }
   EXPECT_NEAR(static_cast<double>(elsewhere) / kWorlds, 0.25, 0.02);
   EXPECT_NEAR(x / elsewhere, 0, 0.2);
+}
+
+/// A ball in play is on the field: the referee has put back the one that is believed beyond a line, also in the goal.
+TEST(Sample, ABallBelievedOutLiesElsewhere) {
+  const Fixture game;
+  const field::Field& field = game.params().rules.field;
+  Situation situation{.state = game.state, .doubt = {}};
+  situation.state.world.ball.position = {field.length / 2 + 1, 0};
+  situation.state.world.ball.velocity = {1, 0};
+  situation.doubt.ball = 0.2f;
+  double x = 0;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    const Ball ball = sample(game.params(), situation, {.seed = seed}).world.ball;
+    EXPECT_TRUE(field::inside_field(field, ball.position));
+    EXPECT_EQ(ball.velocity, Vec2{});
+    x += static_cast<double>(ball.position.x);
+  }
+  EXPECT_NEAR(x / 1000, 0, 0.2);
+}
+
+/// One near the line is there, on this side of it.
+TEST(Sample, ABallBelievedAtTheLineLiesThere) {
+  const Fixture game;
+  const field::Field& field = game.params().rules.field;
+  Situation situation{.state = game.state, .doubt = {}};
+  situation.state.world.ball.position = {0, field.width / 2 - 0.05f};
+  situation.doubt.ball = 0.1f;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    const Vec2 ball = sample(game.params(), situation, {.seed = seed}).world.ball.position;
+    EXPECT_TRUE(field::inside_field(field, ball));
+    EXPECT_LT(distance(ball, situation.state.world.ball.position), 0.7f);
+  }
 }
 
 /// What is in doubt for the robot is not for the others: where they stand they know, and the opponents see the ball.
