@@ -1,6 +1,6 @@
 // What a person sees: the page as the programs serve it, in Chromium.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { coloursOfYuyv, coloursOnScreen, kPhone, open, shoot } from "./browser.mjs";
@@ -154,6 +154,17 @@ test("recordings are listed, and downloaded whole through the page", async (t) =
   assert.deepEqual([...readStreamed(readFileSync(await stream.path())).topics.keys()], ["/14/2/pose"]);
   const foxglove = await page.getByRole("link", { name: "Open in Foxglove" }).getAttribute("href");
   assert.match(foxglove, /^https:\/\/app\.foxglove\.dev\/.*ds\.url=http/);
+  assert.deepEqual(problems, []);
+});
+
+test("streams that do not tell what they hold are listed by their files", async (t) => {
+  const folder = temporaryFolder(t);
+  const session = await synthesize(folder, { seconds: 1 });
+  for (const file of ["one.mcap", "two.mcap"]) writeFileSync(join(session, file), "");
+  const server = await play(t, folder, session);
+  const { page, problems } = await open(t, `${server.http}/#/sessions`);
+  await page.getByText(/^\d+ streams$/).click();
+  for (const name of ["one.mcap", "two.mcap", "/14/2/joints"]) await page.getByRole("link", { name, exact: true }).waitFor();
   assert.deepEqual(problems, []);
 });
 

@@ -165,11 +165,14 @@ test("over a picture stands what the vision found in that very picture, and a pi
   const picture = () => decode(schema.name, schema.data, messages.findLast(({ logTime }) => logTime <= at(page)).data);
   const box = await overlay.boundingBox();
   for (const [x, y] of [[200, 200], [51, 175]]) {
-    const { width, height, data } = picture();
+    const { width, height } = picture();
     await page.mouse.move(box.x + ((x + 0.5) / width) * box.width, box.y + ((y + 0.5) / height) * box.height);
-    const bytes = Buffer.from(data, "base64");
-    const pair = 2 * (y * width + (x & ~1));
-    await page.getByText(`pixel ${x}, ${y} · Y ${bytes[2 * (y * width + x)]} U ${bytes[pair + 1]} V ${bytes[pair + 3]}`).waitFor();
+    const told = () => {
+      const bytes = Buffer.from(picture().data, "base64"); // of the moment where the page stands by now
+      const pair = 2 * (y * width + (x & ~1));
+      return `pixel ${x}, ${y} · Y ${bytes[2 * (y * width + x)]} U ${bytes[pair + 1]} V ${bytes[pair + 3]}`;
+    };
+    await until(() => page.getByText(told()).isVisible(), `pixel ${x}, ${y}`);
     await page.getByText(/ground -?\d+\.\d\d m ahead, \d+\.\d\d m (left|right)/).waitFor();
   }
   await shoot(page, "recording-camera");

@@ -1,7 +1,9 @@
 // The robot's HTTP interface: its recordings. Nothing in the answers is trusted.
 
 export interface Stream {
+  /** Empty where its file does not tell. */
   topic: string;
+  file: string;
   url: string;
   messages: number;
   size_bytes: number;
@@ -59,6 +61,7 @@ export function sessionsOf(answer: unknown): Session[] | undefined {
       url: path(entry["url"]),
       streams: objects(entry["streams"]).map((stream) => ({
         topic: text(stream["topic"]),
+        file: text(stream["file"]),
         url: path(stream["url"]),
         messages: amount(stream["messages"]),
         size_bytes: amount(stream["size_bytes"]),
