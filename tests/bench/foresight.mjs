@@ -5,6 +5,7 @@ import { Live } from "../e2e/live.mjs";
 import { compare as run } from "./comparisons.mjs";
 import { atEnd, scratch, sleep, start, startRobot } from "./programs.mjs";
 import { median, pretty, Report } from "./report.mjs";
+import { rightChoice } from "./right_choice.mjs";
 
 const kBudgets = [50, 200, 1000]; // [ms]
 const kLate = 20; // [ms]
@@ -23,8 +24,10 @@ const situation = async (...args) => {
   return { told, seconds: (performance.now() - began) / 1000 };
 };
 
-/** What a question takes on one core with so many rollouts of each strategy: the time of many less that of few, so that
- * the program's start does not count. */
+/**
+ * What a question takes on one core with so many rollouts of each strategy: the time of many less that of few, so that
+ * the program's start does not count. Returns how many rollouts a second has.
+ */
 async function speed(report) {
   const three = ["--strategies", "baseline", "passing", "kick_now", "--rules", "spl2025:5"];
   const cost = async (seconds, rollouts, ...more) => {
@@ -33,8 +36,10 @@ async function speed(report) {
     const many = await ask(24 + rollouts);
     return many.seconds - few.seconds;
   };
-  report.figure("3 x 200 rollouts of 30 s, 5 a side, match", 1000 * median([await cost(30, 200), await cost(30, 200), await cost(30, 200)]), "ms", { atMost: 100 });
+  const seconds = median([await cost(30, 200), await cost(30, 200), await cost(30, 200)]);
+  report.figure("3 x 200 rollouts of 30 s, 5 a side, match", 1000 * seconds, "ms", { atMost: 100 });
   report.figure("3 x 100 rollouts to the end of the half", await cost(600, 100, "--until", "half"), "s", { atMost: 2.5 });
+  return 600 / seconds; // rollouts per second
 }
 
 /** A robot in a simulated game, asked again and again while both cores compute something else. */
@@ -100,12 +105,13 @@ async function wins(report, pairs) {
   console.log(`   ${pretty(mean)} goals (${pretty(low)} .. ${pretty(high)})`);
 }
 
-export async function foresight({ probes = 500, seconds = 20, games = 1000, rollouts = 1000 }) {
+export async function foresight({ probes = 500, seconds = 20, games = 1000, rollouts = 1000, choices = 200, jobs = 2 }) {
   const report = new Report("foresight", "in time, true, harmless, and worth it?");
-  await speed(report);
+  const perSecond = await speed(report);
+  if (choices > 0) await rightChoice(report, choices, Math.round((0.2 * perSecond) / 2), jobs);
   if (probes > 0) await deadline(report, probes);
   if (seconds > 0) await harm(report, seconds);
-  await calibration(report, rollouts);
+  if (rollouts > 0) await calibration(report, rollouts);
   if (games > 0) await wins(report, games);
   return report.finish();
 }

@@ -1,0 +1,81 @@
+// Does foresight choose what is truly better? Planted situations before the goal, each asked once with as many futures as
+// 200 ms give and once with many, which tell the truth.
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { scratch, start } from "./programs.mjs";
+import { pretty } from "./report.mjs";
+
+const kIncumbent = "baseline";
+const kChallengers = ["kick_now", "align_first", "passing", "idle"];
+const kTruth = 10_000; // rollouts of each strategy
+const kSeconds = 30;
+const kSure = 3; // standard errors of the short answer by which the truth must differ
+const kTie = 0.5; // standard errors by which it must not
+
+/** Numbers in [0, 1) that a seed determines: a linear congruential generator's upper bits (Numerical Recipes' figures). */
+function chance(seed) {
+  let state = seed >>> 0;
+  return () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
+}
+
+/** A striker behind a ball in the opponents' half, one of them near it, a teammate somewhere in front. */
+function plant(number) {
+  const draw = chance(7919 * (number + 1));
+  const between = (least, most) => least + (most - least) * draw();
+  const ball = { x: between(0.3, 2.4), y: between(-1.3, 1.3) };
+  const around = (distance, angle) => ({ x: ball.x + distance * Math.cos(angle), y: ball.y + distance * Math.sin(angle) });
+  const behind = between(-0.8, 0.8);
+  const facing = Math.PI - behind;
+  return {
+    about: `Planted situation ${number}.`,
+    clock: 300,
+    ball,
+    robots: [
+      { side: "home", player: 1, x: -2.7, y: 0, heading: 0 },
+      { side: "home", player: 2, ...around(between(0.22, 0.6), facing), heading: -behind },
+      { side: "home", player: 3, x: between(0.8, 2.2), y: ball.y > 0 ? between(-1.6, -0.7) : between(0.7, 1.6), heading: 0 },
+      { side: "away", player: 1, x: 2.75, y: 0.3 * ball.y, heading: 3.14 },
+      { side: "away", player: 2, ...around(between(0.4, 1.2), between(-1.2, 1.2)), heading: 3.14 },
+    ],
+  };
+}
+
+/** What the challenger gains: {gain, error, advice}, goals in the next 30 s. */
+async function ask(situation, challenger, rollouts, seed) {
+  const file = join(scratch, `planted-${seed}.json`);
+  writeFileSync(file, JSON.stringify({ ...situation, seed }));
+  const args = ["situation", file, "--json", "--seconds", kSeconds, "--rollouts", rollouts, "--strategies", kIncumbent, challenger];
+  const { strategies, advice } = JSON.parse(await start("foresight-sim", args).output);
+  const { gain, gain_low, gain_high } = strategies[1];
+  return { gain, error: (gain_high - gain_low) / 2 / 1.96, advice };
+}
+
+async function answer(number, rollouts) {
+  const situation = plant(number);
+  const challenger = kChallengers[number % kChallengers.length];
+  const short = await ask(situation, challenger, rollouts, 2 * number + 1);
+  const truth = await ask(situation, challenger, kTruth, 2 * number + 1_000_000);
+  return { short, truth, challenger };
+}
+
+/** `rollouts`: of each of two strategies, in 200 ms. */
+export async function rightChoice(report, count, rollouts, jobs) {
+  const answers = [];
+  let next = 0;
+  const work = async () => {
+    while (next < count) answers.push(await answer(next++, rollouts));
+  };
+  await Promise.all(Array.from({ length: jobs }, work));
+
+  const apart = answers.filter(({ short, truth }) => Math.abs(truth.gain) > kSure * short.error);
+  const right = apart.filter(({ short, truth }) => Math.sign(short.gain) === Math.sign(truth.gain));
+  const ties = answers.filter(({ short, truth }) => Math.abs(truth.gain) < kTie * short.error);
+  const kept = ties.filter(({ short }) => short.advice === "keep");
+  report.figure("planted situations", count);
+  report.figure(`futures of each strategy in 200 ms`, rollouts);
+  report.figure(`situations in which one strategy is better by ${kSure} standard errors`, apart.length);
+  report.figure("of these, the better one chosen", (100 * right.length) / apart.length, "%", { atLeast: 95 });
+  report.figure(`situations in which both are as good, to ${kTie} standard errors`, ties.length);
+  report.figure("of these, kept what was played", (100 * kept.length) / ties.length, "%", { atLeast: 85 });
+  console.log(`   largest true gain ${pretty(Math.max(...answers.map(({ truth }) => truth.gain)))}, loss ${pretty(-Math.min(...answers.map(({ truth }) => truth.gain)))} goals in ${kSeconds} s`);
+}
