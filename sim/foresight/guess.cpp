@@ -12,7 +12,7 @@ namespace {
 // Of 16 000 balls that a robot believed in at moments of `baseline` against itself, spl2012, those that were less than
 // 1 m off were off by 0.14 m along each axis when just seen, and by 0.2 to 0.3 m however old the belief; the others had
 // been kicked, or put somewhere by the referee: of what it had seen 0.15 s ago 0.8 %, 0.55 s 4 %, 0.85 s 8 %, 1.25 s 23 %,
-// 1.75 s 41 %; of what others had told 2 to 5 s ago 13 %, 5 to 30 s 28 %. True velocities were 0.82 of the believed ones
+// 1.75 s 41 %; of older beliefs, mostly told by others, 13 % up to 5 s, then 28 %. True velocities were 0.82 of the believed ones
 // where these were sure to 0.15 m/s, 0.67 at 0.35, 0.44 at 0.6, as when balls in general have 0.5 m/s; of those
 // believed to lie, nearly all lay.
 constexpr float kFreshEyes = 2;       // [s] one's own sight counts for so long, as agent::Habits::trust_eyes
@@ -20,7 +20,7 @@ constexpr float kLeastBall = 0.1f;    // [m]
 constexpr float kMostBall = 0.3f;     // [m]
 constexpr float kToldBall = 0.2f;     // [m] of a teammate's report: its eyes and its pose
 constexpr float kBallLeaves = 0.13f;  // [1/s²] how fast it becomes likely that a ball that was seen is elsewhere
-constexpr float kToldElsewhere[] = {0.08f, 0.015f};  // [0..1] and [1/s] of one that others told of
+constexpr float kToldElsewhere[] = {0.08f, 0.015f};  // [0..1] and [1/s] of one seen longer ago, or told of
 constexpr float kUsualSpeed = 0.5f;                  // [m/s] of a ball along each axis
 constexpr float kLying = 0.3f;                       // [m/s] what seems slower lies
 constexpr float kLyingMoves = 0.3f;                  // of the deviation of its velocity
@@ -32,7 +32,7 @@ constexpr float kToldRobot = 0.15f;    // [m] a teammate's own localisation
 constexpr float kSeenRobot = 0.45f;    // [m] an opponent by one's own eyes, from where one takes oneself to be
 constexpr float kRobotStrays = 0.04f;  // [m²/s] along each axis
 // A side keeps together: were each one's error its own, it would leave gaps that there are not.
-constexpr float kOwnShare = 0.5f;     // of an opponent's deviation, with which forecasts came true best
+constexpr float kOwnShare = 0.5f;     // of a robot's deviation, with which forecasts came true best
 constexpr float kForgotten = 60;      // [s] after which it is as if it never had been told or seen
 constexpr float kTurns = 0.3f;        // [rad/s]
 constexpr float kMostHeading = 1.2f;  // [rad]

@@ -67,7 +67,7 @@ std::uint64_t MessagePackReader::big_endian(std::size_t bytes) {
 std::string_view MessagePackReader::take(std::uint64_t bytes) {
   if (bytes > bytes_.size() - at_) fail(bytes > kMaxBytes ? State::wrong : State::truncated);
   if (state_ != State::good) return {};
-  const std::string_view taken = bytes_.substr(at_, bytes);
+  const std::string_view taken = bytes_.substr(at_, static_cast<std::size_t>(bytes));
   at_ += taken.size();
   return taken;
 }
