@@ -9,7 +9,8 @@
 //
 // Turns lie on multiples of their period, for both sides alike: neither side nor a mirrored game is ahead, and many
 // ticks are nobody's. Contacts, the ball and the referee are judged in every tick for everybody.
-// scripts/bench equivalence shows that games come out as those of the plain run.
+// scripts/bench equivalence shows how near games come to those of the plain run: with models `match` within all margins;
+// with perfect models they have 8 % fewer shots.
 #pragma once
 
 #include "sim/match/params.h"
