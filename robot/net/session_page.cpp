@@ -43,11 +43,13 @@ std::string streams(const Json& session) {
   const auto list = session.find("streams");
   if (list == session.end() || !list->is_array() || list->empty()) return "";
   std::string html = "<details><summary>" + std::to_string(list->size()) + " streams</summary><ul>\n";
-  for (const Json& stream : *list)
-    if (stream.is_object())
-      html += "<li>" + link(text(stream, "url"), text(stream, "topic")) + " " +
-              std::to_string(static_cast<long long>(number(stream, "messages"))) + " messages, " +
-              megabytes(number(stream, "size_bytes")) + "\n";
+  for (const Json& stream : *list) {
+    if (!stream.is_object()) continue;
+    const std::string topic = text(stream, "topic");  // empty where the file does not tell
+    html += "<li>" + link(text(stream, "url"), topic.empty() ? text(stream, "file") : topic) + " " +
+            std::to_string(static_cast<long long>(number(stream, "messages"))) + " messages, " +
+            megabytes(number(stream, "size_bytes")) + "\n";
+  }
   return html + "</ul></details>";
 }
 

@@ -92,6 +92,9 @@ TEST_F(RoutesTest, TheListOfRecordingsIsAPageWithNothingOfOthersInIt) {
   const std::string evil = session_page(R"x({"sessions":[{"session":"x","url":"javascript:alert(1)"},7,null]})x");
   EXPECT_EQ(evil.find("javascript"), std::string::npos);
   EXPECT_NE(session_page("nonsense").find("</html>"), std::string::npos);
+  const std::string untold = session_page(
+      R"x({"sessions":[{"session":"x","streams":[{"topic":"","file":"a.mcap","url":"/logs/x/a.mcap"}]}]})x");
+  EXPECT_NE(untold.find("<a href=\"/logs/x/a.mcap\">a.mcap</a>"), std::string::npos);
 }
 
 TEST_F(RoutesTest, RecordingsAreSentWithRanges) {
