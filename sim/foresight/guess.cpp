@@ -4,8 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "sim/agent/settings.h"
-
 namespace sim::foresight {
 namespace {
 
@@ -52,8 +50,6 @@ constexpr float kUnknownChaser = 1.5f;  // [m] from the ball: who is known to be
 
 float grown(float at_first, float rate, float seconds, float most) { return std::min(at_first + rate * seconds, most); }
 
-Vec2 scaled(Vec2 factors, Vec2 a) { return {factors.x * a.x, factors.y * a.y}; }
-
 float heading_to(Vec2 from, Vec2 to) { return from == to ? 0.f : angle_of(to - from); }
 
 struct Place {
@@ -64,7 +60,7 @@ struct Place {
 /// Where a player is taken to be as long as nothing else is known. Frame: team_field of its side.
 Place usual_place(const field::Field& field, int player, bool chases, Vec2 ball) {
   const Vec2 goal{-field.length / 2, 0};
-  if (player == 1) return {Vec2{kKeeperOut, 0} + goal + scaled(kKeeperDrawn, ball), kKeeperRoams};
+  if (player == 1) return {goal + Vec2{kKeeperOut + kKeeperDrawn.x * ball.x, kKeeperDrawn.y * ball.y}, kKeeperRoams};
   const Vec2 to_ball = ball - goal;
   const float far = length(to_ball);
   if (chases) return {goal + kChaserOut * to_ball, kChaserRoams[0] + kChaserRoams[1] * far};

@@ -245,7 +245,7 @@ State sample(const Params& params, const Situation& situation, RandomKey key) {
   });
 
   const field::Field& field = params.rules.field;
-  const auto words = draw(key, kNobody, Event::belief, kTries);
+  const auto words = draw(key, kNobody, Event::belief, kTries);  // the numbers before are those of the tries
   const bool stays = uniform(words[0]) >= doubt.ball_elsewhere;
   const auto near = stays ? ball_nearby(field, world, doubt, seen_from, key) : std::nullopt;
   world.ball = near ? *near : ball_elsewhere(field, world.ball, uniform(words[1]), uniform(words[2]));

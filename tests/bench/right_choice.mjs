@@ -4,6 +4,7 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { scratch, start } from "./programs.mjs";
 import { pretty } from "./report.mjs";
+import { numbers } from "./statistics.mjs";
 
 const kIncumbent = "baseline";
 const kChallengers = ["kick_now", "align_first", "passing", "idle"];
@@ -12,16 +13,10 @@ const kSeconds = 30;
 const kSure = 3; // standard errors of the short answer by which the truth must differ
 const kTie = 0.5; // standard errors by which it must not
 
-/** Numbers in [0, 1) that a seed determines: a linear congruential generator's upper bits (Numerical Recipes' figures). */
-function chance(seed) {
-  let state = seed >>> 0;
-  return () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
-}
-
 /** A striker behind a ball in the opponents' half, one of them near it, a teammate somewhere in front. */
 function plant(number) {
-  const draw = chance(7919 * (number + 1));
-  const between = (least, most) => least + (most - least) * draw();
+  const chance = numbers(7919 * (number + 1));
+  const between = (least, most) => least + (most - least) * chance.next().value;
   const ball = { x: between(0.3, 2.4), y: between(-1.3, 1.3) };
   const around = (distance, angle) => ({ x: ball.x + distance * Math.cos(angle), y: ball.y + distance * Math.sin(angle) });
   const behind = between(-0.8, 0.8);
@@ -72,10 +67,11 @@ export async function rightChoice(report, count, rollouts, jobs) {
   const ties = answers.filter(({ short, truth }) => Math.abs(truth.gain) < kTie * short.error);
   const kept = ties.filter(({ short }) => short.advice === "keep");
   report.figure("planted situations", count);
-  report.figure(`futures of each strategy in 200 ms`, rollouts);
+  report.figure("futures of each strategy in 200 ms", rollouts);
   report.figure(`situations in which one strategy is better by ${kSure} standard errors`, apart.length);
   report.figure("of these, the better one chosen", (100 * right.length) / apart.length, "%", { atLeast: 95 });
   report.figure(`situations in which both are as good, to ${kTie} standard errors`, ties.length);
   report.figure("of these, kept what was played", (100 * kept.length) / ties.length, "%", { atLeast: 85 });
-  console.log(`   largest true gain ${pretty(Math.max(...answers.map(({ truth }) => truth.gain)))}, loss ${pretty(-Math.min(...answers.map(({ truth }) => truth.gain)))} goals in ${kSeconds} s`);
+  const gains = answers.map(({ truth }) => truth.gain);
+  console.log(`   largest true gain ${pretty(Math.max(...gains))}, loss ${pretty(-Math.min(...gains))} goals in ${kSeconds} s`);
 }

@@ -1,4 +1,4 @@
-// How sure a mean is, whether two are the same, how something grows.
+// How sure a mean is, whether two are the same, how something grows; and chance that is the same every time.
 
 const kNormal = { 90: 1.6449, 95: 1.96 }; // two-sided, for samples of dozens and more
 
@@ -32,4 +32,12 @@ export function exponentOf(points) {
   const y = meanOf(logs.map(([, each]) => each)).mean;
   const covariance = logs.reduce((sum, [logX, logY]) => sum + (logX - x) * (logY - y), 0);
   return covariance / logs.reduce((sum, [logX]) => sum + (logX - x) ** 2, 0);
+}
+
+/** Numbers in [0, 1) that look random and are the same every time. */
+export function* numbers(seed) {
+  for (let state = seed >>> 0; ; ) {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    yield state / 2 ** 32;
+  }
 }

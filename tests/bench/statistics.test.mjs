@@ -2,15 +2,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { differenceOf, equivalence, exponentOf, interval, meanOf } from "./statistics.mjs";
+import { differenceOf, equivalence, exponentOf, interval, meanOf, numbers } from "./statistics.mjs";
 
-/** Numbers in [0, 1) that look random and are the same every time. */
-function* numbers(seed) {
-  for (let state = seed >>> 0; ; ) {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    yield state / 2 ** 32;
-  }
-}
 const take = (count, source) => Array.from({ length: count }, () => source.next().value);
 const near = (value, expected, by) => assert.ok(Math.abs(value - expected) <= by, `${value} is not ${expected} ± ${by}`);
 

@@ -165,6 +165,7 @@ test("streams that do not tell what they hold are listed by their files", async 
   const { page, problems } = await open(t, `${server.http}/#/sessions`);
   await page.getByText(/^\d+ streams$/).click();
   for (const name of ["one.mcap", "two.mcap", "/14/2/joints"]) await page.getByRole("link", { name, exact: true }).waitFor();
+  await shoot(page, "sessions-damaged");
   assert.deepEqual(problems, []);
 });
 
