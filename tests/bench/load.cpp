@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <optional>
 #include <random>
 
 namespace bench {
@@ -43,13 +44,22 @@ void sleep_until(std::uint64_t time_ns) {
   }
 }
 
-/// Computes for about 1.5 us, as much as a write.
+/// What `work` costs this thread. Its CPU time is no more than the time that passes, nor than the CPU time between two
+/// readings around it; the smaller is told: such a reading is a system call, which may take longer than the work.
+template <class Work>
+WriteCost cost_of(Work&& work) {
+  const std::uint64_t cpu_0 = thread_cpu_ns(), wall_0 = monotonic_ns();
+  work();
+  const std::uint64_t wall = monotonic_ns() - wall_0, cpu = thread_cpu_ns() - cpu_0;
+  return {static_cast<std::uint32_t>(std::min(cpu, wall)), static_cast<std::uint32_t>(wall)};
+}
+
+/// Computes for about 2 us, as long as a write takes on average.
 WriteCost cost_of_computing() {
-  const std::uint64_t wall_0 = monotonic_ns(), cpu_0 = thread_cpu_ns();
-  volatile double sink = 0;
-  for (int i = 0; i < 300; ++i) sink = sink + static_cast<double>(i);
-  const std::uint64_t cpu_1 = thread_cpu_ns(), wall_1 = monotonic_ns();
-  return {static_cast<std::uint32_t>(cpu_1 - cpu_0), static_cast<std::uint32_t>(wall_1 - wall_0)};
+  return cost_of([] {
+    volatile double sink = 0;
+    for (int i = 0; i < 900; ++i) sink = sink + static_cast<double>(i);
+  });
 }
 
 /// Computes for so much of this thread's CPU time.
@@ -130,15 +140,11 @@ void Load::write(Object& object, std::uint64_t capture_ns, std::vector<WriteCost
     return object.write(std::move(draft), capture_ns);
   }
   // taking the draft from the pool counts, filling it does not
-  const std::uint64_t wall_0 = monotonic_ns(), cpu_0 = thread_cpu_ns();
-  auto draft = object.draft();
-  const std::uint64_t cpu_1 = thread_cpu_ns(), wall_1 = monotonic_ns();
-  fill(*draft);
-  const std::uint64_t wall_2 = monotonic_ns(), cpu_2 = thread_cpu_ns();
-  object.write(std::move(draft), capture_ns);
-  const std::uint64_t cpu_3 = thread_cpu_ns(), wall_3 = monotonic_ns();
-  costs.push_back({static_cast<std::uint32_t>(cpu_1 - cpu_0 + cpu_3 - cpu_2),
-                   static_cast<std::uint32_t>(wall_1 - wall_0 + wall_3 - wall_2)});
+  std::optional<decltype(object.draft())> draft;
+  const WriteCost taking = cost_of([&] { draft = object.draft(); });
+  fill(**draft);
+  const WriteCost writing = cost_of([&] { object.write(std::move(*draft), capture_ns); });
+  costs.push_back({taking.cpu_ns + writing.cpu_ns, taking.wall_ns + writing.wall_ns});
   if (&costs == &costs_) control_costs_.push_back(cost_of_computing());
 }
 
