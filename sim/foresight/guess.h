@@ -16,8 +16,9 @@ struct BallGuess {
   bool by_own_eyes = false;      // then the own pose's error comes on top
 };
 
-/// By its own eyes while they are fresh, else by the newest report. Who knows it less surely the longer ago it was.
-BallGuess guess_ball(const Knowledge& knowledge);
+/// By its own eyes while they are fresh, else by the newest report. Who knows it less surely the longer ago it was, and
+/// where it seems to be out.
+BallGuess guess_ball(const field::Field& field, const Knowledge& knowledge);
 
 /// Frame: team_field.
 struct RobotGuess {

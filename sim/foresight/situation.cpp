@@ -1,6 +1,7 @@
 #include "sim/foresight/situation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "sim/match/situation.h"
 #include "sim/match/step.h"
 #include "sim/perception/localisation.h"
+#include "sim/referee/placed_back.h"
 #include "sim/referee/referee.h"
 
 namespace sim::foresight {
@@ -20,6 +22,9 @@ using Doing = Body::Doing;
 
 constexpr float kBorder = 0.3f;      // [m] beyond the lines where a robot may still be
 constexpr std::uint32_t kTries = 8;  // to find a place for the ball on the field near where it is believed
+// Of 500 balls that lay elsewhere than a robot believed, in games in which a ball that is out is placed back, so many lay
+// where that happens.
+constexpr float kPlacedBack = 0.65f;
 
 std::string sentence(const char* format, double value) {
   char text[160];
@@ -74,7 +79,7 @@ class Guesswork {
       return sentence("player %g does not play in such a game", knowledge_.game.player);
     if (!std::isfinite(pose.deviation) || pose.deviation > kLost)
       return sentence("the robot does not know where it is: its position is off by %.1f m", double{pose.deviation});
-    ball_ = guess_ball(knowledge_);
+    ball_ = guess_ball(params_.rules.field, knowledge_);
     if (ball_.seen == kNever) return "nobody has seen the ball yet";
     if (age(knowledge_.now, ball_.seen) > kBallLost)
       return sentence("nobody has seen the ball for %.0f s", double{age(knowledge_.now, ball_.seen)});
@@ -182,9 +187,29 @@ std::optional<Ball> ball_nearby(const field::Field& field, const World& world, c
   return {};
 }
 
-/// A ball that lies anywhere on the field.
-Ball ball_elsewhere(const field::Field& field, Ball ball, float along, float across) {
-  place(ball, {field.length * (along - 0.5f), field.width * (across - 0.5f)});
+/// Where an assistant may have put a ball that was believed at `believed`. `along`, `across`: uniform in [-0.5, 0.5).
+Vec2 placed_back(const field::Rules& rules, Vec2 believed, float along, float across) {
+  const field::Field& field = rules.field;
+  const float corner = field.length / 2 - referee::placed_back::kEnd;
+  const bool over_goal_line = std::abs(believed.x) > field.length / 2;
+  const bool over_touch_line = !over_goal_line && std::abs(believed.y) > field.width / 2;
+  // nobody knows whose touch was the last
+  float x = 2 * along * corner;
+  if (over_goal_line) x = along < 0 ? std::copysign(corner, believed.x) : 0;
+  if (over_touch_line) x = std::clamp(believed.x + std::copysign(rules.out_set_back, along), -corner, corner);
+  const float line = over_goal_line || over_touch_line ? believed.y : across;
+  return {x, std::copysign(field.width / 2 - rules.out_inset, line)};
+}
+
+/// A ball that is not near where it was believed, and lies. `words`: of chance, the first is not looked at.
+Ball ball_elsewhere(const field::Rules& rules, const Ball& believed, const std::array<std::uint32_t, 4>& words) {
+  const field::Field& field = rules.field;
+  const float along = uniform(words[1]) - 0.5f, across = uniform(words[2]) - 0.5f;
+  const bool out = believed.position != clamped(field, believed.position, 0);
+  const bool back = rules.ball_out == field::BallOut::placed_back && (out || uniform(words[3]) < kPlacedBack);
+  Ball ball = believed;
+  place(ball,
+        back ? placed_back(rules, believed.position, along, across) : Vec2{field.length * along, field.width * across});
   ball.velocity = {};
   return ball;
 }
@@ -248,7 +273,7 @@ State sample(const Params& params, const Situation& situation, RandomKey key) {
   const auto words = draw(key, kNobody, Event::belief, kTries);  // the numbers before are those of the tries
   const bool stays = uniform(words[0]) >= doubt.ball_elsewhere;
   const auto near = stays ? ball_nearby(field, world, doubt, seen_from, key) : std::nullopt;
-  world.ball = near ? *near : ball_elsewhere(field, world.ball, uniform(words[1]), uniform(words[2]));
+  world.ball = near ? *near : ball_elsewhere(params.rules, world.ball, words);
   if (doubt.whose != kNobody) let_others_know(situation.state.world.ball.position, doubt.whose, state);
   return state;
 }

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "sim/foresight/guess.h"
 #include "sim/match/hash.h"
 #include "sim/match/situation.h"
+#include "tests/sim/support/fields.h"
 #include "tests/sim/support/games.h"
 
 namespace sim::foresight {
@@ -105,7 +108,7 @@ TEST(Believe, WhatWasSeenLongAgoIsLessSure) {
     last = doubt;
   }
   EXPECT_EQ(fresh.ball_elsewhere, 0);
-  EXPECT_GT(last.ball_elsewhere, 0.1f);
+  EXPECT_GT(last.ball_elsewhere, 0.99f);
   EXPECT_GT(last.position[mate], fresh.position[mate]);
 }
 
@@ -114,7 +117,7 @@ TEST(Believe, TheNewestReportCountsWhenOwnEyesAreOld) {
   Knowledge knowledge = game.knowledge();
   knowledge.now += ticks(10);
   knowledge.beliefs.mates[1] = {.ball = {1.5f, -0.5f}, .sent = knowledge.now - ticks(1), .ball_age = 0};
-  const BallGuess guess = guess_ball(knowledge);
+  const BallGuess guess = guess_ball(kField2012, knowledge);
   EXPECT_EQ(guess.position, (Vec2{1.5f, -0.5f}));
   EXPECT_FALSE(guess.by_own_eyes);
 }
@@ -126,7 +129,7 @@ TEST(Believe, AnUnsureVelocityIsMostlyTheFiltersFancy) {
   knowledge.beliefs.ball.velocity = {1, 0};
   const auto guess_with = [&](float variance) {
     knowledge.beliefs.ball.velocity_variance = variance;
-    return guess_ball(knowledge);
+    return guess_ball(kField2012, knowledge);
   };
   EXPECT_FLOAT_EQ(length(guess_with(0).velocity), 1);
   EXPECT_EQ(guess_with(0).velocity_deviation, 0);
@@ -275,22 +278,69 @@ TEST(Sample, TheBallIsElsewhereAsOftenAsTheDoubtSays) {
   EXPECT_NEAR(x / elsewhere, 0, 0.2);
 }
 
-/// A ball in play is on the field: the referee has put back the one that is believed beyond a line, also in the goal.
-TEST(Sample, ABallBelievedOutLiesElsewhere) {
+TEST(Believe, ABallBelievedOutIsSoonPutBack) {
   const Fixture game;
-  const field::Field& field = game.params().rules.field;
-  Situation situation{.state = game.state, .doubt = {}};
-  situation.state.world.ball.position = {field.length / 2 + 1, 0};
-  situation.state.world.ball.velocity = {1, 0};
-  situation.doubt.ball = 0.2f;
-  double x = 0;
-  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-    const Ball ball = sample(game.params(), situation, {.seed = seed}).world.ball;
-    EXPECT_TRUE(field::inside_field(field, ball.position));
-    EXPECT_EQ(ball.velocity, Vec2{});
-    x += static_cast<double>(ball.position.x);
+  Knowledge knowledge = game.knowledge();
+  knowledge.beliefs.pose.pose = {};
+  for (agent::Mate& told : knowledge.beliefs.mates) told.ball_age = 0xffff;
+  const auto elsewhere = [&](Vec2 position, float seconds) {
+    knowledge.beliefs.ball.position = position;
+    knowledge.beliefs.ball.seen = knowledge.now - ticks(seconds);
+    return guess_ball(kField2012, knowledge).elsewhere;
+  };
+  const Vec2 inside{2, 1}, over_goal_line{3.2f, 0}, over_touch_line{-1, -2.3f};
+  for (const float seconds : {0.3f, 0.7f, 1.5f}) {
+    EXPECT_GT(elsewhere(over_goal_line, seconds), 2 * elsewhere(inside, seconds)) << seconds;
+    EXPECT_EQ(elsewhere(over_goal_line, seconds), elsewhere(over_touch_line, seconds)) << seconds;
   }
-  EXPECT_NEAR(x / 1000, 0, 0.2);
+  EXPECT_EQ(elsewhere(over_goal_line, 0), 0) << "the referee takes his time";
+  knowledge.beliefs.mates[0] = {.ball = over_goal_line, .sent = knowledge.now - ticks(3), .ball_age = 0};
+  EXPECT_GT(elsewhere(inside, 10), 0.7f) << "told of, just as well";
+}
+
+/// A ball in play is on the field: the referee has put back the one that is believed beyond a line, also in the goal.
+TEST(Sample, ABallBelievedOutLiesWhereTheRefereePutsIt) {
+  const Fixture game;
+  const field::Rules& rules = game.params().rules;
+  const float line = rules.field.width / 2 - rules.out_inset, corner = rules.field.length / 2 - 1;
+  Situation situation{.state = game.state, .doubt = {}};
+  const auto places_after = [&](Vec2 believed) {
+    situation.state.world.ball.position = believed;
+    std::map<float, int> places;
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+      const Ball ball = sample(game.params(), situation, {.seed = seed}).world.ball;
+      EXPECT_EQ(ball.velocity, Vec2{});
+      EXPECT_EQ(ball.position.y, believed.y < 0 ? -line : line);
+      ++places[ball.position.x];
+    }
+    return places;
+  };
+  situation.state.world.ball.velocity = {1, 0};
+  struct Out {
+    Vec2 believed;
+    float first, second;  // [m] along the field
+  };
+  const float back = rules.out_set_back, goal_line = rules.field.length / 2, touch_line = rules.field.width / 2;
+  for (const Out& out : {Out{{goal_line + 1, 0.4f}, 0, corner}, Out{{-goal_line - 1, -1}, -corner, 0},
+                         Out{{0.5f, touch_line + 0.5f}, 0.5f - back, 0.5f + back},
+                         Out{{2.5f, -touch_line - 0.5f}, 2.5f - back, corner}}) {
+    const auto found = places_after(out.believed);
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_FLOAT_EQ(found.begin()->first, out.first);
+    EXPECT_FLOAT_EQ(found.rbegin()->first, out.second);
+    EXPECT_NEAR(found.begin()->second, 500, 60);
+  }
+}
+
+/// Since there are set plays nobody places a ball back inside the touch line.
+TEST(Sample, WithSetPlaysABallElsewhereIsAnywhere) {
+  const io::Setup setup = test::setup_of(test::choice_of("spl2025:5", "baseline", "match"), 60);
+  Situation situation{.state = test::begun(setup.params, 1), .doubt = {}};
+  situation.doubt.ball_elsewhere = 1;
+  std::set<float> across;
+  for (std::uint64_t seed = 0; seed < 200; ++seed)
+    across.insert(sample(setup.params, situation, {.seed = seed}).world.ball.position.y);
+  EXPECT_EQ(across.size(), 200u);
 }
 
 /// One near the line is there, on this side of it.
