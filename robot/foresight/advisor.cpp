@@ -108,11 +108,8 @@ void Advisor::run() {
     question.set_budget_ms(options.budget_ms);
     question.set_horizon(static_cast<float>(options.horizon));
     question.set_id(now.now_ns);
-    // what is played now goes first
-    const std::string incumbent = strategy();
-    question.add_strategies(incumbent);
-    for (const std::string& name : strategies_)
-      if (name != incumbent) question.add_strategies(name);
+    // all are compared with the default, whatever is played now (sim/foresight/chooser.h)
+    for (const std::string& name : strategies_) question.add_strategies(name);
     // busy with what somebody else asked: there will be another reason soon
     (void)foreseer_->ask(question, now, [this](const pb::Forecast& forecast) { decide(forecast); });
   }
@@ -137,16 +134,19 @@ void Advisor::keep(const pb::Forecast& forecast) {
 /// The captain's own question is answered.
 void Advisor::decide(const pb::Forecast& forecast) {
   keep(forecast);
-  if (!forecast.refusal().empty()) return;
+  if (!forecast.refusal().empty() || forecast.advice() == pb::Forecast::ADVICE_NONE) return;
   const auto choice = std::find(strategies_.begin(), strategies_.end(), forecast.choice());
   if (choice == strategies_.end()) return;
-  const bool changes = forecast.advice() == pb::Forecast::ADVICE_CHANGE;
+  const int chosen = static_cast<int>(choice - strategies_.begin());
+  const std::string before = strategy();
+  const bool gives_up = before != *choice && forecast.advice() == pb::Forecast::ADVICE_KEEP;
+  const std::string reason = gives_up ? "gives up " + before + ", " + forecast.reason() : forecast.reason();
   {
     const std::lock_guard guard(lock_);
-    following_.choose(static_cast<int>(choice - strategies_.begin()), forecast.asked_ns());
-    if (changes) reason_ = forecast.reason();
+    following_.choose(chosen, forecast.asked_ns());
+    reason_ = reason;
   }
-  if (changes) report(Level::info, "foresight", forecast.reason());
+  if (before != *choice) report(Level::info, "foresight", reason);
   write_strategy(forecast.asked_ns());
 }
 

@@ -99,23 +99,20 @@ void Chooser::ask(const agent::Game& game, const agent::Beliefs& beliefs, Tick n
   const Believed believed = believe(plans_.params[0], knowledge);
   if (!believed.refusal.empty()) return;
 
-  // what is played now goes first
   const int count = static_cast<int>(plans_.params.size());
-  int order[kMaxStrategies] = {mind.choice.played()};
-  for (int strategy = 0, next = 1; strategy < count; ++strategy)
-    if (strategy != mind.choice.played()) order[next++] = strategy;
   const Question question{.horizon = ticks(terms_.horizon), .switching_cost = terms_.switching_cost};
   Task task{.situation = &believed.situation,
             .strategies = count,
             .question = question,
             .outlook = &plans_.outlook,
             .key = key_of(beliefs, now)};
-  for (int i = 0; i < count; ++i) task.params[i] = &plans_.params[static_cast<std::size_t>(order[i])];
+  for (int i = 0; i < count; ++i) task.params[i] = &plans_.params[static_cast<std::size_t>(i)];
   Tally tally;
   race(
       task, [this](std::int64_t rollouts) { return static_cast<double>(rollouts) / terms_.rollouts; }, {}, tally);
   const Forecast told = forecast(tally, question, task.key);
-  choose(static_cast<std::uint8_t>(order[told.choice]), mind.choice);
+  if (told.advice == Forecast::Advice::none) return;
+  choose(static_cast<std::uint8_t>(told.choice), mind.choice);
 }
 
 }  // namespace sim::foresight

@@ -39,6 +39,8 @@ struct Terms {
 
 /// Each robot follows the newest choice that it heard; the captain, as it believes that it is, asks what its strategies
 /// would come to, from its own beliefs, and chooses. So two robots may disagree for as long as their messages take.
+/// All are compared with the default, whatever is played now: another one is played only as long as each question finds it
+/// better for sure. What a question can tell apart is coarse, and a wrong choice would stay if it had to be proved wrong.
 ///
 /// Remembers in the mind alone, and asks with a random key made of its beliefs: a game stays a function of its seed.
 class Chooser final : public agent::Behaviour {

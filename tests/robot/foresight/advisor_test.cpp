@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "tests/robot/foresight/memories.h"
 
 namespace robot::foreseeing {
@@ -12,11 +14,13 @@ struct Fixture {
   test::Played game;
   std::unique_ptr<Advisor> advisor;
 
-  explicit Fixture(bool on) {
+  /// `prepare` changes memory before the advisor sees it.
+  explicit Fixture(bool on, std::uint32_t budget_ms = 20, const std::function<void(test::Played&)>& prepare = {}) {
+    if (prepare) prepare(game);
     advisor = std::make_unique<Advisor>(
         std::move(*Foreseer::open({.strategies = {"baseline", "kick_now"}, .rules = "spl2012"})), *game.memory,
         game.channels, "14/2", [this] { return game.now_ns(); },
-        [on] { return AskingOptions{.on = on, .period = 10, .budget_ms = 20, .horizon = 5}; });
+        [=] { return AskingOptions{.on = on, .period = 10, .budget_ms = budget_ms, .horizon = 5}; });
   }
 
   /// The forecast that answers `id`, waited for.
@@ -71,19 +75,34 @@ TEST(Advisor, MemoryHoldsWhatTheTeamPlaysAndWhoChoseIt) {
   }
 }
 
-TEST(Advisor, FollowsWhatTheCaptainTold) {
-  Fixture fixture(false);
-  pb::Team team = fixture.game.memory->team.read()->value();
+/// A teammate, player 3, plays the second strategy.
+void play_second(test::Played& game) {
+  pb::Team team = game.memory->team.read()->value();
   ASSERT_GT(team.teammates_size(), 0);
   team.mutable_teammates(0)->set_player(3);
-  team.mutable_teammates(0)->set_received_ns(fixture.game.now_ns());
+  team.mutable_teammates(0)->set_received_ns(game.now_ns());
   team.mutable_teammates(0)->set_strategy(1);
   team.mutable_teammates(0)->set_epoch(44);
-  fixture.game.memory->team.write(team, fixture.game.now_ns());
+  game.memory->team.write(team, game.now_ns());
+}
+
+TEST(Advisor, FollowsWhatTheCaptainTold) {
+  Fixture fixture(false);
+  play_second(fixture.game);
   while (fixture.advisor->strategy() != "kick_now") std::this_thread::sleep_for(std::chrono::milliseconds(2));
   while (fixture.game.memory->strategy.read()->value().epoch() != 44)
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   EXPECT_TRUE(fixture.game.memory->strategy.read()->value().chosen());
+}
+
+TEST(Advisor, TheCaptainGivesUpWhatIsNotBetterThanTheDefaultForSure) {
+  Fixture fixture(true, 1000, play_second);
+  while (fixture.advisor->strategy() != "kick_now") std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  while (fixture.advisor->strategy() != "baseline") std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  while (fixture.game.memory->strategy.read()->value().epoch() != 45)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  const std::string reason = fixture.game.memory->strategy.read()->value().reason();
+  EXPECT_EQ(reason.find("gives up kick_now, keeps baseline: "), 0u) << reason;
 }
 
 TEST(Advisor, WhoAsksGetsTheAnswerAndSoDoesMemory) {

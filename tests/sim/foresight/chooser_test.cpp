@@ -42,14 +42,27 @@ io::Setup game_of(const std::string& home, const std::string& models, float half
 TEST(Chooser, WakesUpATeamThatStandsIdle) {
   const Files files;
   const io::Setup setup = game_of(files.write("sleepy.json", kSleepy), "match", 120);
-  const State state = test::after(setup.params, test::begun(setup.params, 3), ticks(60));
-  for (int player = 2; player <= 4; ++player) {
-    const agent::Mind& mind = state.robots[robot_of(Side::home, player)].mind;
-    EXPECT_EQ(mind.choice.played(), 1) << "player " << player;
-    EXPECT_GE(mind.choice.epoch, 1) << "player " << player;
-  }
+  State state = test::begun(setup.params, 3);
+  const auto all_play = [&](int strategy) {
+    for (int player = 2; player <= 4; ++player)
+      if (state.robots[robot_of(Side::home, player)].mind.choice.played() != strategy) return false;
+    return true;
+  };
+  while (!all_play(1) && state.world.tick < ticks(60)) state = test::after(setup.params, state, 1);
+  EXPECT_TRUE(all_play(1)) << "it wins the ball and more than idling";
+  state = test::after(setup.params, state, ticks(100));
   EXPECT_GT(state.tally.kicks[0], 0);
   EXPECT_EQ(state.robots[robot_of(Side::away, 2)].mind.choice.strategy, kNoStrategy) << "the others choose nothing";
+}
+
+/// A ball that nobody is near: no strategy gains anything in 1 s that a few rollouts could prove.
+TEST(Chooser, GoesBackToTheDefaultWhenNothingIsBetterForSure) {
+  const io::Setup setup = game_of("foresight,rollouts=64,horizon=1", "match", 120);
+  State state = test::after(setup.params, test::begun(setup.params, 3), ticks(60));
+  for (int player = 2; player <= 4; ++player) choose(2, state.robots[robot_of(Side::home, player)].mind.choice);
+  state = test::after(setup.params, state, ticks(15));
+  for (int player = 2; player <= 4; ++player)
+    EXPECT_EQ(state.robots[robot_of(Side::home, player)].mind.choice.played(), 0) << "player " << player;
 }
 
 TEST(Chooser, OnlyTheCaptainAsksWhereMessagesArrive) {
