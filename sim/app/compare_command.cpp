@@ -96,6 +96,11 @@ class CompareCommand final : public Command {
                                    .add_option("--pairs", task_.pairs, "so many pairs of games instead")
                                    ->check(CLI::Range(2, 10'000'000));
     options()
+        .add_option("--most-pairs", contest_.most_pairs, "undecided when --sprt has no answer after so many")
+        ->check(CLI::Range(2, 10'000'000))
+        ->capture_default_str()
+        ->excludes(pairs);
+    options()
         .add_option("--time", contest_.seconds, "stop after so many seconds, answer or not")
         ->check(CLI::Range(1., 1e6));
     options()

@@ -5,31 +5,30 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { readSession } from "../e2e/mcap.mjs";
 import { recordPictures } from "../nao/pictures.mjs";
-import { command, scratch, sleep, start } from "./programs.mjs";
+import { kAtomInstructions, startCounted } from "./atom.mjs";
+import { command, scratch, sleep } from "./programs.mjs";
 import { Report, pretty } from "./report.mjs";
 
 const kFrameHz = 30;
-const kInstructionsPerFrame = (1.6e9 * 0.7) / kFrameHz; // of one Atom core of 1.6 GHz, at 0.7 instructions per cycle
+const kInstructionsPerFrame = kAtomInstructions / kFrameHz;
 const kPart = 0.15;
 
 const lab = fileURLToPath(new URL("../../build/release/bin/foresight-lab", import.meta.url));
 
 /** How many instructions it takes to play `session` for so long, from the start on, and how many frames that were. */
 async function instructions({ session, profile, speed, recorded_hz }, seconds) {
-  const logs = join(scratch, "budget-logs"), counts = join(scratch, "budget.callgrind");
+  const logs = join(scratch, "budget-logs");
   rmSync(logs, { recursive: true, force: true });
-  const robot = start("foresight-robot", ["--body", "replay", "--session", session, "--speed", speed, "--loop", "--record", "--profile", profile, "--port", 0,
-    "--state-dir", join(scratch, "state"), "--log-dir", logs],
-  ["valgrind", "--quiet", "--tool=callgrind", `--callgrind-out-file=${counts}`], "nao-v6");
+  const robot = startCounted("foresight-robot", ["--body", "replay", "--session", session, "--speed", speed, "--loop", "--record", "--profile", profile, "--port", 0,
+    "--state-dir", join(scratch, "state"), "--log-dir", logs], "nao-v6");
   await robot.firstLine;
   await sleep(seconds);
   robot.stop();
   await robot.output;
   const recording = join(logs, readdirSync(logs)[0]);
   const status = JSON.parse(command(lab, "info", "--json", recording));
-  const total = Number(/^(?:summary|totals): (\d+)/m.exec(command("grep", "-E", "^(summary|totals):", counts))[1]);
   const recorded = Math.max(...status.streams.filter(({ topic }) => /vision|camera_top$|camera_bottom$/.test(topic)).map(({ messages }) => messages));
-  return { total, frames: (recorded * kFrameHz) / recorded_hz };
+  return { total: robot.count(), frames: (recorded * kFrameHz) / recorded_hz };
 }
 
 /** Instructions per frame, the start and the end of the program left out. */

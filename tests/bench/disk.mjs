@@ -1,21 +1,9 @@
 // A disk that is really slow: ext4 in a file, mounted `sync` (each write waits for the device), its device throttled by
 // the kernel, and frozen for a moment every now and then. Needs root; without, bench_runtime slows its own writes down.
-import { existsSync, mkdirSync, readFileSync, rmdirSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
+import { slowWrites } from "./control_group.mjs";
 import { atEnd, command, scratch } from "./programs.mjs";
-
-/** Puts a limit on writes to `device` for a group of processes; the words that start a program in that group. */
-function throttle(device, bytesPerSecond) {
-  const number = command("lsblk", "-dno", "MAJ:MIN", device).trim();
-  const second = existsSync("/sys/fs/cgroup/cgroup.controllers");
-  const group = join("/sys/fs/cgroup", second ? "" : "blkio", `foresight-bench-${process.pid}`);
-  if (second) writeFileSync("/sys/fs/cgroup/cgroup.subtree_control", "+io");
-  mkdirSync(group);
-  atEnd(() => rmdirSync(group));
-  if (second) writeFileSync(join(group, "io.max"), `${number} wbps=${bytesPerSecond}`);
-  else writeFileSync(join(group, "blkio.throttle.write_bps_device"), `${number} ${bytesPerSecond}`);
-  return ["sh", "-c", `echo $$ > ${group}/cgroup.procs && exec "$@"`, "sh"];
-}
 
 function mounted(sizeMb, bytesPerSecond) {
   const image = join(scratch, "disk.ext4");
@@ -27,7 +15,8 @@ function mounted(sizeMb, bytesPerSecond) {
   atEnd(() => command("losetup", "--detach", device));
   command("mount", "-o", "sync,noatime", device, folder);
   atEnd(() => command("umount", folder));
-  return { folder, before: throttle(device, bytesPerSecond) };
+  const number = command("lsblk", "-dno", "MAJ:MIN", device).trim();
+  return { folder, before: slowWrites(number, bytesPerSecond) };
 }
 
 /**

@@ -1,14 +1,26 @@
 // Does foresight answer in time, foretell what comes, leave the robot alone, and win games?
 import { spawn } from "node:child_process";
+import { createHash } from "node:crypto";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { Live } from "../e2e/live.mjs";
+import { root } from "../e2e/support.mjs";
+import { kAtomInstructions, startCounted } from "./atom.mjs";
 import { compare as run } from "./comparisons.mjs";
+import { shareOfCore } from "./control_group.mjs";
 import { atEnd, scratch, sleep, start, startRobot } from "./programs.mjs";
 import { median, pretty, Report } from "./report.mjs";
 import { rightChoice } from "./right_choice.mjs";
 
 const kBudgets = [50, 200, 1000]; // [ms]
 const kLate = 20; // [ms]
+const kThree = ["--strategies", "baseline", "passing", "kick_now"];
+const kShares = [0.05, 0.1, 0.25, 0.5]; // of a core
+const kRobot = { share: 0.25, seconds: 0.5 }; // what foresight has of a robot's core, and how long for a question
+const kMostRollouts = 64; // of a question in a game, and each so long:
+const kGameHorizon = 20; // [s]
+// the others, as a team that is wrong about them takes them to be: twice as fast
+const kFast = "match,walk.forward=0.5,walk.backward=0.4,walk.sideward=0.36,walk.turn_rate=2.444,walk.acceleration=1.2";
 
 /** Programs that compute as much as they can. */
 function occupy(cores) {
@@ -29,9 +41,8 @@ const situation = async (...args) => {
  * the program's start does not count. Returns how many rollouts a second has.
  */
 async function speed(report) {
-  const three = ["--strategies", "baseline", "passing", "kick_now", "--rules", "spl2025:5"];
   const cost = async (seconds, rollouts, ...more) => {
-    const ask = (count) => situation(...three, "--seconds", seconds, "--rollouts", count, ...more);
+    const ask = (count) => situation(...kThree, "--rules", "spl2025:5", "--seconds", seconds, "--rollouts", count, ...more);
     const few = await ask(24);
     const many = await ask(24 + rollouts);
     return many.seconds - few.seconds;
@@ -42,21 +53,32 @@ async function speed(report) {
   return 600 / seconds; // rollouts per second
 }
 
-/** A robot in a simulated game, asked again and again while both cores compute something else. */
-async function deadline(report, questions) {
-  const robot = start("foresight-robot", ["--body", "sim", "--port", 0, "--no-foresight", "--loop", "--state-dir", join(scratch, "state"), "--log-dir", join(scratch, "logs")]);
+/** A robot in a simulated game, a minute after its start. */
+async function askable(before, preset) {
+  const robot = start("foresight-robot", ["--body", "sim", "--port", 0, "--no-foresight", "--loop", "--state-dir", join(scratch, "state"), "--log-dir", join(scratch, "logs")], before, preset);
   const port = /:(\d+)/.exec(await robot.address)[1];
   const live = await Live.open({ after: atEnd }, { port });
   await live.call("/sim/step", { ticks: 1800 });
+  /** The forecast, or nothing: the game is over or the ball was lost. */
+  const ask = async (budget, horizon) => {
+    const { ok, forecast } = await live.call("/foresight/what_if", { budget_ms: budget, horizon });
+    return ok && !forecast.refusal ? forecast : undefined;
+  };
+  return { ask, stop: robot.stop };
+}
+
+/** Asked again and again while both cores compute something else. */
+async function deadline(report, questions) {
+  const robot = await askable();
   const free = occupy(2);
   for (const budget of kBudgets) {
     const late = [];
     let without = 0;
     for (let i = 0; i < Math.ceil(questions / kBudgets.length); ++i) {
-      const answer = await live.call("/foresight/what_if", { budget_ms: budget, horizon: 20 });
-      if (!answer.ok || answer.forecast.refusal) continue; // the game is over or the ball was lost: nothing to tell
-      late.push(answer.forecast.answered_ms - budget);
-      without += answer.forecast.advice === "none" ? 1 : 0;
+      const forecast = await robot.ask(budget, 20);
+      if (!forecast) continue;
+      late.push(forecast.answered_ms - budget);
+      without += forecast.advice === "none" ? 1 : 0;
     }
     late.sort((a, b) => a - b);
     report.figure(`${budget} ms asked, both cores taken: questions answered`, late.length);
@@ -65,6 +87,40 @@ async function deadline(report, questions) {
   }
   free();
   robot.stop();
+}
+
+/** What the program for the Nao V6 plays on, by the share of this machine's core that it is given. */
+async function byShare(report) {
+  for (const share of kShares) {
+    const robot = await askable(shareOfCore(share), "nao-v6");
+    const rates = [];
+    for (let i = 0; i < 5; ++i) {
+      const forecast = await robot.ask(2000, 30);
+      if (!forecast) continue;
+      const rollouts = forecast.strategies.reduce((sum, strategy) => sum + strategy.rollouts, 0);
+      rates.push((1000 * rollouts) / forecast.answered_ms);
+    }
+    robot.stop();
+    report.figure(`${100 * share} % of a core: futures of 30 s, 4 a side, program for the Nao V6`, median(rates), "1/s");
+  }
+}
+
+/** How many rollouts of so many seconds, 4 a side, an Atom's core plays for a question, by the instructions they take. */
+async function onAtom(report) {
+  const [few, many] = [24, 72]; // of each strategy
+  const instructions = async (rollouts, seconds) => {
+    const counted = startCounted("foresight-sim", ["situation", "near_pressed", ...kThree, "--seconds", seconds, "--rollouts", rollouts], "nao-v6");
+    await counted.output;
+    return counted.count();
+  };
+  const rollouts = {};
+  for (const seconds of [kGameHorizon, 30]) {
+    const each = ((await instructions(many, seconds)) - (await instructions(few, seconds))) / (3 * (many - few));
+    report.figure(`a future of ${seconds} s, 4 a side, program for the Nao V6`, each / 1e6, "million instructions");
+    rollouts[seconds] = Math.floor((kAtomInstructions * kRobot.share * kRobot.seconds) / each);
+    report.figure(`futures of ${seconds} s in ${1000 * kRobot.seconds} ms on ${100 * kRobot.share} % of an Atom's core, estimated`, rollouts[seconds]);
+  }
+  return rollouts;
 }
 
 /** A loop of 30 Hz that uses 70 % of a core, with and without rollouts beside it that never end, at idle priority. */
@@ -96,22 +152,54 @@ async function calibration(report, situations) {
   }
 }
 
-async function wins(report, pairs) {
-  const { seconds, report: found } = await run(["baseline", "foresight", "--pairs", pairs, "--jobs", 2]);
-  const { mean, low, high } = found.gain;
-  report.figure(`goals a game that foresight gains, ${pairs} pairs`, mean, "goals", { above: 0 });
-  report.figure("half its 95 % interval", (high - low) / 2, "goals");
-  report.figure("processor time", (2 * seconds) / 3600, "h");
-  console.log(`   ${pretty(mean)} goals (${pretty(low)} .. ${pretty(high)})`);
+/**
+ * Baseline against itself with foresight, by words of compare. What was played is kept, and gone on with by the next bench
+ * of the same program.
+ */
+async function play(name, ...words) {
+  const program = createHash("sha256").update(readFileSync(join(root, "build/release/bin/foresight-sim"))).digest("hex").slice(0, 8);
+  const kept = join(root, "build/bench", `${name}-${program}`);
+  const { seconds, report } = await run(["baseline", ...words, "--jobs", 2, "--out", kept, ...(existsSync(kept) ? ["--resume"] : [])]);
+  const { mean, low, high } = report.gain;
+  console.log(`   ${name}: ${report.pairs} pairs, ${pretty(mean)} goals a game (95 %: ${pretty(low)} .. ${pretty(high)}), LLR ${pretty(report.llr)}: ${report.verdict}`);
+  return { ...report, hours: (2 * seconds) / 3600 };
+}
+
+async function wins(report, pairs, rollouts) {
+  mkdirSync(join(root, "build/bench"), { recursive: true });
+  report.figure("rollouts of a question in a game", rollouts, "", { atMost: kMostRollouts });
+  const right = await play(`wins-${rollouts}`, `foresight,rollouts=${rollouts},horizon=${kGameHorizon}`, "--sprt", "0,0.2", "--most-pairs", pairs);
+  report.figure("pairs of games until the sequential test of 0 against 0.2 goals knew, or enough", right.pairs);
+  report.figure("goals a game that foresight gains", right.gain.mean, "goals", { above: 0 });
+  report.figure("goals a game that foresight gains, lower end of 95 %", right.gain.low, "goals", { above: 0 });
+  report.figure("goals a game that foresight gains, upper end of 95 %", right.gain.high, "goals");
+  report.figure("log-likelihood ratio of the test; known beyond 2.94", right.llr);
+  report.figure("processor time of this run", right.hours, "h");
+
+  const fast = join(root, "build/bench/fast.json");
+  const trees = ["baseline", "passing", "kick_now", "align_first"];
+  writeFileSync(fast, JSON.stringify({ name: "fast", about: "takes the others to be twice as fast", choose: trees, opponent: "baseline", opponent_models: kFast, rollouts }));
+  const wrong = await play(`wrong-${rollouts}`, fast, "--pairs", Math.max(2, Math.round(pairs / 5)));
+  const error = (wrong.gain.high - wrong.gain.low) / 2 / 1.96;
+  report.figure("goals a game gained by who takes the others to be twice as fast", wrong.gain.mean, "goals");
+  report.figure("the same, lower bound of 95 %, one-sided", wrong.gain.mean - 1.645 * error, "goals", { above: -0.2 });
 }
 
 export async function foresight({ probes = 500, seconds = 20, games = 1000, rollouts = 1000, choices = 200, jobs = 2 }) {
   const report = new Report("foresight", "in time, true, harmless, and worth it?");
   const perSecond = await speed(report);
-  if (choices > 0) await rightChoice(report, choices, Math.round((0.2 * perSecond) / 2), jobs);
-  if (probes > 0) await deadline(report, probes);
+  const onRobot = await onAtom(report);
+  if (choices > 0)
+    await rightChoice(report, choices, jobs, [
+      { where: "200 ms", rollouts: Math.round((0.2 * perSecond) / 2) },
+      { where: `${1000 * kRobot.seconds} ms of ${100 * kRobot.share} % of an Atom's core`, rollouts: Math.floor(onRobot[30] / 2) },
+    ]);
+  if (probes > 0) {
+    await byShare(report).catch((error) => console.log(`   not by share of a core: ${error.message}`));
+    await deadline(report, probes);
+  }
   if (seconds > 0) await harm(report, seconds);
   if (rollouts > 0) await calibration(report, rollouts);
-  if (games > 0) await wins(report, games);
+  if (games > 0) await wins(report, games, Math.min(kMostRollouts, onRobot[kGameHorizon]));
   return report.finish();
 }

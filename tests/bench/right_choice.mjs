@@ -1,5 +1,5 @@
-// Does foresight choose what is truly better? Planted situations before the goal, each asked once with as many futures as
-// 200 ms give and once with many, which tell the truth.
+// Does foresight choose what is truly better? Planted situations before the goal, each asked with as many futures as there
+// is time for, and with many, which tell the truth.
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { scratch, start } from "./programs.mjs";
@@ -45,33 +45,40 @@ async function ask(situation, challenger, rollouts, seed) {
   return { gain, error: (gain_high - gain_low) / 2 / 1.96, advice };
 }
 
-async function answer(number, rollouts) {
+async function answer(number, budgets) {
   const situation = plant(number);
   const challenger = kChallengers[number % kChallengers.length];
-  const short = await ask(situation, challenger, rollouts, 2 * number + 1);
+  const short = [];
+  for (const { rollouts } of budgets) short.push(await ask(situation, challenger, rollouts, 2 * number + 1));
   const truth = await ask(situation, challenger, kTruth, 2 * number + 1_000_000);
-  return { short, truth, challenger };
+  return { short, truth };
 }
 
-/** `rollouts`: of each of two strategies, in 200 ms. */
-export async function rightChoice(report, count, rollouts, jobs) {
-  const answers = [];
-  let next = 0;
-  const work = async () => {
-    while (next < count) answers.push(await answer(next++, rollouts));
-  };
-  await Promise.all(Array.from({ length: jobs }, work));
-
+function tell(report, where, answers) {
   const apart = answers.filter(({ short, truth }) => Math.abs(truth.gain) > kSure * short.error);
   const right = apart.filter(({ short, truth }) => Math.sign(short.gain) === Math.sign(truth.gain));
   const ties = answers.filter(({ short, truth }) => Math.abs(truth.gain) < kTie * short.error);
   const kept = ties.filter(({ short }) => short.advice === "keep");
+  report.figure(`${where}: situations in which one strategy is better by ${kSure} standard errors`, apart.length);
+  if (apart.length > 0) report.figure(`${where}: of these, the better one chosen`, (100 * right.length) / apart.length, "%", { atLeast: 95 });
+  report.figure(`${where}: situations in which both are as good, to ${kTie} standard errors`, ties.length);
+  if (ties.length > 0) report.figure(`${where}: of these, kept what was played`, (100 * kept.length) / ties.length, "%", { atLeast: 85 });
+}
+
+/** `budgets`: {where, rollouts of each of two strategies}. */
+export async function rightChoice(report, count, jobs, budgets) {
+  const answers = [];
+  let next = 0;
+  const work = async () => {
+    while (next < count) answers.push(await answer(next++, budgets));
+  };
+  await Promise.all(Array.from({ length: jobs }, work));
+
   report.figure("planted situations", count);
-  report.figure("futures of each strategy in 200 ms", rollouts);
-  report.figure(`situations in which one strategy is better by ${kSure} standard errors`, apart.length);
-  report.figure("of these, the better one chosen", (100 * right.length) / apart.length, "%", { atLeast: 95 });
-  report.figure(`situations in which both are as good, to ${kTie} standard errors`, ties.length);
-  report.figure("of these, kept what was played", (100 * kept.length) / ties.length, "%", { atLeast: 85 });
+  for (const [i, { where, rollouts }] of budgets.entries()) {
+    report.figure(`${where}: futures of each strategy`, rollouts);
+    tell(report, where, answers.map(({ short, truth }) => ({ short: short[i], truth })));
+  }
   const gains = answers.map(({ truth }) => truth.gain);
   console.log(`   largest true gain ${pretty(Math.max(...gains))}, loss ${pretty(-Math.min(...gains))} goals in ${kSeconds} s`);
 }

@@ -17,8 +17,9 @@ import { soccer } from "./soccer.mjs";
 import { streaming } from "./streaming.mjs";
 import { thesis } from "./thesis.mjs";
 import { viewer } from "./viewer.mjs";
+import { vivid } from "./vivid.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak, door, sim, equivalence, soccer, nao, lola, budget, viewer, deploy, compare, thesis, foresight };
+const benches = { streaming, half, interference, shaped, fanout, soak, door, sim, equivalence, soccer, nao, vivid, lola, budget, viewer, deploy, compare, thesis, foresight };
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};

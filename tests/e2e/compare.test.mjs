@@ -86,6 +86,12 @@ test("against a third behaviour both play the same games", async () => {
   assert.ok(Math.abs(report.gain.mean - (report.a.conceded - report.b.conceded)) < 1e-9);
 });
 
+test("a sequential test gives up when it is told to", async () => {
+  const { status, stdout } = await compare("baseline", "align_first", "--sprt", "0,0.01", "--most-pairs", "30", "--json");
+  const { pairs, verdict } = JSON.parse(stdout);
+  assert.deepEqual({ status, pairs, verdict }, { status: 3, pairs: 30, verdict: "undecided" });
+});
+
 test("a plan tells how many games an answer takes", async (t) => {
   const { status, stdout } = await compare("baseline", "kick_now", "--plan", "--sprt", "0,0.05", "--json");
   assert.equal(status, 0);
