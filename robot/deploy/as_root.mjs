@@ -26,6 +26,9 @@ export async function runAsRoot(connection, command) {
 
 const kDropIn = "/etc/systemd/system/user@.service.d/foresight.conf";
 
+/** The real-time priority that our programs ask for: of the guardian, which answers LoLA, or the lowest. */
+export const priorityOf = ({ body }) => (body === "nao" ? 40 : 1);
+
 /** What we may want root for: why, how, and how it is taken back. Only where systemd rules. */
 export const kFavours = {
   linger: {
@@ -35,9 +38,10 @@ export const kFavours = {
     undo: ({ user }) => `loginctl disable-linger ${user}`,
   },
   priority: {
-    isWanted: (probe) => probe.init === "systemd" && probe.priority < 1,
-    why: "Foresight may have the lowest real-time priority, from the next start of the robot",
-    command: () => `mkdir -p ${kDropIn.replace(/\/[^/]*$/, "")} && printf '[Service]\\nLimitRTPRIO=1\\n' >${kDropIn}`,
+    isWanted: (probe, robot) => probe.init === "systemd" && probe.priority < priorityOf(robot),
+    why: "Foresight may have a real-time priority, from the next start of the robot",
+    command: (robot) =>
+      `mkdir -p ${kDropIn.replace(/\/[^/]*$/, "")} && printf '[Service]\\nLimitRTPRIO=${priorityOf(robot)}\\n${robot.body === "nao" ? "LimitMEMLOCK=infinity\\n" : ""}' >${kDropIn}`,
     undo: () => `rm -f ${kDropIn} && { rmdir ${kDropIn.replace(/\/[^/]*$/, "")} 2>/dev/null || :; }`,
   },
 };

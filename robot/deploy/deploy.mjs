@@ -31,6 +31,7 @@ const kOptions = {
   build: anyText,
   "no-build": true,
   program: anyText,
+  guardian: anyText,
   "dry-run": true,
   "no-restart": true,
   force: true,
@@ -44,24 +45,42 @@ function identified(robots, { player, team, colour }) {
   return robots.map((robot) => ({ ...robot, ...given }));
 }
 
-/** The program of each robot, built unless it shall not be: once per preset, before any robot is touched. */
-function programs(robots, { build, program, ...options }) {
-  if (program !== undefined) {
-    if (!existsSync(program)) throw new BadInput(`--program: expected a file, got '${program}'`);
-    return new Map(robots.map((robot) => [robot.name, resolve(program)]));
-  }
-  const presets = new Map(robots.map((robot) => [robot.name, build ?? robot.model]));
+/** A file that was built elsewhere. */
+function givenFile(option, path) {
+  if (path !== undefined && !existsSync(path)) throw new BadInput(`${option}: expected a file, got '${path}'`);
+  return path && resolve(path);
+}
+
+/** The programs that robots need of a preset's build. */
+const neededBy = (robots) => ["foresight-robot", ...(robots.some(({ body }) => body === "nao") ? ["foresight-guardian"] : [])];
+
+function builtFile(robot, preset, program) {
+  const path = join(root, "build", preset, "bin", program);
+  if (!existsSync(path)) throw new BadInput(`${robot.name}: expected the program ${path}, got none: leave out --no-build`);
+  return path;
+}
+
+/**
+ * The programs of each robot by its name, {runtime, guardian}; a guardian only of those with the body nao. What was not given
+ * is built unless it shall not be: once per preset, before any robot is touched.
+ */
+function programs(robots, { build, program, guardian, ...options }) {
+  const given = { runtime: givenFile("--program", program), guardian: givenFile("--guardian", guardian) };
+  if (given.guardian && !robots.some(({ body }) => body === "nao")) throw new BadInput("--guardian: expected a robot with the body nao, got none");
+  const presetOf = (robot) => build ?? robot.model;
+  const isGiven = (name) => (name === "foresight-robot" ? given.runtime : given.guardian);
   if (!options["no-build"])
-    for (const preset of new Set(presets.values())) {
-      const { status } = spawnSync(join(root, "scripts/build"), [preset, "foresight-robot"], { stdio: "inherit" });
+    for (const preset of new Set(robots.map(presetOf))) {
+      const targets = neededBy(robots.filter((robot) => presetOf(robot) === preset)).filter((name) => !isGiven(name));
+      if (targets.length === 0) continue;
+      const { status } = spawnSync(join(root, "scripts/build"), [preset, ...targets], { stdio: "inherit" });
       if (status !== 0) throw new BadInput(`scripts/build ${preset} ended with status ${status}; no robot was touched`);
     }
-  for (const [name, preset] of presets) {
-    const path = join(root, "build", preset, "bin/foresight-robot");
-    if (!existsSync(path)) throw new BadInput(`${name}: expected the program ${path}, got none: leave out --no-build`);
-    presets.set(name, path);
-  }
-  return presets;
+  const programsOf = (robot) => ({
+    runtime: given.runtime ?? builtFile(robot, presetOf(robot), "foresight-robot"),
+    guardian: robot.body === "nao" ? (given.guardian ?? builtFile(robot, presetOf(robot), "foresight-guardian")) : undefined,
+  });
+  return new Map(robots.map((robot) => [robot.name, programsOf(robot)]));
 }
 
 async function main(words) {
@@ -72,11 +91,11 @@ async function main(words) {
   if (options.setup) return setUp(robots, options);
   if (options.undo) return undo(robots, options);
 
-  const programOf = programs(robots, options);
+  const programsOf = programs(robots, options);
   const lines = new Lines(robots.map((robot) => robot.name));
   const good = await sideBySide(lines, robots, (robot) => {
     const say = (text) => lines.say(robot.name, text);
-    return withVersion(robot, programOf.get(robot.name), options, (folder) =>
+    return withVersion(robot, programsOf.get(robot.name), options, (folder) =>
       connected(robot, (connection) => {
         if (options["dry-run"]) return rehearse(connection, folder, options, say);
         return install(connection, folder, { restart: !options["no-restart"], force: options.force }, say);

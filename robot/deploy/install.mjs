@@ -1,7 +1,7 @@
 // Brings a version to one robot: staged beside what runs, then swapped, then proved by its own answer; else rolled back.
 import { RobotFailed } from "./failure.mjs";
 import { refuseInGame, statusOf } from "./game.mjs";
-import { kPrepare, kRollBack, switchTo } from "./layout.mjs";
+import { kGuardianStatus, kPrepare, kPutGuardianBack, kRollBack, kSwapGuardian, switchTo } from "./layout.mjs";
 
 const kPatience_ms = 20000; // until a version that starts must have answered: a V4's flash is slow
 const kPause_ms = 200;
@@ -42,6 +42,28 @@ async function refuseTakenPort(connection) {
   const { status } = await connection.run("foresight/current/foresight status 2>/dev/null");
   const other = status === 0 ? undefined : await statusOf(connection);
   if (other) throw new RobotFailed(`port ${connection.robot.http_port} is taken by a runtime (build ${other.build}) that was not started by us: stop it first`);
+}
+
+/** Waits for the guardian to answer. Undefined when it does, else what it said. */
+async function whyNoGuardian(connection) {
+  const end = performance.now() + kPatience_ms;
+  for (;;) {
+    const { status, stdout, stderr } = await connection.run(kGuardianStatus);
+    if (status < 2) return undefined;
+    if (status === 4 || performance.now() > end) return (stdout + stderr).trim();
+    await new Promise((done) => setTimeout(done, kPause_ms));
+  }
+}
+
+/** The guardian of what was staged, before the runtime that speaks to it. One that does not run is put back. */
+async function installGuardian(connection, say) {
+  const [told, ...how] = (await connection.must("the guardian could not be swapped", kSwapGuardian)).trim().split(" ");
+  if (told === "kept") say(`NOT done: the guardian stays the one before, as the robot has stiffness (${how.join(" ")}): deploy again when it sits`);
+  if (told !== "new") return;
+  const why = await whyNoGuardian(connection);
+  if (why === undefined) return say("a new guardian owns LoLA");
+  await connection.must("putting the guardian before it back", kPutGuardianBack);
+  throw new RobotFailed(`the guardian does not run, and nothing else was changed\n${why}`);
 }
 
 async function rollBack(connection, why) {
@@ -85,7 +107,10 @@ export async function install(connection, folder, { restart, force }, say) {
 
   // sending takes a while, and games begin
   await refuseInGame(connection, { force });
-  if (restart) await refuseTakenPort(connection);
+  if (restart) {
+    await refuseTakenPort(connection);
+    await installGuardian(connection, say);
+  }
   say(restart ? "starts" : "swaps");
   await connection.must("the version could not be swapped", switchTo(versionName(build), { restart }));
   if (!restart) return say(`build ${build} is there and runs when it is started next`);

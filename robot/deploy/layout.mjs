@@ -1,8 +1,10 @@
 // How ~/foresight on a robot is laid out, and the lines of shell that change it.
 //
 //   staging/            a version that is arriving; nothing runs from here
-//   versions/NAME/      bin/foresight-robot, etc/settings, etc/robot.json, foresight, foresight.service
+//   versions/NAME/      bin/foresight-robot, etc/settings, etc/robot.json, foresight, foresight.service; of a robot that has
+//                       the body nao also guardian/
 //   current, previous   links to two of them
+//   guardian/           who owns LoLA, a copy of a version's: it stays when versions change, until the robot has no stiffness
 //   logs/ state/        what the runtime writes; no deployment touches them
 //   made                what was made or changed outside of this folder, a line each, for --undo:
 //                       folder PATH, file PATH, key LINE, root linger, root priority; paths are below the home
@@ -23,7 +25,7 @@ point() {
   mv -T "$1.new" "$1" 2>/dev/null || { rm -f "$1.new"; ln -sfn "$2" "$1"; }
 }`;
 
-/** Where this user has a systemd, our unit is there and starts with it; what was made for that is noted first. */
+/** Where this user has a systemd, our unit $1, a file, is there and starts with it; what was made for that is noted first. */
 const kInstallUnit = `
 install_unit() {
   if [ -z "\${XDG_RUNTIME_DIR:-}" ]; then export XDG_RUNTIME_DIR="/run/user/$(id -u)"; fi
@@ -32,11 +34,12 @@ install_unit() {
   for folder in .config .config/systemd $units $units/default.target.wants; do
     if [ ! -d ~/$folder ]; then echo "folder $folder" >>made; mkdir ~/$folder; fi
   done
-  if [ ! -e ~/$units/foresight.service ]; then echo "file $units/foresight.service" >>made; fi
-  cp current/foresight.service ~/$units/foresight.service.new
-  mv -f ~/$units/foresight.service.new ~/$units/foresight.service
-  link=$units/default.target.wants/foresight.service
-  if [ ! -e ~/$link ]; then echo "file $link" >>made; ln -s ../foresight.service ~/$link; fi
+  name=$(basename "$1")
+  if [ ! -e ~/$units/$name ]; then echo "file $units/$name" >>made; fi
+  cp "$1" ~/$units/$name.new
+  mv -f ~/$units/$name.new ~/$units/$name
+  link=$units/default.target.wants/$name
+  if [ ! -e ~/$link ]; then echo "file $link" >>made; ln -s ../$name ~/$link; fi
 }`;
 
 /** What fails between here and the start must not leave the robot with nothing that runs. */
@@ -63,7 +66,7 @@ point current versions/${name}
 for version in versions/*; do
   case $version in "$(readlink current)" | "$(readlink previous || :)") ;; *) rm -rf "$version" ;; esac
 done
-install_unit
+install_unit current/foresight.service
 ${restart ? "current/foresight start" : ""}`;
 
 /** Makes the previous version the current one again and starts it; where there is none, nothing runs. Says which. */
@@ -83,3 +86,56 @@ else
   echo none
 fi
 rm -rf "$bad"`;
+
+/** Stops the guardian unless the robot has stiffness: then nothing is done, and it says how the robot is. */
+const kStopGuardian = `
+stop_guardian() {
+  if guardian/guardian status >/dev/null; then
+    how=$(guardian/bin/foresight-guardian --status 2>&1) || { echo "$how"; return 1; }
+  fi
+  guardian/guardian stop
+}`;
+
+/**
+ * Makes the guardian that was staged the one that runs, or takes away one that is not wanted any more. Says `same`, `new`,
+ * `none`, or `kept` and how the robot is, which has stiffness.
+ */
+export const kSwapGuardian = `
+set -e
+cd foresight
+${kInstallUnit}
+${kStopGuardian}
+if [ ! -e staging/guardian ] && [ ! -e guardian ]; then echo none; exit; fi
+if [ -e guardian ]; then
+  if diff -r staging/guardian guardian >/dev/null 2>&1 && guardian/guardian status >/dev/null; then echo same; exit; fi
+  how=$(stop_guardian) || { echo "kept $how"; exit; }
+  rm -rf guardian.old
+  mv guardian guardian.old
+fi
+if [ ! -e staging/guardian ]; then rm -rf guardian.old; echo none; exit; fi
+cp -R staging/guardian guardian
+install_unit guardian/foresight-guardian.service
+guardian/guardian start
+echo new`;
+
+/** Whether the guardian answers: exit status 0 or 1, as the robot has no stiffness or some; else what it said. */
+export const kGuardianStatus = `
+cd foresight
+guardian/guardian status >/dev/null || { guardian/guardian log; exit 4; }
+guardian/bin/foresight-guardian --status`;
+
+/** Puts the guardian back that ran before; where there was none, none runs. */
+export const kPutGuardianBack = `
+cd foresight
+guardian/guardian stop || :
+rm -rf guardian
+if [ -e guardian.old ]; then mv guardian.old guardian && guardian/guardian start; fi`;
+
+/** The runtime and the guardian end; a robot that has stiffness keeps both, and says how it is. */
+export const kStopAll = `
+cd foresight
+${kStopGuardian}
+if [ -e guardian ]; then
+  how=$(stop_guardian) || { echo "the robot has stiffness ($how): it must sit first, by three fingers on its head" >&2; exit 1; }
+fi
+if [ -e current ]; then current/foresight stop; fi`;

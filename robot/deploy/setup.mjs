@@ -1,5 +1,5 @@
 // scripts/deploy --setup: looks at a robot, brings our key there, asks for what needs root, says what it could not do.
-import { agrees, kFavours, runAsRoot } from "./as_root.mjs";
+import { agrees, kFavours, priorityOf, runAsRoot } from "./as_root.mjs";
 import { RobotFailed } from "./failure.mjs";
 import { refuseOther } from "./install.mjs";
 import { hasKey, kMakeKeysFile, kReplaceKeys, publicKey, withKey } from "./key.mjs";
@@ -31,7 +31,7 @@ async function askFavours(connection, probe, options) {
   const { robot } = connection;
   const missing = [];
   for (const [name, favour] of Object.entries(kFavours)) {
-    if (!favour.isWanted(probe)) continue;
+    if (!favour.isWanted(probe, robot)) continue;
     const command = favour.command(robot);
     const agreed = await agrees(`${robot.name}: root on the robot: ${command}\n  ${favour.why}. Do it?`, options);
     if (agreed) await connection.must("noting what is made", `echo root ${name} >>foresight/made`);
@@ -41,12 +41,12 @@ async function askFavours(connection, probe, options) {
 }
 
 /** What a person has to know or do; none of it keeps Foresight from running. */
-function shortcomings(probe) {
+function shortcomings(probe, robot) {
   const missing = [];
   if (!probe.hasUserSystemd) missing.push("starting with the robot: no systemd of this user; the team's own start-up may call ~/foresight/current/foresight start");
   if (!probe.hasRsync) missing.push("deploying: the robot has no rsync");
   if (probe.free_mb < kLeast_mb) missing.push(`recording: expected ${kLeast_mb} MB of free disk, got ${probe.free_mb} MB`);
-  if (probe.init !== "systemd" && probe.priority < 1) missing.push("a real-time priority: not allowed here, it runs without");
+  if (probe.init !== "systemd" && probe.priority < priorityOf(robot)) missing.push("a real-time priority: not allowed here, it runs without");
   return missing;
 }
 
@@ -64,7 +64,7 @@ async function setUpOne(robot, options) {
       if (misfit) throw new RobotFailed(misfit);
       await connection.must("preparing ~/foresight", kPrepare);
       say(await bringKey(connection, line));
-      const missing = [...(await askFavours(connection, probe, options)), ...shortcomings(probe)];
+      const missing = [...(await askFavours(connection, probe, options)), ...shortcomings(probe, robot)];
       for (const text of missing) say(`NOT done: ${text}`);
     },
     { interactive: true },

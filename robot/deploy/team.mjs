@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { BadInput } from "./failure.mjs";
 
 export const kModels = ["nao-v4", "nao-v5", "nao-v6"];
+const kBodies = ["attached", "nao"];
 export const kColours = ["blue", "red", "yellow", "black", "white", "green", "orange", "purple", "brown", "grey"];
 export const kPlayers = [1, 20], kTeams = [0, 255];
 const kPorts = [1, 65535];
@@ -33,6 +34,7 @@ const kRobotKeys = {
   wired: address,
   wireless: address,
   model: among(kModels),
+  body: among(kBodies),
   player: whole(kPlayers),
   team: whole(kTeams),
   colour: among(kColours),
@@ -42,7 +44,7 @@ const kRobotKeys = {
   http_port: whole(kPorts),
   user: word(/^[a-z_][a-z0-9_-]*$/, "the name of a user on the robot"),
 };
-const kDefaults = { user: "nao", ssh_port: 22, http_port: 8765 };
+const kDefaults = { body: "attached", user: "nao", ssh_port: 22, http_port: 8765 };
 
 /** Values as people write them, cut short. */
 const shown = (value) => {
@@ -80,8 +82,8 @@ class Taken {
 }
 
 /**
- * The robots of the file's `text`: [{name, addresses, model, player, team, colour, key, head_id, body_id, user, ssh_port,
- * http_port}]; colour, key and ids may be absent. `file` is what errors call it. `home` stands for ~.
+ * The robots of the file's `text`: [{name, addresses, model, body, player, team, colour, key, head_id, body_id, user,
+ * ssh_port, http_port}]; colour, key and ids may be absent. `file` is what errors call it. `home` stands for ~.
  */
 export function parseTeam(file, text, home = homedir()) {
   let team;
@@ -98,6 +100,7 @@ export function parseTeam(file, text, home = homedir()) {
     const { address, wired, wireless, ...rest } = robot;
     const whole = { ...kDefaults, colour: team.colour, team: team.team, key: team.key?.replace(/^~(?=\/)/, home), ...rest };
     if (whole.team === undefined) throw new BadInput(`${where}.team: expected ${kRobotKeys.team.words} here or for all, got nothing`);
+    if (whole.body === "nao" && whole.model !== "nao-v6") throw new BadInput(`${where}.body: expected attached of a ${whole.model}, which has no LoLA, got nao`);
     whole.addresses = addressesOf(where, robot);
     taken.claim(`${where}.name`, "name", robot.name);
     taken.claim(`${where}.player`, "player", `${whole.team}/${robot.player}`);

@@ -3,10 +3,10 @@ import { agrees, kFavours, runAsRoot } from "./as_root.mjs";
 import { refuseInGame } from "./game.mjs";
 import { RobotFailed } from "./failure.mjs";
 import { kReplaceKeys, withoutKey } from "./key.mjs";
+import { kStopAll } from "./layout.mjs";
 import { forgetHost, oneByOne } from "./setup.mjs";
 import { connected, quoted } from "./ssh.mjs";
 
-const kStop = "if [ -e foresight/current ]; then foresight/current/foresight stop; fi";
 const kReload = "XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-/run/user/$(id -u)} systemctl --user daemon-reload 2>/dev/null || :";
 
 // what was made comes last: until then the rest can be done again; recordings that stay keep the folder ours
@@ -14,7 +14,7 @@ const kRemove = (withLogs) => `
 set -e
 rm -f /dev/shm/foresight-$(id -u).*
 cd foresight
-rm -rf staging versions current previous current.new previous.new state
+rm -rf staging versions current previous current.new previous.new guardian guardian.old state
 ${withLogs ? "rm -rf logs made" : ": >made"}
 cd ..
 rmdir foresight 2>/dev/null || :`;
@@ -55,7 +55,7 @@ async function undoOne(robot, options) {
     if (status !== 0) throw new RobotFailed("expected ~/foresight with the file made, got none: there is nothing of ours to remove");
     await refuseInGame(connection, options);
     const withLogs = await mayRemoveLogs(connection, options);
-    await connection.must("stopping", kStop);
+    await connection.must("stopping", kStopAll);
     for (const line of stdout.trim().split("\n").reverse()) {
       const left = await takeBack(connection, line, options);
       if (left) say(`NOT undone: ${left}`);

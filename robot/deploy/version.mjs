@@ -9,7 +9,7 @@ const kOnRobot = fileURLToPath(new URL("on_robot/", import.meta.url));
 /** The options of foresight-robot, one per line without its dashes; paths are below ~/foresight. `field` may be absent. */
 export function settingsOf(robot, { field } = {}) {
   const lines = [
-    "body=attached",
+    `body=${robot.body}`,
     `team=${robot.team}`,
     `player=${robot.player}`,
     "game-controller",
@@ -27,15 +27,33 @@ export function identityOf({ name, team, player, colour, model, head_id, body_id
   return `${JSON.stringify({ name, team, player, colour, model, head_id, body_id, field }, null, 2)}\n`;
 }
 
-/** Calls `use` with a folder that holds, as links, all that goes to `robot`; it is gone afterwards. */
-export async function withVersion(robot, program, given, use) {
+/** `foresight` starts what lies beside it, by the name of what it is. */
+function addStarter(folder, name, unit) {
+  symlinkSync(join(kOnRobot, "foresight"), join(folder, name));
+  symlinkSync(join(kOnRobot, unit), join(folder, unit));
+}
+
+/** The guardian is a version of its own within the version: it is copied from there when it may be. */
+function addGuardian(folder, program) {
+  for (const name of ["bin", "etc"]) mkdirSync(join(folder, name), { recursive: true });
+  symlinkSync(program, join(folder, "bin/foresight-guardian"));
+  addStarter(folder, "guardian", "foresight-guardian.service");
+  writeFileSync(join(folder, "etc/settings"), "# written by scripts/deploy\n");
+}
+
+/**
+ * Calls `use` with a folder that holds, as links, all that goes to `robot`; it is gone afterwards. `programs`: {runtime,
+ * guardian}, the latter only of a robot that has the body nao.
+ */
+export async function withVersion(robot, programs, given, use) {
   const folder = scratchFolder();
   try {
     for (const name of ["bin", "etc"]) mkdirSync(join(folder, name));
-    symlinkSync(program, join(folder, "bin/foresight-robot"));
-    for (const name of ["foresight", "foresight.service"]) symlinkSync(join(kOnRobot, name), join(folder, name));
+    symlinkSync(programs.runtime, join(folder, "bin/foresight-robot"));
+    addStarter(folder, "foresight", "foresight.service");
     writeFileSync(join(folder, "etc/settings"), settingsOf(robot, given));
     writeFileSync(join(folder, "etc/robot.json"), identityOf(robot, given));
+    if (programs.guardian) addGuardian(join(folder, "guardian"), programs.guardian);
     return await use(folder);
   } finally {
     removeScratch(folder);

@@ -13,7 +13,7 @@ import { RobotFailed } from "../../robot/deploy/failure.mjs";
 import { identityOf, settingsOf } from "../../robot/deploy/version.mjs";
 import { temporaryFolder } from "../e2e/support.mjs";
 
-const robot = { name: "tim", team: 14, player: 2, colour: "blue", model: "nao-v6", http_port: 8765 };
+const robot = { name: "tim", team: 14, player: 2, colour: "blue", model: "nao-v6", body: "attached", http_port: 8765 };
 
 test("settings are options of the program, one per line", () => {
   assert.deepEqual(settingsOf(robot, { field: "A" }).split("\n"), [
@@ -29,6 +29,7 @@ test("settings are options of the program, one per line", () => {
     "state-dir=state",
     "",
   ]);
+  assert.match(settingsOf({ ...robot, body: "nao" }), /^body=nao$/m);
   assert.deepEqual(JSON.parse(identityOf(robot)), { name: "tim", team: 14, player: 2, colour: "blue", model: "nao-v6" });
 });
 

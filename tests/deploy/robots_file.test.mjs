@@ -17,7 +17,7 @@ test("the example is right", () => {
 
 test("what is not said of a robot is said of all, or usual; the cable comes first", () => {
   const [one, other] = read([tim, { ...lea, team: 15, colour: "red", user: "robot", ssh_port: 2222 }], { team: 14, colour: "blue", key: "~/.ssh/nao" });
-  assert.deepEqual(one, { name: "tim", model: "nao-v6", player: 2, team: 14, colour: "blue", key: "/home/me/.ssh/nao", user: "nao", ssh_port: 22, http_port: 8765, addresses: ["10.0.14.2"] });
+  assert.deepEqual(one, { name: "tim", model: "nao-v6", body: "attached", player: 2, team: 14, colour: "blue", key: "/home/me/.ssh/nao", user: "nao", ssh_port: 22, http_port: 8765, addresses: ["10.0.14.2"] });
   assert.deepEqual([other.team, other.colour, other.user, other.ssh_port, other.addresses], [15, "red", "robot", 2222, ["10.1.14.3", "10.0.14.3"]]);
 });
 
@@ -36,6 +36,8 @@ const wrongRobots = [
   ["an unknown key", { ...lea, plyer: 3 }, new RegExp(`^${where.replace(/[$.[\]]/g, "\\$&")}: expected name, address, .*, got the unknown key 'plyer'$`)],
   ["no model", { ...lea, model: undefined }, `${where}.model: expected nao-v4, nao-v5, nao-v6, got nothing`],
   ["another model", { ...lea, model: "nao-v3" }, `${where}.model: expected nao-v4, nao-v5, nao-v6, got "nao-v3"`],
+  ["an unknown body", { ...lea, body: "sim" }, `${where}.body: expected attached, nao, got "sim"`],
+  ["a body of ours where there is no LoLA", { ...lea, body: "nao" }, `${where}.body: expected attached of a nao-v4, which has no LoLA, got nao`],
   ["a player that is no number", { ...lea, player: "3" }, `${where}.player: expected a whole number 1 .. 20, got "3"`],
   ["a player beyond all", { ...lea, player: 21 }, `${where}.player: expected a whole number 1 .. 20, got 21`],
   ["a colour that nobody wears", { ...lea, colour: "pink" }, `${where}.colour: expected blue, red, yellow, black, white, green, orange, purple, brown, grey, got "pink"`],

@@ -9,28 +9,31 @@ import { atEnd, root, temporaryFolder, until } from "../e2e/support.mjs";
 const kOnRobot = join(root, "robot/deploy/on_robot");
 const has = (tool) => spawnSync("sh", ["-c", `command -v ${tool}`]).status === 0;
 
+const kRuntime = { folder: "versions/one", from: "current", starter: "foresight", program: "foresight-robot", state: "state" };
+const kGuardian = { folder: "guardian", from: "guardian", starter: "guardian", program: "foresight-guardian", state: "state/guardian" };
+
 /**
  * An installed version in a home of its own, whose program is the line of shell `program`: {home, run, state, log, running}. `run` answers
- * {status, output} of the start script. `tools`: the folder where all commands are looked for.
+ * {status, output} of the start script. `tools`: the folder where all commands are looked for. `what` is installed.
  */
-function installed(t, program, { shell = "/bin/sh", tools } = {}) {
+function installed(t, program, { shell = "/bin/sh", tools, what = kRuntime } = {}) {
   const home = temporaryFolder(t);
-  const version = join(home, "foresight/versions/one");
+  const version = join(home, "foresight", what.folder);
   for (const folder of ["bin", "etc"]) mkdirSync(join(version, folder), { recursive: true });
-  symlinkSync("versions/one", join(home, "foresight/current"));
-  writeFileSync(join(version, "foresight"), readFileSync(join(kOnRobot, "foresight"), "utf8").replace("#!/bin/sh", `#!${shell}`));
-  writeFileSync(join(version, "bin/foresight-robot"), `#!/bin/sh\n${program}\n`);
+  if (what.from !== what.folder) symlinkSync(what.folder, join(home, "foresight", what.from));
+  writeFileSync(join(version, what.starter), readFileSync(join(kOnRobot, "foresight"), "utf8").replace("#!/bin/sh", `#!${shell}`));
+  writeFileSync(join(version, "bin", what.program), `#!/bin/sh\n${program}\n`);
   writeFileSync(join(version, "etc/settings"), "# a comment\nbody=attached\n\nfield=$(touch broken) `x` 'A' \\\ngame-controller");
-  for (const name of ["foresight", "bin/foresight-robot"]) chmodSync(join(version, name), 0o755);
+  for (const name of [what.starter, `bin/${what.program}`]) chmodSync(join(version, name), 0o755);
   const env = { HOME: home, PATH: tools ?? process.env.PATH };
   const run = (verb, more) => {
-    const { status, stdout, stderr } = spawnSync(join(home, "foresight/current/foresight"), [verb], { env: { ...env, ...more }, encoding: "utf8" });
+    const { status, stdout, stderr } = spawnSync(join(home, "foresight", what.from, what.starter), [verb], { env: { ...env, ...more }, encoding: "utf8" });
     return { status, output: (stdout + stderr).trim() };
   };
   atEnd(t, () => run("stop"));
-  const file = (name) => join(home, "foresight/state", name);
+  const file = (name) => join(home, "foresight", what.state, name);
   const state = (name) => (existsSync(file(name)) ? readFileSync(file(name), "utf8").trim() : "");
-  const log = () => state("foresight.log");
+  const log = () => state(`${what.starter}.log`);
   // its own log has begun
   const running = () => until(() => state("pid") && log().split("\n").includes(`process ${state("pid")}`) && Number(state("pid")), "the program");
   return { home, run, state, log, running };
@@ -136,6 +139,17 @@ describe("the start script", { concurrency: true }, () => {
     assert.ok(!existsSync(join(service.home, "foresight/state/foresight.5.log")));
   });
 
+  test("by the name of the guardian it is the guardian's, beside the runtime's", async (t) => {
+    const service = installed(t, kLives, { what: kGuardian });
+    service.run("start");
+    const pid = await service.running();
+    assert.match(readFileSync(`/proc/${pid}/cmdline`, "utf8"), /bin\/foresight-guardian/);
+    assert.deepEqual(service.run("status"), { status: 0, output: "runs" });
+    assert.ok(!existsSync(join(service.home, "foresight/state/pid")));
+    assert.equal(service.run("stop").status, 0);
+    assert.ok(isGone(pid));
+  });
+
   test("what systemd says of an end is counted like a crash", (t) => {
     const service = installed(t, "exit 3");
     const crash = { SERVICE_RESULT: "exit-code", EXIT_CODE: "exited", EXIT_STATUS: "3" };
@@ -147,11 +161,12 @@ describe("the start script", { concurrency: true }, () => {
     assert.deepEqual(service.run("status"), { status: 4, output: "crashed three times within a minute and stays down: exit-code, exited 3" });
   });
 
-  test("systemd finds nothing wrong with the unit", { skip: has("systemd-analyze") ? false : "there is no systemd-analyze" }, (t) => {
-    const { home } = installed(t, "exit 0");
-    copyFileSync(join(kOnRobot, "foresight.service"), join(home, "foresight.service"));
-    const env = { ...process.env, HOME: home, XDG_RUNTIME_DIR: home };
-    const { status, stdout, stderr } = spawnSync("systemd-analyze", ["--user", "verify", join(home, "foresight.service")], { env, encoding: "utf8" });
-    assert.deepEqual({ status, said: stdout + stderr }, { status: 0, said: "" });
-  });
+  for (const [unit, what] of [["foresight.service", kRuntime], ["foresight-guardian.service", kGuardian]])
+    test(`systemd finds nothing wrong with ${unit}`, { skip: has("systemd-analyze") ? false : "there is no systemd-analyze" }, (t) => {
+      const { home } = installed(t, "exit 0", { what });
+      copyFileSync(join(kOnRobot, unit), join(home, unit));
+      const env = { ...process.env, HOME: home, XDG_RUNTIME_DIR: home };
+      const { status, stdout, stderr } = spawnSync("systemd-analyze", ["--user", "verify", join(home, unit)], { env, encoding: "utf8" });
+      assert.deepEqual({ status, said: stdout + stderr }, { status: 0, said: "" });
+    });
 });

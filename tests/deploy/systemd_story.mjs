@@ -38,7 +38,7 @@ export function systemdStory() {
     assert.match(told, /tim {2}image: an Ubuntu \(Ubuntu 22.04.4 LTS\), systemd\n/);
     assert.match(told, /tim: root on the robot: loginctl enable-linger nao\n.*\[y\/N\] nobody is here to ask: no/);
     assert.match(told, /NOT done: Foresight starts when the robot is switched on.*: as root on the robot: loginctl enable-linger nao/);
-    assert.match(told, /NOT done: Foresight may have the lowest real-time priority/);
+    assert.match(told, /NOT done: Foresight may have a real-time priority/);
     assert.equal(world.on(tim, "ls /tmp"), "");
     assert.doesNotMatch(await deploy(0, "--setup", "tim", "--yes"), /NOT done/);
     assert.match(world.on(tim, "cat /tmp/sudo.log"), /^-n sh -c loginctl enable-linger nao\n-n sh -c mkdir -p \/etc\/systemd\/system\/user@.service.d && printf/);

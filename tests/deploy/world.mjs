@@ -15,9 +15,9 @@ function controlPacket(state) {
   return Buffer.concat([head, team(14), team(5)]);
 }
 
-/** Team 14 with robots of these names, players 1, 2, ...; `options` are those of Field.addRobot(). */
+/** Team 14 with robots of these names, players 1, 2, ..., and `body`; other options are those of Field.addRobot(). */
 export class World {
-  constructor(names, options) {
+  constructor(names, { body, ...options } = {}) {
     this.field = new Field();
     this.home = join(this.field.folder, "person");
     this.temporary = join(this.home, "tmp");
@@ -27,7 +27,7 @@ export class World {
     chmodSync(join(this.home, "password"), 0o755);
     for (const name of names) this[name] = this.field.addRobot(name, options);
     this.file = join(this.home, "robots.json");
-    const robots = names.map((name, index) => ({ name, address: this[name].address, model: "nao-v6", player: index + 1 }));
+    const robots = names.map((name, index) => ({ name, address: this[name].address, model: "nao-v6", body, player: index + 1 }));
     writeFileSync(this.file, JSON.stringify({ team: 14, colour: "blue", key: "~/.ssh/id_ed25519", robots }));
   }
 
