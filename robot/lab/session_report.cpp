@@ -27,7 +27,11 @@ std::string utc(std::uint64_t time_ns) {
 }
 
 StreamReport inspect_stream(const logging::Session& session, const logging::StreamFile& file) {
-  StreamReport report{.topic = file.topic, .schema = file.schema, .size_bytes = file.size_bytes, .damage = file.damage};
+  StreamReport report{.file = file.file,
+                      .topic = file.topic,
+                      .schema = file.schema,
+                      .size_bytes = file.size_bytes,
+                      .damage = file.damage};
   const auto stream = logging::provider_of(session, file);
   if (const auto info = stream->open(); !info) {
     report.damage = info.error();
@@ -88,7 +92,8 @@ std::string to_text(const SessionReport& report) {
   text += format("\n%-30s %-24s %9s %9s %9s %9s %11s\n", "topic", "schema", "messages", "Hz", "missing", "kB",
                  "longest gap");
   for (const StreamReport& stream : report.streams) {
-    text += format("%-30s %-24s %9llu %9.1f %9llu %9.1f %9.3f s\n", stream.topic.c_str(), stream.schema.c_str(),
+    const std::string& shown = stream.topic.empty() ? stream.file : stream.topic;
+    text += format("%-30s %-24s %9llu %9.1f %9llu %9.1f %9.3f s\n", shown.c_str(), stream.schema.c_str(),
                    static_cast<unsigned long long>(stream.messages), stream.rate_hz,
                    static_cast<unsigned long long>(stream.missing), static_cast<double>(stream.size_bytes) * 1e-3,
                    stream.longest_gap);
@@ -101,7 +106,8 @@ nlohmann::json to_json(const SessionReport& report) {
   const logging::Session& session = report.session;
   nlohmann::json streams = nlohmann::json::array();
   for (const StreamReport& stream : report.streams)
-    streams.push_back({{"topic", stream.topic},
+    streams.push_back({{"file", stream.file},
+                       {"topic", stream.topic},
                        {"schema", stream.schema},
                        {"messages", stream.messages},
                        {"size_bytes", stream.size_bytes},

@@ -14,7 +14,7 @@ namespace robot::lab {
 
 /// One stream, read from the first message to the last.
 struct StreamReport {
-  std::string topic, schema;
+  std::string file, topic, schema;  // the latter two are empty where the file does not tell them
   std::uint64_t messages = 0, size_bytes = 0;
   std::uint64_t start_ns = 0, end_ns = 0;  // [ns since the epoch] capture times
   double rate_hz = 0;                      // mean; 0 with fewer than two messages

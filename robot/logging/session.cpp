@@ -203,7 +203,7 @@ Result<Session> read_session(const std::filesystem::path& folder, bool being_wri
     session.size_bytes += stream.size_bytes;
     if (!stream.damage.empty() && session.state == SessionState::complete) {
       session.state = SessionState::damaged;
-      session.message = stream.file + ": " + stream.damage;
+      session.message = stream.damage;
     }
     if (stream.messages == 0) continue;
     session.start_ns = std::min(session.start_ns, stream.start_ns);

@@ -6,7 +6,7 @@ import { test } from "node:test";
 import { coloursOfYuyv, coloursOnScreen, kPhone, open, shoot } from "./browser.mjs";
 import { decode } from "./live.mjs";
 import { readSession, readStreamed, writeSession } from "./mcap.mjs";
-import { importReal, needsData, play, require, robot, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
+import { importReal, needsData, play, require, robot, run, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
 const { create, createFileRegistry, fromJson, toBinary } = require("@bufbuild/protobuf");
 const { FileDescriptorSetSchema } = require("@bufbuild/protobuf/wkt");
@@ -161,6 +161,9 @@ test("streams that do not tell what they hold are listed by their files", async 
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 1 });
   for (const file of ["one.mcap", "two.mcap"]) writeFileSync(join(session, file), "");
+  const { stdout } = await run("foresight-lab", "info", session);
+  assert.match(stdout, /^note {5}one\.mcap: (?!one\.mcap)/m);
+  assert.match(stdout, /^two\.mcap .* 0 .*\n {2}damaged: two\.mcap: /m);
   const server = await play(t, folder, session);
   const { page, problems } = await open(t, `${server.http}/#/sessions`);
   await page.getByText(/^\d+ streams$/).click();
