@@ -53,14 +53,14 @@ Result<Description> parse(std::string_view text, const std::string& called, cons
   return description;
 }
 
-bool is_embedded_playbook(const std::string& name) {
-  const auto names = names_of("playbooks");
+bool is_embedded(std::string_view kind, const std::string& name) {
+  const auto names = names_of(kind);
   return std::ranges::find(names, name) != names.end();
 }
 
 /// The text of a description that chooses; empty: what is called so does not.
 Result<std::string> find_chooser(const std::string& name, const std::string& called) {
-  if (is_embedded_playbook(name)) return find_source("playbooks", "playbook", name)->text;
+  if (is_embedded("playbooks", name)) return find_source("playbooks", "playbook", name)->text;
   if (!is_path(name)) return std::string();
   const Result<Source> source = find_source("strategies", "strategy", name);
   if (!source) return Error{source.error()};
@@ -80,7 +80,9 @@ Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string
   if (!chooser) return Error{chooser.error()};
   if (chooser->empty()) {
     auto tree = load_strategy(name);
-    if (!tree) return Error{tree.error()};
+    // where names are told, those of teams that choose belong to them
+    const bool unknown = !is_path(variation->name) && !is_embedded("strategies", variation->name);
+    if (!tree) return Error{tree.error() + (unknown ? ", " + listed(names_of("playbooks")) : "")};
     return Behaviour(std::move(*tree));
   }
 
