@@ -12,8 +12,10 @@
 //   state                                         prints {"stiffness", "knee", "chest", "eye", "frames", "answers", …}
 //   end
 //
-// --seconds: ends by itself after so long and prints the state. --busy: so many threads that compute all the time.
+// --seconds: ends by itself after so long and prints the state. --busy: so many threads that compute all the time; the robot
+// itself then has a real-time priority, where that is allowed, as LoLA has: what it waits for is the answer alone.
 #include <poll.h>
+#include <sched.h>
 #include <sys/socket.h>
 #include <sys/timerfd.h>
 #include <unistd.h>
@@ -44,6 +46,7 @@ using namespace robot::body::nao;
 using nlohmann::json;
 
 constexpr std::uint64_t kCycle_ns = 12 * kMillisecond;
+constexpr int kPriority = 45;  // above the guardian's
 
 /// The commands of an answer, by a reader of MessagePack that is none of ours; nothing if it is no answer.
 std::optional<Actuators> read_answer(const std::string& bytes) {
@@ -260,6 +263,8 @@ int fake_robot_main(int argc, char** argv) {
       while (!ended) {
       }
     });
+  const sched_param priority{.sched_priority = kPriority};
+  if (busy > 0) sched_setscheduler(0, SCHED_FIFO, &priority);
   FakeRobot(std::move(*listening), seconds).run();
   ended = true;
   for (std::thread& thread : threads) thread.join();
