@@ -70,8 +70,7 @@ class FakeRobot {
       : listening_(std::move(listening)),
         timer_(timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC)),
         ends_ns_(seconds > 0 ? monotonic_ns() + static_cast<std::uint64_t>(seconds * 1e9) : ~std::uint64_t{0}) {
-    const itimerspec cycle{.it_interval = {0, static_cast<long>(kCycle_ns)}, .it_value = {0, 1}};
-    timerfd_settime(timer_.get(), 0, &cycle, nullptr);
+    begin_cycles(1);
   }
 
   void run() {
@@ -90,6 +89,12 @@ class FakeRobot {
   }
 
  private:
+  void begin_cycles(std::uint64_t in_ns) {
+    const itimerspec cycle{.it_interval = {0, static_cast<long>(kCycle_ns)}, .it_value = {0, static_cast<long>(in_ns)}};
+    timerfd_settime(timer_.get(), 0, &cycle, nullptr);
+    due_ns_ = monotonic_ns() + in_ns;
+  }
+
   void take_in() {
     FileDescriptor connection(::accept4(listening_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     // one program at a time, as LoLA has it: others are connected and hear nothing
@@ -113,7 +118,11 @@ class FakeRobot {
   void cycle() {
     std::uint64_t expirations = 0;
     if (::read(timer_.get(), &expirations, sizeof expirations) < 0) return;
-    late_ += expirations - 1;
+    due_ns_ += expirations * kCycle_ns;
+    const bool late = monotonic_ns() + kCycle_ns > due_ns_ + kMillisecond;
+    late_ += expirations - 1 + (late ? 1 : 0);
+    // when the machine stood still, the next frame is a whole cycle away all the same: so long its answer has
+    if (late) begin_cycles(kCycle_ns);
     if (!connection_) return;
     if (sent_ns_ != 0) ++unanswered_;
     const std::string frame = frame_of_kind();
@@ -230,6 +239,7 @@ class FakeRobot {
   std::string received_, input_, kind_ = "other";
   bool ended_ = false, input_open_ = true;
   const std::uint64_t ends_ns_;
+  std::uint64_t due_ns_ = 0;   // the next cycle
   std::uint64_t sent_ns_ = 0;  // the frame that waits for its answer; 0: none
   std::uint64_t frames_ = 0, answers_ = 0, bad_answers_ = 0, unanswered_ = 0, late_ = 0;
   std::vector<std::uint32_t> latencies_ns_;
