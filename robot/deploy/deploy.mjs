@@ -51,11 +51,13 @@ function givenFile(option, path) {
   return path && resolve(path);
 }
 
-/** The programs that robots need of a preset's build. */
-const neededBy = (robots) => ["foresight-robot", ...(robots.some(({ body }) => body === "nao") ? ["foresight-guardian"] : [])];
+const kPrograms = { runtime: "foresight-robot", guardian: "foresight-guardian" };
 
-function builtFile(robot, preset, program) {
-  const path = join(root, "build", preset, "bin", program);
+/** What a robot needs of kPrograms. */
+const neededBy = ({ body }) => (body === "nao" ? ["runtime", "guardian"] : ["runtime"]);
+
+function builtFile(robot, preset, kind) {
+  const path = join(root, "build", preset, "bin", kPrograms[kind]);
   if (!existsSync(path)) throw new BadInput(`${robot.name}: expected the program ${path}, got none: leave out --no-build`);
   return path;
 }
@@ -66,20 +68,17 @@ function builtFile(robot, preset, program) {
  */
 function programs(robots, { build, program, guardian, ...options }) {
   const given = { runtime: givenFile("--program", program), guardian: givenFile("--guardian", guardian) };
-  if (given.guardian && !robots.some(({ body }) => body === "nao")) throw new BadInput("--guardian: expected a robot with the body nao, got none");
+  const needed = (some) => [...new Set(some.flatMap(neededBy))];
+  if (given.guardian && !needed(robots).includes("guardian")) throw new BadInput("--guardian: expected a robot with the body nao, got none");
   const presetOf = (robot) => build ?? robot.model;
-  const isGiven = (name) => (name === "foresight-robot" ? given.runtime : given.guardian);
   if (!options["no-build"])
     for (const preset of new Set(robots.map(presetOf))) {
-      const targets = neededBy(robots.filter((robot) => presetOf(robot) === preset)).filter((name) => !isGiven(name));
-      if (targets.length === 0) continue;
-      const { status } = spawnSync(join(root, "scripts/build"), [preset, ...targets], { stdio: "inherit" });
+      const kinds = needed(robots.filter((robot) => presetOf(robot) === preset)).filter((kind) => !given[kind]);
+      if (kinds.length === 0) continue;
+      const { status } = spawnSync(join(root, "scripts/build"), [preset, ...kinds.map((kind) => kPrograms[kind])], { stdio: "inherit" });
       if (status !== 0) throw new BadInput(`scripts/build ${preset} ended with status ${status}; no robot was touched`);
     }
-  const programsOf = (robot) => ({
-    runtime: given.runtime ?? builtFile(robot, presetOf(robot), "foresight-robot"),
-    guardian: robot.body === "nao" ? (given.guardian ?? builtFile(robot, presetOf(robot), "foresight-guardian")) : undefined,
-  });
+  const programsOf = (robot) => Object.fromEntries(neededBy(robot).map((kind) => [kind, given[kind] ?? builtFile(robot, presetOf(robot), kind)]));
   return new Map(robots.map((robot) => [robot.name, programsOf(robot)]));
 }
 

@@ -56,8 +56,7 @@ float grown(float at_first, float rate, float seconds, float most) { return std:
 float elsewhere(const field::Field& field, Vec2 position, float seconds) {
   if (!(seconds < kForgotten)) return 1;
   const float odds = kBallLeaves * seconds * seconds * seconds;
-  const bool out = std::abs(position.x) > field.length / 2 || std::abs(position.y) > field.width / 2;
-  return std::max(odds / (1 + odds), out ? seconds / (seconds + kOutIsTaken) : 0.f);
+  return std::max(odds / (1 + odds), beyond_lines(field, position) ? seconds / (seconds + kOutIsTaken) : 0.f);
 }
 
 float heading_to(Vec2 from, Vec2 to) { return from == to ? 0.f : angle_of(to - from); }

@@ -1,6 +1,8 @@
 // Where ball and robots most likely are, and how sure that is, by what one robot knows.
 #pragma once
 
+#include <cmath>
+
 #include "sim/foresight/situation.h"
 
 namespace sim::foresight {
@@ -15,6 +17,11 @@ struct BallGuess {
   Tick seen = kNever;            // kNever: by nobody
   bool by_own_eyes = false;      // then the own pose's error comes on top
 };
+
+/// Beyond the middle of a line. Frame: field or team_field.
+inline bool beyond_lines(const field::Field& field, Vec2 point) {
+  return std::abs(point.x) > field.length / 2 || std::abs(point.y) > field.width / 2;
+}
 
 /// By its own eyes while they are fresh, else by the newest report. Who knows it less surely the longer ago it was, and
 /// where it seems to be out.

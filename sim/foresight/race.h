@@ -14,7 +14,7 @@ namespace sim::foresight {
 /// All that a race follows from. What is pointed to outlives it.
 struct Task {
   const Situation* situation = nullptr;
-  int strategies = 0;                         // 1 .. kMaxStrategies; the first is the incumbent: what is played now
+  int strategies = 0;  // 1 .. kMaxStrategies; the first is the incumbent: the others are measured by it
   const Params* params[kMaxStrategies] = {};  // they differ in the behaviour of the asking side alone
   Question question;
   const Outlook* outlook = nullptr;  // for rollouts that end before the game does; nullptr: the ball's place is worth 0

@@ -159,8 +159,9 @@ Normals normals_of(RandomKey key, int who, std::uint32_t number = 0) {
   return {{first[0], first[1], second[0], second[1]}};
 }
 
-Vec2 clamped(const field::Field& field, Vec2 point, float beyond) {
-  const Vec2 reach{field.length / 2 + beyond, field.width / 2 + beyond};
+/// The nearest point where a robot may be.
+Vec2 within_border(const field::Field& field, Vec2 point) {
+  const Vec2 reach{field.length / 2 + kBorder, field.width / 2 + kBorder};
   return {std::clamp(point.x, -reach.x, reach.x), std::clamp(point.y, -reach.y, reach.y)};
 }
 
@@ -179,7 +180,7 @@ std::optional<Ball> ball_nearby(const field::Field& field, const World& world, c
       position = body.position + turned(position - seen_from.position, turn);
       velocity = turned(velocity, turn);
     }
-    if (position != clamped(field, position, 0)) continue;
+    if (beyond_lines(field, position)) continue;
     place(ball, position);
     ball.velocity = velocity;
     return ball;
@@ -205,7 +206,7 @@ Vec2 placed_back(const field::Rules& rules, Vec2 believed, float along, float ac
 Ball ball_elsewhere(const field::Rules& rules, const Ball& believed, const std::array<std::uint32_t, 4>& words) {
   const field::Field& field = rules.field;
   const float along = uniform(words[1]) - 0.5f, across = uniform(words[2]) - 0.5f;
-  const bool out = believed.position != clamped(field, believed.position, 0);
+  const bool out = beyond_lines(field, believed.position);
   const bool back = rules.ball_out == field::BallOut::placed_back && (out || uniform(words[3]) < kPlacedBack);
   Ball ball = believed;
   place(ball,
@@ -264,7 +265,7 @@ State sample(const Params& params, const Situation& situation, RandomKey key) {
     if (body.doing == Doing::removed) return;
     const Normals drawn = normals_of(key, robot);
     const Vec2 off = doubt.position[robot] * Vec2{drawn.values[0], drawn.values[1]};
-    put(body, {clamped(params.rules.field, body.position + off, kBorder),
+    put(body, {within_border(params.rules.field, body.position + off),
                body.heading + doubt.heading[robot] * drawn.values[2]});
     state.robots[robot].cognition.last = {body.position, body.heading};
   });

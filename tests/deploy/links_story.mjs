@@ -19,18 +19,13 @@ export function linksStory() {
     heavy = join(world.home, "heavy");
     writeFileSync(heavy, Buffer.concat([readFileSync(programs.first.path), randomBytes(4e6)]));
     chmodSync(heavy, 0o755);
-    const { status, output } = await world.run("deploy", "--setup", "tim", "lea");
-    assert.equal(status, 0, output);
+    await world.deploy(0, "--setup", "tim", "lea");
     await deploy(0, "tim", "lea");
   });
   after(() => world?.field.end());
 
-  /** Runs scripts/deploy with the first program; the status must be that. What it said. */
-  async function deploy(status, ...names) {
-    const { output, status: got } = await world.run("deploy", ...names, "--program", programs.first.path);
-    assert.equal(got, status, output);
-    return output;
-  }
+  /** With the first program. */
+  const deploy = (status, ...names) => world.deploy(status, ...names, "--program", programs.first.path);
 
   test("a connection that is cut while sending leaves what runs alone; the next attempt finds its way", async () => {
     const running = world.programOn(tim);

@@ -29,9 +29,8 @@ export function logsStory() {
   before(async () => {
     world = new World(["tim", "lea"]);
     ({ tim, lea } = world);
-    assert.equal((await world.run("deploy", "--setup", "tim", "lea")).status, 0);
-    const { status, output } = await world.run("deploy", "tim", "lea", "--program", makePrograms().first.path);
-    assert.equal(status, 0, output);
+    await world.deploy(0, "--setup", "tim", "lea");
+    await world.deploy(0, "tim", "lea", "--program", makePrograms().first.path);
     record(tim, "long", 4);
     record(tim, "short", 1);
     record(lea, "other", 1);

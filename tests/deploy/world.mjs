@@ -1,4 +1,5 @@
 // A team and its robots: a robots file, a person's home with a key, and the commands as that person gives them.
+import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { chmodSync, mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -45,6 +46,13 @@ export class World {
 
   run(script, ...words) {
     return this.start(script, ...words).ended;
+  }
+
+  /** Runs scripts/deploy, which must end with `status`; what it said. */
+  async deploy(status, ...words) {
+    const { output, status: got } = await this.run("deploy", ...words);
+    assert.equal(got, status, output);
+    return output;
   }
 
   /** A line of shell on a robot, as its user. */

@@ -58,7 +58,7 @@ export interface StrategyForecast {
   /** [0..1] */
   score: number;
   concede: number;
-  /** Over what is played now, and its 95 % interval. */
+  /** Over the first strategy, and its 95 % interval. */
   gain: number;
   gainLow: number;
   gainHigh: number;

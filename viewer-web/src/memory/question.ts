@@ -21,7 +21,7 @@ export interface Edit {
 }
 
 export interface Question {
-  /** The first is what is played now; none: all that there are. */
+  /** The others are measured by the first, which the panel takes to be played now; none: all that there are. */
   strategies: string[];
   opponent: string;
   measure: Measure;
