@@ -42,6 +42,12 @@ install_unit() {
   if [ ! -e ~/$link ]; then echo "file $link" >>made; ln -s ../$name ~/$link; fi
 }`;
 
+/** The unit $1, a file's name, is gone; what was noted of it does no harm. */
+const kForgetUnit = `
+forget_unit() {
+  rm -f ~/.config/systemd/user/$1 ~/.config/systemd/user/default.target.wants/$1
+}`;
+
 /** What fails between here and the start must not leave the robot with nothing that runs. */
 const kStopToSwap = `
 if [ -e current ]; then
@@ -104,6 +110,7 @@ export const kSwapGuardian = `
 set -e
 cd foresight
 ${kInstallUnit}
+${kForgetUnit}
 ${kStopGuardian}
 if [ ! -e staging/guardian ] && [ ! -e guardian ]; then echo none; exit; fi
 if [ -e guardian ]; then
@@ -112,7 +119,12 @@ if [ -e guardian ]; then
   rm -rf guardian.old
   mv guardian guardian.old
 fi
-if [ ! -e staging/guardian ]; then rm -rf guardian.old; echo none; exit; fi
+if [ ! -e staging/guardian ]; then
+  forget_unit foresight-guardian.service
+  rm -rf guardian.old
+  echo none
+  exit
+fi
 cp -R staging/guardian guardian
 install_unit guardian/foresight-guardian.service
 guardian/guardian start
@@ -127,9 +139,10 @@ guardian/bin/foresight-guardian --status`;
 /** Puts the guardian back that ran before; where there was none, none runs. */
 export const kPutGuardianBack = `
 cd foresight
+${kForgetUnit}
 guardian/guardian stop || :
 rm -rf guardian
-if [ -e guardian.old ]; then mv guardian.old guardian && guardian/guardian start; fi`;
+if [ -e guardian.old ]; then mv guardian.old guardian && guardian/guardian start; else forget_unit foresight-guardian.service; fi`;
 
 /** The runtime and the guardian end; a robot that has stiffness keeps both, and says how it is. */
 export const kStopAll = `

@@ -25,12 +25,16 @@ export function guardianStory() {
   });
   after(() => world?.field.end());
 
-  async function deploy(status, ...words) {
-    const { output, status: got } = await world.run("deploy", ...words);
-    assert.equal(got, status, output);
-    return output;
-  }
+  const deploy = (...words) => world.deploy(...words);
   const send = (guardian) => deploy(0, "tim", "--program", programs.first.path, "--guardian", guardian);
+
+  /** The robots file without bodies of ours. */
+  function attached() {
+    const robots = JSON.parse(readFileSync(world.file, "utf8"));
+    const file = join(world.home, "attached.json");
+    writeFileSync(file, JSON.stringify({ ...robots, robots: robots.robots.map(({ body, ...rest }) => rest) }));
+    return file;
+  }
 
   const kGuardian = "foresight/guardian/bin/foresight-guardian";
   /** How the robot is, as its guardian tells, and whether it has no stiffness. */
@@ -92,6 +96,13 @@ export function guardianStory() {
     assert.equal(world.programOn(tim), running);
   });
 
+  test("a robot whose body is not ours any more loses it", async () => {
+    assert.doesNotMatch(await deploy(0, "tim", "--robots", attached(), "--program", programs.first.path), /guardian/);
+    assert.equal(world.statusOf(tim).body, "attached");
+    assert.doesNotMatch(world.on(tim, "ls foresight; cat /proc/[0-9]*/comm"), /guardian/);
+    await send(guardians.first);
+  });
+
   test("undo leaves no trace", async () => {
     await deploy(0, "--undo", "tim", "--yes");
     assert.equal(world.listing(tim), untouched);
@@ -99,9 +110,6 @@ export function guardianStory() {
   });
 
   test("a guardian for a robot that has another body is refused", async () => {
-    const robots = JSON.parse(readFileSync(world.file, "utf8"));
-    const file = join(world.home, "attached.json");
-    writeFileSync(file, JSON.stringify({ ...robots, robots: robots.robots.map(({ body, ...rest }) => rest) }));
-    assert.equal(await deploy(2, "tim", "--robots", file, "--program", programs.first.path, "--guardian", guardians.first), "deploy: --guardian: expected a robot with the body nao, got none\n");
+    assert.equal(await deploy(2, "tim", "--robots", attached(), "--program", programs.first.path, "--guardian", guardians.first), "deploy: --guardian: expected a robot with the body nao, got none\n");
   });
 }
