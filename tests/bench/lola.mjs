@@ -22,7 +22,7 @@ async function answers(report, seconds) {
   report.figure("frames sent", told.frames, `of ${Math.floor(seconds / kCycle)}`);
   // the last one may still be on its way
   report.figure("frames that were never answered", Math.max(0, told.frames - told.answers - 1), "", { exactly: 0 });
-  report.figure("frames answered only after the next one", told.unanswered);
+  report.figure("frames without an answer before the next one", told.unanswered, "", { exactly: 0 });
   report.figure("answers that were none", told.bad_answers, "", { exactly: 0 });
   report.figure("until the answer, median", told.median_ms, "ms");
   report.figure(`until the answer, p99.9, real-time priority ${allowed ? "allowed" : "not allowed"}`, told.p999_ms, "ms", allowed ? { atMost: 4 } : {});

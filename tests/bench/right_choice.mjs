@@ -60,9 +60,9 @@ function tell(report, where, answers) {
   const ties = answers.filter(({ short, truth }) => Math.abs(truth.gain) < kTie * short.error);
   const kept = ties.filter(({ short }) => short.advice === "keep");
   report.figure(`${where}: situations in which one strategy is better by ${kSure} standard errors`, apart.length);
-  if (apart.length > 0) report.figure(`${where}: of these, the better one chosen`, (100 * right.length) / apart.length, "%", { atLeast: 95 });
+  report.figure(`${where}: of these, the better one chosen`, (100 * right.length) / apart.length, "%", { atLeast: 95 });
   report.figure(`${where}: situations in which both are as good, to ${kTie} standard errors`, ties.length);
-  if (ties.length > 0) report.figure(`${where}: of these, kept what was played`, (100 * kept.length) / ties.length, "%", { atLeast: 85 });
+  report.figure(`${where}: of these, kept what was played`, (100 * kept.length) / ties.length, "%", { atLeast: 85 });
 }
 
 /** `budgets`: {where, rollouts of each of two strategies}. */
