@@ -46,8 +46,9 @@ Result<void> take_over(const logging::Session& session, const logging::StreamFil
 Result<foreseeing::Foreseer*> LabForesight::foreseer_for(const memory::Channels& channels) {
   const std::string rules = rules_.empty() ? rules_of(channels) : rules_;
   if (foreseer_ && prepared_ == rules) return foreseer_.get();
-  auto made = foreseeing::Foreseer::open(
-      {.strategies = strategies_.empty() ? default_strategies() : strategies_, .rules = rules});
+  auto made = foreseeing::Foreseer::open({.strategies = strategies_.empty() ? default_strategies() : strategies_,
+                                          .rules = rules,
+                                          .share = foreseeing::Share::background});
   if (!made) return Error{made.error()};
   foreseer_ = std::move(*made);
   prepared_ = rules;

@@ -189,7 +189,7 @@ Result<pb::Forecast> Foreseer::ask_and_wait(const pb::WhatIf& question, const Re
 /// The thread that answers.
 void Foreseer::answer() {
   name_thread("advice");
-  Rollouts rollouts;
+  Rollouts rollouts(options_.share);
   while (true) {
     const Job* job;
     {

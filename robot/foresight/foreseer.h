@@ -25,9 +25,10 @@ struct ForeseerOptions {
   std::string rules = "spl2025";
   std::string models = "match";           // of one's own robots
   std::string opponent_models = "match";  // of the others'
+  Share share = Share::left_over;         // of the processor, for the rollouts
 };
 
-/// Two threads: rollouts at idle priority, and at normal priority one that answers at the deadline from the last whole
+/// Two threads: rollouts at the lowest priority, and at normal priority one that answers at the deadline from the last whole
 /// stripe, however little the rollouts got. All functions from any thread.
 class Foreseer {
  public:

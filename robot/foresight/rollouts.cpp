@@ -8,7 +8,8 @@
 #include "robot/core/thread.h"
 
 namespace robot::foreseeing {
-Rollouts::Rollouts() : thread_([this] { run(); }) {}
+
+Rollouts::Rollouts(Share share) : thread_([this, share] { run(share); }) {}
 
 Rollouts::~Rollouts() {
   end();
@@ -50,10 +51,10 @@ void Rollouts::wake() {
   wakes_.notify_one();
 }
 
-void Rollouts::run() {
-  name_thread("foresee");
+void Rollouts::run(Share share) {
+  become_background_thread("foresee");
   sched_param none{};
-  sched_setscheduler(0, SCHED_IDLE, &none);  // of this thread; needs no rights
+  if (share == Share::left_over) sched_setscheduler(0, SCHED_IDLE, &none);  // of this thread; needs no rights
   while (true) {
     const std::uint32_t seen = wakes_;
     if (Race* const race = offered_.exchange(nullptr)) {

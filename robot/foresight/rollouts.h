@@ -1,4 +1,4 @@
-// The thread that plays the futures of a question, at idle priority: on what nobody else wants of one processor.
+// The thread that plays the futures of a question, out of the way of everybody else.
 #pragma once
 
 #include <atomic>
@@ -22,6 +22,12 @@ struct Futures {
   sim::RandomKey key;
 };
 
+/// Which share of a busy processor the futures get.
+enum class Share : std::uint8_t {
+  left_over,   // idle priority: what nobody else wants, beside a robot that plays
+  background,  // nice 10: a twentieth and more, where no robot waits
+};
+
 /// What they have come to.
 struct Progress {
   std::uint64_t race = 0;  // which `begin` they are of
@@ -29,13 +35,13 @@ struct Progress {
   std::uint64_t computed_ns = 0;  // of processor time
 };
 
-/// On a busy processor a thread of idle priority may sleep for a second wherever it is. So it shares no lock with anybody,
+/// On a busy processor a thread that takes what is left over may sleep for a second wherever it is. So it shares no lock with anybody,
 /// and nothing here waits for it but the destructor.
 ///
 /// All functions from one thread.
 class Rollouts {
  public:
-  Rollouts();
+  explicit Rollouts(Share share);
   ~Rollouts();
   Rollouts(const Rollouts&) = delete;
   Rollouts& operator=(const Rollouts&) = delete;
@@ -58,7 +64,7 @@ class Rollouts {
     std::atomic<bool> let_go = false;             // the thread of the rollouts does not look at it any more
   };
 
-  void run();
+  void run(Share share);
   void play(const Race& race);
   void wake();
 

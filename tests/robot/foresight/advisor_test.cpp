@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <functional>
 
 #include "tests/robot/foresight/memories.h"
@@ -9,18 +10,24 @@
 namespace robot::foreseeing {
 namespace {
 
-/// An advisor in the memory of a robot that stands still in time.
+using Prepare = std::function<void(test::Played&)>;
+
+/// An advisor in the memory of a robot that stands still in time until a test moves it on.
 struct Fixture {
   test::Played game;
+  const Prepare prepare;  // changes memory before the advisor sees it
+  std::atomic<std::uint64_t> now_ns{game.now_ns()};
   std::unique_ptr<Advisor> advisor;
 
-  /// `prepare` changes memory before the advisor sees it.
-  explicit Fixture(bool on, std::uint32_t budget_ms = 20, const std::function<void(test::Played&)>& prepare = {}) {
-    if (prepare) prepare(game);
+  explicit Fixture(
+      bool on, std::uint32_t budget_ms = 20, Prepare prepared = [](test::Played&) {})
+      : prepare(std::move(prepared)) {
+    prepare(game);
     advisor = std::make_unique<Advisor>(
-        std::move(*Foreseer::open({.strategies = {"baseline", "kick_now"}, .rules = "spl2012"})), *game.memory,
-        game.channels, "14/2", [this] { return game.now_ns(); },
-        [=] { return AskingOptions{.on = on, .period = 10, .budget_ms = budget_ms, .horizon = 5}; });
+        std::move(
+            *Foreseer::open({.strategies = {"baseline", "kick_now"}, .rules = "spl2012", .share = Share::background})),
+        *game.memory, game.channels, "14/2", [this] { return now_ns.load(); },
+        [=] { return AskingOptions{.on = on, .period = kPeriod, .budget_ms = budget_ms, .horizon = 5}; });
   }
 
   /// The forecast that answers `id`, waited for.
@@ -28,8 +35,31 @@ struct Fixture {
     while (true) {
       if (const auto version = game.memory->forecast.read(); version && version->value().question().id() == id)
         return version;
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      std::this_thread::sleep_for(kAWhile);
     }
+  }
+
+  /// Waits for `done`. Where a busy machine played too few futures for an answer, the captain asks again a period later.
+  template <class Done>
+  void captain_until(Done done) {
+    while (!done()) {
+      std::this_thread::sleep_for(kAWhile);
+      const auto version = game.memory->forecast.read();
+      const bool answered = version && version->value().question().id() == now_ns;
+      if (answered && version->value().advice() == pb::Forecast::ADVICE_NONE) go_on();
+    }
+  }
+
+ private:
+  static constexpr double kPeriod = 10;  // [s]
+  static constexpr std::chrono::milliseconds kAWhile{2};
+
+  /// All is as it was, a period later.
+  void go_on() {
+    game.timeline.epoch_ns += static_cast<std::uint64_t>(kPeriod * 1e9);
+    game.write();
+    prepare(game);
+    now_ns = game.now_ns();
   }
 };
 
@@ -61,18 +91,13 @@ TEST(Advisor, TheCaptainAsksOfItsOwnAccord) {
 }
 
 TEST(Advisor, MemoryHoldsWhatTheTeamPlaysAndWhoChoseIt) {
-  Fixture fixture(true);
-  while (true) {
-    const auto strategy = fixture.game.memory->strategy.read();
-    if (!strategy || !strategy->value().chosen()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-      continue;
-    }
-    EXPECT_EQ(strategy->value().captain(), 2u);
-    EXPECT_EQ(strategy->value().name(), fixture.advisor->strategy());
-    EXPECT_EQ(strategy->value().epoch(), 1u) << "the first choice";
-    break;
-  }
+  Fixture fixture(true, 1000);
+  const auto strategy = [&] { return fixture.game.memory->strategy.read(); };
+  fixture.captain_until([&] { return strategy() && strategy()->value().chosen(); });
+  const auto played = strategy();
+  EXPECT_EQ(played->value().captain(), 2u);
+  EXPECT_EQ(played->value().name(), fixture.advisor->strategy());
+  EXPECT_EQ(played->value().epoch(), 1u) << "the first choice";
 }
 
 /// A teammate, player 3, plays the second strategy.
@@ -97,11 +122,10 @@ TEST(Advisor, FollowsWhatTheCaptainTold) {
 
 TEST(Advisor, TheCaptainGivesUpWhatIsNotBetterThanTheDefaultForSure) {
   Fixture fixture(true, 1000, play_second);
-  while (fixture.advisor->strategy() != "kick_now") std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  while (fixture.advisor->strategy() != "baseline") std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  while (fixture.game.memory->strategy.read()->value().epoch() != 45)
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  const std::string reason = fixture.game.memory->strategy.read()->value().reason();
+  const auto strategy = [&] { return fixture.game.memory->strategy.read(); };
+  fixture.captain_until([&] { return strategy() && strategy()->value().epoch() == 45; });
+  EXPECT_EQ(fixture.advisor->strategy(), "baseline");
+  const std::string reason = strategy()->value().reason();
   EXPECT_EQ(reason.find("gives up kick_now, keeps baseline: "), 0u) << reason;
 }
 

@@ -12,7 +12,7 @@ namespace robot::foreseeing {
 namespace {
 
 std::unique_ptr<Foreseer> foreseer(std::vector<std::string> strategies = {"baseline", "kick_now", "passing"}) {
-  auto opened = Foreseer::open({.strategies = std::move(strategies), .rules = "spl2012"});
+  auto opened = Foreseer::open({.strategies = std::move(strategies), .rules = "spl2012", .share = Share::background});
   if (!opened) {
     ADD_FAILURE() << opened.error();
     return nullptr;

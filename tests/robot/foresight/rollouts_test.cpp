@@ -1,7 +1,11 @@
 #include "robot/foresight/rollouts.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 
+#include <filesystem>
+#include <fstream>
+#include <string>
 #include <thread>
 
 #include "robot/core/clock.h"
@@ -40,8 +44,23 @@ Progress when_there_is_some(Rollouts& rollouts) {
   return progress;
 }
 
+/// Of the thread called `name`; -1: there is none.
+int scheduling_of(const std::string& name) {
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::string called;
+    std::getline(std::ifstream(task.path() / "comm"), called);
+    if (called == name) return sched_getscheduler(std::stoi(task.path().filename()));
+  }
+  return -1;
+}
+
+TEST(Rollouts, BesideARobotTakeWhatIsLeftOver) {
+  Rollouts rollouts(Share::left_over);
+  while (scheduling_of("foresee") != SCHED_IDLE) std::this_thread::yield();
+}
+
 TEST(Rollouts, PlayStripesUntilTheyAreEnded) {
-  Rollouts rollouts;
+  Rollouts rollouts(Share::background);
   rollouts.begin(futures(2), monotonic_ns() + kMinute);
   const Progress progress = when_there_is_some(rollouts);
   EXPECT_EQ(progress.tally.strategies, 2);
@@ -52,7 +71,7 @@ TEST(Rollouts, PlayStripesUntilTheyAreEnded) {
 }
 
 TEST(Rollouts, WhatWasPlayedForAnotherQuestionIsNotOfThisOne) {
-  Rollouts rollouts;
+  Rollouts rollouts(Share::background);
   rollouts.begin(futures(2), monotonic_ns() + kMinute);
   const std::uint64_t before = when_there_is_some(rollouts).race;
   rollouts.begin(futures(1), monotonic_ns() + kMinute);
@@ -66,7 +85,7 @@ TEST(Rollouts, WhatWasPlayedForAnotherQuestionIsNotOfThisOne) {
 
 /// The thread may be asleep with any of them in its hand, or never have taken it.
 TEST(Rollouts, AnyNumberOfQuestionsBeginAndEndWithoutWaiting) {
-  Rollouts rollouts;
+  Rollouts rollouts(Share::background);
   for (int i = 0; i < 300; ++i) {
     rollouts.begin(futures(), monotonic_ns() + kMinute);
     if (i % 3 == 0) rollouts.end();
@@ -75,7 +94,7 @@ TEST(Rollouts, AnyNumberOfQuestionsBeginAndEndWithoutWaiting) {
 }
 
 TEST(Rollouts, EndWithoutEverHavingBegun) {
-  Rollouts rollouts;
+  Rollouts rollouts(Share::background);
   rollouts.end();
   EXPECT_EQ(rollouts.progress().tally.stripes, 0);
 }
