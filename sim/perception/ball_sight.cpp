@@ -63,7 +63,7 @@ struct LineOfSight {
 
 bool is_hidden(const Means& means, const World& world, Vec2 eye, const Sighting& ball) {
   const LineOfSight line{eye, ball.to_it, ball.square};
-  const float radius = means.contact.robot_radius;
+  const float radius = means.contact.hiding_radius;
   // the robot itself is at the eye and hides nothing; who lies is lower than the line
   const auto hides = [&](const Body& body) { return line.meets(body.position, radius) && has_eyes(body); };
   for (int i = 0; i < world.players; ++i)

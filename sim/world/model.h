@@ -25,6 +25,7 @@ struct ContactModel {
   float foot_radius;       // [m] to the ball's middle less its radius: where the ball is touched
   float squatting_radius;  // [m] of a robot that squats, likewise
   float lying_radius;      // [m] of a robot that has fallen
+  float hiding_radius;     // [m] of one that stands: what is behind is hidden, in the mean over its headings
   float official_radius;   // [m] of the walking referee
   float push_deviation;    // [rad] direction of a ball that is walked into
 
@@ -34,6 +35,7 @@ struct ContactModel {
     see("foot_radius", self.foot_radius, "m", 0.02f, 0.5f);
     see("squatting_radius", self.squatting_radius, "m", 0.02f, 0.6f);
     see("lying_radius", self.lying_radius, "m", 0.05f, 0.6f);
+    see("hiding_radius", self.hiding_radius, "m", 0.02f, 0.5f);
     see("official_radius", self.official_radius, "m", 0.05f, 0.6f);
     see("push_deviation", self.push_deviation, "rad", 0.f, 1.5f);
   }

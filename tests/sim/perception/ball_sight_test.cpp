@@ -170,7 +170,7 @@ TEST(BallSight, ABodyInBetweenHidesTheBall) {
   scene.place_ball({2, 0});
   EXPECT_TRUE(look(scene).seen);
   for (const int other : {Scene::kOpponent, 3}) {
-    const float radius = scene.contact.robot_radius;
+    const float radius = scene.contact.hiding_radius;
     scene.stand({1, 0.9f * radius}, 0, other);
     EXPECT_FALSE(look(scene).seen);
     scene.stand({1, -0.9f * radius}, 0, other);

@@ -53,8 +53,12 @@ struct Scene {
   Effects effects = all_effects();
   field::Field field = kField2012;
   field::Marks marks = field::marks_of(field);
-  ContactModel contact{
-      .robot_radius = 0.16f, .foot_radius = 0.1f, .lying_radius = 0.3f, .official_radius = 0.25f, .push_deviation = 0};
+  ContactModel contact{.robot_radius = 0.16f,
+                       .foot_radius = 0.1f,
+                       .lying_radius = 0.3f,
+                       .hiding_radius = 0.11f,
+                       .official_radius = 0.25f,
+                       .push_deviation = 0};
   BallModel ball{.radius = 0.05f, .deceleration = 0.3f};
   World world{};
   agent::Beliefs beliefs;
