@@ -1,5 +1,6 @@
 // What a person at the viewer waits for, in Chromium without a graphics card: another time of a long recording, a large
-// one that opens, now after the page was in the background; and whether what it shows is right and its memory stays.
+// one that opens, now after the page was in the background; whether it is drawn fluidly, what it shows is right and its
+// memory stays.
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { decode } from "../e2e/live.mjs";
@@ -11,6 +12,13 @@ import { Report } from "./report.mjs";
 const { chromium } = require("playwright-core");
 
 const kSeeks = 60;
+const kFourRobots = ["14/2", "14/3", "14/4", "14/5"];
+// what is looked at of four robots; all objects of the first come whatever it is
+const kViews = {
+  camera: "camera",
+  "8 plots": `plot?plot=${kFourRobots.flatMap((robot) => [`/${robot}/ball.x`, `/${robot}/pose.x`]).join("%20")}`,
+  field: "field?layers=belief,uncertainty,view,intent,team,trail,names,everyone",
+};
 
 const quantile = (values, part) => [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(part * values.length))];
 const state = ["--port", 0, "--state-dir", join(scratch, "state")];
@@ -33,7 +41,7 @@ async function openBrowser() {
 /** A page that keeps when which topic came last [ms of ours], since the last didSeek. */
 async function openPage(browser, url) {
   const page = await (await browser.newContext({ viewport: { width: 1280, height: 800 } })).newPage();
-  const seen = { sought: 0, first: new Map(), subscribed: new Map(), topics: new Map(), state: undefined };
+  const seen = { messages: 0, sought: 0, first: new Map(), subscribed: new Map(), topics: new Map(), state: undefined };
   page.on("websocket", (socket) => {
     socket.on("framesent", ({ payload }) => {
       const text = typeof payload === "string" ? payload : "";
@@ -52,6 +60,7 @@ async function openPage(browser, url) {
         seen.sought = performance.now();
         seen.first.clear();
       } else if (payload[0] === 1) {
+        ++seen.messages;
         const id = payload.readUInt32LE(1);
         if (!seen.first.has(id)) seen.first.set(id, performance.now());
       }
@@ -92,6 +101,33 @@ async function seeks(report, browser, session) {
   report.figure("seek in 20 min of 5 robots each: objects shown, at least", Math.min(...objects), `of ${seen.subscribed.size} subscribed`);
   report.figure("seek until all is drawn, median", quantile(times, 0.5), "ms");
   report.figure("seek until all is drawn, p95", quantile(times, 0.95), "ms", { atMost: 200 });
+}
+
+/** [1/s] the median of the page's frames. */
+const framesOf = (page, seconds) => page.evaluate((length) => new Promise((done) => {
+  const times = [];
+  requestAnimationFrame(function frame(time) {
+    times.push(time);
+    if (times.at(-1) - times[0] < 1000 * length) return requestAnimationFrame(frame);
+    const between = times.slice(1).map((time, i) => time - times[i]).sort((a, b) => a - b);
+    done(1000 / between[Math.floor(between.length / 2)]);
+  });
+}), seconds);
+
+/** Four robots, each with both cameras' raw pictures and all objects at 30 Hz. */
+async function fluid(report, browser, seconds) {
+  const sessions = kFourRobots.map((robot) => join(scratch, `fluid.${robot.replace("/", ".")}`));
+  for (const [i, session] of sessions.entries()) await start("foresight-lab", ["synthesize", session, "--robot", kFourRobots[i], "--seconds", 30]).output;
+  const lab = start("foresight-lab", ["play", ...sessions, "--loop", ...state]);
+  for (const [name, view] of Object.entries(kViews)) {
+    const { page, seen } = await openPage(browser, `${await lab.address}/#/14/2/${view}`);
+    await sleep(5);
+    const [before, began] = [seen.messages, performance.now()];
+    report.figure(`four robots, ${name}: frames a second, median`, await framesOf(page, seconds), "1/s", { atLeast: 55 });
+    report.figure(`four robots, ${name}: messages that the page takes in`, (seen.messages - before) / ((performance.now() - began) / 1000), "1/s");
+    await page.close();
+  }
+  lab.stop();
 }
 
 async function opens(report, browser, length) {
@@ -187,7 +223,7 @@ async function live(report, browser, { minutes, seconds }) {
 
   // a tab in the background stands still; what waited must not be shown one after the other
   const devtools = await page.context().newCDPSession(page);
-  const clock = () => page.getByLabel("Moment").textContent().then((text) => text.split(":").reduce((sum, part) => 60 * sum + Number(part), 0)); // [s] of the day
+  const clock = () => page.getByLabel("Moment", { exact: true }).textContent().then((text) => text.split(":").reduce((sum, part) => 60 * sum + Number(part), 0)); // [s] of the day
   const [slept, before] = [performance.now(), await clock()];
   await devtools.send("Page.setWebLifecycleState", { state: "frozen" });
   await sleep(20);
@@ -216,12 +252,14 @@ async function live(report, browser, { minutes, seconds }) {
 }
 
 /**
- * `minutes` of watching for the memory, `seconds` for the age, `probes` of the tree, `length` [min] of the game to seek
- * in, `large` [s] of a recording with pictures, of which 400 make more than 1 GB. What is 0 is left out.
+ * `minutes` of watching for the memory, `seconds` for the age and for each view of four robots, `probes` of the tree,
+ * `length` [min] of the game to seek in, `large` [s] of a recording with pictures, of which 400 make more than 1 GB. What
+ * is 0 is left out.
  */
 export async function viewer({ minutes = 30, seconds = 30, probes = 1000, length = 20, large = 400 }) {
   const report = new Report("viewer", "what does a person at the viewer wait for, and is it right?");
   const browser = await openBrowser();
+  if (seconds > 0) await fluid(report, browser, seconds);
   if (seconds > 0) await live(report, browser, { minutes, seconds });
   if (large > 0) await opens(report, browser, large);
   if (length > 0) await seeks(report, browser, await recordGame(length));
