@@ -34,6 +34,34 @@ async function pressStrip(page, share) {
   await page.mouse.click(box.x + share * box.width, box.y + box.height / 2);
 }
 
+test("who stops time before anything has come looks at what comes first", async (t) => {
+  const { server } = await game(t);
+  const { page, problems } = await open(t, "about:blank");
+  let release;
+  let next = new Promise((done) => (release = done));
+  await page.routeWebSocket(/./, (socket) => {
+    const behind = socket.connectToServer();
+    behind.onMessage((message) => void (next = next.then(() => socket.send(message))));
+  });
+  await page.goto(`${server.http}/#/14/2/objects`);
+  await page.getByRole("button", { name: "Freeze time" }).click();
+  await stands(page);
+  await page.getByRole("button", { name: "Go on" }).click(); // another mind
+  await goesOn(page);
+  await page.keyboard.press("Space");
+  await stands(page);
+
+  release();
+  await until(async () => at(page) > 0n && (await elapsed(page)) !== "", "a moment in the address");
+  const moment = await elapsed(page);
+  await page.waitForTimeout(500);
+  assert.equal(await elapsed(page), moment);
+  await stands(page);
+  await page.keyboard.press("Space");
+  await until(async () => (await elapsed(page)) !== moment, "time goes on");
+  assert.deepEqual(problems, []);
+});
+
 test("the strip spans the whole recording; wherever it is pressed, the tree shows what was so then", async (t) => {
   const { server, topics, first_ns, last_ns } = await game(t);
   const { page, problems } = await open(t, `${server.http}/#/14/2/objects`);

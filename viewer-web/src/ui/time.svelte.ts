@@ -50,6 +50,7 @@ export class Time {
   /** Played over and over. */
   loop = $state.raw<TimeRange>();
   #speed = $state(1);
+  #early = $state(false); // paused before there was anything to stand at
   #at_ns = 0n;
   #frame = now();
   #shifts = new Map<Server, bigint>(); // [ns] how far ahead of the reference each clock was when the page stopped following
@@ -93,7 +94,7 @@ export class Time {
 
   /** Time goes on, however. */
   get runs(): boolean {
-    return this.moves || this.playing;
+    return (this.moves || this.playing) && !this.#early;
   }
 
   /** Now is shown, and nothing lies beyond it. */
@@ -133,6 +134,7 @@ export class Time {
     this.#finishStep();
     const range = this.range();
     if (!range) return this.live ? undefined : this.now();
+    if (this.#early && (!this.recorded || this.reference.played!.known)) this.pause();
     if (this.playing) this.#advance(nanoseconds(passed * this.#speed), range);
     else if (this.moves) this.#repeat();
     // what was looked at may have been given up since
@@ -180,7 +182,10 @@ export class Time {
     for (const { memory } of this.viewer.servers) memory.show(undefined);
   }
 
+  /** Before anything came: as soon as something does. */
   pause(): void {
+    this.#early = !this.range() || (this.recorded && !this.reference.played!.known);
+    if (this.#early) return;
     this.playing = false;
     if (this.recorded) {
       if (this.moves) this.#ask(false);
@@ -188,6 +193,8 @@ export class Time {
   }
 
   play(): void {
+    this.#early = false;
+    if (!this.range()) return;
     if (!this.recorded || this.#speed < 0) {
       this.pause();
       this.#begin();
