@@ -17,7 +17,6 @@ using robot::Error;
 using robot::Result;
 using Kind = referee::Event::Kind;
 
-constexpr Side kSides[] = {Side::home, Side::away};
 constexpr int kProbeSteps = 3000;
 constexpr std::uint64_t kOtherLuck = std::uint64_t{1} << 40;  // seeds that no other pair has
 
