@@ -17,6 +17,7 @@ const kLate = 20; // [ms]
 const kThree = ["--strategies", "baseline", "passing", "kick_now"];
 const kShares = [0.05, 0.1, 0.25, 0.5]; // of a core
 const kRobot = { share: 0.25, seconds: 0.5 }; // what foresight has of a robot's core, and how long for a question
+const kFutures = 400; // of a forecast that is to be true: with fewer, those far from the mean are so by chance
 const kMostRollouts = 64; // of a question in a game, and each so long:
 const kGameHorizon = 20; // [s]
 // the others, as a team that is wrong about them takes them to be: twice as fast
@@ -143,7 +144,7 @@ async function harm(report, seconds) {
 }
 
 async function calibration(report, situations) {
-  const told = JSON.parse(await start("foresight-sim", ["calibration", "--json", "--situations", situations]).output);
+  const told = JSON.parse(await start("foresight-sim", ["calibration", "--json", "--situations", situations, "--rollouts", kFutures]).output);
   for (const kind of ["score", "concede"]) {
     const { brier, base_rate_brier, deciles } = told[kind];
     const worst = Math.max(...deciles.filter(({ cases }) => cases >= 50).map(({ foretold, came }) => Math.abs(foretold - came)));
