@@ -140,7 +140,7 @@ export class Time {
     // what was looked at may have been given up since
     if (!this.live && this.#at_ns < range.first_ns) this.#at_ns = range.first_ns;
     if (!this.live) this.#show();
-    if (!this.runs && !this.#stepping && (!this.live || this.recorded) && time - this.#noted > 0.3) this.#note(String(this.at_ns));
+    if (!this.runs && !this.#early && !this.#stepping && (!this.live || this.recorded) && time - this.#noted > 0.3) this.#note(String(this.at_ns));
     else if (this.moves && this.viewer.get("at") && this.recorded) this.#note("");
   }
 
