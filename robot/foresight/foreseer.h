@@ -28,8 +28,8 @@ struct ForeseerOptions {
   Share share = Share::left_over;         // of the processor, for the rollouts
 };
 
-/// Two threads: rollouts at the lowest priority, and at normal priority one that answers at the deadline from the last whole
-/// stripe, however little the rollouts got. All functions from any thread.
+/// Two threads: rollouts at the lowest priority, and at normal priority one that answers at the deadline from the last
+/// whole stripe, however little the rollouts got. All functions from any thread.
 class Foreseer {
  public:
   /// An Error if a strategy, the rules or the models cannot be had.

@@ -35,8 +35,8 @@ struct Progress {
   std::uint64_t computed_ns = 0;  // of processor time
 };
 
-/// On a busy processor a thread that takes what is left over may sleep for a second wherever it is. So it shares no lock with anybody,
-/// and nothing here waits for it but the destructor.
+/// On a busy processor a thread that takes what is left over may sleep for a second wherever it is. So it shares no lock
+/// with anybody, and nothing here waits for it but the destructor.
 ///
 /// All functions from one thread.
 class Rollouts {

@@ -5,6 +5,7 @@ import { createHash } from "node:crypto";
 import { test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { kPhone, open, shoot } from "./browser.mjs";
+import { framesOf } from "./frames.mjs";
 import { Live } from "./live.mjs";
 import { playGame, start, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
@@ -256,17 +257,7 @@ test("first sight takes at most 150 kB, and a game of eight robots is drawn flui
   assert.ok(total <= 150_000);
 
   await seconds(page);
-  const frames = await page.evaluate(
-    () =>
-      new Promise((done) => {
-        const times = [];
-        requestAnimationFrame(function frame(time) {
-          times.push(time);
-          if (times.at(-1) - times[0] < 5000) requestAnimationFrame(frame);
-          else done(times.slice(1).map((time, i) => time - times[i]).sort((a, b) => a - b));
-        });
-      }),
-  );
+  const frames = await framesOf(page, 5);
   const [median, p95] = [0.5, 0.95].map((share) => frames[Math.floor(share * frames.length)]);
   t.diagnostic(`all layers of eight robots: ${(1000 / median).toFixed(0)} frames/s median, ${(1000 / p95).toFixed(0)} at p95`);
   assert.ok(1000 / median > 25, `${1000 / median} frames/s`); // a busy machine; the bar is measured apart

@@ -18,7 +18,6 @@ struct Scene {
   ContactModel contact{.robot_radius = 0.15f,
                        .foot_radius = 0.1f,
                        .lying_radius = 0.3f,
-                       .hiding_radius = 0.11f,
                        .official_radius = 0.2f,
                        .push_deviation = 0.5f};
   World world;

@@ -14,7 +14,6 @@ inline constexpr ContactModel kContact{.robot_radius = 0.16f,
                                        .foot_radius = 0.1f,
                                        .squatting_radius = 0.22f,
                                        .lying_radius = 0.25f,
-                                       .hiding_radius = 0.11f,
                                        .official_radius = 0.2f,
                                        .push_deviation = 0.52f};
 inline constexpr Effects kIdeal{};

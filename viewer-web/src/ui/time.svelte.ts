@@ -81,6 +81,11 @@ export class Time {
     return this.reference.memory.range();
   }
 
+  /** Something has come, and where a recording is, is known. */
+  get #isThere(): boolean {
+    return this.range() !== undefined && (!this.recorded || this.reference.played!.known);
+  }
+
   /** The moment that is shown. */
   get at_ns(): bigint {
     if (!this.live) return this.#at_ns;
@@ -134,7 +139,7 @@ export class Time {
     this.#finishStep();
     const range = this.range();
     if (!range) return this.live ? undefined : this.now();
-    if (this.#early && (!this.recorded || this.reference.played!.known)) this.pause();
+    if (this.#early && this.#isThere) this.pause();
     if (this.playing) this.#advance(nanoseconds(passed * this.#speed), range);
     else if (this.moves) this.#repeat();
     // what was looked at may have been given up since
@@ -184,7 +189,7 @@ export class Time {
 
   /** Before anything came: as soon as something does. */
   pause(): void {
-    this.#early = !this.range() || (this.recorded && !this.reference.played!.known);
+    this.#early = !this.#isThere;
     if (this.#early) return;
     this.playing = false;
     if (this.recorded) {
@@ -400,8 +405,7 @@ export class Time {
   #obeyAddress(): void {
     const asked_ns = this.#asked_ns;
     const range = asked_ns === undefined ? undefined : this.range();
-    if (asked_ns === undefined || !range || (range.last_ns < asked_ns && !this.recorded)) return;
-    if (this.recorded && !this.reference.played!.known) return;
+    if (asked_ns === undefined || !range || !this.#isThere || (range.last_ns < asked_ns && !this.recorded)) return;
     this.#asked_ns = undefined;
     if (asked_ns >= range.first_ns && asked_ns <= range.last_ns) return this.seek(asked_ns);
     this.viewer.set("at", "");
