@@ -202,6 +202,8 @@ sim::Body body_of(const pb::MotionStatus& status, const sim::motion::Model& mode
   const auto within = [](float value, float limit) { return std::clamp(finite(value), -limit, limit); };
   body.velocity = {within(status.velocity_x(), model.walk.forward), within(status.velocity_y(), model.walk.sideward)};
   body.turn_rate = within(status.turn_rate(), model.walk.turn_rate);
+  body.step_velocity = body.velocity;
+  body.step_turn_rate = body.turn_rate;
   return body;
 }
 

@@ -47,12 +47,15 @@ void visit_members(Struct& whole, See&& see) {
     see("position", position), see("velocity", velocity);
   } else if constexpr (std::is_same_v<Type, Body>) {
     auto& [position, heading, facing, velocity, turn_rate, head_yaw, head_pitch, look, doing, kick, kick_left,
-           kick_done, kick_gain, since, noise, turn_noise, walked, touching, pushing] = whole;
+           kick_done, kick_gain, since, step_velocity, step_turn_rate, walked, touching, pushing, glide,
+           moved] = whole;
     see("position", position), see("heading", heading), see("facing", facing), see("velocity", velocity);
     see("turn_rate", turn_rate), see("head_yaw", head_yaw), see("head_pitch", head_pitch), see("look", look);
     see("doing", doing), see("kick", kick), see("kick_left", kick_left), see("kick_done", kick_done);
-    see("kick_gain", kick_gain), see("since", since), see("noise", noise), see("turn_noise", turn_noise);
+    see("kick_gain", kick_gain), see("since", since), see("step_velocity", step_velocity);
+    see("step_turn_rate", step_turn_rate);
     see("walked", walked), see("touching", touching), see("pushing", pushing);
+    see("glide", glide), see("moved", moved);
   } else if constexpr (std::is_same_v<Type, World>) {
     auto& [key, tick, players, home_attacks, touched, kicked, whiffed, crowded, ball, official, bodies] = whole;
     see("key", key), see("tick", tick), see("players", players), see("home_attacks", home_attacks);

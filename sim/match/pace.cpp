@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <span>
 
+#include "sim/motion/rhythm.h"
+
 namespace sim {
 namespace {
 
 using Phase = agent::Game::Phase;
 using Doing = Body::Doing;
 
-/// [ticks] between turns of whoever is nearer than so.
+/// [ticks] of whoever is nearer than so.
 struct Ring {
   float within;  // [m]
   Tick ticks;
@@ -20,6 +22,7 @@ constexpr Ring kToBall[] = {{0.35f, 2}, {0.6f, 4}, {0.8f, 6}, {1.2f, 9}};
 /// To another robot's middle, less both radii: two that walk towards each other cover 0.5 m in a second.
 constexpr Ring kToRobot[] = {{0.1f, 4}, {0.2f, 9}};
 constexpr Tick kFar = 18;
+constexpr Tick kFarSteps = 2;  // of the walk
 constexpr Tick kChasing = 9;  // at most, of whoever goes for the ball
 constexpr Tick kSet = 15;     // while everybody has to stand
 
@@ -66,34 +69,58 @@ Tick until_impact(const motion::Model& model, const World& world, const Robot& s
   return elapsed < impact ? impact - elapsed : 1;
 }
 
-/// How often it has a turn.
-Tick period_of(const Params& params, const State& state, int robot) {
-  if (state.book.phase == Phase::set) return kSet;
+/// How soon it could matter what it does, by where it is.
+struct Nearness {
+  Tick ball;
+  Tick robots;
+};
+Nearness nearness_of(const Params& params, const State& state, int robot) {
   const World& world = state.world;
   const float touch = 2 * params.teams[0].models.contact.robot_radius;
-  const Tick contacts = ticks_at(squared_distance_from_robots(world, robot), kToRobot, touch);
-  if (state.book.phase != Phase::playing) return contacts;
-  const Tick ball = ticks_at(squared_distance_from_path(world.ball, world.bodies[robot].position), kToBall, 0);
-  const Tick most = state.robots[robot].mind.role == agent::Role::chaser ? kChasing : kFar;
-  return std::min({contacts, ball, most});
+  Nearness near{kFar, ticks_at(squared_distance_from_robots(world, robot), kToRobot, touch)};
+  if (state.book.phase != Phase::playing) return near;
+  near.ball = ticks_at(squared_distance_from_path(world.ball, world.bodies[robot].position), kToBall, 0);
+  if (state.robots[robot].mind.role == agent::Role::chaser) near.ball = std::min(near.ball, kChasing);
+  return near;
+}
+
+Tick next_multiple(Tick now, Tick period) { return period - now % period; }
+
+/// [ticks] to the next begin of a step whose number is a multiple of `steps`.
+Tick next_step(const motion::Rhythm& rhythm, Tick now, Tick steps) {
+  Tick wait = rhythm.until_next(now);
+  while (rhythm.step_at(now + wait) % steps != 0) wait += rhythm.until_next(now + wait);
+  return wait;
 }
 
 }  // namespace
 
-Tick ticks_to_next_turn(const Params& params, const State& state, int robot) {
-  if (params.pace == Pace::every_tick) return 1;
+Wait wait_of(const Params& params, const State& state, int robot) {
+  if (params.pace == Pace::every_tick) return {1, 1};
   const World& world = state.world;
+  const Body& body = world.bodies[robot];
+  const motion::Command& command = state.robots[robot].command;
   const motion::Model& motion = params.teams[static_cast<int>(side_of(robot))].models.motion;
-  if (const Tick impact = until_impact(motion, world, state.robots[robot], robot); impact > 0) return impact;
+  const motion::Rhythm rhythm(motion.walk);
+  const auto at_once = [](Tick ticks) { return Wait{ticks, ticks}; };
 
-  // the next tick that is a multiple; when set is over, everybody's
-  const Tick period = period_of(params, state, robot);
-  Tick wait = period - world.tick % period;
+  // the legs are busy
+  const bool waits = motion::in_step(rhythm, body, world.tick);
+  if (!waits)
+    if (const Tick impact = until_impact(motion, world, state.robots[robot], robot); impact > 0) return at_once(impact);
   if (state.book.phase == Phase::set) {
     const Tick over = state.book.phase_since + ticks(params.rules.set_duration) + 1;
-    if (over > world.tick) wait = std::min(wait, over - world.tick);
+    const Tick wait = next_multiple(world.tick, kSet);
+    return at_once(over > world.tick ? std::min(wait, over - world.tick) : wait);
   }
-  return wait;
+
+  const Nearness near = nearness_of(params, state, robot);
+  if (motion::in_step(body)) {
+    const Tick turn = next_step(rhythm, world.tick, waits || near.ball < kFar ? 1 : kFarSteps);
+    return {turn, std::min({turn, near.ball, near.robots})};
+  }
+  const bool rests = body.doing == Doing::standing && command.body == motion::Command::Body::stand;
+  return at_once(next_multiple(world.tick, rests ? near.ball : std::min(near.ball, near.robots)));
 }
 
 World between_turns(const State& state) {
@@ -103,7 +130,9 @@ World between_turns(const State& state) {
     if (turn == kNever || turn <= world.tick) return;
     Body& body = world.bodies[robot];
     const Pose2& from = state.robots[robot].cognition.last;
-    const float ahead = static_cast<float>(turn - world.tick) / static_cast<float>(state.schedule.lag[robot]);
+    const Tick left = static_cast<std::uint8_t>(body.moved - world.tick);
+    const Tick rested = world.tick - (turn - state.schedule.lag[robot]);
+    const float ahead = static_cast<float>(left) / static_cast<float>(left + rested);
     body.position -= ahead * (body.position - from.position);
     body.heading = normalized(body.heading - ahead * normalized(body.heading - from.heading));
     body.facing = direction(body.heading);

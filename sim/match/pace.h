@@ -18,9 +18,15 @@
 
 namespace sim {
 
-/// [ticks] until the robot's next turn, at least 1; asked after its decision, before anybody moves. A function of the
-/// world and the robot alone: not of who is asked first.
-Tick ticks_to_next_turn(const Params& params, const State& state, int robot);
+/// [ticks] How long a robot waits, at least 1.
+struct Wait {
+  Tick turn;  // for its next turn
+  Tick move;  // until its body moves on, at most until then
+};
+
+/// Asked after the robot's decision, before anybody moves. A function of the world and the robot alone: not of who is
+/// asked first.
+Wait wait_of(const Params& params, const State& state, int robot);
 
 /// The world to look at: in a state, a robot that rests is where its next turn begins; here it is on the way there, as
 /// far as it has rested. [field]

@@ -27,7 +27,7 @@ struct Robot {
 /// When robots are due, by their index.
 struct Schedule {
   Tick next = 0;                       // nobody is before: most ticks cost one look
-  Tick turn[kMaxRobots] = {};          // when it perceives, decides and moves (sim/match/pace.h); kNever: is removed
+  Tick turn[kMaxRobots] = {};          // when it perceives and decides (sim/match/pace.h); kNever: is removed
   Tick radio[kMaxRobots] = {};         // when its packet arrives; with none on the way: when it may send again
   std::uint8_t lag[kMaxRobots] = {};   // [ticks] from its last turn to the next
   std::uint8_t lost[kMaxRobots] = {};  // whom the packet on its way does not reach: bit i is beliefs.mates[i]

@@ -1,5 +1,8 @@
 #include "sim/match/step.h"
 
+#include <algorithm>
+#include <bit>
+
 #include "sim/match/pace.h"
 #include "sim/motion/motion.h"
 #include "sim/perception/perception.h"
@@ -38,40 +41,53 @@ Means means_of(const Params& params, Side side) {
 
 referee::Means judging(const Params& params) { return {params.rules, common(params).ball, common(params).contact}; }
 
-/// Some of the robots.
-struct Some {
-  int count = 0;
-  std::uint8_t robots[kMaxRobots];
+/// Some of the robots, a bit each.
+using Some = std::uint32_t;
 
-  void add(int robot) { robots[count++] = static_cast<std::uint8_t>(robot); }
-};
+template <class See>
+void for_each_of(Some robots, See&& see) {
+  for (; robots != 0; robots &= robots - 1) see(std::countr_zero(robots));
+}
 
 /// What there is to do in a tick.
 struct Due {
-  Some turns;   // of robots on the field
+  Some moves;   // bodies on the field that move on
+  Some turns;   // of these, whoever perceives and decides before
   Some radios;  // something arrives, or may be sent
 };
 
-Tick earliest_of(const Schedule& schedule, int players) {
-  Tick earliest = kNever;
-  for_each_robot(players, [&](int robot) {
-    earliest = std::min({earliest, schedule.turn[robot], schedule.radio[robot]});
-  });
-  return earliest;
-}
+/// [ticks] from `now` until the body moves on.
+Tick until_move(const Body& body, Tick now) { return static_cast<std::uint8_t>(body.moved - now); }
 
 Due due_in(State& state) {
-  Due due;
+  Due due{};
   Schedule& schedule = state.schedule;
   const Tick now = state.world.tick;
+  // no branch: who is due is random
   for_each_robot(state.world.players, [&](int robot) {
-    if (schedule.turn[robot] <= now) {
-      // who is removed has a turn again when it enters
-      on_field(state.world, robot) ? due.turns.add(robot) : void(schedule.turn[robot] = kNever);
-    }
-    if (schedule.radio[robot] <= now) due.radios.add(robot);
+    const bool turn = schedule.turn[robot] <= now, move = until_move(state.world.bodies[robot], now) == 0;
+    due.turns |= static_cast<Some>(turn) << robot;
+    due.moves |= static_cast<Some>(turn | move) << robot;
+    due.radios |= static_cast<Some>(schedule.radio[robot] <= now) << robot;
   });
+  // who is removed has a turn again when it enters
+  for_each_of(due.moves, [&](int robot) {
+    if (on_field(state.world, robot)) return;
+    schedule.turn[robot] = kNever;
+    due.moves &= ~(1u << robot);
+  });
+  due.turns &= due.moves;
   return due;
+}
+
+Tick earliest_of(const State& state) {
+  const auto& [world, schedule, book, tally, robots] = state;
+  Tick earliest = kNever;
+  for_each_robot(world.players, [&](int robot) {
+    const Tick move = schedule.turn[robot] == kNever ? kNever : world.tick + until_move(world.bodies[robot], world.tick);
+    earliest = std::min({earliest, move, schedule.radio[robot]});
+  });
+  return earliest;
 }
 
 /// Beliefs from the world, a command from the beliefs, and when it is its turn again.
@@ -82,9 +98,22 @@ void think(const Params& params, const Means& means, State& state, int robot, ag
   if (referee::in_play(state.book) && self.beliefs.ball.visible) state.tally.seen[robot] += steps;
   const agent::Game game = referee::game_for(params.rules, state.world, state.book, robot);
   self.command = means.team.behaviour->decide(means.surroundings, game, self.beliefs, now, self.mind, trace);
-  const Tick lag = ticks_to_next_turn(params, state, robot);
-  state.schedule.lag[robot] = static_cast<std::uint8_t>(lag);
-  state.schedule.turn[robot] = now + lag;
+  const Wait wait = wait_of(params, state, robot);
+  state.schedule.lag[robot] = static_cast<std::uint8_t>(wait.turn);
+  state.world.bodies[robot].glide = static_cast<std::uint8_t>(wait.move);
+  state.schedule.turn[robot] = now + wait.turn;
+}
+
+/// The body goes on with its command, at most to its next turn. The head may come last: nobody looks before.
+void move(const Means& means, State& state, int robot) {
+  const Robot& self = state.robots[robot];
+  Body& body = state.world.bodies[robot];
+  const Tick now = state.world.tick, left = state.schedule.turn[robot] - now;
+  const Tick steps = std::min<Tick>(body.glide, left);
+  motion::move(means.moving, self.command, robot, steps, state.world);
+  body.moved = static_cast<std::uint8_t>(now + steps);
+  if (steps == left)
+    motion::turn_head(means.moving, self.command, self.cognition.last, state.schedule.lag[robot], body);
 }
 
 /// [s] of the game that are still to be played.
@@ -138,28 +167,21 @@ void talk(const Params& params, State& state, int robot) {
 
 /// Robots perceive, decide, communicate and begin to move. Says whether anybody may have moved.
 bool act(const Params& params, State& state, int traced, agent::Trace* trace) {
-  World& world = state.world;
   const Means means[] = {means_of(params, Side::home), means_of(params, Side::away)};
   const auto means_for = [&](int robot) -> const Means& { return means[static_cast<int>(side_of(robot))]; };
 
   // everybody whose turn it is perceives and decides on the same world: nobody has moved yet
   const Due due = due_in(state);
-  for (int i = 0; i < due.turns.count; ++i) {
-    const int robot = due.turns.robots[i];
+  for_each_of(due.turns, [&](int robot) {
     think(params, means_for(robot), state, robot,
           traced == kEverybody ? trace + robot
           : traced == robot    ? trace
                                : nullptr);
-  }
-  for (int i = 0; i < due.radios.count; ++i) talk(params, state, due.radios.robots[i]);
-
-  // bodies move up to their next turn
-  for (int i = 0; i < due.turns.count; ++i) {
-    const int robot = due.turns.robots[i];
-    motion::move(means_for(robot).moving, state.robots[robot].command, robot, state.schedule.lag[robot], world);
-  }
-  state.schedule.next = earliest_of(state.schedule, world.players);
-  return due.turns.count > 0;
+  });
+  for_each_of(due.radios, [&](int robot) { talk(params, state, robot); });
+  for_each_of(due.moves, [&](int robot) { move(means_for(robot), state, robot); });
+  state.schedule.next = earliest_of(state);
+  return due.moves != 0;
 }
 
 /// What moves meets what is in its way: robots each other, the ball robots and posts. Where nobody moves and the ball

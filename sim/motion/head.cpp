@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/math/angles.h"
+#include "sim/motion/motion.h"
 
 namespace sim::motion {
 namespace {
@@ -39,8 +40,12 @@ float elevation(float up, float along, float nearer) {
 }
 
 // what is all but right stays: most of the time the head follows what hardly moves; a short way needs no arcus tangent
-Angles aimed_at(const float (&look)[3], const Body& body) {
-  const Vec2 point{look[0], look[1]};
+Angles aimed_at(const float (&look)[3], const Pose2& told, const Body& body) {
+  Vec2 point{look[0], look[1]};
+  if (told.heading != body.heading || told.position != body.position) {
+    const Vec2 in_field = told.position + turned(point, direction(told.heading));
+    point = turned_back(in_field - body.position, body.facing);
+  }
   const float along = std::max(length(point), 1e-6f);
   const float nearer = 1 / along;
   const float pitch = elevation(kCameraHeight - look[2], along, nearer) - kViewCentre;
@@ -90,11 +95,11 @@ float yaw_limit_at(const Head& head, float pitch) {
   return std::min(limit, head.yaw_limit);
 }
 
-void turn_head(const Means& means, const Command& command, Tick steps, Body& body) {
+void turn_head(const Means& means, const Command& command, const Pose2& told, Tick steps, Body& body) {
   const Head& head = means.model.head;
-  if (command.head == Command::Head::keep) return;
+  if (command.head == Command::Head::keep || body.doing >= Body::Doing::fallen) return;
   const bool aims = command.head == Command::Head::look_to;
-  Angles to = aims ? aimed_at(command.look, body) : Angles{command.look[0], command.look[1]};
+  Angles to = aims ? aimed_at(command.look, told, body) : Angles{command.look[0], command.look[1]};
   if (to.yaw == body.head_yaw && to.pitch == body.head_pitch) return;
 
   if (means.effects.head_limits) {

@@ -1,8 +1,8 @@
 #include "sim/motion/motion.h"
 
 #include "sim/motion/fall.h"
-#include "sim/motion/head.h"
 #include "sim/motion/kick.h"
+#include "sim/motion/rhythm.h"
 #include "sim/motion/squat.h"
 #include "sim/motion/walk.h"
 
@@ -17,12 +17,12 @@ Tick anything_else(const Means& means, const Command& command, int robot, Tick s
   if (body.doing == Body::Doing::removed) return 0;
   if (means.effects.falls && !lies(body)) perhaps_fall(means, robot, world.tick, steps, world);
 
-  // a kick or a squat begins at once
+  // a kick or a squat begins at once, but for a step that has to be finished
   const bool kicks = command.body == Command::Body::kick && command.kick < means.model.kick_count;
-  const bool free = !lies(body) && !squats(body) && body.doing != Body::Doing::kicking;
+  const bool free = !lies(body) && !squats(body) && body.doing != Body::Doing::kicking &&
+                    !in_step(Rhythm(means.model.walk), body, world.tick);
   if (kicks && free) begin_kick(command, world.tick, body);
   if (command.body == Command::Body::squat && free) begin_squat(world.tick, body);
-  if (!lies(body)) turn_head(means, command, steps, body);
 
   // one thing after the other until the ticks are used up
   Tick left = steps;
@@ -41,10 +41,7 @@ void move(const Means& means, const Command& command, int robot, Tick steps, Wor
   if (body.doing >= Body::Doing::kicking || command.body >= Command::Body::kick || means.effects.falls) {
     left = anything_else(means, command, robot, steps, world);
     if (left == 0) return;
-  } else {
-    turn_head(means, command, steps, body);
   }
-
   const bool rests = body.doing == Body::Doing::standing && command.body == Command::Body::stand;
   if (!rests) walk(means, command, robot, world.tick + steps - left, left, world);
 }

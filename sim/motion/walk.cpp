@@ -5,6 +5,7 @@
 
 #include "sim/motion/gait.h"
 #include "sim/motion/glide.h"
+#include "sim/motion/rhythm.h"
 
 namespace sim::motion {
 namespace {
@@ -20,44 +21,16 @@ bool wants_to_walk(const Command& command, const Errand& errand) {
   }
 }
 
-// Where in the steps of the walk a tick lies. In whole numbers: whoever asks about many ticks at once gets the answers
-// for single ones.
-struct Rhythm {
-  static constexpr std::uint32_t kWhole = 0x10000;
-  std::uint32_t a_tick;  // what a tick is of a step, in 1 / kWhole
-
-  explicit Rhythm(const Walk& walk)
-      : a_tick(static_cast<std::uint32_t>(static_cast<float>(kWhole) * kTickDuration / walk.step_duration)) {}
-
-  Tick step_at(Tick tick) const { return tick * a_tick / kWhole; }
-  bool begins_at(Tick tick) const { return tick * a_tick % kWhole < a_tick; }
-  // how many of the `most` ticks from `tick` on are in the same step
-  Tick same(Tick tick, Tick most) const {
-    const std::uint32_t begun = tick * a_tick % kWhole;
-    return begun + (most - 1) * a_tick < kWhole ? most : (kWhole - 1 - begun) / a_tick + 1;
-  }
-};
-
 // triangular in [-√6, √6): standard deviation 1, and cheap
 float deviate(std::uint32_t word) {
   return kTriangular * (static_cast<float>((word & 0xffff) + (word >> 16)) * 0x1p-16f - 1);
 }
 
-// A new step of the walk has its own luck; and the rounding of the many small turns before it is taken back. Seldom, so
-// that it is kept out of the way of what happens in every tick.
-[[gnu::noinline]] void begin_step(const Means& means, World& world, int robot, Tick step) {
-  Body& body = world.bodies[robot];
-  const SinCos heading = sin_cos(body.heading);
-  body.facing = {heading.cos, heading.sin};
-
-  body.noise = {1, 1};
-  body.turn_noise = 0;
-  if (!means.effects.walk_noise) return;
-  const Walk& walk = means.model.walk;
+Luck draw_luck(const Walk& walk, const World& world, int robot, Tick step) {
   const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::walk_noise, step);
-  body.noise.x = std::max(0.f, 1 + walk.speed_noise * deviate(words[0]));
-  body.noise.y = std::max(0.f, 1 + walk.speed_noise * deviate(words[1]));
-  body.turn_noise = walk.turn_noise * deviate(words[2]);
+  return {{std::max(0.f, 1 + walk.speed_noise * deviate(words[0])),
+           std::max(0.f, 1 + walk.speed_noise * deviate(words[1]))},
+          walk.turn_noise * deviate(words[2])};
 }
 
 // standing, starting or stopping as the command wants; false when the body does not move yet
@@ -90,12 +63,31 @@ Tick until_standing(const Walk& walk, Tick now, const Body& body) {
 }
 
 // what it aims at for the next `dt`
-Gait gait_of(const Walk& walk, bool limited, const Command& command, const Errand& errand, float dt, const Body& body) {
-  if (command.body == Command::Body::walk_speed) return at_speed(walk, limited, errand.walk, errand.turn, body);
+Gait gait_of(const Walk& walk, bool limited, const Command& command, const Errand& errand, float dt, const Luck& luck) {
+  if (command.body == Command::Body::walk_speed) return at_speed(walk, limited, errand.walk, errand.turn, luck);
   const float gain = std::clamp(command.gain, 0.f, 1.f);
   const float squared = squared_length(errand.walk);
-  return squared > kNear * kNear ? towards_far(walk, limited, gain, errand.walk, squared, body)
-                                 : towards_near(walk, limited, gain, errand, dt, body);
+  return squared > kNear * kNear ? towards_far(walk, limited, gain, errand.walk, squared, luck)
+                                 : towards_near(walk, limited, gain, errand, dt, luck);
+}
+
+// Settles what the step does that begins now, or in the midst of which the body begins to walk; and takes back the
+// rounding of the many small turns before it. Kept out of the way of what happens in every tick.
+[[gnu::noinline]] void begin_step(const Means& means, const Rhythm& rhythm, const Command& command,
+                                  const Errand& errand, Tick now, int robot, World& world) {
+  Body& body = world.bodies[robot];
+  const SinCos heading = sin_cos(body.heading);
+  body.facing = {heading.cos, heading.sin};
+  body.step_velocity = {};
+  body.step_turn_rate = 0;
+  if (body.doing != Body::Doing::walking) return;
+
+  const Walk& walk = means.model.walk;
+  const Luck luck = means.effects.walk_noise ? draw_luck(walk, world, robot, rhythm.step_at(now)) : Luck{};
+  const float dt = static_cast<float>(rhythm.until_next(now)) * kTickDuration;
+  const Gait gait = gait_of(walk, means.effects.walk_acceleration, command, errand, dt, luck);
+  body.step_velocity = gait.velocity;
+  body.step_turn_rate = gait.turn_rate;
 }
 
 }  // namespace
@@ -109,23 +101,22 @@ void walk(const Means& means, const Command& command, int robot, Tick now, Tick 
 
   // in pieces within which nothing changes
   while (true) {
-    const bool wanted = wants_to_walk(command, errand);
-    const bool was_walking = body.doing == Body::Doing::walking;
-    if (!change_gear(model, means.effects, wanted, now, body)) {
-      if (!wanted) return;
-      const Tick delay = body.since + ticks(model.start_delay) - now;
-      if (left <= delay) return;
-      now += delay, left -= delay;
-      continue;
+    if (!in_step(rhythm, body, now)) {
+      const bool wanted = wants_to_walk(command, errand);
+      if (!change_gear(model, means.effects, wanted, now, body)) {
+        if (!wanted) return;
+        const Tick delay = body.since + ticks(model.start_delay) - now;
+        if (left <= delay) return;
+        now += delay, left -= delay;
+        continue;
+      }
+      begin_step(means, rhythm, command, errand, now, robot, world);
     }
 
-    Tick together = rhythm.same(now, left);
-    if (rhythm.begins_at(now) || !was_walking) begin_step(means, world, robot, rhythm.step_at(now));
-    if (!wanted) together = std::min(together, until_standing(model, now, body));
-
-    const float dt = static_cast<float>(together) * kTickDuration;
-    const Gait gait = wanted ? gait_of(model, limited, command, errand, dt, body) : Gait{};
-    const Moved moved = glide(model, limited, gait, dt, body);
+    Tick together = std::min(left, rhythm.until_next(now));
+    if (body.doing == Body::Doing::stopping) together = std::min(together, until_standing(model, now, body));
+    const Gait gait{body.step_velocity, body.step_turn_rate};
+    const Moved moved = glide(model, limited, gait, static_cast<float>(together) * kTickDuration, body);
     if (together == left) return;
 
     // what is left, seen from where it is now

@@ -7,7 +7,7 @@ constexpr float kLeastVariance = 1e-6f;  // [m²] of a percept: no camera measur
 
 float squared(float x) { return x * x; }
 
-/// Nothing but this percept is known.
+/// The ball is there, give or take `variance`, and may roll anywhere.
 void start(const BallFilter& filter, Vec2 position, float variance, agent::Ball& ball) {
   ball.position = position;
   ball.velocity = {};
@@ -16,15 +16,33 @@ void start(const BallFilter& filter, Vec2 position, float variance, agent::Ball&
   ball.velocity_variance = squared(filter.first_velocity);
 }
 
-void correct(Vec2 innovation, float variance, agent::Ball& ball) {
-  const float whole = 1 / (ball.variance + variance);
-  const float gain = ball.variance * whole;
-  const float velocity_gain = ball.covariance * whole;
+/// What the images tell are two things with errors that do not depend on each other: where it was at their middle, and
+/// its velocity.
+void correct(const BallPercept& percept, float variance, agent::Ball& ball) {
+  const Images& images = percept.images;
+  {
+    const float ago = images.middle;
+    const float with_position = ball.variance - ago * ball.covariance;
+    const float with_velocity = ball.covariance - ago * ball.velocity_variance;
+    const float whole = 1 / (with_position - ago * with_velocity + variance / images.count);
+    const Vec2 innovation = (percept.position - ball.position) - ago * (percept.velocity - ball.velocity);
+    const float gain = with_position * whole, velocity_gain = with_velocity * whole;
+    ball.position += gain * innovation;
+    ball.velocity += velocity_gain * innovation;
+    ball.variance -= gain * with_position;
+    ball.covariance -= gain * with_velocity;
+    ball.velocity_variance -= velocity_gain * with_velocity;
+  }
+  if (images.spread == 0) return;
+  const float of_velocity = variance / images.spread;
+  const float whole = 1 / (ball.velocity_variance + of_velocity);
+  const Vec2 innovation = percept.velocity - ball.velocity;
+  const float gain = ball.covariance * whole, rest = of_velocity * whole;
   ball.position += gain * innovation;
-  ball.velocity += velocity_gain * innovation;
-  ball.velocity_variance -= velocity_gain * ball.covariance;
-  ball.covariance *= 1 - gain;
-  ball.variance *= 1 - gain;
+  ball.velocity += (1 - rest) * innovation;
+  ball.variance -= gain * ball.covariance;
+  ball.covariance *= rest;
+  ball.velocity_variance *= rest;
 }
 
 }  // namespace
@@ -40,24 +58,27 @@ bool believe(const Means& means, const Body& body, const BallPercept& percept, b
   const float height = means.model.camera.height - means.ball.radius;
   const ImageNoise noise = image_noise(means.model, body);
   const auto variance_at = [&](Vec2 place) {
-    return percept_variance(noise, squared_length(place), height) / percept.images + kLeastVariance;
+    return percept_variance(noise, squared_length(place), height) + kLeastVariance;
   };
 
   // how far a percept may be off is judged by where the ball is expected: by the percepts themselves, those that seem
   // near would count for more, and the ball would seem nearer than it is
   const bool lost = ball.variance >= squared(filter.lost_deviation);
   const float variance = variance_at(lost ? percept.position : ball.position);
-  const Vec2 innovation = percept.position - ball.position;
-  const float square = squared_length(innovation), gate = squared(filter.reacquire);
-  if (lost || (forgotten && square > gate * (ball.variance + variance))) {
-    start(filter, percept.position, variance_at(percept.position), ball);
+  const float square = squared_length(percept.position - ball.position), gate = squared(filter.reacquire);
+  const bool elsewhere = square > gate * (ball.variance + variance);
+  const bool several = percept.images.count >= 2;
+  if (lost || (elsewhere && (forgotten || several))) {
+    const float anew = variance_at(percept.position);
+    start(filter, percept.position, several ? squared(filter.lost_deviation) : anew, ball);
+    if (several) correct(percept, anew, ball);
     return true;
   }
-  if (square > gate * (ball.variance + variance)) {
+  if (elsewhere) {
     start(filter, ball.position, square / gate, ball);
     return false;
   }
-  correct(innovation, variance, ball);
+  correct(percept, variance, ball);
   return true;
 }
 

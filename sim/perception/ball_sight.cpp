@@ -80,6 +80,25 @@ Tick newest_detection(float chance, Tick steps, float luck) {
   return ago;
 }
 
+/// Of `earlier` images before the newest one that shows the ball, `ago` ticks ago, each shows it with the probability
+/// `chance`.
+Images images_of(float chance, Tick earlier, Tick ago) {
+  const auto most = static_cast<float>(earlier);
+  const float count = 1 + chance * most;
+  const float sum = 0.5f * chance * most * (most + 1), squares = sum * (2 * most + 1) * (1.f / 3);
+  const float middle = sum / count;
+  return {count, (middle + static_cast<float>(ago)) * kTickDuration,
+          (squares - sum * middle) * (kTickDuration * kTickDuration)};
+}
+
+/// How far off the velocity is that `spread` [s²] tells of a ball `range` [m] away at `place` [m, robot].
+Vec2 velocity_error(const ImageNoise& noise, Vec2 place, float range, float height, float spread,
+                    std::array<float, 2> errors) {
+  const float per_radian = (range * range + height * height) / height;
+  const Vec2 error{per_radian * std::sqrt(noise.elevation) * errors[0], range * std::sqrt(noise.bearing) * errors[1]};
+  return 1 / (range * std::sqrt(spread)) * turned(error, place);
+}
+
 /// The ball, if it is detected where it shows in the image. A body between camera and ball hides it; a ball at the feet
 /// of one is in front of it.
 BallPercept detect_ball(const Means& means, const World& world, int robot, Tick steps, const Sighting& sighting) {
@@ -96,18 +115,29 @@ BallPercept detect_ball(const Means& means, const World& world, int robot, Tick 
   if (ago == steps) return {};
   if (effects.occlusion && is_hidden(means, world, body.position, sighting)) return {};
 
-  // where it seems to be
-  BallPercept percept{.seen = true, .position = turned_back(sighting.to_it, body.facing), .ago = ago};
+  // where it seems to be, and what the images tell about where it rolls
+  BallPercept percept{.seen = true,
+                      .position = turned_back(sighting.to_it, body.facing),
+                      .velocity = turned_back(world.ball.velocity, body.facing),
+                      .ago = ago};
   if (effects.ball_noise) {
-    percept.images = 1 + chance * static_cast<float>(steps - 1 - ago);
+    const Vec2 place = percept.position;
+    const ImageNoise noise = image_noise(model, body);
+    const Images images = percept.images = images_of(chance, steps - 1 - ago, ago);
     auto errors = normals(words[1], words[2]);
-    const float less = 1 / std::sqrt(percept.images);
+    const float less = images.count > 1 ? 1 / std::sqrt(images.count) : 1;
     for (float& error : errors) error *= less;
-    percept.position = seen_through(image_noise(model, body), percept.position, range, sighting.height,
-                                    kBeyondRange * model.ball.far_range, errors);
+    percept.position =
+        seen_through(noise, place, range, sighting.height, kBeyondRange * model.ball.far_range, errors);
     if (percept.position == Vec2{}) return {};
+    if (images.spread > 0 && range > 0) {
+      const auto more = draw(world.key, static_cast<std::uint32_t>(robot), Event::ball_noise, world.tick);
+      const Vec2 error =
+          velocity_error(noise, place, range, sighting.height, images.spread, normals(more[0], more[1]));
+      percept.velocity += error;
+      percept.position += images.middle * error;
+    }
   }
-  percept.velocity = turned_back(world.ball.velocity, body.facing);
   percept.heat = heat_of(world, other(side_of(robot)), sighting.to_it + body.position);
   return percept;
 }

@@ -5,18 +5,25 @@
 
 namespace sim::perception {
 
+/// The images that show the ball, when several are looked at together.
+struct Images {
+  float count = 1;   // as many as show it on average
+  float middle = 0;  // [s] before the moment of looking: their mean
+  float spread = 0;  // [s²] sum of the squared distances from that: 0 of a single one, which tells no velocity
+};
+
 struct BallPercept {
   bool seen = false;
-  Vec2 position;  // [m, robot]
-  Vec2 velocity;  // [m/s, robot's axes] the true one; of what is no ball 0. No camera shows it: only for perfect eyes
-  float images = 1;  // of how many it is the mean
-  Tick ago = 0;      // [ticks] since the newest of them
-  float heat = 0;    // [0..1] how much an opponent looks like kicking it
+  Vec2 position;   // [m, robot]
+  Vec2 velocity;   // [m/s, robot's axes] by the spread of the images; perfect eyes see the true one, of no ball it is 0
+  Images images;   // from which both are
+  Tick ago = 0;    // [ticks] since the newest of them
+  float heat = 0;  // [0..1] how much an opponent looks like kicking it
 };
 
 /// The ball as the last `steps` images show it to a robot, the newest at `world.tick`, or now and then something else
-/// that looks like it. They are taken together, as if nothing had moved since the first of them: the mean of all that
-/// show it, as often as that is on average.
+/// that looks like it. Several are taken together: position and velocity are those of the straight way through the
+/// places that all of them show, as far off as the noise of each makes it.
 BallPercept look_for_ball(const Means& means, const World& world, int robot, Tick steps);
 
 }  // namespace sim::perception

@@ -37,11 +37,13 @@ struct Body {
   bool kick_done = false;     // kicking: the foot has passed where the ball should be
   float kick_gain = 1;        // kicking: share of the range
   Tick since = 0;             // when it began to do this
-  Vec2 noise{1, 1};           // of the present step: factors of forward and sideward speed
-  float turn_noise = 0;       // [rad/s] of the present step
+  Vec2 step_velocity;         // [m/s, robot] where the present step leads to
+  float step_turn_rate = 0;   // [rad/s] likewise
   float walked = 0;           // [m] in this game
   std::uint8_t touching = 0;  // ticks in a row pressed against another robot, at most 255
   std::uint8_t pushing = 0;   // [1/5 s] it has been running into one
+  std::uint8_t glide = 1;     // [ticks] that it moves at once (sim/match/pace.h)
+  std::uint8_t moved = 0;     // up to which tick it has: the lower 8 bits
 };
 
 /// It is on the ground: fallen, or on its way up.

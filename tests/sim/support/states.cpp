@@ -47,7 +47,8 @@ Body across(Body body) {
   body.head_yaw = -body.head_yaw;
   body.look = across(body.look);
   body.kick_left = !body.kick_left;
-  body.turn_noise = -body.turn_noise;
+  body.step_velocity.y = -body.step_velocity.y;
+  body.step_turn_rate = -body.step_turn_rate;
   return body;
 }
 
