@@ -47,8 +47,7 @@ void visit_members(Struct& whole, See&& see) {
     see("position", position), see("velocity", velocity);
   } else if constexpr (std::is_same_v<Type, Body>) {
     auto& [position, heading, facing, velocity, turn_rate, head_yaw, head_pitch, look, doing, kick, kick_left,
-           kick_done, kick_gain, since, step_velocity, step_turn_rate, walked, touching, pushing, glide,
-           moved] = whole;
+           kick_done, kick_gain, since, step_velocity, step_turn_rate, walked, touching, pushing, glide, moved] = whole;
     see("position", position), see("heading", heading), see("facing", facing), see("velocity", velocity);
     see("turn_rate", turn_rate), see("head_yaw", head_yaw), see("head_pitch", head_pitch), see("look", look);
     see("doing", doing), see("kick", kick), see("kick_left", kick_left), see("kick_done", kick_done);

@@ -11,7 +11,7 @@ namespace {
 using Phase = agent::Game::Phase;
 using Doing = Body::Doing;
 
-/// [ticks] of whoever is nearer than so.
+/// [ticks] between turns of whoever stands nearer than so, and in which the bodies of those move that walk.
 struct Ring {
   float within;  // [m]
   Tick ticks;
@@ -22,9 +22,9 @@ constexpr Ring kToBall[] = {{0.35f, 2}, {0.6f, 4}, {0.8f, 6}, {1.2f, 9}};
 /// To another robot's middle, less both radii: two that walk towards each other cover 0.5 m in a second.
 constexpr Ring kToRobot[] = {{0.1f, 4}, {0.2f, 9}};
 constexpr Tick kFar = 18;
-constexpr Tick kFarSteps = 2;  // of the walk
-constexpr Tick kChasing = 9;  // at most, of whoever goes for the ball
-constexpr Tick kSet = 15;     // while everybody has to stand
+constexpr Tick kFarSteps = 2;  // of the walk, between turns of whoever walks as far away
+constexpr Tick kChasing = 9;   // at most, of whoever goes for the ball
+constexpr Tick kSet = 15;      // while everybody has to stand
 
 constexpr float kForesight = 1;  // [s] of the ball's path that is looked at
 

@@ -1,16 +1,16 @@
 // How often a robot has to perceive, decide and be moved.
 //
-// With Pace::thinned a robot that cannot matter now does all three once for several ticks: one perception of all their
-// images, one decision, one longer move. How much it matters is how soon it could have to do with the ball or touch
-// another robot: a Nao covers 0.3 m in a second, so from a metre beside the ball's path it takes seconds, and whether
-// it decides about them thirty times a second or three times leads to the same place. Next to the ball and to where it
-// rolls in the next second it decides in every other tick. A kick that has begun is waited for; in the phase set
-// everybody stands.
+// With Pace::thinned a robot does all three once for several ticks: one perception of all their images, one decision, one
+// longer move. How many is how soon it could matter:
+//   - whoever walks finishes its step before its legs heed anything new (sim/motion/rhythm.h), so it decides when a step
+//     begins: with each near the ball and where that rolls in the next second, else with every second. Next to the ball
+//     or to another robot its body goes through the step in pieces, because contacts are judged in every tick;
+//   - whoever stands decides the sooner the nearer the ball: next to it in every other tick;
+//   - a kick that has begun is waited for; in the phase set everybody stands.
 //
 // Turns lie on multiples of their period, for both sides alike: neither side nor a mirrored game is ahead, and many
-// ticks are nobody's. Contacts, the ball and the referee are judged in every tick for everybody.
-// scripts/bench equivalence shows how near games come to those of the plain run: with models `match` within all margins;
-// with perfect models they have 8 % fewer shots.
+// ticks are nobody's. The ball, contacts and the referee are judged in every tick for everybody.
+// scripts/bench equivalence shows how near games come to those of the plain run.
 #pragma once
 
 #include "sim/match/params.h"

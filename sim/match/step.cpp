@@ -84,7 +84,8 @@ Tick earliest_of(const State& state) {
   const auto& [world, schedule, book, tally, robots] = state;
   Tick earliest = kNever;
   for_each_robot(world.players, [&](int robot) {
-    const Tick move = schedule.turn[robot] == kNever ? kNever : world.tick + until_move(world.bodies[robot], world.tick);
+    const Tick move =
+        schedule.turn[robot] == kNever ? kNever : world.tick + until_move(world.bodies[robot], world.tick);
     earliest = std::min({earliest, move, schedule.radio[robot]});
   });
   return earliest;
@@ -185,13 +186,13 @@ bool act(const Params& params, State& state, int traced, agent::Trace* trace) {
 }
 
 /// What moves meets what is in its way: robots each other, the ball robots and posts. Where nobody moves and the ball
-/// lies, nothing can happen.
-void meet(const Params& params, bool bodies_move, World& world) {
+/// lies, nothing can happen; but who has just touched the ball may squeeze it on.
+void meet(const Params& params, bool bodies_move, bool touched, World& world) {
   const auto& [name, effects, ball, contact, motion, perception] = common(params);
   const field::Field& field = params.rules.field;
   roll(world.ball, ball.deceleration, ball.stop_speed, kTickDuration);
   const bool bodies = bodies_move || world.crowded || effects.official;
-  if (!bodies && world.ball.velocity == Vec2{}) return;
+  if (!bodies && !touched && world.ball.velocity == Vec2{}) return;
 
   Crowd crowd = crowd_of(world);
   if (bodies) keep_bodies_apart(field, contact, crowd, world);
@@ -235,10 +236,11 @@ State begin(const Params& params, RandomKey key, referee::Events& events) {
 
 void step(const Params& params, State& state, referee::Events& events, int traced, agent::Trace* trace) {
   World& world = state.world;
+  const bool touched = world.touched != kNobody;
   events.count = 0;
   world.touched = world.kicked = world.whiffed = kNobody;
   const bool bodies_move = state.schedule.next <= world.tick && act(params, state, traced, trace);
-  meet(params, bodies_move, world);
+  meet(params, bodies_move, touched, world);
   judge(params, state, events);
   ++world.tick;
 }

@@ -11,11 +11,14 @@ namespace sim::motion {
 /// An angle beyond ±π, but not beyond ±3π, as the equal one within.
 inline float wrapped(float angle) { return angle > kPi ? angle - 2 * kPi : angle < -kPi ? angle + 2 * kPi : angle; }
 
+/// A change that is greater than what is possible by less than this share is possible: sums of rounded numbers.
+inline constexpr float kRounding = 1e-4f;
+
 /// Leads `velocity` towards `wanted`, by at most `most`, and returns its mean over the time that `most` takes.
 inline Vec2 approach(Vec2& velocity, Vec2 wanted, float most) {
   const Vec2 change = wanted - velocity;
   const float squared = squared_length(change);
-  if (squared > most * most) {
+  if (squared > (1 + 2 * kRounding) * most * most) {
     const Vec2 gained = most / std::sqrt(squared) * change;
     const Vec2 mean = velocity + 0.5f * gained;
     velocity += gained;
@@ -31,7 +34,7 @@ inline Vec2 approach(Vec2& velocity, Vec2 wanted, float most) {
 inline float approach(float& rate, float wanted, float most) {
   const float change = wanted - rate;
   const float size = std::abs(change);
-  if (size > most) {
+  if (size > (1 + kRounding) * most) {
     const float gained = std::copysign(most, change);
     const float mean = rate + 0.5f * gained;
     rate += gained;

@@ -15,7 +15,7 @@ struct Walk {
   float turn_acceleration;  // [rad/s²]
   float turn_cost;          // [0..1] share of the translation that the greatest turn rate costs, linear
   float slow_down;          // [m] from the destination of walk_to at which it begins to slow down
-  float step_duration;      // [s] noise is drawn once per step
+  float step_duration;      // [s] commands are heeded, and noise is drawn, when a step begins
   float speed_noise;        // standard deviation, as share of the speed, drawn per step
   float turn_noise;         // [rad/s] standard deviation per step while walking
   float start_delay;        // [s] from the command to the first motion

@@ -62,6 +62,14 @@ Tick until_standing(const Walk& walk, Tick now, const Body& body) {
   return end > now ? end - now : 1;
 }
 
+// how many ticks, at least one, until a body that stops is still: free of its step
+Tick until_still(const Walk& walk, bool limited, const Body& body) {
+  if (!limited) return 1;
+  const float seconds =
+      std::max(length(body.velocity) / walk.acceleration, std::abs(body.turn_rate) / walk.turn_acceleration);
+  return std::max<Tick>(1, static_cast<Tick>(std::ceil((1 - kRounding) * seconds * kTicksPerSecond)));
+}
+
 // what it aims at for the next `dt`
 Gait gait_of(const Walk& walk, bool limited, const Command& command, const Errand& errand, float dt, const Luck& luck) {
   if (command.body == Command::Body::walk_speed) return at_speed(walk, limited, errand.walk, errand.turn, luck);
@@ -114,7 +122,8 @@ void walk(const Means& means, const Command& command, int robot, Tick now, Tick 
     }
 
     Tick together = std::min(left, rhythm.until_next(now));
-    if (body.doing == Body::Doing::stopping) together = std::min(together, until_standing(model, now, body));
+    if (body.doing == Body::Doing::stopping)
+      together = std::min({together, until_standing(model, now, body), until_still(model, limited, body)});
     const Gait gait{body.step_velocity, body.step_turn_rate};
     const Moved moved = glide(model, limited, gait, static_cast<float>(together) * kTickDuration, body);
     if (together == left) return;

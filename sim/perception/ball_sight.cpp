@@ -127,13 +127,11 @@ BallPercept detect_ball(const Means& means, const World& world, int robot, Tick 
     auto errors = normals(words[1], words[2]);
     const float less = images.count > 1 ? 1 / std::sqrt(images.count) : 1;
     for (float& error : errors) error *= less;
-    percept.position =
-        seen_through(noise, place, range, sighting.height, kBeyondRange * model.ball.far_range, errors);
+    percept.position = seen_through(noise, place, range, sighting.height, kBeyondRange * model.ball.far_range, errors);
     if (percept.position == Vec2{}) return {};
     if (images.spread > 0 && range > 0) {
       const auto more = draw(world.key, static_cast<std::uint32_t>(robot), Event::ball_noise, world.tick);
-      const Vec2 error =
-          velocity_error(noise, place, range, sighting.height, images.spread, normals(more[0], more[1]));
+      const Vec2 error = velocity_error(noise, place, range, sighting.height, images.spread, normals(more[0], more[1]));
       percept.velocity += error;
       percept.position += images.middle * error;
     }

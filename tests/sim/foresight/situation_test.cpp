@@ -40,7 +40,8 @@ TEST(Believe, WhoKnowsEverythingBelievesWhatIsSo) {
   ASSERT_EQ(believed.refusal, "");
   const World& is = game.state.world;
   const World& thought = believed.situation.state.world;
-  EXPECT_LT(distance(thought.ball.position, is.ball.position), 0.02f);
+  // as it saw the ball with its last turn
+  EXPECT_LT(distance(thought.ball.position, is.ball.position), 0.05f);
   for (int player = 1; player <= is.players; ++player) {
     const int mate = robot_of(Side::home, player);
     // what a teammate tells may be off, so that it is drawn a little to its usual place

@@ -7,6 +7,7 @@
 #include "sim/match/fields.h"
 #include "sim/match/play.h"
 #include "sim/match/situation.h"
+#include "sim/motion/rhythm.h"
 #include "tests/sim/support/games.h"
 #include "tests/sim/support/states.h"
 
@@ -36,8 +37,38 @@ TEST(Pace, IsQuickNextToTheBallAndToRobots) {
     state.world.ball.velocity = {};
     state.world.bodies[3].position = state.world.ball.position + Vec2{0.2f, 0.2f};
     state.world.bodies[8].position = state.world.bodies[9].position + Vec2{0, 2 * radius + 0.05f};
-    EXPECT_LE(ticks_to_next_turn(setup.params, state, 3), 2u);
-    for (const int robot : {8, 9}) EXPECT_LE(ticks_to_next_turn(setup.params, state, robot), 4u) << robot;
+    EXPECT_LE(wait_of(setup.params, state, 3).turn, 2u);
+    for (const int robot : {8, 9}) {
+      state.robots[robot].command.body = motion::Command::Body::walk_to;
+      EXPECT_LE(wait_of(setup.params, state, robot).turn, 4u) << robot;
+      state.world.bodies[robot].doing = Body::Doing::walking;
+      EXPECT_LE(wait_of(setup.params, state, robot).move, 4u) << robot;
+    }
+  }
+}
+
+TEST(Pace, OfWhoeverWalksIsThatOfTheSteps) {
+  const auto setup = setup_of(choice_of("spl2025", "baseline", "match", Pace::thinned));
+  const motion::Rhythm rhythm(setup.params.teams[0].models.motion.walk);
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    State state = random_situation(setup.params, {seed});
+    for_each_robot(state.world.players, [&](int robot) {
+      state.world.tick = static_cast<Tick>(seed) * 7;
+      state.world.bodies[robot].doing = Body::Doing::walking;
+      state.world.bodies[robot].position = state.world.ball.position + Vec2{0.2f + 0.01f * static_cast<float>(seed), 0};
+      const Wait wait = wait_of(setup.params, state, robot);
+      EXPECT_TRUE(rhythm.begins_at(state.world.tick + wait.turn));
+      EXPECT_GE(wait.move, 1u);
+      EXPECT_LE(wait.move, wait.turn);
+      EXPECT_LE(wait.turn, 2u * 8);
+      // what it is told in the midst of a step is heeded with the next
+      state.robots[robot].command.body = motion::Command::Body::kick;
+      const bool begins = rhythm.begins_at(state.world.tick);
+      const Wait kick = wait_of(setup.params, state, robot);
+      EXPECT_EQ(kick.turn, begins ? ticks(setup.params.teams[0].models.motion.kicks[0].delay)
+                                  : rhythm.until_next(state.world.tick));
+      state.world.bodies[robot].position = {0, 100};
+    });
   }
 }
 
@@ -47,18 +78,18 @@ TEST(Pace, WaitsForTheFootOfAKick) {
   State state = random_situation(setup.params, {1});
   state.world.tick = 100;
   state.robots[1].command.body = motion::Command::Body::kick;
-  EXPECT_EQ(ticks_to_next_turn(setup.params, state, 1), delay);
+  EXPECT_EQ(wait_of(setup.params, state, 1).turn, delay);
 
   Body& body = state.world.bodies[1];
   body.doing = Body::Doing::kicking;
   body.since = 100;
   for (state.world.tick = 101; state.world.tick < 100 + delay; ++state.world.tick)
-    EXPECT_EQ(ticks_to_next_turn(setup.params, state, 1), 100 + delay - state.world.tick);
-  EXPECT_EQ(ticks_to_next_turn(setup.params, state, 1), 1u) << "the tick in which it passes";
+    EXPECT_EQ(wait_of(setup.params, state, 1).turn, 100 + delay - state.world.tick);
+  EXPECT_EQ(wait_of(setup.params, state, 1).turn, 1u) << "the tick in which it passes";
   body.kick_done = true;
   place(state.world.ball, body.position + Vec2{0, 3});
   state.robots[1].command = {};
-  EXPECT_GT(ticks_to_next_turn(setup.params, state, 1), 1u);
+  EXPECT_GT(wait_of(setup.params, state, 1).turn, 1u);
 }
 
 TEST(Pace, IsLowerTheFartherFromTheBall) {
@@ -72,7 +103,7 @@ TEST(Pace, IsLowerTheFartherFromTheBall) {
     state.world.bodies[0].position = state.world.ball.position + Vec2{away, 0};
     Tick longest = 0;
     for (state.world.tick = 0; state.world.tick < 30; ++state.world.tick)
-      longest = std::max(longest, ticks_to_next_turn(setup.params, state, 0));
+      longest = std::max(longest, wait_of(setup.params, state, 0).turn);
     EXPECT_GE(longest, slowest) << away;
     slowest = longest;
   }
@@ -81,7 +112,7 @@ TEST(Pace, IsLowerTheFartherFromTheBall) {
   // whoever goes for the ball does not wait so long
   state.robots[0].mind.role = agent::Role::chaser;
   for (state.world.tick = 0; state.world.tick < 30; ++state.world.tick)
-    EXPECT_LE(ticks_to_next_turn(setup.params, state, 0), 9u);
+    EXPECT_LE(wait_of(setup.params, state, 0).turn, 9u);
 }
 
 TEST(Pace, HasEverybodyReadyWhenPlayBegins) {
@@ -102,9 +133,9 @@ TEST(Pace, LooksWhereTheBallRolls) {
   place(state.world.ball, {0, 0});
   state.world.ball.velocity = {-1.5f, 0};
   state.world.tick = 0;
-  EXPECT_EQ(ticks_to_next_turn(setup.params, state, 0), 18u);
+  EXPECT_EQ(wait_of(setup.params, state, 0).turn, 18u);
   state.world.ball.velocity = {1.5f, 0};
-  EXPECT_EQ(ticks_to_next_turn(setup.params, state, 0), 4u);
+  EXPECT_EQ(wait_of(setup.params, state, 0).turn, 4u);
 }
 
 TEST(Pace, GivesBothSidesTheirTurnsAtOnce) {
@@ -119,9 +150,9 @@ TEST(Pace, GivesBothSidesTheirTurnsAtOnce) {
   for (const auto phase : {agent::Game::Phase::playing, agent::Game::Phase::ready, agent::Game::Phase::set}) {
     state.book.phase = phase;
     for (state.world.tick = 0; state.world.tick < 60; ++state.world.tick) {
-      const Tick first = ticks_to_next_turn(setup.params, state, 0);
+      const Tick first = wait_of(setup.params, state, 0).turn;
       EXPECT_GE(first, 1u);
-      for_each_robot(5, [&](int robot) { EXPECT_EQ(ticks_to_next_turn(setup.params, state, robot), first); });
+      for_each_robot(5, [&](int robot) { EXPECT_EQ(wait_of(setup.params, state, robot).turn, first); });
     }
   }
 }
@@ -133,10 +164,10 @@ TEST(Pace, IsTheSameInAMirrorAndByOtherNames) {
     State state = random_situation(setup.params, {seed});
     state.world.tick = static_cast<Tick>(seed);
     for_each_robot(state.world.players, [&](int robot) {
-      const Tick turn = ticks_to_next_turn(setup.params, state, robot);
-      EXPECT_EQ(turn, ticks_to_next_turn(setup.params, test::mirrored(state), robot));
+      const Tick turn = wait_of(setup.params, state, robot).turn;
+      EXPECT_EQ(turn, wait_of(setup.params, test::mirrored(state), robot).turn);
       const int other = (robot + kMaxPlayers) % kMaxRobots;
-      EXPECT_EQ(turn, ticks_to_next_turn(other_names, test::exchanged(state), other));
+      EXPECT_EQ(turn, wait_of(other_names, test::exchanged(state), other).turn);
     });
   }
 }
@@ -168,6 +199,7 @@ TEST(Pace, ShowsRobotsOnTheirWay) {
   state.schedule.lag[2] = 4;
   for (Tick rested = 0; rested <= 4; ++rested) {
     state.schedule.turn[2] = 104 - rested;
+    body.moved = static_cast<std::uint8_t>(104 - rested);
     const Body shown = between_turns(state).bodies[2];
     const float share = static_cast<float>(rested) / 4;
     EXPECT_NEAR(distance(shown.position, Vec2{1 + 0.4f * share, 1 - 0.2f * share}), 0, 1e-6f);

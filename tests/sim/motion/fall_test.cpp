@@ -53,6 +53,7 @@ TEST(Fall, LiesGetsUpAndStandsWhateverItIsTold) {
     for (const auto& [doing, duration] : {std::pair{Doing::fallen, 1.f}, std::pair{Doing::getting_up, 2.f}}) {
       for (Tick tick = 0; tick < ticks(duration); ++tick) {
         ASSERT_EQ(arena.body().doing, doing);
+        ASSERT_EQ(arena.body().head_yaw, 0);
         arena.move(command);
       }
       command.body = Command::Body::kick;
@@ -62,7 +63,6 @@ TEST(Fall, LiesGetsUpAndStandsWhateverItIsTold) {
     repeated += failed ? 1 : 0;
     ASSERT_TRUE(failed || arena.body().doing == Doing::standing);
     EXPECT_EQ(arena.body().position, Vec2{});
-    EXPECT_EQ(arena.body().head_yaw, 0);
     EXPECT_EQ(arena.body().since, ticks(3));
   }
   EXPECT_NEAR(static_cast<float>(repeated) / count, match_model().falls.failure, 0.04f);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "sim/motion/rhythm.h"
 #include "tests/sim/motion/arena.h"
 
 namespace sim::motion {
@@ -171,6 +172,10 @@ TEST(Kick, WithoutWhiffItHitsWhateverIsWithinReachBeforeIt) {
 TEST(Kick, CannotBeInterrupted) {
   Arena arena{.effects = no_noise()};
   arena.move(walk_speed({0.2f, 0}, 0), 60);
+  while (!Rhythm(arena.model.walk).begins_at(arena.world.tick)) {
+    arena.move(kick_command(0, true));
+    ASSERT_EQ(arena.body().doing, Doing::walking) << "the step is finished";
+  }
   arena.move(kick_command(0, true));
   const Body begun = arena.body();
   EXPECT_EQ(begun.doing, Doing::kicking);

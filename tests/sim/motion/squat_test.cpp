@@ -34,7 +34,7 @@ TEST(Squat, StopsTheBodyAndIsNotInterrupted) {
   for (int tick = 0; tick < 60; ++tick) arena.move(kWalk);
   ASSERT_GT(arena.body().velocity.x, 0);
 
-  arena.move(kSquat);
+  while (arena.body().doing == Doing::walking) arena.move(kSquat);
   const Vec2 place = arena.body().position;
   const Command kick{.body = Command::Body::kick};
   for (Tick tick = 1; tick + 1 < ticks(2); ++tick) {

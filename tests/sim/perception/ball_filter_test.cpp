@@ -135,6 +135,38 @@ TEST(BallFilter, FindsTheVelocityOfARollingBall) {
   EXPECT_LT(std::sqrt(squares / games), 0.15);
 }
 
+TEST(BallFilter, ImagesTogetherTellWhatTheyTellOneByOne) {
+  // of a ball to which nothing happens, and that cannot be mistaken for another
+  double variances = 0, covariances = 0, velocity_variances = 0;
+  const int looks = 400;
+  double one_by_one = 0, together = 0, velocity_one_by_one = 0, velocity_together = 0;
+  for (std::uint64_t seed = 0; seed < looks; ++seed) {
+    Scene often = watching_scene(seed);
+    often.effects.missed_ball = often.effects.false_balls = false;
+    often.model.filter.acceleration_noise = 0;
+    often.model.filter.reacquire = 100;
+    often.place_ball({1, 0.2f});
+    often.perceive();
+    Scene once = often;
+    once.world.key.seed = seed + 1000;
+    for (int image = 0; image < 8; ++image) often.perceive();
+    once.perceive(8);
+    const agent::Ball &a = often.beliefs.ball, &b = once.beliefs.ball;
+    variances += static_cast<double>(b.variance / a.variance);
+    covariances += static_cast<double>(b.covariance / a.covariance);
+    velocity_variances += static_cast<double>(b.velocity_variance / a.velocity_variance);
+    one_by_one += squared_length(a.position - Vec2{1, 0.2f});
+    together += squared_length(b.position - Vec2{1, 0.2f});
+    velocity_one_by_one += squared_length(a.velocity);
+    velocity_together += squared_length(b.velocity);
+  }
+  EXPECT_NEAR(variances / looks, 1, 0.05);
+  EXPECT_NEAR(covariances / looks, 1, 0.05);
+  EXPECT_NEAR(velocity_variances / looks, 1, 0.05);
+  EXPECT_NEAR(together / one_by_one, 1, 0.2);
+  EXPECT_NEAR(velocity_together / velocity_one_by_one, 1, 0.2);
+}
+
 TEST(BallFilter, OneFalsePerceptDoesNotThrowAGoodTrackAway) {
   Scene scene = watching_scene(5);
   for (int i = 0; i < 30; ++i) scene.perceive();

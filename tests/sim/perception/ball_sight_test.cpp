@@ -127,7 +127,7 @@ TEST(BallSight, ManyImagesAtOnceTellAsMuchAsOneByOne) {
   scene.place_ball({1, 0});
 
   int seen[kImages] = {}, together[kImages] = {};
-  double error = 0, information = 0, expected = 0;
+  double error = 0, velocity_error = 0, information = 0, expected = 0, several = 0;
   for (int i = 0; i < kLooks; ++i) {
     // one by one: when it was last seen, and how much all percepts together tell
     int last = kImages, count = 0;
@@ -142,17 +142,24 @@ TEST(BallSight, ManyImagesAtOnceTellAsMuchAsOneByOne) {
     const BallPercept percept = look_for_ball(scene.means(), scene.world, Scene::kRobot, kImages);
     if (!percept.seen) continue;
     ++together[percept.ago];
-    expected += static_cast<double>(percept.images);
-    const auto off = static_cast<double>(percept.position.y);
-    error += off * off * static_cast<double>(percept.images);
+    const Images& images = percept.images;
+    expected += static_cast<double>(images.count);
+    // at the middle of the images it is off by the less the more there are, its velocity the wider they are spread
+    const auto off = static_cast<double>(percept.position.y - images.middle * percept.velocity.y);
+    error += off * off * static_cast<double>(images.count);
+    if (images.spread == 0) continue;
+    const auto sideward = static_cast<double>(percept.velocity.y);
+    velocity_error += sideward * sideward * static_cast<double>(images.spread);
+    ++several;
   }
   for (int ago = 0; ago < kImages; ++ago) EXPECT_NEAR(together[ago], seen[ago], 0.02 * kLooks) << ago;
   EXPECT_NEAR(expected / information, 1, 0.02);
 
-  // beside the line of sight it is off by the bearing's noise, less the more images there are
+  // beside the line of sight each is off by the bearing's noise
   const double looks = together[0] + together[1] + together[2] + together[3] + together[4] + together[5];
   const double one = static_cast<double>(image_noise(scene.model, scene.body()).bearing);
   EXPECT_NEAR(error / looks / one, 1, 0.05);
+  EXPECT_NEAR(velocity_error / several / one, 1, 0.05);
 }
 
 TEST(BallSight, DetectionFallsFromNearToFarAndEndsThere) {
