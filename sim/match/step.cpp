@@ -81,7 +81,8 @@ Due due_in(State& state) {
 }
 
 Tick earliest_of(const State& state) {
-  const auto& [world, schedule, book, tally, robots] = state;
+  const World& world = state.world;
+  const Schedule& schedule = state.schedule;
   Tick earliest = kNever;
   for_each_robot(world.players, [&](int robot) {
     const Tick move =
