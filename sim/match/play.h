@@ -14,7 +14,7 @@ struct Result {
   Tick ticks;                            // from its beginning, dead time included
   bool over;                             // the game came to its end
   float walked[2];                       // [m] by all robots of a side
-  std::uint32_t packets[2];              // sent
+  std::int32_t packets[2];               // sent
   std::uint32_t events[kEventKinds][2];  // by referee::Event::Kind and the side each was about
 
   /// Share of the time in play since whose touch it was; 0 when the ball was never in play.

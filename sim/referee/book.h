@@ -31,7 +31,7 @@ struct Book {
   Tick stuck_since = 0;                   // since when the ball is about where `stuck_at` says, robots round it
   Vec2 stuck_at;                          // [m, field]; while the ball is not free: where it was placed
   std::uint8_t score[2] = {0, 0};         // by side
-  std::uint32_t packets[2] = {0, 0};      // sent by side
+  std::int32_t packets[2] = {0, 0};       // sent by side
   std::uint16_t penalties[2] = {0, 0};    // given by side
   Tick penalised_until[kMaxRobots] = {};  // a removed robot may come back then; 0: not penalised
 };

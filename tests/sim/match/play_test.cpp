@@ -39,8 +39,8 @@ TEST(Play, GoesToTheEndOfTheGame) {
 TEST(Play, KeepsTheBudgetOfPackets) {
   const auto setup = setup_of(choice_of("spl2025", "baseline", "match", Pace::thinned));
   const Result result = play_game(setup.params, {6});
-  const auto budget = static_cast<std::uint32_t>(setup.params.rules.message_budget);
-  for (const std::uint32_t packets : result.packets) {
+  const int budget = setup.params.rules.message_budget;
+  for (const int packets : result.packets) {
     EXPECT_LE(packets, budget);
     EXPECT_GT(packets, budget * 9 / 10);
   }
@@ -49,8 +49,8 @@ TEST(Play, KeepsTheBudgetOfPackets) {
 TEST(Play, CountsPacketsOfWhoeverMaySendInEveryImage) {
   const auto setup = setup_of(choice_of("spl2012", "idle", "match,packet_limit=off,packet_delay=off", Pace::every_tick));
   const Result result = play_game(setup.params, {7});
-  for (const std::uint32_t packets : result.packets)
-    EXPECT_EQ(packets, result.ticks * static_cast<Tick>(setup.params.rules.players));
+  for (const int packets : result.packets)
+    EXPECT_EQ(packets, static_cast<int>(result.ticks) * setup.params.rules.players);
 }
 
 TEST(Play, AddsUp) {
