@@ -30,14 +30,14 @@ test("a behaviour against itself is identical, exactly", async () => {
 });
 
 test("who hardly plays is not better, and the other one is", async () => {
-  const worse = await compare("baseline", "idle", "--metric", "first_goal", "--json");
-  const better = await compare("idle", "baseline", "--metric", "first_goal", "--json");
+  const worse = await compare("baseline", "idle", "--json");
+  const better = await compare("idle", "baseline", "--json");
   assert.deepEqual([worse.status, better.status], [1, 0]);
   const [w, b] = [JSON.parse(worse.stdout), JSON.parse(better.stdout)];
   assert.deepEqual([w.verdict, b.verdict], ["not better", "better"]);
   assert.ok(b.gain.low > 0 && w.gain.high < 0.1);
   assert.ok(b.llr >= 2.944 && w.llr <= -2.944);
-  assert.match(b.sentence, /^baseline is better than idle: \+0\.\d+ /);
+  assert.match(b.sentence, /^baseline is better than idle: \+\d\.\d+ goals /);
   assert.match(b.decisive[0].replay, /^foresight-sim match --home baseline --away idle .*--seed \d+ --mcap game\.mcap$/);
 });
 
@@ -357,7 +357,7 @@ wc -l <"${folder}/calls"
 
 test("the page says what the JSON says, and needs nothing else", async (t) => {
   const file = join(temporaryFolder(t), "report.html");
-  const { stdout } = await compare("idle", "baseline", "--metric", "first_goal", "--json", "--html", file);
+  const { stdout } = await compare("idle", "baseline", "--json", "--html", file);
   const report = JSON.parse(stdout);
   const html = readFileSync(file, "utf8");
   assert.ok(!/<script|https?:|src=|@import/.test(html), "nothing from elsewhere");
