@@ -23,6 +23,7 @@ constexpr Ring kToBall[] = {{0.35f, 2}, {0.6f, 4}, {0.8f, 6}, {1.2f, 9}};
 constexpr Ring kToRobot[] = {{0.1f, 4}, {0.2f, 9}};
 constexpr Tick kFar = 18;
 constexpr Tick kFarSteps = 2;  // of the walk, between turns of whoever walks as far away
+constexpr Tick kHalfStep = 4;  // at least, between turns of whoever walks: its legs heed nothing sooner
 constexpr Tick kChasing = 9;   // at most, of whoever goes for the ball
 constexpr Tick kSet = 15;      // while everybody has to stand
 
@@ -116,7 +117,8 @@ Wait wait_of(const Params& params, const State& state, int robot) {
 
   const Nearness near = nearness_of(params, state, robot);
   if (motion::in_step(body)) {
-    const Tick turn = next_step(rhythm, world.tick, waits || near.ball < kFar ? 1 : kFarSteps);
+    const Tick steps = next_step(rhythm, world.tick, waits || near.ball < kFar ? 1 : kFarSteps);
+    const Tick turn = std::min(steps, std::max(near.ball, kHalfStep));
     return {turn, std::min({turn, near.ball, near.robots})};
   }
   const bool rests = body.doing == Doing::standing && command.body == motion::Command::Body::stand;

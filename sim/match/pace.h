@@ -3,8 +3,9 @@
 // With Pace::thinned a robot does all three once for several ticks: one perception of all their images, one decision, one
 // longer move. How many is how soon it could matter:
 //   - whoever walks finishes its step before its legs heed anything new (sim/motion/rhythm.h), so it decides when a step
-//     begins: with each near the ball and where that rolls in the next second, else with every second. Next to the ball
-//     or to another robot its body goes through the step in pieces, because contacts are judged in every tick;
+//     begins: with each near the ball and where that rolls in the next second, else with every second. Within 0.8 m of
+//     the ball it looks once more in between: what it knows when it kicks would otherwise be too good. Next to the ball or to
+//     another robot its body goes through the step in pieces, because contacts are judged in every tick;
 //   - whoever stands decides the sooner the nearer the ball: next to it in every other tick;
 //   - a kick that has begun is waited for; in the phase set everybody stands.
 //
