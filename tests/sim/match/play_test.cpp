@@ -47,7 +47,8 @@ TEST(Play, KeepsTheBudgetOfPackets) {
 }
 
 TEST(Play, CountsPacketsOfWhoeverMaySendInEveryImage) {
-  const auto setup = setup_of(choice_of("spl2012", "idle", "match,packet_limit=off,packet_delay=off", Pace::every_tick));
+  const auto setup =
+      setup_of(choice_of("spl2012", "idle", "match,packet_limit=off,packet_delay=off", Pace::every_tick));
   const Result result = play_game(setup.params, {7});
   for (const int packets : result.packets)
     EXPECT_EQ(packets, static_cast<int>(result.ticks) * setup.params.rules.players);
