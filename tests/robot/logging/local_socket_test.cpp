@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/un.h>
 #include <unistd.h>
 
+#include "robot/core/local_address.h"
 #include "robot/logging/board.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_channel.h"
@@ -27,9 +27,16 @@ struct LocalSocket : ::testing::Test {
          .pace = nullptr});
   }
   LoggingBoard::StreamId connect() { return board.start_logger(near, std::make_unique<LocalSocketOutProvider>(path)); }
-  void wait_for_the_socket() {
-    while (!std::filesystem::exists(path)) std::this_thread::yield();
+  /// Connects as soon as somebody listens: a socket has its path a moment before it listens.
+  FileDescriptor connect_as_stranger() {
+    const auto address = LocalAddress::of(path, "test");
+    while (true) {
+      FileDescriptor stranger(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+      if (address->connect(stranger.get())) return stranger;
+      std::this_thread::yield();
+    }
   }
+  void wait_for_the_listener() { connect_as_stranger(); }
 
   const tests::TemporaryFolder folder;
   const std::filesystem::path path = folder / "ball";
@@ -42,7 +49,7 @@ struct LocalSocket : ::testing::Test {
 
 TEST_F(LocalSocket, CarriesAStreamFromOneMemoryToAnother) {
   const auto parser = listen();
-  wait_for_the_socket();
+  wait_for_the_listener();
   const auto logger = connect();
   const std::string image(614'400, 'y');
   for (int i = 0; i < 20; ++i) ASSERT_TRUE(near->write_bytes(i % 2 ? image : "small", 10));
@@ -57,7 +64,7 @@ TEST_F(LocalSocket, CarriesAStreamFromOneMemoryToAnother) {
 
 TEST_F(LocalSocket, AWriterThatComesAgainIsReadOn) {
   const auto parser = listen();
-  wait_for_the_socket();
+  wait_for_the_listener();
   const auto first = connect();
   ASSERT_TRUE(near->write_bytes("one", 1));
   arrivals->wait_for(1);
@@ -81,7 +88,7 @@ TEST_F(LocalSocket, WithoutAListenerTheWriterSaysSoAndGoesOn) {
 
 TEST_F(LocalSocket, IsUsableByItsUserOnly) {
   const auto parser = listen();
-  wait_for_the_socket();
+  wait_for_the_listener();
   struct stat status {};
   ASSERT_EQ(::stat(path.c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0600u);
@@ -90,18 +97,13 @@ TEST_F(LocalSocket, IsUsableByItsUserOnly) {
 
 TEST_F(LocalSocket, AParserThatNobodyWritesToCanBeStopped) {
   const auto parser = listen();
-  wait_for_the_socket();
+  wait_for_the_listener();
   EXPECT_TRUE(board.stop(parser).ended);
 }
 
 TEST_F(LocalSocket, NonsenseEndsTheStreamWithASentence) {
   const auto parser = listen();
-  wait_for_the_socket();
-  const FileDescriptor stranger(::socket(AF_UNIX, SOCK_STREAM, 0));
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  path.native().copy(address.sun_path, sizeof address.sun_path - 1);
-  ASSERT_EQ(::connect(stranger.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  const FileDescriptor stranger = connect_as_stranger();
   ASSERT_EQ(::write(stranger.get(), "GET / HTTP/1.1\r\n", 16), 16);
   while (!board.status(parser).ended) std::this_thread::yield();
   EXPECT_NE(board.stop(parser).problem.find("stream: expected a frame"), std::string::npos);
