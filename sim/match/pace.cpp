@@ -11,7 +11,7 @@ namespace {
 using Phase = agent::Game::Phase;
 using Doing = Body::Doing;
 
-/// [ticks] between turns of whoever stands nearer than so, and in which the bodies of those move that walk.
+/// [ticks] between turns of whoever is nearer than so, and between the pieces in which the bodies of those move that walk.
 struct Ring {
   float within;  // [m]
   Tick ticks;
@@ -23,7 +23,7 @@ constexpr Ring kToBall[] = {{0.35f, 2}, {0.6f, 4}, {0.8f, 6}, {1.2f, 9}};
 constexpr Ring kToRobot[] = {{0.1f, 4}, {0.2f, 9}};
 constexpr Tick kFar = 18;
 constexpr Tick kFarSteps = 2;  // of the walk, between turns of whoever walks as far away
-constexpr Tick kHalfStep = 4;  // at least, between turns of whoever walks: its legs heed nothing sooner
+constexpr Tick kHalfStep = 4;  // at least, between turns of whoever walks: its legs wait for the next step anyway
 constexpr Tick kChasing = 9;   // at most, of whoever goes for the ball
 constexpr Tick kSet = 15;      // while everybody has to stand
 
@@ -132,7 +132,7 @@ World between_turns(const State& state) {
     if (turn == kNever || turn <= world.tick) return;
     Body& body = world.bodies[robot];
     const Pose2& from = state.robots[robot].cognition.last;
-    const Tick left = static_cast<std::uint8_t>(body.moved - world.tick);
+    const Tick left = until_move(body, world.tick);
     const Tick rested = world.tick - (turn - state.schedule.lag[robot]);
     const float ahead = static_cast<float>(left) / static_cast<float>(left + rested);
     body.position -= ahead * (body.position - from.position);

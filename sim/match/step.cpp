@@ -56,9 +56,6 @@ struct Due {
   Some radios;  // something arrives, or may be sent
 };
 
-/// [ticks] from `now` until the body moves on.
-Tick until_move(const Body& body, Tick now) { return static_cast<std::uint8_t>(body.moved - now); }
-
 Due due_in(State& state) {
   Due due{};
   Schedule& schedule = state.schedule;

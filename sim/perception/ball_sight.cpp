@@ -94,7 +94,7 @@ Images images_of(float chance, Tick earlier, Tick ago) {
 /// How far off the velocity is that `spread` [s²] tells of a ball `range` [m] away at `place` [m, robot].
 Vec2 velocity_error(const ImageNoise& noise, Vec2 place, float range, float height, float spread,
                     std::array<float, 2> errors) {
-  const float per_radian = (range * range + height * height) / height;
+  const float per_radian = range_per_elevation(range * range, height);
   const Vec2 error{per_radian * std::sqrt(noise.elevation) * errors[0], range * std::sqrt(noise.bearing) * errors[1]};
   return 1 / (range * std::sqrt(spread)) * turned(error, place);
 }
@@ -125,7 +125,7 @@ BallPercept detect_ball(const Means& means, const World& world, int robot, Tick 
     const ImageNoise noise = image_noise(model, body);
     const Images images = percept.images = images_of(chance, steps - 1 - ago, ago);
     auto errors = normals(words[1], words[2]);
-    const float less = images.count > 1 ? 1 / std::sqrt(images.count) : 1;
+    const float less = 1 / std::sqrt(images.count);
     for (float& error : errors) error *= less;
     percept.position = seen_through(noise, place, range, sighting.height, kBeyondRange * model.ball.far_range, errors);
     if (percept.position == Vec2{}) return {};

@@ -97,10 +97,14 @@ inline ImageNoise image_noise(const Model& model, const Body& body) {
   return {tilt * tilt + pixels * pixels, noise.roll * noise.roll + pixels * pixels};
 }
 
-/// [m²] Variance of a percept along each axis, the mean of range and bearing: an elevation that is off by ε moves what
-/// is d away and h below the camera by ε (d² + h²) / h.
+/// [m/rad] How far an elevation that is off moves what is d away and h below the camera: (d² + h²) / h.
+inline float range_per_elevation(float squared_range, float height) {
+  return (squared_range + height * height) / height;
+}
+
+/// [m²] Variance of a percept along each axis, the mean of range and bearing.
 inline float percept_variance(const ImageNoise& noise, float squared_range, float height) {
-  const float per_radian = (squared_range + height * height) / height;
+  const float per_radian = range_per_elevation(squared_range, height);
   return 0.5f * (per_radian * per_radian * noise.elevation + squared_range * noise.bearing);
 }
 
