@@ -24,6 +24,7 @@ constexpr Ring kToRobot[] = {{0.1f, 4}, {0.2f, 9}};
 constexpr Tick kFar = 18;
 constexpr Tick kFarSteps = 2;  // of the walk, between turns of whoever walks as far away
 constexpr Tick kHalfStep = 4;  // at least, between turns of whoever walks: its legs wait for the next step anyway
+constexpr Tick kStanding = 2;  // between turns of whoever stands within the rings: it may have to block at any moment
 constexpr Tick kChasing = 9;   // at most, of whoever goes for the ball
 constexpr Tick kSet = 15;      // while everybody has to stand
 
@@ -121,8 +122,9 @@ Wait wait_of(const Params& params, const State& state, int robot) {
     const Tick turn = std::min(steps, std::max(near.ball, kHalfStep));
     return {turn, std::min({turn, near.ball, near.robots})};
   }
-  const bool rests = body.doing == Doing::standing && command.body == motion::Command::Body::stand;
-  return at_once(next_multiple(world.tick, rests ? near.ball : std::min(near.ball, near.robots)));
+  const bool stands = body.doing == Doing::standing, rests = stands && command.body == motion::Command::Body::stand;
+  const Tick turn = stands && near.ball < kFar ? kStanding : near.ball;
+  return at_once(next_multiple(world.tick, rests ? turn : std::min(turn, near.robots)));
 }
 
 World between_turns(const State& state) {

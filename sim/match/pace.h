@@ -6,7 +6,8 @@
 //     begins: with each near the ball and where that rolls in the next second, else with every second. Within 0.8 m of
 //     the ball it looks once more in between; without that games have 4 % more shots than the plain run. Next to the
 //     ball or to another robot its body goes through the step in pieces, because contacts are judged in every tick;
-//   - whoever stands decides the sooner the nearer the ball: next to it in every other tick;
+//   - whoever stands decides in every other tick where the ball is near or comes near; with longer waits robots block
+//     too late, and without noise games have 10 % more goals than the plain run;
 //   - a kick that has begun is waited for; in the phase set everybody stands.
 //
 // Turns lie on multiples of their period, for both sides alike: neither side nor a mirrored game is ahead, and many

@@ -10,7 +10,7 @@ namespace {
 constexpr float kKickReach = 0.25f;  // [m] from the middle of an opponent, where the heat is 1
 constexpr float kHeatReach = 0.45f;  // [m] where it has fallen to 0
 
-constexpr Tick kFalseInterval = 10;    // [ticks] between the images that may show a false ball
+constexpr Tick kFalseInterval = 10;    // [ticks] between the images that may show a false ball, if they are the newest
 constexpr float kNearestFalse = 0.3f;  // [m]
 constexpr float kBeyondRange = 2;      // percepts that seem to be so many ranges away are no balls to anybody
 
@@ -157,16 +157,16 @@ BallPercept detect_false_ball(const Means& means, const World& world, int robot)
 
 }  // namespace
 
-BallPercept look_for_ball(const Means& means, const World& world, int robot, Tick steps) {
+BallPercept look_for_ball(const Means& means, const World& world, int robot, Tick steps, bool followed) {
   const Body& body = world.bodies[robot];
   if (!has_eyes(body)) return {};
   const Camera& camera = means.model.camera;
   const Sighting sighting = sighting_of(body, shown_ball(means, world.ball), camera.height - means.ball.radius);
   if (!means.effects.limited_view || in_view(camera, body, look_of(body), means.model.ball.far_range, sighting)) {
-    const BallPercept percept = detect_ball(means, world, robot, steps, sighting);
+    const BallPercept percept = detect_ball(means, world, robot, followed ? steps : 1, sighting);
     if (percept.seen) return percept;
   }
-  if (!means.effects.false_balls || world.tick % kFalseInterval >= steps) return {};
+  if (!means.effects.false_balls || world.tick % kFalseInterval != 0) return {};
   return detect_false_ball(means, world, robot);
 }
 

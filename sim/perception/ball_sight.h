@@ -21,9 +21,13 @@ struct BallPercept {
   float heat = 0;  // [0..1] how much an opponent looks like kicking it
 };
 
-/// The ball as the last `steps` images show it to a robot, the newest at `world.tick`, or now and then something else
-/// that looks like it. Several are taken together: position and velocity are those of the straight way through the
-/// places that all of them show, as far off as the noise of each makes it.
-BallPercept look_for_ball(const Means& means, const World& world, int robot, Tick steps);
+/// The ball as the last `steps` images show it to a robot, the newest at `world.tick`. Several are taken together:
+/// position and velocity are those of the straight way through the places that all of them show, as far off as the noise
+/// of each makes it. They all count only of a ball that was `followed` by the image before them, too: else the head may
+/// have been turned away during all but the newest.
+///
+/// Now and then the newest image shows something else that looks like it. What earlier ones do is left out: by now
+/// teammates and the robot's own eyes have put it right.
+BallPercept look_for_ball(const Means& means, const World& world, int robot, Tick steps, bool followed);
 
 }  // namespace sim::perception

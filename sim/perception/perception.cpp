@@ -53,7 +53,7 @@ void perceive(const Means& means, const World& world, int robot, Tick steps, age
   localise(means, world, robot, steps, odometry, beliefs.pose, cognition);
 
   // what it sees
-  const BallPercept percept = look_for_ball(means, world, robot, steps);
+  const BallPercept percept = look_for_ball(means, world, robot, steps, beliefs.ball.visible);
   update(means, body, percept, steps, world.tick, beliefs.ball);
   look_for_opponents(means, world, robot, steps, beliefs);
 }

@@ -97,6 +97,23 @@ TEST(Pace, WaitsForTheFootOfAKick) {
   EXPECT_GT(wait_of(setup.params, state, 1).turn, 1u);
 }
 
+TEST(Pace, OfWhoeverStandsNearTheBallsWayIsEveryOtherTick) {
+  const auto setup = setup_of(choice_of("spl2025", "baseline", "match", Pace::thinned));
+  State state = random_situation(setup.params, {4});
+  Body& body = state.world.bodies[0];
+  body = {};
+  place(state.world.ball, {0, 0});
+  state.world.ball.velocity = {-2, 0};
+  for (state.world.tick = 0; state.world.tick < 36; ++state.world.tick) {
+    body.position = {-1.8f, 1.1f};
+    EXPECT_LE(wait_of(setup.params, state, 0).turn, 2u);
+    body.position = {1.1f, 0};
+    EXPECT_LE(wait_of(setup.params, state, 0).turn, 2u);
+    body.position = {-1.8f, 1.3f};
+    EXPECT_EQ(wait_of(setup.params, state, 0).turn, 18 - state.world.tick % 18);
+  }
+}
+
 TEST(Pace, IsLowerTheFartherFromTheBall) {
   const auto setup = setup_of(choice_of("spl2025", "baseline", "match", Pace::thinned));
   State state = random_situation(setup.params, {3});
@@ -140,7 +157,7 @@ TEST(Pace, LooksWhereTheBallRolls) {
   state.world.tick = 0;
   EXPECT_EQ(wait_of(setup.params, state, 0).turn, 18u);
   state.world.ball.velocity = {1.5f, 0};
-  EXPECT_EQ(wait_of(setup.params, state, 0).turn, 4u);
+  EXPECT_EQ(wait_of(setup.params, state, 0).turn, 2u);
 }
 
 TEST(Pace, GivesBothSidesTheirTurnsAtOnce) {

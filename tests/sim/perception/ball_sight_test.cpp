@@ -21,7 +21,7 @@ Scene clear_scene() {
 
 BallPercept look(Scene& scene) {
   ++scene.world.tick;
-  return look_for_ball(scene.means(), scene.world, Scene::kRobot, 1);
+  return look_for_ball(scene.means(), scene.world, Scene::kRobot, 1, false);
 }
 
 /// How often the ball is seen in `images`.
@@ -139,7 +139,7 @@ TEST(BallSight, ManyImagesAtOnceTellAsMuchAsOneByOne) {
     if (last < kImages) ++seen[last];
     information += count;
 
-    const BallPercept percept = look_for_ball(scene.means(), scene.world, Scene::kRobot, kImages);
+    const BallPercept percept = look_for_ball(scene.means(), scene.world, Scene::kRobot, kImages, true);
     if (!percept.seen) continue;
     ++together[percept.ago];
     const Images& images = percept.images;
@@ -160,6 +160,22 @@ TEST(BallSight, ManyImagesAtOnceTellAsMuchAsOneByOne) {
   const double one = static_cast<double>(image_noise(scene.model, scene.body()).bearing);
   EXPECT_NEAR(error / looks / one, 1, 0.05);
   EXPECT_NEAR(velocity_error / several / one, 1, 0.05);
+}
+
+TEST(BallSight, OfABallThatWasNotFollowedOnlyTheNewestImageCounts) {
+  Scene scene = clear_scene();
+  scene.effects.missed_ball = scene.effects.ball_noise = true;
+  scene.model.ball = {.near = 0.4f, .far = 0.4f, .near_range = 1, .far_range = 5};
+  scene.place_ball({1, 0});
+  for (int i = 0; i < 1000; ++i) {
+    const BallPercept one = look(scene);
+    const BallPercept several = look_for_ball(scene.means(), scene.world, Scene::kRobot, 6, false);
+    EXPECT_EQ(several.seen, one.seen);
+    EXPECT_EQ(several.position, one.position);
+    EXPECT_EQ(several.images.count, 1);
+    EXPECT_EQ(several.images.spread, 0);
+    EXPECT_EQ(several.ago, 0u);
+  }
 }
 
 TEST(BallSight, DetectionFallsFromNearToFarAndEndsThere) {
