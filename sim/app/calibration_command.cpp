@@ -39,6 +39,12 @@ struct Cases {
   }
 };
 
+/// Its beliefs are of now, as those of a captain who asks: between its turns they would be as old as half a second.
+bool has_just_looked(const State& state) {
+  const Schedule& schedule = state.schedule;
+  return schedule.turn[kAsked] != kNever && schedule.turn[kAsked] + 1 == state.world.tick + schedule.lag[kAsked];
+}
+
 Reliability reliability_of(const std::vector<Case>& cases) {
   Reliability reliability;
   for (const Case& one : cases) reliability.add(one.foretold, one.came);
@@ -130,7 +136,8 @@ class CalibrationCommand final : public Command {
     for (int i = 0; i < kPerGame && !finished(state); ++i) {
       const Tick at = state.world.tick + apart;
       sim::play(
-          params, state, [&](const State& now) { return now.world.tick >= at && referee::in_play(now.book); },
+          params, state,
+          [&](const State& now) { return now.world.tick >= at && referee::in_play(now.book) && has_just_looked(now); },
           [](const referee::Event&) {});
       if (finished(state)) break;
       const foresight::Believed believed =
