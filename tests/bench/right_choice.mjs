@@ -10,7 +10,7 @@ const kIncumbent = "baseline";
 const kChallengers = ["kick_now", "align_first", "passing", "idle"];
 const kTruth = 10_000; // rollouts of each strategy
 const kSeconds = 30;
-const kSure = 3; // standard errors of the short answer by which the truth must differ
+const kSure = 3; // standard errors of a short answer by which the truth must differ
 const kTie = 0.5; // standard errors by which it must not
 
 /** A striker behind a ball in the opponents' half, one of them near it, a teammate somewhere in front. */
@@ -54,10 +54,15 @@ async function answer(number, budgets) {
   return { short, truth };
 }
 
-function tell(report, where, answers) {
-  const apart = answers.filter(({ short, truth }) => Math.abs(truth.gain) > kSure * short.error);
+/**
+ * A short answer's standard error is that of the many futures for as few: its own is far too small where by chance nobody
+ * scored in it.
+ */
+function tell(report, where, rollouts, answers) {
+  const errorOf = ({ truth }) => truth.error * Math.sqrt(kTruth / rollouts);
+  const apart = answers.filter((answer) => Math.abs(answer.truth.gain) > kSure * errorOf(answer));
   const right = apart.filter(({ short, truth }) => Math.sign(short.gain) === Math.sign(truth.gain));
-  const ties = answers.filter(({ short, truth }) => Math.abs(truth.gain) < kTie * short.error);
+  const ties = answers.filter((answer) => Math.abs(answer.truth.gain) < kTie * errorOf(answer));
   const kept = ties.filter(({ short }) => short.advice === "keep");
   report.figure(`${where}: situations in which one strategy is better by ${kSure} standard errors`, apart.length);
   report.figure(`${where}: of these, the better one chosen`, (100 * right.length) / apart.length, "%", { atLeast: 95 });
@@ -77,7 +82,7 @@ export async function rightChoice(report, count, jobs, budgets) {
   report.figure("planted situations", count);
   for (const [i, { where, rollouts }] of budgets.entries()) {
     report.figure(`${where}: futures of each strategy`, rollouts);
-    tell(report, where, answers.map(({ short, truth }) => ({ short: short[i], truth })));
+    tell(report, where, rollouts, answers.map(({ short, truth }) => ({ short: short[i], truth })));
   }
   const gains = answers.map(({ truth }) => truth.gain);
   console.log(`   largest true gain ${pretty(Math.max(...gains))}, loss ${pretty(-Math.min(...gains))} goals in ${kSeconds} s`);
