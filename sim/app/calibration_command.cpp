@@ -6,6 +6,7 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/game_report.h"
+#include "sim/app/moments.h"
 #include "sim/app/progress.h"
 #include "sim/app/series.h"
 #include "sim/foresight/race.h"
@@ -38,12 +39,6 @@ struct Cases {
     untold += other.untold;
   }
 };
-
-/// Its beliefs are of now, as those of a captain who asks: between its turns they would be as old as half a second.
-bool has_just_looked(const State& state) {
-  const Schedule& schedule = state.schedule;
-  return schedule.turn[kAsked] != kNever && schedule.turn[kAsked] + 1 == state.world.tick + schedule.lag[kAsked];
-}
 
 Reliability reliability_of(const std::vector<Case>& cases) {
   Reliability reliability;
@@ -126,31 +121,21 @@ class CalibrationCommand final : public Command {
   }
 
  private:
-  /// A game that stops at evenly spaced moments for a forecast, and goes on as if it had not.
+  /// The moments of a game: what is foretold then, and how it goes on.
   Cases play(const Params& params, const io::Playbook& playbook, std::uint64_t seed) const {
     Cases cases;
-    referee::Events events;
-    State state = begin(params, {.seed = seed}, events);
-    const Tick apart = ticks(params.rules.half_duration * static_cast<float>(params.rules.halves)) / (kPerGame + 1);
     const Tick horizon = ticks(static_cast<float>(seconds_));
-    for (int i = 0; i < kPerGame && !finished(state); ++i) {
-      const Tick at = state.world.tick + apart;
-      sim::play(
-          params, state,
-          [&](const State& now) { return now.world.tick >= at && referee::in_play(now.book) && has_just_looked(now); },
-          [](const referee::Event&) {});
-      if (finished(state)) break;
+    for_each_moment(params, seed, kPerGame, kAsked, [&](const State& state) {
       const foresight::Believed believed =
           foresight::believe(playbook.params.front(), foresight::knowledge_of(params, state, kAsked));
       if (!believed.refusal.empty()) {
         ++cases.untold;
-        continue;
+        return;
       }
       foresight::Tally tally;
       const foresight::Question question{.until = foresight::Until::next_goal, .horizon = horizon};
       foresight::race(
-          io::task_of(playbook, {0}, believed.situation, question,
-                      {.seed = seed * 1000 + static_cast<std::uint64_t>(i)}),
+          io::task_of(playbook, {0}, believed.situation, question, {.seed = seed * 1'000'000 + state.world.tick}),
           [&](std::int64_t rollouts) { return static_cast<double>(rollouts) / rollouts_; }, {}, tally);
 
       State truth = state;
@@ -163,7 +148,7 @@ class CalibrationCommand final : public Command {
       const double futures = tally.accounts[0].rollouts;
       cases.score.push_back({tally.accounts[0].scored / futures, next == 0});
       cases.concede.push_back({tally.accounts[0].conceded / futures, next == 1});
-    }
+    });
     return cases;
   }
 

@@ -52,6 +52,7 @@ std::unique_ptr<Command> situation_command(CLI::App& app);
 std::unique_ptr<Command> compare_command(CLI::App& app);
 std::unique_ptr<Command> bench_command(CLI::App& app);
 std::unique_ptr<Command> calibration_command(CLI::App& app);
+std::unique_ptr<Command> choosing_command(CLI::App& app);
 std::unique_ptr<Command> outlook_command(CLI::App& app);
 std::unique_ptr<Command> vet_command(CLI::App& app);
 std::unique_ptr<Command> signature_command(CLI::App& app);

@@ -16,6 +16,7 @@ int sim_main(int argc, char** argv) {
   commands.push_back(compare_command(app));
   commands.push_back(bench_command(app));
   commands.push_back(calibration_command(app));
+  commands.push_back(choosing_command(app));
   commands.push_back(outlook_command(app));
   commands.push_back(vet_command(app));
   commands.push_back(signature_command(app));

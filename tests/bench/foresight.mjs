@@ -15,6 +15,7 @@ import { rightChoice } from "./right_choice.mjs";
 const kBudgets = [50, 200, 1000]; // [ms]
 const kLate = 20; // [ms]
 const kThree = ["--strategies", "baseline", "passing", "kick_now"];
+const kChoice = ["baseline", "passing", "kick_now", "align_first"]; // of the playbook `foresight`
 const kShares = [0.05, 0.1, 0.25, 0.5]; // of a core
 const kRobot = { share: 0.25, seconds: 0.5 }; // what foresight has of a robot's core, and how long for a question
 const kFutures = 400; // of a forecast that is to be true: with fewer, those far from the mean are so by chance
@@ -153,6 +154,18 @@ async function calibration(report, situations) {
   }
 }
 
+/** What there is to be won by choosing, and what of it the captain's few futures win. */
+async function choosing(report, moments, rollouts) {
+  const words = ["--moments", moments, "--rollouts", rollouts, "--horizon", kGameHorizon, "--strategies", kChoice.join(",")];
+  const { knowing, captain, changes } = JSON.parse(await start("foresight-sim", ["choosing", "--json", ...words]).output);
+  report.figure("moments of games in which each strategy was tried", moments);
+  report.figure("the best strategy every 10 s, by who knows all", knowing.mean, "goals a game");
+  report.figure("the same, its standard error", knowing.standard_error, "goals a game");
+  report.figure(`the captain's choice every 10 s, by ${rollouts} futures of what it believes`, captain.mean, "goals a game", { above: 0 });
+  report.figure("the same, its standard error", captain.standard_error, "goals a game");
+  report.figure("moments in which the captain changes", 100 * changes, "%");
+}
+
 /**
  * Baseline against itself with foresight, by words of compare. What was played is kept, and gone on with by the next bench
  * of the same program.
@@ -178,15 +191,14 @@ async function wins(report, pairs, rollouts) {
   report.figure("processor time of this run", right.hours, "h");
 
   const fast = join(root, "build/bench/fast.json");
-  const trees = ["baseline", "passing", "kick_now", "align_first"];
-  writeFileSync(fast, JSON.stringify({ name: "fast", about: "takes the others to be twice as fast", choose: trees, opponent: "baseline", opponent_models: kFast, rollouts }));
+  writeFileSync(fast, JSON.stringify({ name: "fast", about: "takes the others to be twice as fast", choose: kChoice, opponent: "baseline", opponent_models: kFast, rollouts }));
   const wrong = await play(`wrong-${rollouts}`, fast, "--pairs", Math.max(2, Math.round(pairs / 5)));
   const error = (wrong.gain.high - wrong.gain.low) / 2 / 1.96;
   report.figure("goals a game gained by who takes the others to be twice as fast", wrong.gain.mean, "goals");
   report.figure("the same, lower bound of 95 %, one-sided", wrong.gain.mean - 1.645 * error, "goals", { above: -0.2 });
 }
 
-export async function foresight({ probes = 500, seconds = 20, games = 1000, rollouts = 1000, choices = 200, jobs = 2 }) {
+export async function foresight({ probes = 500, seconds = 20, games = 1000, rollouts = 1000, choices = 200, moments = 1000, jobs = 2 }) {
   const report = new Report("foresight", "in time, true, harmless, and worth it?");
   const perSecond = await speed(report);
   const onRobot = await onAtom(report);
@@ -201,6 +213,8 @@ export async function foresight({ probes = 500, seconds = 20, games = 1000, roll
   }
   if (seconds > 0) await harm(report, seconds);
   if (rollouts > 0) await calibration(report, rollouts);
-  if (games > 0) await wins(report, games, Math.min(kMostRollouts, onRobot[kGameHorizon]));
+  const inGame = Math.min(kMostRollouts, onRobot[kGameHorizon]);
+  if (moments > 0) await choosing(report, moments, inGame);
+  if (games > 0) await wins(report, games, inGame);
   return report.finish();
 }

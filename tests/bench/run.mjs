@@ -1,4 +1,4 @@
-// node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--kills N] [--jobs N] [--probes N] [--length N] [--large N] [--rollouts N] [--choices N]; see scripts/bench.
+// node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--kills N] [--jobs N] [--probes N] [--length N] [--large N] [--rollouts N] [--choices N] [--moments N]; see scripts/bench.
 import { budget } from "./budget.mjs";
 import { compare } from "./compare.mjs";
 import { deploy } from "./deploy.mjs";

@@ -124,6 +124,43 @@ test("a situation is rolled out as often as asked, the same every time", async (
   assert.match(stdout, /5 rollouts of 60 s/);
 });
 
+test("forecasts are compared with how simulated games went on, the same every time", async () => {
+  const ask = () => json("calibration", ...kShort, "--situations", "24", "--rollouts", "8", "--seconds", "5");
+  const [one, again] = await Promise.all([ask(), ask()]);
+  assert.deepEqual(one, again);
+  assert.ok(one.situations > 0 && one.situations + one.untold <= 24);
+  for (const { brier, base_rate, base_rate_brier, deciles } of [one.score, one.concede]) {
+    const sum = (see) => deciles.reduce((so_far, decile) => so_far + see(decile), 0);
+    assert.equal(sum(({ cases }) => cases), one.situations);
+    assert.ok(Math.abs(sum(({ cases, came }) => cases * came) / one.situations - base_rate) < 1e-9);
+    assert.ok(Math.abs(base_rate_brier - base_rate * (1 - base_rate)) < 1e-9);
+    assert.ok(brier >= 0 && brier <= 1 && deciles.every(({ foretold, came }) => foretold >= 0 && foretold <= 1 && came >= 0 && came <= 1));
+  }
+});
+
+test("choosing between a strategy and its copy is worth nothing, and who knows all does not stand idle", async (t) => {
+  const copy = join(temporaryFolder(t), "copy.json");
+  writeFileSync(copy, (await sim("strategies", "--show", "baseline")).stdout.replace('"name": "baseline"', '"name": "copy"'));
+  const ask = () => json("choosing", "--moments", "20", "--futures", "8", "--rollouts", "16", "--horizon", "5", "--strategies", `baseline,${copy},idle`);
+  const [one, again] = await Promise.all([ask(), ask()]);
+  assert.deepEqual(one, again);
+  const [same, idle] = one.strategies;
+  assert.deepEqual(same.always, { mean: 0, standard_error: 0 });
+  assert.equal(same.spread, 0);
+  assert.ok(idle.always.mean < 0 && idle.always.mean < one.knowing.mean);
+  assert.ok(one.changes >= 0 && one.changes <= 1);
+
+  for (const [args, sentence] of [
+    [["--strategies", "baseline"], /expected at least two, got baseline/],
+    [["--strategies", "baseline,nonsense"], /nonsense/],
+    [[], /--strategies is required/],
+  ]) {
+    const { status, stderr } = await sim("choosing", ...args);
+    assert.equal(status, 2);
+    assert.match(stderr, sentence);
+  }
+});
+
 test("bench and signature tell their figures", async () => {
   const bench = await json("bench", ...kShort, "--games", "3");
   assert.equal(bench.games, 3);

@@ -1,0 +1,239 @@
+// foresight-sim choosing: what is it worth to choose between strategies during a game?
+//
+// At moments of games that the first strategy plays, each of the others is played for a while, and then the first again,
+// in many futures of what truly is. So much does who knows all gain in a moment by the best of them, and a captain by what
+// its few futures of what it believes advise. Over a game the gains of all moments add up: the difference of two policies
+// is the sum of the advantages that one has over the other (Kakade and Langford, ICML 2002), here with the first
+// strategy's moments for the captain's own. That tells apart in minutes what whole games would need days for.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/app/commands.h"
+#include "sim/app/game_report.h"
+#include "sim/app/moments.h"
+#include "sim/app/progress.h"
+#include "sim/app/series.h"
+#include "sim/foresight/chooser.h"
+#include "sim/foresight/forecast.h"
+#include "sim/foresight/race.h"
+#include "sim/io/playbook.h"
+#include "sim/match/play.h"
+
+namespace sim::app {
+namespace {
+
+constexpr int kCaptain = 1;         // home 2
+constexpr int kPerGame = 10;        // moments
+constexpr Tick kAfter = ticks(30);  // how long goals count after all play the first strategy again
+constexpr std::uint64_t kFirstSeed = 3'000'001;
+
+/// Goals gained over the first strategy, by strategy.
+using Gains = std::vector<double>;
+
+/// What a moment's futures came to, in two halves: what one of them finds best, the other one judges.
+struct Moment {
+  Gains halves[2];
+  Gains errors;    // one standard error of the mean of both halves
+  int chosen = 0;  // by the captain; 0 keeps what it plays
+
+  double gain(std::size_t strategy) const { return (halves[0][strategy] + halves[1][strategy]) / 2; }
+  double of_knowing() const {
+    double sum = 0;
+    for (const int half : {0, 1}) {
+      const auto best = std::max_element(halves[half].begin(), halves[half].end()) - halves[half].begin();
+      sum += halves[1 - half][static_cast<std::size_t>(best)];
+    }
+    return sum / 2;
+  }
+};
+
+/// All play the leaves of another tree from now on. Done to the first strategy, too, so that a copy of it gains nothing.
+void begin_anew(State& state) {
+  for (int player = 1; player <= state.world.players; ++player)
+    state.robots[robot_of(Side::home, player)].mind.leaf = agent::kNoLeaf;
+}
+
+int lead(const State& state) { return state.book.score[0] - state.book.score[1]; }
+
+class ChoosingCommand final : public Command {
+ public:
+  explicit ChoosingCommand(CLI::App& app)
+      : Command(app.add_subcommand("choosing", "what is it worth to choose between strategies during a game?")) {
+    choice_.add_to(options());
+    options()
+        .add_option("--strategies", strategies_, "2 .. 8 between which the home side chooses; it plays the first")
+        ->delimiter(',')
+        ->required();
+    options()
+        .add_option("--moments", moments_, "in how many it is asked")
+        ->check(CLI::Range(kPerGame, 1'000'000))
+        ->capture_default_str();
+    options()
+        .add_option("--futures", futures_, "of each strategy in each moment, for what is truly best")
+        ->check(CLI::Range(4, 100'000))
+        ->capture_default_str();
+    options()
+        .add_option("--period", period_, "[s] how long a chosen strategy is played, from one choice to the next")
+        ->check(CLI::Range(1., 600.))
+        ->capture_default_str();
+    options()
+        .add_option("--rollouts", terms_.rollouts, "that a captain's answer has, all strategies together")
+        ->check(CLI::Range(8, 100'000))
+        ->capture_default_str();
+    options()
+        .add_option("--horizon", terms_.horizon, "[s] how far they look")
+        ->check(CLI::Range(1., 1200.))
+        ->capture_default_str();
+    options().add_flag("--json", json_, "report as JSON");
+  }
+
+  int run() override {
+    const io::Choice game = choice_.choice();
+    if (strategies_.size() < 2) return fail("--strategies: expected at least two, got " + strategies_.front());
+    const auto playbook = io::prepare_playbook({.strategies = strategies_,
+                                                .opponent = game.strategies[1],
+                                                .rules = game.rules,
+                                                .models = game.models[0],
+                                                .opponent_models = game.models[1],
+                                                .players = game.players,
+                                                .pace = game.pace});
+    if (!playbook) return fail(playbook.error());
+    const int games = (moments_ + kPerGame - 1) / kPerGame;
+    std::vector<std::vector<Moment>> by_game(static_cast<std::size_t>(games));
+    {
+      Progress progress("choosing", static_cast<std::uint64_t>(games));
+      for_each_game(
+          games, threads_for(games),
+          [&](int game_number) {
+            const std::uint64_t seed = kFirstSeed + static_cast<std::uint64_t>(game_number);
+            std::vector<Moment>& moments = by_game[static_cast<std::size_t>(game_number)];
+            for_each_moment(playbook->params.front(), seed, kPerGame, kCaptain,
+                            [&](const State& state) { moments.push_back(look_at(*playbook, state, seed)); });
+          },
+          [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
+    }
+    std::vector<Moment> all;
+    for (const std::vector<Moment>& moments : by_game) all.insert(all.end(), moments.begin(), moments.end());
+    report(all, playbook->params.front().rules);
+    return kDone;
+  }
+
+ private:
+  Moment look_at(const io::Playbook& playbook, const State& state, std::uint64_t seed) const {
+    const RandomKey key{seed * 1'000'000 + state.world.tick};
+    Moment moment = futures_of(playbook, state, key);
+    moment.chosen = choice_of(playbook, state, key);
+    return moment;
+  }
+
+  /// The truth: how each strategy would do from here on.
+  Moment futures_of(const io::Playbook& playbook, const State& state, RandomKey key) const {
+    const std::size_t count = playbook.params.size();
+    Moment moment{.halves = {Gains(count), Gains(count)}, .errors = Gains(count)};
+    std::vector<double> squares(count);
+    const int each = futures_ / 2;
+    for (int future = 0; future < 2 * each; ++future) {
+      int lead_of_first = 0;
+      for (std::size_t strategy = 0; strategy < count; ++strategy) {
+        State now = state;
+        now.world.key = {key.seed + static_cast<std::uint64_t>(future)};
+        begin_anew(now);
+        play_on(playbook.params[strategy], now, ticks(static_cast<float>(period_)));
+        begin_anew(now);
+        play_on(playbook.params.front(), now, kAfter);
+        if (strategy == 0) lead_of_first = lead(now);
+        const double gain = lead(now) - lead_of_first;
+        moment.halves[future % 2][strategy] += gain / each;
+        squares[strategy] += gain * gain;
+      }
+    }
+    for (std::size_t strategy = 0; strategy < count; ++strategy) {
+      const double n = 2 * each, mean = moment.gain(strategy);
+      moment.errors[strategy] = std::sqrt(std::max(squares[strategy] / n - mean * mean, 0.) / (n - 1));
+    }
+    return moment;
+  }
+
+  /// What the captain would choose, by what it believes; 0 also where it cannot tell.
+  int choice_of(const io::Playbook& playbook, const State& state, RandomKey key) const {
+    const Params& params = playbook.params.front();
+    const foresight::Believed believed = foresight::believe(params, foresight::knowledge_of(params, state, kCaptain));
+    if (!believed.refusal.empty()) return 0;
+    std::vector<int> all(playbook.params.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+    const foresight::Question question{.horizon = ticks(terms_.horizon), .switching_cost = terms_.switching_cost};
+    foresight::Tally tally;
+    foresight::race(
+        io::task_of(playbook, all, believed.situation, question, key),
+        [&](std::int64_t rollouts) { return static_cast<double>(rollouts) / terms_.rollouts; }, {}, tally);
+    return foresight::forecast(tally, question, key).choice;
+  }
+
+  void report(const std::vector<Moment>& moments, const field::Rules& rules) const {
+    const double per_game = static_cast<double>(rules.half_duration) * rules.halves / period_;
+    const auto a_game = [&](const auto& gain_of) {
+      std::vector<double> gains;
+      for (const Moment& moment : moments) gains.push_back(per_game * gain_of(moment));
+      return mean_of(gains);
+    };
+    const Mean knowing = a_game([](const Moment& moment) { return moment.of_knowing(); });
+    const Mean captain =
+        a_game([](const Moment& moment) { return moment.gain(static_cast<std::size_t>(moment.chosen)); });
+    const auto changes = std::count_if(moments.begin(), moments.end(), [](const Moment& m) { return m.chosen != 0; });
+    const double changed = moments.empty() ? 0 : static_cast<double>(changes) / static_cast<double>(moments.size());
+
+    Json strategies = Json::array();
+    for (std::size_t strategy = 1; strategy < strategies_.size(); ++strategy) {
+      const Mean mean = a_game([&](const Moment& moment) { return moment.gain(strategy); });
+      strategies.push_back({{"strategy", strategies_[strategy]},
+                            {"always", {{"mean", mean.mean}, {"standard_error", mean.error}}},
+                            {"spread", spread_of(moments, strategy)}});
+    }
+    if (json_) {
+      const auto told = [](const Mean& mean) { return Json{{"mean", mean.mean}, {"standard_error", mean.error}}; };
+      const Json json = {{"moments", moments.size()},   {"futures", futures_},       {"period", period_},
+                         {"rollouts", terms_.rollouts}, {"horizon", terms_.horizon}, {"strategies", strategies},
+                         {"knowing", told(knowing)},    {"captain", told(captain)},  {"changes", changed}};
+      std::printf("%s\n", json.dump(2).c_str());
+      return;
+    }
+    std::printf("%zu moments of games of %s against %s; %d futures of each strategy\n\n", moments.size(),
+                strategies_.front().c_str(), choice_.choice().strategies[1].c_str(), futures_);
+    std::printf("%-20s%26s%32s\n", "", "always, goals a game", "differs from moment to moment");
+    for (const Json& one : strategies)
+      std::printf("%-20s%+16.2f ± %-7.2f%24.3f goals\n", one["strategy"].get<std::string>().c_str(),
+                  one["always"]["mean"].get<double>(), one["always"]["standard_error"].get<double>(),
+                  one["spread"].get<double>());
+    std::printf("\nthe best of them, chosen every %g s, gains in goals a game\n", period_);
+    std::printf("  who knows all      %+.2f ± %.2f\n", knowing.mean, knowing.error);
+    std::printf("  a captain          %+.2f ± %.2f, by %d futures of %g s of what it believes; it changes in %.0f %%\n",
+                captain.mean, captain.error, terms_.rollouts, static_cast<double>(terms_.horizon), 100 * changed);
+  }
+
+  /// [goals] Standard deviation of a strategy's true gains, those of chance taken off.
+  static double spread_of(const std::vector<Moment>& moments, std::size_t strategy) {
+    if (moments.empty()) return 0;
+    double sum = 0, squares = 0, chance = 0;
+    for (const Moment& moment : moments) {
+      sum += moment.gain(strategy);
+      squares += moment.gain(strategy) * moment.gain(strategy);
+      chance += moment.errors[strategy] * moment.errors[strategy];
+    }
+    const auto count = static_cast<double>(moments.size());
+    return std::sqrt(std::max((squares - chance) / count - sum * sum / count / count, 0.));
+  }
+
+  ChoiceOptions choice_;
+  std::vector<std::string> strategies_;
+  foresight::Terms terms_;
+  int moments_ = 200, futures_ = 200;
+  double period_ = 10;
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> choosing_command(CLI::App& app) { return std::make_unique<ChoosingCommand>(app); }
+
+}  // namespace sim::app
