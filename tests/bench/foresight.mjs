@@ -18,7 +18,7 @@ const kThree = ["--strategies", "baseline", "passing", "kick_now"];
 const kChoice = ["baseline", "passing", "kick_now", "align_first"]; // of the playbook `foresight`
 const kShares = [0.05, 0.1, 0.25, 0.5]; // of a core
 const kRobot = { share: 0.25, seconds: 0.5 }; // what foresight has of a robot's core, and how long for a question
-const kFutures = 400; // of a forecast that is to be true: with fewer, those far from the mean are so by chance
+const kFutures = 200; // of a forecast that is to be true: with fewer, those far from the mean are so by chance
 const kMostRollouts = 64; // of a question in a game, and each so long:
 const kGameHorizon = 20; // [s]
 // the others, as a team that is wrong about them takes them to be: twice as fast
@@ -148,8 +148,10 @@ async function calibration(report, situations) {
   const told = JSON.parse(await start("foresight-sim", ["calibration", "--json", "--situations", situations, "--rollouts", kFutures]).output);
   for (const kind of ["score", "concede"]) {
     const { brier, base_rate_brier, deciles } = told[kind];
-    const worst = Math.max(...deciles.filter(({ cases }) => cases >= 50).map(({ foretold, came }) => Math.abs(foretold - came)));
-    report.figure(`${kind}: worst decile of 50 cases and more, foretold less came`, worst, "", { atMost: 0.05 });
+    const off = ({ foretold, came }) => Math.abs(foretold - came);
+    const worst = deciles.filter(({ cases }) => cases >= 50).reduce((worst, decile) => (off(decile) > off(worst) ? decile : worst));
+    report.figure(`${kind}: worst decile of 50 cases and more, foretold less came`, off(worst), "", { atMost: 0.05 });
+    report.figure(`${kind}: what chance alone does to that decile, one standard error`, Math.sqrt((worst.foretold * (1 - worst.foretold)) / worst.cases));
     report.figure(`${kind}: Brier score less that of the base rate`, brier - base_rate_brier, "", { below: 0 });
   }
 }
@@ -198,7 +200,7 @@ async function wins(report, pairs, rollouts) {
   report.figure("the same, lower bound of 95 %, one-sided", wrong.gain.mean - 1.645 * error, "goals", { above: -0.2 });
 }
 
-export async function foresight({ probes = 500, seconds = 20, games = 1000, rollouts = 1000, choices = 200, moments = 1000, jobs = 2 }) {
+export async function foresight({ probes = 500, seconds = 20, games = 1000, rollouts = 4000, choices = 200, moments = 1000, jobs = 2 }) {
   const report = new Report("foresight", "in time, true, harmless, and worth it?");
   const perSecond = await speed(report);
   const onRobot = await onAtom(report);
