@@ -1,10 +1,10 @@
 // foresight-sim choosing: what is it worth to choose between strategies during a game?
 //
 // At moments of games that the first strategy plays, each of the others is played for a while, and then the first again,
-// in many futures of what truly is. So much does who knows all gain in a moment by the best of them, and a captain by what
-// its few futures of what it believes advise. Over a game the gains of all moments add up: the difference of two policies
-// is the sum of the advantages that one has over the other (Kakade and Langford, ICML 2002), here with the first
-// strategy's moments for the captain's own. That tells apart in minutes what whole games would need days for.
+// in many futures of what truly is. That tells what the best of them gains there, for whom knows all, and what the one gains
+// that a captain chooses by its few futures of what it believes. Over a game such gains add up: the difference between two
+// policies is the sum of the advantages of one over the other (Kakade and Langford, ICML 2002), here at the first
+// strategy's moments instead of the captain's own. So minutes tell apart what whole games would need days for.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -32,7 +32,7 @@ constexpr std::uint64_t kFirstSeed = 3'000'001;
 using Gains = std::vector<double>;
 
 /// What a moment's futures came to, in two halves: what one of them finds best, the other one judges.
-struct Moment {
+struct Trial {
   Gains halves[2];
   Gains errors;    // one standard error of the mean of both halves
   int chosen = 0;  // by the captain; 0 keeps what it plays
@@ -99,38 +99,39 @@ class ChoosingCommand final : public Command {
                                                 .players = game.players,
                                                 .pace = game.pace});
     if (!playbook) return fail(playbook.error());
+    futures_ += futures_ % 2;  // they are halved
     const int games = (moments_ + kPerGame - 1) / kPerGame;
-    std::vector<std::vector<Moment>> by_game(static_cast<std::size_t>(games));
+    std::vector<std::vector<Trial>> by_game(static_cast<std::size_t>(games));
     {
       Progress progress("choosing", static_cast<std::uint64_t>(games));
       for_each_game(
           games, threads_for(games),
           [&](int game_number) {
             const std::uint64_t seed = kFirstSeed + static_cast<std::uint64_t>(game_number);
-            std::vector<Moment>& moments = by_game[static_cast<std::size_t>(game_number)];
+            std::vector<Trial>& trials = by_game[static_cast<std::size_t>(game_number)];
             for_each_moment(playbook->params.front(), seed, kPerGame, kCaptain,
-                            [&](const State& state) { moments.push_back(look_at(*playbook, state, seed)); });
+                            [&](const State& state) { trials.push_back(look_at(*playbook, state, seed)); });
           },
           [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
     }
-    std::vector<Moment> all;
-    for (const std::vector<Moment>& moments : by_game) all.insert(all.end(), moments.begin(), moments.end());
+    std::vector<Trial> all;
+    for (const std::vector<Trial>& trials : by_game) all.insert(all.end(), trials.begin(), trials.end());
     report(all, playbook->params.front().rules);
     return kDone;
   }
 
  private:
-  Moment look_at(const io::Playbook& playbook, const State& state, std::uint64_t seed) const {
+  Trial look_at(const io::Playbook& playbook, const State& state, std::uint64_t seed) const {
     const RandomKey key{seed * 1'000'000 + state.world.tick};
-    Moment moment = futures_of(playbook, state, key);
-    moment.chosen = choice_of(playbook, state, key);
-    return moment;
+    Trial trial = futures_of(playbook, state, key);
+    trial.chosen = choice_of(playbook, state, key);
+    return trial;
   }
 
   /// The truth: how each strategy would do from here on.
-  Moment futures_of(const io::Playbook& playbook, const State& state, RandomKey key) const {
+  Trial futures_of(const io::Playbook& playbook, const State& state, RandomKey key) const {
     const std::size_t count = playbook.params.size();
-    Moment moment{.halves = {Gains(count), Gains(count)}, .errors = Gains(count)};
+    Trial trial{.halves = {Gains(count), Gains(count)}, .errors = Gains(count)};
     std::vector<double> squares(count);
     const int each = futures_ / 2;
     for (int future = 0; future < 2 * each; ++future) {
@@ -144,15 +145,15 @@ class ChoosingCommand final : public Command {
         play_on(playbook.params.front(), now, kAfter);
         if (strategy == 0) lead_of_first = lead(now);
         const double gain = lead(now) - lead_of_first;
-        moment.halves[future % 2][strategy] += gain / each;
+        trial.halves[future % 2][strategy] += gain / each;
         squares[strategy] += gain * gain;
       }
     }
     for (std::size_t strategy = 0; strategy < count; ++strategy) {
-      const double n = 2 * each, mean = moment.gain(strategy);
-      moment.errors[strategy] = std::sqrt(std::max(squares[strategy] / n - mean * mean, 0.) / (n - 1));
+      const double n = 2 * each, mean = trial.gain(strategy);
+      trial.errors[strategy] = std::sqrt(std::max(squares[strategy] / n - mean * mean, 0.) / (n - 1));
     }
-    return moment;
+    return trial;
   }
 
   /// What the captain would choose, by what it believes; 0 also where it cannot tell.
@@ -170,35 +171,34 @@ class ChoosingCommand final : public Command {
     return foresight::forecast(tally, question, key).choice;
   }
 
-  void report(const std::vector<Moment>& moments, const field::Rules& rules) const {
+  void report(const std::vector<Trial>& trials, const field::Rules& rules) const {
     const double per_game = static_cast<double>(rules.half_duration) * rules.halves / period_;
     const auto a_game = [&](const auto& gain_of) {
       std::vector<double> gains;
-      for (const Moment& moment : moments) gains.push_back(per_game * gain_of(moment));
+      for (const Trial& trial : trials) gains.push_back(per_game * gain_of(trial));
       return mean_of(gains);
     };
-    const Mean knowing = a_game([](const Moment& moment) { return moment.of_knowing(); });
-    const Mean captain =
-        a_game([](const Moment& moment) { return moment.gain(static_cast<std::size_t>(moment.chosen)); });
-    const auto changes = std::count_if(moments.begin(), moments.end(), [](const Moment& m) { return m.chosen != 0; });
-    const double changed = moments.empty() ? 0 : static_cast<double>(changes) / static_cast<double>(moments.size());
+    const Mean knowing = a_game([](const Trial& trial) { return trial.of_knowing(); });
+    const Mean captain = a_game([](const Trial& trial) { return trial.gain(static_cast<std::size_t>(trial.chosen)); });
+    const auto changes =
+        std::count_if(trials.begin(), trials.end(), [](const Trial& trial) { return trial.chosen != 0; });
+    const double changed = trials.empty() ? 0 : static_cast<double>(changes) / static_cast<double>(trials.size());
 
+    const auto told = [](const Mean& mean) { return Json{{"mean", mean.mean}, {"standard_error", mean.error}}; };
     Json strategies = Json::array();
     for (std::size_t strategy = 1; strategy < strategies_.size(); ++strategy) {
-      const Mean mean = a_game([&](const Moment& moment) { return moment.gain(strategy); });
-      strategies.push_back({{"strategy", strategies_[strategy]},
-                            {"always", {{"mean", mean.mean}, {"standard_error", mean.error}}},
-                            {"spread", spread_of(moments, strategy)}});
+      const Mean mean = a_game([&](const Trial& trial) { return trial.gain(strategy); });
+      strategies.push_back(
+          {{"strategy", strategies_[strategy]}, {"always", told(mean)}, {"spread", spread_of(trials, strategy)}});
     }
     if (json_) {
-      const auto told = [](const Mean& mean) { return Json{{"mean", mean.mean}, {"standard_error", mean.error}}; };
-      const Json json = {{"moments", moments.size()},   {"futures", futures_},       {"period", period_},
+      const Json json = {{"moments", trials.size()},    {"futures", futures_},       {"period", period_},
                          {"rollouts", terms_.rollouts}, {"horizon", terms_.horizon}, {"strategies", strategies},
                          {"knowing", told(knowing)},    {"captain", told(captain)},  {"changes", changed}};
       std::printf("%s\n", json.dump(2).c_str());
       return;
     }
-    std::printf("%zu moments of games of %s against %s; %d futures of each strategy\n\n", moments.size(),
+    std::printf("%zu moments of games of %s against %s; %d futures of each strategy\n\n", trials.size(),
                 strategies_.front().c_str(), choice_.choice().strategies[1].c_str(), futures_);
     std::printf("%-20s%26s%32s\n", "", "always, goals a game", "differs from moment to moment");
     for (const Json& one : strategies)
@@ -212,15 +212,15 @@ class ChoosingCommand final : public Command {
   }
 
   /// [goals] Standard deviation of a strategy's true gains, those of chance taken off.
-  static double spread_of(const std::vector<Moment>& moments, std::size_t strategy) {
-    if (moments.empty()) return 0;
+  static double spread_of(const std::vector<Trial>& trials, std::size_t strategy) {
+    if (trials.empty()) return 0;
     double sum = 0, squares = 0, chance = 0;
-    for (const Moment& moment : moments) {
-      sum += moment.gain(strategy);
-      squares += moment.gain(strategy) * moment.gain(strategy);
-      chance += moment.errors[strategy] * moment.errors[strategy];
+    for (const Trial& trial : trials) {
+      sum += trial.gain(strategy);
+      squares += trial.gain(strategy) * trial.gain(strategy);
+      chance += trial.errors[strategy] * trial.errors[strategy];
     }
-    const auto count = static_cast<double>(moments.size());
+    const auto count = static_cast<double>(trials.size());
     return std::sqrt(std::max((squares - chance) / count - sum * sum / count / count, 0.));
   }
 
