@@ -94,13 +94,7 @@ class CalibrationCommand final : public Command {
     const io::Choice choice = choice_.choice();
     const auto setup = io::prepare(choice);
     if (!setup) return fail(setup.error());
-    const auto playbook = io::prepare_playbook({.strategies = {choice.strategies[0]},
-                                                .opponent = choice.strategies[1],
-                                                .rules = choice.rules,
-                                                .models = choice.models[0],
-                                                .opponent_models = choice.models[1],
-                                                .players = choice.players,
-                                                .pace = choice.pace});
+    const auto playbook = choice_.playbook({choice.strategies[0]});
     if (!playbook) return fail(playbook.error());
     const int games = (situations_ + kPerGame - 1) / kPerGame;
     std::vector<Cases> by_game(static_cast<std::size_t>(games));

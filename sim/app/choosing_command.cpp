@@ -89,15 +89,8 @@ class ChoosingCommand final : public Command {
   }
 
   int run() override {
-    const io::Choice game = choice_.choice();
     if (strategies_.size() < 2) return fail("--strategies: expected at least two, got " + strategies_.front());
-    const auto playbook = io::prepare_playbook({.strategies = strategies_,
-                                                .opponent = game.strategies[1],
-                                                .rules = game.rules,
-                                                .models = game.models[0],
-                                                .opponent_models = game.models[1],
-                                                .players = game.players,
-                                                .pace = game.pace});
+    const auto playbook = choice_.playbook(strategies_);
     if (!playbook) return fail(playbook.error());
     futures_ += futures_ % 2;  // they are halved
     const int games = (moments_ + kPerGame - 1) / kPerGame;
@@ -161,12 +154,10 @@ class ChoosingCommand final : public Command {
     const Params& params = playbook.params.front();
     const foresight::Believed believed = foresight::believe(params, foresight::knowledge_of(params, state, kCaptain));
     if (!believed.refusal.empty()) return 0;
-    std::vector<int> all(playbook.params.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
     const foresight::Question question{.horizon = ticks(terms_.horizon), .switching_cost = terms_.switching_cost};
     foresight::Tally tally;
     foresight::race(
-        io::task_of(playbook, all, believed.situation, question, key),
+        io::task_of(playbook, believed.situation, question, key),
         [&](std::int64_t rollouts) { return static_cast<double>(rollouts) / terms_.rollouts; }, {}, tally);
     return foresight::forecast(tally, question, key).choice;
   }

@@ -115,6 +115,17 @@ robot::Result<Lineup> ChoiceOptions::line_up() const {
   return Lineup::prepare({.game = choice(), .rest = {rest_[0], rest_[1]}, .changed = changed_});
 }
 
+robot::Result<io::Playbook> ChoiceOptions::playbook(const std::vector<std::string>& strategies) const {
+  const io::Choice game = choice();
+  return io::prepare_playbook({.strategies = strategies,
+                               .opponent = game.strategies[1],
+                               .rules = game.rules,
+                               .models = game.models[0],
+                               .opponent_models = game.models[1],
+                               .players = game.players,
+                               .pace = game.pace});
+}
+
 std::unique_ptr<Command> signature_command(CLI::App& app) { return std::make_unique<SignatureCommand>(app); }
 
 std::unique_ptr<Command> list_command(CLI::App& app, const std::string& kind) {

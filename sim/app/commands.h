@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/app/lineup.h"
+#include "sim/io/playbook.h"
 
 namespace sim::app {
 
@@ -38,6 +39,8 @@ class ChoiceOptions {
   io::Choice choice() const;
   /// Who that is.
   robot::Result<Lineup> line_up() const;
+  /// What the home side may choose between, the first of it the incumbent, against what the away side plays.
+  robot::Result<io::Playbook> playbook(const std::vector<std::string>& strategies) const;
 
  private:
   io::Choice choice_;

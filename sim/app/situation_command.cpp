@@ -204,28 +204,19 @@ class SituationCommand final : public Command {
 
   /// Which strategy to play.
   int choose() {
-    const io::Choice game = choice_.choice();
-    const auto playbook = io::prepare_playbook({.strategies = strategies_,
-                                                .opponent = game.strategies[1],
-                                                .rules = game.rules,
-                                                .models = game.models[0],
-                                                .opponent_models = game.models[1],
-                                                .players = game.players,
-                                                .pace = game.pace});
+    const auto playbook = choice_.playbook(strategies_);
     if (!playbook) return fail(playbook.error());
     const auto openings = Openings::read(file_, fuzz_, playbook->params.front());
     if (!openings) return fail(openings.error());
 
     // what is described is certain
     const foresight::Situation situation{.state = openings->begin(playbook->params.front(), 0), .doubt = {}};
-    std::vector<int> all(strategies_.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
     const foresight::Question question{
         .measure = static_cast<foresight::Measure>(index_of(measure_, foresight::kMeasureNames)),
         .until = static_cast<foresight::Until>(index_of(until_, foresight::kUntilNames)),
         .horizon = ticks(static_cast<float>(seconds_))};
-    const foresight::Task task = io::task_of(*playbook, all, situation, question, situation.state.world.key);
-    const double budget = static_cast<double>(rollouts_) * static_cast<double>(all.size());
+    const foresight::Task task = io::task_of(*playbook, situation, question, situation.state.world.key);
+    const double budget = static_cast<double>(rollouts_) * static_cast<double>(strategies_.size());
     foresight::Tally tally;
     {
       Progress progress("rolling out", static_cast<std::uint64_t>(budget));

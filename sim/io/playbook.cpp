@@ -1,6 +1,7 @@
 #include "sim/io/playbook.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "sim/io/outlook.h"
 #include "sim/io/setup.h"
@@ -51,6 +52,13 @@ foresight::Task task_of(const Playbook& playbook, const std::vector<int>& strate
   for (const int strategy : strategies)
     task.params[task.strategies++] = &playbook.params[static_cast<std::size_t>(strategy)];
   return task;
+}
+
+foresight::Task task_of(const Playbook& playbook, const foresight::Situation& situation,
+                        const foresight::Question& question, RandomKey key) {
+  std::vector<int> all(playbook.params.size());
+  std::iota(all.begin(), all.end(), 0);
+  return task_of(playbook, all, situation, question, key);
 }
 
 }  // namespace sim::io

@@ -38,5 +38,8 @@ robot::Result<Playbook> prepare_playbook(const PlaybookChoice& choice);
 /// A task that races these strategies of the playbook, by index, the first the incumbent; both outlive it.
 foresight::Task task_of(const Playbook& playbook, const std::vector<int>& strategies,
                         const foresight::Situation& situation, const foresight::Question& question, RandomKey key);
+/// The same for all of them.
+foresight::Task task_of(const Playbook& playbook, const foresight::Situation& situation,
+                        const foresight::Question& question, RandomKey key);
 
 }  // namespace sim::io

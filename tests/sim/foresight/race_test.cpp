@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <numeric>
 
 #include "sim/io/playbook.h"
 #include "sim/match/situation.h"
@@ -31,9 +30,7 @@ struct Fixture {
   }
 
   Task task(const Question& question = {.horizon = ticks(5)}) const {
-    std::vector<int> all(playbook.params.size());
-    std::iota(all.begin(), all.end(), 0);
-    return io::task_of(playbook, all, situation, question, {.seed = 100});
+    return io::task_of(playbook, situation, question, {.seed = 100});
   }
 };
 
