@@ -220,6 +220,8 @@ void to_proto(const sim::Params& params, const sim::State& state, int robot, con
   message.set_phase(pb::GameState::PHASE_NORMAL);
   message.set_half(game.half);
   message.set_seconds_remaining(game.remaining);
+  const float countdown = sim::referee::countdown_of(params.rules, game.phase, game.set_play);
+  message.set_secondary_seconds(std::max(countdown - game.since_phase, 0.f));
   if (game.set_play != sim::agent::Game::SetPlay::none)
     message.set_kicking_team(teams.of(game.own_kick ? side : sim::other(side)));
   message.set_players_per_team(game.players);

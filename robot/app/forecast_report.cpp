@@ -5,14 +5,17 @@
 #include <vector>
 
 #include "proto/foresight/game.pb.h"
+#include "proto/foresight/sim.pb.h"
+#include "proto/foresight/strategy.pb.h"
 #include "robot/foresight/knowledge.h"
 #include "robot/foresight/scorer.h"
 #include "robot/logging/file_provider.h"
+#include "sim/io/rules.h"
 
 namespace robot::app {
 namespace {
 
-/// All messages of `topic`, by their capture times.
+/// All messages of `topic`, as they were written.
 template <class Message>
 std::vector<foreseeing::Remembered<Message>> read_all(const logging::Session& session, const std::string& topic) {
   std::vector<foreseeing::Remembered<Message>> all;
@@ -27,8 +30,15 @@ std::vector<foreseeing::Remembered<Message>> read_all(const logging::Session& se
     foreseeing::Remembered<Message> message{.value = {}, .capture_ns = (*record)->capture_ns};
     if (message.value.ParseFromString((*record)->bytes)) all.push_back(std::move(message));
   }
-  std::ranges::stable_sort(all, {}, &foreseeing::Remembered<Message>::capture_ns);
   return all;
+}
+
+/// By how much goals are told late: by the rules of the recorded simulation, else by the newest. [s]
+float goal_delay_of(const logging::Session& session) {
+  const auto simulations = read_all<foresight::Simulation>(session, "/sim/state");
+  const std::string rules = simulations.empty() ? "spl2025" : simulations.front().value.rules();
+  const auto loaded = sim::io::load_rules(rules);
+  return loaded ? loaded->goal_message_delay : 0;
 }
 
 }  // namespace
@@ -36,13 +46,18 @@ std::vector<foreseeing::Remembered<Message>> read_all(const logging::Session& se
 std::map<std::string, foresight::ForecastScore> score_forecasts(const logging::Session& session) {
   constexpr std::string_view kForecast = "/forecast";
   std::map<std::string, foresight::ForecastScore> scores;
+  const float goal_delay = goal_delay_of(session);
   for (const logging::StreamFile& file : session.streams) {
     if (!file.topic.ends_with(kForecast)) continue;
     const std::string robot = file.topic.substr(1, file.topic.size() - 1 - kForecast.size());
     const auto forecasts = read_all<foresight::Forecast>(session, file.topic);
-    const auto games = read_all<foresight::GameState>(session, "/" + robot + "/game");
+    auto games = read_all<foresight::GameState>(session, "/" + robot + "/game");
     if (forecasts.empty() || games.empty()) continue;
-    foreseeing::Scorer scorer;
+    std::ranges::stable_sort(games, {}, &foreseeing::Remembered<foresight::GameState>::capture_ns);
+    foreseeing::Scorer scorer(goal_delay);
+    // in the order of writing: a choice has the time of its question, and was written over what was told since
+    for (const auto& strategy : read_all<foresight::Strategy>(session, "/" + robot + "/strategy"))
+      scorer.see(strategy.value, strategy.capture_ns);
     auto next = forecasts.begin();
     for (const auto& game : games) {
       for (; next != forecasts.end() && next->capture_ns < game.capture_ns; ++next)

@@ -1,5 +1,6 @@
 #include "robot/app/foresight_control.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "robot/app/what_if_service.h"
@@ -55,8 +56,14 @@ std::vector<std::string> default_strategies() { return {"baseline", "passing", "
 foreseeing::ForeseerOptions foreseer_options(const RobotOptions& options) {
   const bool home = options.side == "home";
   const auto models_of = [&](const std::string& own) { return own.empty() ? options.models : own; };
-  return {.strategies = options.strategies.empty() ? default_strategies() : options.strategies,
-          .rules = options.rules,
+  std::vector<std::string> strategies = options.strategies;
+  if (strategies.empty()) {
+    strategies = default_strategies();
+    const auto played = std::find(strategies.begin(), strategies.end(), own_strategy_of(options));
+    if (options.body == "sim" && played != strategies.end()) std::rotate(strategies.begin(), played, played + 1);
+  }
+  return {.strategies = std::move(strategies),
+          .rules = rules_of(options),
           .models = models_of(home ? options.home_models : options.away_models),
           .opponent_models = models_of(home ? options.away_models : options.home_models)};
 }

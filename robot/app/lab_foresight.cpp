@@ -1,6 +1,8 @@
 #include "robot/app/lab_foresight.h"
 
+#include <algorithm>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "proto/foresight/sim.pb.h"
@@ -8,6 +10,8 @@
 #include "robot/core/clock.h"
 #include "robot/logging/file_provider.h"
 #include "robot/logging/session.h"
+#include "sim/foresight/tally.h"
+#include "sim/io/source.h"
 
 namespace robot::app {
 namespace {
@@ -15,15 +19,15 @@ namespace {
 constexpr const char* kSimulation = "/sim/state";
 constexpr const char* kNewestRules = "spl2025";
 
-/// The rules that a recorded simulation was played by.
-std::string rules_of(const memory::Channels& channels) {
+/// How the recorded game was simulated; nothing where it was not.
+std::optional<foresight::Simulation> simulation_of(const memory::Channels& channels) {
   const auto channel = channels.find(kSimulation);
   const auto version = channel ? channel->newest() : nullptr;
   foresight::Simulation simulation;
-  if (!version) return kNewestRules;
+  if (!version) return {};
   const std::string_view bytes = version->bytes();
-  const bool parsed = simulation.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()));
-  return parsed && !simulation.rules().empty() ? simulation.rules() : kNewestRules;
+  if (!simulation.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) || simulation.rules().empty()) return {};
+  return simulation;
 }
 
 /// Puts the newest message of a stream at or before `at_ns` into a channel of its topic.
@@ -41,24 +45,50 @@ Result<void> take_over(const logging::Session& session, const logging::StreamFil
   return channels.add(channel);
 }
 
+/// Models of a recording that are none of ours any more cannot be had.
+std::string models_called(const std::string& name) {
+  const auto names = sim::io::names_of("models");
+  return std::ranges::find(names, name) == names.end() ? "match" : name;
+}
+
 }  // namespace
 
-Result<foreseeing::Foreseer*> LabForesight::foreseer_for(const memory::Channels& channels) {
-  const std::string rules = rules_.empty() ? rules_of(channels) : rules_;
-  if (foreseer_ && prepared_ == rules) return foreseer_.get();
-  auto made = foreseeing::Foreseer::open({.strategies = strategies_.empty() ? default_strategies() : strategies_,
-                                          .rules = rules,
+std::vector<std::string> with_default_strategies(std::vector<std::string> strategies) {
+  for (const std::string& name : default_strategies())
+    if (std::ranges::find(strategies, name) == strategies.end() && strategies.size() < sim::foresight::kMaxStrategies)
+      strategies.push_back(name);
+  return strategies;
+}
+
+LabForesight::Setting LabForesight::setting_of(const memory::Channels& channels, const std::string& robot) const {
+  Setting setting{.rules = kNewestRules, .models = "match", .opponent_models = "match"};
+  if (const auto simulation = simulation_of(channels)) {
+    const bool home = robot.starts_with(std::to_string(simulation->home().number()) + "/");
+    setting = {.rules = simulation->rules(),
+               .models = models_called(home ? simulation->home().models() : simulation->away().models()),
+               .opponent_models = models_called(home ? simulation->away().models() : simulation->home().models())};
+  }
+  if (!options_.rules.empty()) setting.rules = options_.rules;
+  return setting;
+}
+
+Result<foreseeing::Foreseer*> LabForesight::foreseer_for(const Setting& setting) {
+  if (foreseer_ && prepared_ == setting) return foreseer_.get();
+  auto made = foreseeing::Foreseer::open({.strategies = with_default_strategies(options_.strategies),
+                                          .rules = setting.rules,
+                                          .models = setting.models,
+                                          .opponent_models = setting.opponent_models,
                                           .share = foreseeing::Share::background});
   if (!made) return Error{made.error()};
   foreseer_ = std::move(*made);
-  prepared_ = rules;
+  prepared_ = setting;
   return foreseer_.get();
 }
 
 Result<foresight::Forecast> LabForesight::ask(const memory::Channels& channels, const std::string& robot,
                                               const foresight::WhatIf& question, std::uint64_t now_ns) {
   const std::lock_guard guard(lock_);
-  const Result<foreseeing::Foreseer*> foreseer = foreseer_for(channels);
+  const Result<foreseeing::Foreseer*> foreseer = foreseer_for(setting_of(channels, robot));
   if (!foreseer) return Error{foreseer.error()};
   return ask_for(**foreseer, channels, robot, question, now_ns);
 }
@@ -85,7 +115,7 @@ Result<foresight::Forecast> what_if(const WhatIfOptions& options) {
     if (Result<void> taken = take_over(*session, stream, at_ns, clock, channels); !taken)
       return Error{stream.topic + ": " + taken.error()};
   }
-  LabForesight foresight(options.rules, {});
+  LabForesight foresight(options.foresight);
   return foresight.ask(channels, robot, options.question, at_ns);
 }
 

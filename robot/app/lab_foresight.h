@@ -15,24 +15,37 @@
 
 namespace robot::app {
 
+/// What questions go by.
+struct LabForesightOptions {
+  std::string rules;                    // empty: those of the recorded simulation, spl2025 where there is none
+  std::vector<std::string> strategies;  // that can be asked about, by name or path; the first is what was played
+};
+
+/// Of that list: what is asked of first, then those that there are anyway.
+std::vector<std::string> with_default_strategies(std::vector<std::string> strategies);
+
 /// Answers questions about whatever robots are played. Any thread.
 class LabForesight {
  public:
-  /// `rules`: empty: those that the recorded simulation names, spl2025 where there is none.
-  explicit LabForesight(std::string rules, std::vector<std::string> strategies)
-      : rules_(std::move(rules)), strategies_(std::move(strategies)) {}
+  explicit LabForesight(LabForesightOptions options) : options_(std::move(options)) {}
 
   /// From what `robot` of `channels` knew at `now_ns` [ns since the epoch].
   Result<foresight::Forecast> ask(const memory::Channels& channels, const std::string& robot,
                                   const foresight::WhatIf& question, std::uint64_t now_ns);
 
  private:
-  Result<foreseeing::Foreseer*> foreseer_for(const memory::Channels& channels);
+  /// What a recorded simulation was played by, as far as it matters to foresight.
+  struct Setting {
+    std::string rules, models, opponent_models;
+    bool operator==(const Setting&) const = default;
+  };
 
-  const std::string rules_;
-  const std::vector<std::string> strategies_;
+  Setting setting_of(const memory::Channels& channels, const std::string& robot) const;
+  Result<foreseeing::Foreseer*> foreseer_for(const Setting& setting);
+
+  const LabForesightOptions options_;
   Mutex lock_;
-  std::string prepared_;  // the rules of `foreseer_`
+  Setting prepared_;  // of `foreseer_`
   std::unique_ptr<foreseeing::Foreseer> foreseer_;
 };
 
@@ -41,7 +54,7 @@ struct WhatIfOptions {
   std::filesystem::path session;
   std::string robot;  // empty: the one that recorded
   double at = 0;      // [s] since the beginning of the session; < 0: before its end
-  std::string rules;
+  LabForesightOptions foresight;
   foresight::WhatIf question;
 };
 

@@ -148,8 +148,13 @@ struct PlayCommand {
     command->add_option("--map", options.map,
                         "JSON file that says which topics of others are which of our objects: robot/lab/mapping.h");
     command->add_option(
-        "--rules", options.rules,
+        "--rules", options.foresight.rules,
         "rules that what-if questions go by; those of a recorded simulation if not given, else spl2025");
+    command
+        ->add_option(
+            "--strategies", options.foresight.strategies,
+            "that they can be about beside those that there are, by name or path; the first is what was played")
+        ->delimiter(',');
     add_server_options(*command, options.server);
     command->callback([this] { chosen = true; });
   }
@@ -201,7 +206,7 @@ struct WhatIfCommand {
   std::string question = "{}";
   std::vector<std::string> strategies;
   double horizon = 0;
-  std::uint32_t budget_ms = 2000;
+  std::optional<std::uint32_t> budget_ms;
   bool json = false, chosen = false;
 
   void add_to(CLI::App& app) {
@@ -213,8 +218,8 @@ struct WhatIfCommand {
     command->add_option("--strategies", strategies, "the first is what is played; all that there are if not given")
         ->delimiter(',');
     command->add_option("--horizon", horizon, "[s] how far it looks: 1 .. 1200; 30 if not given");
-    command->add_option("--budget-ms", budget_ms, "[ms] for the answer: 10 .. 10000")->capture_default_str();
-    command->add_option("--rules", options.rules,
+    command->add_option("--budget-ms", budget_ms, "[ms] for the answer: 10 .. 10000; 2000 if not given");
+    command->add_option("--rules", options.foresight.rules,
                         "a year's; those of a recorded simulation if not given, else spl2025");
     command->add_option("--question", question,
                         "more of the question, as JSON: {\"until\": \"half\", \"edit\": {...}}");
@@ -228,9 +233,11 @@ struct WhatIfCommand {
     auto parsed = foreseeing::parse_question(more);
     if (!parsed) return fail("--question: " + parsed.error());
     options.question = *parsed;
+    if (!strategies.empty()) options.question.clear_strategies();
     for (const std::string& name : strategies) options.question.add_strategies(name);
+    options.foresight.strategies = {options.question.strategies().begin(), options.question.strategies().end()};
     if (horizon != 0) options.question.set_horizon(static_cast<float>(horizon));
-    options.question.set_budget_ms(budget_ms);
+    if (budget_ms || options.question.budget_ms() == 0) options.question.set_budget_ms(budget_ms.value_or(2000));
     const auto forecast = what_if(options);
     if (!forecast) return fail(forecast.error());
     if (!forecast->refusal().empty()) return fail(forecast->reason());

@@ -104,7 +104,7 @@ Result<void> play(const PlayOptions& options) {
   const Clock& clock = (*replay)->clock();
   const auto own = std::make_shared<LabObjects>(clock);
   RecordingPlayback playback(**replay);
-  LabForesight seer(options.rules, {});  // outlives the server that asks it
+  LabForesight seer(options.foresight);  // outlives the server that asks it
   Runtime runtime({.program = "foresight-lab",
                    .body = "recording",
                    .robot = robot,

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "robot/app/lab_foresight.h"
 #include "robot/app/server_settings.h"
 #include "robot/core/result.h"
 
@@ -15,7 +16,7 @@ struct PlayOptions {
   bool loop = false;
   double max_clock_offset = 60;  // [s] a session whose clock is further off than that from the first one's is refused
   std::filesystem::path map;     // which of their topics is which of our objects; empty: none is
-  std::string rules;             // of foresight; empty: those of the recorded simulation, else spl2025
+  LabForesightOptions foresight;
   ServerSettings server;
 };
 

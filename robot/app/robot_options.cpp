@@ -43,7 +43,9 @@ void add_simulation_options(CLI::App& app, RobotOptions& options) {
       ->capture_default_str()
       ->group(group);
   app.add_option("--away", options.away, "strategy of the away team")->capture_default_str()->group(group);
-  app.add_option("--rules", options.rules, "rules of a year, in foresight too")->capture_default_str()->group(group);
+  app.add_option("--rules", options.rules,
+                 "of a year, in foresight too; spl2012 with body sim if not given, else spl2025")
+      ->group(group);
   app.add_option("--models", options.models, "what robots can do and perceive")->capture_default_str()->group(group);
   app.add_option("--home-models", options.home_models, "the home team's own")->group(group);
   app.add_option("--away-models", options.away_models, "the away team's own")->group(group);
@@ -105,6 +107,15 @@ void add_options(CLI::App& app, RobotOptions& options) {
   add_game_options(app, options);
   add_recording_options(app, options);
   add_server_options(app, options.server);
+}
+
+std::string rules_of(const RobotOptions& options) {
+  if (!options.rules.empty()) return options.rules;
+  return options.body == "sim" ? "spl2012" : "spl2025";
+}
+
+const std::string& own_strategy_of(const RobotOptions& options) {
+  return options.side == "home" ? options.home : options.away;
 }
 
 std::set<std::string> written_by_us(const RobotOptions& options) {

@@ -34,7 +34,8 @@ struct RobotOptions {
   std::string side = "home";
   int opponent = 5;
   std::string home = "baseline", away = "baseline";
-  std::string rules = "spl2012", models = "match", home_models, away_models;  // rules and models of foresight, too
+  std::string rules;                                       // of foresight, too; empty: rules_of()
+  std::string models = "match", home_models, away_models;  // of foresight, too
   std::uint64_t seed = 1;
 
   // foresight
@@ -56,6 +57,12 @@ struct RobotOptions {
 };
 
 void add_options(CLI::App& app, RobotOptions& options);
+
+/// The rules that are played by: where the options name none, a simulation's are those of 2012, a robot's the newest.
+std::string rules_of(const RobotOptions& options);
+
+/// What the own side of a simulation plays at first.
+const std::string& own_strategy_of(const RobotOptions& options);
 
 /// Objects of our robot that foresight and, as the options ask for it, following a real game write whatever the body.
 std::set<std::string> written_by_us(const RobotOptions& options);

@@ -1,19 +1,27 @@
 #include "robot/app/run_simulation.h"
 
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "robot/app/foresight_control.h"
 #include "robot/app/runtime.h"
 #include "robot/app/simulation_control.h"
 #include "robot/body/sim/sim_body.h"
+#include "robot/core/report.h"
+#include "robot/foresight/following.h"
+#include "sim/agent/follower.h"
 #include "sim/io/setup.h"
+#include "sim/io/strategy.h"
 
 namespace robot::app {
 namespace {
 
 Result<body::Setup> setup_of(const RobotOptions& options, sim::Side side) {
   // everything at 30 Hz, as on a robot
-  auto game = sim::io::prepare({.rules = options.rules,
+  const std::string rules = rules_of(options);
+  auto game = sim::io::prepare({.rules = rules,
                                 .strategies = {options.home, options.away},
                                 .models = {options.home_models.empty() ? options.models : options.home_models,
                                            options.away_models.empty() ? options.models : options.away_models},
@@ -23,8 +31,32 @@ Result<body::Setup> setup_of(const RobotOptions& options, sim::Side side) {
   const auto opponent = static_cast<std::uint32_t>(options.opponent);
   const bool home = side == sim::Side::home;
   return body::Setup{.game = std::move(*game),
-                     .rules = options.rules,
+                     .rules = rules,
                      .teams = {.home = home ? own : opponent, .away = home ? opponent : own}};
+}
+
+/// Lets the own side play what its captain chooses of `strategies`, where it plays the first of them.
+Result<void> follow_captain(const std::vector<std::string>& strategies, const RobotOptions& options, sim::Side side,
+                            sim::io::Setup& game) {
+  const std::string& own = own_strategy_of(options);
+  if (own != strategies.front()) {
+    report(Level::warning, "foresight",
+           "the own side plays " + own + ", not " + strategies.front() +
+               ", the first of the strategies to choose from: it does not follow what is chosen");
+    return {};
+  }
+  std::vector<std::shared_ptr<const sim::agent::Behaviour>> behaviours;
+  for (const std::string& name : strategies) {
+    auto behaviour = sim::io::load_strategy(name);
+    if (!behaviour) return Error{behaviour.error()};
+    behaviours.push_back(std::move(*behaviour));
+  }
+  constexpr auto kStale = static_cast<sim::Tick>(foreseeing::Following::kStaleNs * 30 / kSecond);
+  const auto index = static_cast<std::size_t>(side);
+  const std::string name = behaviours.front()->name();
+  game.behaviours[index] = std::make_shared<sim::agent::Follower>(name, std::move(behaviours), kStale);
+  game.params.teams[index].behaviour = game.behaviours[index].get();
+  return {};
 }
 
 }  // namespace
@@ -38,6 +70,8 @@ Result<void> run_simulation(const RobotOptions& options) {
   if (options.game_controller) return Error{"--game-controller: body sim plays a game of its own"};
   Result<body::Setup> setup = setup_of(options, side);
   if (!setup) return Error{setup.error()};
+  const foreseeing::ForeseerOptions foreseeing = foreseer_options(options);
+  if (Result<void> led = follow_captain(foreseeing.strategies, options, side, setup->game); !led) return led;
 
   const SessionClock clock;
   auto body = body::SimBody::open(
@@ -50,7 +84,7 @@ Result<void> run_simulation(const RobotOptions& options) {
   add_simulation_control(**body, runtime.services());
   // a game that is paused stands still for foresight, too
   const auto shown_ns = [&simulation = (*body)->memory()->simulation] { return simulation.read()->capture_ns(); };
-  const auto foresight = ForesightControl::open(foreseer_options(options), options.foresight.value_or(true), runtime,
+  const auto foresight = ForesightControl::open(foreseeing, options.foresight.value_or(true), runtime,
                                                 *(*body)->memory(), robot.text(), shown_ns);
   if (!foresight) return Error{foresight.error()};
   const Result<bool> begun = begin(runtime, options);

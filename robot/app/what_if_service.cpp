@@ -22,7 +22,7 @@ json answer(json request, const std::string& own, const AskForesight& ask) {
   }
   Result<foresight::WhatIf> question = foreseeing::parse_question(request);
   if (!question) return refused(question.error());
-  question->set_asked_by("people");
+  question->set_asked_by(std::string(foreseeing::kByPeople));
   const Result<foresight::Forecast> forecast = ask(robot, *question);
   if (!forecast) return refused(forecast.error());
   if (!forecast->refusal().empty()) return refused(forecast->reason());

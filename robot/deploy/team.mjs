@@ -3,7 +3,7 @@
 // It is `~/.config/foresight/robots.json`, or where $FORESIGHT_ROBOTS or --robots say; robots.example.json is one.
 import { readFileSync } from "node:fs";
 import { homedir } from "node:os";
-import { join } from "node:path";
+import { basename, dirname, join, resolve } from "node:path";
 import { BadInput } from "./failure.mjs";
 
 export const kModels = ["nao-v4", "nao-v5", "nao-v6"];
@@ -22,10 +22,20 @@ const address = word(/^[A-Za-z0-9][A-Za-z0-9.:_-]*$/, "an IP address or host nam
 const name = word(/^[A-Za-z][A-Za-z0-9_-]*$/, "a letter, then letters, digits, _ and -");
 const identity = word(/^[\x21-\x7e]+$/, "an id as the robot has it, without blanks");
 
+const isListOfStrategies = (value) =>
+  Array.isArray(value) &&
+  value.length >= 1 &&
+  value.length <= 8 &&
+  value.every((one) => typeof one === "string" && /^[^,\n]*[\w-]$/.test(one)) &&
+  new Set(value.map((one) => basename(one))).size === value.length;
+
 const kTeamKeys = {
   team: whole(kTeams),
   colour: among(kColours),
   key: word(/^[^\s]+$/, "the path of a private ssh key, without blanks"),
+  rules: word(/^[a-z0-9_]+$/, "the name of rules, such as spl2025"),
+  strategies: { isRight: isListOfStrategies, words: "a list of 1 .. 8 names of strategies, or .json files of your own with different names" },
+  foresight: { isRight: (value) => typeof value === "boolean", words: "true or false" },
   robots: { isRight: Array.isArray, words: "a list of robots" },
 };
 const kRobotKeys = {
@@ -83,7 +93,8 @@ class Taken {
 
 /**
  * The robots of the file's `text`: [{name, addresses, model, body, player, team, colour, key, head_id, body_id, user,
- * ssh_port, http_port}]; colour, key and ids may be absent. `file` is what errors call it. `home` stands for ~.
+ * ssh_port, http_port, rules, strategies, foresight}]; colour, key and ids, rules, strategies and foresight may be absent.
+ * `file` is what errors call it, and where files of strategies are looked for. `home` stands for ~.
  */
 export function parseTeam(file, text, home = homedir()) {
   let team;
@@ -93,12 +104,16 @@ export function parseTeam(file, text, home = homedir()) {
     throw new BadInput(`${file}: expected JSON, got ${error.message}`);
   }
   checkObject(`${file}: $`, team, kTeamKeys, ["robots"]);
+  const atHome = (path) => path.replace(/^~(?=\/)/, home);
   const taken = new Taken();
+  // all robots of a team choose between the same
+  const ofAll = Object.fromEntries(["rules", "foresight"].filter((key) => key in team).map((key) => [key, team[key]]));
+  if (team.strategies) ofAll.strategies = team.strategies.map((one) => (one.endsWith(".json") ? resolve(dirname(file), atHome(one)) : one));
   return team.robots.map((robot, index) => {
     const where = `${file}: $.robots[${index}]`;
     checkObject(where, robot, kRobotKeys, ["name", "model", "player"]);
     const { address, wired, wireless, ...rest } = robot;
-    const whole = { ...kDefaults, colour: team.colour, team: team.team, key: team.key?.replace(/^~(?=\/)/, home), ...rest };
+    const whole = { ...kDefaults, colour: team.colour, team: team.team, key: team.key && atHome(team.key), ...ofAll, ...rest };
     if (whole.team === undefined) throw new BadInput(`${where}.team: expected ${kRobotKeys.team.words} here or for all, got nothing`);
     if (whole.body === "nao" && whole.model !== "nao-v6") throw new BadInput(`${where}.body: expected attached of a ${whole.model}, which has no LoLA, got nao`);
     whole.addresses = addressesOf(where, robot);

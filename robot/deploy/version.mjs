@@ -1,10 +1,15 @@
 // What goes to a robot: the program, its settings, who the robot is, and what starts it.
-import { mkdirSync, symlinkSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { existsSync, mkdirSync, symlinkSync, writeFileSync } from "node:fs";
+import { basename, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { BadInput } from "./failure.mjs";
 import { removeScratch, scratchFolder } from "./scratch.mjs";
 
 const kOnRobot = fileURLToPath(new URL("on_robot/", import.meta.url));
+
+const isFile = (strategy) => strategy.endsWith(".json");
+/** What a strategy is called there: files of a team's own lie in the version. */
+const onRobot = (strategy) => (isFile(strategy) ? `current/etc/${basename(strategy)}` : strategy);
 
 /** The options of foresight-robot, one per line without its dashes; paths are below ~/foresight. `field` may be absent. */
 export function settingsOf(robot, { field } = {}) {
@@ -12,6 +17,9 @@ export function settingsOf(robot, { field } = {}) {
     `body=${robot.body}`,
     `team=${robot.team}`,
     `player=${robot.player}`,
+    ...(robot.rules === undefined ? [] : [`rules=${robot.rules}`]),
+    ...(robot.strategies === undefined ? [] : [`strategies=${robot.strategies.map(onRobot).join(",")}`]),
+    ...(robot.foresight ? ["foresight"] : []),
     "game-controller",
     ...(field === undefined ? [] : [`field=${field}`]),
     "bind=0.0.0.0",
@@ -53,6 +61,10 @@ export async function withVersion(robot, programs, given, use) {
     addStarter(folder, "foresight", "foresight.service");
     writeFileSync(join(folder, "etc/settings"), settingsOf(robot, given));
     writeFileSync(join(folder, "etc/robot.json"), identityOf(robot, given));
+    for (const file of (robot.strategies ?? []).filter(isFile)) {
+      if (!existsSync(file)) throw new BadInput(`strategies: expected a file, got ${file}, which is not there`);
+      symlinkSync(file, join(folder, "etc", basename(file)));
+    }
     if (programs.guardian) addGuardian(join(folder, "guardian"), programs.guardian);
     return await use(folder);
   } finally {

@@ -7,6 +7,7 @@
 #include "robot/core/clock.h"
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
+#include "robot/foresight/question.h"
 #include "robot/foresight/triggers.h"
 
 namespace robot::foreseeing {
@@ -51,6 +52,7 @@ Advisor::Advisor(std::unique_ptr<Foreseer> foreseer, memory::Memory& memory, con
       now_ns_(std::move(now_ns)),
       options_(std::move(options)),
       following_(static_cast<int>(strategies_.size())),
+      scorer_(foreseer_->rules().goal_message_delay),
       inbox_(std::make_unique<Inbox>(*this)) {
   memory_.what_if.attach(*inbox_);
   thread_ = std::thread([this] { run(); });
@@ -80,7 +82,7 @@ std::string Advisor::strategy() const {
 
 void Advisor::run() {
   become_background_thread("advisor");
-  Triggers triggers;
+  Triggers triggers(foreseer_->rules().field.length / 2);
   while (true) {
     std::shared_ptr<const memory::Version> asked;
     {
@@ -96,21 +98,22 @@ void Advisor::run() {
       continue;
     }
     const std::uint64_t now_ns = now_ns_();
-    follow(now_ns);
-    score(now_ns);
     const AskingOptions options = options_();
+    follow(now_ns, options);
+    score(now_ns);
     if (!options.on) continue;
     const Recollection now = recollect(channels_, robot_, now_ns);
     const char* const why = triggers.look(now, static_cast<std::uint64_t>(options.period * 1e9));
-    if (!why) continue;
+    // what somebody else asks comes first; an answer to a question that waited would be one about the past
+    if (!why || !foreseer_->idle()) continue;
+    triggers.asked();
     pb::WhatIf question;
-    question.set_asked_by(std::string("captain: ") + why);
+    question.set_asked_by(std::string(kByCaptain) + why);
     question.set_budget_ms(options.budget_ms);
     question.set_horizon(static_cast<float>(options.horizon));
     question.set_id(now.now_ns);
     // all are compared with the default, whatever is played now (sim/foresight/chooser.h)
     for (const std::string& name : strategies_) question.add_strategies(name);
-    // busy with what somebody else asked: there will be another reason soon
     (void)foreseer_->ask(question, now, [this](const pb::Forecast& forecast) { decide(forecast); });
   }
 }
@@ -151,7 +154,7 @@ void Advisor::decide(const pb::Forecast& forecast) {
 }
 
 /// What the captain told, where another is it.
-void Advisor::follow(std::uint64_t now_ns) {
+void Advisor::follow(std::uint64_t now_ns, const AskingOptions& options) {
   const auto game = memory_.game.read();
   const auto team = memory_.team.read();
   bool due = false;
@@ -161,7 +164,8 @@ void Advisor::follow(std::uint64_t now_ns) {
     const int player = game ? static_cast<int>(game->value().own_player()) : 0;
     captain_ = game ? captain_of(game->value()) : 0;
     if (team) following_.hear(team->value(), captain_, player, now_ns);
-    following_.forget(captain_ != 0 && captain_ == player, now_ns);
+    const bool leads = options.on && captain_ != 0 && captain_ == player;
+    following_.forget(now_ns, leads ? static_cast<std::uint64_t>(options.period * 1e9) : 0);
     const auto after = following_.choice();
     if (after.epoch != before.epoch || after.strategy != before.strategy) reason_.clear(), due = true;
     due = due || now_ns >= written_ns_ + kSecond || now_ns < written_ns_;
@@ -182,21 +186,23 @@ void Advisor::write_strategy(std::uint64_t now_ns) {
     message->set_told_ns(following_.told_ns());
     message->set_reason(reason_);
     written_ns_ = now_ns;
+    played_.push_back({*message, now_ns});
   }
   memory_.strategy.write(std::move(message), now_ns);
 }
 
 void Advisor::score(std::uint64_t now_ns) {
-  const auto game = memory_.game.read();
-  if (!game) return;
-  std::vector<Remembered<pb::Forecast>> fresh;
+  std::vector<Remembered<pb::Forecast>> forecasts;
+  std::vector<Remembered<pb::Strategy>> played;
   {
     const std::lock_guard guard(lock_);
-    fresh.swap(unscored_);
+    forecasts.swap(unscored_);
+    played.swap(played_);
   }
-  // goals of before the forecast are none that it foretold
-  for (const auto& forecast : fresh) scorer_.foretell(forecast.value, forecast.capture_ns);
-  if (scorer_.see(game->value(), now_ns)) memory_.forecast_score.write(scorer_.score(), now_ns);
+  for (const auto& strategy : played) scorer_.see(strategy.value, strategy.capture_ns);
+  for (const auto& forecast : forecasts) scorer_.foretell(forecast.value, forecast.capture_ns);
+  const auto game = memory_.game.read();
+  if (game && scorer_.see(game->value(), now_ns)) memory_.forecast_score.write(scorer_.score(), now_ns);
 }
 
 }  // namespace robot::foreseeing

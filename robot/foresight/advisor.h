@@ -53,7 +53,7 @@ class Advisor {
   void ask_of_own_accord();
   void keep(const pb::Forecast& forecast);
   void decide(const pb::Forecast& forecast);
-  void follow(std::uint64_t now_ns);
+  void follow(std::uint64_t now_ns, const AskingOptions& options);
   void score(std::uint64_t now_ns);
   void write_strategy(std::uint64_t now_ns);
 
@@ -70,8 +70,10 @@ class Advisor {
   Following following_;
   std::string reason_;  // why this robot chose what is played; empty where another did
   int captain_ = 0;
-  std::uint64_t written_ns_ = 0;                    // when `strategy` was written last
-  std::vector<Remembered<pb::Forecast>> unscored_;  // that the scorer has not heard yet
+  std::uint64_t written_ns_ = 0;  // when `strategy` was written last
+  // that the scorer has not heard yet
+  std::vector<Remembered<pb::Forecast>> unscored_;
+  std::vector<Remembered<pb::Strategy>> played_;
   // of the advisor's own thread
   Scorer scorer_;
   std::shared_ptr<const memory::Version> asked_;  // the newest question that was not taken yet

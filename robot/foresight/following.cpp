@@ -19,8 +19,8 @@ void Following::hear(const pb::Team& team, int captain, int player, std::uint64_
   }
 }
 
-void Following::forget(bool leads, std::uint64_t now_ns) {
-  if (!leads && told_ns_ + kStaleNs <= now_ns) choice_.strategy = kNoStrategy;
+void Following::forget(std::uint64_t now_ns, std::uint64_t period_ns) {
+  if (told_ns_ + kStaleNs + period_ns <= now_ns) let_go(choice_);
 }
 
 void Following::choose(int strategy, std::uint64_t now_ns) {

@@ -22,8 +22,9 @@ class Following {
   /// Takes over what teammates told. `captain` chooses, 0: nobody; `player` is this robot.
   void hear(const pb::Team& team, int captain, int player, std::uint64_t now_ns);
 
-  /// Lets go of a choice that is stale, unless this robot leads. To be called now and then.
-  void forget(bool leads, std::uint64_t now_ns);
+  /// Lets go of a choice that is stale; where this robot asks every `period_ns` itself, that much later. To be called
+  /// now and then.
+  void forget(std::uint64_t now_ns, std::uint64_t period_ns = 0);
 
   /// As the captain; confirms what is played when it is the same.
   void choose(int strategy, std::uint64_t now_ns);

@@ -105,6 +105,8 @@ Result<std::unique_ptr<Foreseer>> Foreseer::open(ForeseerOptions options) {
   // everything is read once, so that a wrong file is told now
   if (const auto playbook = made->playbook_for(made->options_.strategies.front(), 0); !playbook)
     return Error{"foresight: " + playbook.error()};
+  else
+    made->rules_ = (*playbook)->params.front().rules;
   made->answering_ = std::thread([foreseer = made.get()] { foreseer->answer(); });
   return made;
 }
@@ -136,6 +138,11 @@ Result<std::shared_ptr<const sim::io::Playbook>> Foreseer::playbook_for(const st
   return playbooks_[key] = std::make_shared<const sim::io::Playbook>(std::move(*playbook));
 }
 
+bool Foreseer::idle() {
+  const std::lock_guard guard(lock_);
+  return jobs_.empty();
+}
+
 Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollection, Answered answered) {
   Result<pb::WhatIf> question = complete(asked, options_.strategies);
   if (!question) return Error{question.error()};
@@ -147,7 +154,9 @@ Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollec
 
   auto job = std::make_unique<Job>();
   job->asked_ns = recollection.now_ns;
-  const auto knowledge = knowledge_of(recollection, params.teams[0].models.motion);
+  job->arrived_ns = monotonic_ns();
+  auto knowledge = knowledge_of(recollection, params);
+  if (knowledge && question->has_edit()) tell(question->edit(), *knowledge);
   const pf::Believed believed =
       knowledge ? pf::believe(params, *knowledge) : pf::Believed{.situation = {}, .refusal = knowledge.error()};
   if (!believed.refusal.empty()) {
@@ -205,8 +214,7 @@ void Foreseer::answer() {
 }
 
 void Foreseer::answer(const Job& job, Rollouts& rollouts) {
-  const std::uint64_t began_ns = monotonic_ns();
-  const std::uint64_t deadline_ns = began_ns + job.question.budget_ms() * kMillion;
+  const std::uint64_t deadline_ns = monotonic_ns() + job.question.budget_ms() * kMillion;
   rollouts.begin(job.futures, deadline_ns);
   {
     const std::lock_guard guard(lock_);
@@ -214,10 +222,10 @@ void Foreseer::answer(const Job& job, Rollouts& rollouts) {
   }
   const Progress progress = rollouts.progress();
   rollouts.end();
-  job.answered(forecast_of(job, progress, began_ns));
+  job.answered(forecast_of(job, progress));
 }
 
-pb::Forecast Foreseer::forecast_of(const Job& job, const Progress& progress, std::uint64_t began_ns) const {
+pb::Forecast Foreseer::forecast_of(const Job& job, const Progress& progress) const {
   const auto& [playbook, strategies, situation, question, key] = job.futures;
   const pf::Forecast known = pf::forecast(progress.tally, question, key);
   const std::vector<std::string> names(job.question.strategies().begin(), job.question.strategies().end());
@@ -230,7 +238,7 @@ pb::Forecast Foreseer::forecast_of(const Job& job, const Progress& progress, std
     strategy.set_strategy(names[static_cast<std::size_t>(i)]);
     fill(known.standings[i], progress.tally.accounts[i], situation.state.world.players, strategy);
   }
-  forecast.set_answered_ms(static_cast<float>(monotonic_ns() - began_ns) / 1e6f);
+  forecast.set_answered_ms(static_cast<float>(monotonic_ns() - job.arrived_ns) / 1e6f);
   forecast.set_computed_ms(static_cast<float>(progress.computed_ns) / 1e6f);
   forecast.set_simulated(static_cast<float>(progress.tally.ticks) * sim::kTickDuration);
   fill(situation, playbook->params.front().rules, *forecast.mutable_situation());

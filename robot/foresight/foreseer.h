@@ -39,6 +39,10 @@ class Foreseer {
   Foreseer& operator=(const Foreseer&) = delete;
 
   const std::vector<std::string>& strategies() const { return options_.strategies; }
+  const sim::field::Rules& rules() const { return rules_; }
+
+  /// No question runs, none waits.
+  bool idle();
 
   /// Called on the answering thread; must not wait for a question of its own.
   using Answered = std::function<void(const pb::Forecast&)>;
@@ -55,7 +59,8 @@ class Foreseer {
   struct Job {
     pb::WhatIf question;
     Futures futures;
-    std::uint64_t asked_ns = 0;  // [ns since the epoch]
+    std::uint64_t asked_ns = 0;    // [ns since the epoch] of the moment it is about
+    std::uint64_t arrived_ns = 0;  // [monotonic]
     Answered answered;
   };
 
@@ -64,9 +69,10 @@ class Foreseer {
   Result<std::shared_ptr<const sim::io::Playbook>> playbook_for(const std::string& opponent, int players);
   void answer();
   void answer(const Job& job, Rollouts& rollouts);
-  pb::Forecast forecast_of(const Job& job, const Progress& progress, std::uint64_t began_ns) const;
+  pb::Forecast forecast_of(const Job& job, const Progress& progress) const;
 
   const ForeseerOptions options_;
+  sim::field::Rules rules_;  // does not change once it is open
 
   Mutex preparing_;
   std::map<std::pair<std::string, int>, std::shared_ptr<const sim::io::Playbook>> playbooks_;

@@ -7,6 +7,7 @@
 
 #include "sim/agent/roles.h"
 #include "sim/math/vec2.h"
+#include "sim/referee/referee.h"
 
 namespace robot::foreseeing {
 namespace {
@@ -20,6 +21,7 @@ using Doing = sim::Body::Doing;
 constexpr float kVelocityDeviation = 0.3f;  // [m/s] of a filter that does not tell how sure it is
 constexpr float kSameOpponent = 1;          // [m] a robot that is seen so near to a known one is that one
 constexpr std::uint64_t kTickNs = 1'000'000'000 / 30;
+constexpr std::uint64_t kAtOnceNs = 1'000'000'000;  // what is written while the moment is looked at
 
 /// [ticks] from then to now, at most an hour.
 Tick ticks_since(std::uint64_t now_ns, std::uint64_t then_ns) {
@@ -94,14 +96,29 @@ SetPlay set_play_of(const pb::GameState& game) {
     case pb::GameState::SET_PLAY_PENALTY_KICK: return SetPlay::kick_in;
     default: break;
   }
-  // a kick-off is none to the GameController
+  // a kick-off is none to the GameController: the ball of one is free when its countdown is over
   const bool coming = game.state() == pb::GameState::STATE_READY || game.state() == pb::GameState::STATE_SET;
-  return coming ? SetPlay::kick_off : SetPlay::none;
+  const bool on =
+      game.state() == pb::GameState::STATE_PLAYING && game.secondary_seconds() > 0 && game.has_kicking_team();
+  return coming || on ? SetPlay::kick_off : SetPlay::none;
+}
+
+/// [s] since the phase or set play began, by its countdown; 0 where there is none.
+float since_phase(const pb::GameState& told, const sim::agent::Game& game, const sim::field::Rules& rules) {
+  const float left = finite(told.secondary_seconds());
+  if (left <= 0) return 0;
+  return std::max(sim::referee::countdown_of(rules, game.phase, game.set_play) - left, 0.f);
+}
+
+/// A part of the game that the simulator does not know; nullptr: soccer is played.
+const char* why_no_soccer(const pb::GameState& game) {
+  if (game.phase() == pb::GameState::PHASE_PENALTY_SHOOT_OUT) return "the game is in a penalty shoot-out";
+  return game.phase() == pb::GameState::PHASE_TIMEOUT ? "the game is in a time-out" : nullptr;
 }
 
 std::uint8_t byte_of(std::uint32_t value) { return static_cast<std::uint8_t>(std::min<std::uint32_t>(value, 255)); }
 
-sim::agent::Game game_of(const pb::GameState& told) {
+sim::agent::Game game_of(const pb::GameState& told, const sim::field::Rules& rules) {
   sim::agent::Game game;
   game.phase = phase_of(told);
   game.set_play = set_play_of(told);
@@ -112,6 +129,7 @@ sim::agent::Game game_of(const pb::GameState& told) {
   game.own_score = byte_of(told.own().score());
   game.opponent_score = byte_of(told.opponent().score());
   game.remaining = std::clamp(finite(told.seconds_remaining()), 0.f, 36'000.f);
+  game.since_phase = since_phase(told, game, rules);
   const int own = static_cast<int>(told.own_player()) - 1;
   game.penalised = own >= 0 && own < told.own().players_size() && told.own().players(own).penalised();
   return game;
@@ -215,7 +233,7 @@ Recollection recollect(const memory::Channels& channels, const std::string& robo
     using Object = typename std::remove_reference_t<decltype(object)>::value_type;
     const auto channel = channels.find("/" + robot + "/" + name);
     const auto version = channel ? channel->newest() : nullptr;
-    if (!version) return;
+    if (!version || version->capture_ns() > now_ns + kAtOnceNs) return;
     Object read;
     const std::string_view bytes = version->bytes();
     if (!read.value.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return;
@@ -225,14 +243,15 @@ Recollection recollect(const memory::Channels& channels, const std::string& robo
   return recollection;
 }
 
-Result<sim::foresight::Knowledge> knowledge_of(const Recollection& from, const sim::motion::Model& model) {
+Result<sim::foresight::Knowledge> knowledge_of(const Recollection& from, const sim::Params& params) {
   if (!from.game) return Error{"the robot does not know of a game: there is no object game yet"};
+  if (const char* const why = why_no_soccer(from.game->value)) return Error{why};
   if (!from.pose) return Error{"the robot does not know where it is: there is no object pose yet"};
   const std::uint64_t pose_ns = from.pose->capture_ns;
   if (from.now_ns > pose_ns + kStalePoseNs)
     return Error{"the robot does not know where it is: its pose is " +
                  std::to_string((from.now_ns - pose_ns) / 1'000'000'000) + " s old"};
-  sim::foresight::Knowledge knowledge{.now = kNow, .game = game_of(from.game->value)};
+  sim::foresight::Knowledge knowledge{.now = kNow, .game = game_of(from.game->value, params.rules)};
   sim::agent::Beliefs& beliefs = knowledge.beliefs;
   const pb::Pose& pose = from.pose->value;
   beliefs.pose = {pose_of(pose), std::max(pose.deviation_x(), pose.deviation_y()), finite(pose.deviation_heading(), 2)};
@@ -246,7 +265,7 @@ Result<sim::foresight::Knowledge> knowledge_of(const Recollection& from, const s
   see_opponents(from, beliefs.pose.pose, beliefs);
   take_away(from.game->value.own(), knowledge.away[0]);
   take_away(from.game->value.opponent(), knowledge.away[1]);
-  if (from.motion) knowledge.body = body_of(from.motion->value, model);
+  if (from.motion) knowledge.body = body_of(from.motion->value, params.teams[0].models.motion);
   if (from.decision) knowledge.mind.role = role_of(from.decision->value.role());
   knowledge.mind.role_since = knowledge.mind.leaf_since = kNow;
   return knowledge;

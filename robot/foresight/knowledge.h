@@ -16,7 +16,7 @@
 #include "robot/core/result.h"
 #include "robot/memory/channels.h"
 #include "sim/foresight/situation.h"
-#include "sim/motion/model.h"
+#include "sim/match/params.h"
 
 // Not `robot::foresight`: within robot, `foresight` is the package of the messages.
 namespace robot::foreseeing {
@@ -51,7 +51,8 @@ struct Recollection {
   }
 };
 
-/// What the memory of `robot` ("14/2"), live or played, holds at `now_ns` [ns since the epoch].
+/// What the memory of `robot` ("14/2"), live or played, holds at `now_ns` [ns since the epoch]. Of a recording that was moved
+/// back it may hold what came later: that is left out.
 Recollection recollect(const memory::Channels& channels, const std::string& robot, std::uint64_t now_ns);
 
 /// The tick that is now in every Knowledge made of a memory: everything else is older.
@@ -60,8 +61,9 @@ inline constexpr sim::Tick kNow = 1'000'000;
 /// A pose that is older tells nothing of now.
 inline constexpr std::uint64_t kStalePoseNs = 3'000'000'000;
 
-/// As the simulator has it. `model`: what the own body can do. An Error, one sentence, where something without which
-/// nothing can be told is absent or old: "the robot does not know where it is: there is no object pose yet".
-Result<sim::foresight::Knowledge> knowledge_of(const Recollection& recollection, const sim::motion::Model& model);
+/// As the simulator has it. `params`: the rules of the game, and at home what the own body can do. An Error, one sentence,
+/// where something without which nothing can be told is absent or old, "the robot does not know where it is: there is no
+/// object pose yet", and where no soccer is played: "the game is in a penalty shoot-out".
+Result<sim::foresight::Knowledge> knowledge_of(const Recollection& recollection, const sim::Params& params);
 
 }  // namespace robot::foreseeing

@@ -340,6 +340,18 @@ sim::foresight::Question question_of(const pb::WhatIf& question) {
           .switching_cost = question.switching_cost()};
 }
 
+void tell(const pb::WhatIf::Edit& edit, sim::foresight::Knowledge& knowledge) {
+  sim::agent::Beliefs& beliefs = knowledge.beliefs;
+  for (const pb::WhatIf::MovedRobot& moved : edit.robots()) {
+    if (moved.opponent() || moved.player() != knowledge.game.player) continue;
+    beliefs.pose = {.pose = {{moved.x(), moved.y()}, sim::normalized(moved.heading())}};
+  }
+  if (!edit.has_ball()) return;
+  const sim::Pose2& pose = beliefs.pose.pose;
+  const Vec2 to_ball = Vec2{edit.ball().x(), edit.ball().y()} - pose.position;
+  beliefs.ball = {.position = sim::turned_back(to_ball, sim::direction(pose.heading)), .seen = knowledge.now};
+}
+
 Result<void> apply(const pb::WhatIf::Edit& edit, const sim::Params& params, sim::foresight::Situation& situation) {
   sim::State& state = situation.state;
   sim::World& world = state.world;

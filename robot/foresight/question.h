@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "proto/foresight/forecast.pb.h"
@@ -14,6 +15,9 @@
 namespace robot::foreseeing {
 
 namespace pb = ::foresight;
+
+/// How `asked_by` begins where it was no process of the team's own.
+inline constexpr std::string_view kByPeople = "people", kByCaptain = "captain: ";
 
 /// {"strategies": ["baseline", "passing"], "opponent": "baseline", "measure": "goal_difference" | "score_next" | "concede",
 ///  "until": "horizon" | "next_goal" | "half" | "game", "horizon": 30, "budget_ms": 500, "switching_cost": 0.02,
@@ -30,6 +34,9 @@ nlohmann::json to_json(const pb::Forecast& forecast, bool in_full);
 Result<pb::WhatIf> complete(pb::WhatIf question, const std::vector<std::string>& known);
 
 sim::foresight::Question question_of(const pb::WhatIf& question);
+
+/// What `edit` says of the robot itself and of the ball, it knows: so it can be asked though it saw no ball for long.
+void tell(const pb::WhatIf::Edit& edit, sim::foresight::Knowledge& knowledge);
 
 /// Changes the situation to what `edit` says, of which there is no doubt then. An Error where it cannot be so: outside the
 /// field, in a goalpost, one robot in another.

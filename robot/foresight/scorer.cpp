@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
-#include "robot/core/clock.h"
+#include "robot/foresight/question.h"
 
 namespace robot::foreseeing {
 namespace {
@@ -30,49 +31,102 @@ bool has_horizon(const pb::WhatIf& question) {
   return question.until() == pb::WhatIf::UNTIL_HORIZON || question.until() == pb::WhatIf::UNTIL_NEXT_GOAL;
 }
 
-/// What was played from then on: the choice where the captain asked, else what was played already.
-const std::string& played(const pb::Forecast& forecast) {
-  const bool by_captain = forecast.question().asked_by().starts_with("captain");
-  return by_captain ? forecast.choice() : forecast.question().strategies(0);
+/// One line of the report, and one for each decile that has cases.
+std::string lines_of(const char* what, const pb::ForecastScore::Event& event) {
+  std::string deciles;
+  char line[160];
+  double cases = 0, foretold = 0;
+  for (const pb::ForecastScore::Bin& bin : event.bins()) {
+    if (bin.forecasts() == 0) continue;
+    cases += bin.forecasts(), foretold += bin.forecasts() * double{bin.foretold()};
+    std::snprintf(line, sizeof line, "    %-32u%6.1f %%%8.1f %%\n", bin.forecasts(),
+                  100. * bin.came() / bin.forecasts(), 100 * double{bin.foretold()});
+    deciles += line;
+  }
+  std::snprintf(line, sizeof line, "  %-34s%6.1f %%%8.1f %%%8.3f%13.3f%10.3f\n", what, 100 * event.came() / cases,
+                100 * foretold / cases, double{event.brier()}, double{event.brier_of_rate()}, double{event.log_loss()});
+  return line + deciles;
 }
 
+std::uint64_t nanoseconds(float seconds) { return static_cast<std::uint64_t>(double{seconds} * 1e9); }
+
 }  // namespace
+
+Scorer::Scorer(float goal_delay) : goal_delay_ns_(nanoseconds(goal_delay)) {}
 
 void Scorer::foretell(const pb::Forecast& forecast, std::uint64_t capture_ns) {
   const pb::WhatIf& question = forecast.question();
   if (!seen_ || !forecast.refusal().empty() || is_edited(question) || !has_horizon(question)) return;
   if (question.strategies_size() == 0) return;
-  const auto& strategies = forecast.strategies();
-  const auto told = std::ranges::find(strategies, played(forecast), &pb::Forecast::StrategyForecast::strategy);
-  if (told == strategies.end() || told->rollouts() == 0) return;
-  open_.push_back({.strategy = told->strategy(),
-                   .horizon = forecast.horizon(),
-                   .due_ns = capture_ns + static_cast<std::uint64_t>(double{forecast.horizon()} * 1e9),
-                   .rollouts = told->rollouts(),
-                   .score = std::clamp(double{told->score()}, 0., 1.),
-                   .concede = std::clamp(double{told->concede()}, 0., 1.),
-                   .own = own_,
-                   .others = others_});
+  Open& open = open_.emplace_back(
+      Open{.forecast = {}, .asked_ns = capture_ns, .due_ns = capture_ns + nanoseconds(forecast.horizon())});
+  open.by_behaviour = question.asked_by() != kByPeople && !question.asked_by().starts_with(kByCaptain);
+  // nothing else is needed, and paths are large
+  open.forecast.set_horizon(forecast.horizon());
+  for (const pb::Forecast::StrategyForecast& told : forecast.strategies()) {
+    pb::Forecast::StrategyForecast& kept = *open.forecast.add_strategies();
+    kept.set_strategy(told.strategy());
+    kept.set_rollouts(told.rollouts());
+    kept.set_score(told.score());
+    kept.set_concede(told.concede());
+  }
+}
+
+void Scorer::see(const pb::Strategy& strategy, std::uint64_t capture_ns) {
+  const auto later = std::ranges::upper_bound(plays_, capture_ns, {}, &Play::from_ns);
+  if (later != plays_.begin() && std::prev(later)->strategy == strategy.name()) return;
+  plays_.insert(later, {.strategy = strategy.name(), .from_ns = capture_ns});
 }
 
 bool Scorer::see(const pb::GameState& game, std::uint64_t capture_ns) {
-  own_ = game.own().score();
-  others_ = game.opponent().score();
+  const std::uint64_t fell_ns = capture_ns - std::min(capture_ns, goal_delay_ns_);
+  if (seen_) count(game.own().score(), true, fell_ns), count(game.opponent().score(), false, fell_ns);
+  told_ = {game.own().score(), game.opponent().score()};
   seen_ = true;
-  const bool over = game.state() == pb::GameState::STATE_FINISHED || game.state() == pb::GameState::STATE_INITIAL;
   bool scored = false;
-  std::erase_if(open_, [&](Open& open) {
-    const bool due = capture_ns >= open.due_ns;
-    if (!due && open.next == 0 && own_ > open.own) open.next = 1;
-    if (!due && open.next == 0 && others_ > open.others) open.next = -1;
-    if (over && !due) return true;
-    if (!due && open.next == 0) return false;
-    auto& [score, concede] = entries_[{open.strategy, open.horizon}];
-    score.add(open.score, open.next > 0, open.rollouts);
-    concede.add(open.concede, open.next < 0, open.rollouts);
-    return scored = true;
+  std::erase_if(open_, [&](const Open& open) {
+    if (fell_ns < open.due_ns) return false;
+    if (enter(open)) scored = true;
+    return true;
   });
+  const bool between = game.state() == pb::GameState::STATE_FINISHED || game.state() == pb::GameState::STATE_INITIAL;
+  if (between) open_.clear(), goals_.clear();
   return scored;
+}
+
+/// A referee who takes a goal back takes the last one of that team.
+void Scorer::count(std::uint32_t goals, bool own, std::uint64_t fell_ns) {
+  std::uint32_t& told = told_[own ? 0 : 1];
+  for (; told < goals; ++told) goals_.push_back({.own = own, .fell_ns = fell_ns});
+  for (; told > goals; --told) {
+    const auto last = std::find_if(goals_.rbegin(), goals_.rend(), [=](const Goal& goal) { return goal.own == own; });
+    if (last != goals_.rend()) goals_.erase(std::prev(last.base()));
+  }
+}
+
+/// What the team played from when it was asked until it is due; nullptr: not one and the same.
+const std::string* Scorer::played(const Open& open) const {
+  if (open.by_behaviour) return &open.forecast.strategies(0).strategy();
+  const auto later = std::ranges::upper_bound(plays_, open.asked_ns, {}, &Play::from_ns);
+  if (later != plays_.end() && later->from_ns < open.due_ns) return nullptr;
+  if (later == plays_.begin()) return &open.forecast.strategies(0).strategy();
+  return &std::prev(later)->strategy;
+}
+
+/// False: it says nothing of what was played.
+bool Scorer::enter(const Open& open) {
+  const auto& strategies = open.forecast.strategies();
+  const std::string* const strategy = strategies.empty() ? nullptr : played(open);
+  if (!strategy) return false;
+  const auto told = std::ranges::find(strategies, *strategy, &pb::Forecast::StrategyForecast::strategy);
+  if (told == strategies.end() || told->rollouts() == 0) return false;
+  const auto next = std::ranges::find_if(
+      goals_, [&](const Goal& goal) { return goal.fell_ns > open.asked_ns && goal.fell_ns < open.due_ns; });
+  const bool came = next != goals_.end();
+  auto& [score, concede] = entries_[{*strategy, open.forecast.horizon()}];
+  score.add(std::clamp(double{told->score()}, 0., 1.), came && next->own, told->rollouts());
+  concede.add(std::clamp(double{told->concede()}, 0., 1.), came && !next->own, told->rollouts());
+  return true;
 }
 
 void Scorer::Event::add(double foretold, bool came, std::uint64_t rollouts) {
@@ -111,15 +165,13 @@ pb::ForecastScore Scorer::score() const {
 
 std::string to_text(const pb::ForecastScore& score) {
   std::string text;
-  if (score.entries_size() > 0)
-    text = "forecasts        horizon  scored  own goal came  Brier  of the rate  conceded  Brier  of the rate\n";
   for (const pb::ForecastScore::Entry& entry : score.entries()) {
-    char line[200];
-    std::snprintf(line, sizeof line, "%-15s %6.0f s %7u %14u %6.3f %12.3f %9u %6.3f %12.3f\n", entry.strategy().c_str(),
-                  double{entry.horizon()}, entry.forecasts(), entry.score().came(), double{entry.score().brier()},
-                  double{entry.score().brier_of_rate()}, entry.concede().came(), double{entry.concede().brier()},
-                  double{entry.concede().brier_of_rate()});
-    text += line;
+    char who[100], head[200];
+    std::snprintf(who, sizeof who, "%.60s, %u of %g s", entry.strategy().c_str(), entry.forecasts(),
+                  double{entry.horizon()});
+    std::snprintf(head, sizeof head, "%-36s%8s%10s%8s%13s%10s\n", who, "came", "foretold", "Brier", "of the rate",
+                  "log-loss");
+    text += head + lines_of("own goal", entry.score()) + lines_of("conceded", entry.concede());
   }
   return text;
 }

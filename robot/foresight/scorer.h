@@ -11,18 +11,30 @@
 
 #include "proto/foresight/forecast.pb.h"
 #include "proto/foresight/game.pb.h"
+#include "proto/foresight/strategy.pb.h"
 #include "sim/foresight/reliability.h"
 
 namespace robot::foreseeing {
 
 namespace pb = ::foresight;
 
-/// Hears forecasts and the game in the order of their capture times, of a live robot or of a recording. Used by one thread.
+/// Hears what is played, forecasts and the game, of a live robot or of a recording. The game comes in the order of its
+/// capture times, the others before the game of the moment at which they are due. Used by one thread.
+///
+/// A forecast is scored when its time has passed, by what it said of the strategy that was played all that time. One
+/// that the end of the game or a change of strategy cut short is not: of those, only goals would count.
 class Scorer {
  public:
+  /// Robots are told of a goal `goal_delay` [s] after it fell (sim::field::Rules::goal_message_delay).
+  explicit Scorer(float goal_delay = 0);
+
   /// A forecast of the moment `capture_ns` [ns since the epoch]. What cannot be scored is passed over: an edited
   /// situation, one that was refused, and one that looks to the end of a half or game.
   void foretell(const pb::Forecast& forecast, std::uint64_t capture_ns);
+
+  /// What the team plays from `capture_ns` on. Until this was told forecasts are taken for those of their first strategy,
+  /// and for ever where neither the captain nor people asked but a team's own behaviour: it decides by itself.
+  void see(const pb::Strategy& strategy, std::uint64_t capture_ns);
 
   /// The game at `capture_ns`. True: at least one forecast more was scored.
   bool see(const pb::GameState& game, std::uint64_t capture_ns);
@@ -32,13 +44,17 @@ class Scorer {
  private:
   /// One forecast whose time has not passed.
   struct Open {
+    pb::Forecast forecast;
+    std::uint64_t asked_ns = 0, due_ns = 0;
+    bool by_behaviour = false;
+  };
+  struct Goal {
+    bool own = false;
+    std::uint64_t fell_ns = 0;
+  };
+  struct Play {
     std::string strategy;
-    float horizon = 0;  // [s]
-    std::uint64_t due_ns = 0;
-    std::uint64_t rollouts = 0;
-    double score = 0, concede = 0;      // [0..1] as foretold
-    std::uint32_t own = 0, others = 0;  // goals when it was made
-    int next = 0;                       // whose the next goal was: 1 the own team's, -1 the others', 0 nobody's yet
+    std::uint64_t from_ns = 0;
   };
 
   struct Event {
@@ -49,13 +65,21 @@ class Scorer {
     void fill(pb::ForecastScore::Event& message) const;
   };
 
-  std::uint32_t own_ = 0, others_ = 0;  // goals, as last seen
+  void count(std::uint32_t goals, bool own, std::uint64_t fell_ns);
+  const std::string* played(const Open& open) const;
+  bool enter(const Open& open);
+
+  const std::uint64_t goal_delay_ns_;
+  std::array<std::uint32_t, 2> told_{};  // goals, as last seen: the own team's, the others'
   bool seen_ = false;
+  std::vector<Goal> goals_;  // of this game
+  std::vector<Play> plays_;  // by time, each another strategy than the one before
   std::vector<Open> open_;
   std::map<std::pair<std::string, float>, std::array<Event, 2>> entries_;  // by strategy and horizon: score, concede
 };
 
-/// A few lines for people: per strategy and horizon how often it came, and the Brier scores. Empty without forecasts.
+/// A few lines for people: per strategy and horizon how often it came, all in all and by deciles of what was foretold, the
+/// Brier scores and the log-loss. Empty without forecasts.
 std::string to_text(const pb::ForecastScore& score);
 
 /// The fields of the message by their names.

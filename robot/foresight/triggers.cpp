@@ -14,10 +14,19 @@ constexpr std::uint64_t kFreshNs = 3'000'000'000;  // an opponent that was seen 
 constexpr float kKickWay = 1.5f;                   // [m] before the ball that a kick needs free
 constexpr float kBeside = 0.35f;                   // [m] from the middle of the way: a robot and the ball's width
 
-bool is_on_way(Vec2 ball, Vec2 opponent) {
-  // straight on, towards the others' goal
-  const Vec2 off = opponent - ball;
-  return off.x > 0 && off.x < kKickWay && off.y > -kBeside && off.y < kBeside;
+bool is_on_way(Vec2 ball, Vec2 opponent, Vec2 goal) {
+  const Vec2 to_goal = goal - ball;
+  const float far = sim::length(to_goal);
+  if (far == 0) return false;
+  const Vec2 off = sim::turned_back(opponent - ball, (1 / far) * to_goal);
+  return off.x > 0 && off.x < std::min(kKickWay, far) && off.y > -kBeside && off.y < kBeside;
+}
+
+bool in_game(const pb::GameState& game) {
+  const bool soccer =
+      game.phase() != pb::GameState::PHASE_PENALTY_SHOOT_OUT && game.phase() != pb::GameState::PHASE_TIMEOUT;
+  return soccer && (game.state() == pb::GameState::STATE_READY || game.state() == pb::GameState::STATE_SET ||
+                    game.state() == pb::GameState::STATE_PLAYING);
 }
 
 }  // namespace
@@ -30,45 +39,44 @@ int captain_of(const pb::GameState& game) {
   return 0;
 }
 
-bool way_is_blocked(const Recollection& now) {
+bool way_is_blocked(const Recollection& now, float goal_x) {
   if (!now.pose || !now.ball || !now.opponents) return false;
   const pb::Pose& pose = now.pose->value;
   const Vec2 ball = Vec2{pose.x(), pose.y()} + sim::turned({now.ball->value.x(), now.ball->value.y()},
                                                            sim::direction(sim::normalized(pose.heading())));
   return std::ranges::any_of(now.opponents->value.opponents(), [&](const pb::Opponents::Opponent& opponent) {
-    return opponent.seen_ns() + kFreshNs > now.now_ns && is_on_way(ball, {opponent.x(), opponent.y()});
+    return opponent.seen_ns() + kFreshNs > now.now_ns && is_on_way(ball, {opponent.x(), opponent.y()}, {goal_x, 0});
   });
 }
 
 const char* Triggers::look(const Recollection& now, std::uint64_t period_ns) {
   if (!now.game) return nullptr;
   const pb::GameState& game = now.game->value;
-  const Seen before = last_;
-  last_ = {.state = game.state(),
+  seen_ns_ = now.now_ns;
+  seen_ = {.state = game.state(),
            .set_play = game.set_play(),
            .own_score = game.own().score(),
            .opponent_score = game.opponent().score(),
            .ball_lost = !now.ball || now.ball->value.seen_ns() + kBallLostNs < now.now_ns,
-           .blocked = way_is_blocked(now)};
-  const bool in_game = game.state() == pb::GameState::STATE_READY || game.state() == pb::GameState::STATE_SET ||
-                       game.state() == pb::GameState::STATE_PLAYING;
-  if (!in_game || captain_of(game) != static_cast<int>(game.own_player())) return nullptr;
+           .blocked = way_is_blocked(now, goal_x_)};
+  if (!in_game(game) || captain_of(game) != static_cast<int>(game.own_player())) {
+    answered_ = seen_;
+    return nullptr;
+  }
+  if (!seen_.blocked) answered_.blocked = false;
   const std::uint64_t since_ns = now.now_ns > asked_ns_ ? now.now_ns - asked_ns_ : 0;
   if (asked_ns_ != 0 && since_ns < kLeastApartNs) return nullptr;
+  if (seen_.own_score != answered_.own_score || seen_.opponent_score != answered_.opponent_score)
+    return "the score changed";
+  if (seen_.state != answered_.state || seen_.set_play != answered_.set_play) return "the game was stopped or goes on";
+  if (seen_.ball_lost != answered_.ball_lost) return seen_.ball_lost ? "the ball is lost" : "the ball is found";
+  if (seen_.blocked && !answered_.blocked) return "the way is blocked";
+  return asked_ns_ == 0 || since_ns >= period_ns ? "it is time" : nullptr;
+}
 
-  const char* why = nullptr;
-  if (last_.own_score != before.own_score || last_.opponent_score != before.opponent_score)
-    why = "the score changed";
-  else if (last_.state != before.state || last_.set_play != before.set_play)
-    why = "the game was stopped or goes on";
-  else if (last_.ball_lost != before.ball_lost)
-    why = last_.ball_lost ? "the ball is lost" : "the ball is found";
-  else if (last_.blocked && !before.blocked)
-    why = "the way is blocked";
-  else if (asked_ns_ == 0 || since_ns >= period_ns)
-    why = "it is time";
-  if (why) asked_ns_ = now.now_ns;
-  return why;
+void Triggers::asked() {
+  answered_ = seen_;
+  asked_ns_ = seen_ns_;
 }
 
 }  // namespace robot::foreseeing

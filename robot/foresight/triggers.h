@@ -16,9 +16,16 @@ class Triggers {
  public:
   static constexpr std::uint64_t kLeastApartNs = 2'000'000'000;  // strategies do not flutter
 
+  /// The others' goal is at x = `goal_x` [m, team_field].
+  explicit Triggers(float goal_x) : goal_x_(goal_x) {}
+
   /// Why to ask now; nullptr: no reason. `period_ns` after the last question at the latest there is one, while the game is
-  /// in play. Only ever for the captain, and only in READY, SET and PLAYING.
+  /// in play. A reason stays one until asked() or until things are again as they were at the last question. Only ever for
+  /// the captain, and only in READY, SET and PLAYING of a game that is no shoot-out.
   const char* look(const Recollection& now, std::uint64_t period_ns);
+
+  /// The question was asked, at the moment that look() saw last.
+  void asked();
 
  private:
   struct Seen {
@@ -27,11 +34,13 @@ class Triggers {
     bool ball_lost = false;
     bool blocked = false;
   };
-  Seen last_;
-  std::uint64_t asked_ns_ = 0;
+  const float goal_x_;
+  Seen seen_;      // at the last look
+  Seen answered_;  // when it asked last, or did not play
+  std::uint64_t seen_ns_ = 0, asked_ns_ = 0;
 };
 
-/// An opponent stands between the ball and the others' goal, so near that a kick would meet it.
-bool way_is_blocked(const Recollection& now);
+/// An opponent stands between the ball and the middle of the others' goal, so near that a kick would meet it.
+bool way_is_blocked(const Recollection& now, float goal_x);
 
 }  // namespace robot::foreseeing

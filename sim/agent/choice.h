@@ -23,14 +23,20 @@ constexpr bool is_newer(std::uint8_t epoch, std::uint8_t than) {
 }
 
 /// Takes over what a teammate told, if it is newer than one's own or the captain's word about the same epoch; whoever
-/// has no choice takes the first. True: `own` is the team's choice as of that message.
+/// never had a choice takes the first. Who let go of one takes it back from the captain alone: those who follow would
+/// else tell it to each other for ever. True: `own` is the team's choice as of that message.
 constexpr bool follow(const Choice& heard, bool by_captain, Choice& own) {
   if (heard.strategy == kNoStrategy) return false;
-  const bool confirms = by_captain && heard.epoch == own.epoch;
-  if (own.strategy != kNoStrategy && !is_newer(heard.epoch, own.epoch) && !confirms) return false;
+  const bool has_none = own.strategy == kNoStrategy;
+  const bool never_had_one = has_none && own.epoch == 0;
+  const bool by_right = by_captain && (has_none || heard.epoch == own.epoch);
+  if (!never_had_one && !by_right && !is_newer(heard.epoch, own.epoch)) return false;
   own = heard;
   return true;
 }
+
+/// What nobody confirmed for too long is played no more; its epoch is kept, so that it is known again.
+constexpr void let_go(Choice& own) { own.strategy = kNoStrategy; }
 
 /// The captain's choice: a new epoch begins with another strategy only.
 constexpr void choose(std::uint8_t strategy, Choice& own) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <iterator>
 
 #include "sim/foresight/forecast.h"
 #include "sim/foresight/race.h"
@@ -12,12 +13,8 @@ namespace {
 
 using Phase = agent::Game::Phase;
 
-constexpr int kKeeper = 1;
 constexpr float kLeastApart = 2;   // [s] strategies do not flutter
 constexpr float kBallLostFor = 4;  // [s] unseen: a reason to ask
-
-/// Ticks since `then`, of which the lower 16 bits are known: at most 36 min.
-Tick since(Tick now, std::uint16_t then) { return static_cast<std::uint16_t>(now - then); }
 
 /// When something happened that is a reason to ask, whatever the period: a stoppage, or the ball is lost.
 Tick last_event(const agent::Game& game, const agent::Beliefs& beliefs, Tick now) {
@@ -38,54 +35,28 @@ RandomKey key_of(const agent::Beliefs& beliefs, Tick now) {
 
 }  // namespace
 
-int captain_of(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, Tick stale) {
-  for (int player = kKeeper + 1; player <= game.players; ++player) {
-    if (player == game.player) {
-      if (!game.penalised) return player;
-      continue;
-    }
-    const agent::Mate& mate = beliefs.mates[player < game.player ? player - 1 : player - 2];
-    if (mate.active && mate.sent != kNever && now - mate.sent < stale) return player;
-  }
-  return 0;
-}
-
 Chooser::Chooser(std::string name, Plans plans, const Terms& terms)
-    : name_(std::move(name)), plans_(std::move(plans)), terms_(terms) {
+    : name_(std::move(name)),
+      plans_(std::move(plans)),
+      terms_(terms),
+      team_(name_, {plans_.behaviours.begin(), plans_.behaviours.begin() + std::ssize(plans_.params)},
+            ticks(terms_.stale)) {
   assert(plans_.params.size() >= 2 && plans_.params.size() <= static_cast<std::size_t>(kMaxStrategies));
 }
 
 motion::Command Chooser::decide(const agent::Surroundings& surroundings, const agent::Game& game,
                                 const agent::Beliefs& beliefs, Tick now, agent::Mind& mind, agent::Trace* trace) const {
-  const int before = mind.choice.played();
-  follow_mates(game, beliefs, now, mind);
-  if (has_reason(game, beliefs, now, mind)) ask(game, beliefs, now, mind);
-  // the leaves of another tree are other leaves
-  if (mind.choice.played() != before) mind.leaf = agent::kNoLeaf;
-  const agent::Behaviour& played = *plans_.params[static_cast<std::size_t>(mind.choice.played())].teams[0].behaviour;
-  return played.decide(surroundings, game, beliefs, now, mind, trace);
-}
-
-void Chooser::follow_mates(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, agent::Mind& mind) const {
-  const Tick stale = ticks(terms_.stale);
-  const int captain = captain_of(game, beliefs, now, stale);
-  for (int i = 0; i + 1 < game.players; ++i) {
-    const agent::Mate& mate = beliefs.mates[i];
-    if (mate.sent == kNever || now - mate.sent >= stale) continue;
-    const bool known = static_cast<std::size_t>(mate.choice.played()) < plans_.params.size();
-    const bool by_captain = agent::player_of_mate(game.player, i) == captain;
-    const bool followed = mind.choice.strategy != agent::kNoStrategy;
-    if (!known || !follow(mate.choice, by_captain, mind.choice)) continue;
-    if (!followed || now - mate.sent < since(now, mind.told)) mind.told = static_cast<std::uint16_t>(mate.sent);
-  }
-  if (captain != game.player && since(now, mind.told) >= stale) mind.choice.strategy = agent::kNoStrategy;
+  const bool leads = agent::captain_of(game, beliefs, now, ticks(terms_.stale)) == game.player;
+  team_.hear(game, beliefs, now, mind, leads);
+  if (leads && has_reason(game, beliefs, now, mind)) ask(game, beliefs, now, mind);
+  return team_.play(surroundings, game, beliefs, now, mind, trace);
 }
 
 bool Chooser::has_reason(const agent::Game& game, const agent::Beliefs& beliefs, Tick now,
                          const agent::Mind& mind) const {
   const bool in_game = game.phase == Phase::ready || game.phase == Phase::set || game.phase == Phase::playing;
-  if (!in_game || captain_of(game, beliefs, now, ticks(terms_.stale)) != game.player) return false;
-  const Tick asked = since(now, mind.told);
+  if (!in_game) return false;
+  const Tick asked = agent::since(now, mind.told);
   if (asked < ticks(kLeastApart)) return false;
   return asked >= ticks(terms_.period) || now - last_event(game, beliefs, now) < asked;
 }
@@ -112,7 +83,9 @@ void Chooser::ask(const agent::Game& game, const agent::Beliefs& beliefs, Tick n
       task, [this](std::int64_t rollouts) { return static_cast<double>(rollouts) / terms_.rollouts; }, {}, tally);
   const Forecast told = forecast(tally, question, task.key);
   if (told.advice == Forecast::Advice::none) return;
-  choose(static_cast<std::uint8_t>(told.choice), mind.choice);
+  agent::Choice choice = mind.choice;
+  choose(static_cast<std::uint8_t>(told.choice), choice);
+  agent::take_over(choice, now, mind);
 }
 
 }  // namespace sim::foresight

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/agent/behaviour.h"
+#include "sim/agent/follower.h"
 #include "sim/foresight/outlook.h"
 #include "sim/foresight/question.h"
 #include "sim/match/params.h"
@@ -16,7 +17,8 @@ namespace sim::foresight {
 struct Plans {
   std::vector<Params> params;  // by strategy, its own side at home; the first is the default
   Outlook outlook;
-  std::vector<std::shared_ptr<const agent::Behaviour>> behaviours;  // that the parameters point to
+  std::vector<std::shared_ptr<const agent::Behaviour>>
+      behaviours;  // by strategy, then what else the parameters point to
 };
 
 /// When it asks, and how.
@@ -37,9 +39,8 @@ struct Terms {
   }
 };
 
-/// Each robot follows the newest choice that it heard; the captain, as it believes that it is, asks what its strategies
-/// would come to, from its own beliefs, and chooses. So two robots may disagree for as long as their messages take.
-/// All are compared with the default, whatever is played now: another one is played only as long as each question finds it
+/// A team of followers, of whom the captain, as it believes that it is, asks what its strategies would come to, from its
+/// own beliefs, and chooses. All are compared with the default, whatever is played now: another one is played only as long as each question finds it
 /// better for sure. What a question can tell apart is coarse, and a wrong choice would stay if it had to be proved wrong.
 ///
 /// Remembers in the mind alone, and asks with a random key made of its beliefs: a game stays a function of its seed.
@@ -54,17 +55,13 @@ class Chooser final : public agent::Behaviour {
                          agent::Trace* trace) const override;
 
  private:
-  void follow_mates(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, agent::Mind& mind) const;
   bool has_reason(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, const agent::Mind& mind) const;
   void ask(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, agent::Mind& mind) const;
 
   const std::string name_;
   const Plans plans_;
   const Terms terms_;
+  const agent::Follower team_;
 };
-
-/// [1..7] the captain, as a robot believes: the field player of the lowest number that plays, itself or a teammate that
-/// told so within `stale` [ticks]. 0: nobody.
-int captain_of(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, Tick stale);
 
 }  // namespace sim::foresight

@@ -34,7 +34,7 @@ Result<Playbook> prepare_playbook(const PlaybookChoice& choice) {
   const Result<foresight::Outlook> outlook = load_outlook(choice.rules);
   if (!outlook) return Error{outlook.error()};
 
-  Playbook playbook{.choice = choice, .params = {}, .outlook = *outlook, .behaviours = {setup->behaviours[others]}};
+  Playbook playbook{.choice = choice, .params = {}, .outlook = *outlook, .behaviours = {}};
   for (const std::string& name : choice.strategies) {
     auto behaviour = load_strategy(name);
     if (!behaviour) return Error{behaviour.error()};
@@ -42,6 +42,7 @@ Result<Playbook> prepare_playbook(const PlaybookChoice& choice) {
     playbook.params.back().teams[own].behaviour = behaviour->get();
     playbook.behaviours.push_back(std::move(*behaviour));
   }
+  playbook.behaviours.push_back(setup->behaviours[others]);
   return playbook;
 }
 

@@ -28,7 +28,8 @@ struct Playbook {
   PlaybookChoice choice;
   std::vector<Params> params;  // by strategy
   foresight::Outlook outlook;
-  std::vector<std::shared_ptr<const agent::Behaviour>> behaviours;  // that the parameters point to
+  std::vector<std::shared_ptr<const agent::Behaviour>>
+      behaviours;  // that the parameters point to; the last is the others'
 
   const std::vector<std::string>& names() const { return choice.strategies; }
 };

@@ -6,6 +6,13 @@ float left_of_half(const field::Rules& rules, const Book& book) {
   return rules.half_duration - static_cast<float>(book.clock) * kTickDuration;
 }
 
+float countdown_of(const field::Rules& rules, agent::Game::Phase phase, agent::Game::SetPlay set_play) {
+  using SetPlay = agent::Game::SetPlay;
+  if (phase == agent::Game::Phase::ready) return rules.ready_duration;
+  if (phase != agent::Game::Phase::playing || set_play == SetPlay::none) return 0;
+  return set_play == SetPlay::kick_off ? rules.kick_off_duration : rules.set_play_duration;
+}
+
 agent::Game game_for(const field::Rules& rules, const World& world, const Book& book, int robot) {
   const Side side = side_of(robot);
   agent::Game game;

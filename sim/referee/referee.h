@@ -27,6 +27,9 @@ void judge(const Means& means, World& world, Book& book, Tally& tally, Events& e
 /// [s] of the half that are still to be played; the half ends with the first tick at which none are.
 float left_of_half(const field::Rules& rules, const Book& book);
 
+/// [s] after which that part of the game ends by itself: READY, and a kick-off or set play in PLAYING. 0: it does not.
+float countdown_of(const field::Rules& rules, agent::Game::Phase phase, agent::Game::SetPlay set_play);
+
 /// What the GameController tells a robot now.
 agent::Game game_for(const field::Rules& rules, const World& world, const Book& book, int robot);
 

@@ -1,6 +1,6 @@
 // The parts of the commands that need no robot.
 import assert from "node:assert/strict";
-import { mkdirSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { crc32, crc32OfFile } from "../../robot/deploy/crc32.mjs";
@@ -10,7 +10,8 @@ import { Lines, sideBySide } from "../../robot/deploy/lines.mjs";
 import { anyText, oneOf, readCommandLine, wholeNumber } from "../../robot/deploy/options.mjs";
 import { described, readProbe, whyNotModel } from "../../robot/deploy/probe.mjs";
 import { RobotFailed } from "../../robot/deploy/failure.mjs";
-import { identityOf, settingsOf } from "../../robot/deploy/version.mjs";
+import { parseTeam } from "../../robot/deploy/team.mjs";
+import { identityOf, settingsOf, withVersion } from "../../robot/deploy/version.mjs";
 import { temporaryFolder } from "../e2e/support.mjs";
 
 const robot = { name: "tim", team: 14, player: 2, colour: "blue", model: "nao-v6", body: "attached", http_port: 8765 };
@@ -31,6 +32,20 @@ test("settings are options of the program, one per line", () => {
   ]);
   assert.match(settingsOf({ ...robot, body: "nao" }), /^body=nao$/m);
   assert.deepEqual(JSON.parse(identityOf(robot)), { name: "tim", team: 14, player: 2, colour: "blue", model: "nao-v6" });
+});
+
+test("what a team chooses between goes to all of its robots, files of its own in the version", async (t) => {
+  const folder = temporaryFolder(t);
+  writeFileSync(join(folder, "press.json"), "{}");
+  const file = join(folder, "robots.json");
+  const text = (strategies) => JSON.stringify({ team: 14, rules: "spl2025", strategies, foresight: true, robots: [{ name: "tim", address: "10.0.14.22", model: "nao-v6", player: 2 }] });
+  const [tim] = parseTeam(file, text(["baseline", "press.json"]));
+  assert.match(settingsOf(tim), /^rules=spl2025\nstrategies=baseline,current\/etc\/press\.json\nforesight$/m);
+  await withVersion(tim, { runtime: file }, {}, async (version) => assert.equal(readFileSync(join(version, "etc/press.json"), "utf8"), "{}"));
+  const [lost] = parseTeam(file, text(["baseline", "lost.json"]));
+  await assert.rejects(withVersion(lost, { runtime: file }, {}, () => assert.fail()), { message: `strategies: expected a file, got ${join(folder, "lost.json")}, which is not there` });
+  for (const wrong of [[], ["a,b"], ["press.json", "other/press.json"], "baseline", ["foresight\nbind=1"]])
+    assert.throws(() => parseTeam(file, text(wrong)), /\$\.strategies: expected a list of 1 \.\. 8 names/);
 });
 
 test("options stand anywhere; wrong ones are one sentence", () => {

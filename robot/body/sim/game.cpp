@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sim/agent/follower.h"
 #include "sim/match/step.h"
 #include "sim/referee/event.h"
 
@@ -18,6 +19,10 @@ void Game::begin(const sim::State& situation) {
   state_ = situation;
   for (sim::agent::Trace& decision : decisions_) decision.clear();
   odometry_.fill({});
+}
+
+void Game::follow(int robot, const sim::agent::Choice& choice) {
+  sim::agent::take_over(choice, state_.world.tick, state_.robots[robot].mind);
 }
 
 void Game::tick() {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "robot/agent/convert.h"
+#include "sim/agent/choice.h"
 #include "sim/agent/trace.h"
 #include "sim/io/setup.h"
 #include "sim/match/params.h"
@@ -34,6 +35,9 @@ class Game {
   /// Another game, from its beginning or from a situation in the middle.
   void begin(std::uint64_t seed);
   void begin(const sim::State& situation);
+
+  /// What a robot follows of its team's strategies from now on, as its own process has it.
+  void follow(int robot, const sim::agent::Choice& choice);
 
   /// One tick, 1/30 s; explains the decision of every robot. Not after the end.
   void tick();

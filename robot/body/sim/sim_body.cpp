@@ -91,13 +91,23 @@ void SimBody::play_due_ticks() {
   const std::uint64_t now_ns = monotonic_ns();
   while (pacer_.next_ns() <= now_ns && !game_.finished()) {
     const std::uint64_t due_ns = pacer_.take(now_ns);
-    game_.tick();
+    tick();
     const bool last = pacer_.next_ns() > now_ns || game_.finished();
     if (last || pacer_.speed() <= kEachTickShownUpTo) show(due_ns);
   }
   const bool each = pacer_.speed() <= kEachTickShownUpTo;
   wake_ns_ = std::max(pacer_.next_ns(), each ? monotonic_ns() + kBreathNs : now_ns + kShowPeriodNs);
   if (game_.finished()) wake_ns_ = monotonic_ns() + options_.rest_ns;
+}
+
+/// One tick, in which the own robot follows what its process made of the captain's choices.
+void SimBody::tick() {
+  if (const auto version = memory()->strategy.read()) {
+    const foresight::Strategy& strategy = version->value();
+    const auto number = static_cast<std::uint8_t>(strategy.chosen() ? strategy.number() : sim::agent::kNoStrategy);
+    game_.follow(options_.robot, {.strategy = number, .epoch = static_cast<std::uint8_t>(strategy.epoch())});
+  }
+  game_.tick();
 }
 
 /// Another game, of a seed or from a situation.
@@ -171,7 +181,7 @@ Result<void> SimBody::step(std::int64_t ticks) {
   if (game_.finished()) return Error{kOver};
   paused_ = true;
   for (; ticks > 0 && !game_.finished(); --ticks) {
-    game_.tick();
+    tick();
     show(monotonic_ns());
   }
   return {};

@@ -73,6 +73,7 @@ class SimBody {
 
   void run();
   void play_due_ticks();
+  void tick();
   template <class From>
   void begin(const From& from);
   void begin_next();

@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
-"""Lets foresight choose what a team's own behaviour plays: asks every few seconds, and writes the choice for the others.
+"""Lets foresight choose what a team's own behaviour plays: asks every second, the strategy that is played first.
 
     PYTHONPATH=.. python3 strategy.py [SECONDS]
 """
 
-import json
 import sys
 import time
 
@@ -13,7 +12,6 @@ import foresight
 STRATEGIES = ["baseline", "passing", "kick_now"]  # as foresight-robot --strategies names what this team can play
 
 adviser = foresight.Adviser()
-strategy = foresight.Writer("strategy", "team.Strategy", encoding="json", delivery=foresight.RELIABLE)
 
 played, answers = STRATEGIES[0], 0
 end = time.monotonic() + float(sys.argv[1] if len(sys.argv) > 1 else 30)
@@ -25,7 +23,6 @@ while time.monotonic() < end:
         print(advice.reason, flush=True)
     if advice and advice.change:
         played = advice.choice
-    strategy.write(foresight.now_ns(), json.dumps({"play": played}).encode())
     time.sleep(1)
 
 print("%d answers; plays %s" % (answers, played))

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "robot/core/clock.h"
 
 namespace robot::foreseeing {
@@ -26,9 +28,9 @@ TEST(Following, FollowsTheCaptainUntilItIsSilentForLong) {
   following.hear(told(kCaptain, 2, 9, kNow), kCaptain, kPlayer, kNow);
   EXPECT_EQ(following.choice().played(), 2);
   EXPECT_EQ(following.told_ns(), kNow);
-  following.forget(false, kNow + Following::kStaleNs - 1);
+  following.forget(kNow + Following::kStaleNs - 1);
   EXPECT_EQ(following.choice().played(), 2);
-  following.forget(false, kNow + Following::kStaleNs);
+  following.forget(kNow + Following::kStaleNs);
   EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy);
   following.hear(told(kCaptain, 2, 9, kNow), kCaptain, kPlayer, kNow + Following::kStaleNs);
   EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "an old word is none";
@@ -48,14 +50,46 @@ TEST(Following, PassesOverWhatItCannotPlayAndItsOwnEcho) {
 TEST(Following, TheCaptainLeadsOnWithWhatItHeard) {
   Following following(3);
   following.hear(told(kCaptain, 2, 255, kNow), kCaptain, kPlayer, kNow);
-  following.forget(true, kNow + 2 * Following::kStaleNs);
-  EXPECT_EQ(following.choice().played(), 2) << "who leads forgets nothing";
+  following.forget(kNow + 2 * Following::kStaleNs, 2 * Following::kStaleNs);
+  EXPECT_EQ(following.choice().played(), 2) << "its own answer may still come";
   following.choose(1, kNow + 2 * Following::kStaleNs);
   EXPECT_EQ(following.choice().epoch, 0) << "one more than 255";
   EXPECT_EQ(following.choice().played(), 1);
   following.hear(told(kCaptain, 2, 255, kNow + 2 * Following::kStaleNs), kPlayer, kPlayer,
                  kNow + 2 * Following::kStaleNs);
   EXPECT_EQ(following.choice().played(), 1) << "an older choice";
+}
+
+TEST(Following, TheCaptainsChoiceLapsesWhenNoAnswerConfirmsIt) {
+  Following following(3);
+  following.choose(2, kNow);
+  constexpr std::uint64_t kPeriodNs = 10 * kSecond;
+  following.forget(kNow + Following::kStaleNs + kPeriodNs - 1, kPeriodNs);
+  EXPECT_EQ(following.choice().played(), 2);
+  following.forget(kNow + Following::kStaleNs + kPeriodNs, kPeriodNs);
+  EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy);
+  following.choose(2, kNow + 2 * Following::kStaleNs);
+  EXPECT_EQ(following.choice().epoch, 2) << "chosen anew";
+}
+
+/// Two who hear each other every second, and no captain: what it told last ends with its time.
+TEST(Following, FollowersDoNotKeepAChoiceAliveAmongThemselves) {
+  constexpr std::uint32_t kOther = 5;
+  Following one(3), other(3);
+  one.hear(told(kCaptain, 2, 9, kNow), kCaptain, kPlayer, kNow);
+  for (std::uint64_t now = kNow; now < kNow + 3 * Following::kStaleNs; now += kSecond / 2) {
+    for (auto [from, to, sender, hearer] :
+         {std::tuple{&one, &other, std::uint32_t{kPlayer}, int{kOther}}, std::tuple{&other, &one, kOther, kPlayer}}) {
+      if (from->choice().strategy != sim::agent::kNoStrategy)
+        to->hear(told(sender, from->choice().strategy, from->choice().epoch, now), kCaptain, hearer, now);
+      to->forget(now);
+    }
+  }
+  EXPECT_EQ(one.choice().strategy, sim::agent::kNoStrategy);
+  EXPECT_EQ(other.choice().strategy, sim::agent::kNoStrategy);
+  const std::uint64_t later = kNow + 4 * Following::kStaleNs;
+  one.hear(told(kCaptain, 2, 9, later), kCaptain, kPlayer, later);
+  EXPECT_EQ(one.choice().played(), 2) << "the captain is back";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/referee/referee.h"
 #include "tests/robot/foresight/memories.h"
 
 namespace robot::foreseeing {
@@ -10,7 +11,7 @@ namespace {
 using test::Played;
 
 sim::foresight::Knowledge known(const Played& game, const Recollection& from) {
-  const auto knowledge = knowledge_of(from, game.setup.params.teams[0].models.motion);
+  const auto knowledge = knowledge_of(from, game.setup.params);
   if (!knowledge) {
     ADD_FAILURE() << knowledge.error();
     return {};
@@ -18,12 +19,12 @@ sim::foresight::Knowledge known(const Played& game, const Recollection& from) {
   return *knowledge;
 }
 std::string why_not(const Played& game, const Recollection& from) {
-  const auto knowledge = knowledge_of(from, game.setup.params.teams[0].models.motion);
+  const auto knowledge = knowledge_of(from, game.setup.params);
   return knowledge ? "" : knowledge.error();
 }
 
 TEST(Knowledge, ThroughMemoryIsWhatTheSimulatedRobotKnows) {
-  for (const float seconds : {60.f, 80.f, 200.f, 333.f}) {
+  for (const float seconds : {20.f, 60.f, 80.f, 200.f, 333.f}) {
     const Played game("match", seconds);
     const auto direct = sim::foresight::knowledge_of(game.setup.params, game.state, 1);
     const auto told = known(game, game.recollection());
@@ -54,6 +55,10 @@ TEST(Knowledge, ThroughMemoryIsWhatTheSimulatedRobotKnows) {
       EXPECT_LT(sim::distance(told.beliefs.opponents[i].position, direct.beliefs.opponents[i].position), 1e-5f);
     }
     EXPECT_EQ(told.game.phase, direct.game.phase);
+    EXPECT_EQ(told.game.set_play, direct.game.set_play);
+    const bool counts =
+        sim::referee::countdown_of(game.setup.params.rules, direct.game.phase, direct.game.set_play) > 0;
+    EXPECT_NEAR(told.game.since_phase, counts ? direct.game.since_phase : 0, 1e-3);
     EXPECT_EQ(told.game.half, direct.game.half);
     EXPECT_EQ(told.game.own_score, direct.game.own_score);
     EXPECT_EQ(told.game.player, direct.game.player);
@@ -61,6 +66,44 @@ TEST(Knowledge, ThroughMemoryIsWhatTheSimulatedRobotKnows) {
     for (const int side : {0, 1})
       for (int i = 0; i < sim::kMaxPlayers; ++i) EXPECT_NEAR(told.away[side][i], direct.away[side][i], 1);
   }
+}
+
+TEST(Knowledge, CountdownsTellHowLongASetPlayLasts) {
+  auto prepared = sim::io::prepare({.rules = "spl2025"});
+  ASSERT_TRUE(prepared) << prepared.error();
+  const Played game;
+  Recollection from = game.recollection();
+  pb::GameState& told = from.game->value;
+  const auto since = [&] { return knowledge_of(from, prepared->params)->game; };
+  told.set_state(pb::GameState::STATE_PLAYING);
+  told.set_set_play(pb::GameState::SET_PLAY_KICK_IN);
+  told.set_secondary_seconds(5);
+  EXPECT_FLOAT_EQ(since().since_phase, 25) << "of 30 s";
+  told.clear_set_play();
+  told.set_kicking_team(14);
+  EXPECT_EQ(since().set_play, sim::agent::Game::SetPlay::kick_off) << "the ball is not free yet";
+  EXPECT_FLOAT_EQ(since().since_phase, 5) << "of 10 s";
+  told.set_secondary_seconds(0);
+  EXPECT_EQ(since().set_play, sim::agent::Game::SetPlay::none);
+  told.set_state(pb::GameState::STATE_READY);
+  told.set_secondary_seconds(44);
+  EXPECT_FLOAT_EQ(since().since_phase, 1) << "of 45 s";
+}
+
+TEST(Knowledge, WhereNoSoccerIsPlayedNothingIsForetold) {
+  const Played game;
+  Recollection from = game.recollection();
+  from.game->value.set_phase(pb::GameState::PHASE_PENALTY_SHOOT_OUT);
+  EXPECT_EQ(why_not(game, from), "the game is in a penalty shoot-out");
+  from.game->value.set_phase(pb::GameState::PHASE_TIMEOUT);
+  EXPECT_EQ(why_not(game, from), "the game is in a time-out");
+}
+
+TEST(Knowledge, WhatCameLaterIsNotRemembered) {
+  const Played game;
+  const Recollection before = recollect(game.channels, "14/2", game.now_ns() - 5'000'000'000);
+  EXPECT_FALSE(before.ball || before.pose || before.game || before.team);
+  EXPECT_TRUE(game.recollection().pose);
 }
 
 TEST(Knowledge, SaysWhatIsMissing) {

@@ -8,6 +8,7 @@ namespace robot::foreseeing {
 namespace {
 
 constexpr std::uint64_t kSecondNs = 1'000'000'000, kPeriodNs = 10 * kSecondNs;
+constexpr float kGoalX = 3;  // [m]
 
 std::string text(const char* why) { return why ? why : ""; }
 
@@ -40,65 +41,105 @@ Recollection after(Recollection now, double seconds) {
   return now;
 }
 
+/// Looks and asks where there is a reason.
+std::string ask(Triggers& triggers, const Recollection& now) {
+  const char* const why = triggers.look(now, kPeriodNs);
+  if (why) triggers.asked();
+  return text(why);
+}
+
+/// An opponent seen so far from the ball.
+void see_opponent(Recollection& now, sim::Vec2 from_ball) {
+  const pb::Pose& pose = now.pose->value;
+  const sim::Vec2 ball = sim::Vec2{pose.x(), pose.y()} +
+                         sim::turned({now.ball->value.x(), now.ball->value.y()}, sim::direction(pose.heading()));
+  now.opponents.emplace();
+  pb::Opponents::Opponent& opponent = *now.opponents->value.add_opponents();
+  opponent.set_x(ball.x + from_ball.x);
+  opponent.set_y(ball.y + from_ball.y);
+  opponent.set_seen_ns(now.now_ns);
+}
+
 TEST(Triggers, ThereIsAReasonAtTheBeginningAndAfterThePeriod) {
-  Triggers triggers;
+  Triggers triggers(kGoalX);
   const Recollection now = quiet();
-  EXPECT_NE(triggers.look(now, kPeriodNs), nullptr);
+  EXPECT_NE(ask(triggers, now), "");
   for (double seconds = 0.1; seconds < 9.95; seconds += 0.1)
-    EXPECT_EQ(text(triggers.look(after(now, seconds), kPeriodNs)), "") << seconds;
-  EXPECT_EQ(text(triggers.look(after(now, 10), kPeriodNs)), "it is time");
+    EXPECT_EQ(ask(triggers, after(now, seconds)), "") << seconds;
+  EXPECT_EQ(ask(triggers, after(now, 10)), "it is time");
 }
 
 TEST(Triggers, EventsAreReasons) {
   const Recollection now = quiet();
   const auto why = [&](auto&& change) {
-    Triggers triggers;
-    triggers.look(now, kPeriodNs);
+    Triggers triggers(kGoalX);
+    ask(triggers, now);
     Recollection then = after(now, 3);
     change(then);
-    return text(triggers.look(then, kPeriodNs));
+    return ask(triggers, then);
   };
   EXPECT_EQ(why([](Recollection&) {}), "");
   EXPECT_EQ(why([](Recollection& r) { r.game->value.mutable_own()->set_score(5); }), "the score changed");
   EXPECT_EQ(why([](Recollection& r) { r.game->value.set_set_play(pb::GameState::SET_PLAY_CORNER_KICK); }),
             "the game was stopped or goes on");
   EXPECT_EQ(why([](Recollection& r) { r.ball->value.set_seen_ns(r.now_ns - 5 * kSecondNs); }), "the ball is lost");
-  EXPECT_EQ(why([](Recollection& r) {
-              const pb::Pose& pose = r.pose->value;
-              const sim::Vec2 ball = sim::Vec2{pose.x(), pose.y()} + sim::turned({r.ball->value.x(), r.ball->value.y()},
-                                                                                 sim::direction(pose.heading()));
-              r.opponents.emplace();
-              pb::Opponents::Opponent& opponent = *r.opponents->value.add_opponents();
-              opponent.set_x(ball.x + 0.6f);
-              opponent.set_y(ball.y - 0.1f);
-              opponent.set_seen_ns(r.now_ns);
-            }),
-            "the way is blocked");
 }
 
-TEST(Triggers, QuestionsAreTwoSecondsApart) {
-  Triggers triggers;
+TEST(Triggers, TheWayIsBlockedTowardsTheGoal) {
+  // the ball lies at (1.5, 1.5), from where the goal is to the right and ahead
   Recollection now = quiet();
-  triggers.look(now, kPeriodNs);
+  now.pose->value.set_x(1), now.pose->value.set_y(1.5f), now.pose->value.set_heading(0);
+  now.ball->value.set_x(0.5f), now.ball->value.set_y(0);
+  const auto blocked = [&](sim::Vec2 from_ball) {
+    see_opponent(now, from_ball);
+    return way_is_blocked(now, kGoalX);
+  };
+  EXPECT_TRUE(blocked({0.5f, -0.5f}));
+  EXPECT_TRUE(blocked({0.9f, -0.7f}));
+  EXPECT_FALSE(blocked({0.8f, 0})) << "straight ahead is not where the goal is";
+  EXPECT_FALSE(blocked({-0.3f, 0.3f})) << "behind";
+  EXPECT_FALSE(blocked({1.2f, -1.2f})) << "far off";
+  Triggers triggers(kGoalX);
+  now.opponents.reset();
+  ask(triggers, now);
+  now = after(now, 3);
+  see_opponent(now, {0.5f, -0.5f});
+  EXPECT_EQ(ask(triggers, now), "the way is blocked");
+  now = after(now, 3);
+  see_opponent(now, {0.5f, -0.5f});
+  EXPECT_EQ(ask(triggers, now), "") << "it still is";
+}
+
+TEST(Triggers, QuestionsAreTwoSecondsApartAndReasonsAreKept) {
+  Triggers triggers(kGoalX);
+  Recollection now = quiet();
+  ask(triggers, now);
   now = after(now, 1.9);
   now.game->value.mutable_own()->set_score(5);
-  EXPECT_EQ(text(triggers.look(now, kPeriodNs)), "");
+  EXPECT_EQ(ask(triggers, now), "");
   now = after(now, 0.2);
-  now.game->value.mutable_own()->set_score(6);
-  EXPECT_EQ(text(triggers.look(now, kPeriodNs)), "the score changed");
+  EXPECT_EQ(text(triggers.look(now, kPeriodNs)), "the score changed") << "a goal of then";
+  now = after(now, 0.1);
+  EXPECT_EQ(ask(triggers, now), "the score changed") << "foresight was busy when it came";
+  EXPECT_EQ(ask(triggers, after(now, 3)), "");
 }
 
 TEST(Triggers, OnlyTheCaptainAsksAndOnlyInAGame) {
   Recollection now = quiet();
   now.game->value.set_own_player(3);
-  EXPECT_EQ(Triggers().look(now, kPeriodNs), nullptr);
+  EXPECT_EQ(Triggers(kGoalX).look(now, kPeriodNs), nullptr);
   now = quiet();
   for (const auto state : {pb::GameState::STATE_INITIAL, pb::GameState::STATE_FINISHED, pb::GameState::STATE_STANDBY}) {
     now.game->value.set_state(state);
-    EXPECT_EQ(Triggers().look(now, kPeriodNs), nullptr);
+    EXPECT_EQ(Triggers(kGoalX).look(now, kPeriodNs), nullptr);
+  }
+  now = quiet();
+  for (const auto phase : {pb::GameState::PHASE_PENALTY_SHOOT_OUT, pb::GameState::PHASE_TIMEOUT}) {
+    now.game->value.set_phase(phase);
+    EXPECT_EQ(Triggers(kGoalX).look(now, kPeriodNs), nullptr);
   }
   now.game.reset();
-  EXPECT_EQ(Triggers().look(now, kPeriodNs), nullptr);
+  EXPECT_EQ(Triggers(kGoalX).look(now, kPeriodNs), nullptr);
 }
 
 }  // namespace

@@ -39,6 +39,20 @@ TEST(Choice, FollowsTheNewerAndTheCaptainsWordOnTheSame) {
   EXPECT_EQ(own.strategy, 3);
 }
 
+TEST(Choice, WhatWasLetGoOnlyTheCaptainOrANewerEpochBringsBack) {
+  Choice own{1, 5};
+  let_go(own);
+  EXPECT_EQ(own.played(), 0);
+  EXPECT_FALSE(follow({1, 5}, false, own)) << "a follower that has not let go yet";
+  EXPECT_FALSE(follow({2, 4}, false, own));
+  Choice again = own, anew = own, begun_anew = own;
+  EXPECT_TRUE(follow({1, 5}, true, again));
+  EXPECT_TRUE(follow({2, 6}, false, anew));
+  EXPECT_TRUE(follow({2, 1}, true, begun_anew)) << "a captain that was switched off and on counts from the beginning";
+  choose(3, own);
+  EXPECT_EQ(own.epoch, 6) << "its own choice is a newer one";
+}
+
 TEST(Choice, OnlyAnotherStrategyIsANewEpoch) {
   Choice own{1, 255};
   choose(1, own);

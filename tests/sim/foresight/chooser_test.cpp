@@ -114,20 +114,6 @@ TEST(Chooser, WhoHearsNobodyForLongPlaysTheDefault) {
   EXPECT_EQ(mind.choice.strategy, kNoStrategy) << "a strategy that this robot does not have";
 }
 
-TEST(Chooser, TheCaptainIsTheFirstFieldPlayerThatIsHeard) {
-  const agent::Game third{.player = 3};
-  agent::Beliefs beliefs;
-  EXPECT_EQ(captain_of(third, beliefs, 100, 50), 3) << "who hears nobody leads";
-  beliefs.mates[1] = {.sent = 90, .active = true};  // player 2
-  EXPECT_EQ(captain_of(third, beliefs, 100, 50), 2);
-  EXPECT_EQ(captain_of(third, beliefs, 140, 50), 3) << "silent";
-  beliefs.mates[1].active = false;
-  EXPECT_EQ(captain_of(third, beliefs, 100, 50), 3) << "penalised";
-  beliefs.mates[2] = {.sent = 90, .active = true};  // player 4
-  EXPECT_EQ(captain_of({.penalised = true, .player = 3}, beliefs, 100, 50), 4);
-  EXPECT_EQ(captain_of({.penalised = true, .player = 2}, {}, 100, 50), 0);
-}
-
 TEST(Chooser, RefusesWhatItCannotChooseFrom) {
   const Files files;
   EXPECT_NE(files.sentence(R"({"name": "x", "choose": ["baseline"]})").find("choose must be a list of 2 .. 8"),

@@ -9,6 +9,8 @@
 
 #include "robot/agent/convert.h"
 #include "robot/memory/channels.h"
+#include "sim/agent/follower.h"
+#include "sim/io/strategy.h"
 #include "sim/match/situation.h"
 #include "sim/match/step.h"
 #include "tests/robot/body/sim/support.h"
@@ -121,6 +123,45 @@ TEST(SimBody, ASituationIsWhereTheGameGoesOn) {
   for (int tick = 0; tick < 100; ++tick) sim::step(player->setup().params(), state, events);
   EXPECT_EQ(player->memory()->truth.read()->bytes(), truth_of(state));
   EXPECT_EQ(player->state().seed(), 5u);
+}
+
+/// The strategy that the tree names which decided last.
+std::string played_by(const memory::Channels& channels, const std::string& robot) {
+  const auto version = channels.find("/" + robot + "/decision")->newest();
+  foresight::DecisionTrace trace;
+  if (version) trace.ParseFromString(std::string(version->bytes()));
+  return trace.strategy();
+}
+
+TEST(SimBody, TheTeamPlaysWhatItsCaptainChose) {
+  body::Setup with = setup();
+  std::vector<std::shared_ptr<const sim::agent::Behaviour>> strategies;
+  for (const char* name : {"baseline", "kick_now"}) strategies.push_back(*sim::io::load_strategy(name));
+  with.game.behaviours[0] = std::make_shared<sim::agent::Follower>("baseline", strategies, sim::ticks(20));
+  with.game.params.teams[0].behaviour = with.game.behaviours[0].get();
+  const auto player = body({.robot = sim::robot_of(sim::Side::home, 2), .seed = 2}, std::move(with));
+  memory::Channels channels;
+  ASSERT_TRUE(player->list(channels));
+  const auto choose = [&](std::uint32_t number, bool chosen, std::uint32_t epoch) {
+    foresight::Strategy strategy;
+    strategy.set_number(number);
+    strategy.set_chosen(chosen);
+    strategy.set_epoch(epoch);
+    player->memory()->strategy.write(strategy, kClock.now_ns());
+  };
+  const std::string own = "14/2", mate = "14/3", opponent = "5/2";
+  ASSERT_TRUE(player->step(1500));
+  EXPECT_EQ(played_by(channels, own), "baseline");
+  choose(1, true, 1);
+  ASSERT_TRUE(player->step(1));
+  EXPECT_EQ(played_by(channels, own), "kick_now");
+  EXPECT_EQ(played_by(channels, mate), "baseline") << "it has not heard of it yet";
+  ASSERT_TRUE(player->step(sim::ticks(5)));
+  EXPECT_EQ(played_by(channels, mate), "kick_now");
+  EXPECT_EQ(played_by(channels, opponent), "baseline");
+  choose(0, false, 1);
+  ASSERT_TRUE(player->step(1));
+  EXPECT_EQ(played_by(channels, own), "baseline");
 }
 
 TEST(SimBody, EveryRobotIsListedUnderItsName) {
