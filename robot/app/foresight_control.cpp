@@ -49,7 +49,10 @@ ForesightControl::ForesightControl(std::unique_ptr<foreseeing::Foreseer> foresee
               });
 }
 
-ForesightControl::~ForesightControl() { runtime_.stop(); }
+ForesightControl::~ForesightControl() {
+  advisor_->foreseer().hurry();
+  runtime_.stop();
+}
 
 std::vector<std::string> default_strategies() { return {"baseline", "passing", "kick_now", "align_first"}; }
 

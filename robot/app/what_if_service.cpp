@@ -32,7 +32,7 @@ json answer(json request, const std::string& own, const AskForesight& ask) {
 }  // namespace
 
 void add_what_if(net::Services& services, const std::string& robot, AskForesight ask) {
-  services.add(kName, net::Services::For::control,
+  services.add(kName, net::Services::For::questions,
                [robot, ask = std::move(ask)](const json& request, const net::ClientContext&) {
                  return answer(request, robot, ask);
                });

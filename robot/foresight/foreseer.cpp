@@ -114,9 +114,10 @@ Result<std::unique_ptr<Foreseer>> Foreseer::open(ForeseerOptions options) {
 Foreseer::Foreseer(ForeseerOptions options) : options_(std::move(options)) {}
 
 Foreseer::~Foreseer() {
+  hurry();
   {
     const std::lock_guard guard(lock_);
-    running_ = false;
+    ending_ = true;
     changed_.notify_all();
   }
   if (answering_.joinable()) answering_.join();
@@ -136,6 +137,12 @@ Result<std::shared_ptr<const sim::io::Playbook>> Foreseer::playbook_for(const st
   if (!playbook) return Error{playbook.error()};
   if (playbooks_.size() == kMostPlaybooks) playbooks_.clear();
   return playbooks_[key] = std::make_shared<const sim::io::Playbook>(std::move(*playbook));
+}
+
+void Foreseer::hurry() {
+  const std::lock_guard guard(lock_);
+  hurries_ = true;
+  changed_.notify_all();
 }
 
 bool Foreseer::idle() {
@@ -203,8 +210,8 @@ void Foreseer::answer() {
     const Job* job;
     {
       const std::lock_guard guard(lock_);
-      while (running_ && jobs_.empty()) changed_.wait(lock_);
-      if (!running_) return;
+      while (!ending_ && jobs_.empty()) changed_.wait(lock_);
+      if (jobs_.empty()) return;
       job = jobs_.front().get();
     }
     answer(*job, rollouts);
@@ -218,7 +225,7 @@ void Foreseer::answer(const Job& job, Rollouts& rollouts) {
   rollouts.begin(job.futures, deadline_ns);
   {
     const std::lock_guard guard(lock_);
-    while (running_ && monotonic_ns() < deadline_ns) changed_.wait_until(lock_, deadline_ns);
+    while (!hurries_ && monotonic_ns() < deadline_ns) changed_.wait_until(lock_, deadline_ns);
   }
   const Progress progress = rollouts.progress();
   rollouts.end();

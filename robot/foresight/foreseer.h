@@ -44,6 +44,9 @@ class Foreseer {
   /// No question runs, none waits.
   bool idle();
 
+  /// From now on every question is answered at once, by what is there. Before it goes, so that nobody waits for long.
+  void hurry();
+
   /// Called on the answering thread; must not wait for a question of its own.
   using Answered = std::function<void(const pb::Forecast&)>;
 
@@ -80,7 +83,7 @@ class Foreseer {
   Mutex lock_;
   Condition changed_;
   std::deque<std::unique_ptr<const Job>> jobs_;  // the first runs, the others wait
-  bool running_ = true;
+  bool hurries_ = false, ending_ = false;
   std::thread answering_;
 };
 

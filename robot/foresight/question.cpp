@@ -194,6 +194,9 @@ json to_json(const pb::Forecast::Situation& situation) {
 
 bool is_within(float value, float least, float most) { return value >= least && value <= most; }
 
+/// Of a place [m] that is refused later, where it is none on the field.
+bool is_sane(float place) { return is_within(place, -100, 100); }
+
 /// [0] .. [1] inclusive, where 0 stands for what is left out.
 Result<void> check_names(const pb::WhatIf& question, const std::vector<std::string>& known) {
   if (question.strategies_size() > sim::foresight::kMaxStrategies)
@@ -344,9 +347,10 @@ void tell(const pb::WhatIf::Edit& edit, sim::foresight::Knowledge& knowledge) {
   sim::agent::Beliefs& beliefs = knowledge.beliefs;
   for (const pb::WhatIf::MovedRobot& moved : edit.robots()) {
     if (moved.opponent() || moved.player() != knowledge.game.player) continue;
+    if (!is_sane(moved.x()) || !is_sane(moved.y()) || !is_within(moved.heading(), -sim::kPi, sim::kPi)) continue;
     beliefs.pose = {.pose = {{moved.x(), moved.y()}, sim::normalized(moved.heading())}};
   }
-  if (!edit.has_ball()) return;
+  if (!edit.has_ball() || !is_sane(edit.ball().x()) || !is_sane(edit.ball().y())) return;
   const sim::Pose2& pose = beliefs.pose.pose;
   const Vec2 to_ball = Vec2{edit.ball().x(), edit.ball().y()} - pose.position;
   beliefs.ball = {.position = sim::turned_back(to_ball, sim::direction(pose.heading)), .seen = knowledge.now};

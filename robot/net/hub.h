@@ -34,8 +34,10 @@ struct HubOptions {
 /// the sockets looks into all of them after each call. Used by one thread, the server's I/O thread.
 class Hub {
  public:
-  /// Does `work` on a thread that may wait, one piece after the other, then `then` on the hub's own.
-  using InBackground = std::function<void(std::function<void()> work, std::function<void()> then)>;
+  /// Orders do not wait for questions, which may take seconds.
+  enum class Kind { order, question };
+  /// Does `work` on a thread of its kind that may wait, one piece after the other, then `then` on the hub's own.
+  using InBackground = std::function<void(Kind kind, std::function<void()> work, std::function<void()> then)>;
 
   /// What is referenced outlives the hub.
   Hub(HubOptions options, Parameters& parameters, const Services& services, const Clock& clock, StreamControl& streams,
@@ -102,7 +104,7 @@ class Hub {
   void handle(Client& client, const foxglove::GetParameters& message);
   void handle(Client& client, const foxglove::SetParameters& message);
   void answer(Client& client, const foxglove::ServiceCall& call, const std::string& text);
-  void in_turn(Client& client, std::function<std::string()> work,
+  void in_turn(Client& client, Kind kind, std::function<std::string()> work,
                std::function<void(Client&, const std::string&)> then);
   void handle(Client& client, const foxglove::WatchParameters& message);
   void handle(Client& client, const foxglove::ServiceCall& message);

@@ -66,20 +66,21 @@ void Hub::handle(Client& client, const foxglove::GetParameters& message) {
 
 /// Does `work`, which may wait for the disk, in the background, and then `then` with what came of it, if the client is
 /// still there.
-void Hub::in_turn(Client& client, std::function<std::string()> work,
+void Hub::in_turn(Client& client, Kind kind, std::function<std::string()> work,
                   std::function<void(Client&, const std::string&)> then) {
   constexpr int kMaxWaiting = 32;  // a client cannot fill our memory
   if (client.waiting_requests >= kMaxWaiting)
     return complain(client, "too many requests at once: expected at most " + std::to_string(kMaxWaiting));
   ++client.waiting_requests;
   const auto result = std::make_shared<std::string>();
-  in_background_([work = std::move(work), result] { *result = work(); },
-                 [client = client.weak_from_this(), then = std::move(then), result] {
-                   const std::shared_ptr<Client> present = client.lock();
-                   if (!present) return;
-                   --present->waiting_requests;
-                   then(*present, *result);
-                 });
+  in_background_(
+      kind, [work = std::move(work), result] { *result = work(); },
+      [client = client.weak_from_this(), then = std::move(then), result] {
+        const std::shared_ptr<Client> present = client.lock();
+        if (!present) return;
+        --present->waiting_requests;
+        then(*present, *result);
+      });
 }
 
 // the answer holds the actual values, whatever became of the wish
@@ -94,7 +95,7 @@ void Hub::handle(Client& client, const foxglove::SetParameters& message) {
       complain(client, who + "expected true, false, a number or a text");
     } else {
       in_turn(
-          client,
+          client, Kind::order,
           [this, name = name, value = *value] {
             const auto set = parameters_.set(name, value);
             return set ? std::string() : set.error();
@@ -105,7 +106,7 @@ void Hub::handle(Client& client, const foxglove::SetParameters& message) {
     }
   }
   in_turn(
-      client, [] { return std::string(); },
+      client, Kind::order, [] { return std::string(); },
       [this, names = std::move(names), id = message.id](Client& present, const std::string&) {
         tell_parameters(present, names, id);
       });
@@ -133,10 +134,11 @@ void Hub::handle(Client& client, const foxglove::ServiceCall& message) {
   }
   if (message.encoding != "json")
     return answer(client, message, failure("service: expected the encoding 'json'").dump());
-  if (!services_.may_wait(message.service))
+  const Services::For whom = services_.whom(message.service);
+  if (whom == Services::For::everybody)
     return answer(client, message, services_.call(message.service, message.payload, client.identity.context));
   in_turn(
-      client,
+      client, whom == Services::For::questions ? Kind::question : Kind::order,
       [this, message, context = client.identity.context] {
         return services_.call(message.service, message.payload, context);
       },

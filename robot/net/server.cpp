@@ -52,12 +52,14 @@ class Server::Core {
         inbox_(std::make_shared<Inbox>(options_.inbox_bytes, [this] { asio::post(io_, [this] { drain(); }); })),
         streams_(streams, inbox_),
         control_("net control"),
+        questions_("net questions"),
         hub_(options_.hub, parameters, services, clock, streams_,
-             [this](std::function<void()> work, std::function<void()> then) {
-               control_.post([inbox = inbox_, work = std::move(work), then = std::move(then)] {
-                 work();
-                 inbox->post(then);
-               });
+             [this](Hub::Kind kind, std::function<void()> work, std::function<void()> then) {
+               (kind == Hub::Kind::question ? questions_ : control_)
+                   .post([inbox = inbox_, work = std::move(work), then = std::move(then)] {
+                     work();
+                     inbox->post(then);
+                   });
              }),
         routes_(options_.access, options_.assets, application),
         disk_("net disk"),
@@ -99,7 +101,7 @@ class Server::Core {
   asio::io_context io_{1};
   std::shared_ptr<Inbox> inbox_;
   StreamControl streams_;
-  Worker control_;
+  Worker control_, questions_;
   Hub hub_;
   Routes routes_;
   Worker disk_;
@@ -265,7 +267,7 @@ void Server::Core::stop() {
   }
   inbox_->close();  // loggers that wait for room go on
   streams_.finish();
-  for (Worker* worker : {&control_, &disk_}) {
+  for (Worker* worker : {&control_, &questions_, &disk_}) {
     worker->forget();
     worker->finish();
   }

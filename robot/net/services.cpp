@@ -45,7 +45,7 @@ std::string Services::call(std::uint32_t id, std::string_view request, const Cli
 }
 
 Json Services::answer(const Entry& entry, std::string_view request, const ClientContext& client) const {
-  if (const std::string refusal = client.refusal(); entry.whom == For::control && !refusal.empty())
+  if (const std::string refusal = client.refusal(); entry.whom != For::everybody && !refusal.empty())
     return failure(entry.name + ": " + refusal);
   const Json json = request.empty() ? Json::object() : Json::parse(request, nullptr, /*allow_exceptions=*/false);
   if (!json.is_object()) return failure(entry.name + ": expected a JSON object, got something else");

@@ -32,11 +32,12 @@ nlohmann::json failure(std::string_view sentence);
 /// The list of services. Added before the server starts, then only read.
 class Services {
  public:
-  /// Gets a JSON object and gives one. Services for control run one after the other on a thread that may wait for the
-  /// disk; those for everybody run on the server's I/O thread and must not wait for anything.
+  /// Gets a JSON object and gives one. Services for everybody run on the server's I/O thread and must not wait for
+  /// anything; those for control run one after the other on a thread that may wait for the disk, and so do questions on
+  /// one that may take seconds.
   using Handler = std::function<nlohmann::json(const nlohmann::json& request, const ClientContext& client)>;
 
-  enum class For { everybody, control };  // control: needs the token beyond loopback
+  enum class For { everybody, control, questions };  // the latter two need the token beyond loopback
 
   void add(std::string name, For whom, Handler handler);
 
@@ -44,7 +45,7 @@ class Services {
   std::vector<foxglove::Service> list() const;
 
   bool has(std::uint32_t id) const { return id >= 1 && id <= services_.size(); }
-  bool may_wait(std::uint32_t id) const { return services_.at(id - 1).whom == For::control; }
+  For whom(std::uint32_t id) const { return services_.at(id - 1).whom; }
 
   /// The answer of service `id` (it exists) to `request`, as JSON text. What goes wrong, goes into the answer.
   std::string call(std::uint32_t id, std::string_view request, const ClientContext& client) const;

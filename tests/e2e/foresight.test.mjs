@@ -1,6 +1,6 @@
 // Foresight as others use it: the independent Foxglove client asks a robot, memory holds the answer, nonsense does nothing.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import { networkInterfaces } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
@@ -109,6 +109,39 @@ test("the captain asks of its own accord, and foresight is switched on and off",
 
   live.send({ op: "setParameters", parameters: [{ name: "foresight", value: false }], id: "off" });
   await live.until(() => live.values.some(({ parameters }) => parameters?.some(({ name, value }) => name === "foresight" && value === false)), "that it is off");
+});
+
+test("what was foretold is scored live, and the recording tells the same", async (t) => {
+  const folder = temporaryFolder(t);
+  const server = await start(t, folder, "foresight-robot", "--body", "sim", "--strategies", "baseline,kick_now", "--record", "--name", "scored");
+  const live = await Live.open(t, server);
+  await live.subscribe("/14/2/forecast_score");
+  const wishes = { foresight_budget_ms: 100, foresight_horizon: 1, foresight_period: 2 };
+  live.send({ op: "setParameters", parameters: Object.entries(wishes).map(([name, value]) => ({ name, value })) });
+  const scored = () => live.messages.get("/14/2/forecast_score").length;
+  await until(() => scored() >= 3, "three forecasts whose time has passed");
+  await server.stop();
+
+  const [session] = readdirSync(join(folder, "logs")).filter((name) => name.includes("scored"));
+  const { stdout: text } = await run("foresight-lab", "info", join(folder, "logs", session));
+  assert.match(text, /14\/2 foretold:\n(baseline|kick_now), \d+ of 1 s +came +foretold +Brier +of the rate +log-loss\n {2}own goal .*\n/);
+  const { stdout } = await run("foresight-lab", "info", join(folder, "logs", session), "--json");
+  const { entries } = JSON.parse(stdout).forecasts["14/2"];
+  assert.ok(entries.reduce((sum, { forecasts }) => sum + forecasts, 0) >= 2);
+  for (const { horizon, score, concede } of entries) {
+    assert.equal(horizon, 1);
+    for (const { log_loss, bins } of [score, concede]) assert.ok(log_loss >= 0 && bins.length === 10);
+  }
+});
+
+test("orders do not wait for a question", async (t) => {
+  const { live } = await pausedGame(t, "--no-foresight");
+  let answered = false;
+  const answer = live.call(kService, { budget_ms: 4000 }).then((told) => ((answered = true), told));
+  live.send({ op: "setParameters", parameters: [{ name: "foresight_period", value: 60 }], id: "now" });
+  await live.until(() => live.values.some(({ id }) => id === "now"), "that it is set");
+  assert.equal(answered, false, "it still thinks");
+  assert.equal((await answer).ok, true);
 });
 
 test("from another machine it needs the token", needsNetwork, async (t) => {

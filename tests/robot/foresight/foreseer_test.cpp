@@ -101,6 +101,54 @@ TEST(Foreseer, OneQuestionRunsOneWaitsAndTheThirdIsTold) {
   EXPECT_TRUE(foresight->ask_and_wait(question(10), game.recollection()));
 }
 
+TEST(Foreseer, WhoWaitsIsToldHowLong) {
+  const test::Played game;
+  const auto foresight = foreseer();
+  EXPECT_TRUE(foresight->idle());
+  std::promise<float> first, second;
+  const auto tell = [](std::promise<float>& promise) {
+    return [&promise](const pb::Forecast& forecast) { promise.set_value(forecast.answered_ms()); };
+  };
+  ASSERT_TRUE(foresight->ask(question(200), game.recollection(), tell(first)));
+  EXPECT_FALSE(foresight->idle());
+  ASSERT_TRUE(foresight->ask(question(50), game.recollection(), tell(second)));
+  EXPECT_GE(first.get_future().get(), 200);
+  EXPECT_GE(second.get_future().get(), 200) << "its own 50 ms after most of the other's 200";
+}
+
+TEST(Foreseer, InAHurryEveryQuestionIsAnsweredAtOnce) {
+  const test::Played game;
+  const auto foresight = foreseer();
+  std::promise<pb::Forecast> first, second;
+  ASSERT_TRUE(foresight->ask(question(10'000), game.recollection(),
+                             [&](const pb::Forecast& forecast) { first.set_value(forecast); }));
+  ASSERT_TRUE(foresight->ask(question(10'000), game.recollection(),
+                             [&](const pb::Forecast& forecast) { second.set_value(forecast); }));
+  foresight->hurry();
+  EXPECT_LT(first.get_future().get().answered_ms(), 10'000);
+  EXPECT_LT(second.get_future().get().answered_ms(), 10'000);
+}
+
+TEST(Foreseer, WhatAnEditSaysItNeedNotHaveSeen) {
+  const test::Played game;
+  const auto foresight = foreseer();
+  Recollection from = game.recollection();
+  from.ball.reset();
+  from.team.reset();
+  from.pose->value.set_deviation_x(5);
+  pb::WhatIf asked = question(10);
+  EXPECT_NE(foresight->ask_and_wait(asked, from)->refusal(), "") << "lost";
+  pb::WhatIf::MovedRobot& self = *asked.mutable_edit()->add_robots();
+  self.set_player(2);
+  self.set_x(-1);
+  EXPECT_EQ(foresight->ask_and_wait(asked, from)->refusal(), "nobody has seen the ball yet");
+  asked.mutable_edit()->mutable_ball()->set_x(1);
+  const auto forecast = foresight->ask_and_wait(asked, from);
+  ASSERT_TRUE(forecast) << forecast.error();
+  EXPECT_EQ(forecast->refusal(), "");
+  EXPECT_EQ(forecast->situation().ball_x(), 1);
+}
+
 TEST(Foreseer, WhatCannotBeToldIsAnAnswer) {
   const test::Played game;
   const auto foresight = foreseer();

@@ -101,13 +101,14 @@ class HubTest : public testing::Test {
     make_hub(nullptr);
   }
   void make_hub(Playback* playback) {
-    hub = std::make_unique<Hub>(HubOptions{.metadata = {{"robots", "14/2"}},
-                                           .queues = {.reliable_bytes = 10, .lossless_bytes = 10},
-                                           .playback = playback},
-                                parameters, services, clock, control, [](const auto& work, const auto& then) {
-                                  work();
-                                  then();
-                                });
+    hub =
+        std::make_unique<Hub>(HubOptions{.metadata = {{"robots", "14/2"}},
+                                         .queues = {.reliable_bytes = 10, .lossless_bytes = 10},
+                                         .playback = playback},
+                              parameters, services, clock, control, [](Hub::Kind, const auto& work, const auto& then) {
+                                work();
+                                then();
+                              });
     hub->add_channel(base.channel, derive_twice);
     hub->add_channel(events.channel, derive_twice);
     hub->add_channel(world.channel, derive_twice);

@@ -19,6 +19,8 @@ export interface Scored {
   brier: number;
   /** [0..1] of always foretelling how often it came. */
   brierOfRate: number;
+  /** [nats] on average; small is good. */
+  logLoss: number;
   /** Those with forecasts, ascending. */
   bins: Bin[];
 }
@@ -31,15 +33,32 @@ export interface ForecastScore {
 
 const finite = (fields: Fields, name: string): number => numberOf(fields, name) || 0;
 
-/** Of all strategies and horizons together; undefined before one was scored. */
-export function forecastScoreOf(fields: Fields): ForecastScore | undefined {
+/** What of: "all", or one strategy and horizon, "passing, 30 s". */
+export interface NamedScore {
+  name: string;
+  score: ForecastScore;
+}
+
+/** Of all strategies and horizons together, then of each where there are several; none before one was scored. */
+export function forecastScoresOf(fields: Fields): NamedScore[] {
   const entries = listOf(fields, "entries");
+  const all = merge(entries);
+  if (!all) return [];
+  const each = entries.flatMap((entry) => {
+    const score = merge([entry]);
+    return score ? [{ name: `${textOf(entry, "strategy")}, ${finite(entry, "horizon")} s`, score }] : [];
+  });
+  return [{ name: "all", score: all }, ...(each.length > 1 ? each : [])];
+}
+
+/** All of them together; undefined where none was scored. */
+function merge(entries: Fields[]): ForecastScore | undefined {
   const forecasts = entries.reduce((sum, entry) => sum + finite(entry, "forecasts"), 0);
   if (forecasts === 0) return undefined;
   const merged = (kind: string): Scored => {
     const events = entries.map((entry) => ({ weight: finite(entry, "forecasts"), event: fieldsOf(entry, kind) }));
     const came = events.reduce((sum, { event }) => sum + finite(event, "came"), 0);
-    const brier = events.reduce((sum, { weight, event }) => sum + weight * finite(event, "brier"), 0) / forecasts;
+    const mean = (name: string) => events.reduce((sum, { weight, event }) => sum + weight * finite(event, name), 0) / forecasts;
     const bins = Array.from({ length: 10 }, (_, index): Bin => {
       const parts = events.map(({ event }) => listOf(event, "bins")[index] ?? new Map());
       const count = parts.reduce((sum, bin) => sum + finite(bin, "forecasts"), 0);
@@ -48,7 +67,7 @@ export function forecastScoreOf(fields: Fields): ForecastScore | undefined {
       return { forecasts: count, came: rate, foretold, error: Math.sqrt((rate * (1 - rate)) / count) };
     });
     const rate = came / forecasts;
-    return { came, brier, brierOfRate: rate * (1 - rate), bins: bins.filter((bin) => bin.forecasts > 0) };
+    return { came, brier: mean("brier"), brierOfRate: rate * (1 - rate), logLoss: mean("log_loss"), bins: bins.filter((bin) => bin.forecasts > 0) };
   };
   return { forecasts, score: merged("score"), concede: merged("concede") };
 }
