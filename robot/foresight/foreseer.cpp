@@ -79,13 +79,14 @@ void fill(const pf::Situation& situation, const sim::field::Rules& rules, pb::Fo
 }
 
 /// What every answer says, whatever came of it.
-pb::Forecast began(const pb::WhatIf& question, std::uint64_t asked_ns, const std::string& models) {
+pb::Forecast began(const pb::WhatIf& question, std::uint64_t asked_ns, double speed, const std::string& models) {
   pb::Forecast forecast;
   *forecast.mutable_question() = question;
   forecast.set_asked_ns(asked_ns);
   forecast.set_choice(question.strategies(0));
   forecast.set_horizon(question.horizon());
   forecast.set_models(models);
+  forecast.set_speed(static_cast<float>(speed));
   return forecast;
 }
 
@@ -161,13 +162,14 @@ Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollec
 
   auto job = std::make_unique<Job>();
   job->asked_ns = recollection.now_ns;
+  job->speed = recollection.speed;
   job->arrived_ns = monotonic_ns();
   auto knowledge = knowledge_of(recollection, params);
   if (knowledge && question->has_edit()) tell(question->edit(), *knowledge);
   const pf::Believed believed =
       knowledge ? pf::believe(params, *knowledge) : pf::Believed{.situation = {}, .refusal = knowledge.error()};
   if (!believed.refusal.empty()) {
-    pb::Forecast forecast = began(*question, job->asked_ns, options_.models);
+    pb::Forecast forecast = began(*question, job->asked_ns, job->speed, options_.models);
     forecast.set_refusal(believed.refusal);
     forecast.set_reason("cannot tell, because " + believed.refusal);
     answered(forecast);
@@ -236,7 +238,7 @@ pb::Forecast Foreseer::forecast_of(const Job& job, const Progress& progress) con
   const auto& [playbook, strategies, situation, question, key] = job.futures;
   const pf::Forecast known = pf::forecast(progress.tally, question, key);
   const std::vector<std::string> names(job.question.strategies().begin(), job.question.strategies().end());
-  pb::Forecast forecast = began(job.question, job.asked_ns, options_.models);
+  pb::Forecast forecast = began(job.question, job.asked_ns, job.speed, options_.models);
   forecast.set_advice(static_cast<pb::Forecast::Advice>(known.advice));
   forecast.set_choice(names[static_cast<std::size_t>(known.choice)]);
   forecast.set_reason(pf::reason(known, question, names.data()));

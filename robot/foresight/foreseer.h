@@ -63,6 +63,7 @@ class Foreseer {
     pb::WhatIf question;
     Futures futures;
     std::uint64_t asked_ns = 0;    // [ns since the epoch] of the moment it is about
+    double speed = 1;              // [game seconds per second]
     std::uint64_t arrived_ns = 0;  // [monotonic]
     Answered answered;
   };

@@ -18,19 +18,29 @@ using Phase = sim::agent::Game::Phase;
 using SetPlay = sim::agent::Game::SetPlay;
 using Doing = sim::Body::Doing;
 
-constexpr float kVelocityDeviation = 0.3f;  // [m/s] of a filter that does not tell how sure it is
-constexpr float kSameOpponent = 1;          // [m] a robot that is seen so near to a known one is that one
-constexpr std::uint64_t kTickNs = 1'000'000'000 / 30;
+constexpr float kVelocityDeviation = 0.3f;          // [m/s] of a filter that does not tell how sure it is
+constexpr float kSameOpponent = 1;                  // [m] a robot that is seen so near to a known one is that one
 constexpr std::uint64_t kAtOnceNs = 1'000'000'000;  // what is written while the moment is looked at
 
-/// [ticks] from then to now, at most an hour.
-Tick ticks_since(std::uint64_t now_ns, std::uint64_t then_ns) {
-  const std::uint64_t since = now_ns > then_ns ? (now_ns - then_ns) / kTickNs : 0;
-  return static_cast<Tick>(std::min<std::uint64_t>(since, sim::ticks(3600)));
-}
+/// Counts in game time, of which a simulation may have more or less than a second a second.
+class Time {
+ public:
+  explicit Time(const Recollection& from) : now_ns_(from.now_ns), speed_(from.speed) {}
 
-/// When that was, by the count in which kNow is now.
-Tick tick_of(std::uint64_t now_ns, std::uint64_t then_ns) { return kNow - ticks_since(now_ns, then_ns); }
+  /// [ticks] from then to another moment, at most an hour.
+  Tick between(std::uint64_t then_ns, std::uint64_t later_ns) const {
+    const double seconds = later_ns > then_ns ? static_cast<double>(later_ns - then_ns) / 1e9 : 0;
+    return static_cast<Tick>(std::min(30 * speed_ * seconds + kRounding, 30 * 3600.));
+  }
+  /// By the count in which kNow is now.
+  Tick tick_of(std::uint64_t then_ns) const { return kNow - between(then_ns, now_ns_); }
+
+ private:
+  static constexpr double kRounding = 1e-3;  // [ticks] capture times are whole nanoseconds
+
+  const std::uint64_t now_ns_;
+  const double speed_;
+};
 
 float finite(float value, float otherwise = 0) { return std::isfinite(value) ? value : otherwise; }
 
@@ -38,7 +48,7 @@ sim::Pose2 pose_of(const pb::Pose& pose) {
   return {{finite(pose.x()), finite(pose.y())}, sim::normalized(finite(pose.heading()))};
 }
 
-sim::agent::Ball ball_of(const pb::Ball& told, std::uint64_t now_ns) {
+sim::agent::Ball ball_of(const pb::Ball& told, const Time& time) {
   sim::agent::Ball ball;
   ball.position = {finite(told.x()), finite(told.y())};
   ball.velocity = {finite(told.velocity_x()), finite(told.velocity_y())};
@@ -46,7 +56,7 @@ sim::agent::Ball ball_of(const pb::Ball& told, std::uint64_t now_ns) {
   const float velocity = told.has_velocity_deviation() ? finite(told.velocity_deviation(), 1) : kVelocityDeviation;
   ball.velocity_variance = velocity * velocity;
   ball.heat = std::clamp(finite(told.heat()), 0.f, 1.f);
-  if (told.seen_ns() != 0) ball.seen = tick_of(now_ns, told.seen_ns());
+  if (told.seen_ns() != 0) ball.seen = time.tick_of(told.seen_ns());
   ball.visible = told.visible();
   ball.frames = static_cast<std::uint8_t>(
       std::min(told.visible() ? told.frames_visible() : told.frames_missing(), std::uint32_t{255}));
@@ -59,20 +69,20 @@ sim::agent::Role role_of(std::string_view name) {
   return sim::agent::Role::supporter;
 }
 
-sim::agent::Mate mate_of(const pb::Teammate& told, std::uint64_t now_ns) {
+sim::agent::Mate mate_of(const pb::Teammate& told, const Time& time) {
   sim::agent::Mate mate;
   if (!told.has_pose()) return mate;
   const std::uint64_t sent_ns = told.sent_ns() != 0 ? told.sent_ns() : told.received_ns();
   mate.pose = pose_of(told.pose());
   mate.time_to_ball_cs =
       sim::agent::centiseconds(std::max(told.has_time_to_ball() ? finite(told.time_to_ball(), 1e6f) : 1e6f, 0.f));
-  mate.sent = tick_of(now_ns, sent_ns);
+  mate.sent = time.tick_of(sent_ns);
   mate.role = static_cast<std::uint8_t>(role_of(told.role()));
   mate.active = told.active();
   if (!told.has_ball() || told.ball().seen_ns() == 0) return mate;
   const Vec2 ball{finite(told.ball().x()), finite(told.ball().y())};
   mate.ball = mate.pose.position + sim::turned(ball, sim::direction(mate.pose.heading));
-  mate.ball_age = static_cast<std::uint16_t>(std::min<Tick>(ticks_since(sent_ns, told.ball().seen_ns()), 0xfffe));
+  mate.ball_age = static_cast<std::uint16_t>(std::min<Tick>(time.between(told.ball().seen_ns(), sent_ns), 0xfffe));
   return mate;
 }
 
@@ -178,10 +188,11 @@ class Opponents {
 };
 
 void see_opponents(const Recollection& from, const sim::Pose2& own, sim::agent::Beliefs& beliefs) {
+  const Time time(from);
   Opponents opponents(beliefs.opponents);
   if (from.opponents)
     for (const pb::Opponents::Opponent& told : from.opponents->value.opponents())
-      opponents.add({told.x(), told.y()}, tick_of(from.now_ns, told.seen_ns()),
+      opponents.add({told.x(), told.y()}, time.tick_of(told.seen_ns()),
                     told.has_player() ? static_cast<int>(told.player()) : 0);
   if (!from.vision) return;
   for (const pb::VisualRobot& robot : from.vision->value.robots()) {
@@ -189,8 +200,8 @@ void see_opponents(const Recollection& from, const sim::Pose2& own, sim::agent::
     const Vec2 at{robot.detection().x(), robot.detection().y()};
     const int player =
         robot.has_player() && robot.side() == pb::VisualRobot::SIDE_OPPONENT ? static_cast<int>(robot.player()) : 0;
-    opponents.add(own.position + sim::turned(at, sim::direction(own.heading)),
-                  tick_of(from.now_ns, from.vision->capture_ns), player);
+    opponents.add(own.position + sim::turned(at, sim::direction(own.heading)), time.tick_of(from.vision->capture_ns),
+                  player);
   }
 }
 
@@ -240,6 +251,13 @@ Recollection recollect(const memory::Channels& channels, const std::string& robo
     read.capture_ns = version->capture_ns();
     object = std::move(read);
   });
+  const auto simulation = channels.find("/sim/state");
+  const auto version = simulation ? simulation->newest() : nullptr;
+  pb::Simulation state;
+  if (!version) return recollection;
+  const std::string_view bytes = version->bytes();
+  if (state.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) && state.speed() > 0)
+    recollection.speed = double{state.speed()};
   return recollection;
 }
 
@@ -248,19 +266,20 @@ Result<sim::foresight::Knowledge> knowledge_of(const Recollection& from, const s
   if (const char* const why = why_no_soccer(from.game->value)) return Error{why};
   if (!from.pose) return Error{"the robot does not know where it is: there is no object pose yet"};
   const std::uint64_t pose_ns = from.pose->capture_ns;
-  if (from.now_ns > pose_ns + kStalePoseNs)
-    return Error{"the robot does not know where it is: its pose is " +
-                 std::to_string((from.now_ns - pose_ns) / 1'000'000'000) + " s old"};
+  const Time time(from);
+  const Tick pose_age = time.between(pose_ns, from.now_ns);
+  if (pose_age > sim::ticks(kStalePose))
+    return Error{"the robot does not know where it is: its pose is " + std::to_string(pose_age / 30) + " s old"};
   sim::foresight::Knowledge knowledge{.now = kNow, .game = game_of(from.game->value, params.rules)};
   sim::agent::Beliefs& beliefs = knowledge.beliefs;
   const pb::Pose& pose = from.pose->value;
   beliefs.pose = {pose_of(pose), std::max(pose.deviation_x(), pose.deviation_y()), finite(pose.deviation_heading(), 2)};
-  if (from.ball) beliefs.ball = ball_of(from.ball->value, from.now_ns);
+  if (from.ball) beliefs.ball = ball_of(from.ball->value, time);
   if (from.team)
     for (const pb::Teammate& told : from.team->value.teammates()) {
       const int player = static_cast<int>(told.player()), own = knowledge.game.player;
       if (player < 1 || player > sim::kMaxPlayers || player == own) continue;
-      beliefs.mates[player < own ? player - 1 : player - 2] = mate_of(told, from.now_ns);
+      beliefs.mates[player < own ? player - 1 : player - 2] = mate_of(told, time);
     }
   see_opponents(from, beliefs.pose.pose, beliefs);
   take_away(from.game->value.own(), knowledge.away[0]);

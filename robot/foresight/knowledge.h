@@ -11,6 +11,7 @@
 #include "proto/foresight/motion.pb.h"
 #include "proto/foresight/opponents.pb.h"
 #include "proto/foresight/pose.pb.h"
+#include "proto/foresight/sim.pb.h"
 #include "proto/foresight/team.pb.h"
 #include "proto/foresight/vision.pb.h"
 #include "robot/core/result.h"
@@ -33,6 +34,7 @@ struct Remembered {
 /// The newest values of one moment; what is absent was never written.
 struct Recollection {
   std::uint64_t now_ns = 0;  // [ns since the epoch] the moment
+  double speed = 1;          // [game seconds per second] of a simulation
   std::optional<Remembered<pb::Ball>> ball;
   std::optional<Remembered<pb::Pose>> pose;
   std::optional<Remembered<pb::Team>> team;
@@ -59,7 +61,7 @@ Recollection recollect(const memory::Channels& channels, const std::string& robo
 inline constexpr sim::Tick kNow = 1'000'000;
 
 /// A pose that is older tells nothing of now.
-inline constexpr std::uint64_t kStalePoseNs = 3'000'000'000;
+inline constexpr float kStalePose = 3;  // [s]
 
 /// As the simulator has it. `params`: the rules of the game, and at home what the own body can do. An Error, one sentence,
 /// where something without which nothing can be told is absent or old, "the robot does not know where it is: there is no

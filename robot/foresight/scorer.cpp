@@ -52,14 +52,17 @@ std::uint64_t nanoseconds(float seconds) { return static_cast<std::uint64_t>(dou
 
 }  // namespace
 
-Scorer::Scorer(float goal_delay) : goal_delay_ns_(nanoseconds(goal_delay)) {}
+Scorer::Scorer(float goal_delay) : goal_delay_(goal_delay) {}
 
 void Scorer::foretell(const pb::Forecast& forecast, std::uint64_t capture_ns) {
   const pb::WhatIf& question = forecast.question();
   if (!seen_ || !forecast.refusal().empty() || is_edited(question) || !has_horizon(question)) return;
   if (question.strategies_size() == 0) return;
-  Open& open = open_.emplace_back(
-      Open{.forecast = {}, .asked_ns = capture_ns, .due_ns = capture_ns + nanoseconds(forecast.horizon())});
+  const float speed = forecast.speed() > 0 ? forecast.speed() : 1;
+  Open& open = open_.emplace_back();
+  open.asked_ns = capture_ns;
+  open.due_ns = capture_ns + nanoseconds(forecast.horizon() / speed);
+  open.delay_ns = nanoseconds(goal_delay_ / speed);
   open.by_behaviour = question.asked_by() != kByPeople && !question.asked_by().starts_with(kByCaptain);
   // nothing else is needed, and paths are large
   open.forecast.set_horizon(forecast.horizon());
@@ -79,13 +82,12 @@ void Scorer::see(const pb::Strategy& strategy, std::uint64_t capture_ns) {
 }
 
 bool Scorer::see(const pb::GameState& game, std::uint64_t capture_ns) {
-  const std::uint64_t fell_ns = capture_ns - std::min(capture_ns, goal_delay_ns_);
-  if (seen_) count(game.own().score(), true, fell_ns), count(game.opponent().score(), false, fell_ns);
+  if (seen_) count(game.own().score(), true, capture_ns), count(game.opponent().score(), false, capture_ns);
   told_ = {game.own().score(), game.opponent().score()};
   seen_ = true;
   bool scored = false;
   std::erase_if(open_, [&](const Open& open) {
-    if (fell_ns < open.due_ns) return false;
+    if (capture_ns < open.due_ns + open.delay_ns) return false;
     if (enter(open)) scored = true;
     return true;
   });
@@ -95,9 +97,9 @@ bool Scorer::see(const pb::GameState& game, std::uint64_t capture_ns) {
 }
 
 /// A referee who takes a goal back takes the last one of that team.
-void Scorer::count(std::uint32_t goals, bool own, std::uint64_t fell_ns) {
+void Scorer::count(std::uint32_t goals, bool own, std::uint64_t told_ns) {
   std::uint32_t& told = told_[own ? 0 : 1];
-  for (; told < goals; ++told) goals_.push_back({.own = own, .fell_ns = fell_ns});
+  for (; told < goals; ++told) goals_.push_back({.own = own, .told_ns = told_ns});
   for (; told > goals; --told) {
     const auto last = std::find_if(goals_.rbegin(), goals_.rend(), [=](const Goal& goal) { return goal.own == own; });
     if (last != goals_.rend()) goals_.erase(std::prev(last.base()));
@@ -120,8 +122,9 @@ bool Scorer::enter(const Open& open) {
   if (!strategy) return false;
   const auto told = std::ranges::find(strategies, *strategy, &pb::Forecast::StrategyForecast::strategy);
   if (told == strategies.end() || told->rollouts() == 0) return false;
-  const auto next = std::ranges::find_if(
-      goals_, [&](const Goal& goal) { return goal.fell_ns > open.asked_ns && goal.fell_ns < open.due_ns; });
+  const auto next = std::ranges::find_if(goals_, [&](const Goal& goal) {
+    return goal.told_ns > open.asked_ns + open.delay_ns && goal.told_ns < open.due_ns + open.delay_ns;
+  });
   const bool came = next != goals_.end();
   auto& [score, concede] = entries_[{*strategy, open.forecast.horizon()}];
   score.add(std::clamp(double{told->score()}, 0., 1.), came && next->own, told->rollouts());

@@ -25,7 +25,7 @@ namespace pb = ::foresight;
 /// that the end of the game or a change of strategy cut short is not: of those, only goals would count.
 class Scorer {
  public:
-  /// Robots are told of a goal `goal_delay` [s] after it fell (sim::field::Rules::goal_message_delay).
+  /// Robots are told of a goal `goal_delay` [s of game time] after it fell (sim::field::Rules::goal_message_delay).
   explicit Scorer(float goal_delay = 0);
 
   /// A forecast of the moment `capture_ns` [ns since the epoch]. What cannot be scored is passed over: an edited
@@ -46,11 +46,12 @@ class Scorer {
   struct Open {
     pb::Forecast forecast;
     std::uint64_t asked_ns = 0, due_ns = 0;
+    std::uint64_t delay_ns = 0;  // after which a goal is told
     bool by_behaviour = false;
   };
   struct Goal {
     bool own = false;
-    std::uint64_t fell_ns = 0;
+    std::uint64_t told_ns = 0;
   };
   struct Play {
     std::string strategy;
@@ -65,11 +66,11 @@ class Scorer {
     void fill(pb::ForecastScore::Event& message) const;
   };
 
-  void count(std::uint32_t goals, bool own, std::uint64_t fell_ns);
+  void count(std::uint32_t goals, bool own, std::uint64_t told_ns);
   const std::string* played(const Open& open) const;
   bool enter(const Open& open);
 
-  const std::uint64_t goal_delay_ns_;
+  const float goal_delay_;
   std::array<std::uint32_t, 2> told_{};  // goals, as last seen: the own team's, the others'
   bool seen_ = false;
   std::vector<Goal> goals_;  // of this game

@@ -24,8 +24,11 @@ std::string why_not(const Played& game, const Recollection& from) {
 }
 
 TEST(Knowledge, ThroughMemoryIsWhatTheSimulatedRobotKnows) {
-  for (const float seconds : {20.f, 60.f, 80.f, 200.f, 333.f}) {
-    const Played game("match", seconds);
+  // of a simulation that runs fast, too, whose capture times lie close together
+  for (const auto [seconds, speed] : {std::pair{20.f, 1.}, {60.f, 10.}, {80.f, 1.}, {200.f, 1.}, {333.f, 0.5}}) {
+    Played game("match", seconds);
+    game.timeline.speed = speed;
+    game.write();
     const auto direct = sim::foresight::knowledge_of(game.setup.params, game.state, 1);
     const auto told = known(game, game.recollection());
     const auto age = [](sim::Tick now, sim::Tick then) {

@@ -50,6 +50,8 @@ struct Played {
     };
     if (beliefs.ball.seen != sim::kNever)
       put(memory->ball, [&](pb::Ball& ball) { to_proto(beliefs.ball, models.ball.deceleration, timeline, ball); });
+    put(memory->simulation,
+        [&](pb::Simulation& simulation) { simulation.set_speed(static_cast<float>(timeline.speed)); });
     put(memory->pose, [&](pb::Pose& pose) { agent::to_proto(beliefs.pose, pose); });
     put(memory->team, [&](pb::Team& team) { agent::to_proto(beliefs, 2, timeline, team); });
     put(memory->opponents, [&](pb::Opponents& opponents) { agent::to_proto(beliefs, timeline, opponents); });

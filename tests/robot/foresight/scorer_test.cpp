@@ -104,6 +104,18 @@ TEST(Scorer, GoalsFellBeforeTheyWereTold) {
   EXPECT_EQ(scorer.score().entries(0).concede().came(), 0u);
 }
 
+TEST(Scorer, AFastSimulationIsSoonerThere) {
+  Scorer scorer(15);
+  scorer.see(game(0, 0), kBegin);
+  pb::Forecast forecast = foretold(0.5f, 0.5f);
+  forecast.set_speed(10);
+  scorer.foretell(forecast, kBegin);
+  scorer.see(game(1, 0), kBegin + 4 * kSecond);
+  EXPECT_FALSE(scorer.see(game(1, 0), kBegin + 45 * kSecond / 10 - 1));
+  EXPECT_TRUE(scorer.see(game(1, 0), kBegin + 45 * kSecond / 10)) << "30 s and the 15 s in which a goal is told";
+  EXPECT_EQ(scorer.score().entries(0).score().came(), 1u);
+}
+
 TEST(Scorer, AGoalThatIsTakenBackIsNone) {
   Scorer scorer;
   scorer.see(game(0, 0), kBegin);
