@@ -8,6 +8,7 @@ import { root } from "../e2e/support.mjs";
 import { kAtomInstructions, startCounted } from "./atom.mjs";
 import { compare as run } from "./comparisons.mjs";
 import { shareOfCore } from "./control_group.mjs";
+import { lost } from "./half.mjs";
 import { atEnd, scratch, sleep, start, startRobot } from "./programs.mjs";
 import { median, pretty, Report } from "./report.mjs";
 import { rightChoice } from "./right_choice.mjs";
@@ -125,23 +126,22 @@ async function onAtom(report) {
   return rollouts;
 }
 
-/** A loop of 30 Hz that uses 70 % of a core, with and without rollouts beside it that never end, at idle priority. */
+/** A loop of 30 Hz that uses 70 % of a core and is recorded whole, with and without questions beside it all the time. */
 async function harm(report, seconds) {
-  const loop = async () => (await (await startRobot(["--seconds", seconds, "--warm-up", 1, "--work", 0.7])).report).period_p99_ms;
+  const loop = async (...words) => (await startRobot(["--seconds", seconds, "--warm-up", 1, "--work", 0.7, "--profile", "full", ...words])).report;
   const free = occupy(1);
   const [alone, beside] = [[], []];
   for (let round = 0; round < 3; ++round) {
     alone.push(await loop());
-    const asker = start("foresight-sim", ["bench", "--games", 100_000], ["chrt", "--idle", "0"]);
-    await sleep(0.2);
-    beside.push(await loop());
-    asker.stop();
-    await asker.output.catch(() => {});
+    beside.push(await loop("--foresight"));
   }
   free();
-  report.figure("period p99 of a 30 Hz loop, the other core busy", median(alone), "ms");
-  report.figure("period p99, rollouts at idle priority beside it", median(beside), "ms");
-  report.figure("period p99, change", median(beside) - median(alone), "ms", { atMost: 1 });
+  const p99 = (runs) => median(runs.map((run) => run.period_p99_ms));
+  report.figure("period p99 of a 30 Hz loop that is recorded, the other core busy", p99(alone), "ms");
+  report.figure("period p99, asking all the time", p99(beside), "ms");
+  report.figure("period p99, change", p99(beside) - p99(alone), "ms", { atMost: 1 });
+  report.figure("futures meanwhile", median(beside.map(({ futures }) => futures / seconds)), "1/s", { above: 0 });
+  report.figure("messages of the recording that were lost", beside.reduce((sum, run) => sum + lost(run, 1), 0), "", { exactly: 0 });
 }
 
 async function calibration(report, situations) {

@@ -8,7 +8,7 @@ const kOwn = ["clock", "runtime", "log"];
 const isCamera = (topic) => /\/camera_(top|bottom)$/.test(topic);
 
 /** Of what was written, what is not in the recording; of images every sixth is wanted (5 Hz of 30). */
-function lost(run, everyImage) {
+export function lost(run, everyImage) {
   let missing = 0;
   for (const [topic, written] of Object.entries(run.written)) {
     const recorded = run.recorded.messages[topic] ?? 0;

@@ -2,11 +2,14 @@
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "robot/app/runtime.h"
 #include "robot/app/signals.h"
+#include "robot/foresight/foreseer.h"
 #include "robot/logging/recorder.h"
 #include "robot/logging/session.h"
 #include "tests/bench/load.h"
@@ -31,6 +34,7 @@ struct Options {
   double session_seconds = 0;  // a new session each time this has passed; 0: one for all
   double disk_mb_per_second = 0, disk_stall_ms = 0, disk_stall_every = 0;
   double memory_every = 0;  // [s] notes the resident set
+  bool foresight = false;   // asks what if, one question after the other
 };
 
 /// Time that runs `speed` times as fast.
@@ -129,6 +133,55 @@ class Sessions {
   std::map<std::string, std::uint64_t> messages_, bytes_;
 };
 
+/// Asks one question after the other about a moment of a game, as a captain that never stops to think.
+class Asker {
+ public:
+  static Result<std::unique_ptr<Asker>> open() {
+    auto foreseer = robot::foreseeing::Foreseer::open({.strategies = {"baseline", "passing", "kick_now"}});
+    if (!foreseer) return Error{foreseer.error()};
+    return std::unique_ptr<Asker>(new Asker(std::move(*foreseer)));
+  }
+  ~Asker() { futures(); }
+
+  /// How many it had; the end of it.
+  std::uint64_t futures() {
+    asking_ = false;
+    foreseer_->hurry();
+    if (thread_.joinable()) thread_.join();
+    return futures_;
+  }
+
+ private:
+  explicit Asker(std::unique_ptr<robot::foreseeing::Foreseer> foreseer)
+      : foreseer_(std::move(foreseer)), thread_([this] { ask(); }) {}
+
+  void ask() {
+    robot::foreseeing::Recollection moment{.now_ns = robot::system_ns()};
+    foresight::GameState& game = moment.game.emplace().value;
+    game.set_state(foresight::GameState::STATE_PLAYING);
+    game.set_own_player(2);
+    game.set_players_per_team(5);
+    game.set_half(1);
+    game.set_seconds_remaining(600);
+    moment.pose.emplace().capture_ns = moment.now_ns;
+    foresight::Ball& ball = moment.ball.emplace().value;
+    ball.set_x(0.5f);
+    ball.set_seen_ns(moment.now_ns);
+    foresight::WhatIf question;
+    question.set_budget_ms(1000);
+    while (asking_) {
+      const auto forecast = foreseer_->ask_and_wait(question, moment);
+      if (!forecast) continue;
+      for (const auto& strategy : forecast->strategies()) futures_ += strategy.rollouts();
+    }
+  }
+
+  const std::unique_ptr<robot::foreseeing::Foreseer> foreseer_;
+  std::atomic<bool> asking_{true};
+  std::uint64_t futures_ = 0;  // of the thread, as long as it asks
+  std::thread thread_;
+};
+
 json written_json(const robot::memory::Channels& channels) {
   json written = json::object();
   for (const auto& channel : channels.all())
@@ -159,6 +212,13 @@ Result<json> run(const Options& options) {
   Sessions sessions(runtime, clock, options);
   if (records)
     if (auto begun = sessions.begin(); !begun) return Error{begun.error()};
+
+  std::unique_ptr<Asker> asker;
+  if (options.foresight) {
+    auto opened = Asker::open();
+    if (!opened) return Error{opened.error()};
+    asker = std::move(*opened);
+  }
 
   // clients find their way in before it begins
   const auto until = [](double seconds) { return monotonic_ns() + static_cast<std::uint64_t>(seconds * 1e9); };
@@ -198,6 +258,7 @@ Result<json> run(const Options& options) {
               {"control", costs_json(load.control_costs())},
               {"image_write", costs_json(load.image_costs())},
               {"written", written_json(runtime.channels())}};
+  if (asker) report["futures"] = asker->futures();
   if (!records) return report;
   if (auto ended = sessions.end(); !ended) return Error{ended.error()};
   report["recorded"] = sessions.report();
@@ -228,6 +289,7 @@ int main(int argc, char** argv) {
   app.add_option("--disk-stall-ms", options.disk_stall_ms, "that takes nothing for so long");
   app.add_option("--disk-stall-every", options.disk_stall_every, "[s] so often");
   app.add_option("--memory-every", options.memory_every, "[s] note the resident set so often");
+  app.add_flag("--foresight", options.foresight, "ask what if all the time");
   CLI11_PARSE(app, argc, argv);
   options.load.objects = !options.no_objects;
   options.load.measure = !options.no_costs;
