@@ -1,12 +1,14 @@
 #include "robot/app/forecast_report.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
 #include "proto/foresight/game.pb.h"
 #include "proto/foresight/sim.pb.h"
 #include "proto/foresight/strategy.pb.h"
+#include "robot/foresight/foreseer.h"
 #include "robot/foresight/knowledge.h"
 #include "robot/foresight/scorer.h"
 #include "robot/logging/file_provider.h"
@@ -15,15 +17,16 @@
 namespace robot::app {
 namespace {
 
-/// All messages of `topic`, as they were written.
+/// At most so many of the first messages of `topic`, as they were written.
 template <class Message>
-std::vector<foreseeing::Remembered<Message>> read_all(const logging::Session& session, const std::string& topic) {
+std::vector<foreseeing::Remembered<Message>> read_all(const logging::Session& session, const std::string& topic,
+                                                      std::size_t most = SIZE_MAX) {
   std::vector<foreseeing::Remembered<Message>> all;
   const auto file = std::ranges::find(session.streams, topic, &logging::StreamFile::topic);
   if (file == session.streams.end()) return all;
   const auto stream = logging::provider_of(session, *file);
   if (!stream->open()) return all;
-  while (true) {
+  while (all.size() < most) {
     const Result<std::optional<logging::Record>> record = stream->read();
     if (!record) continue;  // a damage is told by the table of streams
     if (!*record) break;
@@ -35,8 +38,8 @@ std::vector<foreseeing::Remembered<Message>> read_all(const logging::Session& se
 
 /// By how much goals are told late: by the rules of the recorded simulation, else by the newest. [s]
 float goal_delay_of(const logging::Session& session) {
-  const auto simulations = read_all<foresight::Simulation>(session, "/sim/state");
-  const std::string rules = simulations.empty() ? "spl2025" : simulations.front().value.rules();
+  const auto simulations = read_all<foresight::Simulation>(session, foreseeing::kSimulationTopic, 1);
+  const std::string rules = simulations.empty() ? foreseeing::kNewestRules : simulations.front().value.rules();
   const auto loaded = sim::io::load_rules(rules);
   return loaded ? loaded->goal_message_delay : 0;
 }

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <mutex>
-#include <optional>
 #include <utility>
 
-#include "proto/foresight/sim.pb.h"
 #include "robot/app/foresight_control.h"
 #include "robot/core/clock.h"
 #include "robot/logging/file_provider.h"
@@ -15,20 +13,6 @@
 
 namespace robot::app {
 namespace {
-
-constexpr const char* kSimulation = "/sim/state";
-constexpr const char* kNewestRules = "spl2025";
-
-/// How the recorded game was simulated; nothing where it was not.
-std::optional<foresight::Simulation> simulation_of(const memory::Channels& channels) {
-  const auto channel = channels.find(kSimulation);
-  const auto version = channel ? channel->newest() : nullptr;
-  foresight::Simulation simulation;
-  if (!version) return {};
-  const std::string_view bytes = version->bytes();
-  if (!simulation.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) || simulation.rules().empty()) return {};
-  return simulation;
-}
 
 /// Puts the newest message of a stream at or before `at_ns` into a channel of its topic.
 Result<void> take_over(const logging::Session& session, const logging::StreamFile& file, std::uint64_t at_ns,
@@ -51,8 +35,7 @@ std::string models_called(const std::string& name) {
   return std::ranges::find(names, name) == names.end() ? "match" : name;
 }
 
-}  // namespace
-
+/// Of that list: what is asked of first, then those that there are anyway.
 std::vector<std::string> with_default_strategies(std::vector<std::string> strategies) {
   for (const std::string& name : default_strategies())
     if (std::ranges::find(strategies, name) == strategies.end() && strategies.size() < sim::foresight::kMaxStrategies)
@@ -60,13 +43,17 @@ std::vector<std::string> with_default_strategies(std::vector<std::string> strate
   return strategies;
 }
 
+}  // namespace
+
 LabForesight::Setting LabForesight::setting_of(const memory::Channels& channels, const std::string& robot) const {
-  Setting setting{.rules = kNewestRules, .models = "match", .opponent_models = "match"};
-  if (const auto simulation = simulation_of(channels)) {
-    const bool home = robot.starts_with(std::to_string(simulation->home().number()) + "/");
-    setting = {.rules = simulation->rules(),
-               .models = models_called(home ? simulation->home().models() : simulation->away().models()),
-               .opponent_models = models_called(home ? simulation->away().models() : simulation->home().models())};
+  Setting setting{.rules = foreseeing::kNewestRules, .models = "match", .opponent_models = "match"};
+  const auto simulation = foreseeing::simulation_of(channels);
+  if (simulation && !simulation->value.rules().empty()) {
+    const foresight::SimulatedTeam &home = simulation->value.home(), &away = simulation->value.away();
+    const bool is_home = robot.starts_with(std::to_string(home.number()) + "/");
+    setting = {.rules = simulation->value.rules(),
+               .models = models_called((is_home ? home : away).models()),
+               .opponent_models = models_called((is_home ? away : home).models())};
   }
   if (!options_.rules.empty()) setting.rules = options_.rules;
   return setting;
@@ -108,7 +95,7 @@ Result<foresight::Forecast> what_if(const WhatIfOptions& options) {
   memory::Channels channels;
   for (const logging::StreamFile& stream : session->streams) {
     // nothing else is asked for, and images are large
-    if (stream.topic != kSimulation &&
+    if (stream.topic != foreseeing::kSimulationTopic &&
         (!stream.topic.starts_with("/" + robot + "/") || stream.schema == "foresight.Image"))
       continue;
     if (stream.messages == 0) continue;

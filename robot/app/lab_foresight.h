@@ -21,9 +21,6 @@ struct LabForesightOptions {
   std::vector<std::string> strategies;  // that can be asked about, by name or path; the first is what was played
 };
 
-/// Of that list: what is asked of first, then those that there are anyway.
-std::vector<std::string> with_default_strategies(std::vector<std::string> strategies);
-
 /// Answers questions about whatever robots are played. Any thread.
 class LabForesight {
  public:

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "robot/body/sim/sim_body.h"
+#include "robot/foresight/foreseer.h"
 
 namespace robot::app {
 namespace {
@@ -111,7 +112,7 @@ void add_options(CLI::App& app, RobotOptions& options) {
 
 std::string rules_of(const RobotOptions& options) {
   if (!options.rules.empty()) return options.rules;
-  return options.body == "sim" ? "spl2012" : "spl2025";
+  return options.body == "sim" ? "spl2012" : foreseeing::kNewestRules;
 }
 
 const std::string& own_strategy_of(const RobotOptions& options) {

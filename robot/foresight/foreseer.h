@@ -20,9 +20,12 @@
 
 namespace robot::foreseeing {
 
+/// Of games that nobody says more of.
+inline constexpr const char* kNewestRules = "spl2025";
+
 struct ForeseerOptions {
   std::vector<std::string> strategies;  // 1 .. 8 that can be asked about, by name or path; the first is played
-  std::string rules = "spl2025";
+  std::string rules = kNewestRules;
   std::string models = "match";           // of one's own robots
   std::string opponent_models = "match";  // of the others'
   Share share = Share::left_over;         // of the processor, for the rollouts

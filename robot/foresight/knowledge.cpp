@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
-#include <type_traits>
 
 #include "sim/agent/roles.h"
 #include "sim/math/vec2.h"
@@ -120,12 +119,6 @@ float since_phase(const pb::GameState& told, const sim::agent::Game& game, const
   return std::max(sim::referee::countdown_of(rules, game.phase, game.set_play) - left, 0.f);
 }
 
-/// A part of the game that the simulator does not know; nullptr: soccer is played.
-const char* why_no_soccer(const pb::GameState& game) {
-  if (game.phase() == pb::GameState::PHASE_PENALTY_SHOOT_OUT) return "the game is in a penalty shoot-out";
-  return game.phase() == pb::GameState::PHASE_TIMEOUT ? "the game is in a time-out" : nullptr;
-}
-
 std::uint8_t byte_of(std::uint32_t value) { return static_cast<std::uint8_t>(std::min<std::uint32_t>(value, 255)); }
 
 sim::agent::Game game_of(const pb::GameState& told, const sim::field::Rules& rules) {
@@ -238,26 +231,20 @@ sim::Body body_of(const pb::MotionStatus& status, const sim::motion::Model& mode
 
 }  // namespace
 
+const char* why_no_soccer(const pb::GameState& game) {
+  if (game.phase() == pb::GameState::PHASE_PENALTY_SHOOT_OUT) return "the game is in a penalty shoot-out";
+  return game.phase() == pb::GameState::PHASE_TIMEOUT ? "the game is in a time-out" : nullptr;
+}
+
 Recollection recollect(const memory::Channels& channels, const std::string& robot, std::uint64_t now_ns) {
   Recollection recollection{.now_ns = now_ns};
   Recollection::visit(recollection, [&](const char* name, auto& object) {
-    using Object = typename std::remove_reference_t<decltype(object)>::value_type;
-    const auto channel = channels.find("/" + robot + "/" + name);
-    const auto version = channel ? channel->newest() : nullptr;
-    if (!version || version->capture_ns() > now_ns + kAtOnceNs) return;
-    Object read;
-    const std::string_view bytes = version->bytes();
-    if (!read.value.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return;
-    read.capture_ns = version->capture_ns();
-    object = std::move(read);
+    using Message = decltype(object->value);
+    object = newest<Message>(channels, "/" + robot + "/" + name);
+    if (object && object->capture_ns > now_ns + kAtOnceNs) object.reset();
   });
-  const auto simulation = channels.find("/sim/state");
-  const auto version = simulation ? simulation->newest() : nullptr;
-  pb::Simulation state;
-  if (!version) return recollection;
-  const std::string_view bytes = version->bytes();
-  if (state.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) && state.speed() > 0)
-    recollection.speed = double{state.speed()};
+  const auto simulation = simulation_of(channels);
+  if (simulation && simulation->value.speed() > 0) recollection.speed = double{simulation->value.speed()};
   return recollection;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "proto/foresight/agent.pb.h"
 #include "proto/foresight/ball.pb.h"
@@ -52,6 +53,28 @@ struct Recollection {
     see("decision", self.decision);
   }
 };
+
+/// The newest message of `topic`; nothing where there is no such channel, or it has none, or not of that kind.
+template <class Message>
+std::optional<Remembered<Message>> newest(const memory::Channels& channels, const std::string& topic) {
+  const auto channel = channels.find(topic);
+  const auto version = channel ? channel->newest() : nullptr;
+  if (!version) return {};
+  Remembered<Message> message{.value = {}, .capture_ns = version->capture_ns()};
+  const std::string_view bytes = version->bytes();
+  if (!message.value.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return {};
+  return message;
+}
+
+inline constexpr const char* kSimulationTopic = "/sim/state";
+
+/// How a simulation goes, live or recorded; nothing where the game is none.
+inline std::optional<Remembered<pb::Simulation>> simulation_of(const memory::Channels& channels) {
+  return newest<pb::Simulation>(channels, kSimulationTopic);
+}
+
+/// The part of the game that is no soccer, as a sentence; nullptr: soccer is played.
+const char* why_no_soccer(const pb::GameState& game);
 
 /// What the memory of `robot` ("14/2"), live or played, holds at `now_ns` [ns since the epoch]. Of a recording that was moved
 /// back it may hold what came later: that is left out.

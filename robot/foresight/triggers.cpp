@@ -23,10 +23,9 @@ bool is_on_way(Vec2 ball, Vec2 opponent, Vec2 goal) {
 }
 
 bool in_game(const pb::GameState& game) {
-  const bool soccer =
-      game.phase() != pb::GameState::PHASE_PENALTY_SHOOT_OUT && game.phase() != pb::GameState::PHASE_TIMEOUT;
-  return soccer && (game.state() == pb::GameState::STATE_READY || game.state() == pb::GameState::STATE_SET ||
-                    game.state() == pb::GameState::STATE_PLAYING);
+  return !why_no_soccer(game) &&
+         (game.state() == pb::GameState::STATE_READY || game.state() == pb::GameState::STATE_SET ||
+          game.state() == pb::GameState::STATE_PLAYING);
 }
 
 }  // namespace
