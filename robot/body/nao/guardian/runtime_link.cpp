@@ -59,6 +59,8 @@ void RuntimeLink::hear(Connection& connection, Heard& heard) {
     alignas(Order) char message[std::max(sizeof(Order), sizeof(Request)) + 1];
     const ssize_t n = ::recv(connection.socket.get(), message, sizeof message, 0);
     if (n < 0 && (errno == EAGAIN || errno == EINTR)) return;
+    // it left before it had read every report; the kernel says so once, before the messages that it sent
+    if (n < 0 && errno == ECONNRESET) continue;
     std::uint32_t layout = 0;
     if (n >= static_cast<ssize_t>(sizeof layout)) std::memcpy(&layout, message, sizeof layout);
     if (n == sizeof(Request) && layout == kRequestLayout) {

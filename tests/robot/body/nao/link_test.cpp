@@ -65,6 +65,21 @@ TEST_F(NaoLink, KnowsAGoodbyeFromACrash) {
   EXPECT_FALSE(heard.runtime_crashed || heard.runtime_left) << "who gave no order was no runtime";
 }
 
+TEST_F(NaoLink, HearsToTheEndWhoLeftBeforeReadingItsReports) {
+  for (const auto what : {Request::What::sit_and_soft, Request::What::goodbye}) {
+    {
+      GuardianClient runtime = client();
+      ASSERT_TRUE(runtime.give({}) && link.hear().order);
+      link.tell({});
+      ASSERT_TRUE(runtime.ask(what));
+    }
+    const RuntimeLink::Heard heard = link.hear();
+    EXPECT_EQ(heard.asked_soft, what == Request::What::sit_and_soft);
+    EXPECT_EQ(heard.runtime_left, what == Request::What::goodbye);
+    EXPECT_EQ(heard.runtime_crashed, what != Request::What::goodbye);
+  }
+}
+
 TEST_F(NaoLink, ObeysOneRuntimeAtATime) {
   GuardianClient other = client();
   {
