@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "sim/app/commands.h"
 #include "sim/app/game_report.h"
@@ -28,14 +29,26 @@ constexpr int kPerGame = 10;        // moments
 constexpr Tick kAfter = ticks(30);  // how long goals count after all play the first strategy again
 constexpr std::uint64_t kFirstSeed = 3'000'001;
 
+/// What captains know.
+constexpr struct {
+  const char* name;
+  foresight::Insight insight;
+} kCaptains[] = {
+    {"what it believes", {}},
+    {"and the ball", {.ball = true}},
+    {"and its own side", {.own_side = true}},
+    {"and the opponents", {.opponents = true}},
+    {"and all of them", {.ball = true, .own_side = true, .opponents = true}},
+};
+
 /// Goals gained over the first strategy, by strategy.
 using Gains = std::vector<double>;
 
 /// What a moment's futures came to, in two halves: what one of them finds best, the other one judges.
 struct Trial {
   Gains halves[2];
-  Gains errors;    // one standard error of the mean of both halves
-  int chosen = 0;  // by the captain; 0 keeps what it plays
+  Gains errors;             // one standard error of the mean of both halves
+  std::vector<int> chosen;  // by each of kCaptains; 0 keeps what is played
 
   double gain(std::size_t strategy) const { return (halves[0][strategy] + halves[1][strategy]) / 2; }
   double of_knowing() const {
@@ -85,6 +98,12 @@ class ChoosingCommand final : public Command {
         .add_option("--horizon", terms_.horizon, "[s] how far they look")
         ->check(CLI::Range(1., 1200.))
         ->capture_default_str();
+    options()
+        .add_option("--sure", sure_,
+                    "it changes to what is the best so likely, whatever that gains; without it as on the robot")
+        ->check(CLI::Range(0.5, 1.));
+    options().add_flag("--insights", insights_,
+                       "also of captains who know where the ball, their own side, the opponents truly are");
     options().add_flag("--json", json_, "report as JSON");
   }
 
@@ -118,7 +137,8 @@ class ChoosingCommand final : public Command {
     const RandomKey key{seed * 1'000'000 + state.world.tick};
     Trial trial = futures_of(playbook, state, key);
     // luck of its own: a captain that foresaw the very futures it is judged by would look wise
-    trial.chosen = choice_of(playbook, state, {~key.seed});
+    for (int i = 0; i < captains(); ++i)
+      trial.chosen.push_back(choice_of(playbook, state, kCaptains[i].insight, {~key.seed}));
     return trial;
   }
 
@@ -150,17 +170,22 @@ class ChoosingCommand final : public Command {
     return trial;
   }
 
-  /// What the captain would choose, by what it believes; 0 also where it cannot tell.
-  int choice_of(const io::Playbook& playbook, const State& state, RandomKey key) const {
+  int captains() const { return insights_ ? static_cast<int>(std::size(kCaptains)) : 1; }
+
+  /// What the captain would choose, by what it believes and the insight that it has; 0 also where it cannot tell.
+  int choice_of(const io::Playbook& playbook, const State& state, foresight::Insight insight, RandomKey key) const {
     const Params& params = playbook.params.front();
-    const foresight::Believed believed = foresight::believe(params, foresight::knowledge_of(params, state, kCaptain));
+    foresight::Believed believed = foresight::believe(params, foresight::knowledge_of(params, state, kCaptain));
     if (!believed.refusal.empty()) return 0;
+    foresight::tell(state.world, side_of(kCaptain), insight, believed.situation);
     const foresight::Question question{.horizon = ticks(terms_.horizon), .switching_cost = terms_.switching_cost};
     foresight::Tally tally;
     foresight::race(
         io::task_of(playbook, believed.situation, question, key),
         [&](std::int64_t rollouts) { return static_cast<double>(rollouts) / terms_.rollouts; }, {}, tally);
-    return foresight::forecast(tally, question, key).choice;
+    const foresight::Forecast forecast = foresight::forecast(tally, question, key);
+    if (!sure_) return forecast.choice;
+    return forecast.standings[forecast.challenger].best >= *sure_ ? forecast.challenger : 0;
   }
 
   void report(const std::vector<Trial>& trials, const field::Rules& rules) const {
@@ -171,12 +196,18 @@ class ChoosingCommand final : public Command {
       return mean_of(gains);
     };
     const Mean knowing = a_game([](const Trial& trial) { return trial.of_knowing(); });
-    const Mean captain = a_game([](const Trial& trial) { return trial.gain(static_cast<std::size_t>(trial.chosen)); });
-    const auto changes =
-        std::count_if(trials.begin(), trials.end(), [](const Trial& trial) { return trial.chosen != 0; });
-    const double changed = trials.empty() ? 0 : static_cast<double>(changes) / static_cast<double>(trials.size());
-
     const auto told = [](const Mean& mean) { return Json{{"mean", mean.mean}, {"standard_error", mean.error}}; };
+    Json captains_told = Json::array();
+    for (int i = 0; i < captains(); ++i) {
+      const auto chosen = [i](const Trial& trial) { return trial.chosen[static_cast<std::size_t>(i)]; };
+      const auto changes =
+          std::count_if(trials.begin(), trials.end(), [&](const Trial& trial) { return chosen(trial) != 0; });
+      captains_told.push_back(
+          {{"knows", kCaptains[i].name},
+           {"gain",
+            told(a_game([&](const Trial& trial) { return trial.gain(static_cast<std::size_t>(chosen(trial))); }))},
+           {"changes", trials.empty() ? 0 : static_cast<double>(changes) / static_cast<double>(trials.size())}});
+    }
     Json strategies = Json::array();
     for (std::size_t strategy = 1; strategy < strategies_.size(); ++strategy) {
       const Mean mean = a_game([&](const Trial& trial) { return trial.gain(strategy); });
@@ -186,7 +217,7 @@ class ChoosingCommand final : public Command {
     if (json_) {
       const Json json = {{"moments", trials.size()},    {"futures", futures_},       {"period", period_},
                          {"rollouts", terms_.rollouts}, {"horizon", terms_.horizon}, {"strategies", strategies},
-                         {"knowing", told(knowing)},    {"captain", told(captain)},  {"changes", changed}};
+                         {"knowing", told(knowing)},    {"captains", captains_told}};
       std::printf("%s\n", json.dump(2).c_str());
       return;
     }
@@ -198,9 +229,12 @@ class ChoosingCommand final : public Command {
                   one["always"]["mean"].get<double>(), one["always"]["standard_error"].get<double>(),
                   one["spread"].get<double>());
     std::printf("\nthe best of them, chosen every %g s, gains in goals a game\n", period_);
-    std::printf("  who knows all      %+.2f ± %.2f\n", knowing.mean, knowing.error);
-    std::printf("  a captain          %+.2f ± %.2f, by %d futures of %g s of what it believes; it changes in %.0f %%\n",
-                captain.mean, captain.error, terms_.rollouts, static_cast<double>(terms_.horizon), 100 * changed);
+    std::printf("  who knows the futures    %+.2f ± %.2f\n", knowing.mean, knowing.error);
+    std::printf("  a captain, by %d futures of %g s of\n", terms_.rollouts, static_cast<double>(terms_.horizon));
+    for (const Json& captain : captains_told)
+      std::printf("    %-22s %+.2f ± %.2f, it changes in %.0f %%\n", captain["knows"].get<std::string>().c_str(),
+                  captain["gain"]["mean"].get<double>(), captain["gain"]["standard_error"].get<double>(),
+                  100 * captain["changes"].get<double>());
   }
 
   /// [goals] Standard deviation of a strategy's true gains, those of chance taken off.
@@ -221,7 +255,8 @@ class ChoosingCommand final : public Command {
   foresight::Terms terms_;
   int moments_ = 200, futures_ = 200;
   double period_ = 10;
-  bool json_ = false;
+  std::optional<double> sure_;
+  bool insights_ = false, json_ = false;
 };
 
 }  // namespace

@@ -250,6 +250,27 @@ Knowledge knowledge_of(const Params& params, const State& state, int robot) {
 
 Believed believe(const Params& params, const Knowledge& knowledge) { return Guesswork(params, knowledge).believe(); }
 
+void tell(const World& truth, Side own, Insight insight, Situation& situation) {
+  World& world = situation.state.world;
+  Doubt& doubt = situation.doubt;
+  const float sign = attack_sign(truth, own);  // from field to team_field
+  if (insight.ball) {
+    place(world.ball, sign * truth.ball.position);
+    world.ball.velocity = sign * truth.ball.velocity;
+    doubt.ball = doubt.ball_velocity = doubt.ball_elsewhere = 0;
+    doubt.ball_by_own_eyes = false;
+  }
+  for_each_robot(world.players, [&](int robot) {
+    const bool is_own = side_of(robot) == Side::home;  // in a situation one's own side is home
+    const Body& body = truth.bodies[robot_of(is_own ? own : other(own), player_of(robot))];
+    if (!(is_own ? insight.own_side : insight.opponents)) return;
+    if (body.doing == Doing::removed || world.bodies[robot].doing == Doing::removed) return;
+    world.bodies[robot] = body;
+    put(world.bodies[robot], {sign * body.position, sign > 0 ? body.heading : body.heading + kPi});
+    doubt.position[robot] = doubt.heading[robot] = 0;
+  });
+}
+
 State sample(const Params& params, const Situation& situation, RandomKey key) {
   const Doubt& doubt = situation.doubt;
   State state = situation.state;

@@ -58,6 +58,16 @@ struct Believed {
 };
 Believed believe(const Params& params, const Knowledge& knowledge);
 
+/// What somebody may know of how it truly is.
+struct Insight {
+  bool ball = false, own_side = false, opponents = false;
+};
+
+/// Puts what truly is in place of what a robot of side `own` believes, as if somebody had told it; of that nothing is in
+/// doubt any more. `truth` is the world at the same tick. Who has left the field, by belief or in truth, stays as he
+/// was. What the robots themselves believe stays.
+void tell(const World& truth, Side own, Insight insight, Situation& situation);
+
 /// One of the worlds that the situation may be, drawn by `key` (event `belief`), to be played on with that key. What
 /// the robot itself and its team believe of the ball stays, and where it takes itself to be; the world differs. Where the
 /// others are is in doubt for it, not for them: they know where they stand, and its opponents the ball. A ball that would

@@ -22,6 +22,7 @@ const kRobot = { share: 0.25, seconds: 0.5 }; // what foresight has of a robot's
 const kFutures = 200; // of a forecast that is to be true: with fewer, those far from the mean are so by chance
 const kMostRollouts = 64; // of a question in a game, and each so long:
 const kGameHorizon = 20; // [s]
+const kEager = 0.8; // how likely a gain is for which a captain changes whose knowledge is looked at
 // the others, as a team that is wrong about them takes them to be: twice as fast
 const kFast = "match,walk.forward=0.5,walk.backward=0.4,walk.sideward=0.36,walk.turn_rate=2.444,walk.acceleration=1.2";
 
@@ -156,16 +157,31 @@ async function calibration(report, situations) {
   }
 }
 
+const choose = async (moments, rollouts, strategies, ...words) =>
+  JSON.parse(await start("foresight-sim", ["choosing", "--json", "--moments", moments, "--rollouts", rollouts, "--horizon", kGameHorizon, "--strategies", strategies.join(","), ...words]).output);
+
 /** What there is to be won by choosing, and what of it the captain's few futures win. */
 async function choosing(report, moments, rollouts) {
-  const words = ["--moments", moments, "--rollouts", rollouts, "--horizon", kGameHorizon, "--strategies", kChoice.join(",")];
-  const { knowing, captain, changes } = JSON.parse(await start("foresight-sim", ["choosing", "--json", ...words]).output);
+  const { knowing, captains } = await choose(moments, rollouts, kChoice);
+  const [{ gain: captain, changes }] = captains;
   report.figure("moments of games in which each strategy was tried", moments);
   report.figure("the best strategy every 10 s, by who knows all", knowing.mean, "goals a game");
   report.figure("the same, its standard error", knowing.standard_error, "goals a game");
   report.figure(`the captain's choice every 10 s, by ${rollouts} futures of what it believes`, captain.mean, "goals a game", { above: 0 });
   report.figure("the same, its standard error", captain.standard_error, "goals a game");
   report.figure("moments in which the captain changes", 100 * changes, "%");
+}
+
+/** What keeps the captain from winning more: what it does not know of the game, or how few futures it has. */
+async function whatKeeps(report, moments, rollouts) {
+  for (const many of [rollouts, 8 * rollouts]) {
+    const { captains } = await choose(moments, many, ["baseline", "kick_now"], "--insights", "--sure", kEager);
+    for (const { knows, gain } of captains) {
+      const name = `kick_now instead of baseline for 10 s where it likely gains, by ${many} futures of ${captains[0].knows}${knows === captains[0].knows ? "" : ` ${knows}`}`;
+      report.figure(name, gain.mean, "goals a game");
+      report.figure(`${name}, standard error`, gain.standard_error, "goals a game");
+    }
+  }
 }
 
 /**
@@ -216,7 +232,10 @@ export async function foresight({ probes = 500, seconds = 20, games = 1000, roll
   if (seconds > 0) await harm(report, seconds);
   if (rollouts > 0) await calibration(report, rollouts);
   const inGame = Math.min(kMostRollouts, onRobot[kGameHorizon]);
-  if (moments > 0) await choosing(report, moments, inGame);
+  if (moments > 0) {
+    await choosing(report, moments, inGame);
+    await whatKeeps(report, 2 * moments, inGame);
+  }
   if (games > 0) await wins(report, games, inGame);
   return report.finish();
 }

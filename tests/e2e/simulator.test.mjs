@@ -141,16 +141,21 @@ test("forecasts are compared with how simulated games went on, the same every ti
 test("choosing between a strategy and its copy is worth nothing, and who knows all does not stand idle", async (t) => {
   const copy = join(temporaryFolder(t), "copy.json");
   writeFileSync(copy, (await sim("strategies", "--show", "baseline")).stdout.replace('"name": "baseline"', '"name": "copy"'));
-  const ask = () => json("choosing", "--moments", "20", "--futures", "8", "--rollouts", "16", "--horizon", "5", "--strategies", `baseline,${copy},idle`);
-  const [one, again] = await Promise.all([ask(), ask()]);
+  const ask = (strategies, ...words) => json("choosing", "--moments", "20", "--futures", "8", "--rollouts", "16", "--horizon", "5", "--strategies", strategies, ...words);
+  const of = `baseline,${copy},idle`;
+  const [one, again, insights, eager] = await Promise.all([ask(of), ask(of), ask(of, "--insights"), ask("idle,baseline", "--sure", "0.5")]);
   assert.deepEqual(one, again);
+  assert.deepEqual(insights.captains.map(({ knows }) => knows), ["what it believes", "and the ball", "and its own side", "and the opponents", "and all of them"]);
+  assert.deepEqual({ ...insights, captains: insights.captains.slice(0, 1) }, one, "what others know changes nothing for it");
   const [same, idle] = one.strategies;
   assert.deepEqual(same.always, { mean: 0, standard_error: 0 });
   assert.equal(same.spread, 0);
   assert.ok(idle.always.mean < 0 && idle.always.mean < one.knowing.mean);
-  assert.ok(one.changes >= 0 && one.changes <= 1);
+  const [{ changes, gain }] = eager.captains;
+  assert.ok(changes > 0.5 && gain.mean > 0, "of a team that stands idle it makes one that plays");
 
   for (const [args, sentence] of [
+    [["--sure", "2", "--strategies", "baseline,idle"], /--sure/],
     [["--strategies", "baseline"], /expected at least two, got baseline/],
     [["--strategies", "baseline,nonsense"], /nonsense/],
     [[], /--strategies is required/],

@@ -202,6 +202,58 @@ TEST(KnowledgeOf, IsTheSameFromBothSides) {
   EXPECT_EQ(believed.situation.state.world.bodies[robot_of(Side::home, 2)].position, away.beliefs.pose.pose.position);
 }
 
+TEST(Tell, WhoIsToldAllKnowsTheOneWorldThereIs) {
+  const Fixture game;
+  for (const Side own : {Side::home, Side::away}) {
+    Situation situation = believe(game.params(), knowledge_of(game.params(), game.state, robot_of(own, 2))).situation;
+    tell(game.state.world, own, {.ball = true, .own_side = true, .opponents = true}, situation);
+    const float sign = attack_sign(game.state.world, own);
+    for (const std::uint64_t seed : {1, 2}) {
+      const World world = sample(game.params(), situation, {.seed = seed}).world;
+      for_each_robot(world.players, [&](int robot) {
+        const Side side = side_of(robot) == Side::home ? own : other(own);
+        const Body& is = game.state.world.bodies[robot_of(side, player_of(robot))];
+        const Body& thought = world.bodies[robot];
+        EXPECT_LT(distance(thought.position, sign * is.position), 1e-4f) << robot;
+        EXPECT_LT(distance(thought.facing, sign * is.facing), 1e-3f) << robot;
+        EXPECT_EQ(thought.doing, is.doing) << robot;
+        EXPECT_EQ(thought.velocity, is.velocity) << robot;
+      });
+      EXPECT_EQ(world.ball.position, sign * game.state.world.ball.position);
+      EXPECT_EQ(world.ball.velocity, sign * game.state.world.ball.velocity);
+    }
+  }
+}
+
+TEST(Tell, ChangesNothingOfWhatIsNotTold) {
+  Fixture game;
+  const Situation believed = believe(game.params(), game.knowledge()).situation;
+  Situation situation = believed;
+  tell(game.state.world, Side::home, {}, situation);
+  EXPECT_EQ(hash_of(situation.state), hash_of(believed.state));
+
+  tell(game.state.world, Side::home, {.opponents = true}, situation);
+  EXPECT_EQ(situation.state.world.ball.position, believed.state.world.ball.position);
+  EXPECT_EQ(situation.doubt.ball, believed.doubt.ball);
+  for (int player = 1; player <= believed.state.world.players; ++player) {
+    const int mate = robot_of(Side::home, player), opponent = robot_of(Side::away, player);
+    EXPECT_EQ(situation.state.world.bodies[mate].position, believed.state.world.bodies[mate].position);
+    EXPECT_EQ(situation.doubt.position[mate], believed.doubt.position[mate]);
+    EXPECT_EQ(situation.state.world.bodies[opponent].position, game.state.world.bodies[opponent].position);
+    EXPECT_EQ(situation.doubt.position[opponent], 0);
+  }
+}
+
+TEST(Tell, WhoIsOffTheFieldStaysThere) {
+  Fixture game;
+  const int gone = robot_of(Side::away, 3);
+  game.state.world.bodies[gone].doing = Doing::removed;
+  Situation situation = believe(game.params(), game.knowledge()).situation;
+  const Vec2 believed = situation.state.world.bodies[gone].position;
+  tell(game.state.world, Side::home, {.opponents = true}, situation);
+  EXPECT_EQ(situation.state.world.bodies[gone].position, believed);
+}
+
 TEST(Sample, WithoutDoubtThereIsOneWorld) {
   const Fixture game;
   const Situation sure{.state = game.state, .doubt = {}};
