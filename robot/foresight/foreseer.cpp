@@ -21,18 +21,19 @@ constexpr std::size_t kMostJobs = 2;       // one runs, one waits
 constexpr std::size_t kMostPlaybooks = 8;  // kept ready
 constexpr std::uint64_t kMillion = 1'000'000;
 
-void add_paths(const pf::Account& account, int players, pb::Forecast::StrategyForecast& told) {
+void add_paths(const pf::Account& account, const Lineup& lineup, pb::Forecast::StrategyForecast& told) {
   for (const pf::Path& path : account.paths) {
     if (path.points == 0) continue;
     pb::Forecast::Path& shown = *told.add_paths();
     shown.set_spacing(path.spacing);
     for (int i = 0; i < path.points; ++i) shown.add_ball(path.ball[i].x), shown.add_ball(path.ball[i].y);
-    for (int player = 1; player <= players; ++player) {
+    for (int place = 1; place <= sim::kMaxPlayers; ++place) {
+      if (lineup.player_at(place) == 0) continue;
       pb::Forecast::RobotPath& robot = *shown.add_robots();
-      robot.set_player(static_cast<std::uint32_t>(player));
+      robot.set_player(lineup.player_at(place));
       for (int i = 0; i < path.points; ++i) {
-        robot.add_points(path.robots[i][player - 1].x);
-        robot.add_points(path.robots[i][player - 1].y);
+        robot.add_points(path.robots[i][place - 1].x);
+        robot.add_points(path.robots[i][place - 1].y);
       }
     }
   }
@@ -41,7 +42,8 @@ void add_paths(const pf::Account& account, int players, pb::Forecast::StrategyFo
     for (const std::uint32_t count : row) told.add_heat(count);
 }
 
-void fill(const pf::Standing& standing, const pf::Account& account, int players, pb::Forecast::StrategyForecast& told) {
+void fill(const pf::Standing& standing, const pf::Account& account, const Lineup& lineup,
+          pb::Forecast::StrategyForecast& told) {
   told.set_rollouts(static_cast<std::uint32_t>(standing.rollouts));
   told.set_mean(static_cast<float>(standing.mean));
   told.set_error(static_cast<float>(standing.error));
@@ -52,10 +54,11 @@ void fill(const pf::Standing& standing, const pf::Account& account, int players,
   told.set_gain_high(static_cast<float>(standing.gain_high));
   told.set_best(static_cast<float>(standing.best));
   told.set_raced_on(standing.raced_on);
-  add_paths(account, players, told);
+  add_paths(account, lineup, told);
 }
 
-void fill(const pf::Situation& situation, const sim::field::Rules& rules, pb::Forecast::Situation& told) {
+void fill(const pf::Situation& situation, const sim::field::Rules& rules, const Lineups& lineups,
+          pb::Forecast::Situation& told) {
   const sim::World& world = situation.state.world;
   const sim::referee::Book& book = situation.state.book;
   told.set_ball_x(world.ball.position.x);
@@ -70,7 +73,7 @@ void fill(const pf::Situation& situation, const sim::field::Rules& rules, pb::Fo
     if (body.doing == sim::Body::Doing::removed) return;
     pb::Forecast::Situation::Body& shown = *told.add_bodies();
     shown.set_opponent(sim::side_of(robot) == sim::Side::away);
-    shown.set_player(static_cast<std::uint32_t>(sim::player_of(robot)));
+    shown.set_player(lineups.of(sim::side_of(robot)).player_at(sim::player_of(robot)));
     shown.set_x(body.position.x);
     shown.set_y(body.position.y);
     shown.set_heading(body.heading);
@@ -160,12 +163,13 @@ Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollec
   if (!playbook) return Error{playbook.error()};
   const sim::Params& params = (*playbook)->params.front();
 
-  auto job = std::make_unique<Job>();
+  const Lineups lineups(recollection.game ? recollection.game->value : pb::GameState(), params.rules.players);
+  auto job = std::make_unique<Job>(Job{.lineups = lineups});
   job->asked_ns = recollection.now_ns;
   job->speed = recollection.speed;
   job->arrived_ns = monotonic_ns();
   auto knowledge = knowledge_of(recollection, params);
-  if (knowledge && question->has_edit()) tell(question->edit(), *knowledge);
+  if (knowledge && question->has_edit()) tell(question->edit(), lineups, *knowledge);
   const pf::Believed believed =
       knowledge ? pf::believe(params, *knowledge) : pf::Believed{.situation = {}, .refusal = knowledge.error()};
   if (!believed.refusal.empty()) {
@@ -177,7 +181,8 @@ Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollec
   }
   job->futures.situation = believed.situation;
   if (question->has_edit())
-    if (Result<void> applied = apply(question->edit(), params, job->futures.situation); !applied) return applied;
+    if (Result<void> applied = apply(question->edit(), lineups, params, job->futures.situation); !applied)
+      return applied;
   for (const std::string& name : question->strategies())
     job->futures.strategies.push_back(static_cast<int>(
         std::find((*playbook)->names().begin(), (*playbook)->names().end(), name) - (*playbook)->names().begin()));
@@ -245,12 +250,12 @@ pb::Forecast Foreseer::forecast_of(const Job& job, const Progress& progress) con
   for (int i = 0; i < known.strategies; ++i) {
     pb::Forecast::StrategyForecast& strategy = *forecast.add_strategies();
     strategy.set_strategy(names[static_cast<std::size_t>(i)]);
-    fill(known.standings[i], progress.tally.accounts[i], situation.state.world.players, strategy);
+    fill(known.standings[i], progress.tally.accounts[i], job.lineups.own, strategy);
   }
   forecast.set_answered_ms(static_cast<float>(monotonic_ns() - job.arrived_ns) / 1e6f);
   forecast.set_computed_ms(static_cast<float>(progress.computed_ns) / 1e6f);
   forecast.set_simulated(static_cast<float>(progress.tally.ticks) * sim::kTickDuration);
-  fill(situation, playbook->params.front().rules, *forecast.mutable_situation());
+  fill(situation, playbook->params.front().rules, job.lineups, *forecast.mutable_situation());
   return forecast;
 }
 

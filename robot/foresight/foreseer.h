@@ -15,6 +15,7 @@
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
 #include "robot/foresight/knowledge.h"
+#include "robot/foresight/lineup.h"
 #include "robot/foresight/rollouts.h"
 #include "sim/io/playbook.h"
 
@@ -65,6 +66,7 @@ class Foreseer {
   struct Job {
     pb::WhatIf question;
     Futures futures;
+    Lineups lineups;
     std::uint64_t asked_ns = 0;    // [ns since the epoch] of the moment it is about
     double speed = 1;              // [game seconds per second]
     std::uint64_t arrived_ns = 0;  // [monotonic]

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "robot/foresight/lineup.h"
 #include "sim/agent/roles.h"
 #include "sim/math/vec2.h"
 #include "sim/referee/referee.h"
@@ -121,12 +122,12 @@ float since_phase(const pb::GameState& told, const sim::agent::Game& game, const
 
 std::uint8_t byte_of(std::uint32_t value) { return static_cast<std::uint8_t>(std::min<std::uint32_t>(value, 255)); }
 
-sim::agent::Game game_of(const pb::GameState& told, const sim::field::Rules& rules) {
+sim::agent::Game game_of(const pb::GameState& told, int place, const sim::field::Rules& rules) {
   sim::agent::Game game;
   game.phase = phase_of(told);
   game.set_play = set_play_of(told);
   game.own_kick = told.has_kicking_team() && told.kicking_team() == told.own_team();
-  game.player = byte_of(told.own_player());
+  game.player = static_cast<std::uint8_t>(place);
   game.players = byte_of(told.players_per_team());
   game.half = byte_of(std::max(told.half(), std::uint32_t{1}));
   game.own_score = byte_of(told.own().score());
@@ -138,24 +139,29 @@ sim::agent::Game game_of(const pb::GameState& told, const sim::field::Rules& rul
   return game;
 }
 
-void take_away(const pb::TeamState& team, Tick (&away)[sim::kMaxPlayers]) {
-  for (int i = 0; i < std::min(team.players_size(), sim::kMaxPlayers); ++i) {
-    const pb::PlayerState& player = team.players(i);
+void take_away(const pb::TeamState& team, const Lineup& lineup, int places, Tick (&away)[sim::kMaxPlayers]) {
+  for (int place = 1; place <= places; ++place) {
+    const auto number = static_cast<int>(lineup.player_at(place));
+    if (number == 0) away[place - 1] = sim::kNever;
+    if (number == 0 || number > team.players_size()) continue;
+    const pb::PlayerState& player = team.players(number - 1);
     if (!player.penalised()) continue;
     const bool returns = player.penalty() != pb::PlayerState::PENALTY_SUBSTITUTE;
     const float seconds = std::clamp(finite(player.seconds_till_unpenalised()), 0.f, 3600.f);
-    away[i] = returns ? std::max<Tick>(sim::ticks(seconds), 1) : sim::kNever;
+    away[place - 1] = returns ? std::max<Tick>(sim::ticks(seconds), 1) : sim::kNever;
   }
 }
 
 /// Opponents in places of their own: by number where that is known, else the nearest known one, else the next free place.
 class Opponents {
  public:
-  explicit Opponents(sim::agent::Opponent (&places)[sim::kMaxPlayers]) : places_(places) {}
+  Opponents(const Lineup& lineup, sim::agent::Opponent (&places)[sim::kMaxPlayers])
+      : lineup_(lineup), places_(places) {}
 
-  void add(Vec2 position, Tick seen, int player = 0) {
+  void add(Vec2 position, Tick seen, std::uint32_t player = 0) {
     if (!std::isfinite(position.x) || !std::isfinite(position.y)) return;
-    const int place = player >= 1 && player <= sim::kMaxPlayers ? player - 1 : place_near(position);
+    const int known_place = lineup_.place_of(player);
+    const int place = known_place != 0 ? known_place - 1 : place_near(position);
     if (place < 0) return;
     sim::agent::Opponent& known = places_[place];
     if (known.seen == sim::kNever || seen >= known.seen) known = {position, seen};
@@ -177,22 +183,22 @@ class Opponents {
     return nearest >= 0 ? nearest : free;
   }
 
+  const Lineup& lineup_;
   sim::agent::Opponent (&places_)[sim::kMaxPlayers];
 };
 
-void see_opponents(const Recollection& from, const sim::Pose2& own, sim::agent::Beliefs& beliefs) {
+void see_opponents(const Recollection& from, const Lineup& lineup, const sim::Pose2& own,
+                   sim::agent::Beliefs& beliefs) {
   const Time time(from);
-  Opponents opponents(beliefs.opponents);
+  Opponents opponents(lineup, beliefs.opponents);
   if (from.opponents)
     for (const pb::Opponents::Opponent& told : from.opponents->value.opponents())
-      opponents.add({told.x(), told.y()}, time.tick_of(told.seen_ns()),
-                    told.has_player() ? static_cast<int>(told.player()) : 0);
+      opponents.add({told.x(), told.y()}, time.tick_of(told.seen_ns()), told.player());
   if (!from.vision) return;
   for (const pb::VisualRobot& robot : from.vision->value.robots()) {
     if (robot.side() == pb::VisualRobot::SIDE_OWN) continue;
     const Vec2 at{robot.detection().x(), robot.detection().y()};
-    const int player =
-        robot.has_player() && robot.side() == pb::VisualRobot::SIDE_OPPONENT ? static_cast<int>(robot.player()) : 0;
+    const std::uint32_t player = robot.side() == pb::VisualRobot::SIDE_OPPONENT ? robot.player() : 0;
     opponents.add(own.position + sim::turned(at, sim::direction(own.heading)), time.tick_of(from.vision->capture_ns),
                   player);
   }
@@ -257,20 +263,25 @@ Result<sim::foresight::Knowledge> knowledge_of(const Recollection& from, const s
   const Tick pose_age = time.between(pose_ns, from.now_ns);
   if (pose_age > sim::ticks(kStalePose))
     return Error{"the robot does not know where it is: its pose is " + std::to_string(pose_age / 30) + " s old"};
-  sim::foresight::Knowledge knowledge{.now = kNow, .game = game_of(from.game->value, params.rules)};
+  const Lineups lineups(from.game->value, params.rules.players);
+  const int own = lineups.own.place_of(from.game->value.own_player());
+  if (own == 0)
+    return Error{"player " + std::to_string(from.game->value.own_player()) + " does not play: players are " +
+                 lineups.own.text()};
+  sim::foresight::Knowledge knowledge{.now = kNow, .game = game_of(from.game->value, own, params.rules)};
   sim::agent::Beliefs& beliefs = knowledge.beliefs;
   const pb::Pose& pose = from.pose->value;
   beliefs.pose = {pose_of(pose), std::max(pose.deviation_x(), pose.deviation_y()), finite(pose.deviation_heading(), 2)};
   if (from.ball) beliefs.ball = ball_of(from.ball->value, time);
   if (from.team)
     for (const pb::Teammate& told : from.team->value.teammates()) {
-      const int player = static_cast<int>(told.player()), own = knowledge.game.player;
-      if (player < 1 || player > sim::kMaxPlayers || player == own) continue;
-      beliefs.mates[player < own ? player - 1 : player - 2] = mate_of(told, time);
+      const int place = lineups.own.place_of(told.player());
+      if (place == 0 || place == own) continue;
+      beliefs.mates[place < own ? place - 1 : place - 2] = mate_of(told, time);
     }
-  see_opponents(from, beliefs.pose.pose, beliefs);
-  take_away(from.game->value.own(), knowledge.away[0]);
-  take_away(from.game->value.opponent(), knowledge.away[1]);
+  see_opponents(from, lineups.opponents, beliefs.pose.pose, beliefs);
+  take_away(from.game->value.own(), lineups.own, params.rules.players, knowledge.away[0]);
+  take_away(from.game->value.opponent(), lineups.opponents, params.rules.players, knowledge.away[1]);
   if (from.motion) knowledge.body = body_of(from.motion->value, params.teams[0].models.motion);
   if (from.decision) knowledge.mind.role = role_of(from.decision->value.role());
   knowledge.mind.role_since = knowledge.mind.leaf_since = kNow;

@@ -219,9 +219,11 @@ Result<void> check_names(const pb::WhatIf& question, const std::vector<std::stri
   return question.opponent() == kBaseline ? Result<void>{} : check(question.opponent());
 }
 
-/// The body's index of a moved robot, in a situation whose own side is home.
-int index_of(const pb::WhatIf::MovedRobot& robot) {
-  return sim::robot_of(robot.opponent() ? sim::Side::away : sim::Side::home, static_cast<int>(robot.player()));
+sim::Side side_of(const pb::WhatIf::MovedRobot& robot) { return robot.opponent() ? sim::Side::away : sim::Side::home; }
+
+/// The body's index of a moved robot that plays, in a situation whose own side is home.
+int index_of(const pb::WhatIf::MovedRobot& robot, const Lineups& lineups) {
+  return sim::robot_of(side_of(robot), lineups.of(side_of(robot)).place_of(robot.player()));
 }
 
 std::string name_of(const pb::WhatIf::MovedRobot& robot) {
@@ -239,16 +241,17 @@ Result<void> check_place(const sim::field::Field& field, const std::string& who,
 }
 
 /// Nobody stands in anybody, nor on the ball, as far as the edit has a say in it.
-Result<void> check_apart(const pb::WhatIf::Edit& edit, const sim::ContactModel& contact, const sim::World& world) {
+Result<void> check_apart(const pb::WhatIf::Edit& edit, const Lineups& lineups, const sim::ContactModel& contact,
+                         const sim::World& world) {
   std::string problem;
   for (const pb::WhatIf::MovedRobot& moved : edit.robots()) {
-    const int robot = index_of(moved);
+    const int robot = index_of(moved, lineups);
     const Vec2 at = world.bodies[robot].position;
     sim::for_each_robot(world.players, [&](int other) {
       const sim::Body& body = world.bodies[other];
       if (other == robot || body.doing == sim::Body::Doing::removed) return;
       const bool moved_too = std::any_of(edit.robots().begin(), edit.robots().end(),
-                                         [&](const auto& one) { return index_of(one) == other; });
+                                         [&](const auto& one) { return index_of(one, lineups) == other; });
       // who was not moved is only believed to be there
       if (moved_too && sim::distance(body.position, at) < 2 * contact.robot_radius)
         problem = name_of(moved) + " stands in another robot";
@@ -343,10 +346,10 @@ sim::foresight::Question question_of(const pb::WhatIf& question) {
           .switching_cost = question.switching_cost()};
 }
 
-void tell(const pb::WhatIf::Edit& edit, sim::foresight::Knowledge& knowledge) {
+void tell(const pb::WhatIf::Edit& edit, const Lineups& lineups, sim::foresight::Knowledge& knowledge) {
   sim::agent::Beliefs& beliefs = knowledge.beliefs;
   for (const pb::WhatIf::MovedRobot& moved : edit.robots()) {
-    if (moved.opponent() || moved.player() != knowledge.game.player) continue;
+    if (moved.opponent() || lineups.own.place_of(moved.player()) != knowledge.game.player) continue;
     if (!is_sane(moved.x()) || !is_sane(moved.y()) || !is_within(moved.heading(), -sim::kPi, sim::kPi)) continue;
     beliefs.pose = {.pose = {{moved.x(), moved.y()}, sim::normalized(moved.heading())}};
   }
@@ -356,20 +359,21 @@ void tell(const pb::WhatIf::Edit& edit, sim::foresight::Knowledge& knowledge) {
   beliefs.ball = {.position = sim::turned_back(to_ball, sim::direction(pose.heading)), .seen = knowledge.now};
 }
 
-Result<void> apply(const pb::WhatIf::Edit& edit, const sim::Params& params, sim::foresight::Situation& situation) {
+Result<void> apply(const pb::WhatIf::Edit& edit, const Lineups& lineups, const sim::Params& params,
+                   sim::foresight::Situation& situation) {
   sim::State& state = situation.state;
   sim::World& world = state.world;
   const sim::ContactModel& contact = params.teams[0].models.contact;
   for (const pb::WhatIf::MovedRobot& moved : edit.robots()) {
-    if (moved.player() < 1 || moved.player() > static_cast<std::uint32_t>(world.players))
-      return Error{name_of(moved) + " does not play: players are 1 .. " + std::to_string(world.players)};
+    if (const Lineup& lineup = lineups.of(side_of(moved)); lineup.place_of(moved.player()) == 0)
+      return Error{name_of(moved) + " does not play: players are " + lineup.text()};
     const Vec2 at{moved.x(), moved.y()};
     if (Result<void> placed = check_place(params.rules.field, name_of(moved), at, contact.robot_radius); !placed)
       return placed;
     if (!is_within(moved.heading(), -sim::kPi, sim::kPi))
       return Error{name_of(moved) + ": 'heading' must be -3.1416 .. 3.1416 [rad], got " +
                    number(static_cast<double>(moved.heading()))};
-    const int robot = index_of(moved);
+    const int robot = index_of(moved, lineups);
     sim::Body& body = world.bodies[robot];
     body = {};
     body.position = at;
@@ -388,7 +392,7 @@ Result<void> apply(const pb::WhatIf::Edit& edit, const sim::Params& params, sim:
     constexpr float kKnown = 0.1f;  // [m] and [m/s]
     sim::know_ball(state, world.tick, kKnown);
   }
-  if (Result<void> apart = check_apart(edit, contact, world); !apart) return apart;
+  if (Result<void> apart = check_apart(edit, lineups, contact, world); !apart) return apart;
   if (edit.own_score() > 255 || edit.opponent_score() > 255)
     return Error{"a score must be 0 .. 255, got " + std::to_string(std::max(edit.own_score(), edit.opponent_score()))};
   if (edit.has_own_score()) state.book.score[0] = static_cast<std::uint8_t>(edit.own_score());

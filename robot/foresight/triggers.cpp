@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "robot/foresight/lineup.h"
 #include "sim/math/vec2.h"
 
 namespace robot::foreseeing {
@@ -32,7 +33,7 @@ bool in_game(const pb::GameState& game) {
 
 int captain_of(const pb::GameState& game) {
   const pb::TeamState& own = game.own();
-  const int keeper = own.goalkeeper() != 0 ? static_cast<int>(own.goalkeeper()) : 1;
+  const auto keeper = static_cast<int>(keeper_of(own));
   for (int i = 0; i < own.players_size(); ++i)
     if (i + 1 != keeper && !own.players(i).penalised()) return i + 1;
   return 0;

@@ -73,6 +73,36 @@ TEST(Foreseer, TellsTheMomentThatItPlayedOnFrom) {
 }
 
 /// Who has not seen the ball for a while takes it to be somewhere else now and then.
+TEST(Foreseer, NamesAllByTheirJerseys) {
+  const test::Played game;
+  const auto foresight = foreseer();
+  pb::WhatIf asked = question(200);
+  pb::WhatIf::MovedRobot& moved = *asked.mutable_edit()->add_robots();
+  moved.set_player(14);
+  moved.set_x(-1.25f);
+  moved.set_y(1.5f);
+  const auto forecast = foresight->ask_and_wait(asked, test::renumbered(game.recollection()));
+  ASSERT_TRUE(forecast) << forecast.error();
+  const auto is_number = [](std::uint32_t player) {
+    return std::ranges::find(test::kNumbers, player) != std::end(test::kNumbers);
+  };
+  bool seen = false;
+  for (const auto& body : forecast->situation().bodies()) {
+    EXPECT_TRUE(is_number(body.player())) << body.player();
+    if (body.opponent() || body.player() != 14) continue;
+    seen = true;
+    EXPECT_EQ(body.x(), -1.25f);
+    EXPECT_EQ(body.y(), 1.5f);
+  }
+  EXPECT_TRUE(seen);
+  for (const auto& strategy : forecast->strategies())
+    for (const auto& path : strategy.paths())
+      for (const auto& robot : path.robots()) EXPECT_TRUE(is_number(robot.player())) << robot.player();
+  moved.set_player(3);
+  EXPECT_EQ(foresight->ask_and_wait(asked, test::renumbered(game.recollection())).error(),
+            "own player 3 does not play: players are 9, 12, 14, 20");
+}
+
 TEST(Foreseer, SaysHowLikelyTheBallIsElsewhere) {
   const test::Played game;
   const auto foresight = foreseer();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/match/hash.h"
 #include "sim/referee/referee.h"
 #include "tests/robot/foresight/memories.h"
 
@@ -25,7 +26,7 @@ std::string why_not(const Played& game, const Recollection& from) {
 
 TEST(Knowledge, ThroughMemoryIsWhatTheSimulatedRobotKnows) {
   // of a simulation that runs fast, too, whose capture times lie close together
-  for (const auto [seconds, speed] : {std::pair{20.f, 1.}, {60.f, 10.}, {80.f, 1.}, {200.f, 1.}, {333.f, 0.5}}) {
+  for (const auto& [seconds, speed] : {std::pair{20.f, 1.}, {60.f, 10.}, {80.f, 1.}, {200.f, 1.}, {333.f, 0.5}}) {
     Played game("match", seconds);
     game.timeline.speed = speed;
     game.write();
@@ -69,6 +70,32 @@ TEST(Knowledge, ThroughMemoryIsWhatTheSimulatedRobotKnows) {
     for (const int side : {0, 1})
       for (int i = 0; i < sim::kMaxPlayers; ++i) EXPECT_NEAR(told.away[side][i], direct.away[side][i], 1);
   }
+}
+
+TEST(Knowledge, JerseyNumbersMakeNoDifference) {
+  for (const float seconds : {60.f, 80.f, 200.f}) {
+    const Played game("match", seconds);
+    const auto believed = [&](const Recollection& from) {
+      return sim::foresight::believe(game.setup.params, known(game, from));
+    };
+    const auto plain = believed(game.recollection()), numbered = believed(test::renumbered(game.recollection()));
+    EXPECT_EQ(numbered.refusal, plain.refusal);
+    EXPECT_EQ(sim::hash_of(numbered.situation.state), sim::hash_of(plain.situation.state));
+  }
+}
+
+TEST(Knowledge, ASubstituteForetellsNothing) {
+  const Played game;
+  Recollection from = test::renumbered(game.recollection());
+  from.game->value.set_own_player(5);
+  EXPECT_EQ(why_not(game, from), "player 5 does not play: players are 9, 12, 14, 20");
+}
+
+TEST(Knowledge, WhereATeamIsOneShortAPlaceStaysEmpty) {
+  const Played game;
+  Recollection from = test::renumbered(game.recollection());
+  from.game->value.mutable_opponent()->mutable_players(19)->set_penalty(pb::PlayerState::PENALTY_SUBSTITUTE);
+  EXPECT_EQ(known(game, from).away[1][3], sim::kNever);
 }
 
 TEST(Knowledge, CountdownsTellHowLongASetPlayLasts) {

@@ -66,4 +66,28 @@ struct Played {
   Recollection recollection() const { return recollect(channels, "14/2", now_ns()); }
 };
 
+/// Both teams' players 1 .. 4 wear these numbers, the first keeps, and all others of 20 are substitutes.
+constexpr std::uint32_t kNumbers[] = {9, 12, 14, 20};
+
+inline Recollection renumbered(Recollection from) {
+  const auto renumber = [](auto& told) { told.set_player(kNumbers[told.player() - 1]); };
+  pb::GameState& game = from.game->value;
+  game.set_own_player(kNumbers[game.own_player() - 1]);
+  for (pb::TeamState* team : {game.mutable_own(), game.mutable_opponent()}) {
+    const pb::TeamState before = *team;
+    team->set_goalkeeper(kNumbers[0]);
+    team->clear_players();
+    for (int i = 0; i < 20; ++i) {
+      team->add_players()->set_penalised(true);
+      team->mutable_players(i)->set_penalty(pb::PlayerState::PENALTY_SUBSTITUTE);
+    }
+    for (int i = 0; i < before.players_size(); ++i)
+      *team->mutable_players(static_cast<int>(kNumbers[i]) - 1) = before.players(i);
+  }
+  for (pb::Teammate& mate : *from.team->value.mutable_teammates()) renumber(mate);
+  for (auto& opponent : *from.opponents->value.mutable_opponents())
+    if (opponent.has_player()) renumber(opponent);
+  return from;
+}
+
 }  // namespace robot::foreseeing::test

@@ -87,7 +87,8 @@ struct Edited {
   std::string operator()(const char* text) {
     const auto question = parse_question(nlohmann::json{{"edit", nlohmann::json::parse(text)}});
     if (!question) return question.error();
-    const Result<void> applied = apply(question->edit(), game.setup.params, situation);
+    const Lineups lineups(game.recollection().game->value, game.setup.params.rules.players);
+    const Result<void> applied = apply(question->edit(), lineups, game.setup.params, situation);
     return applied ? "" : applied.error();
   }
 };
@@ -118,7 +119,7 @@ TEST(Edit, SaysWhatCannotBe) {
   EXPECT_EQ(edit(R"({"robots": [{"side": "own", "player": 2, "x": 3, "y": 0.75}]})"),
             "own player 2 at 3, 0.75 is in a goalpost");
   EXPECT_EQ(edit(R"({"robots": [{"side": "own", "player": 9, "x": 0, "y": 0}]})"),
-            "own player 9 does not play: players are 1 .. 4");
+            "own player 9 does not play: players are 1, 2, 3, 4");
   EXPECT_EQ(edit(R"({"robots": [{"side": "own", "player": 2, "x": 0, "y": 0, "heading": 7}]})"),
             "own player 2: 'heading' must be -3.1416 .. 3.1416 [rad], got 7");
   EXPECT_EQ(edit(R"({"robots": [{"side": "own", "player": 2, "x": 0, "y": 0},
