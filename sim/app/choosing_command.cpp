@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 
 #include "sim/app/commands.h"
 #include "sim/app/game_report.h"
@@ -99,9 +98,13 @@ class ChoosingCommand final : public Command {
         ->check(CLI::Range(1., 1200.))
         ->capture_default_str();
     options()
-        .add_option("--sure", sure_,
-                    "it changes to what is the best so likely, whatever that gains; without it as on the robot")
-        ->check(CLI::Range(0.5, 1.));
+        .add_option("--sure", terms_.sure, "how likely a strategy must gain more than it costs to be changed to")
+        ->check(CLI::Range(0.5, 0.999))
+        ->capture_default_str();
+    options()
+        .add_option("--switching-cost", terms_.switching_cost, "[goals] what a change costs")
+        ->check(CLI::Range(0., 1.))
+        ->capture_default_str();
     options().add_flag("--insights", insights_,
                        "also of captains who know where the ball, their own side, the opponents truly are");
     options().add_flag("--json", json_, "report as JSON");
@@ -178,14 +181,13 @@ class ChoosingCommand final : public Command {
     foresight::Believed believed = foresight::believe(params, foresight::knowledge_of(params, state, kCaptain));
     if (!believed.refusal.empty()) return 0;
     foresight::tell(state.world, side_of(kCaptain), insight, believed.situation);
-    const foresight::Question question{.horizon = ticks(terms_.horizon), .switching_cost = terms_.switching_cost};
+    const foresight::Question question{
+        .horizon = ticks(terms_.horizon), .switching_cost = terms_.switching_cost, .sure = terms_.sure};
     foresight::Tally tally;
     foresight::race(
         io::task_of(playbook, believed.situation, question, key),
         [&](std::int64_t rollouts) { return static_cast<double>(rollouts) / terms_.rollouts; }, {}, tally);
-    const foresight::Forecast forecast = foresight::forecast(tally, question, key);
-    if (!sure_) return forecast.choice;
-    return forecast.standings[forecast.challenger].best >= *sure_ ? forecast.challenger : 0;
+    return foresight::forecast(tally, question, key).choice;
   }
 
   void report(const std::vector<Trial>& trials, const field::Rules& rules) const {
@@ -255,7 +257,6 @@ class ChoosingCommand final : public Command {
   foresight::Terms terms_;
   int moments_ = 200, futures_ = 200;
   double period_ = 10;
-  std::optional<double> sure_;
   bool insights_ = false, json_ = false;
 };
 

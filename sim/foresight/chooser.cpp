@@ -71,7 +71,8 @@ void Chooser::ask(const agent::Game& game, const agent::Beliefs& beliefs, Tick n
   if (!believed.refusal.empty()) return;
 
   const int count = static_cast<int>(plans_.params.size());
-  const Question question{.horizon = ticks(terms_.horizon), .switching_cost = terms_.switching_cost};
+  const Question question{
+      .horizon = ticks(terms_.horizon), .switching_cost = terms_.switching_cost, .sure = terms_.sure};
   Task task{.situation = &believed.situation,
             .strategies = count,
             .question = question,

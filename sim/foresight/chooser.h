@@ -28,6 +28,7 @@ struct Terms {
   float period = 10;             // [s] from one question to the next, at most
   float stale = 20;              // [s] a choice that was not confirmed for longer is not followed
   float switching_cost = 0.02f;  // [goals] Question::switching_cost
+  float sure = 0.9f;             // Question::sure
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
@@ -36,12 +37,14 @@ struct Terms {
     see("period", self.period, "s", 2.f, 1200.f);
     see("stale", self.stale, "s", 1.f, 1200.f);
     see("switching_cost", self.switching_cost, "goals", 0.f, 1.f);
+    see("sure", self.sure, "", 0.5f, 0.999f);
   }
 };
 
 /// A team of followers, of whom the captain, as it believes that it is, asks what its strategies would come to, from its
-/// own beliefs, and chooses. All are compared with the default, whatever is played now: another one is played only as long as each question finds it
-/// better for sure. What a question can tell apart is coarse, and a wrong choice would stay if it had to be proved wrong.
+/// own beliefs, and chooses. All are compared with the default, whatever is played now: another one is played only as
+/// long as each question finds it better for sure. What a question can tell apart is coarse, and a wrong choice would
+/// stay if it had to be proved wrong.
 ///
 /// Remembers in the mind alone, and asks with a random key made of its beliefs: a game stays a function of its seed.
 class Chooser final : public agent::Behaviour {

@@ -12,11 +12,13 @@ namespace {
 
 constexpr int kDraws = 1000;  // for P(best): 0.016 of standard error at most
 
-/// Cornish and Fisher's expansion of Student's quantile round the normal one's, `z`.
-double student(double z, double freedom) {
-  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
-  return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom) +
-         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * freedom * freedom * freedom);
+constexpr double kAlike = 0.005;      // [unit] gains below are written as 0.00
+constexpr double kAside = 0.5 * 0.5;  // [unit²] of the one more rollout that errors reckon with
+
+/// The normal distribution's, within 0.00045 (Abramowitz and Stegun, 26.2.23).
+double normal_quantile(double sure) {
+  const auto t = static_cast<double>(std::sqrt(-2 * log(static_cast<float>(1 - sure))));
+  return t - (2.515517 + t * (0.802853 + t * 0.010328)) / (1 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
 }
 
 /// The stripes that both played: who leaves the race does not come back.
@@ -35,10 +37,12 @@ double mean_gain(const Tally& tally, int i) {
   return tally.accounts[i].rollouts == 0 ? 0 : tally.gains[i][i] / tally.accounts[i].rollouts;
 }
 
-double gain_error(const Tally& tally, int i) {
-  const int count = tally.accounts[i].rollouts;
-  return count < 2 ? 0 : std::sqrt(std::max(covariance(tally, i, i), 0.) / count);
+/// Of a mean of `count` values with this variance.
+double error_of(double variance, int count) {
+  return count < 2 ? 0 : std::sqrt((std::max(variance, 0.) + kAside / count) / count);
 }
+
+double gain_error(const Tally& tally, int i) { return error_of(covariance(tally, i, i), tally.accounts[i].rollouts); }
 
 /// The lower triangle whose product with its transpose is the covariance of the mean gains.
 struct Triangle {
@@ -48,7 +52,7 @@ struct Triangle {
     for (int i = 1; i < tally.strategies; ++i)
       for (int j = 1; j <= i; ++j) {
         const int count = std::max({tally.accounts[i].rollouts, tally.accounts[j].rollouts, 1});
-        double rest = covariance(tally, i, j) / count;
+        double rest = i == j ? gain_error(tally, i) * gain_error(tally, i) : covariance(tally, i, j) / count;
         for (int k = 1; k < j; ++k) rest -= at[i][k] * at[j][k];
         if (i == j)
           at[i][i] = std::sqrt(std::max(rest, 0.));
@@ -89,10 +93,9 @@ Standing standing_of(const Tally& tally, int i) {
   standing.score = static_cast<double>(account.scored) / n;
   standing.concede = static_cast<double>(account.conceded) / n;
   if (n < 2) return standing;
-  const double variance = std::max(account.squares - account.sum * account.sum / n, 0.) / (n - 1);
-  standing.error = std::sqrt(variance / n);
+  standing.error = error_of((account.squares - account.sum * account.sum / n) / (n - 1), n);
   if (i == 0) return standing;
-  const double reach = t_95(n - 1) * gain_error(tally, i);
+  const double reach = student(0.975, n - 1) * gain_error(tally, i);
   standing.gain = mean_gain(tally, i);
   standing.gain_low = standing.gain - reach;
   standing.gain_high = standing.gain + reach;
@@ -109,8 +112,13 @@ std::string text(const char* format, auto... values) {
 
 }  // namespace
 
-double t_95(double freedom) { return student(1.959964, freedom); }
-double t_90_one_sided(double freedom) { return student(1.281552, freedom); }
+double student(double sure, double freedom) {
+  // Cornish and Fisher's expansion round the normal distribution's
+  const double z = normal_quantile(sure);
+  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
+  return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom) +
+         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * freedom * freedom * freedom);
+}
 
 Forecast forecast(const Tally& tally, const Question& question, RandomKey key) {
   Forecast forecast{.strategies = tally.strategies};
@@ -127,9 +135,9 @@ Forecast forecast(const Tally& tally, const Question& question, RandomKey key) {
   forecast.advice = Forecast::Advice::keep;
   const int challenger = forecast.challenger;
   if (challenger == 0) return forecast;
-  const double sure = forecast.standings[challenger].gain -
-                      t_90_one_sided(tally.accounts[challenger].rollouts - 1) * gain_error(tally, challenger);
-  if (sure <= static_cast<double>(question.switching_cost)) return forecast;
+  const double reach = student(static_cast<double>(question.sure), tally.accounts[challenger].rollouts - 1);
+  const double least = forecast.standings[challenger].gain - reach * gain_error(tally, challenger);
+  if (least <= static_cast<double>(question.switching_cost)) return forecast;
   forecast.advice = Forecast::Advice::change;
   forecast.choice = challenger;
   return forecast;
@@ -155,6 +163,9 @@ std::string reason(const Forecast& forecast, const Question& question, const std
   if (best.gain_low > 0)
     return text("keeps %s: %s would gain %.2f ± %.2f %s, too little for a change, which costs %.2f (%d futures)",
                 kept.c_str(), name.c_str(), best.gain, reach, unit, static_cast<double>(question.switching_cost),
+                best.rollouts);
+  if (std::abs(best.gain) < kAlike)
+    return text("keeps %s: %s comes to the same, within %.2f %s (%d futures)", kept.c_str(), name.c_str(), reach, unit,
                 best.rollouts);
   if (best.gain <= 0)
     return text("keeps %s: nothing else looks better; %s comes next, with %.2f ± %.2f %s less (%d futures)",

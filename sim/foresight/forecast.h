@@ -9,6 +9,9 @@
 namespace sim::foresight {
 
 /// What is expected of one strategy. Values are in the unit of the measure.
+///
+/// Errors are those of as many rollouts, of which one more had come out half a unit aside: where by chance nothing happened
+/// in any, that is not sure yet (Jeffreys' half an event).
 struct Standing {
   int rollouts = 0;
   double mean = 0, error = 0;          // and its standard error
@@ -32,15 +35,16 @@ struct Forecast {
   Standing standings[kMaxStrategies];
 };
 
-/// It changes when the gain of the best is above the switching cost for 90 % sure (one-sided), never else.
+/// It changes when the gain of the best is above the switching cost for as sure as the question asks (one-sided), never
+/// else.
 Forecast forecast(const Tally& tally, const Question& question, RandomKey key);
 
 /// The advice in one sentence, with the numbers behind it: "keeps baseline: passing would gain 0.04 ± 0.09 goals, which
 /// may be chance (212 futures)". `names` are the strategies', by index.
 std::string reason(const Forecast& forecast, const Question& question, const std::string* names);
 
-/// Of Student's t, two-sided 95 % and one-sided 90 %, for `freedom` >= 1 degrees; within 1 % from 3 on.
-double t_95(double freedom);
-double t_90_one_sided(double freedom);
+/// How far Student's t reaches with the probability `sure` (0.5 .. 1, one-sided), for `freedom` >= 1 degrees; within 1 % of
+/// the tables from 3 degrees on. The same bits everywhere.
+double student(double sure, double freedom);
 
 }  // namespace sim::foresight

@@ -34,6 +34,7 @@ struct Question {
   Tick horizon = ticks(30);  // [ticks]; kNever: none
   /// [unit of the measure] that another strategy must gain at least: so much is lost by changing in the middle of a game.
   float switching_cost = 0.02f;
+  float sure = 0.9f;  // [0.5..1) how likely it must gain more than that
 };
 
 }  // namespace sim::foresight

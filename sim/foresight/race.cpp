@@ -13,6 +13,11 @@ constexpr Tick kLongestPath = ticks(120);
 
 int index_of(Side side) { return static_cast<int>(side); }
 
+/// A point of `now` as the sides stood at `start`, also after half time. [m, field of the start]
+Vec2 unturned(const State& now, const State& start, Vec2 point) {
+  return now.world.home_attacks == start.world.home_attacks ? point : -point;
+}
+
 void add(HeatMap& heat, const field::Field& field, Vec2 ball) {
   const auto cell = [](float place, float size, int cells) {
     const float share = std::clamp(place / size + 0.5f, 0.f, 1.f);
@@ -21,11 +26,11 @@ void add(HeatMap& heat, const field::Field& field, Vec2 ball) {
   ++heat.counts[cell(ball.y, field.width, HeatMap::kRows)][cell(ball.x, field.length, HeatMap::kColumns)];
 }
 
-void add(Path& path, const State& state, Side own) {
+void add(Path& path, const State& now, const State& start, Side own) {
   if (path.points == Path::kPoints) return;
-  path.ball[path.points] = state.world.ball.position;
-  for (int player = 1; player <= state.world.players; ++player)
-    path.robots[path.points][player - 1] = state.world.bodies[robot_of(own, player)].position;
+  path.ball[path.points] = unturned(now, start, now.world.ball.position);
+  for (int player = 1; player <= now.world.players; ++player)
+    path.robots[path.points][player - 1] = unturned(now, start, now.world.bodies[robot_of(own, player)].position);
   ++path.points;
 }
 
@@ -99,8 +104,8 @@ class Runner {
         params, state,
         [&](const State& now) {
           const Tick since = now.world.tick - began;
-          if (since % kHeat == 0) add(account.heat, params.rules.field, now.world.ball.position);
-          if (is_path && since % spacing == 0) add(path, now, question.own);
+          if (since % kHeat == 0) add(account.heat, params.rules.field, unturned(now, start, now.world.ball.position));
+          if (is_path && since % spacing == 0) add(path, now, start, question.own);
           if (since % kLook == kLook - 1 && look() >= 1) return cut = true;
           return is_over(now, start, outcome);
         },

@@ -10,13 +10,14 @@ namespace sim::foresight {
 
 inline constexpr int kMaxStrategies = 8;
 
-/// Where the ball was, over all rollouts of a strategy: once a second, on a grid over the field. Frame: field.
+/// Where the ball was, over all rollouts of a strategy: once a second, on a grid over the field. Frame: field,
+/// as the sides stand at the beginning; so are paths.
 struct HeatMap {
   static constexpr int kColumns = 18, kRows = 12;  // along x from -length / 2, along y from -width / 2
   std::uint32_t counts[kRows][kColumns] = {};
 };
 
-/// One continuation, seen from above. Frame: field.
+/// One continuation, seen from above. Frame: field, of the beginning.
 struct Path {
   static constexpr int kPoints = 31;
   int points = 0;

@@ -52,21 +52,23 @@ TEST(Forecast, MeansAndErrorsAreThoseOfTheStripes) {
   EXPECT_EQ(told.standings[0].rollouts, 4);
   EXPECT_DOUBLE_EQ(told.standings[0].mean, 0.5);
   EXPECT_DOUBLE_EQ(told.standings[1].mean, 1);
-  // squares about the mean 0.5: 4 x 0.25; over 3 degrees and 4 values
-  EXPECT_DOUBLE_EQ(told.standings[0].error, std::sqrt(1. / 3 / 4));
+  // squares about the mean 0.5: 4 x 0.25; over 3 degrees and 4 values, and one more that is 0.5 aside
+  EXPECT_DOUBLE_EQ(told.standings[0].error, std::sqrt((1. / 3 + 0.25 / 4) / 4));
   EXPECT_DOUBLE_EQ(told.standings[1].gain, 0.5);
-  // gains 1 0 0 1: error sqrt(1/3/4), t of 3 degrees 3.182
-  EXPECT_NEAR(told.standings[1].gain_high - 0.5, 3.182 * std::sqrt(1. / 12), 0.01);
+  // gains 1 0 0 1: as above, t of 3 degrees 3.182
+  EXPECT_NEAR(told.standings[1].gain_high - 0.5, 3.182 * std::sqrt((1. / 3 + 0.25 / 4) / 4), 0.02);
   EXPECT_NEAR(told.standings[1].gain_low + told.standings[1].gain_high, 1, 1e-12);
 }
 
 TEST(Forecast, StudentsQuantilesAreThoseOfTheTables) {
-  EXPECT_NEAR(t_95(3), 3.182, 0.032);
-  EXPECT_NEAR(t_95(7), 2.365, 0.003);
-  EXPECT_NEAR(t_95(30), 2.042, 0.001);
-  EXPECT_NEAR(t_95(1e9), 1.960, 0.001);
-  EXPECT_NEAR(t_90_one_sided(7), 1.415, 0.002);
-  EXPECT_NEAR(t_90_one_sided(30), 1.310, 0.001);
+  EXPECT_NEAR(student(0.975, 3), 3.182, 0.032);
+  EXPECT_NEAR(student(0.975, 7), 2.365, 0.003);
+  EXPECT_NEAR(student(0.975, 30), 2.042, 0.001);
+  EXPECT_NEAR(student(0.975, 1e9), 1.960, 0.001);
+  EXPECT_NEAR(student(0.9, 7), 1.415, 0.002);
+  EXPECT_NEAR(student(0.9, 30), 1.310, 0.001);
+  EXPECT_NEAR(student(0.8, 30), 0.854, 0.001);
+  EXPECT_NEAR(student(0.5, 30), 0, 0.001);
 }
 
 TEST(Forecast, ChangesWhenTheGainIsSure) {
@@ -96,13 +98,34 @@ TEST(Forecast, AChangeHasToPayForItself) {
             std::string::npos);
 }
 
-TEST(Forecast, ATieIsNoReasonToChange) {
-  // the same in each stripe: no doubt, and no gain
+TEST(Forecast, ATieIsToldAsATie) {
+  // the same in each stripe: no reason to change, but chance may have been quiet
   const Forecast told = forecast(tally_of(std::vector<std::vector<double>>(50, {1, 1})), {}, kKey);
   EXPECT_EQ(told.advice, Forecast::Advice::keep);
-  EXPECT_EQ(told.standings[1].gain_low, 0);
-  EXPECT_EQ(told.standings[1].gain_high, 0);
-  EXPECT_NEAR(told.standings[0].best, 1, 1e-9);
+  EXPECT_EQ(told.standings[1].gain, 0);
+  EXPECT_EQ(reason(told, {}, kNames), "keeps baseline: passing comes to the same, within 0.02 goals (50 futures)");
+  EXPECT_NEAR(told.standings[0].best, 0.5, 0.05);
+}
+
+TEST(Forecast, WhatNeverHappenedInAFewFuturesIsNotSureNeverToHappen) {
+  // of 20 futures without an event, the 95 % interval of its rate reaches 0.12 at most (Jeffreys)
+  const Question question{.measure = Measure::concede};
+  const Forecast told = forecast(tally_of(std::vector<std::vector<double>>(20, {0, 0})), question, kKey);
+  EXPECT_NEAR(told.standings[1].gain_high, student(0.975, 19) * 0.5 / 20, 1e-9);
+  EXPECT_GT(told.standings[0].error, 0);
+  EXPECT_LT(told.standings[1].gain_high, 0.12);
+}
+
+TEST(Forecast, WhoAsksSaysHowSureItMustBe) {
+  // a gain of one standard error is likely by 0.84: enough for some, not for others
+  Tally tally = tally_of(drawn({0, 0}, 50, 6));
+  const double error = forecast(tally, {}, kKey).standings[1].gain_high / student(0.975, 49) -
+                       forecast(tally, {}, kKey).standings[1].gain / student(0.975, 49);
+  const double mean = tally.gains[1][1] / 50;
+  tally.products[1][1] += 50 * (error * error - mean * mean);
+  tally.gains[1][1] = 50 * error;
+  EXPECT_EQ(forecast(tally, {.switching_cost = 0, .sure = 0.8f}, kKey).advice, Forecast::Advice::change);
+  EXPECT_EQ(forecast(tally, {.switching_cost = 0, .sure = 0.9f}, kKey).advice, Forecast::Advice::keep);
 }
 
 TEST(Forecast, TooFewFuturesAreNoAdvice) {

@@ -186,5 +186,17 @@ TEST(Race, KeepsPathsAndTheBallsHeat) {
   }
 }
 
+TEST(Race, HalfTimeDoesNotTurnPathsAndHeatRound) {
+  Fixture fixture({"baseline"});
+  State& state = fixture.situation.state;
+  state.book.half = 1;
+  state.book.clock = ticks(fixture.playbook.params.front().rules.half_duration - 4);
+  const Tally tally = run(fixture.task({.until = Until::game}), 8);
+  const Path& path = tally.accounts[0].paths[0];
+  ASSERT_EQ(path.points, Path::kPoints) << "two minutes, of which 4 s are of the first half";
+  for (int point = 0; point < path.points; ++point)
+    EXPECT_LE(path.robots[point][0].x, 0) << "the keeper at " << point << " stays in its half";
+}
+
 }  // namespace
 }  // namespace sim::foresight
