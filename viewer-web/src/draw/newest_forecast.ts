@@ -16,22 +16,29 @@ export function foreseenBy(told: Told[], robots: Robot[], chosen: string): Fores
   const all = told.flatMap(({ memory, robots, keyOf }) =>
     robots.flatMap((robot) => {
       const object = memory.get(`/${robot}/forecast`);
-      return object?.shown ? [{ object, key: keyOf(robot), turned: valueOf(memory.get(`/${robot}/game`)).get("attacks_positive_x") === false, at_ns: object.shown.log_ns }] : [];
+      return object?.shown ? [{ object, key: keyOf(robot), game: memory.get(`/${robot}/game`), at_ns: object.shown.log_ns }] : [];
     }),
   );
   const newest = all.find(({ key }) => key === chosen) ?? all.sort((a, b) => Number(b.at_ns - a.at_ns))[0];
   if (!newest) return undefined;
-  return { paths: pathsOf(newest.object, newest.turned), home: robots.find(({ key }) => key === newest.key)?.home ?? true };
+  return { paths: pathsOf(newest.object, newest.game), home: robots.find(({ key }) => key === newest.key)?.home ?? true };
 }
 
-function pathsOf(object: MemoryObject, turned: boolean): Path[] {
-  const { data } = object.shown!;
+function pathsOf(object: MemoryObject, game: MemoryObject | undefined): Path[] {
+  const { data, log_ns } = object.shown!;
   const known = read.get(data);
   if (known) return known;
   const fields = object.decoded()?.fields;
   const paths = (fields && chosenOf(forecastOf(fields), "")?.paths) ?? [];
+  const turned = wasTurned(game, log_ns);
   const inField = (points: Place[]) => (turned ? points.map(({ x, y }) => ({ x: -x, y: -y })) : points);
   const placed = paths.map(({ spacing, ball, robots }) => ({ spacing, ball: inField(ball), robots: robots.map(({ player, points }) => ({ player, points: inField(points) })) }));
   read.set(data, placed);
   return placed;
+}
+
+/** The sides of the moment that was played on from: a forecast of before half-time stays where it was. */
+function wasTurned(game: MemoryObject | undefined, at_ns: bigint): boolean {
+  const then = game?.history.at(at_ns);
+  return (then ? game?.decode(then.data).fields : valueOf(game))?.get("attacks_positive_x") === false;
 }
