@@ -37,6 +37,11 @@ test("what was moved is marked where it is, and shows where it was believed to b
   expect(is).toMatchObject(toScreen(kCamera, { x: 2, y: 1 }));
 });
 
+test("a robot that was moved onto another is drawn on top of it", () => {
+  const { texts } = drawn({ believed: { ...kSituation, bodies: [{ ...kSituation.bodies[0]!, player: 7 }, { ...kSituation.bodies[0]!, player: 8 }] }, edit: moved(kNoEdit, "own 7", { x: -1, y: 0, heading: 0 }) });
+  expect(texts.map(({ text }) => text)).toEqual(["8", "7"]);
+});
+
 test("a future goes from point to point, and stays where it ends", () => {
   expect([0, 0.25, 0.5, 0.75, 1, 9].map((at) => placeAt(kPath.ball, 0.5, at))).toEqual([{ x: 0, y: 0 }, { x: 0.5, y: 0 }, { x: 1, y: 0 }, { x: 1, y: 1 }, { x: 1, y: 2 }, { x: 1, y: 2 }]);
   expect(placeAt([], 0.5, 1)).toBeUndefined();
@@ -44,6 +49,16 @@ test("a future goes from point to point, and stays where it ends", () => {
   expect([lengthOf([kPath]), lengthOf([])]).toEqual([1, 0]);
   const then = drawn({ paths: [kPath], at: 0.75 }).circles.filter(({ filled }) => filled);
   for (const place of [{ x: 1, y: 1 }, { x: -1, y: 1 }]) expect(then.some(({ x, y }) => x === toScreen(kCamera, place).x && y === toScreen(kCamera, place).y)).toBe(true);
+});
+
+test("of a long future only a part is drawn in full: what comes first, or what led to the time looked at", () => {
+  const long: Path = { spacing: 1, ball: Array.from({ length: 121 }, (_, i) => ({ x: i / 50, y: 0 })), robots: [] };
+  const full = (at: number) => {
+    const ticks = drawn({ believed: { ball: undefined, bodies: [] }, paths: [long], at }).circles.filter(({ filled, style, radius }) => filled && style === "#ffffff" && Math.round(radius) === 3);
+    return ticks.filter(({ alpha }) => alpha === 1).map(({ x }) => Math.round((x - kCamera.centreX) / 2));
+  };
+  expect(full(0)).toEqual([5, 10, 15, 20, 25, 30]);
+  expect(full(72)).toEqual([45, 50, 55, 60, 65, 70]);
 });
 
 test("paths without points or of one point are drawn without complaint", () => {

@@ -1,6 +1,6 @@
 // The moment that foresight played on from, and the futures: where the ball went, a few paths, who stands where then.
 
-import type { Heat, Path, Situation } from "../memory/forecast";
+import type { Body, Heat, Path, Situation } from "../memory/forecast";
 import { bodyOf, edited, movedIn, thingOf, type Edit, type Standing, type Thing } from "../memory/question";
 import { kRobotColours } from "./draw_scene";
 import { drawPaths, placeAt } from "./futures";
@@ -113,7 +113,9 @@ function drawSituation(pen: Pen, camera: Camera, believed: Situation, now: Situa
   };
   for (const body of now.bodies) doubt(body, body.deviation, colourOf(body.side));
   if (now.ball) doubt(now.ball, now.ball.deviation, kBright);
-  for (const body of now.bodies) {
+  // what was moved lies on top of what it may have been moved onto
+  const isMoved = (body: Body) => Number(edit.robots.has(thingOf(body)));
+  for (const body of [...now.bodies].sort((a, b) => isMoved(a) - isMoved(b))) {
     pen.globalAlpha = alpha;
     fillCircle(pen, camera, body, kRobotRadius, colourOf(body.side));
     pen.strokeStyle = kInk;
@@ -160,9 +162,9 @@ function drawHandle(pen: Pen, camera: Camera, now: Situation, held: Thing): void
   pen.setLineDash([3, 3]);
   strokeLine(pen, camera, standing, handle);
   pen.setLineDash([]);
-  fillCircle(pen, camera, handle, 7 / camera.scale, kBright);
-  pen.strokeStyle = kInk;
-  strokeCircle(pen, camera, handle, 7 / camera.scale);
+  // dark, not to be taken for a ball
+  fillCircle(pen, camera, handle, 6 / camera.scale, kInk);
+  strokeCircle(pen, camera, handle, 6 / camera.scale);
 }
 
 function drawBall(pen: Pen, camera: Camera, at: Point, alpha: number): void {

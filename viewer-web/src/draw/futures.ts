@@ -6,6 +6,8 @@ import { fillCircle, strokeLine, strokePath, type Camera, type Pen, type Point }
 const kInk = "#0d1712";
 const kBright = "#ffffff";
 const kTick = 5; // [s] between marks on a path
+const kPlain = 30; // [s] of a path that the eye can follow
+const kFaint = 0.25; // of its strength, what comes after and what is long past
 
 /** Where it is after `at` [s]: between two points, at the end after the last. Undefined where there are none. */
 export function placeAt(points: Place[], spacing: number, at: number): Point | undefined {
@@ -18,13 +20,16 @@ export function placeAt(points: Place[], spacing: number, at: number): Point | u
 /** [s] of the longest. */
 export const lengthOf = (paths: Path[]): number => Math.max(0, ...paths.map(({ spacing, ball }) => spacing * (ball.length - 1)));
 
-/** Up to `at` [s] in full, what comes after it faintly; at 0 all in full. Robots in `colour`. */
+/** [s] The part that is drawn in full: what led to `at`, at 0 what comes next. Never so much that many paths are a tangle. */
+const plainPart = (at: number): [number, number] => (at > 0 ? [Math.max(0, at - kPlain), at] : [0, kPlain]);
+
+/** What led to `at` [s] in full, the rest faintly; at 0 what comes next in full. Robots in `colour`. */
 export function drawPaths(pen: Pen, camera: Camera, paths: Path[], { strength, colour, at = 0 }: { strength: number; colour: string; at?: number }): void {
   for (const path of paths) {
     for (const { points } of path.robots) drawTrack(pen, camera, points, path.spacing, at, { colour, width: 1.5, alpha: 0.75 * strength });
     drawTrack(pen, camera, path.ball, path.spacing, at, { colour: kInk, width: 5, alpha: 0.55 * strength });
     drawTrack(pen, camera, path.ball, path.spacing, at, { colour: kBright, width: 3, alpha: 0.95 * strength });
-    drawTicks(pen, camera, path, strength);
+    drawTicks(pen, camera, path, at, strength);
   }
   pen.globalAlpha = 1;
 }
@@ -33,25 +38,32 @@ function drawTrack(pen: Pen, camera: Camera, points: Place[], spacing: number, a
   if (points.length < 2) return;
   pen.strokeStyle = colour;
   pen.lineWidth = width;
-  const here = at > 0 ? placeAt(points, spacing, at)! : points.at(-1)!;
-  const passed = at > 0 && spacing > 0 ? Math.min(points.length, Math.floor(at / spacing) + 1) : points.length;
-  pen.globalAlpha = alpha;
-  strokePath(pen, camera, [...points.slice(0, passed), here]);
-  pen.globalAlpha = 0.25 * alpha;
-  if (passed < points.length) strokePath(pen, camera, [here, ...points.slice(passed)]);
+  const [from, to] = plainPart(at);
+  const part = (begin: number, end: number, strength: number) => {
+    const [first, last] = [Math.floor(begin / spacing) + 1, Math.ceil(end / spacing)];
+    if (!(last >= first) || first >= points.length) return;
+    pen.globalAlpha = strength;
+    strokePath(pen, camera, [placeAt(points, spacing, begin)!, ...points.slice(first, last), placeAt(points, spacing, end)!]);
+  };
+  part(0, from, kFaint * alpha);
+  part(from, to, alpha);
+  part(to, spacing * points.length, kFaint * alpha);
 }
 
-function drawTicks(pen: Pen, camera: Camera, { ball, spacing }: Path, strength: number): void {
+function drawTicks(pen: Pen, camera: Camera, { ball, spacing }: Path, at: number, strength: number): void {
   const length = spacing * (ball.length - 1);
-  pen.globalAlpha = strength;
-  for (let at = kTick; at < length; at += kTick) {
-    const place = placeAt(ball, spacing, at)!;
+  const [from, to] = plainPart(at);
+  const strengthAt = (time: number) => (time >= from && time <= to ? 1 : kFaint) * strength;
+  for (let time = kTick; time < length; time += kTick) {
+    const place = placeAt(ball, spacing, time)!;
+    pen.globalAlpha = strengthAt(time);
     fillCircle(pen, camera, place, 4.5 / camera.scale, kInk);
     fillCircle(pen, camera, place, 3 / camera.scale, kBright);
   }
   const end = ball.at(-1);
   if (!end || length <= 0) return;
   // an end that is told from a tick by its shape
+  pen.globalAlpha = strengthAt(length);
   pen.strokeStyle = kBright;
   pen.lineWidth = 2;
   const arm = 5 / camera.scale;
