@@ -1,11 +1,12 @@
 // The What-if view in Chromium: questions to a simulated robot and to a recording, the situation edited, refusals shown.
 // What a forecast says depends on luck and on the processor's share; nothing here does.
 import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
 import { join } from "node:path";
 import { test } from "node:test";
 import { kPhone, open, shoot } from "./browser.mjs";
 import { Live, pausedGame } from "./live.mjs";
-import { playGame, run, start, temporaryFolder, until } from "./support.mjs";
+import { atEnd, playGame, root, run, start, temporaryFolder, until } from "./support.mjs";
 
 const kService = "/foresight/what_if";
 const kUsual = "ask=in:200/for:10";
@@ -33,8 +34,21 @@ async function ask(t, server, address = "#/14/2/what-if", options = {}) {
   return { ...opened, questions };
 }
 
+/** A team's own process whose robot plays and knows where it is, and nothing else. */
+const kTeamWithoutBall = `
+import sys, time
+from foresight import Writer, float_field, now_ns, uint_field
+pose, game = Writer("pose", "foresight.Pose", door=sys.argv[1]), Writer("game", "foresight.GameState", door=sys.argv[1])
+told = {5: 14, 6: 2, 7: 5, 9: 1, 10: 1, 14: 5, 15: 1}  # player 2 of team 14; playing, normal, first half
+while True:
+    pose.write(now_ns(), *[float_field(number, value) for number, value in enumerate([-1, 0.5, 0, 0.1, 0.1, 0.1], 1)])
+    game.write(now_ns(), *[uint_field(number, value) for number, value in told.items()], float_field(11, 300))
+    time.sleep(0.1)
+`;
+
 const strategies = (page) => page.getByRole("list", { name: "Strategies" });
 const advice = (page) => page.getByRole("status", { name: "Advice" });
+const row = (page, name) => strategies(page).getByRole("listitem").filter({ has: page.locator(".name").getByText(name, { exact: true }) });
 const situation = (page) => page.getByLabel("The situation from above");
 const settled = (page) => page.getByRole("button", { name: "▶ Ask" }).waitFor();
 
@@ -73,7 +87,6 @@ const near = (a, b, most = 0.12) => Math.hypot(a.x - b.x, a.y - b.y) < most;
 test("asked by Enter, answered with advice and a row for each strategy; arrow keys choose one, and the address keeps it", async (t) => {
   const { server, live } = await pausedGame(t);
   const { page, problems, questions } = await ask(t, server, undefined, { colorScheme: "dark" });
-  await page.getByText("The situation appears with the first answer.").waitFor({ state: "attached" }).catch(() => {}); // a forecast of the captain may be there
   await page.keyboard.press("Enter");
   await page.getByRole("progressbar", { name: "Time to the answer" }).waitFor();
   await page.getByText("Your question").waitFor();
@@ -83,6 +96,7 @@ test("asked by Enter, answered with advice and a row for each strategy; arrow ke
   assert.equal(await strategies(page).getByRole("listitem").count(), names.length);
   assert.deepEqual(questions, [{ robot: "14/2", measure: "goal_difference", until: "horizon", horizon: 10, budget_ms: 200, ...(questions[0].strategies && { strategies: questions[0].strategies }) }]);
   assert.equal(await strategies(page).getByText("plays now").count(), 1);
+  assert.equal(await row(page, names[0]).getByText("compared with").count(), 1);
 
   const pressed = strategies(page).locator("button[aria-pressed=true] .name");
   for (let i = 0; i < names.length; ++i) await page.keyboard.press("ArrowUp");
@@ -93,7 +107,7 @@ test("asked by Enter, answered with advice and a row for each strategy; arrow ke
   await shoot(page, "what-if-dark");
 
   // fewer of them, by another measure, further ahead
-  await page.getByRole("group", { name: "Strategies to compare it with" }).getByRole("button", { name: names[2] }).click();
+  await page.getByRole("group", { name: "Strategies to try" }).getByRole("button", { name: names[2] }).click();
   await page.getByLabel("Better by").selectOption("concede");
   await page.getByLabel("Looks ahead").selectOption("half");
   await page.getByRole("button", { name: "▶ Ask" }).click();
@@ -105,8 +119,84 @@ test("asked by Enter, answered with advice and a row for each strategy; arrow ke
   await settled(page);
   await until(async () => (await strategies(page).getByRole("listitem").count()) === names.length - 1, "one strategy less");
   await page.waitForURL(/by:concede\/until:half/);
+  await page.getByText(/left: to the end of the half, [\d:]+.*, by not conceding next/).waitFor();
   await page.keyboard.press("Escape");
   await page.getByText("Forecast of 14/2").waitFor();
+  assert.deepEqual(problems, []);
+});
+
+test("what the team plays is told by its memory, whatever it is compared with; then advice compares", async (t) => {
+  const { server, live } = await pausedGame(t);
+  await live.subscribe("/14/2/strategy");
+  const { name: plays } = live.decoded("/14/2/strategy", await live.newest("/14/2/strategy"));
+  const other = ["passing", "baseline"].find((name) => name !== plays);
+  const { page, problems, questions } = await ask(t, server, `#/14/2/what-if?ask=play:${other},${plays}/in:200/for:10`);
+  await page.keyboard.press("Enter");
+  await row(page, plays).getByText("plays now").waitFor();
+  assert.deepEqual(questions[0].strategies, [other, plays]);
+  assert.equal(await row(page, other).getByText("plays now").count(), 0);
+  assert.equal(await row(page, other).getByText("compared with").count(), 1);
+  await advice(page).getByText(/^(Nothing clearly beats|No advice)|beats/).first().waitFor();
+  assert.equal(await advice(page).getByText(/^(Keep|Change to)/).count(), 0);
+
+  // futures of another score or another time are not those of now
+  const stale = page.getByText("as foreseen before the edit");
+  for (const [label, value] of [["Own goals", "3"], ["Their goals", "2"], ["Seconds left of the half", "20"]]) {
+    assert.equal(await stale.count(), 0, label);
+    await page.getByLabel(label).fill(value);
+    await stale.waitFor();
+    await page.getByText("· edited since").waitFor();
+    await page.getByLabel(label).fill("");
+    await stale.waitFor({ state: "detached" });
+  }
+  assert.deepEqual(problems, []);
+});
+
+test("before any answer the situation is what the robot believes by itself, and can be edited", async (t) => {
+  const { server, live } = await pausedGame(t, "--no-foresight");
+  const { page, problems, questions } = await ask(t, server);
+  await page.getByText("to ask what comes of each strategy").waitFor();
+  const things = page.getByLabel("Ball or robot to place");
+  await until(async () => (await things.locator("option").allTextContents()).includes("own 2"), "the robot itself");
+  await things.selectOption("own 2");
+  const shown = Number(await page.getByLabel("x, m").inputValue());
+  await things.selectOption("ball");
+  await page.getByLabel("y, m").fill("1");
+  await page.getByLabel("y, m").blur();
+  await page.getByRole("button", { name: "▶ Ask" }).click();
+  await until(() => questions.length === 1, "the question");
+  assert.equal(questions[0].edit.ball.y, 1);
+  const { robots } = (await live.call(kService, { budget_ms: 10 })).forecast.situation;
+  const own = robots.find(({ side, player }) => side === "own" && player === 2);
+  assert.ok(Math.abs(shown - own.x) < 0.01, `${shown} is where it believes to be: ${own.x}`);
+  assert.deepEqual(problems, []);
+});
+
+test("a robot that nobody told of the ball is refused, and told where it is", async (t) => {
+  const folder = temporaryFolder(t);
+  const door = join(folder, "door");
+  const server = await start(t, folder, "foresight-robot", "--body", "attached", "--door", door);
+  const team = spawn("python3", ["-c", kTeamWithoutBall, door], { env: { ...process.env, PYTHONPATH: join(root, "robot/client"), PYTHONDONTWRITEBYTECODE: "1" } });
+  atEnd(t, () => team.kill());
+  const { page, problems, questions } = await ask(t, server);
+  const things = page.getByLabel("Ball or robot to place");
+  await until(async () => (await things.locator("option").allTextContents()).includes("own 2"), "the robot itself");
+  await page.keyboard.press("Enter");
+  await page.getByRole("alert").filter({ hasText: "cannot tell, because nobody has seen the ball yet" }).waitFor();
+  await page.waitForTimeout(500); // the memory object says the same a little later
+  assert.equal(await page.getByText(/nobody has seen the ball yet/).count(), 1, "said once");
+  await shoot(page, "what-if-no-ball");
+  await page.getByRole("button", { name: "Place it" }).click();
+  await page.getByRole("group", { name: "Edited" }).getByRole("button", { name: "ball" }).waitFor();
+  await page.getByRole("button", { name: "▶ Ask" }).click();
+  await page.getByText("Your question").waitFor();
+  assert.deepEqual(questions[1].edit, { ball: { x: 0, y: 0 } });
+  await advice(page).waitFor();
+  await shoot(page, "what-if-placed");
+
+  // put back, nobody knows where it is again
+  await page.getByRole("group", { name: "Edited" }).getByRole("button", { name: "ball" }).click();
+  await page.getByRole("button", { name: "Place it" }).waitFor();
   assert.deepEqual(problems, []);
 });
 
@@ -171,9 +261,9 @@ test("what the service refuses is said in its sentence, and strategies that it n
   const { page, problems } = await ask(t, server, "#/14/2/what-if?ask=play:%253Cimg%2520src%253Dx%253E,baseline/in:100");
   await page.keyboard.press("Enter");
   await page.getByRole("alert").getByText(/^⚠ no strategy "<img src=x>"; there are: .*baseline/).waitFor();
-  await page.getByRole("group", { name: "Strategies to compare it with" }).getByRole("button", { name: "passing" }).waitFor();
+  await page.getByRole("group", { name: "Strategies to try" }).getByRole("button", { name: "passing" }).waitFor();
   assert.equal(await page.locator("section img").count(), 0);
-  await page.getByLabel("Plays now").selectOption("passing");
+  await page.getByLabel("Compare with").selectOption("passing");
   await page.getByLabel("Seconds", { exact: true }).fill("5000");
   await page.locator("canvas").first().press("Enter");
   await shoot(page, "what-if-refused");
@@ -199,7 +289,7 @@ test("a recording is asked at the moment where the page stands: what would we ha
     await answered.or(refused).waitFor();
     return answered.isVisible();
   }, "a moment at which the robot knows enough");
-  const [, minutes, seconds] = /of (\d+):(\d\d)/.exec(await page.getByTitle("Go to this moment").first().textContent());
+  const [, minutes, seconds] = /(\d+):(\d\d)/.exec(await page.getByTitle("Go to this moment").first().textContent());
   assert.equal(60 * Number(minutes) + Number(seconds), 10 * asked, "asked where the page stood");
   await advice(page).waitFor();
   await shoot(page, "what-if-recording");

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { bytes, clockLength, count, duration, hertz, hex, number } from "./format";
+import { ago, bytes, clockLength, count, duration, hertz, hex, number } from "./format";
 
 test("durations keep three digits or so, and never show a unit's overflow", () => {
   const cases: [number | undefined, string][] = [
@@ -33,4 +33,8 @@ test("a float shows the digits it has, not those of its double", () => {
 test("bytes show their beginning", () => {
   expect(hex(Uint8Array.of(0, 255, 16), 2)).toBe("00 ff …");
   expect(hex(Uint8Array.of(0, 255), 2)).toBe("00 ff");
+});
+
+test("what was a while ago is told coarsely", () => {
+  expect([-1, 0.4, 1.7, 59.9, 60, 119, 5399, 5400].map(ago)).toEqual(["just now", "just now", "1 s ago", "59 s ago", "1 min ago", "1 min ago", "89 min ago", "2 h ago"]);
 });

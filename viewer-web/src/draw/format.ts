@@ -14,6 +14,13 @@ export function duration(seconds: number | undefined): string {
   return `${Math.round(seconds / 86400)} days`;
 }
 
+/** "just now", "12 s ago", "3 min ago": coarse, so that it does not flicker. */
+export function ago(seconds: number): string {
+  if (seconds < 1) return "just now";
+  if (seconds < 60) return `${Math.floor(seconds)} s ago`;
+  return `${seconds < 5400 ? `${Math.floor(seconds / 60)} min` : duration(seconds)} ago`;
+}
+
 /** "0:07", "10:00", "1:02:03": length of a recording. */
 export function clockLength(seconds: number): string {
   if (!Number.isFinite(seconds) || seconds < 0) return "–";

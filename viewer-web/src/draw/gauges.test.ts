@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { fieldsOfJson, forecastOf } from "../memory/forecast";
-import { amount, axesOf, axisOf, percent, shareOf, size } from "./gauges";
+import { amount, axesOf, axisOf, headline, percent, reach, shareOf, size } from "./gauges";
 
 test("an axis holds zero and all values, and is never of no length", () => {
   for (const values of [[], [0], [1, 2], [-3, -1], [-0.001, 0.002], [5, -5]]) {
@@ -27,4 +27,19 @@ test("gains are goals or chances, zero has no sign", () => {
   expect([0.125, -0.05].map((value) => amount("score_next", value))).toEqual(["+12.5 %", "−5.0 %"]);
   expect([size("goal_difference", 0.05), size("concede", 0.012)]).toEqual(["0.050", "1.2 %"]);
   expect([0, 0.001, 0.62, 1].map(percent)).toEqual(["0 %", "< 1 %", "62 %", "100 %"]);
+});
+
+test("how far was looked is told in seconds, and in minutes where they are many", () => {
+  const words = [["horizon", 30], ["horizon", 12.5], ["horizon", 600], ["next_goal", 30], ["half", 542], ["game", 1142], ["half", 42.04]] as const;
+  expect(words.map(([until, horizon]) => reach({ until, horizon }))).toEqual([
+    "30 s ahead", "12.5 s ahead", "10:00 ahead", "to the next goal, 30 s at most", "to the end of the half, 9:02", "to the end of the game, 19:02", "to the end of the half, 42 s",
+  ]);
+});
+
+test("only what is truly played is kept or left; of another start the advice is a comparison", () => {
+  const { strategies } = forecastOf(fieldsOfJson({ strategies: [{ strategy: "baseline" }, { strategy: "passing" }] }));
+  const words = (advice: "keep" | "change" | "none", choice: string, plays: string) => headline({ advice, choice, strategies }, plays);
+  expect([words("keep", "baseline", "baseline"), words("change", "passing", "baseline"), words("keep", "baseline", "")]).toEqual(["Keep baseline", "Change to passing", "Keep baseline"]);
+  expect([words("keep", "baseline", "passing"), words("change", "passing", "kick_now")]).toEqual(["Nothing clearly beats baseline", "passing beats baseline"]);
+  expect(words("none", "baseline", "passing")).toBe("No advice");
 });

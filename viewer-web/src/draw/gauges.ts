@@ -1,6 +1,7 @@
 // Numbers of forecasts as bars, intervals and words: where they begin and end on an axis that shows zero.
 
-import type { Forecast, Measure } from "../memory/forecast";
+import { kUntils, type Forecast, type Measure } from "../memory/forecast";
+import { clockLength } from "./format";
 
 export interface Axis {
   low: number;
@@ -34,6 +35,9 @@ const signed = (value: number, digits: number): string => {
   return Number(text) === 0 ? text : `${value < 0 ? "−" : "+"}${text}`;
 };
 
+/** What the numbers of a measure are, where they do not say it themselves. */
+export const unit = (measure: Measure): string => (measure === "goal_difference" ? " goals" : "");
+
 /** "+0.125" goals, "−3.4 %" of a chance. */
 export const amount = (measure: Measure, value: number): string => (measure === "goal_difference" ? signed(value, 3) : `${signed(100 * value, 1)} %`);
 
@@ -42,3 +46,20 @@ export const size = (measure: Measure, value: number): string => amount(measure,
 
 /** "62 %"; nobody knows it to less than one in a hundred. */
 export const percent = (share: number): string => (share > 0 && share < 0.005 ? "< 1 %" : `${Math.round(100 * share)} %`);
+
+/** "30 s", "12.5 s", "9:02" */
+export const span = (seconds: number): string => (seconds < 99.95 ? `${Number(seconds.toFixed(1))} s` : clockLength(seconds));
+
+/** "30 s ahead", "to the next goal, 30 s at most", "to the end of the half, 9:02" */
+export function reach({ until, horizon }: Pick<Forecast, "until" | "horizon">): string {
+  if (until === "horizon") return `${span(horizon)} ahead`;
+  return `${kUntils[until]}, ${span(horizon)}${until === "next_goal" ? " at most" : ""}`;
+}
+
+/** The advice, as words that hold whatever is played: only what is played can be kept. `plays`: "" where nobody knows. */
+export function headline({ advice, choice, strategies }: Pick<Forecast, "advice" | "choice" | "strategies">, plays: string): string {
+  const first = strategies[0]?.name ?? choice;
+  if (advice === "none") return "No advice";
+  if (plays === "" || plays === first) return advice === "keep" ? `Keep ${first}` : `Change to ${choice}`;
+  return advice === "keep" ? `Nothing clearly beats ${first}` : `${choice} beats ${first}`;
+}

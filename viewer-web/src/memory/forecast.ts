@@ -204,6 +204,9 @@ function standingOf(situation: Fields): Forecast["standing"] {
   return Number.isFinite(remaining) ? { score: [finite(situation, "own_score"), finite(situation, "opponent_score")], remaining } : undefined;
 }
 
+/** Whether there is nothing to be seen: what was refused tells no situation. */
+export const isEmpty = ({ ball, bodies }: Situation): boolean => !ball && bodies.length === 0;
+
 /** The one that is meant by `name`, else the one to play, else the first. */
 export const chosenOf = ({ strategies, choice }: Forecast, name: string): StrategyForecast | undefined =>
   strategies.find((strategy) => strategy.name === name) ?? strategies.find((strategy) => strategy.name === choice) ?? strategies[0];

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Situation } from "./forecast";
-import { believed, edited, isEdited, kNoEdit, kUsualQuestion, moved, movedIn, namesIn, putBack, questionOfText, requestOf, textOfQuestion, turned, type Question } from "./question";
+import { believed, edited, isEdited, kNoEdit, kUsualQuestion, moved, movedIn, namesIn, putBack, questionOfText, requestOf, sameEdit, textOfQuestion, turned, type Question } from "./question";
 
 const kSituation: Situation = {
   ball: { x: 1, y: 0.5, deviation: 0.2 },
@@ -24,6 +24,15 @@ test("each thing is put back by itself", () => {
   expect(movedIn(putBack(kEdit, "ball"))).toEqual(["opponent 2"]);
   expect(putBack(putBack(kEdit, "ball"), "opponent 2")).toEqual(kNoEdit);
   expect([isEdited(kNoEdit), isEdited({ ...kNoEdit, ownScore: 0 }), isEdited(kEdit)]).toEqual([false, true, true]);
+});
+
+test("edits are the same only where all of them is: places, headings, score and time", () => {
+  const again = moved(moved(kNoEdit, "opponent 2", { x: 0, y: -1, heading: 7 }), "ball", { x: -0.51234, y: 2, heading: 0 });
+  const two = (first: string, second: string) => [first, second].reduce((edit, thing) => moved(edit, thing, { x: 0, y: 1, heading: 0 }), kNoEdit);
+  expect([sameEdit(kEdit, again), sameEdit(two("own 1", "own 2"), two("own 2", "own 1")), sameEdit(kNoEdit, putBack(two("ball", "own 1"), "ball"))]).toEqual([true, true, false]);
+  for (const other of [{ ownScore: 0 }, { opponentScore: 0 }, { secondsRemaining: 90 }, { ball: undefined }, { robots: new Map() }])
+    expect(sameEdit(kEdit, { ...kEdit, ...other }), JSON.stringify(other)).toBe(false);
+  expect(sameEdit({ ...kNoEdit, ownScore: 1 }, { ...kNoEdit, opponentScore: 1 })).toBe(false);
 });
 
 test("what is believed of a moved thing is what was believed before it was moved", () => {

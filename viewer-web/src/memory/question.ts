@@ -21,7 +21,7 @@ export interface Edit {
 }
 
 export interface Question {
-  /** The others are measured by the first, which the panel takes to be played now; none: all that there are. */
+  /** The others are compared with the first, whatever is played; none: all that there are. */
   strategies: string[];
   opponent: string;
   measure: Measure;
@@ -46,6 +46,12 @@ export function bodyOf(thing: Thing): { side: Side; player: number } | undefined
 
 export const isEdited = ({ ball, robots, ownScore, opponentScore, secondsRemaining }: Edit): boolean =>
   robots.size > 0 || [ball, ownScore, opponentScore, secondsRemaining].some((part) => part !== undefined);
+
+/** Whether a question with the one is the same as with the other, in whatever order things were moved. */
+export function sameEdit(one: Edit, other: Edit): boolean {
+  const whole = ({ ball, robots, ownScore, opponentScore, secondsRemaining }: Edit) => JSON.stringify([ball?.x, ball?.y, ownScore, opponentScore, secondsRemaining, ...[...robots].sort(([a], [b]) => (a < b ? -1 : 1)).map(([thing, { x, y, heading }]) => [thing, x, y, heading])]);
+  return whole(one) === whole(other);
+}
 
 /** Everything that was moved. */
 export const movedIn = ({ ball, robots }: Edit): Thing[] => [...(ball ? ["ball"] : []), ...robots.keys()];

@@ -1,5 +1,6 @@
 // A person's question to foresight: what is asked, what is edited, the answer, and what went wrong.
 
+import { believedBy } from "../draw/believed";
 import { forecastOf, fieldsOfJson, type Forecast, type Situation } from "../memory/forecast";
 import { believed, kMostStrategies, kNoEdit, moved, namesIn, putBack, questionOfText, requestOf, textOfQuestion } from "../memory/question";
 import type { Edit, Question, Standing, Thing } from "../memory/question";
@@ -87,10 +88,11 @@ export class WhatIf {
     this.asking = { since: now(), lasts: question.budgetMs / 1000 };
     try {
       await this.#settled();
+      const before = this.answered?.believed ?? this.believes();
       const at_ns = this.viewer.time.at_ns + this.viewer.time.shiftOf(this.server);
       const strategies = question.strategies.length > 0 ? question.strategies : all;
       const answer = await this.server.client.call(kService, requestOf({ ...question, strategies }, this.robot), question.budgetMs + kPatienceMs);
-      this.#answered(forecastOf(fieldsOfJson(answer["forecast"])), question.edit, at_ns);
+      this.#answered(forecastOf(fieldsOfJson(answer["forecast"])), question.edit, at_ns, before);
     } catch (error) {
       this.problem = (error as Error).message.replace(`${kService}: `, "");
       this.#named(namesIn(this.problem));
@@ -106,9 +108,14 @@ export class WhatIf {
     this.change({ strategies: this.question.strategies.filter((name) => names.includes(name)) });
   }
 
-  #answered(forecast: Forecast, edit: Edit, at_ns: bigint): void {
+  #answered(forecast: Forecast, edit: Edit, at_ns: bigint, before: Situation): void {
     this.hear(forecast.strategies.map(({ name }) => name));
-    this.answered = { forecast, edit, at_ns, believed: believed(forecast.situation, edit, this.answered?.believed) };
+    this.answered = { forecast, edit, at_ns, believed: believed(forecast.situation, edit, before) };
+  }
+
+  /** What the robot believes at the moment that is shown, as it tells it without being asked. */
+  believes(): Situation {
+    return believedBy(this.server.memory, this.robot, now());
   }
 
   /** A recording answers from where it stands: first it must stand where the page does. */
