@@ -100,7 +100,7 @@ class Guesswork {
     const int side = static_cast<int>(side_of(robot));
     const Tick away = knowledge_.away[side][player_of(robot) - 1];
     const RobotGuess guess = guess_robot(params_, knowledge_, ball_.position, robot);
-    body = robot == own_ ? knowledge_.body : Body{};
+    body = robot == own_ ? knowledge_.body : body_of_other(robot);
     put(body, guess.pose);
     doubt_.position[robot] = guess.deviation;
     doubt_.heading[robot] = guess.deviation_heading;
@@ -112,6 +112,15 @@ class Guesswork {
     }
     body.doing = Doing::removed;
     state_.book.penalised_until[robot] = away == kNever ? kNever : knowledge_.now + away;
+  }
+
+  /// Stands, or lies where that is so fresh that it cannot be up again.
+  Body body_of_other(int robot) const {
+    const auto side = static_cast<int>(side_of(robot));
+    const Tick down = knowledge_.down[side][player_of(robot) - 1];
+    const motion::Falls& falls = params_.teams[side].models.motion.falls;
+    if (down == 0 || knowledge_.now - down >= ticks(falls.lying + falls.getting_up)) return {};
+    return {.doing = Doing::fallen, .since = down};
   }
 
   void take_over_game() {

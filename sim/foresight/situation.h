@@ -18,8 +18,9 @@ struct Knowledge {
   agent::Beliefs beliefs;  // that a robot was never localised is a deviation above kLost
   agent::Mind mind;        // what its agent remembers
   Body body;               // what it does and how it moves; where it is, is a belief
-  Tick away[2][kMaxPlayers] =
-      {};  // [ticks] until who is penalised may come back; 0: plays, kNever: does not. Own side first
+  // of all, own side first:
+  Tick away[2][kMaxPlayers] = {};  // [ticks] until who is penalised may come back; 0: plays, kNever: does not
+  Tick down[2][kMaxPlayers] = {};  // when it was last told or seen to lie on the ground; 0: it stands
 };
 
 /// What `robot` of a simulated game knows.

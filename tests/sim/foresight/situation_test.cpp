@@ -180,6 +180,28 @@ TEST(Believe, APenalisedRobotComesBackWhenItsTimeIsUp) {
   EXPECT_EQ(later.world.bodies[mate].doing, Doing::removed);
 }
 
+TEST(Believe, WhoWasSeenToLieLiesUntilItMustBeUpAgain) {
+  const Fixture game;
+  const motion::Falls& falls = game.params().teams[1].models.motion.falls;
+  const int fallen = robot_of(Side::away, 3);
+  const auto doing = [&](float seconds_ago) {
+    Knowledge knowledge = game.knowledge();
+    knowledge.down[1][2] = knowledge.now - ticks(seconds_ago);
+    return believe(game.params(), knowledge).situation.state.world.bodies[fallen].doing;
+  };
+  EXPECT_EQ(doing(0), Doing::fallen);
+  EXPECT_EQ(doing(falls.lying + falls.getting_up - 0.1f), Doing::fallen);
+  EXPECT_EQ(doing(falls.lying + falls.getting_up), Doing::standing);
+
+  // and gets up by itself
+  Knowledge knowledge = game.knowledge();
+  knowledge.down[1][2] = knowledge.now;
+  const State start = sample(game.params(), believe(game.params(), knowledge).situation, {.seed = 1});
+  EXPECT_TRUE(lies(test::after(game.params(), start, ticks(falls.lying)).world.bodies[fallen]));
+  const float long_enough = 10 * (falls.lying + falls.getting_up);
+  EXPECT_FALSE(lies(test::after(game.params(), start, ticks(long_enough)).world.bodies[fallen]));
+}
+
 TEST(Believe, TheRobotGoesOnWithWhatItKnows) {
   const Fixture game;
   const Knowledge knowledge = game.knowledge();
