@@ -11,6 +11,7 @@
 #include "robot/app/lab_foresight.h"
 #include "robot/app/play.h"
 #include "robot/app/relay.h"
+#include "robot/core/json.h"
 #include "robot/foresight/question.h"
 #include "robot/foresight/scorer.h"
 #include "robot/lab/session_report.h"
@@ -228,9 +229,9 @@ struct WhatIfCommand {
   }
 
   int run() {
-    const auto more = nlohmann::json::parse(question, nullptr, /*allow_exceptions=*/false);
-    if (more.is_discarded()) return fail("--question: expected JSON, got " + question.substr(0, 80));
-    auto parsed = foreseeing::parse_question(more);
+    const auto more = parse_json(question);
+    if (!more) return fail("--question: " + more.error());
+    auto parsed = foreseeing::parse_question(*more);
     if (!parsed) return fail("--question: " + parsed.error());
     options.question = *parsed;
     if (!strategies.empty()) options.question.clear_strategies();
