@@ -99,7 +99,8 @@ static inline int foresight_answer(ForesightAdviser* adviser, ForesightAdvice* a
 
 /// From `now_ns` until `late_ns` [ms], rounded up; 0 where that has passed, and at most a minute.
 static inline int foresight_ms_until(uint64_t late_ns, uint64_t now_ns) {
-  const uint64_t left_ms = late_ns > now_ns ? (late_ns - now_ns + 999999) / 1000000 : 0;
+  const uint64_t left_ns = late_ns > now_ns ? late_ns - now_ns : 0;
+  const uint64_t left_ms = left_ns / 1000000 + (left_ns % 1000000 != 0);
   return left_ms < 60000 ? (int)left_ms : 60000;
 }
 

@@ -277,7 +277,7 @@ TEST_F(TheDoor, ADeadlineThatHasPassedIsNotWaitedFor) {
   EXPECT_EQ(foresight_ms_until(UINT64_MAX, 0), 60'000) << "whoever waits looks at the clock again";
 }
 
-TEST_F(TheDoor, WhoAsksNobodyIsNotAnswered) {
+TEST_F(TheDoor, WhoAsksIsAnsweredByTheForecastOfThatQuestionOrNotAtAll) {
   ForesightAdviser adviser = foresight_adviser(path.c_str());
   const Writer questions(adviser.questions, &foresight_close);
   const Reader forecasts(adviser.forecasts, &foresight_end);
