@@ -14,7 +14,7 @@
 namespace robot::app {
 namespace {
 
-/// Adds a channel of that topic with the newest message of its stream at or before `at_ns`, if there is one.
+/// Adds a channel of that topic; it holds the newest message of the stream at or before `at_ns`, where there is one.
 Result<void> take_over(logging::InProvider& stream, const std::string& topic, std::uint64_t at_ns, const Clock& clock,
                        memory::Channels& channels) {
   Result<memory::ChannelInfo> info = stream.open();
