@@ -20,9 +20,11 @@ struct LabForesightOf : ::testing::Test {
       sim::referee::Events events;
       for (int tick = 0; tick < 300; ++tick) sim::step(game.setup.params, game.state, events);
       game.write();
-      for (const auto& channel : game.channels.all())
-        if (const auto newest = channel->newest(); newest && channel->info().topic != foreseeing::kSimulationTopic)
-          EXPECT_TRUE((*writer)->write(channel->info(), game.now_ns(), newest->bytes()));
+      for (const auto& channel : game.channels.all()) {
+        const auto newest = channel->newest();
+        if (!newest || channel->info().topic == foreseeing::kSimulationTopic) continue;
+        EXPECT_TRUE((*writer)->write(channel->info(), game.now_ns(), newest->bytes()));
+      }
       moment = {.at_ns = game.now_ns(), .ball_x = ball_of(game).x, .score = game.state.book.score[0]};
       moment.remaining = game.memory->game.read()->value().seconds_remaining();
     }
