@@ -14,19 +14,28 @@
 namespace robot::app {
 namespace {
 
-/// Puts the newest message of a stream at or before `at_ns` into a channel of its topic.
-Result<void> take_over(const logging::Session& session, const logging::StreamFile& file, std::uint64_t at_ns,
-                       const Clock& clock, memory::Channels& channels) {
-  const auto stream = logging::provider_of(session, file);
-  const Result<memory::ChannelInfo> info = stream->open();
+/// Adds a channel of that topic; it holds the newest message of the stream at or before `at_ns`, where there is one.
+Result<void> take_over(logging::InProvider& stream, const std::string& topic, std::uint64_t at_ns, const Clock& clock,
+                       memory::Channels& channels) {
+  Result<memory::ChannelInfo> info = stream.open();
   if (!info) return Error{info.error()};
-  if (Result<void> moved = stream->seek(at_ns); !moved) return moved;
-  const auto record = stream->read();
-  if (!record) return Error{record.error()};
-  if (!*record || (*record)->capture_ns > at_ns) return {};
+  info->topic = topic;  // a robot may be played under another name than it recorded by
   const auto channel = std::make_shared<memory::RawChannel>(*info, clock);
-  if (Result<void> written = channel->write_bytes((*record)->bytes, (*record)->capture_ns); !written) return written;
+  if (Result<void> moved = stream.seek(at_ns); !moved) return moved;
+  const auto record = stream.read();
+  if (!record) return Error{record.error()};
+  if (*record && (*record)->capture_ns <= at_ns)
+    if (Result<void> written = channel->write_bytes((*record)->bytes, (*record)->capture_ns); !written) return written;
   return channels.add(channel);
+}
+
+/// All that a question about `robot` is answered from.
+std::vector<std::string> topics_of(const std::string& robot) {
+  std::vector<std::string> topics{foreseeing::kSimulationTopic};
+  const foreseeing::Recollection none;
+  foreseeing::Recollection::visit(none,
+                                  [&](const char* name, const auto&) { topics.push_back("/" + robot + "/" + name); });
+  return topics;
 }
 
 /// Models of a recording that are none of ours any more cannot be had.
@@ -59,8 +68,9 @@ LabForesight::Setting LabForesight::setting_of(const memory::Channels& channels,
   return setting;
 }
 
-Result<foreseeing::Foreseer*> LabForesight::foreseer_for(const Setting& setting) {
-  if (foreseer_ && prepared_ == setting) return foreseer_.get();
+Result<std::shared_ptr<foreseeing::Foreseer>> LabForesight::foreseer_for(const Setting& setting) {
+  const std::lock_guard guard(lock_);
+  if (foreseer_ && prepared_ == setting) return foreseer_;
   auto made = foreseeing::Foreseer::open({.strategies = with_default_strategies(options_.strategies),
                                           .rules = setting.rules,
                                           .models = setting.models,
@@ -68,14 +78,28 @@ Result<foreseeing::Foreseer*> LabForesight::foreseer_for(const Setting& setting)
                                           .share = foreseeing::Share::background});
   if (!made) return Error{made.error()};
   foreseer_ = std::move(*made);
+  if (hurries_) foreseer_->hurry();
   prepared_ = setting;
-  return foreseer_.get();
+  return foreseer_;
 }
 
-Result<foresight::Forecast> LabForesight::ask(const memory::Channels& channels, const std::string& robot,
-                                              const foresight::WhatIf& question, std::uint64_t now_ns) {
+void LabForesight::hurry() {
   const std::lock_guard guard(lock_);
-  const Result<foreseeing::Foreseer*> foreseer = foreseer_for(setting_of(channels, robot));
+  hurries_ = true;
+  if (foreseer_) foreseer_->hurry();
+}
+
+Result<foresight::Forecast> LabForesight::ask(const StreamOf& stream_of, const std::string& robot,
+                                              const foresight::WhatIf& question, std::uint64_t now_ns) {
+  const SessionClock clock;
+  memory::Channels channels;
+  for (const std::string& topic : topics_of(robot)) {
+    const auto stream = stream_of(topic);
+    if (!stream) continue;
+    if (Result<void> taken = take_over(*stream, topic, now_ns, clock, channels); !taken)
+      return Error{topic + ": " + taken.error()};
+  }
+  const auto foreseer = foreseer_for(setting_of(channels, robot));
   if (!foreseer) return Error{foreseer.error()};
   return ask_for(**foreseer, channels, robot, question, now_ns);
 }
@@ -91,19 +115,13 @@ Result<foresight::Forecast> what_if(const WhatIfOptions& options) {
                  std::to_string(options.at)};
   const std::string robot = options.robot.empty() ? session->info.robot : options.robot;
 
-  const SessionClock clock;
-  memory::Channels channels;
-  for (const logging::StreamFile& stream : session->streams) {
-    // nothing else is asked for, and images are large
-    if (stream.topic != foreseeing::kSimulationTopic &&
-        (!stream.topic.starts_with("/" + robot + "/") || stream.schema == "foresight.Image"))
-      continue;
-    if (stream.messages == 0) continue;
-    if (Result<void> taken = take_over(*session, stream, at_ns, clock, channels); !taken)
-      return Error{stream.topic + ": " + taken.error()};
-  }
   LabForesight foresight(options.foresight);
-  return foresight.ask(channels, robot, options.question, at_ns);
+  const auto stream_of = [&](const std::string& topic) -> std::unique_ptr<logging::InProvider> {
+    const auto file = std::ranges::find(session->streams, topic, &logging::StreamFile::topic);
+    if (file == session->streams.end() || file->messages == 0) return nullptr;
+    return logging::provider_of(*session, *file);
+  };
+  return foresight.ask(stream_of, robot, options.question, at_ns);
 }
 
 }  // namespace robot::app

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
 #include "robot/foresight/foreseer.h"
+#include "robot/logging/provider.h"
 #include "robot/memory/channels.h"
 
 namespace robot::app {
@@ -21,14 +23,21 @@ struct LabForesightOptions {
   std::vector<std::string> strategies;  // that can be asked about, by name or path; the first is what was played
 };
 
-/// Answers questions about whatever robots are played. Any thread.
+/// The stream of a topic, not opened yet, to be read by whoever asks for it; null where a recording has none.
+using StreamOf = std::function<std::unique_ptr<logging::InProvider>(const std::string& topic)>;
+
+/// Answers questions about the robots of recordings. Any thread.
 class LabForesight {
  public:
   explicit LabForesight(LabForesightOptions options) : options_(std::move(options)) {}
 
-  /// From what `robot` of `channels` knew at `now_ns` [ns since the epoch].
-  Result<foresight::Forecast> ask(const memory::Channels& channels, const std::string& robot,
+  /// From what `robot` knew at `now_ns` [ns since the epoch]: each object as it was recorded last by then. That is read
+  /// from the recording itself, since what plays it gets to another moment bit by bit, one stream before the other.
+  Result<foresight::Forecast> ask(const StreamOf& stream_of, const std::string& robot,
                                   const foresight::WhatIf& question, std::uint64_t now_ns);
+
+  /// From now on every question is answered at once, by what is there. Before the end, so that nobody waits for long.
+  void hurry();
 
  private:
   /// What a recorded simulation was played by, as far as it matters to foresight.
@@ -38,12 +47,13 @@ class LabForesight {
   };
 
   Setting setting_of(const memory::Channels& channels, const std::string& robot) const;
-  Result<foreseeing::Foreseer*> foreseer_for(const Setting& setting);
+  Result<std::shared_ptr<foreseeing::Foreseer>> foreseer_for(const Setting& setting);
 
   const LabForesightOptions options_;
-  Mutex lock_;
+  Mutex lock_;        // not held while a question runs
   Setting prepared_;  // of `foreseer_`
-  std::unique_ptr<foreseeing::Foreseer> foreseer_;
+  std::shared_ptr<foreseeing::Foreseer> foreseer_;
+  bool hurries_ = false;
 };
 
 /// foresight-lab what-if.

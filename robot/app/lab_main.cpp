@@ -11,6 +11,7 @@
 #include "robot/app/lab_foresight.h"
 #include "robot/app/play.h"
 #include "robot/app/relay.h"
+#include "robot/core/json.h"
 #include "robot/foresight/question.h"
 #include "robot/foresight/scorer.h"
 #include "robot/lab/session_report.h"
@@ -228,9 +229,9 @@ struct WhatIfCommand {
   }
 
   int run() {
-    const auto more = nlohmann::json::parse(question, nullptr, /*allow_exceptions=*/false);
-    if (more.is_discarded()) return fail("--question: expected JSON, got " + question.substr(0, 80));
-    auto parsed = foreseeing::parse_question(more);
+    const auto more = parse_json(question);
+    if (!more) return fail("--question: " + more.error());
+    auto parsed = foreseeing::parse_question(*more);
     if (!parsed) return fail("--question: " + parsed.error());
     options.question = *parsed;
     if (!strategies.empty()) options.question.clear_strategies();
@@ -242,19 +243,32 @@ struct WhatIfCommand {
     if (!forecast) return fail(forecast.error());
     if (!forecast->refusal().empty()) return fail(forecast->reason());
     if (json)
-      std::printf("%s\n", foreseeing::to_json(*forecast, true).dump(2).c_str());
+      std::printf("%s\n", told(*forecast).dump(2).c_str());
     else
       print(*forecast);
     return kDone;
   }
 
+  /// As the service tells it, and what foresight-sim situation --strategies tells too by the names that it has there.
+  static nlohmann::json told(const foresight::Forecast& forecast) {
+    nlohmann::json all = foreseeing::to_json(forecast, true);
+    for (const char* name : {"measure", "until"}) all[name] = all["question"][name];
+    for (nlohmann::json& strategy : all["strategies"]) strategy["standard_error"] = strategy["error"];
+    return all;
+  }
+
+  /// As foresight-sim situation --strategies prints it.
   static void print(const foresight::Forecast& forecast) {
-    std::printf("%-20s%9s%18s%26s%8s%9s%10s\n", "", "futures", "value", "gain, 95 % interval", "best", "scores",
+    std::printf("%-20s%9s%18s%26s%9s%9s%10s\n", "", "futures", "value", "gain, 95 % interval", "best", "scores",
                 "concedes");
-    for (const auto& told : forecast.strategies())
-      std::printf("%-20s%9u%9.3f ± %-6.3f%9.3f (%6.3f .. %6.3f)%6.0f %%%7.0f %%%8.0f %%\n", told.strategy().c_str(),
-                  told.rollouts(), told.mean(), told.error(), told.gain(), told.gain_low(), told.gain_high(),
-                  100 * told.best(), 100 * told.score(), 100 * told.concede());
+    for (const auto& told : forecast.strategies()) {
+      std::printf("%-20s%9u%9.3f ± %-6.3f", told.strategy().c_str(), told.rollouts(), told.mean(), told.error());
+      if (&told == &forecast.strategies(0))
+        std::printf("%26s", "");
+      else
+        std::printf("%9.3f (%6.3f .. %6.3f)", told.gain(), told.gain_low(), told.gain_high());
+      std::printf("%7.0f %%%7.0f %%%8.0f %%\n", 100 * told.best(), 100 * told.score(), 100 * told.concede());
+    }
     std::printf("\n%s\n", forecast.reason().c_str());
   }
 };

@@ -117,7 +117,8 @@ Result<void> play(const PlayOptions& options) {
                   clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
   add_what_if(runtime.services(), robot, [&](const std::string& whose, const foresight::WhatIf& question) {
-    return seer.ask(runtime.channels(), whose, question, clock.now_ns());
+    return seer.ask([&](const std::string& topic) { return (*replay)->stream_of(topic); }, whose, question,
+                    clock.now_ns());
   });
   if (Result<void> started = runtime.start(); !started) return started;
   (*replay)->start(runtime.channels(), runtime.board());
@@ -126,6 +127,7 @@ Result<void> play(const PlayOptions& options) {
     return true;  // a recording that has ended still shows its last moment
   });
   (*replay)->stop();
+  seer.hurry();
   return {};
 }
 

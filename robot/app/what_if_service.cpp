@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "robot/core/clock.h"
 #include "robot/foresight/question.h"
 
 namespace robot::app {
@@ -13,19 +14,22 @@ constexpr const char* kName = "/foresight/what_if";
 
 json refused(const std::string& sentence) { return net::failure(std::string(kName) + ": " + sentence); }
 
-json answer(json request, const std::string& own, const AskForesight& ask) {
+json answer(const json& request, std::uint64_t asked_ns, const std::string& own, const AskForesight& ask) {
   std::string robot = own;
-  if (const auto named = request.find("robot"); named != request.end()) {
+  json asked = request;
+  if (const auto named = asked.find("robot"); named != asked.end()) {
     if (!named->is_string()) return refused("'robot' must be a text such as " + own + ", got something else");
     robot = named->get<std::string>();
-    request.erase(named);
+    asked.erase(named);
   }
-  Result<foresight::WhatIf> question = foreseeing::parse_question(request);
+  Result<foresight::WhatIf> question = foreseeing::parse_question(asked);
   if (!question) return refused(question.error());
   question->set_asked_by(std::string(foreseeing::kByPeople));
-  const Result<foresight::Forecast> forecast = ask(robot, *question);
+  Result<foresight::Forecast> forecast = ask(robot, *question);
   if (!forecast) return refused(forecast.error());
   if (!forecast->refusal().empty()) return refused(forecast->reason());
+  // whoever asks waits for others' questions too
+  forecast->set_answered_ms(static_cast<float>(monotonic_ns() - asked_ns) / 1e6f);
   return {{"ok", true}, {"robot", robot}, {"forecast", foreseeing::to_json(*forecast, true)}};
 }
 
@@ -33,8 +37,8 @@ json answer(json request, const std::string& own, const AskForesight& ask) {
 
 void add_what_if(net::Services& services, const std::string& robot, AskForesight ask) {
   services.add(kName, net::Services::For::questions,
-               [robot, ask = std::move(ask)](const json& request, const net::ClientContext&) {
-                 return answer(request, robot, ask);
+               [robot, ask = std::move(ask)](const json& request, const net::ClientContext& asker) {
+                 return answer(request, asker.asked_ns, robot, ask);
                });
 }
 

@@ -19,8 +19,8 @@ using AskForesight = std::function<Result<foresight::Forecast>(const std::string
 ///   {"robot": "14/2", "strategies": ["baseline", "passing"], "horizon": 30, "budget_ms": 500, …}
 ///
 /// The answer is {"ok": true, "robot", "forecast": {…}}, or {"ok": false, "error": sentence} where the question makes no
-/// sense or nothing can be told: "cannot tell, because nobody has seen the ball yet". It needs the token from beyond this
-/// machine, and in match mode it is for this machine alone.
+/// sense or nothing can be told: "cannot tell, because nobody has seen the ball yet". Its "answered_ms" counts from when the
+/// question came. It needs the token from beyond this machine, and in match mode there is none: "game in progress".
 void add_what_if(net::Services& services, const std::string& robot, AskForesight ask);
 
 }  // namespace robot::app

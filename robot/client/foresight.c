@@ -635,6 +635,7 @@ int foresight_read_newest(ForesightReader* reader, ForesightMessage* message) {
 void foresight_wait(ForesightReader* reader, int timeout_ms) {
   Connection* connection = &reader->connection;
   const int retry_ms = (int)(kRetryNs / 1000000);
+  if (timeout_ms < 0) timeout_ms = 0;  // poll would wait for ever
   struct pollfd readable = {-1, POLLIN, 0};
   if (connected(connection)) readable.fd = connection->socket;
   // without a connection the time to the next attempt is all there is to wait for

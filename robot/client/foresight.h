@@ -104,7 +104,7 @@ int foresight_read(ForesightReader* reader, ForesightMessage* message);
 /// Passes over all but the newest message.
 int foresight_read_newest(ForesightReader* reader, ForesightMessage* message);
 
-/// Waits until there may be something to read, at most `timeout_ms`.
+/// Waits until there may be something to read, at most `timeout_ms`; not at all where that is 0 or less.
 void foresight_wait(ForesightReader* reader, int timeout_ms);
 
 /// What the runtime says of the object; NULL until the first message was read. Valid until the next call for the reader.

@@ -29,8 +29,8 @@ import tempfile
 import time
 
 __all__ = [
-    "Writer", "Reader", "Message", "Adviser", "Advice", "now_ns", "image", "YUYV", "JPEG", "LATEST", "FIFO", "RELIABLE",
-    "uint_field", "float_field", "bytes_field", "floats_field", "fields", "as_float",
+    "Writer", "Reader", "Message", "Adviser", "Advice", "now_ns", "read_forecast", "image", "YUYV", "JPEG", "LATEST", "FIFO",
+    "RELIABLE", "uint_field", "float_field", "bytes_field", "floats_field", "fields", "as_float",
 ]
 
 LATEST, FIFO, RELIABLE = 0, 1, 2  # what matters to who watches over a slow network: the newest, a short history, each one
@@ -344,7 +344,8 @@ class Reader(_Connection):
         return newest
 
     def wait(self, timeout):
-        """Waits until there may be something to read, at most `timeout` [s]."""
+        """Waits until there may be something to read, at most `timeout` [s]; not at all where that is 0 or less."""
+        timeout = max(0.0, timeout)
         try:
             there = self._connected()
         except _Gone:
@@ -448,6 +449,15 @@ class Advice(collections.namedtuple("Advice", "known change choice reason")):
     the first is better for sure; `choice`: what to play; `reason`: one sentence."""
 
 
+def read_forecast(message):
+    """The number of the question that a forecast answers, and what it advises. The messages are those of
+    Reader("forecast"), whoever asked."""
+    forecast = dict(fields(message.bytes))
+    kind = forecast.get(3, 0)
+    texts = (forecast.get(number, b"").decode(errors="replace") for number in (4, 5))
+    return dict(fields(forecast.get(1, b""))).get(1, 0), Advice(kind != 0, kind == 2, *texts)
+
+
 class Adviser:
     """Asks foresight which strategy is best from here on. The runtime has to know pose, ball and game of the robot, and
     the strategies by name (--strategies)."""
@@ -467,11 +477,9 @@ class Adviser:
     def answer(self):
         """The Advice that answers the last question; None while there is none. Never waits."""
         for message in self._forecasts:
-            forecast = dict(fields(message.bytes))
-            if self._asked and dict(fields(forecast.get(1, b""))).get(1) == self._asked:
-                kind = forecast.get(3, 0)
-                texts = (forecast.get(number, b"").decode(errors="replace") for number in (4, 5))
-                return Advice(kind != 0, kind == 2, *texts)
+            asked, advice = read_forecast(message)
+            if self._asked and asked == self._asked:
+                return advice
         return None
 
     def what_if(self, strategies, horizon=30.0, budget_ms=500):
@@ -480,9 +488,10 @@ class Adviser:
         late_ns = now_ns() + (budget_ms + 100) * 1000000
         if not self.ask(strategies, horizon, budget_ms):
             return None
-        while now_ns() < late_ns:
+        while True:
+            # read once: between two looks at the clock this thread may have to wait for the processor
+            left_ns = late_ns - now_ns()
             advice = self.answer()
-            if advice:
+            if advice or left_ns <= 0:
                 return advice
-            self._forecasts.wait((late_ns - now_ns()) / 1e9)
-        return self.answer()
+            self._forecasts.wait(left_ns / 1e9)

@@ -97,17 +97,26 @@ static inline int foresight_answer(ForesightAdviser* adviser, ForesightAdvice* a
   return 0;
 }
 
+/// From `now_ns` until `late_ns` [ms], rounded up; 0 where that has passed, and at most a minute.
+static inline int foresight_ms_until(uint64_t late_ns, uint64_t now_ns) {
+  const uint64_t left_ns = late_ns > now_ns ? late_ns - now_ns : 0;
+  const uint64_t left_ms = left_ns / 1000000 + (left_ns % 1000000 != 0);
+  return left_ms < 60000 ? (int)left_ms : 60000;
+}
+
 /// Asks and waits for the answer, at most 100 ms longer than the budget. 0: there was none.
 static inline int foresight_what_if(ForesightAdviser* adviser, const char* const* strategies, int count, float horizon,
                                     unsigned budget_ms, ForesightAdvice* advice) {
-  const uint64_t late_ns = foresight_now_ns() + (uint64_t)(budget_ms + 100) * 1000000;
+  const uint64_t late_ns = foresight_now_ns() + ((uint64_t)budget_ms + 100) * 1000000;
   foresight_answer(adviser, advice);  // takes what came before, and connects
   if (!foresight_ask(adviser, strategies, count, horizon, budget_ms)) return 0;
-  while (foresight_now_ns() < late_ns) {
+  for (;;) {
+    // read once: between two looks at the clock this thread may have to wait for the processor
+    const int left_ms = foresight_ms_until(late_ns, foresight_now_ns());
     if (foresight_answer(adviser, advice)) return 1;
-    foresight_wait(adviser->forecasts, (int)((late_ns - foresight_now_ns()) / 1000000) + 1);
+    if (left_ms == 0) return 0;
+    foresight_wait(adviser->forecasts, left_ms);
   }
-  return foresight_answer(adviser, advice);
 }
 
 #endif

@@ -9,6 +9,7 @@
 
 #include "proto/foresight/camera.pb.h"
 #include "proto/foxglove/CompressedImage.pb.h"
+#include "robot/core/json.h"
 #include "robot/core/report.h"
 #include "robot/logging/image_codec.h"
 #include "robot/logging/profile.h"
@@ -129,8 +130,8 @@ Result<void> Conversation::ask_time() {
 
 Result<void> Conversation::hear_time(std::string_view answer) {
   const std::uint64_t returned_ns = link_.clock_.now_ns(), sent_ns = std::exchange(sent_ns_, 0);
-  const Json json = Json::parse(answer, nullptr, /*allow_exceptions=*/false);
-  const Json received = json.is_object() ? json.value("received_ns", Json()) : Json();
+  const Result<Json> json = parse_json(answer);
+  const Json received = json && json->is_object() ? json->value("received_ns", Json()) : Json();
   const std::string text = received.is_string() ? received.get<std::string>() : std::string();
   std::uint64_t theirs_ns = 0;
   if (const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), theirs_ns);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "robot/core/json.h"
 #include "robot/lab/mapping.h"
 #include "robot/memory/schema_pool.h"
 #include "robot/net/encoding.h"
@@ -231,7 +232,7 @@ class MappedInProvider::Reader {
   }
 
   Result<Json> read(const std::string& bytes) const {
-    if (json_) return parse(bytes);
+    if (json_) return parse_json(bytes);
     const std::unique_ptr<Message> message(prototype_->New());
     if (!message->ParseFromString(bytes))
       return Error{"expected a " + prototype_->GetDescriptor()->full_name() + ", got " + std::to_string(bytes.size()) +
@@ -242,17 +243,10 @@ class MappedInProvider::Reader {
     std::string text;
     if (const auto printed = google::protobuf::util::MessageToJsonString(*message, &text, options); !printed.ok())
       return Error{"a message cannot be read: " + printed.ToString()};
-    return parse(text);
+    return parse_json(text);
   }
 
  private:
-  static Result<Json> parse(const std::string& text) {
-    const auto shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= 64; };
-    Json json = Json::parse(text, shallow, /*allow_exceptions=*/false);
-    if (json.is_discarded()) return Error{"expected JSON, got '" + text.substr(0, 40) + "'"};
-    return json;
-  }
-
   bool json_ = false;
   memory::SchemaPool pool_;
   google::protobuf::DynamicMessageFactory factory_;

@@ -8,6 +8,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/core/files.h"
+#include "robot/core/json.h"
 #include "robot/memory/memory.h"
 
 namespace robot::lab {
@@ -186,10 +187,9 @@ class MappingReader {
 }  // namespace
 
 Result<Mapping> parse_mapping(const std::string& name, std::string_view text) {
-  const auto shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= 32; };
-  const Json json = Json::parse(text, shallow, /*allow_exceptions=*/false);
-  if (json.is_discarded()) return Error{name + ": expected JSON, got something else"};
-  return MappingReader(name).read(json);
+  const Result<Json> json = parse_json(text);
+  if (!json) return Error{name + ": " + json.error()};
+  return MappingReader(name).read(*json);
 }
 
 Result<Mapping> read_mapping(const std::filesystem::path& file) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "robot/core/files.h"
+#include "robot/core/json.h"
 #include "robot/net/web_socket_client.h"
 
 namespace robot::lab {
@@ -57,8 +58,9 @@ Result<Listed> listed(const Json& robot, const std::string& where) {
 Result<std::vector<Listed>> read_robots(const std::filesystem::path& file) {
   const Result<std::string> text = read_file(file, kMostFileBytes);
   if (!text) return Error{text.error()};
-  const Json json = Json::parse(*text, nullptr, /*allow_exceptions=*/false);
-  const Json robots = json.is_object() ? json.value("robots", Json()) : Json();
+  const Result<Json> json = parse_json(*text);
+  if (!json) return Error{file.string() + ": " + json.error()};
+  const Json robots = json->is_object() ? json->value("robots", Json()) : Json();
   if (!robots.is_array()) return Error{file.string() + ": expected a JSON object with a list 'robots'"};
   std::vector<Listed> all;
   for (const Json& robot : robots) {

@@ -10,6 +10,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/core/files.h"
+#include "robot/core/json.h"
 #include "robot/logging/byte_source.h"
 #include "robot/logging/mcap_format.h"
 #include "robot/logging/mcap_index.h"
@@ -112,7 +113,9 @@ MetadataByName metadata_of(const SessionInfo& info) {
 }
 
 Result<SessionInfo> parse_session_info(std::string_view text) {
-  const auto json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
+  const Result<nlohmann::json> parsed = parse_json(text);
+  if (!parsed) return Error{"session.json: " + parsed.error()};
+  const nlohmann::json& json = *parsed;
   if (!json.is_object()) return Error{"session.json: expected a JSON object"};
   SessionInfo info;
   std::string start, wrong;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "robot/core/json.h"
 #include "robot/core/little_endian.h"
 
 namespace robot::net::foxglove {
@@ -99,13 +100,12 @@ Result<ClientMessage> parse_op(const std::string& op, const Json& message) {
 }  // namespace
 
 Result<ClientMessage> parse_client_text(std::string_view text) {
-  // nothing in the protocol is nested deeply; what is only costs time
-  const auto shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= 16; };
-  const Json message = Json::parse(text, shallow, /*allow_exceptions=*/false);
-  if (!message.is_object()) return wrong("expected a JSON object with 'op', got something else");
-  const auto op = as_text(message.value("op", Json()));
+  const Result<Json> message = parse_json(text);
+  if (!message) return wrong(message.error());
+  if (!message->is_object()) return wrong("expected a JSON object with 'op', got something else");
+  const auto op = as_text(message->value("op", Json()));
   if (!op) return wrong("expected a JSON object with 'op', got one without");
-  return parse_op(*op, message);
+  return parse_op(*op, *message);
 }
 
 Result<ClientMessage> parse_client_binary(std::string_view bytes) {

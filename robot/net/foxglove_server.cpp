@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "robot/core/clock.h"
+#include "robot/core/json.h"
 #include "robot/core/little_endian.h"
 #include "robot/net/encoding.h"
 
@@ -192,7 +193,9 @@ std::string playback_state(Playback playback, std::uint64_t time_ns, float speed
 }
 
 Result<ServerText> parse_server_text(std::string_view text) {
-  const Json message = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  const Result<Json> parsed = parse_json(text);
+  if (!parsed) return Error{"server message: " + parsed.error()};
+  const Json& message = *parsed;
   if (!message.is_object() || text_of(message, "op").empty())
     return Error{"server message: expected a JSON object with 'op'"};
   const std::string op = text_of(message, "op");

@@ -75,6 +75,10 @@ void Hub::set_match_mode(bool match_mode) {
 void Hub::leave(Client& client) {
   for (const auto& [subscription, channel] : client.channel_of) remove_subscriber(*channels_.find(channel), client);
   client.channel_of.clear();
+  if (!questions_.empty())  // the first is running
+    questions_.erase(std::remove_if(questions_.begin() + 1, questions_.end(),
+                                    [&](const Question& question) { return question.client.lock().get() == &client; }),
+                     questions_.end());
   std::erase_if(clients_, [&](const auto& other) { return other.get() == &client; });
 }
 

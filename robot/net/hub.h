@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -34,7 +35,7 @@ struct HubOptions {
 /// the sockets looks into all of them after each call. Used by one thread, the server's I/O thread.
 class Hub {
  public:
-  /// Orders do not wait for questions, which may take seconds.
+  /// Orders do not wait for questions, which may take seconds. There is one question at a time, and one more may wait.
   enum class Kind { order, question };
   /// Does `work` on a thread of its kind that may wait, one piece after the other, then `then` on the hub's own.
   using InBackground = std::function<void(Kind kind, std::function<void()> work, std::function<void()> then)>;
@@ -49,7 +50,7 @@ class Hub {
   /// A client came; it is told who we are and what there is.
   std::shared_ptr<Client> join(ClientIdentity identity);
 
-  /// The client went. It is forgotten, and what only it watched is no longer carried.
+  /// The client went. It is forgotten, what only it watched is no longer carried, and what it asked is not begun any more.
   void leave(Client& client);
 
   /// A client said something. What we do not understand is answered with a status.
@@ -104,7 +105,9 @@ class Hub {
   void handle(Client& client, const foxglove::GetParameters& message);
   void handle(Client& client, const foxglove::SetParameters& message);
   void answer(Client& client, const foxglove::ServiceCall& call, const std::string& text);
-  void in_turn(Client& client, Kind kind, std::function<std::string()> work,
+  void ask(Client& client, const foxglove::ServiceCall& question);
+  void run_question();
+  void in_turn(Client& client, std::function<std::string()> work,
                std::function<void(Client&, const std::string&)> then);
   void handle(Client& client, const foxglove::WatchParameters& message);
   void handle(Client& client, const foxglove::ServiceCall& message);
@@ -127,6 +130,13 @@ class Hub {
   std::uint64_t session_ = 0;  // [ms since the epoch] its begin
   std::uint64_t last_time_ns_ = 0;
   foxglove::Playback told_ = foxglove::Playback::playing;  // of the playback, last
+
+  struct Question {
+    std::weak_ptr<Client> client;
+    foxglove::ServiceCall call;
+    std::uint64_t asked_ns = 0;  // [monotonic]
+  };
+  std::deque<Question> questions_;  // of all clients: the first runs, one more may wait
 };
 
 }  // namespace robot::net

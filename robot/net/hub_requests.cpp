@@ -66,7 +66,7 @@ void Hub::handle(Client& client, const foxglove::GetParameters& message) {
 
 /// Does `work`, which may wait for the disk, in the background, and then `then` with what came of it, if the client is
 /// still there.
-void Hub::in_turn(Client& client, Kind kind, std::function<std::string()> work,
+void Hub::in_turn(Client& client, std::function<std::string()> work,
                   std::function<void(Client&, const std::string&)> then) {
   constexpr int kMaxWaiting = 32;  // a client cannot fill our memory
   if (client.waiting_requests >= kMaxWaiting)
@@ -74,7 +74,7 @@ void Hub::in_turn(Client& client, Kind kind, std::function<std::string()> work,
   ++client.waiting_requests;
   const auto result = std::make_shared<std::string>();
   in_background_(
-      kind, [work = std::move(work), result] { *result = work(); },
+      Kind::order, [work = std::move(work), result] { *result = work(); },
       [client = client.weak_from_this(), then = std::move(then), result] {
         const std::shared_ptr<Client> present = client.lock();
         if (!present) return;
@@ -95,7 +95,7 @@ void Hub::handle(Client& client, const foxglove::SetParameters& message) {
       complain(client, who + "expected true, false, a number or a text");
     } else {
       in_turn(
-          client, Kind::order,
+          client,
           [this, name = name, value = *value] {
             const auto set = parameters_.set(name, value);
             return set ? std::string() : set.error();
@@ -106,7 +106,7 @@ void Hub::handle(Client& client, const foxglove::SetParameters& message) {
     }
   }
   in_turn(
-      client, Kind::order, [] { return std::string(); },
+      client, [] { return std::string(); },
       [this, names = std::move(names), id = message.id](Client& present, const std::string&) {
         tell_parameters(present, names, id);
       });
@@ -134,15 +134,50 @@ void Hub::handle(Client& client, const foxglove::ServiceCall& message) {
   }
   if (message.encoding != "json")
     return answer(client, message, failure("service: expected the encoding 'json'").dump());
-  const Services::For whom = services_.whom(message.service);
-  if (whom == Services::For::everybody)
-    return answer(client, message, services_.call(message.service, message.payload, client.identity.context));
+  ClientContext context = client.identity.context;
+  context.asked_ns = monotonic_ns();
+  // who may not call does not wait to hear it
+  if (const std::string refusal = services_.refusal(message.service, context); !refusal.empty())
+    return answer(client, message, failure(refusal).dump());
+  switch (services_.whom(message.service)) {
+    case Services::For::everybody:
+      return answer(client, message, services_.call(message.service, message.payload, context));
+    case Services::For::questions: return ask(client, message);
+    case Services::For::control: break;
+  }
   in_turn(
-      client, whom == Services::For::questions ? Kind::question : Kind::order,
-      [this, message, context = client.identity.context] {
-        return services_.call(message.service, message.payload, context);
-      },
+      client, [this, message, context] { return services_.call(message.service, message.payload, context); },
       [this, message](Client& present, const std::string& text) { answer(present, message, text); });
+}
+
+void Hub::ask(Client& client, const foxglove::ServiceCall& question) {
+  constexpr std::size_t kMostQuestions = 2;
+  if (questions_.size() >= kMostQuestions)
+    return answer(client, question,
+                  failure(services_.name(question.service) +
+                          ": another question is running and one more waits: ask again when they are answered")
+                      .dump());
+  questions_.push_back({.client = client.weak_from_this(), .call = question, .asked_ns = monotonic_ns()});
+  if (questions_.size() == 1) run_question();
+}
+
+/// Has the first question answered in the background, and then the next.
+void Hub::run_question() {
+  const std::shared_ptr<Client> asker = questions_.front().client.lock();
+  ClientContext context = asker ? asker->identity.context : ClientContext();  // as it is now: a game may have begun
+  context.asked_ns = questions_.front().asked_ns;
+  const auto text = std::make_shared<std::string>();
+  in_background_(
+      Kind::question,
+      [this, call = questions_.front().call, context, text] {
+        *text = services_.call(call.service, call.payload, context);
+      },
+      [this, text] {
+        const Question done = std::move(questions_.front());
+        questions_.pop_front();
+        if (const std::shared_ptr<Client> present = done.client.lock()) answer(*present, done.call, *text);
+        if (!questions_.empty()) run_question();
+      });
 }
 
 void Hub::answer(Client& client, const foxglove::ServiceCall& call, const std::string& text) {

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <utility>
 
+#include "robot/core/json.h"
+
 namespace robot::net {
 namespace {
 
@@ -40,17 +42,27 @@ std::vector<foxglove::Service> Services::list() const {
   return list;
 }
 
+std::string Services::refusal(std::uint32_t id, const ClientContext& client) const {
+  const Entry& entry = services_.at(id - 1);
+  if (entry.whom == For::everybody) return "";
+  const bool asks_during_game = entry.whom == For::questions && client.may_control && client.match_mode;
+  const std::string why =
+      asks_during_game ? "game in progress: until it has finished only the team's own code may ask" : client.refusal();
+  return why.empty() ? "" : entry.name + ": " + why;
+}
+
 std::string Services::call(std::uint32_t id, std::string_view request, const ClientContext& client) const {
-  return answer(services_.at(id - 1), request, client).dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string refused = refusal(id, client);
+  const Json said = refused.empty() ? answer(services_.at(id - 1), request, client) : failure(refused);
+  return said.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 Json Services::answer(const Entry& entry, std::string_view request, const ClientContext& client) const {
-  if (const std::string refusal = client.refusal(); entry.whom != For::everybody && !refusal.empty())
-    return failure(entry.name + ": " + refusal);
-  const Json json = request.empty() ? Json::object() : Json::parse(request, nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object()) return failure(entry.name + ": expected a JSON object, got something else");
+  const Result<Json> json = request.empty() ? Json::object() : parse_json(request);
+  if (!json) return failure(entry.name + ": " + json.error());
+  if (!json->is_object()) return failure(entry.name + ": expected a JSON object, got something else");
   try {
-    return entry.handler(json, client);
+    return entry.handler(*json, client);
   } catch (const Json::exception& exception) {
     // a field of another type than the handler expected
     return failure(entry.name + ": " + exception.what());

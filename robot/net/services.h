@@ -14,13 +14,14 @@
 
 namespace robot::net {
 
-/// Who asks.
+/// Who asks, and when.
 struct ClientContext {
-  std::uint64_t id = 0;      // counts up; never used twice in one run
-  std::string address;       // "10.0.14.7:51234"
-  bool loopback = false;     // it runs on this machine
-  bool may_control = false;  // it is on loopback or gave the token
-  bool match_mode = false;   // a real game is in progress: only what runs on this machine may control
+  std::uint64_t id = 0;        // counts up; never used twice in one run
+  std::string address;         // "10.0.14.7:51234"
+  bool loopback = false;       // it runs on this machine
+  bool may_control = false;    // it is on loopback or gave the token
+  bool match_mode = false;     // a real game is in progress: only what runs on this machine may control
+  std::uint64_t asked_ns = 0;  // [monotonic] when what it asks for came
 
   /// Why it may not control now, one sentence; empty if it may.
   std::string refusal() const;
@@ -34,7 +35,7 @@ class Services {
  public:
   /// Gets a JSON object and gives one. Services for everybody run on the server's I/O thread and must not wait for
   /// anything; those for control run one after the other on a thread that may wait for the disk, and so do questions on
-  /// one that may take seconds.
+  /// one that may take seconds, of which nobody asks any during a game, not even on this machine.
   using Handler = std::function<nlohmann::json(const nlohmann::json& request, const ClientContext& client)>;
 
   enum class For { everybody, control, questions };  // the latter two need the token beyond loopback
@@ -46,8 +47,12 @@ class Services {
 
   bool has(std::uint32_t id) const { return id >= 1 && id <= services_.size(); }
   For whom(std::uint32_t id) const { return services_.at(id - 1).whom; }
+  const std::string& name(std::uint32_t id) const { return services_.at(id - 1).name; }
 
-  /// The answer of service `id` (it exists) to `request`, as JSON text. What goes wrong, goes into the answer.
+  /// Why `client` may not call service `id` (it exists) now, one sentence that begins with its name; empty if it may.
+  std::string refusal(std::uint32_t id, const ClientContext& client) const;
+
+  /// The answer of service `id` to `request`, as JSON text. What goes wrong, goes into the answer, and so does a refusal.
   std::string call(std::uint32_t id, std::string_view request, const ClientContext& client) const;
 
  private:

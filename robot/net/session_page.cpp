@@ -3,6 +3,8 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "robot/core/json.h"
+
 namespace robot::net {
 namespace {
 
@@ -83,8 +85,8 @@ std::string session_page(std::string_view sessions_json) {
       "href=\"/favicon.svg\" type=\"image/svg+xml\">\n<h1>Recordings</h1>\n"
       "<p>Each is one MCAP file; Foxglove and Lichtblick open it, too. <a href=\"/\">To the viewer</a>\n"
       "<table>\n<tr><th>recording<th>name<th>robot<th>begin<th>size<th>state<th>streams\n";
-  const Json json = Json::parse(sessions_json, nullptr, /*allow_exceptions=*/false);
-  const Json sessions = json.is_object() ? json.value("sessions", Json::array()) : Json::array();
+  const Result<Json> json = parse_json(sessions_json);
+  const Json sessions = json && json->is_object() ? json->value("sessions", Json::array()) : Json::array();
   for (const Json& session : sessions)
     if (session.is_object()) html += row(session);
   return html + "</table>\n</html>\n";

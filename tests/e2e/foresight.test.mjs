@@ -1,11 +1,14 @@
 // Foresight as others use it: the independent Foxglove client asks a robot, memory holds the answer, nonsense does nothing.
 import assert from "node:assert/strict";
-import { readFileSync, readdirSync } from "node:fs";
+import { execFile } from "node:child_process";
+import { createSocket } from "node:dgram";
+import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { networkInterfaces } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
-import { Live, pausedGame } from "./live.mjs";
-import { atEnd, require, run, start, temporaryFolder, until } from "./support.mjs";
+import { promisify } from "node:util";
+import { Live, pausedGame, playbackControl } from "./live.mjs";
+import { atEnd, require, root, run, start, temporaryFolder, until } from "./support.mjs";
 
 const { FoxgloveClient } = require("@foxglove/ws-protocol");
 const WebSocket = require("ws");
@@ -97,6 +100,30 @@ test("nonsense gets one sentence, and nothing else happens", async (t) => {
   assert.equal(live.messages.get("/14/2/forecast").length, 0, "no forecast came of it");
 });
 
+test("a question nested a hundred thousand deep gets one sentence, and so do all others who nest", async (t) => {
+  const { server, live } = await pausedGame(t, "--no-foresight");
+  const deep = (inner) => `{"horizon":${"[".repeat(100000)}${inner}${"]".repeat(100000)}}`;
+  const sentence = "expected JSON nested at most 64 deep, got what is nested deeper";
+
+  const ws = new WebSocket(`ws://localhost:${server.port}`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]);
+  atEnd(t, () => ws.terminate());
+  const client = new FoxgloveClient({ ws });
+  const services = new Map();
+  const answers = [];
+  client.on("advertiseServices", (list) => list.forEach(({ id, name }) => services.set(name, id)));
+  client.on("serviceCallResponse", ({ data }) => answers.push(JSON.parse(Buffer.from(data.buffer, data.byteOffset, data.byteLength).toString())));
+  await until(() => services.has(kService), "the services");
+  const asked = [kService, "/sim/reset", "/sim/step", "start_recording", "clock_sync"];
+  for (const name of asked) {
+    client.sendServiceCallRequest({ serviceId: services.get(name), callId: 1, encoding: "json", data: new TextEncoder().encode(deep("1")) });
+    await until(() => answers.length > 0, `the answer of ${name}`);
+    assert.deepEqual(answers.splice(0), [{ ok: false, error: `${name}: ${sentence}` }]);
+  }
+  live.send(`{"op":"setParameters","parameters":[{"name":"foresight","value":${deep("1")}}]}`);
+  await live.until(() => live.statuses.some(({ message }) => message === `request: ${sentence}`), "the sentence about a parameter");
+  assert.equal((await live.call(kService, { budget_ms: 50 })).ok, true, "it still answers");
+});
+
 test("the captain asks of its own accord, and foresight is switched on and off", async (t) => {
   const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--speed", "10", "--player", "2");
   const live = await Live.open(t, server);
@@ -144,6 +171,70 @@ test("orders do not wait for a question", async (t) => {
   assert.equal((await answer).ok, true);
 });
 
+test("one question runs and one waits, whoever asked; the next is told so, and who has gone is not waited for", async (t) => {
+  const { server, live } = await pausedGame(t, "--no-foresight");
+  const others = [await Live.open(t, server), await Live.open(t, server)];
+  const began = performance.now();
+  const first = live.call(kService, { budget_ms: 3000 });
+  await live.call("/sim/state"); // what came before is known by then
+  const gone = others[0].call(kService, { budget_ms: 10000 }).catch(() => "gone");
+  await others[0].call("/sim/state");
+  assert.equal((await others[1].call(kService, { budget_ms: 10000 })).error, `${kService}: another question is running and one more waits: ask again when they are answered`);
+  assert.ok(performance.now() - began < 2900, "it is told at once");
+  others[0].socket.terminate();
+  assert.equal(await gone, "gone");
+  const last = await until(async () => {
+    const told = await others[1].call(kService, { budget_ms: 100 });
+    return told.ok && told;
+  }, "that there is room");
+  assert.equal((await first).ok, true);
+  const waited_ms = performance.now() - began;
+  assert.ok(waited_ms < 9000, "the question of who has gone is not played");
+  assert.ok(last.forecast.answered_ms < waited_ms);
+});
+
+test("during a game people are told so, and the team's own code is answered", async (t) => {
+  const folder = temporaryFolder(t);
+  const door = join(folder, "door");
+  const server = await start(t, folder, "foresight-robot", "--body", "attached", "--team", "14", "--player", "2", "--door", door, "--game-controller", "--game-port", "0");
+  const port = Number((await until(() => /the GameController on port (\d+)/.exec(server.output), "the port of the GameController"))[1]);
+
+  const game = createSocket("udp4");
+  let state = 0, packet = 0; // INITIAL; as the GameController of 2024 says it
+  const timer = setInterval(() => {
+    const bytes = Buffer.alloc(118);
+    bytes.write("RGme");
+    bytes.set([18, packet++ & 255, 5, 0, 0, 0, state, 0, 1, 14], 4);
+    bytes.writeInt16LE(600, 14);
+    for (const [at, team] of [[18, 14], [68, 5]]) bytes[at] = team;
+    game.send(bytes, port, "127.0.0.1");
+  }, 100);
+  atEnd(t, () => (clearInterval(timer), game.close()));
+
+  const live = await Live.open(t, server);
+  await live.subscribe("/14/2/game");
+  await live.newest("/14/2/game");
+  const unknown = `${kService}: cannot tell, because the robot does not know where it is: there is no object pose yet`;
+  const refused = `${kService}: game in progress: until it has finished only the team's own code may ask`;
+  const answers = async (sentence) => until(async () => (await live.call(kService, { budget_ms: 50 })).error === sentence, sentence);
+  await answers(unknown);
+  state = 3; // PLAYING
+  await answers(refused);
+
+  const asks = "import foresight; advice = None\nwhile not advice: advice = foresight.Adviser().what_if(['baseline', 'passing'], budget_ms=50)\nprint(advice.reason)";
+  const environment = { ...process.env, FORESIGHT_DOOR: door, PYTHONPATH: join(root, "robot/client") };
+  const { stdout } = await promisify(execFile)("python3", ["-c", asks], { env: environment, timeout: 20000 });
+  assert.match(stdout, /^cannot tell, because the robot does not know where it is/);
+  await answers(refused);
+
+  live.send({ op: "setParameters", parameters: [{ name: "match_mode", value: false }] }); // a test that is no match
+  await answers(unknown);
+  live.send({ op: "setParameters", parameters: [{ name: "match_mode", value: true }] });
+  await answers(refused);
+  state = 4; // FINISHED
+  await answers(unknown);
+});
+
 test("from another machine it needs the token", needsNetwork, async (t) => {
   const folder = temporaryFolder(t);
   const server = await start(t, folder, "foresight-robot", "--body", "sim", "--bind", "0.0.0.0");
@@ -154,6 +245,30 @@ test("from another machine it needs the token", needsNetwork, async (t) => {
   assert.match(error, /control token.*\?token=/);
   const trusted = await Live.open(t, server, { address: own, path: `/?token=${token}` });
   assert.equal((await trusted.call(kService, { budget_ms: 1 })).error, `${kService}: 'budget_ms' must be 10 .. 10000 [ms], got 1`);
+});
+
+test("the commands of the lab and of the simulator tell the same by the same names, and print the same table", async (t) => {
+  const folder = temporaryFolder(t);
+  const [game, moment] = [join(folder, "game.mcap"), join(folder, "moment.json")];
+  await run("foresight-sim", "match", "--seed", "5", "--rules", "spl2012,halves=1,half_duration=60", "--mcap", game);
+  writeFileSync(moment, JSON.stringify({ seed: 3, ball: { x: 1, y: 0 }, robots: [{ side: "home", player: 2, x: 0.5, y: 0, heading: 0 }] }));
+  const lab = ["what-if", game, "--robot", "14/3", "--at", "50", "--budget-ms", "100", "--strategies", "baseline,passing"];
+  const sim = ["situation", moment, "--rollouts", "10", "--seconds", "5", "--strategies", "baseline,passing"];
+  const told = async (program, words) => {
+    const { status, stdout, stderr } = await run(program, ...words);
+    assert.equal(status, 0, stderr);
+    return stdout;
+  };
+  const [byLab, bySim] = [JSON.parse(await told("foresight-lab", [...lab, "--json"])), JSON.parse(await told("foresight-sim", [...sim, "--json"]))];
+  const missing = (here, there) => Object.keys(here).filter((name) => !(name in there));
+  assert.deepEqual(missing(bySim, byLab), []);
+  assert.deepEqual(missing(bySim.strategies[0], byLab.strategies[0]), []);
+  assert.deepEqual([byLab.measure, byLab.until], ["goal_difference", "horizon"]);
+
+  const table = async (program, words) => (await told(program, words)).split("\n").slice(0, 3);
+  const [labs, sims] = [await table("foresight-lab", lab), await table("foresight-sim", sim)];
+  assert.equal(labs[0], sims[0]);
+  assert.deepEqual(labs.map((line) => line.length), sims.map((line) => line.length));
 });
 
 test("a recording is asked what would have been best, by the service and by the command", async (t) => {
@@ -167,7 +282,7 @@ test("a recording is asked what would have been best, by the service and by the 
   for (const [args, sentence] of [
     [["--at", "9000"], /--at: the session is .* s long, got 9000/],
     [["--at", "90", "--robot", "77/1"], /there is no robot '77\/1'/],
-    [["--at", "90", "--question", "{"], /--question: expected JSON, got \{/],
+    [["--at", "90", "--question", "{"], /--question: expected JSON, got something else/],
     [["--at", "90", "--question", '{"budget": 1}'], /'budget' is nothing that a question has/],
   ]) {
     const { status, stderr } = await run("foresight-lab", "what-if", game, ...args);
@@ -184,4 +299,28 @@ test("a recording is asked what would have been best, by the service and by the 
     return asked.ok ? asked : undefined;
   }, "an answer");
   assert.deepEqual(answer.forecast.strategies.map(({ strategy }) => strategy), kStrategies);
+
+  // the moment is the recording's, not what the streams that are played have got to by then
+  const end_ns = BigInt(live.infos[0].dataEndTime.sec) * 1000000000n + BigInt(live.infos[0].dataEndTime.nsec);
+  const asked = async (to_ns) => {
+    live.send(playbackControl({ play: false, to_ns, id: "there" }));
+    const { ok, error, forecast } = await live.call(kService, { robot: "14/3", budget_ms: 10 });
+    assert.equal(ok, true, error);
+    assert.equal(forecast.asked_ns, String(to_ns));
+    return forecast.situation;
+  };
+  const moments = [60n, 50n, 40n, 30n].map((seconds) => end_ns - seconds * 1000000000n);
+  const situations = new Map();
+  for (let round = 0; round < 8; ++round)
+    for (const moment of moments) {
+      const situation = await asked(moment);
+      if (situations.has(moment)) assert.deepEqual(situation, situations.get(moment));
+      else situations.set(moment, situation);
+    }
+  assert.equal(new Set([...situations.values()].map((situation) => JSON.stringify(situation))).size, moments.length);
+
+  // who ends it does not wait for what is asked
+  live.call(kService, { robot: "14/3", budget_ms: 10000 }).catch(() => {});
+  await live.call("clock_sync", { sent_ns: "1" });
+  await server.stop();
 });

@@ -142,6 +142,18 @@ export function serviceCall(service, call, text, encoding = "json") {
   return Buffer.concat([head, Buffer.from(encoding + text)]);
 }
 
+/** A request of playback control, written by hand from the description of the protocol. */
+export function playbackControl({ play, speed = 1, to_ns, id }) {
+  const bytes = Buffer.alloc(19);
+  bytes[0] = 3;
+  bytes[1] = play ? 0 : 1;
+  bytes.writeFloatLE(speed, 2);
+  bytes[6] = to_ns === undefined ? 0 : 1;
+  bytes.writeBigUInt64LE(to_ns ?? 0n, 7);
+  bytes.writeUInt32LE(id.length, 15);
+  return Buffer.concat([bytes, Buffer.from(id)]);
+}
+
 /** What a WebSocket upgrade is answered with when it is refused: {status, text}; fails if it is not. */
 export function refusal(server, { path = "/", protocols = kSubprotocols, address = "127.0.0.1", ...options } = {}) {
   const socket = new WebSocket(`ws://${address}:${server.port}${path}`, protocols, options);

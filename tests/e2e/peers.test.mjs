@@ -284,7 +284,7 @@ test("what makes no sense is answered with a sentence, and the connection stays"
   const { live } = await played(t);
   const cases = [
     ['{"op":"dance"}', "request: the op 'dance' is not known"],
-    ["{", "request: expected a JSON object with 'op', got something else"],
+    ["{", "request: expected JSON, got something else"],
     ["[]", "request: expected a JSON object with 'op', got something else"],
     ["{}", "request: expected a JSON object with 'op', got one without"],
     ['{"op":"subscribe","subscriptions":[{"id":900,"channelId":60000}]}', "subscribe: there is no channel 60000"],

@@ -1,23 +1,11 @@
 // Recordings that are paused, moved and sped up by a client of nothing but frames.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Live } from "./live.mjs";
+import { Live, playbackControl } from "./live.mjs";
 import { readSession } from "./mcap.mjs";
 import { play, run, synthesize, temporaryFolder } from "./support.mjs";
 
 const kPlaying = 0, kPaused = 1, kEnded = 3;
-
-/** A request of playback control, written by hand from the description of the protocol. */
-function control({ play, speed = 1, to_ns, id }) {
-  const bytes = Buffer.alloc(19);
-  bytes[0] = 3;
-  bytes[1] = play ? 0 : 1;
-  bytes.writeFloatLE(speed, 2);
-  bytes[6] = to_ns === undefined ? 0 : 1;
-  bytes.writeBigUInt64LE(to_ns ?? 0n, 7);
-  bytes.writeUInt32LE(id.length, 15);
-  return Buffer.concat([bytes, Buffer.from(id)]);
-}
 
 const stateOf = (bytes) => ({
   status: bytes[1],
@@ -37,7 +25,7 @@ async function viewer(t, server) {
   let asked = 0;
   const ask = async (wish) => {
     const id = `r${++asked}`;
-    live.send(control({ ...wish, id }));
+    live.send(playbackControl({ ...wish, id }));
     await live.until(() => states.some((state) => state.id === id), `the answer to ${JSON.stringify(wish, (_, v) => String(v))}`);
     return states.find((state) => state.id === id);
   };
@@ -112,7 +100,7 @@ test("what cannot be is refused with a sentence", async (t) => {
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 1 });
   const { live } = await viewer(t, await play(t, folder, session));
-  live.send(control({ play: true, speed: 0, id: "slow" }));
+  live.send(playbackControl({ play: true, speed: 0, id: "slow" }));
   await live.until(() => live.statuses.some(({ message }) => message.startsWith("playback: expected a speed of 0.01 .. 1000, got 0")), "a refusal");
   const { status, stderr } = await run("foresight-lab", "play", session, session);
   assert.equal(status, 2);

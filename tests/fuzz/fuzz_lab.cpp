@@ -5,6 +5,7 @@
 #include <string>
 
 #include "proto/foresight/truth.pb.h"
+#include "robot/core/json.h"
 #include "robot/lab/mapping.h"
 #include "robot/lab/robot_address.h"
 #include "robot/memory/schema.h"
@@ -32,9 +33,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   switch (data[0] % 4) {
     case 0: robot::lab::parse_mapping("map", bytes).operator bool(); break;
     case 1: {
-      const auto json = nlohmann::json::parse(bytes, nullptr, /*allow_exceptions=*/false);
-      if (!json.is_discarded())
-        for (const bool strict : {true, false}) robot::lab::mapped(rule(), json, 5, strict).operator bool();
+      if (const auto json = robot::parse_json(bytes))
+        for (const bool strict : {true, false}) robot::lab::mapped(rule(), *json, 5, strict).operator bool();
       break;
     }
     case 2: {

@@ -3,6 +3,7 @@
     python3 door_test.py FOLDER_OF_PROGRAMS
 """
 
+import itertools
 import json
 import os
 import re
@@ -13,6 +14,7 @@ import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CLIENT = os.path.join(HERE, "..", "..", "..", "robot", "client")
@@ -50,6 +52,37 @@ def until(condition, what):
 def waits():
     """How often this thread gave the processor away to wait for something, however busy the machine is."""
     return resource.getrusage(resource.RUSAGE_THREAD).ru_nvcsw
+
+
+class Client(unittest.TestCase):
+    """What needs no runtime."""
+
+    def test_who_waits_no_time_or_less_goes_on_at_once(self):
+        with foresight.Reader("forecast", door="/nowhere") as reader:
+            for timeout in (0, -1, -0.001):
+                reader.wait(timeout)
+
+    def test_a_deadline_that_has_passed_is_not_waited_for(self):
+        adviser = foresight.Adviser(door="/nowhere")
+        adviser.ask = lambda *_: True  # it is on its way, and nobody answers
+        waited = []
+        adviser._forecasts.wait = waited.append
+        # a clock that is somewhere else each time it is looked at, as a thread sees it that waits for the processor
+        for step_ns in range(1000000, 200000000, 1000000):
+            clock = itertools.count(10 ** 12, step_ns)
+            with unittest.mock.patch.object(foresight, "now_ns", lambda: next(clock)):
+                self.assertIsNone(adviser.what_if(["baseline"], budget_ms=10))
+        self.assertTrue(waited)
+        self.assertTrue(all(0 < timeout <= 0.11 for timeout in waited), waited)
+
+    def test_a_forecast_is_read_as_it_was_written(self):
+        question = foresight.uint_field(1, 77) + foresight.bytes_field(2, "passing")
+        forecast = (foresight.bytes_field(1, question) + foresight.uint_field(3, 2) + foresight.bytes_field(4, "passing")
+                    + foresight.bytes_field(5, "changes to passing"))
+        message = foresight.Message(1, 2, 3, forecast)
+        self.assertEqual(foresight.read_forecast(message), (77, (True, True, "passing", "changes to passing")))
+        empty = foresight.Message(1, 2, 3, b"")
+        self.assertEqual(foresight.read_forecast(empty), (0, (False, False, "", "")))
 
 
 class Runtime:
@@ -203,6 +236,8 @@ class Door(unittest.TestCase):
         advice = until(adviser.answer, "an answer")
         self.assertIn(advice.choice, ("passing", "baseline"))
         self.assertTrue(advice.reason)
+        latest = until(self.reader("forecast").newest, "the latest forecast")  # of whoever asked last
+        self.assertIn(foresight.read_forecast(latest)[1].choice, ("baseline", "passing", "kick_now"))
         for child in (by_python, by_c):
             lines = child.communicate()[0].splitlines()
             self.assertTrue(re.match(r"^\d+ answers; plays (baseline|passing|kick_now)$", lines[-1]), lines)

@@ -98,9 +98,9 @@ TEST(Foxglove, ASubscribeOfOurClientIsRead) {
 
 TEST(Foxglove, WrongTextsAreNamed) {
   const std::pair<const char*, const char*> cases[] = {
-      {"", "request: expected a JSON object with 'op', got something else"},
+      {"", "request: expected JSON, got something else"},
       {"[1]", "request: expected a JSON object with 'op', got something else"},
-      {"{\"op\":", "request: expected a JSON object with 'op', got something else"},
+      {"{\"op\":", "request: expected JSON, got something else"},
       {"{}", "request: expected a JSON object with 'op', got one without"},
       {R"({"op":7})", "request: expected a JSON object with 'op', got one without"},
       {R"({"op":"dance"})", "request: the op 'dance' is not known"},

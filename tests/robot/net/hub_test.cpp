@@ -94,26 +94,41 @@ class HubTest : public testing::Test {
   std::shared_ptr<Inbox> inbox = std::make_shared<Inbox>(1 << 20, [] {});
   StreamControl control{streams, inbox};
   std::unique_ptr<Hub> hub;
+  std::vector<std::string> thought_about;
 
   void SetUp() override {
     parameters.declare("quality", std::int64_t{75}, {.min = 1, .max = 100});
     add_clock_sync(services, clock, {});
+    services.add("think", Services::For::questions, [this](const Json& request, const ClientContext& asker) -> Json {
+      EXPECT_GT(asker.asked_ns, 0u);
+      thought_about.push_back(request["about"]);
+      return {{"ok", true}, {"about", request["about"]}};
+    });
     make_hub(nullptr);
   }
   void make_hub(Playback* playback) {
-    hub =
-        std::make_unique<Hub>(HubOptions{.metadata = {{"robots", "14/2"}},
-                                         .queues = {.reliable_bytes = 10, .lossless_bytes = 10},
-                                         .playback = playback},
-                              parameters, services, clock, control, [](Hub::Kind, const auto& work, const auto& then) {
-                                work();
-                                then();
-                              });
+    hub = std::make_unique<Hub>(HubOptions{.metadata = {{"robots", "14/2"}},
+                                           .queues = {.reliable_bytes = 10, .lossless_bytes = 10},
+                                           .playback = playback},
+                                parameters, services, clock, control,
+                                [this](Hub::Kind kind, const auto& work, const auto& then) {
+                                  background.push_back([work, then] { work(), then(); });
+                                  if (kind == Hub::Kind::order || !holds_questions) do_next();
+                                });
     hub->add_channel(base.channel, derive_twice);
     hub->add_channel(events.channel, derive_twice);
     hub->add_channel(world.channel, derive_twice);
   }
   void TearDown() override { inbox->close(); }
+
+  /// Does in the background what was asked for last.
+  void do_next() {
+    const auto work = std::move(background.back());
+    background.pop_back();
+    work();
+  }
+  bool holds_questions = false;
+  std::vector<std::function<void()>> background;
 
   std::shared_ptr<Client> join(bool lossless = false, bool may_control = true) {
     auto client = hub->join({.context = {.address = "10.0.0.9:1", .may_control = may_control}, .lossless = lossless});
@@ -154,6 +169,18 @@ class HubTest : public testing::Test {
     Inbox::Contents contents;
     inbox->take(contents);
     for (const auto& item : contents.items) hub->deliver(item);
+  }
+  void ask(Client& client, const std::string& about) {
+    hub->on_binary(client, foxglove::to_bytes(foxglove::ServiceCall{2, 5, "json", R"({"about":")" + about + "\"}"}));
+  }
+  /// The answers of services that wait for a client, as JSON.
+  static std::vector<Json> answered(Client& client) {
+    std::vector<Json> all;
+    for (const Json& message : said(client)) {
+      const auto& bytes = message["bytes"].get_ref<const std::string&>();
+      all.push_back(Json::parse(bytes.substr(bytes.find('{'))));
+    }
+    return all;
   }
   void subscribe(Client& client, std::uint32_t channel, std::uint32_t subscription = 1) {
     hub->on_text(client, foxglove::to_text(foxglove::Subscribe{{{subscription, channel}}}));
@@ -385,6 +412,8 @@ TEST_F(HubTest, ControlNeedsTheTokenAndClockSyncDoesNot) {
   hub->on_binary(*stranger, foxglove::to_bytes(foxglove::ServiceCall{1, 5, "json", R"({"sent_ns":"1"})"}));
   EXPECT_NE(said(*stranger).at(0)["bytes"].get<std::string>().find(R"("ok":true,"received_ns":"1000")"),
             std::string::npos);
+  ask(*stranger, "a");
+  EXPECT_NE(answered(*stranger).at(0)["error"].get<std::string>().find("needs the control token"), std::string::npos);
   hub->on_binary(*stranger, foxglove::to_bytes(foxglove::ServiceCall{9, 5, "json", "{}"}));
   EXPECT_EQ(gist(*stranger), "serviceCallFailure:there is no service 9 status:there is no service 9");
 }
@@ -401,6 +430,67 @@ TEST_F(HubTest, DuringAGameNobodyFromElsewhereControls) {
   EXPECT_NE(set(*late).find("a game is in progress"), std::string::npos);
   hub->set_match_mode(false);
   EXPECT_NE(set(*early).find("\"value\":50"), std::string::npos);
+}
+
+TEST_F(HubTest, ThereIsOneQuestionAtATimeOneMoreWaitsAndTheNextIsToldSo) {
+  holds_questions = true;
+  const auto one = join(), two = join(), three = join();
+  ask(*one, "a");
+  ask(*two, "b");
+  ask(*three, "c");
+  ASSERT_EQ(background.size(), 1u);
+  EXPECT_EQ(answered(*three),
+            (std::vector<Json>{{{"ok", false},
+                                {"error",
+                                 "think: another question is running and one more waits: ask again when they are "
+                                 "answered"}}}));
+  do_next();
+  EXPECT_EQ(answered(*one), (std::vector<Json>{{{"ok", true}, {"about", "a"}}}));
+  EXPECT_TRUE(answered(*two).empty());
+  ask(*three, "d");
+  do_next();
+  EXPECT_EQ(answered(*two), (std::vector<Json>{{{"ok", true}, {"about", "b"}}}));
+  do_next();
+  EXPECT_EQ(answered(*three), (std::vector<Json>{{{"ok", true}, {"about", "d"}}}));
+  EXPECT_TRUE(background.empty());
+}
+
+TEST_F(HubTest, WhatWhoHasGoneAskedIsNotBegun) {
+  holds_questions = true;
+  auto one = join(), two = join();
+  const auto three = join();
+  ask(*one, "a");
+  ask(*two, "b");
+  hub->leave(*two);
+  ask(*three, "c");
+  hub->leave(*one);  // its question is running: there is nobody to be told
+  one.reset();
+  do_next();
+  do_next();
+  EXPECT_EQ(thought_about, (std::vector<std::string>{"a", "c"}));
+  EXPECT_EQ(answered(*three), (std::vector<Json>{{{"ok", true}, {"about", "c"}}}));
+  EXPECT_TRUE(background.empty());
+}
+
+TEST_F(HubTest, DuringAGameNobodyAsksNotEvenOnThisMachine) {
+  holds_questions = true;
+  const auto local = hub->join({.context = {.loopback = true, .may_control = true}}), other = join();
+  said(*local);
+  ask(*other, "a");
+  ask(*local, "b");
+  hub->set_match_mode(true);
+  const std::vector<Json> refused{
+      {{"ok", false}, {"error", "think: game in progress: until it has finished only the team's own code may ask"}}};
+  do_next();  // what was running is answered, what waited is not begun
+  EXPECT_EQ(answered(*other), (std::vector<Json>{{{"ok", true}, {"about", "a"}}}));
+  do_next();
+  EXPECT_EQ(answered(*local), refused);
+  ask(*local, "c");
+  EXPECT_EQ(answered(*local), refused);
+  hub->set_match_mode(false);
+  ask(*local, "d");
+  do_next();
+  EXPECT_EQ(answered(*local), (std::vector<Json>{{{"ok", true}, {"about", "d"}}}));
 }
 
 TEST_F(HubTest, ARoundTripIsMeasuredAndSilenceEndsTheConnection) {

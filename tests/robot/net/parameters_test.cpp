@@ -97,7 +97,8 @@ TEST(Services, AnswerInJsonWhateverHappens) {
   const ClientContext stranger{.id = 1, .address = "10.0.0.9:1"},
       friendly{.id = 2, .loopback = true, .may_control = true};
   EXPECT_EQ(services.call(1, R"({"number":21})", stranger), R"({"ok":true,"result":42})");
-  EXPECT_EQ(services.call(1, "[", stranger),
+  EXPECT_EQ(services.call(1, "[", stranger), R"({"error":"double: expected JSON, got something else","ok":false})");
+  EXPECT_EQ(services.call(1, "[]", stranger),
             R"({"error":"double: expected a JSON object, got something else","ok":false})");
   EXPECT_NE(services.call(1, R"({"number":"x"})", stranger).find(R"("ok":false)"), std::string::npos);
   EXPECT_NE(services.call(1, "{}", stranger).find(R"("ok":false)"), std::string::npos);
@@ -108,8 +109,24 @@ TEST(Services, AnswerInJsonWhateverHappens) {
   EXPECT_EQ(services.call(1, R"({"number":21})", during_a_game), R"({"ok":true,"result":42})");
   during_a_game.loopback = true;
   EXPECT_EQ(services.call(2, "", during_a_game), R"({"ok":true})");
+  services.add("ask", Services::For::questions, [](const nlohmann::json&, const ClientContext&) -> nlohmann::json {
+    return {{"ok", true}};
+  });
+  EXPECT_EQ(services.call(3, "", during_a_game),
+            R"({"error":"ask: game in progress: until it has finished only the team's own code may ask","ok":false})");
+  EXPECT_NE(services.call(3, "", stranger).find("needs the control token"), std::string::npos);
+  EXPECT_EQ(services.call(3, "", friendly), R"({"ok":true})");
   EXPECT_FALSE(services.has(0));
-  EXPECT_FALSE(services.has(3));
+  EXPECT_FALSE(services.has(4));
+}
+
+TEST(Services, ARequestThatIsNestedTooDeepIsAnsweredWithASentence) {
+  Services services;
+  services.add("echo", Services::For::everybody,
+               [](nlohmann::json request, const ClientContext&) { return request; });  // copied, dumped, destroyed
+  const std::string deep = R"({"a":)" + std::string(100'000, '[') + std::string(100'000, ']') + "}";
+  EXPECT_EQ(services.call(1, deep, {}),
+            R"({"error":"echo: expected JSON nested at most 64 deep, got what is nested deeper","ok":false})");
 }
 
 TEST(Services, ClockSyncAnswersWithOurTimeAndTakesWhatWasMeasured) {

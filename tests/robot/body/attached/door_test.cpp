@@ -18,6 +18,7 @@
 
 #include "robot/client/foresight.h"
 #include "robot/client/foresight_fields.h"
+#include "robot/client/foresight_what_if.h"
 #include "robot/memory/memory.h"
 #include "robot/memory/schema.h"
 #include "tests/support/temporary_folder.h"
@@ -256,6 +257,47 @@ TEST_F(TheDoor, AnObjectMayBeWantedBeforeItIsThere) {
   const Writer prophecy = announce("prophecy", "team.Prophecy", "", "json");
   ASSERT_TRUE(write(prophecy, "soon"));
   EXPECT_EQ(read(reader, message), "soon");
+}
+
+TEST_F(TheDoor, WhoWaitsNoTimeOrLessGoesOnAtOnce) {
+  const Reader reader = want("ball"), nobody(foresight_want_from("ball", "/nowhere"), &foresight_end);
+  ForesightMessage message;
+  EXPECT_FALSE(foresight_read(reader.get(), &message));
+  for (const int timeout_ms : {0, -1, -1000}) {
+    foresight_wait(reader.get(), timeout_ms);  // a failure shows as the test's time-out
+    foresight_wait(nobody.get(), timeout_ms);
+  }
+}
+
+TEST_F(TheDoor, ADeadlineThatHasPassedIsNotWaitedFor) {
+  EXPECT_EQ(foresight_ms_until(7'000'000, 5'000'001), 2);
+  EXPECT_EQ(foresight_ms_until(7'000'000, 7'000'000), 0);
+  EXPECT_EQ(foresight_ms_until(7'000'000, 7'000'001), 0);
+  EXPECT_EQ(foresight_ms_until(0, UINT64_MAX), 0);
+  EXPECT_EQ(foresight_ms_until(UINT64_MAX, 0), 60'000) << "whoever waits looks at the clock again";
+}
+
+TEST_F(TheDoor, WhoAsksIsAnsweredByTheForecastOfThatQuestionOrNotAtAll) {
+  ForesightAdviser adviser = foresight_adviser(path.c_str());
+  const Writer questions(adviser.questions, &foresight_close);
+  const Reader forecasts(adviser.forecasts, &foresight_end);
+  const char* const strategies[] = {"baseline", "passing"};
+  ForesightAdvice advice;
+  EXPECT_EQ(foresight_what_if(&adviser, strategies, 2, 30, 0, &advice), 0);
+  until([&] { return memory->what_if.read() != nullptr; });
+  EXPECT_EQ(memory->what_if.read()->value().id(), adviser.asked);
+
+  // by now somebody answers, and tells of another question before
+  foresight::Forecast forecast;
+  forecast.mutable_question()->set_id(adviser.asked - 1);
+  memory->forecast.write(forecast, 1);
+  forecast.mutable_question()->set_id(adviser.asked);
+  forecast.set_advice(foresight::Forecast::ADVICE_CHANGE);
+  forecast.set_choice("passing");
+  memory->forecast.write(forecast, 2);
+  until([&] { return foresight_answer(&adviser, &advice) == 1; });
+  EXPECT_TRUE(advice.known && advice.change);
+  EXPECT_STREQ(advice.choice, "passing");
 }
 
 TEST_F(TheDoor, TheNewestIsGivenOutWhole) {

@@ -1,0 +1,38 @@
+#include "robot/core/json.h"
+
+#include <algorithm>
+#include <string>
+
+namespace robot {
+namespace {
+
+/// How many brackets are open at most. Exact for JSON; of what is none, it does not matter.
+int depth_of(std::string_view text) {
+  int depth = 0, deepest = 0;
+  bool in_text = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_text && c == '\\')
+      ++i;  // an escaped quote ends no text
+    else if (c == '"')
+      in_text = !in_text;
+    else if (!in_text && (c == '[' || c == '{'))
+      deepest = std::max(deepest, ++depth);
+    else if (!in_text && (c == ']' || c == '}'))
+      --depth;
+  }
+  return deepest;
+}
+
+}  // namespace
+
+Result<nlohmann::json> parse_json(std::string_view text) {
+  // looked at before anything is built: what is built would have to be taken apart again
+  if (depth_of(text) > kDeepestJson)
+    return Error{"expected JSON nested at most " + std::to_string(kDeepestJson) + " deep, got what is nested deeper"};
+  auto json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (json.is_discarded()) return Error{"expected JSON, got something else"};
+  return json;
+}
+
+}  // namespace robot
