@@ -243,18 +243,10 @@ struct WhatIfCommand {
     if (!forecast) return fail(forecast.error());
     if (!forecast->refusal().empty()) return fail(forecast->reason());
     if (json)
-      std::printf("%s\n", told(*forecast).dump(2).c_str());
+      std::printf("%s\n", foreseeing::to_json(*forecast, true).dump(2).c_str());
     else
       print(*forecast);
     return kDone;
-  }
-
-  /// As the service tells it, and what foresight-sim situation --strategies tells too by the names that it has there.
-  static nlohmann::json told(const foresight::Forecast& forecast) {
-    nlohmann::json all = foreseeing::to_json(forecast, true);
-    for (const char* name : {"measure", "until"}) all[name] = all["question"][name];
-    for (nlohmann::json& strategy : all["strategies"]) strategy["standard_error"] = strategy["error"];
-    return all;
   }
 
   /// As foresight-sim situation --strategies prints it.

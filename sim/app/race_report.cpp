@@ -32,7 +32,7 @@ Json race_json(const Forecast& forecast, const Question& question, const std::ve
     strategies.push_back({{"strategy", names[static_cast<std::size_t>(i)]},
                           {"rollouts", standing.rollouts},
                           {"mean", standing.mean},
-                          {"standard_error", standing.error},
+                          {"error", standing.error},
                           {"gain", standing.gain},
                           {"gain_low", standing.gain_low},
                           {"gain_high", standing.gain_high},
@@ -41,8 +41,9 @@ Json race_json(const Forecast& forecast, const Question& question, const std::ve
                           {"concede", standing.concede},
                           {"raced_on", standing.raced_on}});
   }
-  return {{"measure", foresight::kMeasureNames[static_cast<std::size_t>(question.measure)]},
-          {"until", foresight::kUntilNames[static_cast<std::size_t>(question.until)]},
+  return {{"question",
+           {{"measure", foresight::kMeasureNames[static_cast<std::size_t>(question.measure)]},
+            {"until", foresight::kUntilNames[static_cast<std::size_t>(question.until)]}}},
           {"advice", kAdvice[static_cast<int>(forecast.advice)]},
           {"choice", names[static_cast<std::size_t>(forecast.choice)]},
           {"reason", foresight::reason(forecast, question, names.data())},
