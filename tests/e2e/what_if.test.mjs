@@ -132,6 +132,7 @@ test("what the team plays is told by its memory, whatever it is compared with; t
   const other = ["passing", "baseline"].find((name) => name !== plays);
   const { page, problems, questions } = await ask(t, server, `#/14/2/what-if?ask=play:${other},${plays}/in:200/for:10`);
   await page.keyboard.press("Enter");
+  await page.getByText("Your question").waitFor(); // before it a forecast of the captain's may be shown
   await row(page, plays).getByText("plays now").waitFor();
   assert.deepEqual(questions[0].strategies, [other, plays]);
   assert.equal(await row(page, other).getByText("plays now").count(), 0);
@@ -154,21 +155,30 @@ test("what the team plays is told by its memory, whatever it is compared with; t
 
 test("before any answer the situation is what the robot believes by itself, and can be edited", async (t) => {
   const { server, live } = await pausedGame(t, "--no-foresight");
+  await live.subscribe("/14/2/pose");
   const { page, problems, questions } = await ask(t, server);
   await page.getByText("to ask what comes of each strategy").waitFor();
   const things = page.getByLabel("Ball or robot to place");
   await until(async () => (await things.locator("option").allTextContents()).includes("own 2"), "the robot itself");
   await things.selectOption("own 2");
-  const shown = Number(await page.getByLabel("x, m").inputValue());
+  const { x } = live.decoded("/14/2/pose", await live.newest("/14/2/pose"));
+  assert.ok(Math.abs(Number(await page.getByLabel("x, m").inputValue()) - x) < 0.01, "where it believes to be");
+
+  // what is typed is not typed over by what the robot believes meanwhile, nor does it go to what the pointer comes over
+  await page.getByLabel("x, m").fill("-2.5");
+  await live.call("/sim/step", { ticks: 30 });
+  await page.mouse.move(100, 300);
+  await page.waitForTimeout(500);
+  assert.equal(await page.getByLabel("x, m").inputValue(), "-2.5");
+  await page.getByLabel("x, m").blur();
+  await page.getByRole("group", { name: "Edited" }).getByRole("button", { name: "own 2" }).click();
   await things.selectOption("ball");
   await page.getByLabel("y, m").fill("1");
   await page.getByLabel("y, m").blur();
   await page.getByRole("button", { name: "▶ Ask" }).click();
   await until(() => questions.length === 1, "the question");
   assert.equal(questions[0].edit.ball.y, 1);
-  const { robots } = (await live.call(kService, { budget_ms: 10 })).forecast.situation;
-  const own = robots.find(({ side, player }) => side === "own" && player === 2);
-  assert.ok(Math.abs(shown - own.x) < 0.01, `${shown} is where it believes to be: ${own.x}`);
+  assert.equal(questions[0].edit.robots, undefined);
   assert.deepEqual(problems, []);
 });
 
