@@ -54,7 +54,7 @@ ForesightControl::~ForesightControl() {
   runtime_.stop();
 }
 
-std::vector<std::string> default_strategies() { return {"baseline", "passing", "kick_now", "align_first"}; }
+std::vector<std::string> default_strategies() { return {"baseline", "passing", "kick_now", "high_line"}; }
 
 foreseeing::ForeseerOptions foreseer_options(const RobotOptions& options) {
   const bool home = options.side == "home";

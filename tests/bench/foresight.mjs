@@ -16,7 +16,7 @@ import { rightChoice } from "./right_choice.mjs";
 const kBudgets = [50, 200, 1000]; // [ms]
 const kLate = 20; // [ms]
 const kThree = ["--strategies", "baseline", "passing", "kick_now"];
-const kChoice = ["baseline", "passing", "kick_now", "align_first"]; // of the playbook `foresight`
+const kChoice = ["baseline", "kick_now", "high_line"]; // of the playbook `foresight`
 const kShares = [0.05, 0.1, 0.25, 0.5]; // of a core
 const kRobot = { share: 0.25, seconds: 0.5 }; // what foresight has of a robot's core, and how long for a question
 const kFutures = 200; // of a forecast that is to be true: with fewer, those far from the mean are so by chance

@@ -16,7 +16,7 @@ const WebSocket = require("ws");
 const own = Object.values(networkInterfaces()).flat().find(({ family, internal }) => family === "IPv4" && !internal)?.address;
 const needsNetwork = { skip: own ? false : "this machine has no address but loopback" };
 const kService = "/foresight/what_if";
-const kStrategies = ["baseline", "passing", "kick_now", "align_first"];
+const kStrategies = ["baseline", "passing", "kick_now", "high_line"];
 
 test("the Foxglove client asks and is answered, and memory holds the same", async (t) => {
   const { server, live } = await pausedGame(t, "--no-foresight");

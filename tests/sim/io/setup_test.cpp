@@ -34,7 +34,7 @@ TEST(Setup, SaysWhatThereIsNot) {
   EXPECT_EQ(error({.rules = "spl1999"}), "no rules 'spl1999'; there are: spl2012, spl2025");
   EXPECT_EQ(error({.models = {"match", "mach"}}), "no models 'mach'; there are: friendly, match, perfect");
   EXPECT_EQ(error({.strategies = {"basline", "idle"}}),
-            "no strategy 'basline'; there are: align_first, baseline, idle, kick_now, passing, foresight");
+            "no strategy 'basline'; there are: align_first, baseline, high_line, idle, kick_now, passing, foresight");
   EXPECT_EQ(error({.players = 8}), "players must be 1 .. 7 a side, got 8");
 }
 

@@ -21,7 +21,7 @@ std::string refusal_of_tree(const std::string& tree) { return refusal(R"({"name"
 
 TEST(Strategy, EveryShippedOneLoadsUnderItsName) {
   const auto names = names_of("strategies");
-  EXPECT_EQ(listed(names), "align_first, baseline, idle, kick_now, passing");
+  EXPECT_EQ(listed(names), "align_first, baseline, high_line, idle, kick_now, passing");
   for (const std::string_view name : names) {
     const auto behaviour = load_strategy(std::string(name));
     ASSERT_TRUE(behaviour) << behaviour.error();
@@ -145,7 +145,7 @@ TEST(Strategy, CirclesAndWhatIsUsedNowhereAreRefused) {
             "strategy 'mine': tree.with.range: is the parameter \"a\", which must be 0 .. 12 [m], got 99");
   EXPECT_EQ(
       refusal(R"({"name": "m", "based_on": "besaline"})"),
-      "strategy 'mine': based_on: no strategy 'besaline'; there are: align_first, baseline, idle, kick_now, passing");
+      "strategy 'mine': based_on: no strategy 'besaline'; there are: align_first, baseline, high_line, idle, kick_now, passing");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "stand"}, "formation": {"ours": [[0.5, 0]]}})"),
             "strategy 'mine': formation.ours[0] must be [-1 .. 0, -1 .. 1], got [0.5,0]");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "stand"}, "roles": {"hysteresis": -1}})"),
