@@ -8,7 +8,6 @@
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
 #include "robot/foresight/question.h"
-#include "robot/foresight/triggers.h"
 
 namespace robot::foreseeing {
 namespace {
@@ -83,11 +82,12 @@ std::string Advisor::strategy() const {
 void Advisor::run() {
   become_background_thread("advisor");
   Triggers triggers(foreseer_->rules().field.length / 2);
+  std::uint64_t look_ns = monotonic_ns() + kLookNs;  // when to look again, whatever comes until then
   while (true) {
     std::shared_ptr<const memory::Version> asked;
     {
       const std::lock_guard guard(lock_);
-      if (!asked_ && running_) woken_.wait_until(lock_, monotonic_ns() + kLookNs);
+      while (running_ && !asked_ && monotonic_ns() < look_ns) woken_.wait_until(lock_, look_ns);
       if (!running_) return;
       asked = std::exchange(asked_, nullptr);
     }
@@ -95,27 +95,36 @@ void Advisor::run() {
       pb::WhatIf question;
       const std::string_view bytes = asked->bytes();
       if (question.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) take_question(question);
-      continue;
     }
-    const std::uint64_t now_ns = now_ns_();
-    const AskingOptions options = options_();
-    follow(now_ns, options);
-    score(now_ns);
-    if (!options.on) continue;
-    const Recollection now = recollect(channels_, robot_, now_ns);
-    const char* const why = triggers.look(now, static_cast<std::uint64_t>(options.period * 1e9));
-    // what somebody else asks comes first; an answer to a question that waited would be one about the past
-    if (!why || !foreseer_->idle()) continue;
-    triggers.asked();
-    pb::WhatIf question;
-    question.set_asked_by(std::string(kByCaptain) + why);
-    question.set_budget_ms(options.budget_ms);
-    question.set_horizon(static_cast<float>(options.horizon));
-    question.set_id(now.now_ns);
-    // all are compared with the default, whatever is played now (sim/foresight/chooser.h)
-    for (const std::string& name : strategies_) question.add_strategies(name);
-    (void)foreseer_->ask(question, now, [this](const pb::Forecast& forecast) { decide(forecast); });
+    if (monotonic_ns() < look_ns) continue;
+    look_ns = monotonic_ns() + kLookNs;
+    look(triggers);
   }
+}
+
+/// What is to be done ten times a second.
+void Advisor::look(Triggers& triggers) {
+  const std::uint64_t now_ns = now_ns_();
+  const AskingOptions options = options_();
+  follow(now_ns, options);
+  score(now_ns);
+  if (options.on) ask_of_own_accord(recollect(channels_, robot_, now_ns), options, triggers);
+}
+
+/// As the captain, where there is a reason.
+void Advisor::ask_of_own_accord(const Recollection& now, const AskingOptions& options, Triggers& triggers) {
+  const char* const why = triggers.look(now, static_cast<std::uint64_t>(options.period * 1e9));
+  // what somebody else asks comes first; an answer to a question that waited would be one about the past
+  if (!why || !foreseer_->idle()) return;
+  triggers.asked();
+  pb::WhatIf question;
+  question.set_asked_by(std::string(kByCaptain) + why);
+  question.set_budget_ms(options.budget_ms);
+  question.set_horizon(static_cast<float>(options.horizon));
+  question.set_id(now.now_ns);
+  // all are compared with the default, whatever is played now (sim/foresight/chooser.h)
+  for (const std::string& name : strategies_) question.add_strategies(name);
+  (void)foreseer_->ask(question, now, [this](const pb::Forecast& forecast) { decide(forecast); });
 }
 
 /// Of a team's own process: whatever comes of it is an answer.

@@ -12,6 +12,7 @@
 #include "robot/foresight/following.h"
 #include "robot/foresight/foreseer.h"
 #include "robot/foresight/scorer.h"
+#include "robot/foresight/triggers.h"
 #include "robot/memory/memory.h"
 
 namespace robot::foreseeing {
@@ -24,8 +25,8 @@ struct AskingOptions {
   double horizon = 30;            // [s]
 };
 
-/// A thread of its own: it waits for the object `what_if`, which a team's process writes, and looks ten times a second
-/// whether the captain has a reason to ask. Every answer becomes the object `forecast`; what the team plays, chosen here or
+/// A thread of its own: it waits for the object `what_if`, which a team's process writes, and looks ten times a second,
+/// whatever is asked, at what the team plays and whether the captain has a reason to ask. Every answer becomes the object `forecast`; what the team plays, chosen here or
 /// heard from the captain, is the object `strategy`, and how well forecasts come true `forecast_score`.
 class Advisor {
  public:
@@ -50,7 +51,8 @@ class Advisor {
 
   void run();
   void take_question(const pb::WhatIf& question);
-  void ask_of_own_accord();
+  void look(Triggers& triggers);
+  void ask_of_own_accord(const Recollection& now, const AskingOptions& options, Triggers& triggers);
   void keep(const pb::Forecast& forecast);
   void decide(const pb::Forecast& forecast);
   void follow(std::uint64_t now_ns, const AskingOptions& options);

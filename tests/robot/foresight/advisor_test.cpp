@@ -120,6 +120,19 @@ TEST(Advisor, FollowsWhatTheCaptainTold) {
   EXPECT_TRUE(fixture.game.memory->strategy.read()->value().chosen());
 }
 
+TEST(Advisor, FollowsTheCaptainWhateverIsAsked) {
+  Fixture fixture(false);
+  play_second(fixture.game);
+  pb::WhatIf question;
+  question.set_budget_ms(10);
+  for (std::uint64_t id = 1; id < 400 && fixture.advisor->strategy() != "kick_now"; ++id) {
+    question.set_id(id);
+    fixture.game.memory->what_if.write(question, fixture.game.now_ns());
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(fixture.advisor->strategy(), "kick_now");
+}
+
 TEST(Advisor, TheCaptainGivesUpWhatIsNotBetterThanTheDefaultForSure) {
   Fixture fixture(true, 1000, play_second);
   const auto strategy = [&] { return fixture.game.memory->strategy.read(); };
