@@ -8,6 +8,7 @@
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
 #include "robot/foresight/question.h"
+#include "robot/foresight/wording.h"
 
 namespace robot::foreseeing {
 namespace {
@@ -124,7 +125,8 @@ void Advisor::ask_of_own_accord(const Recollection& now, const AskingOptions& op
   question.set_id(now.now_ns);
   // all are compared with the default, whatever is played now (sim/foresight/chooser.h)
   for (const std::string& name : strategies_) question.add_strategies(name);
-  (void)foreseer_->ask(question, now, [this](const pb::Forecast& forecast) { decide(forecast); });
+  const auto leader = static_cast<int>(now.game->value.own_player());
+  (void)foreseer_->ask(question, now, [this, leader](const pb::Forecast& forecast) { decide(forecast, leader); });
 }
 
 /// Of a team's own process: whatever comes of it is an answer.
@@ -143,23 +145,30 @@ void Advisor::keep(const pb::Forecast& forecast) {
   memory_.forecast.write(forecast, forecast.asked_ns());
 }
 
-/// The captain's own question is answered.
-void Advisor::decide(const pb::Forecast& forecast) {
+/// The question that this robot, player `leader`, asked as the captain is answered. Who is no captain any more, penalised
+/// say, does not choose, nor does one whose foresight was switched off meanwhile.
+void Advisor::decide(const pb::Forecast& forecast, int leader) {
   keep(forecast);
   if (!forecast.refusal().empty() || forecast.advice() == pb::Forecast::ADVICE_NONE) return;
   const auto choice = std::find(strategies_.begin(), strategies_.end(), forecast.choice());
   if (choice == strategies_.end()) return;
-  const int chosen = static_cast<int>(choice - strategies_.begin());
-  const std::string before = strategy();
-  const bool gives_up = before != *choice && forecast.advice() == pb::Forecast::ADVICE_KEEP;
-  const std::string reason = gives_up ? "gives up " + before + ", " + forecast.reason() : forecast.reason();
+  std::string before, reason;
   {
     const std::lock_guard guard(lock_);
-    following_.choose(chosen, forecast.asked_ns());
+    if (!options_().on || !leads(leader)) return;
+    before = strategies_[static_cast<std::size_t>(following_.choice().played())];
+    reason = reason_of(forecast, before, *choice);
+    following_.choose(static_cast<int>(choice - strategies_.begin()), forecast.asked_ns());
     reason_ = reason;
   }
   if (before != *choice) report(Level::info, "foresight", reason);
   write_strategy(forecast.asked_ns());
+}
+
+/// This robot is that player, and the captain, now.
+bool Advisor::leads(int player) const {
+  const auto game = memory_.game.read();
+  return game && static_cast<int>(game->value().own_player()) == player && captain_of(game->value()) == player;
 }
 
 /// What the captain told, where another is it.

@@ -54,7 +54,8 @@ class Advisor {
   void look(Triggers& triggers);
   void ask_of_own_accord(const Recollection& now, const AskingOptions& options, Triggers& triggers);
   void keep(const pb::Forecast& forecast);
-  void decide(const pb::Forecast& forecast);
+  void decide(const pb::Forecast& forecast, int leader);
+  bool leads(int player) const;
   void follow(std::uint64_t now_ns, const AskingOptions& options);
   void score(std::uint64_t now_ns);
   void write_strategy(std::uint64_t now_ns);

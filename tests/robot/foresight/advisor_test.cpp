@@ -17,17 +17,21 @@ struct Fixture {
   test::Played game;
   const Prepare prepare;  // changes memory before the advisor sees it
   std::atomic<std::uint64_t> now_ns{game.now_ns()};
+  std::atomic<bool> on;
+  std::atomic<double> horizon = 5;  // [s]
   std::unique_ptr<Advisor> advisor;
 
   explicit Fixture(
-      bool on, std::uint32_t budget_ms = 20, Prepare prepared = [](test::Played&) {})
-      : prepare(std::move(prepared)) {
+      bool asks, std::uint32_t budget_ms = 20, Prepare prepared = [](test::Played&) {})
+      : prepare(std::move(prepared)), on(asks) {
     prepare(game);
     advisor = std::make_unique<Advisor>(
         std::move(
             *Foreseer::open({.strategies = {"baseline", "kick_now"}, .rules = "spl2012", .share = Share::background})),
         *game.memory, game.channels, "14/2", [this] { return now_ns.load(); },
-        [=] { return AskingOptions{.on = on, .period = kPeriod, .budget_ms = budget_ms, .horizon = 5}; });
+        [this, budget_ms] {
+          return AskingOptions{.on = on, .period = kPeriod, .budget_ms = budget_ms, .horizon = horizon};
+        });
   }
 
   /// The forecast that answers `id`, waited for.
@@ -139,7 +143,48 @@ TEST(Advisor, TheCaptainGivesUpWhatIsNotBetterThanTheDefaultForSure) {
   fixture.captain_until([&] { return strategy() && strategy()->value().epoch() == 45; });
   EXPECT_EQ(fixture.advisor->strategy(), "baseline");
   const std::string reason = strategy()->value().reason();
-  EXPECT_EQ(reason.find("gives up kick_now, keeps baseline: "), 0u) << reason;
+  EXPECT_EQ(reason.find("back to baseline: kick_now "), 0u) << reason;
+}
+
+/// What is played once the captain's question, which runs while `change` comes, is answered and everything ended.
+pb::Strategy played_after(const std::function<void(Fixture&)>& change, double horizon = 5) {
+  Fixture fixture(false, 2000, play_second);
+  fixture.horizon = horizon;
+  fixture.on = true;
+  while (fixture.advisor->foreseer().idle()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  while (fixture.advisor->strategy() != "kick_now") std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  change(fixture);
+  EXPECT_EQ(fixture.answer(fixture.now_ns)->value().refusal(), "");
+  fixture.advisor.reset();
+  return fixture.game.memory->strategy.read()->value();
+}
+
+TEST(Advisor, WhoIsNoCaptainAnyMoreWhenTheAnswerComesDoesNotChoose) {
+  const pb::Strategy played = played_after([](Fixture& fixture) {
+    pb::GameState game = fixture.game.memory->game.read()->value();
+    game.mutable_own()->mutable_players(1)->set_penalised(true);
+    fixture.game.memory->game.write(game, fixture.game.now_ns());
+  });
+  EXPECT_EQ(played.name(), "kick_now");
+  EXPECT_EQ(played.epoch(), 44u);
+}
+
+TEST(Advisor, WhoseForesightIsSwitchedOffWhenTheAnswerComesDoesNotChoose) {
+  const pb::Strategy played = played_after([](Fixture& fixture) { fixture.on = false; });
+  EXPECT_EQ(played.name(), "kick_now");
+  EXPECT_EQ(played.epoch(), 44u);
+}
+
+/// Sixteen halves, which eight futures of each of two strategies take, are not played within moments.
+TEST(Advisor, AnAnswerWithoutAdviceLeavesTheChoiceAsItIs) {
+  const pb::Strategy played = played_after(
+      [](Fixture& fixture) {
+        fixture.advisor->foreseer().hurry();
+        EXPECT_EQ(fixture.answer(fixture.now_ns)->value().advice(), pb::Forecast::ADVICE_NONE);
+      },
+      1200);
+  EXPECT_EQ(played.name(), "kick_now");
+  EXPECT_EQ(played.epoch(), 44u);
 }
 
 TEST(Advisor, WhoAsksGetsTheAnswerAndSoDoesMemory) {
