@@ -7,6 +7,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/core/thread.h"
+#include "robot/foresight/edit.h"
 #include "robot/foresight/question.h"
 #include "sim/foresight/forecast.h"
 #include "sim/match/hash.h"
