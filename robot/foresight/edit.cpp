@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "robot/foresight/question.h"
 #include "robot/foresight/shown.h"
 #include "sim/match/situation.h"
 #include "sim/match/step.h"
@@ -23,10 +24,6 @@ sim::Side side_of(const pb::WhatIf::MovedRobot& robot) { return robot.opponent()
 /// The body's index of a moved robot that plays, in a situation whose own side is home.
 int index_of(const pb::WhatIf::MovedRobot& robot, const Lineups& lineups) {
   return sim::robot_of(side_of(robot), lineups.of(side_of(robot)).place_of(robot.player()));
-}
-
-std::string name_of(const pb::WhatIf::MovedRobot& robot) {
-  return std::string(robot.opponent() ? "opponent player " : "own player ") + std::to_string(robot.player());
 }
 
 Result<void> check_place(const sim::field::Field& field, const std::string& who, Vec2 at, float room) {

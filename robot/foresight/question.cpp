@@ -8,15 +8,13 @@
 namespace robot::foreseeing {
 namespace {
 
-constexpr float kDefaultHorizon = 30, kLongestHorizon = 1200;  // [s]
+constexpr float kDefaultHorizon = 30;     // [s]
+constexpr double kLongestHorizon = 1200;  // [s]
 constexpr std::uint32_t kDefaultBudgetMs = 500, kLeastBudgetMs = 10, kMostBudgetMs = 10'000;
 constexpr float kDefaultCost = 0.02f;
-constexpr const char* kBaseline = "baseline";
 constexpr std::size_t kMostName = 200;
 
-bool is_within(float value, float least, float most) { return value >= least && value <= most; }
-
-/// [0] .. [1] inclusive, where 0 stands for what is left out.
+/// All are known, and no strategy is there twice.
 Result<void> check_names(const pb::WhatIf& question, const std::vector<std::string>& known) {
   if (question.strategies_size() > sim::foresight::kMaxStrategies)
     return Error{"'strategies' must be 1 .. " + std::to_string(sim::foresight::kMaxStrategies) + ", got " +
@@ -35,16 +33,43 @@ Result<void> check_names(const pb::WhatIf& question, const std::vector<std::stri
       return Error{"'strategies' must differ, " + name + " is there twice"};
   }
   // there is always a baseline, whatever one's own team plays
-  return question.opponent() == kBaseline ? Result<void>{} : check(question.opponent());
+  return question.opponent() == kDefaultOpponent ? Result<void>{} : check(question.opponent());
+}
+
+/// So many robots may be there, and each can be moved once.
+Result<void> check_moved(const google::protobuf::RepeatedPtrField<pb::WhatIf::MovedRobot>& robots) {
+  if (robots.size() > sim::kMaxRobots)
+    return Error{"'edit.robots' must be at most " + std::to_string(sim::kMaxRobots) + ", got " +
+                 std::to_string(robots.size())};
+  for (auto robot = robots.begin(); robot != robots.end(); ++robot)
+    if (std::any_of(robots.begin(), robot, [&](const pb::WhatIf::MovedRobot& before) {
+          return before.opponent() == robot->opponent() && before.player() == robot->player();
+        }))
+      return Error{"'edit.robots' must differ, " + name_of(*robot) + " is there twice"};
+  return {};
 }
 
 }  // namespace
+
+std::string name_of(const pb::WhatIf::MovedRobot& robot) {
+  return std::string(robot.opponent() ? "opponent player " : "own player ") + std::to_string(robot.player());
+}
+
+Result<void> check_horizon(double seconds) {
+  if (seconds >= 1 && seconds <= kLongestHorizon) return {};
+  return Error{"'horizon' must be 1 .. 1200 [s], got " + number(seconds)};
+}
+
+Result<void> check_budget(std::uint32_t budget_ms) {
+  if (budget_ms >= kLeastBudgetMs && budget_ms <= kMostBudgetMs) return {};
+  return Error{"'budget_ms' must be 10 .. 10000 [ms], got " + std::to_string(budget_ms)};
+}
 
 Result<pb::WhatIf> complete(pb::WhatIf question, const std::vector<std::string>& known) {
   if (question.strategies_size() == 0)
     for (std::size_t i = 0; i < std::min<std::size_t>(known.size(), sim::foresight::kMaxStrategies); ++i)
       question.add_strategies(known[i]);
-  if (question.opponent().empty()) question.set_opponent(kBaseline);
+  if (question.opponent().empty()) question.set_opponent(kDefaultOpponent);
   if (question.horizon() == 0) question.set_horizon(kDefaultHorizon);
   if (question.budget_ms() == 0) question.set_budget_ms(kDefaultBudgetMs);
   if (!question.has_switching_cost()) question.set_switching_cost(kDefaultCost);
@@ -52,11 +77,10 @@ Result<pb::WhatIf> complete(pb::WhatIf question, const std::vector<std::string>&
   if (Result<void> named = check_names(question, known); !named) return Error{named.error()};
   if (!pb::WhatIf::Measure_IsValid(question.measure())) return Error{"'measure' is none that there is"};
   if (!pb::WhatIf::Until_IsValid(question.until())) return Error{"'until' is none that there is"};
-  if (!is_within(question.horizon(), 1, kLongestHorizon))
-    return Error{"'horizon' must be 1 .. 1200 [s], got " + number(static_cast<double>(question.horizon()))};
-  if (question.budget_ms() < kLeastBudgetMs || question.budget_ms() > kMostBudgetMs)
-    return Error{"'budget_ms' must be 10 .. 10000 [ms], got " + std::to_string(question.budget_ms())};
-  if (!is_within(question.switching_cost(), 0, 10))
+  if (Result<void> checked = check_horizon(double{question.horizon()}); !checked) return Error{checked.error()};
+  if (Result<void> checked = check_budget(question.budget_ms()); !checked) return Error{checked.error()};
+  if (Result<void> moved = check_moved(question.edit().robots()); !moved) return Error{moved.error()};
+  if (!(question.switching_cost() >= 0 && question.switching_cost() <= 10))
     return Error{"'switching_cost' must be 0 .. 10, got " + number(static_cast<double>(question.switching_cost()))};
   return question;
 }

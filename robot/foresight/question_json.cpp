@@ -143,8 +143,15 @@ Result<pb::WhatIf> parse_question(const json& asked) {
   reader.read_name(asked, "measure", kMeasureNames,
                    [&](int i) { question.set_measure(static_cast<pb::WhatIf::Measure>(i)); });
   reader.read_name(asked, "until", kUntilNames, [&](int i) { question.set_until(static_cast<pb::WhatIf::Until>(i)); });
-  reader.read_number(asked, "", "horizon", [&](double seconds) { question.set_horizon(static_cast<float>(seconds)); });
-  reader.read_count(asked, "", "budget_ms", [&](std::uint32_t budget) { question.set_budget_ms(budget); });
+  // 0 would be taken for what was left out
+  reader.read_number(asked, "", "horizon", [&](double seconds) {
+    if (const Result<void> checked = check_horizon(seconds); !checked) reader.refuse(checked.error());
+    question.set_horizon(static_cast<float>(seconds));
+  });
+  reader.read_count(asked, "", "budget_ms", [&](std::uint32_t budget_ms) {
+    if (const Result<void> checked = check_budget(budget_ms); !checked) reader.refuse(checked.error());
+    question.set_budget_ms(budget_ms);
+  });
   reader.read_number(asked, "", "switching_cost",
                      [&](double cost) { question.set_switching_cost(static_cast<float>(cost)); });
   if (const auto edit = asked.find("edit"); edit != asked.end()) read_edit(reader, *edit, *question.mutable_edit());

@@ -42,6 +42,9 @@ TEST(Question, SaysWhatIsWrong) {
   EXPECT_EQ(problem(R"({"horizon": "far"})"), "'horizon' must be a number, got \"far\"");
   EXPECT_EQ(problem(R"({"horizon": 1e9})"), "'horizon' must be 1 .. 1200 [s], got 1e+09");
   EXPECT_EQ(problem(R"({"horizon": -3})"), "'horizon' must be 1 .. 1200 [s], got -3");
+  EXPECT_EQ(problem(R"({"horizon": 0})"), "'horizon' must be 1 .. 1200 [s], got 0");
+  EXPECT_EQ(problem(R"({"horizon": 1e-60})"), "'horizon' must be 1 .. 1200 [s], got 1e-60");
+  EXPECT_EQ(problem(R"({"budget_ms": 0})"), "'budget_ms' must be 10 .. 10000 [ms], got 0");
   EXPECT_EQ(problem(R"({"budget_ms": 1000000000})"), "'budget_ms' must be 10 .. 10000 [ms], got 1000000000");
   EXPECT_EQ(problem(R"({"budget_ms": -1})"), "'budget_ms' must be a whole number 0 .. 1000000000, got -1");
   EXPECT_EQ(problem(R"({"rollouts": 1000000000})"), "'rollouts' is nothing that a question has");
@@ -62,6 +65,10 @@ TEST(Question, SaysWhatIsWrong) {
             "'edit.robots[0].side' must be own or opponent, got \"theirs\"");
   EXPECT_EQ(problem(R"({"edit": {"robots": [{"side": "own", "x": 0, "y": 0}]}})"),
             "'edit.robots[0].player' is missing");
+  EXPECT_EQ(problem(R"({"edit": {"robots": [{"side": "own", "player": 2, "x": 0, "y": 0},
+                                            {"side": "opponent", "player": 2, "x": 1, "y": 0},
+                                            {"side": "own", "player": 2, "x": 2, "y": 0}]}})"),
+            "'edit.robots' must differ, own player 2 is there twice");
   EXPECT_EQ(problem("[]"), "a question must be an object, got []");
 }
 
@@ -72,6 +79,21 @@ TEST(Question, OfAMessageIsCheckedAsWell) {
   question.Clear();
   question.set_measure(static_cast<pb::WhatIf::Measure>(77));
   EXPECT_EQ(complete(question, kKnown).error(), "'measure' is none that there is");
+  question.Clear();
+  for (std::uint32_t player = 1; player <= 15; ++player) question.mutable_edit()->add_robots()->set_player(player);
+  EXPECT_EQ(complete(question, kKnown).error(), "'edit.robots' must be at most 14, got 15");
+  question.mutable_edit()->mutable_robots()->RemoveLast();
+  EXPECT_TRUE(complete(question, kKnown));
+}
+
+TEST(Question, OfAMessageMayLeaveOutByZero) {
+  pb::WhatIf question;
+  question.set_horizon(0);
+  question.set_budget_ms(0);
+  const auto completed = complete(question, kKnown);
+  ASSERT_TRUE(completed) << completed.error();
+  EXPECT_EQ(completed->horizon(), 30);
+  EXPECT_EQ(completed->budget_ms(), 500u);
 }
 
 }  // namespace
