@@ -84,7 +84,10 @@ json to_json(const pb::Forecast& forecast, bool in_full) {
           {"answered_ms", forecast.answered_ms()},
           {"computed_ms", forecast.computed_ms()},
           {"simulated", forecast.simulated()},
+          {"horizon", forecast.horizon()},
           {"models", forecast.models()},
+          {"opponent_models", forecast.opponent_models()},
+          {"rules", forecast.rules()},
           {"situation", to_json(forecast.situation())}};
 }
 
