@@ -130,7 +130,7 @@ TEST(Advisor, EachNewIdIsOneQuestionAndGetsItsAnswer) {
   Fixture fixture(false);
   const Answers answers(fixture);
   for (std::uint64_t id = 1; id <= 4; ++id)
-    fixture.game.memory->what_if.write(numbered(id, 300), fixture.game.now_ns());
+    fixture.game.memory->what_if.write(numbered(id, 800), fixture.game.now_ns());
   const std::vector<pb::Forecast> all = answers.first(4);
   ASSERT_EQ(all.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
