@@ -29,14 +29,16 @@ struct AskingOptions {
 };
 
 /// A thread of its own: it waits for the object `what_if`, which a team's process writes, and looks ten times a second,
-/// whatever is asked, at what the team plays and whether the captain has a reason to ask. Each new id in `what_if` is one
-/// question; when one runs and one waits, the next is answered at once by a refusal. The captain asks one question at a
-/// time, which waits for who is before it, and nobody comes before it again and again. Every answer becomes the object `forecast`; what the team plays, chosen here or
-/// heard from the captain, is the object `strategy`, and how well forecasts come true `forecast_score`.
+/// whatever is asked, at what the team plays and whether the captain has a reason to ask. Every answer becomes the object
+/// `forecast`; what the team plays, chosen here or heard from the captain, is the object `strategy`, and how well forecasts
+/// come true `forecast_score`.
+///
+/// Each new id in `what_if` is one question; while one runs and one waits, the next is answered at once by a refusal. The
+/// captain asks one question at a time, which waits for who is before it, and the next place that gets free is its own.
 class Advisor {
  public:
-  /// It owns `foreseer`; all others outlive the advisor. `now_ns`: the time of what memory holds [ns since the epoch]; both functions are called by
-  /// any thread.
+  /// It owns `foreseer`; all others outlive the advisor. `now_ns`: the time of what memory holds [ns since the epoch];
+  /// both functions are called by any thread.
   Advisor(std::unique_ptr<Foreseer> foreseer, memory::Memory& memory, const memory::Channels& channels,
           std::string robot, std::function<std::uint64_t()> now_ns, std::function<AskingOptions()> options);
   ~Advisor();
