@@ -17,16 +17,15 @@
 namespace robot::app {
 namespace {
 
-/// At most so many of the first messages of `topic`, as they were written.
+/// All messages of `topic`, as they were written.
 template <class Message>
-std::vector<foreseeing::Remembered<Message>> read_all(const logging::Session& session, const std::string& topic,
-                                                      std::size_t most = SIZE_MAX) {
+std::vector<foreseeing::Remembered<Message>> read_all(const logging::Session& session, const std::string& topic) {
   std::vector<foreseeing::Remembered<Message>> all;
   const auto file = std::ranges::find(session.streams, topic, &logging::StreamFile::topic);
   if (file == session.streams.end()) return all;
   const auto stream = logging::provider_of(session, *file);
   if (!stream->open()) return all;
-  while (all.size() < most) {
+  while (true) {
     const Result<std::optional<logging::Record>> record = stream->read();
     if (!record) continue;  // a damage is told by the table of streams
     if (!*record) break;
@@ -37,8 +36,7 @@ std::vector<foreseeing::Remembered<Message>> read_all(const logging::Session& se
 }
 
 /// By how much goals are told late: by the rules of the recorded simulation, else by the newest. [s]
-float goal_delay_of(const logging::Session& session) {
-  const auto simulations = read_all<foresight::Simulation>(session, foreseeing::kSimulationTopic, 1);
+float goal_delay_of(const std::vector<foreseeing::Remembered<foresight::Simulation>>& simulations) {
   const std::string rules = simulations.empty() ? foreseeing::kNewestRules : simulations.front().value.rules();
   const auto loaded = sim::io::load_rules(rules);
   return loaded ? loaded->goal_message_delay : 0;
@@ -49,7 +47,9 @@ float goal_delay_of(const logging::Session& session) {
 std::map<std::string, foresight::ForecastScore> score_forecasts(const logging::Session& session) {
   constexpr std::string_view kForecast = "/forecast";
   std::map<std::string, foresight::ForecastScore> scores;
-  const float goal_delay = goal_delay_of(session);
+  auto simulations = read_all<foresight::Simulation>(session, foreseeing::kSimulationTopic);
+  const float goal_delay = goal_delay_of(simulations);
+  std::ranges::stable_sort(simulations, {}, &foreseeing::Remembered<foresight::Simulation>::capture_ns);
   for (const logging::StreamFile& file : session.streams) {
     if (!file.topic.ends_with(kForecast)) continue;
     const std::string robot = file.topic.substr(1, file.topic.size() - 1 - kForecast.size());
@@ -62,9 +62,12 @@ std::map<std::string, foresight::ForecastScore> score_forecasts(const logging::S
     for (const auto& strategy : read_all<foresight::Strategy>(session, "/" + robot + "/strategy"))
       scorer.see(strategy.value, strategy.capture_ns);
     auto next = forecasts.begin();
+    auto truth = simulations.begin();
     for (const auto& game : games) {
       for (; next != forecasts.end() && next->capture_ns < game.capture_ns; ++next)
         scorer.foretell(next->value, next->capture_ns);
+      for (; truth != simulations.end() && truth->capture_ns < game.capture_ns; ++truth)
+        scorer.see(truth->value, truth->capture_ns);
       scorer.see(game.value, game.capture_ns);
     }
     scores[robot] = scorer.score();

@@ -45,7 +45,8 @@ ForesightControl::ForesightControl(std::unique_ptr<foreseeing::Foreseer> foresee
               [this, own = robot, now_ns, &channels = runtime.channels()](const std::string& asked,
                                                                           const foresight::WhatIf& question) {
                 if (asked == own) return advisor_->ask(question);
-                return ask_for(advisor_->foreseer(), channels, asked, question, now_ns());
+                return ask_for(advisor_->foreseer(), channels, asked, question, now_ns(),
+                               foreseeing::whose(asked, own));
               });
 }
 
@@ -72,9 +73,10 @@ foreseeing::ForeseerOptions foreseer_options(const RobotOptions& options) {
 }
 
 Result<foresight::Forecast> ask_for(foreseeing::Foreseer& foreseer, const memory::Channels& channels,
-                                    const std::string& robot, const foresight::WhatIf& question, std::uint64_t now_ns) {
+                                    const std::string& robot, const foresight::WhatIf& question, std::uint64_t now_ns,
+                                    foreseeing::Whose whose) {
   if (!channels.find("/" + robot + "/pose")) return Error{"there is no robot '" + robot.substr(0, 40) + "'"};
-  return foreseer.ask_and_wait(question, foreseeing::recollect(channels, robot, now_ns));
+  return foreseer.ask_and_wait(question, foreseeing::recollect(channels, robot, now_ns), whose);
 }
 
 }  // namespace robot::app

@@ -41,8 +41,9 @@ std::vector<std::string> default_strategies();
 
 foreseeing::ForeseerOptions foreseer_options(const RobotOptions& options);
 
-/// Asks for any robot whose memory is in `channels`.
+/// Asks for any robot whose memory is in `channels`; `whose` it is to the one whose models `foreseer` has as its own.
 Result<foresight::Forecast> ask_for(foreseeing::Foreseer& foreseer, const memory::Channels& channels,
-                                    const std::string& robot, const foresight::WhatIf& question, std::uint64_t now_ns);
+                                    const std::string& robot, const foresight::WhatIf& question, std::uint64_t now_ns,
+                                    foreseeing::Whose whose = foreseeing::Whose::own);
 
 }  // namespace robot::app

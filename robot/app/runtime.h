@@ -5,6 +5,7 @@
 //                             sessions of a game
 //   net               Server    sockets: HTTP, WebSocket                                       when there is something
 //   net <helper>      Server    reads downloads; starts and stops loggers; control             when asked
+//   net questions     Server    asks foresight for people and waits for the answer             when asked
 //   log <object>      board     carries one memory object to a file                            each version
 //   log <object>      board     carries one memory object to the server, while it is watched   each version
 //   parser            board     carries one stream of a recording into memory (replay)         each message
@@ -19,8 +20,13 @@
 //   camera bottom     NaoCameras  the same
 //   relay             RobotLink  carries one robot's channels into memory (foresight-lab relay) when there is something
 //   simulation        SimBody   plays the game and writes all robots' memories (sim)           30 Hz x speed
+//   advisor           Advisor   hears questions in memory, asks as the captain, follows what   when there is one; 10 Hz
+//                               the captain told, scores forecasts
+//   advice            Foreseer  answers each question at its deadline                          each question
+//   foresee           Foreseer  plays the futures of a question                                while one runs
 //
-// Loggers, parsers and the net thread run at nice 10: whoever decides and moves comes first.
+// Loggers, parsers, the advisor and the net threads run at nice 10: whoever decides and moves comes first. The futures get
+// what nobody else wants, on the lab machine as much as the loggers; their deadline is kept at normal priority.
 #pragma once
 
 #include <functional>

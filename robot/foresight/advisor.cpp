@@ -8,12 +8,13 @@
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
 #include "robot/foresight/question.h"
-#include "robot/foresight/triggers.h"
+#include "robot/foresight/wording.h"
 
 namespace robot::foreseeing {
 namespace {
 
 constexpr std::uint64_t kLookNs = 100'000'000;
+constexpr std::size_t kMostHeard = 100;  // each is taken within moments: more is a flood
 
 /// An answer to what could not even be asked.
 pb::Forecast refused(const pb::WhatIf& question, std::uint64_t now_ns, const std::string& sentence) {
@@ -34,7 +35,10 @@ class Advisor::Inbox final : public memory::Listener {
 
   void on_version(const memory::VersionPtr& version) override {
     const std::lock_guard guard(advisor_.lock_);
-    advisor_.asked_ = version;
+    if (advisor_.heard_.size() < kMostHeard)
+      advisor_.heard_.push_back(version);
+    else
+      ++advisor_.missed_;
     advisor_.woken_.notify_all();
   }
 
@@ -83,44 +87,72 @@ std::string Advisor::strategy() const {
 void Advisor::run() {
   become_background_thread("advisor");
   Triggers triggers(foreseer_->rules().field.length / 2);
-  while (true) {
-    std::shared_ptr<const memory::Version> asked;
-    {
-      const std::lock_guard guard(lock_);
-      if (!asked_ && running_) woken_.wait_until(lock_, monotonic_ns() + kLookNs);
-      if (!running_) return;
-      asked = std::exchange(asked_, nullptr);
-    }
-    if (asked) {
-      pb::WhatIf question;
-      const std::string_view bytes = asked->bytes();
-      if (question.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) take_question(question);
-      continue;
-    }
-    const std::uint64_t now_ns = now_ns_();
-    const AskingOptions options = options_();
-    follow(now_ns, options);
-    score(now_ns);
-    if (!options.on) continue;
-    const Recollection now = recollect(channels_, robot_, now_ns);
-    const char* const why = triggers.look(now, static_cast<std::uint64_t>(options.period * 1e9));
-    // what somebody else asks comes first; an answer to a question that waited would be one about the past
-    if (!why || !foreseer_->idle()) continue;
-    triggers.asked();
-    pb::WhatIf question;
-    question.set_asked_by(std::string(kByCaptain) + why);
-    question.set_budget_ms(options.budget_ms);
-    question.set_horizon(static_cast<float>(options.horizon));
-    question.set_id(now.now_ns);
-    // all are compared with the default, whatever is played now (sim/foresight/chooser.h)
-    for (const std::string& name : strategies_) question.add_strategies(name);
-    (void)foreseer_->ask(question, now, [this](const pb::Forecast& forecast) { decide(forecast); });
+  std::uint64_t look_ns = monotonic_ns() + kLookNs;  // when to look again, whatever comes until then
+  while (running_) {
+    if (const auto asked = next_heard(look_ns)) take_question(*asked);
+    if (!running_ || monotonic_ns() < look_ns) continue;
+    look_ns = monotonic_ns() + kLookNs;
+    look(triggers);
   }
 }
 
-/// Of a team's own process: whatever comes of it is an answer.
-void Advisor::take_question(const pb::WhatIf& question) {
+/// The first question of memory that was not taken yet, waited for until then.
+std::shared_ptr<const memory::Version> Advisor::next_heard(std::uint64_t until_ns) {
+  const std::lock_guard guard(lock_);
+  while (running_ && heard_.empty() && monotonic_ns() < until_ns) woken_.wait_until(lock_, until_ns);
+  if (heard_.empty()) return nullptr;
+  auto first = std::move(heard_.front());
+  heard_.pop_front();
+  return first;
+}
+
+/// What is to be done ten times a second.
+void Advisor::look(Triggers& triggers) {
   const std::uint64_t now_ns = now_ns_();
+  const AskingOptions options = options_();
+  follow(now_ns, options);
+  score(now_ns);
+  captain_waits_ = false;
+  std::uint64_t missed;
+  {
+    const std::lock_guard guard(lock_);
+    missed = std::exchange(missed_, 0);
+  }
+  if (missed > 0)
+    report(Level::warning, "foresight",
+           "left " + std::to_string(missed) + " questions unanswered, which came faster than they can be read");
+  if (options.on) ask_of_own_accord(recollect(channels_, robot_, now_ns), options, triggers);
+}
+
+/// As the captain, where there is a reason.
+void Advisor::ask_of_own_accord(const Recollection& now, const AskingOptions& options, Triggers& triggers) {
+  const char* const why = triggers.look(now, static_cast<std::uint64_t>(options.period * 1e9));
+  if (!why || captain_asks_) return;
+  pb::WhatIf question;
+  question.set_asked_by(std::string(kByCaptain) + why);
+  question.set_budget_ms(options.budget_ms);
+  question.set_horizon(static_cast<float>(options.horizon));
+  question.set_id(now.now_ns);
+  // all are compared with the default, whatever is played now (sim/foresight/chooser.h)
+  for (const std::string& name : strategies_) question.add_strategies(name);
+  const auto leader = static_cast<int>(now.game->value.own_player());
+  captain_asks_ = true;
+  if (foreseer_->ask(question, now, [this, leader](const pb::Forecast& forecast) { decide(forecast, leader); }))
+    triggers.asked();
+  else
+    captain_asks_ = false, captain_waits_ = true;
+}
+
+/// Of a team's own process: whatever comes of it is an answer. While the captain waits for a place the next is the
+/// captain's.
+void Advisor::take_question(const memory::Version& version) {
+  pb::WhatIf question;
+  const std::string_view bytes = version.bytes();
+  if (!question.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return;
+  if (newest_id_ == question.id()) return;
+  newest_id_ = question.id();
+  const std::uint64_t now_ns = now_ns_();
+  if (captain_waits_ && !foreseer_->idle()) return keep(refused(question, now_ns, kBusy));
   const Result<void> asked = foreseer_->ask(question, recollect(channels_, robot_, now_ns),
                                             [this](const pb::Forecast& forecast) { keep(forecast); });
   if (!asked) keep(refused(question, now_ns, asked.error()));
@@ -134,38 +166,47 @@ void Advisor::keep(const pb::Forecast& forecast) {
   memory_.forecast.write(forecast, forecast.asked_ns());
 }
 
-/// The captain's own question is answered.
-void Advisor::decide(const pb::Forecast& forecast) {
+/// The question that this robot, player `leader`, asked as the captain is answered. Who is no captain any more, penalised
+/// say, does not choose, nor does one whose foresight was switched off meanwhile or whose time was moved back.
+void Advisor::decide(const pb::Forecast& forecast, int leader) {
+  captain_asks_ = false;
   keep(forecast);
   if (!forecast.refusal().empty() || forecast.advice() == pb::Forecast::ADVICE_NONE) return;
   const auto choice = std::find(strategies_.begin(), strategies_.end(), forecast.choice());
   if (choice == strategies_.end()) return;
-  const int chosen = static_cast<int>(choice - strategies_.begin());
-  const std::string before = strategy();
-  const bool gives_up = before != *choice && forecast.advice() == pb::Forecast::ADVICE_KEEP;
-  const std::string reason = gives_up ? "gives up " + before + ", " + forecast.reason() : forecast.reason();
+  std::string before, reason;
   {
     const std::lock_guard guard(lock_);
-    following_.choose(chosen, forecast.asked_ns());
+    if (!options_().on || !leads(leader) || Moment{now_ns_()}.is_before(forecast.asked_ns())) return;
+    before = strategies_[static_cast<std::size_t>(following_.choice().played())];
+    reason = reason_of(forecast, before, *choice);
+    following_.choose(static_cast<int>(choice - strategies_.begin()), forecast.asked_ns());
     reason_ = reason;
   }
   if (before != *choice) report(Level::info, "foresight", reason);
   write_strategy(forecast.asked_ns());
 }
 
+/// This robot is that player, and the captain, now.
+bool Advisor::leads(int player) const {
+  const auto game = memory_.game.read();
+  return game && static_cast<int>(game->value().own_player()) == player && captain_of(game->value()) == player;
+}
+
 /// What the captain told, where another is it.
 void Advisor::follow(std::uint64_t now_ns, const AskingOptions& options) {
   const auto game = memory_.game.read();
   const auto team = memory_.team.read();
+  const Moment now = moment_of(channels_, now_ns);
   bool due = false;
   {
     const std::lock_guard guard(lock_);
     const auto before = following_.choice();
     const int player = game ? static_cast<int>(game->value().own_player()) : 0;
     captain_ = game ? captain_of(game->value()) : 0;
-    if (team) following_.hear(team->value(), captain_, player, now_ns);
+    if (team) following_.hear(team->value(), captain_, player, now);
     const bool leads = options.on && captain_ != 0 && captain_ == player;
-    following_.forget(now_ns, leads ? static_cast<std::uint64_t>(options.period * 1e9) : 0);
+    following_.forget(now, leads ? static_cast<std::uint64_t>(options.period * 1e9) : 0);
     const auto after = following_.choice();
     if (after.epoch != before.epoch || after.strategy != before.strategy) reason_.clear(), due = true;
     due = due || now_ns >= written_ns_ + kSecond || now_ns < written_ns_;
@@ -202,7 +243,10 @@ void Advisor::score(std::uint64_t now_ns) {
   for (const auto& strategy : played) scorer_.see(strategy.value, strategy.capture_ns);
   for (const auto& forecast : forecasts) scorer_.foretell(forecast.value, forecast.capture_ns);
   const auto game = memory_.game.read();
-  if (game && scorer_.see(game->value(), now_ns)) memory_.forecast_score.write(scorer_.score(), now_ns);
+  const auto simulation = memory_.simulation.read();
+  const bool told = game && scorer_.see(game->value(), now_ns);
+  const bool so = simulation && scorer_.see(simulation->value(), simulation->capture_ns());
+  if (told || so) memory_.forecast_score.write(scorer_.score(), now_ns);
 }
 
 }  // namespace robot::foreseeing

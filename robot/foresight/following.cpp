@@ -6,10 +6,10 @@ namespace robot::foreseeing {
 
 using sim::agent::kNoStrategy;
 
-void Following::hear(const pb::Team& team, int captain, int player, std::uint64_t now_ns) {
+void Following::hear(const pb::Team& team, int captain, int player, const Moment& now) {
   for (const pb::Teammate& mate : team.teammates()) {
     const int sender = static_cast<int>(mate.player());
-    const bool stale = mate.received_ns() + kStaleNs <= now_ns;
+    const bool stale = now.since(mate.received_ns()) >= kStaleNs || now.is_before(mate.received_ns());
     const bool known = mate.has_strategy() && static_cast<int>(mate.strategy()) < strategies_;
     if (sender == player || stale || !known) continue;
     const bool followed = choice_.strategy != kNoStrategy;
@@ -19,13 +19,14 @@ void Following::hear(const pb::Team& team, int captain, int player, std::uint64_
   }
 }
 
-void Following::forget(std::uint64_t now_ns, std::uint64_t period_ns) {
-  if (told_ns_ + kStaleNs + period_ns <= now_ns) let_go(choice_);
+void Following::forget(const Moment& now, std::uint64_t period_ns) {
+  if (now.is_before(told_ns_)) choice_ = {}, told_ns_ = 0;
+  if (now.since(told_ns_) >= kStaleNs + period_ns) let_go(choice_);
 }
 
-void Following::choose(int strategy, std::uint64_t now_ns) {
+void Following::choose(int strategy, std::uint64_t told_ns) {
   sim::agent::choose(static_cast<std::uint8_t>(strategy), choice_);
-  told_ns_ = now_ns;
+  told_ns_ = told_ns;
 }
 
 }  // namespace robot::foreseeing

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "proto/foresight/team.pb.h"
+#include "robot/foresight/moment.h"
 #include "sim/agent/choice.h"
 
 namespace robot::foreseeing {
@@ -13,21 +14,21 @@ namespace pb = ::foresight;
 /// Plain data with the rule of sim/agent/choice.h: the simulator's teams follow by the same one. Used by one thread.
 class Following {
  public:
-  /// A choice that was not confirmed for longer is not followed.
+  /// A choice that was not confirmed for longer, in game time, is not followed.
   static constexpr std::uint64_t kStaleNs = 20'000'000'000;
 
   /// `strategies` [1..8] in the robot's list.
   explicit Following(int strategies) : strategies_(strategies) {}
 
   /// Takes over what teammates told. `captain` chooses, 0: nobody; `player` is this robot.
-  void hear(const pb::Team& team, int captain, int player, std::uint64_t now_ns);
+  void hear(const pb::Team& team, int captain, int player, const Moment& now);
 
-  /// Lets go of a choice that is stale; where this robot asks every `period_ns` itself, that much later. To be called
-  /// now and then.
-  void forget(std::uint64_t now_ns, std::uint64_t period_ns = 0);
+  /// Lets go of a choice that is stale; where this robot asks every `period_ns` of game time itself, that much later.
+  /// Where time was moved back, of one that is still to come and of what was before it. To be called now and then.
+  void forget(const Moment& now, std::uint64_t period_ns = 0);
 
   /// As the captain; confirms what is played when it is the same.
-  void choose(int strategy, std::uint64_t now_ns);
+  void choose(int strategy, std::uint64_t told_ns);
 
   const sim::agent::Choice& choice() const { return choice_; }
   std::uint64_t told_ns() const { return told_ns_; }

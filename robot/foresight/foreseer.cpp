@@ -7,6 +7,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/core/thread.h"
+#include "robot/foresight/edit.h"
 #include "robot/foresight/question.h"
 #include "sim/foresight/forecast.h"
 #include "sim/match/hash.h"
@@ -81,14 +82,30 @@ void fill(const pf::Situation& situation, const sim::field::Rules& rules, const 
   });
 }
 
+/// [s] that each rollout looks at most.
+float horizon_of(const pb::WhatIf& question, const sim::field::Rules& rules, const sim::referee::Book& book) {
+  const bool is_half = question.until() == pb::WhatIf::UNTIL_HALF;
+  if (!is_half && question.until() != pb::WhatIf::UNTIL_GAME) return question.horizon();
+  // the clock of a half stands until its kick-off
+  using Phase = sim::agent::Game::Phase;
+  const float before = rules.ready_duration + rules.set_duration;
+  const bool stands = book.clock == 0 && book.phase != Phase::playing;
+  const float still = stands ? (book.phase == Phase::set ? rules.set_duration : before) : 0;
+  const float left = still + std::max(0.f, sim::referee::left_of_half(rules, book));
+  const int halves = is_half ? 0 : std::max(rules.halves - int{book.half}, 0);
+  return left + static_cast<float>(halves) * (before + rules.half_duration);
+}
+
 /// What every answer says, whatever came of it.
-pb::Forecast began(const pb::WhatIf& question, std::uint64_t asked_ns, double speed, const std::string& models) {
+pb::Forecast began(const pb::WhatIf& question, std::uint64_t asked_ns, double speed,
+                   const sim::io::PlaybookChoice& choice) {
   pb::Forecast forecast;
   *forecast.mutable_question() = question;
   forecast.set_asked_ns(asked_ns);
   forecast.set_choice(question.strategies(0));
-  forecast.set_horizon(question.horizon());
-  forecast.set_models(models);
+  forecast.set_models(choice.models);
+  forecast.set_opponent_models(choice.opponent_models);
+  forecast.set_rules(choice.rules);
   forecast.set_speed(static_cast<float>(speed));
   return forecast;
 }
@@ -103,11 +120,15 @@ sim::RandomKey key_of(const pb::WhatIf& question, const pf::Situation& situation
 
 }  // namespace
 
+Whose whose(const std::string& robot, const std::string& own) {
+  return robot.substr(0, robot.find('/')) == own.substr(0, own.find('/')) ? Whose::own : Whose::others;
+}
+
 Result<std::unique_ptr<Foreseer>> Foreseer::open(ForeseerOptions options) {
   if (options.strategies.empty()) return Error{"foresight: there are no strategies to choose from"};
   auto made = std::unique_ptr<Foreseer>(new Foreseer(std::move(options)));
   // everything is read once, so that a wrong file is told now
-  if (const auto playbook = made->playbook_for(made->options_.strategies.front(), 0); !playbook)
+  if (const auto playbook = made->playbook_for(made->options_.strategies.front(), 0, Whose::own); !playbook)
     return Error{"foresight: " + playbook.error()};
   else
     made->rules_ = (*playbook)->params.front().rules;
@@ -128,15 +149,17 @@ Foreseer::~Foreseer() {
 }
 
 /// Of all strategies against that opponent, in the order of the options; 0 players: as the rules say.
-Result<std::shared_ptr<const sim::io::Playbook>> Foreseer::playbook_for(const std::string& opponent, int players) {
+Result<std::shared_ptr<const sim::io::Playbook>> Foreseer::playbook_for(const std::string& opponent, int players,
+                                                                        Whose robot) {
   const std::lock_guard guard(preparing_);
-  const std::pair key(opponent, players);
+  const std::tuple key(opponent, players, robot);
   if (const auto kept = playbooks_.find(key); kept != playbooks_.end()) return kept->second;
+  const bool is_own = robot == Whose::own;
   auto playbook = sim::io::prepare_playbook({.strategies = options_.strategies,
                                              .opponent = opponent,
                                              .rules = options_.rules,
-                                             .models = options_.models,
-                                             .opponent_models = options_.opponent_models,
+                                             .models = is_own ? options_.models : options_.opponent_models,
+                                             .opponent_models = is_own ? options_.opponent_models : options_.models,
                                              .players = players});
   if (!playbook) return Error{playbook.error()};
   if (playbooks_.size() == kMostPlaybooks) playbooks_.clear();
@@ -154,12 +177,12 @@ bool Foreseer::idle() {
   return jobs_.empty();
 }
 
-Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollection, Answered answered) {
+Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollection, Answered answered, Whose robot) {
   Result<pb::WhatIf> question = complete(asked, options_.strategies);
   if (!question) return Error{question.error()};
   const std::uint32_t told = recollection.game ? recollection.game->value.players_per_team() : 0;
   const int players = told >= 1 && told <= sim::kMaxPlayers ? static_cast<int>(told) : 0;
-  const auto playbook = playbook_for(question->opponent(), players);
+  const auto playbook = playbook_for(question->opponent(), players, robot);
   if (!playbook) return Error{playbook.error()};
   const sim::Params& params = (*playbook)->params.front();
 
@@ -173,7 +196,7 @@ Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollec
   const pf::Believed believed =
       knowledge ? pf::believe(params, *knowledge) : pf::Believed{.situation = {}, .refusal = knowledge.error()};
   if (!believed.refusal.empty()) {
-    pb::Forecast forecast = began(*question, job->asked_ns, job->speed, options_.models);
+    pb::Forecast forecast = began(*question, job->asked_ns, job->speed, (*playbook)->choice);
     forecast.set_refusal(believed.refusal);
     forecast.set_reason("cannot tell, because " + believed.refusal);
     answered(forecast);
@@ -193,17 +216,17 @@ Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollec
   job->answered = std::move(answered);
 
   const std::lock_guard guard(lock_);
-  if (jobs_.size() >= kMostJobs) return Error{"foresight is busy: one question runs and another one waits"};
+  if (jobs_.size() >= kMostJobs) return Error{kBusy};
   jobs_.push_back(std::move(job));
   changed_.notify_all();
   return {};
 }
 
-Result<pb::Forecast> Foreseer::ask_and_wait(const pb::WhatIf& question, const Recollection& recollection) {
+Result<pb::Forecast> Foreseer::ask_and_wait(const pb::WhatIf& question, const Recollection& recollection, Whose robot) {
   const auto answer = std::make_shared<std::promise<pb::Forecast>>();
   auto coming = answer->get_future();
-  if (Result<void> asked =
-          ask(question, recollection, [answer](const pb::Forecast& forecast) { answer->set_value(forecast); });
+  if (Result<void> asked = ask(
+          question, recollection, [answer](const pb::Forecast& forecast) { answer->set_value(forecast); }, robot);
       !asked)
     return Error{asked.error()};
   return coming.get();
@@ -239,11 +262,13 @@ void Foreseer::answer(const Job& job, Rollouts& rollouts) {
   job.answered(forecast_of(job, progress));
 }
 
-pb::Forecast Foreseer::forecast_of(const Job& job, const Progress& progress) const {
+pb::Forecast Foreseer::forecast_of(const Job& job, const Progress& progress) {
   const auto& [playbook, strategies, situation, question, key] = job.futures;
   const pf::Forecast known = pf::forecast(progress.tally, question, key);
   const std::vector<std::string> names(job.question.strategies().begin(), job.question.strategies().end());
-  pb::Forecast forecast = began(job.question, job.asked_ns, job.speed, options_.models);
+  pb::Forecast forecast = began(job.question, job.asked_ns, job.speed, playbook->choice);
+  const sim::field::Rules& rules = playbook->params.front().rules;
+  forecast.set_horizon(horizon_of(job.question, rules, situation.state.book));
   forecast.set_advice(static_cast<pb::Forecast::Advice>(known.advice));
   forecast.set_choice(names[static_cast<std::size_t>(known.choice)]);
   forecast.set_reason(pf::reason(known, question, names.data()));
@@ -255,7 +280,7 @@ pb::Forecast Foreseer::forecast_of(const Job& job, const Progress& progress) con
   forecast.set_answered_ms(static_cast<float>(monotonic_ns() - job.arrived_ns) / 1e6f);
   forecast.set_computed_ms(static_cast<float>(progress.computed_ns) / 1e6f);
   forecast.set_simulated(static_cast<float>(progress.tally.ticks) * sim::kTickDuration);
-  fill(situation, playbook->params.front().rules, job.lineups, *forecast.mutable_situation());
+  fill(situation, rules, job.lineups, *forecast.mutable_situation());
   return forecast;
 }
 

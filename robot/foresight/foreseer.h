@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 #include <thread>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "proto/foresight/forecast.pb.h"
@@ -31,6 +31,15 @@ struct ForeseerOptions {
   std::string opponent_models = "match";  // of the others'
   Share share = Share::left_over;         // of the processor, for the rollouts
 };
+
+/// Whose robot a question is asked for: the others' plays with the others' models, against one's own.
+enum class Whose : std::uint8_t { own, others };
+
+/// Whose `robot` is to the robot `own`, both "<team>/<player>".
+Whose whose(const std::string& robot, const std::string& own);
+
+/// What an answer says that finds no place.
+inline constexpr const char* kBusy = "foresight is busy: one question runs and another one waits";
 
 /// Two threads: rollouts at the lowest priority, and at normal priority one that answers at the deadline from the last
 /// whole stripe, however little the rollouts got. All functions from any thread.
@@ -57,10 +66,12 @@ class Foreseer {
   /// Asks from where `recollection` is. One question runs at a time, and one may wait for it: a third is refused, and so
   /// is what makes no sense; then `answered` is not called. What cannot be told is an answer, with its `refusal`; it comes
   /// before this returns. The budget counts from when the question runs.
-  Result<void> ask(const pb::WhatIf& question, const Recollection& recollection, Answered answered);
+  Result<void> ask(const pb::WhatIf& question, const Recollection& recollection, Answered answered,
+                   Whose robot = Whose::own);
 
   /// As above, and waits for the answer.
-  Result<pb::Forecast> ask_and_wait(const pb::WhatIf& question, const Recollection& recollection);
+  Result<pb::Forecast> ask_and_wait(const pb::WhatIf& question, const Recollection& recollection,
+                                    Whose robot = Whose::own);
 
  private:
   struct Job {
@@ -75,16 +86,16 @@ class Foreseer {
 
   explicit Foreseer(ForeseerOptions options);
 
-  Result<std::shared_ptr<const sim::io::Playbook>> playbook_for(const std::string& opponent, int players);
+  Result<std::shared_ptr<const sim::io::Playbook>> playbook_for(const std::string& opponent, int players, Whose robot);
   void answer();
   void answer(const Job& job, Rollouts& rollouts);
-  pb::Forecast forecast_of(const Job& job, const Progress& progress) const;
+  static pb::Forecast forecast_of(const Job& job, const Progress& progress);
 
   const ForeseerOptions options_;
   sim::field::Rules rules_;  // does not change once it is open
 
   Mutex preparing_;
-  std::map<std::pair<std::string, int>, std::shared_ptr<const sim::io::Playbook>> playbooks_;
+  std::map<std::tuple<std::string, int, Whose>, std::shared_ptr<const sim::io::Playbook>> playbooks_;
 
   Mutex lock_;
   Condition changed_;

@@ -18,9 +18,8 @@ using Phase = sim::agent::Game::Phase;
 using SetPlay = sim::agent::Game::SetPlay;
 using Doing = sim::Body::Doing;
 
-constexpr float kVelocityDeviation = 0.3f;          // [m/s] of a filter that does not tell how sure it is
-constexpr float kSameOpponent = 1;                  // [m] a robot that is seen so near to a known one is that one
-constexpr std::uint64_t kAtOnceNs = 1'000'000'000;  // what is written while the moment is looked at
+constexpr float kVelocityDeviation = 0.3f;  // [m/s] of a filter that does not tell how sure it is
+constexpr float kSameOpponent = 1;          // [m] a robot that is seen so near to a known one is that one
 
 /// Counts in game time, of which a simulation may have more or less than a second a second.
 class Time {
@@ -242,15 +241,19 @@ const char* why_no_soccer(const pb::GameState& game) {
   return game.phase() == pb::GameState::PHASE_TIMEOUT ? "the game is in a time-out" : nullptr;
 }
 
+Moment moment_of(const memory::Channels& channels, std::uint64_t now_ns) {
+  const auto simulation = simulation_of(channels);
+  return {now_ns, simulation && simulation->value.speed() > 0 ? double{simulation->value.speed()} : 1};
+}
+
 Recollection recollect(const memory::Channels& channels, const std::string& robot, std::uint64_t now_ns) {
   Recollection recollection{.now_ns = now_ns};
   Recollection::visit(recollection, [&](const char* name, auto& object) {
     using Message = decltype(object->value);
     object = newest<Message>(channels, "/" + robot + "/" + name);
-    if (object && object->capture_ns > now_ns + kAtOnceNs) object.reset();
+    if (object && Moment{now_ns}.is_before(object->capture_ns)) object.reset();
   });
-  const auto simulation = simulation_of(channels);
-  if (simulation && simulation->value.speed() > 0) recollection.speed = double{simulation->value.speed()};
+  recollection.speed = moment_of(channels, now_ns).speed;
   return recollection;
 }
 

@@ -16,6 +16,7 @@
 #include "proto/foresight/team.pb.h"
 #include "proto/foresight/vision.pb.h"
 #include "robot/core/result.h"
+#include "robot/foresight/moment.h"
 #include "robot/memory/channels.h"
 #include "sim/foresight/situation.h"
 #include "sim/match/params.h"
@@ -72,6 +73,9 @@ inline constexpr const char* kSimulationTopic = "/sim/state";
 inline std::optional<Remembered<pb::Simulation>> simulation_of(const memory::Channels& channels) {
   return newest<pb::Simulation>(channels, kSimulationTopic);
 }
+
+/// The moment `now_ns`, in game time as the simulation goes, if there is one.
+Moment moment_of(const memory::Channels& channels, std::uint64_t now_ns);
 
 /// The part of the game that is no soccer, as a sentence; nullptr: soccer is played.
 const char* why_no_soccer(const pb::GameState& game);

@@ -48,6 +48,12 @@ std::string lines_of(const char* what, const pb::ForecastScore::Event& event) {
   return line + deciles;
 }
 
+bool is_default_opponent(const std::string& opponent) { return opponent.empty() || opponent == kDefaultOpponent; }
+
+const char* name_of(pb::ForecastScore::Against against) {
+  return against == pb::ForecastScore::AGAINST_GROUND_TRUTH ? "ground truth" : "own memory";
+}
+
 std::uint64_t nanoseconds(float seconds) { return static_cast<std::uint64_t>(double{seconds} * 1e9); }
 
 }  // namespace
@@ -56,13 +62,14 @@ Scorer::Scorer(float goal_delay) : goal_delay_(goal_delay) {}
 
 void Scorer::foretell(const pb::Forecast& forecast, std::uint64_t capture_ns) {
   const pb::WhatIf& question = forecast.question();
-  if (!seen_ || !forecast.refusal().empty() || is_edited(question) || !has_horizon(question)) return;
-  if (question.strategies_size() == 0) return;
+  if (!seen_ || !forecast.refusal().empty() || forecast.advice() == pb::Forecast::ADVICE_NONE) return;
+  if (is_edited(question) || !is_default_opponent(question.opponent())) return;
+  if (!has_horizon(question) || question.strategies_size() == 0) return;
   const float speed = forecast.speed() > 0 ? forecast.speed() : 1;
   Open& open = open_.emplace_back();
   open.asked_ns = capture_ns;
   open.due_ns = capture_ns + nanoseconds(forecast.horizon() / speed);
-  open.delay_ns = nanoseconds(goal_delay_ / speed);
+  open.delay_ns = by_truth_ ? 0 : nanoseconds(goal_delay_ / speed);
   open.by_behaviour = question.asked_by() != kByPeople && !question.asked_by().starts_with(kByCaptain);
   // nothing else is needed, and paths are large
   open.forecast.set_horizon(forecast.horizon());
@@ -82,17 +89,45 @@ void Scorer::see(const pb::Strategy& strategy, std::uint64_t capture_ns) {
 }
 
 bool Scorer::see(const pb::GameState& game, std::uint64_t capture_ns) {
-  if (seen_) count(game.own().score(), true, capture_ns), count(game.opponent().score(), false, capture_ns);
-  told_ = {game.own().score(), game.opponent().score()};
+  own_team_ = game.own_team();
+  const bool scored = !by_truth_ && see_goals(game.own().score(), game.opponent().score(), capture_ns);
+  const bool between = game.state() == pb::GameState::STATE_FINISHED || game.state() == pb::GameState::STATE_INITIAL;
+  if (between) forget_open();
+  return scored;
+}
+
+bool Scorer::see(const pb::Simulation& simulation, std::uint64_t capture_ns) {
+  const bool is_home = simulation.home().number() == own_team_;
+  if (own_team_ == 0 || (!is_home && simulation.away().number() != own_team_)) return false;
+  // what a robot is told has other goals at other times; and so has another game
+  if (!by_truth_) entries_.clear();
+  if (!by_truth_ || simulation.tick() < tick_) seen_ = false, forget_open();
+  by_truth_ = true;
+  tick_ = simulation.tick();
+  const pb::SimulatedTeam &own = is_home ? simulation.home() : simulation.away(),
+                          &opponent = is_home ? simulation.away() : simulation.home();
+  const bool scored = see_goals(own.score(), opponent.score(), capture_ns);
+  if (simulation.finished()) forget_open();
+  return scored;
+}
+
+/// How it stands, by what is told or by what is so.
+bool Scorer::see_goals(std::uint32_t own, std::uint32_t opponent, std::uint64_t capture_ns) {
+  if (capture_ns < seen_ns_) {
+    seen_ = false;
+    forget_open();
+    std::erase_if(plays_, [=](const Play& play) { return play.from_ns > capture_ns; });
+  }
+  if (seen_) count(own, true, capture_ns), count(opponent, false, capture_ns);
+  told_ = {own, opponent};
   seen_ = true;
+  seen_ns_ = capture_ns;
   bool scored = false;
   std::erase_if(open_, [&](const Open& open) {
     if (capture_ns < open.due_ns + open.delay_ns) return false;
     if (enter(open)) scored = true;
     return true;
   });
-  const bool between = game.state() == pb::GameState::STATE_FINISHED || game.state() == pb::GameState::STATE_INITIAL;
-  if (between) open_.clear(), goals_.clear();
   return scored;
 }
 
@@ -155,6 +190,7 @@ void Scorer::Event::fill(pb::ForecastScore::Event& message) const {
 pb::ForecastScore Scorer::score() const {
   pb::ForecastScore message;
   message.set_open(static_cast<std::uint32_t>(open_.size()));
+  message.set_against(by_truth_ ? pb::ForecastScore::AGAINST_GROUND_TRUTH : pb::ForecastScore::AGAINST_OWN_MEMORY);
   for (const auto& [key, events] : entries_) {
     pb::ForecastScore::Entry& entry = *message.add_entries();
     entry.set_strategy(key.first);
@@ -176,6 +212,7 @@ std::string to_text(const pb::ForecastScore& score) {
                   "log-loss");
     text += head + lines_of("own goal", entry.score()) + lines_of("conceded", entry.concede());
   }
+  if (!text.empty()) text += std::string("  goals by ") + name_of(score.against()) + "\n";
   return text;
 }
 
@@ -187,7 +224,7 @@ nlohmann::json to_json(const pb::ForecastScore& score) {
                        {"forecasts", entry.forecasts()},
                        {"score", to_json(entry.score())},
                        {"concede", to_json(entry.concede())}});
-  return {{"entries", std::move(entries)}, {"open", score.open()}};
+  return {{"entries", std::move(entries)}, {"open", score.open()}, {"against", name_of(score.against())}};
 }
 
 }  // namespace robot::foreseeing

@@ -10,6 +10,7 @@ namespace {
 
 using sim::Vec2;
 
+// of game time
 constexpr std::uint64_t kBallLostNs = 4'000'000'000;
 constexpr std::uint64_t kFreshNs = 3'000'000'000;  // an opponent that was seen since is still about there
 constexpr float kKickWay = 1.5f;                   // [m] before the ball that a kick needs free
@@ -45,26 +46,29 @@ bool way_is_blocked(const Recollection& now, float goal_x) {
   const Vec2 ball = Vec2{pose.x(), pose.y()} + sim::turned({now.ball->value.x(), now.ball->value.y()},
                                                            sim::direction(sim::normalized(pose.heading())));
   return std::ranges::any_of(now.opponents->value.opponents(), [&](const pb::Opponents::Opponent& opponent) {
-    return opponent.seen_ns() + kFreshNs > now.now_ns && is_on_way(ball, {opponent.x(), opponent.y()}, {goal_x, 0});
+    return Moment{now.now_ns, now.speed}.since(opponent.seen_ns()) < kFreshNs &&
+           is_on_way(ball, {opponent.x(), opponent.y()}, {goal_x, 0});
   });
 }
 
 const char* Triggers::look(const Recollection& now, std::uint64_t period_ns) {
   if (!now.game) return nullptr;
   const pb::GameState& game = now.game->value;
+  const Moment moment{now.now_ns, now.speed};
+  if (moment.is_before(seen_ns_)) seen_ = answered_ = {}, asked_ns_ = 0;
   seen_ns_ = now.now_ns;
   seen_ = {.state = game.state(),
            .set_play = game.set_play(),
            .own_score = game.own().score(),
            .opponent_score = game.opponent().score(),
-           .ball_lost = !now.ball || now.ball->value.seen_ns() + kBallLostNs < now.now_ns,
+           .ball_lost = !now.ball || moment.since(now.ball->value.seen_ns()) > kBallLostNs,
            .blocked = way_is_blocked(now, goal_x_)};
   if (!in_game(game) || captain_of(game) != static_cast<int>(game.own_player())) {
     answered_ = seen_;
     return nullptr;
   }
   if (!seen_.blocked) answered_.blocked = false;
-  const std::uint64_t since_ns = now.now_ns > asked_ns_ ? now.now_ns - asked_ns_ : 0;
+  const std::uint64_t since_ns = moment.since(asked_ns_);
   if (asked_ns_ != 0 && since_ns < kLeastApartNs) return nullptr;
   if (seen_.own_score != answered_.own_score || seen_.opponent_score != answered_.opponent_score)
     return "the score changed";

@@ -14,14 +14,15 @@ int captain_of(const pb::GameState& game);
 /// Looks at one moment after the other and says when there is a reason to ask. Used by one thread.
 class Triggers {
  public:
-  static constexpr std::uint64_t kLeastApartNs = 2'000'000'000;  // strategies do not flutter
+  static constexpr std::uint64_t kLeastApartNs = 2'000'000'000;  // of game time: strategies do not flutter
 
   /// The others' goal is at x = `goal_x` [m, team_field].
   explicit Triggers(float goal_x) : goal_x_(goal_x) {}
 
-  /// Why to ask now; nullptr: no reason. `period_ns` after the last question at the latest there is one, while the game is
-  /// in play. A reason stays one until asked() or until things are again as they were at the last question. Only ever for
-  /// the captain, and only in READY, SET and PLAYING of a game that is no shoot-out.
+  /// Why to ask now; nullptr: no reason. `period_ns` of game time after the last question at the latest there is one,
+  /// while the game is in play; and where time was moved back, as at the beginning. A reason stays one until asked() or
+  /// until things are again as they were at the last question. Only ever for the captain, and only in READY, SET and
+  /// PLAYING of a game that is no shoot-out.
   const char* look(const Recollection& now, std::uint64_t period_ns);
 
   /// The question was asked, at the moment that look() saw last.

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <future>
+#include <optional>
 #include <vector>
 
 #include "robot/core/clock.h"
 #include "robot/foresight/question.h"
+#include "sim/referee/referee.h"
 #include "tests/robot/foresight/memories.h"
 
 namespace robot::foreseeing {
@@ -72,7 +74,58 @@ TEST(Foreseer, TellsTheMomentThatItPlayedOnFrom) {
   EXPECT_EQ(told["situation"]["ball"]["elsewhere"], 0);
 }
 
-/// Who has not seen the ball for a while takes it to be somewhere else now and then.
+TEST(Foreseer, TellsHowFarEachFutureLooksAtMost) {
+  const test::Played game;
+  const auto foresight = foreseer();
+  const auto horizon = [&](pb::WhatIf::Until until, std::optional<float> remaining = 90) {
+    pb::WhatIf asked = question(10);
+    asked.set_until(until);
+    if (remaining) asked.mutable_edit()->set_seconds_remaining(*remaining);
+    const auto forecast = foresight->ask_and_wait(asked, game.recollection());
+    return forecast ? forecast->horizon() : -1;
+  };
+  const sim::field::Rules& rules = game.setup.params.rules;
+  EXPECT_EQ(horizon(pb::WhatIf::UNTIL_HORIZON), 10);
+  EXPECT_EQ(horizon(pb::WhatIf::UNTIL_NEXT_GOAL), 10);
+  EXPECT_NEAR(horizon(pb::WhatIf::UNTIL_HALF), 90, 1e-3);
+  EXPECT_NEAR(horizon(pb::WhatIf::UNTIL_HALF, {}), sim::referee::left_of_half(rules, game.state.book), 1e-3);
+  EXPECT_NEAR(horizon(pb::WhatIf::UNTIL_GAME), 90 + rules.ready_duration + rules.set_duration + rules.half_duration,
+              1e-3);
+}
+
+TEST(Foreseer, TellsUnderWhichModelsAndRulesItHolds) {
+  const test::Played game;
+  auto opened = Foreseer::open(
+      {.strategies = {"baseline"}, .rules = "spl2012", .models = "perfect", .opponent_models = "friendly"});
+  ASSERT_TRUE(opened) << opened.error();
+  auto forecast = (*opened)->ask_and_wait(question(10), game.recollection());
+  ASSERT_TRUE(forecast) << forecast.error();
+  EXPECT_EQ(forecast->models(), "perfect");
+  EXPECT_EQ(forecast->opponent_models(), "friendly");
+  EXPECT_EQ(forecast->rules(), "spl2012");
+  const auto told = to_json(*forecast, false);
+  EXPECT_EQ(told["models"], "perfect");
+  EXPECT_EQ(told["opponent_models"], "friendly");
+  EXPECT_EQ(told["rules"], "spl2012");
+  forecast = (*opened)->ask_and_wait(question(10), {});
+  ASSERT_TRUE(forecast) << forecast.error();
+  EXPECT_NE(forecast->refusal(), "");
+  EXPECT_EQ(forecast->opponent_models(), "friendly") << "also of what cannot be told";
+}
+
+TEST(Foreseer, AskedForARobotOfTheOthersItTakesTheirModelsForItsOwn) {
+  EXPECT_EQ(whose("14/3", "14/2"), Whose::own);
+  EXPECT_EQ(whose("1/2", "14/2"), Whose::others);
+  const test::Played game;
+  auto opened = Foreseer::open(
+      {.strategies = {"baseline"}, .rules = "spl2012", .models = "perfect", .opponent_models = "friendly"});
+  ASSERT_TRUE(opened) << opened.error();
+  const auto forecast = (*opened)->ask_and_wait(question(10), game.recollection(), Whose::others);
+  ASSERT_TRUE(forecast) << forecast.error();
+  EXPECT_EQ(forecast->models(), "friendly");
+  EXPECT_EQ(forecast->opponent_models(), "perfect");
+}
+
 TEST(Foreseer, NamesAllByTheirJerseys) {
   const test::Played game;
   const auto foresight = foreseer();
@@ -103,6 +156,7 @@ TEST(Foreseer, NamesAllByTheirJerseys) {
             "own player 3 does not play: players are 9, 12, 14, 20");
 }
 
+/// Who has not seen the ball for a while takes it to be somewhere else now and then.
 TEST(Foreseer, SaysHowLikelyTheBallIsElsewhere) {
   const test::Played game;
   const auto foresight = foreseer();

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/match/situation.h"
-#include "tests/robot/foresight/memories.h"
+#include <limits>
 
 namespace robot::foreseeing {
 namespace {
@@ -43,6 +42,9 @@ TEST(Question, SaysWhatIsWrong) {
   EXPECT_EQ(problem(R"({"horizon": "far"})"), "'horizon' must be a number, got \"far\"");
   EXPECT_EQ(problem(R"({"horizon": 1e9})"), "'horizon' must be 1 .. 1200 [s], got 1e+09");
   EXPECT_EQ(problem(R"({"horizon": -3})"), "'horizon' must be 1 .. 1200 [s], got -3");
+  EXPECT_EQ(problem(R"({"horizon": 0})"), "'horizon' must be 1 .. 1200 [s], got 0");
+  EXPECT_EQ(problem(R"({"horizon": 1e-60})"), "'horizon' must be 1 .. 1200 [s], got 1e-60");
+  EXPECT_EQ(problem(R"({"budget_ms": 0})"), "'budget_ms' must be 10 .. 10000 [ms], got 0");
   EXPECT_EQ(problem(R"({"budget_ms": 1000000000})"), "'budget_ms' must be 10 .. 10000 [ms], got 1000000000");
   EXPECT_EQ(problem(R"({"budget_ms": -1})"), "'budget_ms' must be a whole number 0 .. 1000000000, got -1");
   EXPECT_EQ(problem(R"({"rollouts": 1000000000})"), "'rollouts' is nothing that a question has");
@@ -63,6 +65,10 @@ TEST(Question, SaysWhatIsWrong) {
             "'edit.robots[0].side' must be own or opponent, got \"theirs\"");
   EXPECT_EQ(problem(R"({"edit": {"robots": [{"side": "own", "x": 0, "y": 0}]}})"),
             "'edit.robots[0].player' is missing");
+  EXPECT_EQ(problem(R"({"edit": {"robots": [{"side": "own", "player": 2, "x": 0, "y": 0},
+                                            {"side": "opponent", "player": 2, "x": 1, "y": 0},
+                                            {"side": "own", "player": 2, "x": 2, "y": 0}]}})"),
+            "'edit.robots' must differ, own player 2 is there twice");
   EXPECT_EQ(problem("[]"), "a question must be an object, got []");
 }
 
@@ -73,62 +79,21 @@ TEST(Question, OfAMessageIsCheckedAsWell) {
   question.Clear();
   question.set_measure(static_cast<pb::WhatIf::Measure>(77));
   EXPECT_EQ(complete(question, kKnown).error(), "'measure' is none that there is");
+  question.Clear();
+  for (std::uint32_t player = 1; player <= 15; ++player) question.mutable_edit()->add_robots()->set_player(player);
+  EXPECT_EQ(complete(question, kKnown).error(), "'edit.robots' must be at most 14, got 15");
+  question.mutable_edit()->mutable_robots()->RemoveLast();
+  EXPECT_TRUE(complete(question, kKnown));
 }
 
-/// A situation in the middle of some game, and an edit of it.
-struct Edited {
-  test::Played game{"perfect"};
-  sim::foresight::Situation situation{.state = sim::random_situation(game.setup.params, {.seed = 4}), .doubt = {}};
-
-  Edited() {
-    for (float& deviation : situation.doubt.position) deviation = 0.5f;
-    situation.doubt.ball = 0.5f;
-  }
-  std::string operator()(const char* text) {
-    const auto question = parse_question(nlohmann::json{{"edit", nlohmann::json::parse(text)}});
-    if (!question) return question.error();
-    const Lineups lineups(game.recollection().game->value, game.setup.params.rules.players);
-    const Result<void> applied = apply(question->edit(), lineups, game.setup.params, situation);
-    return applied ? "" : applied.error();
-  }
-};
-
-TEST(Edit, IsCertain) {
-  Edited edit;
-  EXPECT_EQ(edit(R"({"ball": {"x": 1.5, "y": -1}, "own_score": 3, "opponent_score": 1, "seconds_remaining": 100,
-                     "robots": [{"side": "opponent", "player": 3, "x": -2, "y": 1, "heading": 1}]})"),
-            "");
-  const sim::State& state = edit.situation.state;
-  const int robot = sim::robot_of(sim::Side::away, 3);
-  EXPECT_EQ(state.world.ball.position, (sim::Vec2{1.5f, -1}));
-  EXPECT_EQ(state.world.ball.velocity, sim::Vec2{});
-  EXPECT_EQ(state.world.bodies[robot].position, (sim::Vec2{-2, 1}));
-  EXPECT_EQ(state.world.bodies[robot].heading, 1);
-  EXPECT_EQ(edit.situation.doubt.ball, 0);
-  EXPECT_EQ(edit.situation.doubt.position[robot], 0);
-  EXPECT_EQ(edit.situation.doubt.position[0], 0.5f) << "what was not moved is as sure as before";
-  EXPECT_EQ(state.book.score[0], 3);
-  EXPECT_EQ(state.book.score[1], 1);
-  EXPECT_EQ(state.book.clock, sim::ticks(edit.game.setup.params.rules.half_duration - 100));
-}
-
-TEST(Edit, SaysWhatCannotBe) {
-  Edited edit;
-  EXPECT_EQ(edit(R"({"ball": {"x": 99, "y": 0}})"), "the ball at 99, 0 is not on the field");
-  EXPECT_EQ(edit(R"({"ball": {"x": 3, "y": 0.7}})"), "the ball at 3, 0.7 is in a goalpost");
-  EXPECT_EQ(edit(R"({"robots": [{"side": "own", "player": 2, "x": 3, "y": 0.75}]})"),
-            "own player 2 at 3, 0.75 is in a goalpost");
-  EXPECT_EQ(edit(R"({"robots": [{"side": "own", "player": 9, "x": 0, "y": 0}]})"),
-            "own player 9 does not play: players are 1, 2, 3, 4");
-  EXPECT_EQ(edit(R"({"robots": [{"side": "own", "player": 2, "x": 0, "y": 0, "heading": 7}]})"),
-            "own player 2: 'heading' must be -3.1416 .. 3.1416 [rad], got 7");
-  EXPECT_EQ(edit(R"({"robots": [{"side": "own", "player": 2, "x": 0, "y": 0},
-                                {"side": "opponent", "player": 2, "x": 0.1, "y": 0}]})"),
-            "opponent player 2 stands in another robot");
-  EXPECT_EQ(edit(R"({"ball": {"x": 0, "y": 0}, "robots": [{"side": "own", "player": 2, "x": 0.05, "y": 0}]})"),
-            "own player 2 stands on the ball");
-  EXPECT_EQ(edit(R"({"own_score": 300})"), "a score must be 0 .. 255, got 300");
-  EXPECT_EQ(edit(R"({"seconds_remaining": 601})"), "'seconds_remaining' must be 0 .. 600 [s], got 601");
+TEST(Question, OfAMessageMayLeaveOutByZero) {
+  pb::WhatIf question;
+  question.set_horizon(0);
+  question.set_budget_ms(0);
+  const auto completed = complete(question, kKnown);
+  ASSERT_TRUE(completed) << completed.error();
+  EXPECT_EQ(completed->horizon(), 30);
+  EXPECT_EQ(completed->budget_ms(), 500u);
 }
 
 }  // namespace

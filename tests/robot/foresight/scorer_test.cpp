@@ -33,6 +33,7 @@ pb::Forecast foretold(float score, float concede) {
   forecast.mutable_question()->add_strategies("passing");
   forecast.mutable_question()->set_asked_by("captain: it is time");
   forecast.set_horizon(30);
+  forecast.set_advice(pb::Forecast::ADVICE_KEEP);
   forecast.set_choice("passing");
   for (const char* strategy : {"baseline", "passing"}) {
     pb::Forecast::StrategyForecast& told = *forecast.add_strategies();
@@ -183,16 +184,88 @@ TEST(Scorer, PassesOverWhatCannotBeScored) {
   scorer.foretell(foretold(0.5f, 0.5f), kBegin);
   EXPECT_EQ(scorer.score().open(), 0u) << "before the game was seen";
   scorer.see(game(0, 0), kBegin);
-  pb::Forecast refused = foretold(0.5f, 0.5f), edited = refused, to_the_end = refused;
+  pb::Forecast refused = foretold(0.5f, 0.5f), edited = refused, to_the_end = refused, without_advice = refused,
+               other_world = refused;
   refused.set_refusal("nobody has seen the ball yet");
   edited.mutable_question()->mutable_edit()->mutable_ball()->set_x(1);
   to_the_end.mutable_question()->set_until(pb::WhatIf::UNTIL_GAME);
-  for (const pb::Forecast& forecast : {refused, edited, to_the_end}) scorer.foretell(forecast, kBegin);
+  without_advice.set_advice(pb::Forecast::ADVICE_NONE);
+  other_world.mutable_question()->set_opponent("kick_now");
+  for (const pb::Forecast& forecast : {refused, edited, to_the_end, without_advice, other_world})
+    scorer.foretell(forecast, kBegin);
   EXPECT_EQ(scorer.score().open(), 0u);
   scorer.foretell(foretold(0.5f, 0.5f), kBegin);
   EXPECT_FALSE(scorer.see(game(0, 0, pb::GameState::STATE_FINISHED), kBegin + kSecond)) << "the game was cut short";
   EXPECT_EQ(scorer.score().open(), 0u);
   EXPECT_EQ(to_text(scorer.score()), "");
+}
+
+/// A simulated game of the teams 14, at home, and 1.
+pb::Simulation truth(std::uint32_t home, std::uint32_t away, std::uint32_t tick) {
+  pb::Simulation simulation;
+  simulation.set_tick(tick);
+  simulation.mutable_home()->set_number(14);
+  simulation.mutable_home()->set_score(home);
+  simulation.mutable_away()->set_number(1);
+  simulation.mutable_away()->set_score(away);
+  return simulation;
+}
+
+pb::GameState game_of(std::uint32_t team, std::uint32_t own, std::uint32_t others) {
+  pb::GameState told = game(own, others);
+  told.set_own_team(team);
+  return told;
+}
+
+TEST(Scorer, InASimulationGoalsCountWhenTheyFall) {
+  for (const std::uint32_t team : {14u, 1u}) {
+    Scorer scorer(15);
+    scorer.see(game_of(team, 0, 0), kBegin);
+    EXPECT_EQ(scorer.score().against(), pb::ForecastScore::AGAINST_OWN_MEMORY);
+    scorer.see(truth(0, 0, 300), kBegin);
+    EXPECT_EQ(scorer.score().against(), pb::ForecastScore::AGAINST_GROUND_TRUTH);
+    scorer.foretell(foretold(0.5f, 0.5f), kBegin);
+    // the away side's goal that falls late is told after its time, and the home side's of before within
+    scorer.see(game_of(team, 2, 0), kBegin + 5 * kSecond);
+    scorer.see(truth(0, 1, 1190), kBegin + 29 * kSecond);
+    EXPECT_FALSE(scorer.see(truth(0, 1, 1199), kBegin + 30 * kSecond - 1));
+    EXPECT_TRUE(scorer.see(truth(0, 1, 1200), kBegin + 30 * kSecond)) << "nobody waits until it is told";
+    ASSERT_EQ(scorer.score().entries_size(), 1);
+    EXPECT_EQ(scorer.score().entries(0).score().came(), team == 1 ? 1u : 0u);
+    EXPECT_EQ(scorer.score().entries(0).concede().came(), team == 1 ? 0u : 1u);
+    EXPECT_NE(to_text(scorer.score()).find("goals by ground truth"), std::string::npos);
+    EXPECT_EQ(to_json(scorer.score())["against"], "ground truth");
+  }
+}
+
+TEST(Scorer, ASimulationOfOthersTellsNothing) {
+  Scorer scorer;
+  scorer.see(game_of(7, 0, 0), kBegin);
+  scorer.see(truth(0, 0, 300), kBegin);
+  EXPECT_EQ(scorer.score().against(), pb::ForecastScore::AGAINST_OWN_MEMORY);
+}
+
+TEST(Scorer, AnotherSimulatedGameHasNothingToDoWithForecastsOfTheLast) {
+  Scorer scorer;
+  scorer.see(game_of(14, 0, 0), kBegin);
+  scorer.see(truth(2, 0, 300), kBegin);
+  scorer.foretell(foretold(0.5f, 0.5f), kBegin);
+  scorer.see(truth(0, 0, 0), kBegin + kSecond);
+  EXPECT_EQ(scorer.score().open(), 0u);
+}
+
+TEST(Scorer, WhereTimeWasMovedBackWhatWasOpenIsNotScored) {
+  Scorer scorer;
+  scorer.see(game(0, 0), kBegin);
+  scorer.foretell(foretold(0.5f, 0.5f), kBegin);
+  scorer.see(playing("passing"), kBegin + kSecond);
+  scorer.see(game(1, 0), kBegin + 2 * kSecond);
+  EXPECT_FALSE(scorer.see(game(0, 0), kBegin - 100 * kSecond));
+  EXPECT_EQ(scorer.score().open(), 0u);
+  scorer.foretell(foretold(0.5f, 0.5f), kBegin - 90 * kSecond);
+  EXPECT_TRUE(scorer.see(game(0, 0), kBegin - 60 * kSecond));
+  EXPECT_EQ(scorer.score().entries(0).strategy(), "baseline") << "the choice is still to come";
+  EXPECT_EQ(scorer.score().entries(0).score().came(), 0u);
 }
 
 /// Who foretells the truth: each bin comes as often as it says, and beats the base rate.
@@ -219,7 +292,8 @@ TEST(Scorer, AnHonestProphetIsReliable) {
   const std::string text = to_text(scorer.score());
   EXPECT_EQ(text.find("baseline, 20000 of 30 s "), 0u) << text;
   EXPECT_NE(text.find("log-loss"), std::string::npos);
-  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 1 + 10 + 1 + 1) << "a line for each decile\n" << text;
+  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 1 + 10 + 1 + 1 + 1) << "a line for each decile\n" << text;
+  EXPECT_NE(text.find("goals by own memory"), std::string::npos);
   EXPECT_EQ(to_json(scorer.score())["entries"][0]["score"]["bins"].size(), 10u);
 }
 

@@ -124,6 +124,35 @@ TEST(Triggers, QuestionsAreTwoSecondsApartAndReasonsAreKept) {
   EXPECT_EQ(ask(triggers, after(now, 3)), "");
 }
 
+TEST(Triggers, SecondsAreThoseOfTheGameInAFastSimulation) {
+  const auto fast = [](Recollection now) {
+    now.speed = 10;
+    return now;
+  };
+  Triggers triggers(kGoalX);
+  const Recollection now = fast(quiet());
+  ask(triggers, now);
+  EXPECT_EQ(ask(triggers, after(now, 0.95)), "");
+  EXPECT_EQ(ask(triggers, after(now, 1)), "it is time") << "10 s of the game";
+  Recollection then = after(now, 1.15);
+  then.game->value.mutable_own()->set_score(5);
+  EXPECT_EQ(ask(triggers, then), "") << "1.5 s";
+  then.now_ns += kSecondNs / 10;
+  EXPECT_EQ(ask(triggers, then), "the score changed") << "2.5 s";
+  then.now_ns += kSecondNs / 2;
+  then.ball->value.set_seen_ns(then.now_ns - kSecondNs / 2);
+  EXPECT_EQ(ask(triggers, then), "the ball is lost") << "for 5 s";
+}
+
+TEST(Triggers, WhereTimeWasMovedBackItIsAsAtTheBeginning) {
+  Triggers triggers(kGoalX);
+  const Recollection now = quiet();
+  ask(triggers, after(now, 500));
+  EXPECT_NE(ask(triggers, now), "");
+  EXPECT_EQ(ask(triggers, after(now, 9)), "");
+  EXPECT_EQ(ask(triggers, after(now, 10)), "it is time");
+}
+
 TEST(Triggers, OnlyTheCaptainAsksAndOnlyInAGame) {
   Recollection now = quiet();
   now.game->value.set_own_player(3);
