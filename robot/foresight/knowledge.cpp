@@ -157,13 +157,15 @@ class Opponents {
   Opponents(const Lineup& lineup, sim::agent::Opponent (&places)[sim::kMaxPlayers])
       : lineup_(lineup), places_(places) {}
 
-  void add(Vec2 position, Tick seen, std::uint32_t player = 0) {
-    if (!std::isfinite(position.x) || !std::isfinite(position.y)) return;
+  /// Returns whose place it was taken for; -1: nobody's.
+  int add(Vec2 position, Tick seen, std::uint32_t player = 0) {
+    if (!std::isfinite(position.x) || !std::isfinite(position.y)) return -1;
     const int known_place = lineup_.place_of(player);
     const int place = known_place != 0 ? known_place - 1 : place_near(position);
-    if (place < 0) return;
+    if (place < 0) return place;
     sim::agent::Opponent& known = places_[place];
     if (known.seen == sim::kNever || seen >= known.seen) known = {position, seen};
+    return place;
   }
 
  private:
@@ -186,10 +188,10 @@ class Opponents {
   sim::agent::Opponent (&places_)[sim::kMaxPlayers];
 };
 
-void see_opponents(const Recollection& from, const Lineup& lineup, const sim::Pose2& own,
-                   sim::agent::Beliefs& beliefs) {
+void see_opponents(const Recollection& from, const Lineup& lineup, sim::foresight::Knowledge& knowledge) {
   const Time time(from);
-  Opponents opponents(lineup, beliefs.opponents);
+  const sim::Pose2& own = knowledge.beliefs.pose.pose;
+  Opponents opponents(lineup, knowledge.beliefs.opponents);
   if (from.opponents)
     for (const pb::Opponents::Opponent& told : from.opponents->value.opponents())
       opponents.add({told.x(), told.y()}, time.tick_of(told.seen_ns()), told.player());
@@ -198,8 +200,9 @@ void see_opponents(const Recollection& from, const Lineup& lineup, const sim::Po
     if (robot.side() == pb::VisualRobot::SIDE_OWN) continue;
     const Vec2 at{robot.detection().x(), robot.detection().y()};
     const std::uint32_t player = robot.side() == pb::VisualRobot::SIDE_OPPONENT ? robot.player() : 0;
-    opponents.add(own.position + sim::turned(at, sim::direction(own.heading)), time.tick_of(from.vision->capture_ns),
-                  player);
+    const Tick seen = time.tick_of(from.vision->capture_ns);
+    const int place = opponents.add(own.position + sim::turned(at, sim::direction(own.heading)), seen, player);
+    if (place >= 0 && robot.fallen()) knowledge.down[1][place] = seen;
   }
 }
 
@@ -280,9 +283,10 @@ Result<sim::foresight::Knowledge> knowledge_of(const Recollection& from, const s
     for (const pb::Teammate& told : from.team->value.teammates()) {
       const int place = lineups.own.place_of(told.player());
       if (place == 0 || place == own) continue;
-      beliefs.mates[place < own ? place - 1 : place - 2] = mate_of(told, time);
+      const sim::agent::Mate mate = beliefs.mates[place < own ? place - 1 : place - 2] = mate_of(told, time);
+      if (told.fallen() && mate.sent != sim::kNever) knowledge.down[0][place - 1] = mate.sent;
     }
-  see_opponents(from, lineups.opponents, beliefs.pose.pose, beliefs);
+  see_opponents(from, lineups.opponents, knowledge);
   take_away(from.game->value.own(), lineups.own, params.rules.players, knowledge.away[0]);
   take_away(from.game->value.opponent(), lineups.opponents, params.rules.players, knowledge.away[1]);
   if (from.motion) knowledge.body = body_of(from.motion->value, params.teams[0].models.motion);

@@ -221,5 +221,26 @@ TEST(Knowledge, WhatTheBodyIsInTheMiddleOfGoesOn) {
   EXPECT_EQ(known(game, from).body.doing, sim::Body::Doing::fallen);
 }
 
+TEST(Knowledge, WhoIsToldOrSeenToLieOnTheGroundLies) {
+  const Played game;
+  Recollection from = game.recollection();
+  ASSERT_GT(from.team->value.teammates_size(), 0);
+  pb::Teammate& mate = *from.team->value.mutable_teammates(0);
+  const auto lies = [&](int side, std::uint32_t player) { return known(game, from).down[side][player - 1] != 0; };
+  EXPECT_FALSE(lies(0, mate.player()));
+  mate.set_fallen(true);
+  EXPECT_TRUE(lies(0, mate.player()));
+
+  from.opponents.reset();
+  from.vision.emplace(Remembered<pb::Vision>{.value = {}, .capture_ns = from.now_ns});
+  pb::VisualRobot& seen = *from.vision->value.add_robots();
+  seen.mutable_detection()->set_x(1);
+  seen.set_side(pb::VisualRobot::SIDE_OPPONENT);
+  seen.set_player(3);
+  EXPECT_FALSE(lies(1, 3));
+  seen.set_fallen(true);
+  EXPECT_EQ(known(game, from).down[1][2], kNow);
+}
+
 }  // namespace
 }  // namespace robot::foreseeing
