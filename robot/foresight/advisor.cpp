@@ -132,6 +132,8 @@ void Advisor::ask_of_own_accord(const Recollection& now, const AskingOptions& op
   question.set_asked_by(std::string(kByCaptain) + why);
   question.set_budget_ms(options.budget_ms);
   question.set_horizon(static_cast<float>(options.horizon));
+  question.set_switching_cost(options.switching_cost);
+  question.set_sure(options.sure);
   question.set_id(now.now_ns);
   // all are compared with the default, whatever is played now (sim/foresight/chooser.h)
   for (const std::string& name : strategies_) question.add_strategies(name);

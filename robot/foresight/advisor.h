@@ -17,6 +17,7 @@
 #include "robot/foresight/scorer.h"
 #include "robot/foresight/triggers.h"
 #include "robot/memory/memory.h"
+#include "sim/foresight/chooser.h"
 
 namespace robot::foreseeing {
 
@@ -26,6 +27,9 @@ struct AskingOptions {
   double period = 10;             // [s] of game time, at most from one such question to the next
   std::uint32_t budget_ms = 500;  // for each
   double horizon = 30;            // [s]
+  // what a change must gain is the same as in simulated games
+  float switching_cost = sim::foresight::Terms().switching_cost;  // [goals]
+  float sure = sim::foresight::Terms().sure;
 };
 
 /// A thread of its own: it waits for the object `what_if`, which a team's process writes, and looks ten times a second,

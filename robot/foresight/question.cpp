@@ -12,6 +12,7 @@ constexpr float kDefaultHorizon = 30;     // [s]
 constexpr double kLongestHorizon = 1200;  // [s]
 constexpr std::uint32_t kDefaultBudgetMs = 500, kLeastBudgetMs = 10, kMostBudgetMs = 10'000;
 constexpr float kDefaultCost = 0.02f;
+constexpr float kDefaultSure = 0.9f;
 constexpr std::size_t kMostName = 200;
 
 /// All are known, and no strategy is there twice.
@@ -73,6 +74,7 @@ Result<pb::WhatIf> complete(pb::WhatIf question, const std::vector<std::string>&
   if (question.horizon() == 0) question.set_horizon(kDefaultHorizon);
   if (question.budget_ms() == 0) question.set_budget_ms(kDefaultBudgetMs);
   if (!question.has_switching_cost()) question.set_switching_cost(kDefaultCost);
+  if (!question.has_sure()) question.set_sure(kDefaultSure);
 
   if (Result<void> named = check_names(question, known); !named) return Error{named.error()};
   if (!pb::WhatIf::Measure_IsValid(question.measure())) return Error{"'measure' is none that there is"};
@@ -82,6 +84,8 @@ Result<pb::WhatIf> complete(pb::WhatIf question, const std::vector<std::string>&
   if (Result<void> moved = check_moved(question.edit().robots()); !moved) return Error{moved.error()};
   if (!(question.switching_cost() >= 0 && question.switching_cost() <= 10))
     return Error{"'switching_cost' must be 0 .. 10, got " + number(static_cast<double>(question.switching_cost()))};
+  if (!(question.sure() >= 0.5f && question.sure() <= 0.999f))
+    return Error{"'sure' must be 0.5 .. 0.999, got " + number(static_cast<double>(question.sure()))};
   return question;
 }
 
@@ -90,7 +94,8 @@ sim::foresight::Question question_of(const pb::WhatIf& question) {
           .measure = static_cast<sim::foresight::Measure>(question.measure()),
           .until = static_cast<sim::foresight::Until>(question.until()),
           .horizon = sim::ticks(question.horizon()),
-          .switching_cost = question.switching_cost()};
+          .switching_cost = question.switching_cost(),
+          .sure = question.sure()};
 }
 
 }  // namespace robot::foreseeing

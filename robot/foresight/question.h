@@ -22,7 +22,7 @@ inline constexpr std::string_view kByPeople = "people", kByCaptain = "captain: "
 inline constexpr const char* kDefaultOpponent = "baseline";
 
 /// {"strategies": ["baseline", "passing"], "opponent": "baseline", "measure": "goal_difference" | "score_next" | "concede",
-///  "until": "horizon" | "next_goal" | "half" | "game", "horizon": 30, "budget_ms": 500, "switching_cost": 0.02,
+///  "until": "horizon" | "next_goal" | "half" | "game", "horizon": 30, "budget_ms": 500, "switching_cost": 0.02, "sure": 0.9,
 ///  "edit": {"ball": {"x", "y"}, "robots": [{"side": "own" | "opponent", "player", "x", "y", "heading"}],
 ///           "own_score", "opponent_score", "seconds_remaining"}}
 /// Everything may be left out; metres and radians of team_field, seconds. What is none of these is refused, and so is a

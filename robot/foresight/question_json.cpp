@@ -129,7 +129,8 @@ Result<pb::WhatIf> parse_question(const json& asked) {
   Reader reader;
   pb::WhatIf question;
   if (!reader.is_object(
-          asked, "", {"strategies", "opponent", "measure", "until", "horizon", "budget_ms", "switching_cost", "edit"}))
+          asked, "",
+          {"strategies", "opponent", "measure", "until", "horizon", "budget_ms", "switching_cost", "sure", "edit"}))
     return reader.error();
   if (const auto strategies = asked.find("strategies"); strategies != asked.end()) {
     if (!strategies->is_array() ||
@@ -154,6 +155,7 @@ Result<pb::WhatIf> parse_question(const json& asked) {
   });
   reader.read_number(asked, "", "switching_cost",
                      [&](double cost) { question.set_switching_cost(static_cast<float>(cost)); });
+  reader.read_number(asked, "", "sure", [&](double sure) { question.set_sure(static_cast<float>(sure)); });
   if (const auto edit = asked.find("edit"); edit != asked.end()) read_edit(reader, *edit, *question.mutable_edit());
   if (!reader.good()) return reader.error();
   return question;

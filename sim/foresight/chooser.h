@@ -23,12 +23,15 @@ struct Plans {
 
 /// When it asks, and how.
 struct Terms {
-  int rollouts = 64;             // for a question, all strategies together
-  float horizon = 20;            // [s] of game time that each looks ahead
-  float period = 10;             // [s] from one question to the next, at most
-  float stale = 20;              // [s] a choice that was not confirmed for longer is not followed
-  float switching_cost = 0.02f;  // [goals] Question::switching_cost
-  float sure = 0.9f;             // Question::sure
+  int rollouts = 64;   // for a question, all strategies together
+  float horizon = 20;  // [s] of game time that each looks ahead
+  float period = 10;   // [s] from one question to the next, at most
+  float stale = 20;    // [s] a choice that was not confirmed for longer is not followed
+  // A change back costs nothing and most changes matter little, so to miss one that gains is the worse error: of 887
+  // moments of games, with 54 futures each, what is better for 70 % sure won 0.22 goals a game, what gains 0.02 goals for
+  // 90 % sure won 0.03 (kick_now instead of baseline; foresight-sim choosing).
+  float switching_cost = 0;  // [goals] Question::switching_cost
+  float sure = 0.7f;         // Question::sure
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {

@@ -6,8 +6,8 @@
 //     "choose": ["baseline", "passing"],   // 2 .. 8 decision trees; the first is played at first
 //     "opponent": "baseline",              // what the others are taken to play
 //     "opponent_models": "match",          // and to be able to; without it: as they are
-//     "rollouts": 64,                      // sim/foresight/chooser.h, likewise "horizon", "period", "stale" [s] and
-//     "horizon": { "value": 20, "unit": "s" }   // "switching_cost" [goals]
+//     "rollouts": 64,                      // sim/foresight/chooser.h, likewise "horizon", "period", "stale" [s],
+//     "horizon": { "value": 20, "unit": "s" }   // "switching_cost" [goals] and "sure"
 //   }
 #pragma once
 

@@ -59,6 +59,7 @@ TEST(Question, SaysWhatIsWrong) {
             "'measure' must be one of goal_difference, score_next, concede, got \"fun\"");
   EXPECT_EQ(problem(R"({"until": 3})"), "'until' must be one of horizon, next_goal, half, game, got 3");
   EXPECT_EQ(problem(R"({"switching_cost": -1})"), "'switching_cost' must be 0 .. 10, got -1");
+  EXPECT_EQ(problem(R"({"sure": 1})"), "'sure' must be 0.5 .. 0.999, got 1");
   EXPECT_EQ(problem(R"({"edit": []})"), "'edit' must be an object, got []");
   EXPECT_EQ(problem(R"({"edit": {"ball": {"x": 1}}})"), "'edit.ball.y' is missing");
   EXPECT_EQ(problem(R"({"edit": {"robots": [{"side": "theirs", "player": 1, "x": 0, "y": 0}]}})"),

@@ -143,9 +143,9 @@ TEST(Strategy, CirclesAndWhatIsUsedNowhereAreRefused) {
             "strategy 'mine': tree.with.range: is the parameter \"a\", which must be a value, got \"$a\"");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "kick", "with": {"range": "$a"}}, "parameters": {"a": 99}})"),
             "strategy 'mine': tree.with.range: is the parameter \"a\", which must be 0 .. 12 [m], got 99");
-  EXPECT_EQ(
-      refusal(R"({"name": "m", "based_on": "besaline"})"),
-      "strategy 'mine': based_on: no strategy 'besaline'; there are: align_first, baseline, high_line, idle, kick_now, passing");
+  EXPECT_EQ(refusal(R"({"name": "m", "based_on": "besaline"})"),
+            "strategy 'mine': based_on: no strategy 'besaline'; there are: align_first, baseline, high_line, idle, "
+            "kick_now, passing");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "stand"}, "formation": {"ours": [[0.5, 0]]}})"),
             "strategy 'mine': formation.ours[0] must be [-1 .. 0, -1 .. 1], got [0.5,0]");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "stand"}, "roles": {"hysteresis": -1}})"),
