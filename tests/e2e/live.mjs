@@ -121,9 +121,12 @@ export class Live {
   }
 }
 
-/** A simulated game that stands a minute after its beginning, the same to the bit whatever the machine is doing. */
-export async function pausedGame(t, ...args) {
-  const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", ...args);
+/**
+ * A simulated game that stands a minute after its beginning, the same to the bit whatever the machine is doing: so its
+ * captain chooses nothing of its own accord, since what it gets to foresee depends on the processor. It can be asked.
+ */
+export async function pausedGame(t) {
+  const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--no-foresight");
   const live = await Live.open(t, server);
   await live.call("/sim/pause");
   await live.call("/sim/reset", { seed: 7 });

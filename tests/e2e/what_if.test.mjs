@@ -132,7 +132,7 @@ test("what the team plays is told by its memory, whatever it is compared with; t
   const other = ["passing", "baseline"].find((name) => name !== plays);
   const { page, problems, questions } = await ask(t, server, `#/14/2/what-if?ask=play:${other},${plays}/in:200/for:10`);
   await page.keyboard.press("Enter");
-  await page.getByText("Your question").waitFor(); // before it a forecast of the captain's may be shown
+  await page.getByText("Your question").waitFor();
   await row(page, plays).getByText("plays now").waitFor();
   assert.deepEqual(questions[0].strategies, [other, plays]);
   assert.equal(await row(page, other).getByText("plays now").count(), 0);
@@ -154,7 +154,7 @@ test("what the team plays is told by its memory, whatever it is compared with; t
 });
 
 test("before any answer the situation is what the robot believes by itself, and can be edited", async (t) => {
-  const { server, live } = await pausedGame(t, "--no-foresight");
+  const { server, live } = await pausedGame(t);
   await live.subscribe("/14/2/pose");
   const { page, problems, questions } = await ask(t, server);
   await page.getByText("to ask what comes of each strategy").waitFor();
