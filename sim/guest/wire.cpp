@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "robot/core/json.h"
+
 namespace sim::guest {
 namespace {
 
@@ -170,18 +172,18 @@ std::string question_of(const ForesightPlayer& player, const ForesightMoment& mo
 }
 
 std::string check_greeting(const std::string& answer) {
-  const Json json = Json::parse(answer, nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object()) return not_ours(answer);
-  if (const auto version = json.find("version"); version == json.end() || *version != FORESIGHT_BEHAVIOUR_VERSION)
+  const auto json = robot::parse_json(answer);
+  if (!json || !json->is_object()) return not_ours(answer);
+  if (const auto version = json->find("version"); version == json->end() || *version != FORESIGHT_BEHAVIOUR_VERSION)
     return "expected {\"version\": " + std::to_string(FORESIGHT_BEHAVIOUR_VERSION) + ", …} as the first answer, got " +
            shown(answer);
   return {};
 }
 
 std::string read_answer(const std::string& text, const ForesightPlayer& player, ForesightCommand& command) {
-  const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object()) return not_ours(text);
-  Answer answer(json);
+  const auto json = robot::parse_json(text);
+  if (!json || !json->is_object()) return not_ours(text);
+  Answer answer(*json);
   answer.word("body", kBodies, command.body);
   answer.word("head", kHeads, command.head);
   answer.number("x", command.x), answer.number("y", command.y);

@@ -16,10 +16,11 @@ import { rightChoice } from "./right_choice.mjs";
 const kBudgets = [50, 200, 1000]; // [ms]
 const kLate = 20; // [ms]
 const kThree = ["--strategies", "baseline", "passing", "kick_now"];
-const kChoice = ["baseline", "kick_now", "high_line"]; // of the playbook `foresight`
+const kChoice = ["high_line", "baseline", "kick_now"]; // of the playbook `foresight`: what compare found best is first
 const kShares = [0.05, 0.1, 0.25, 0.5]; // of a core
 const kRobot = { share: 0.25, seconds: 0.5 }; // what foresight has of a robot's core, and how long for a question
 const kFutures = 200; // of a forecast that is to be true: with fewer, those far from the mean are so by chance
+const kLikely = 0.8; // how sure a captain is who changes often enough for its gains to be told from chance
 const kMostRollouts = 64; // of a question in a game, and each so long:
 const kGameHorizon = 20; // [s]
 // the others, as a team that is wrong about them takes them to be: twice as fast
@@ -182,7 +183,7 @@ async function choosing(report, moments, rollouts) {
 /** What keeps the captain from winning more: what it does not know of the game, or how few futures it has. */
 async function whatKeeps(report, moments, rollouts) {
   for (const many of [rollouts, 8 * rollouts]) {
-    const { captains } = await choose(moments, many, ["baseline", "kick_now"], "--insights");
+    const { captains } = await choose(moments, many, ["baseline", "kick_now"], "--insights", "--sure", kLikely);
     for (const { knows, gain } of captains) {
       const name = `kick_now instead of baseline for 10 s where it likely gains, by ${many} futures of ${captains[0].knows}${knows === captains[0].knows ? "" : ` ${knows}`}`;
       report.figure(name, gain.mean, "goals a game");
@@ -191,14 +192,11 @@ async function whatKeeps(report, moments, rollouts) {
   }
 }
 
-/**
- * Baseline against itself with foresight, by words of compare. What was played is kept, and gone on with by the next bench
- * of the same program.
- */
+/** Two teams, by words of compare. What was played is kept, and gone on with by the next bench of the same program. */
 async function play(name, ...words) {
   const program = createHash("sha256").update(readFileSync(join(root, "build/release/bin/foresight-sim"))).digest("hex").slice(0, 8);
   const kept = join(root, "build/bench", `${name}-${program}`);
-  const { seconds, report } = await run(["baseline", ...words, "--jobs", 2, "--out", kept, ...(existsSync(kept) ? ["--resume"] : [])]);
+  const { seconds, report } = await run([...words, "--jobs", 2, "--out", kept, ...(existsSync(kept) ? ["--resume"] : [])]);
   const { mean, low, high } = report.gain;
   console.log(`   ${name}: ${report.pairs} pairs, ${pretty(mean)} goals a game (95 %: ${pretty(low)} .. ${pretty(high)}), LLR ${pretty(report.llr)}: ${report.verdict}`);
   return { ...report, hours: (2 * seconds) / 3600 };
@@ -207,17 +205,22 @@ async function play(name, ...words) {
 async function wins(report, pairs, rollouts) {
   mkdirSync(join(root, "build/bench"), { recursive: true });
   report.figure("rollouts of a question in a game", rollouts, "", { atMost: kMostRollouts });
-  const right = await play(`wins-${rollouts}`, `foresight,rollouts=${rollouts},horizon=${kGameHorizon}`, "--sprt", "0,0.2", "--most-pairs", pairs);
-  report.figure("pairs of games until the sequential test of 0 against 0.2 goals knew, or enough", right.pairs);
-  report.figure("goals a game that foresight gains", right.gain.mean, "goals", { above: 0 });
-  report.figure("goals a game that foresight gains, lower end of 95 %", right.gain.low, "goals", { above: 0 });
-  report.figure("goals a game that foresight gains, upper end of 95 %", right.gain.high, "goals");
-  report.figure("log-likelihood ratio of the test; known beyond 2.94", right.llr);
-  report.figure("processor time of this run", right.hours, "h");
+  const [best] = kChoice;
+  const rivals = { same: [best, `the same team without, which plays ${best}`], plain: ["baseline", "a team that plays baseline, and did not compare either"] };
+  for (const [name, [rival, told]] of Object.entries(rivals)) {
+    const foreseeing = `foresight,opponent=${rival},rollouts=${rollouts},horizon=${kGameHorizon}`;
+    const played = await play(`${name}-${rollouts}`, rival, foreseeing, "--sprt", "0,0.2", "--most-pairs", pairs);
+    report.figure(`against ${told}: pairs of games until the sequential test of 0 against 0.2 goals knew, or enough`, played.pairs);
+    report.figure(`against ${told}: goals a game that foresight gains`, played.gain.mean, "goals", { above: 0 });
+    report.figure(`against ${told}: the same, lower end of 95 %`, played.gain.low, "goals", { above: 0 });
+    report.figure(`against ${told}: the same, upper end of 95 %`, played.gain.high, "goals");
+    report.figure(`against ${told}: log-likelihood ratio of the test; known beyond 2.94`, played.llr);
+    report.figure(`against ${told}: processor time of this run`, played.hours, "h");
+  }
 
   const fast = join(root, "build/bench/fast.json");
-  writeFileSync(fast, JSON.stringify({ name: "fast", about: "takes the others to be twice as fast", choose: kChoice, opponent: "baseline", opponent_models: kFast, rollouts }));
-  const wrong = await play(`wrong-${rollouts}`, fast, "--pairs", Math.max(2, Math.round(pairs / 5)));
+  writeFileSync(fast, JSON.stringify({ name: "fast", about: "takes the others to be twice as fast", choose: kChoice, opponent: best, opponent_models: kFast, rollouts }));
+  const wrong = await play(`wrong-${rollouts}`, best, fast, "--pairs", Math.max(2, Math.round(pairs / 5)));
   const error = (wrong.gain.high - wrong.gain.low) / 2 / 1.96;
   report.figure("goals a game gained by who takes the others to be twice as fast", wrong.gain.mean, "goals");
   report.figure("the same, lower bound of 95 %, one-sided", wrong.gain.mean - 1.645 * error, "goals", { above: -0.2 });

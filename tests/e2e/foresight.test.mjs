@@ -18,25 +18,30 @@ const needsNetwork = { skip: own ? false : "this machine has no address but loop
 const kService = "/foresight/what_if";
 const kStrategies = ["baseline", "passing", "kick_now", "high_line"];
 
-test("the Foxglove client asks and is answered, and memory holds the same", async (t) => {
-  const { server, live } = await pausedGame(t);
-  await live.subscribe("/14/2/forecast");
-
+/** Foxglove's own client: returns what calls a service with that text and resolves to its answer. */
+async function independentClient(t, server) {
   const ws = new WebSocket(`ws://localhost:${server.port}`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]);
   atEnd(t, () => ws.terminate());
   const client = new FoxgloveClient({ ws });
   const services = new Map();
-  const answers = [];
+  const answers = new Map();
   client.on("advertiseServices", (list) => list.forEach(({ id, name }) => services.set(name, id)));
-  client.on("serviceCallResponse", (response) => answers.push(response));
-  await until(() => services.has(kService), "the service");
-  const data = new TextEncoder().encode(JSON.stringify({ strategies: ["baseline", "kick_now"], budget_ms: 300, horizon: 10 }));
-  client.sendServiceCallRequest({ serviceId: services.get(kService), callId: 7, encoding: "json", data });
-  await until(() => answers.length > 0, "the answer");
+  client.on("serviceCallResponse", ({ callId, data }) => answers.set(callId, JSON.parse(Buffer.from(data.buffer, data.byteOffset, data.byteLength).toString())));
+  await until(() => services.has(kService), "the services");
+  let callId = 0;
+  return (name, text) => {
+    const call = ++callId;
+    client.sendServiceCallRequest({ serviceId: services.get(name), callId: call, encoding: "json", data: new TextEncoder().encode(text) });
+    return until(() => answers.get(call), `the answer of ${name}`);
+  };
+}
 
-  const { data: bytes, callId } = answers[0];
-  const answer = JSON.parse(Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength).toString());
-  assert.equal(callId, 7);
+test("the Foxglove client asks and is answered, and memory holds the same", async (t) => {
+  const { server, live } = await pausedGame(t);
+  await live.subscribe("/14/2/forecast");
+
+  const call = await independentClient(t, server);
+  const answer = await call(kService, JSON.stringify({ strategies: ["baseline", "kick_now"], budget_ms: 300, horizon: 10 }));
   assert.equal(answer.ok, true, answer.error);
   assert.equal(answer.robot, "14/2");
   const { forecast } = answer;
@@ -105,20 +110,9 @@ test("a question nested a hundred thousand deep gets one sentence, and so do all
   const deep = (inner) => `{"horizon":${"[".repeat(100000)}${inner}${"]".repeat(100000)}}`;
   const sentence = "expected JSON nested at most 64 deep, got what is nested deeper";
 
-  const ws = new WebSocket(`ws://localhost:${server.port}`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]);
-  atEnd(t, () => ws.terminate());
-  const client = new FoxgloveClient({ ws });
-  const services = new Map();
-  const answers = [];
-  client.on("advertiseServices", (list) => list.forEach(({ id, name }) => services.set(name, id)));
-  client.on("serviceCallResponse", ({ data }) => answers.push(JSON.parse(Buffer.from(data.buffer, data.byteOffset, data.byteLength).toString())));
-  await until(() => services.has(kService), "the services");
-  const asked = [kService, "/sim/reset", "/sim/step", "start_recording", "clock_sync"];
-  for (const name of asked) {
-    client.sendServiceCallRequest({ serviceId: services.get(name), callId: 1, encoding: "json", data: new TextEncoder().encode(deep("1")) });
-    await until(() => answers.length > 0, `the answer of ${name}`);
-    assert.deepEqual(answers.splice(0), [{ ok: false, error: `${name}: ${sentence}` }]);
-  }
+  const call = await independentClient(t, server);
+  for (const name of [kService, "/sim/reset", "/sim/step", "start_recording", "clock_sync"])
+    assert.deepEqual(await call(name, deep("1")), { ok: false, error: `${name}: ${sentence}` });
   live.send(`{"op":"setParameters","parameters":[{"name":"foresight","value":${deep("1")}}]}`);
   await live.until(() => live.statuses.some(({ message }) => message === `request: ${sentence}`), "the sentence about a parameter");
   assert.equal((await live.call(kService, { budget_ms: 50 })).ok, true, "it still answers");

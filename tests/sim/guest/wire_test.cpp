@@ -79,6 +79,11 @@ TEST(Wire, NonsenseIsToldInASentence) {
   EXPECT_NE(problem(R"({"boddy": "kick"})").find("got something else: '{\"boddy\":\"kick\"}'"), std::string::npos);
   EXPECT_NE(check_greeting(R"({"version": 2})").find("expected {\"version\": 1, …} as the first answer"),
             std::string::npos);
+  // printed, such an answer would end the simulator
+  const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+  EXPECT_NE(problem(R"({"look": )" + deep + "}").find("expected a JSON object as answer, got '{\"look\": [[["),
+            std::string::npos);
+  EXPECT_NE(check_greeting(R"({"version": )" + deep + "}").find("expected a JSON object as answer"), std::string::npos);
   const std::string whole = R"({"body": "kick", "look": [1, 2, 3]})";
   for (std::size_t n = 0; n < whole.size(); ++n) EXPECT_NE(problem(whole.substr(0, n)), "") << n;
 }
