@@ -206,8 +206,10 @@ async function wins(report, pairs, rollouts) {
   mkdirSync(join(root, "build/bench"), { recursive: true });
   report.figure("rollouts of a question in a game", rollouts, "", { atMost: kMostRollouts });
   const [best] = kChoice;
-  const rivals = { same: [best, `the same team without, which plays ${best}`], plain: ["baseline", "a team that plays baseline, and did not compare either"] };
-  for (const [name, [rival, told]] of Object.entries(rivals)) {
+  for (const [name, rival, told] of [
+    ["same", best, `the same team without, which plays ${best}`],
+    ["plain", "baseline", "a team that plays baseline, and did not compare either"],
+  ]) {
     const foreseeing = `foresight,opponent=${rival},rollouts=${rollouts},horizon=${kGameHorizon}`;
     const played = await play(`${name}-${rollouts}`, rival, foreseeing, "--sprt", "0,0.2", "--most-pairs", pairs);
     report.figure(`against ${told}: pairs of games until the sequential test of 0 against 0.2 goals knew, or enough`, played.pairs);

@@ -7,11 +7,9 @@ import { networkInterfaces } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import { promisify } from "node:util";
+import { foxgloveClient } from "./foxglove.mjs";
 import { Live, pausedGame, playbackControl } from "./live.mjs";
-import { atEnd, require, root, run, start, temporaryFolder, until } from "./support.mjs";
-
-const { FoxgloveClient } = require("@foxglove/ws-protocol");
-const WebSocket = require("ws");
+import { atEnd, root, run, start, temporaryFolder, until } from "./support.mjs";
 
 const own = Object.values(networkInterfaces()).flat().find(({ family, internal }) => family === "IPv4" && !internal)?.address;
 const needsNetwork = { skip: own ? false : "this machine has no address but loopback" };
@@ -20,9 +18,7 @@ const kStrategies = ["baseline", "passing", "kick_now", "high_line"];
 
 /** Foxglove's own client: returns what calls a service with that text and resolves to its answer. */
 async function independentClient(t, server) {
-  const ws = new WebSocket(`ws://localhost:${server.port}`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]);
-  atEnd(t, () => ws.terminate());
-  const client = new FoxgloveClient({ ws });
+  const { client } = foxgloveClient(t, server);
   const services = new Map();
   const answers = new Map();
   client.on("advertiseServices", (list) => list.forEach(({ id, name }) => services.set(name, id)));

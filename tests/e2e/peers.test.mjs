@@ -1,21 +1,17 @@
 // The live protocol as others speak it: the Foxglove client from npm, and a client of nothing but frames.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { foxgloveClient } from "./foxglove.mjs";
 import { decode, kSubprotocols, Live, refusal, serviceCall } from "./live.mjs";
 import { readSession } from "./mcap.mjs";
-import { atEnd, play, require, robot, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
-
-const { FoxgloveClient } = require("@foxglove/ws-protocol");
-const WebSocket = require("ws");
+import { play, robot, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
 /** The Foxglove client, and all it was told, by event. */
 function foxglove(t, server) {
-  const ws = new WebSocket(`ws://localhost:${server.port}`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]);
-  atEnd(t, () => ws.terminate());
+  const { ws, client } = foxgloveClient(t, server);
   const sent = [];
   const send = ws.send.bind(ws);
   ws.send = (data) => send(data, sent.push(data) && undefined);
-  const client = new FoxgloveClient({ ws });
   const events = {};
   for (const name of ["serverInfo", "status", "message", "time", "advertise", "advertiseServices", "parameterValues", "serviceCallResponse", "serviceCallFailure", "error", "close"]) {
     events[name] = [];

@@ -4,12 +4,10 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { open, shoot } from "./browser.mjs";
+import { foxgloveClient } from "./foxglove.mjs";
 import { decode, Live } from "./live.mjs";
 import { readStreamed } from "./mcap.mjs";
-import { atEnd, download, require, robot, run, sessionsOf, start, statusOf, synthesize, temporaryFolder, until } from "./support.mjs";
-
-const { FoxgloveClient } = require("@foxglove/ws-protocol");
-const WebSocket = require("ws");
+import { download, robot, run, sessionsOf, start, statusOf, synthesize, temporaryFolder, until } from "./support.mjs";
 
 const simulated = (t, player, ...args) => start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--team", "14", "--player", String(player), "--no-foresight", ...args);
 
@@ -40,9 +38,7 @@ test("two robots, each over one connection: others see all of both, and what is 
   await live.until(() => live.channels.has("/14/2/decision") && live.channels.has("/14/3/decision") && live.channels.has("/truth/world"), "the channels of both");
 
   // the Foxglove client, which knows nothing of relays
-  const ws = new WebSocket(`ws://localhost:${lab.port}`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]);
-  atEnd(t, () => ws.terminate());
-  const client = new FoxgloveClient({ ws });
+  const { client } = foxgloveClient(t, lab);
   const channels = new Map(), messages = [];
   client.on("advertise", (list) => list.forEach((channel) => channels.set(channel.topic, channel)));
   client.on("message", ({ subscriptionId, timestamp, data }) => messages.push({ subscriptionId, timestamp, data: Buffer.from(data.buffer, data.byteOffset, data.byteLength) }));

@@ -2,12 +2,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { open, shoot } from "./browser.mjs";
+import { foxgloveClient } from "./foxglove.mjs";
 import { decode, Live } from "./live.mjs";
 import { readStreamed } from "./mcap.mjs";
-import { atEnd, download, require, run, sessionsOf, start, statusOf, temporaryFolder, until } from "./support.mjs";
-
-const { FoxgloveClient } = require("@foxglove/ws-protocol");
-const WebSocket = require("ws");
+import { download, run, sessionsOf, start, statusOf, temporaryFolder, until } from "./support.mjs";
 
 const kShort = "spl2012,halves=1,half_duration=1,ready_duration=1,set_duration=1";
 
@@ -16,9 +14,7 @@ const simulated = (t, ...args) => simulate(t, temporaryFolder(t), ...args);
 
 test("the Foxglove client sees every robot's objects, decisions 30 times a second, and the truth", async (t) => {
   const server = await simulated(t, "--seed", "7", "--player", "2");
-  const ws = new WebSocket(`ws://localhost:${server.port}`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]);
-  atEnd(t, () => ws.terminate());
-  const client = new FoxgloveClient({ ws });
+  const { client } = foxgloveClient(t, server);
   const channels = new Map();
   client.on("advertise", (list) => list.forEach((channel) => channels.set(channel.topic, channel)));
   await until(() => channels.has("/sim/state") && channels.has("/5/4/decision"), "the channels");
