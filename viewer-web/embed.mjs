@@ -80,7 +80,7 @@ function sourceOf(assets) {
     `    {${quoted(path)}, ${quoted(type)}, {${symbol}, ${size}}, ${quoted(etag)}},`;
 
   return `// Made by viewer-web/embed.mjs; not to be edited. The viewer's files, gzipped, sorted by path.
-#include "robot/net/assets.h"
+#include "robot/net/http/assets.h"
 
 __asm__(
     ".pushsection .rodata\\n"

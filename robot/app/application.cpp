@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "robot/app/build_id.h"
+#include "robot/core/byte_source.h"
 #include "robot/core/report.h"
-#include "robot/logging/byte_source.h"
 
 namespace robot::app {
 namespace {
@@ -67,7 +67,7 @@ Result<net::LogFile> open_file(const logging::Session& session, const std::strin
   const std::string who = "session " + session.id() + ": ";
   if (session.state == logging::SessionState::recording)
     return Error{who + "it is being recorded, its files are not complete yet"};
-  auto source = logging::FileSource::open(session.folder / file);
+  auto source = FileSource::open(session.folder / file);
   if (!source) return Error{who + "there is no file '" + file + "'"};
   std::error_code ignored;
   const auto written = std::filesystem::last_write_time(session.folder / file, ignored).time_since_epoch().count();

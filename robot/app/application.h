@@ -4,12 +4,12 @@
 #include <functional>
 #include <string>
 
-#include "robot/app/game_control.h"
+#include "robot/app/services/game_control.h"
 #include "robot/core/clock.h"
-#include "robot/logging/downloads.h"
-#include "robot/logging/recorder.h"
-#include "robot/logging/session_store.h"
-#include "robot/net/application.h"
+#include "robot/logging/sessions/downloads.h"
+#include "robot/logging/sessions/recorder.h"
+#include "robot/logging/sessions/session_store.h"
+#include "robot/net/serve/backend.h"
 
 namespace robot::app {
 
@@ -22,7 +22,7 @@ struct Identity {
 };
 
 /// Any thread.
-class Application final : public net::Application {
+class Application final : public net::Backend {
  public:
   /// The given ones outlive this; `recorder` may be null where nothing is recorded.
   Application(Identity identity, const Clock& clock, logging::SessionStore& store, const logging::Recorder* recorder)
@@ -43,7 +43,7 @@ class Application final : public net::Application {
   net::HttpResponse session_files(const std::string& session) override;
   net::HttpResponse delete_session(const std::string& session) override;
   net::HttpResponse played(const net::PlayedRequest& request) override {
-    return played_ ? played_(request) : net::Application::played(request);
+    return played_ ? played_(request) : net::Backend::played(request);
   }
   bool match_mode() const override;
 

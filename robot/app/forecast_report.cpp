@@ -11,7 +11,7 @@
 #include "robot/foresight/foreseer.h"
 #include "robot/foresight/knowledge.h"
 #include "robot/foresight/scorer.h"
-#include "robot/logging/file_provider.h"
+#include "robot/logging/sessions/session_provider.h"
 #include "sim/io/rules.h"
 
 namespace robot::app {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "proto/foresight/forecast.pb.h"
-#include "robot/logging/session.h"
+#include "robot/logging/sessions/session.h"
 
 namespace robot::app {
 

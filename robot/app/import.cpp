@@ -2,11 +2,11 @@
 
 #include "robot/app/build_id.h"
 #include "robot/core/files.h"
-#include "robot/lab/bhuman2009.h"
-#include "robot/lab/nblog.h"
-#include "robot/lab/session_sink.h"
-#include "robot/lab/synthetic.h"
-#include "robot/logging/session_writer.h"
+#include "robot/lab/import/bhuman2009.h"
+#include "robot/lab/import/nblog.h"
+#include "robot/lab/import/session_sink.h"
+#include "robot/lab/synthetic/synthetic.h"
+#include "robot/logging/sessions/session_writer.h"
 
 namespace robot::app {
 namespace {

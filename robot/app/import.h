@@ -6,7 +6,7 @@
 
 #include "robot/app/robot_name.h"
 #include "robot/core/result.h"
-#include "robot/lab/import_sink.h"
+#include "robot/lab/import/import_sink.h"
 
 namespace robot::app {
 

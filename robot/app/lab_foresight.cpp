@@ -4,10 +4,10 @@
 #include <mutex>
 #include <utility>
 
-#include "robot/app/foresight_control.h"
+#include "robot/app/services/foresight_control.h"
 #include "robot/core/clock.h"
-#include "robot/logging/file_provider.h"
-#include "robot/logging/session.h"
+#include "robot/logging/sessions/session.h"
+#include "robot/logging/sessions/session_provider.h"
 #include "sim/foresight/tally.h"
 #include "sim/io/source.h"
 

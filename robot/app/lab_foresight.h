@@ -12,7 +12,7 @@
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
 #include "robot/foresight/foreseer.h"
-#include "robot/logging/provider.h"
+#include "robot/logging/streams/provider.h"
 #include "robot/memory/channels.h"
 
 namespace robot::app {

@@ -14,8 +14,8 @@
 #include "robot/core/json.h"
 #include "robot/foresight/question.h"
 #include "robot/foresight/scorer.h"
-#include "robot/lab/session_report.h"
-#include "robot/logging/session.h"
+#include "robot/lab/clocks/session_report.h"
+#include "robot/logging/sessions/session.h"
 
 namespace robot::app {
 namespace {
@@ -146,8 +146,9 @@ struct PlayCommand {
     command->add_option("--speed", options.speed, "0.01 .. 1000, 1 is real time")->capture_default_str();
     command->add_flag("--loop", options.loop, "begin again at the end");
     add_clock_option(*command, options.max_clock_offset);
-    command->add_option("--map", options.map,
-                        "JSON file that says which topics of others are which of our objects: robot/lab/mapping.h");
+    command->add_option(
+        "--map", options.map,
+        "JSON file that says which topics of others are which of our objects: robot/lab/mapping/mapping.h");
     command->add_option(
         "--rules", options.foresight.rules,
         "rules that what-if questions go by; those of a recorded simulation if not given, else spl2025");

@@ -9,11 +9,11 @@
 #include "robot/app/lab_objects.h"
 #include "robot/app/played_range.h"
 #include "robot/app/runtime.h"
+#include "robot/app/services/what_if_service.h"
 #include "robot/app/signals.h"
-#include "robot/app/what_if_service.h"
 #include "robot/body/replay/replay.h"
-#include "robot/lab/clock_agreement.h"
-#include "robot/lab/mapping.h"
+#include "robot/lab/clocks/clock_agreement.h"
+#include "robot/lab/mapping/mapping.h"
 
 namespace robot::app {
 namespace {

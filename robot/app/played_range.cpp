@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "robot/logging/byte_sink.h"
-#include "robot/logging/compression.h"
-#include "robot/logging/mcap_writer.h"
+#include "robot/core/byte_sink.h"
+#include "robot/logging/mcap/compression.h"
+#include "robot/logging/mcap/writer.h"
 
 namespace robot::app {
 namespace {
@@ -48,7 +48,7 @@ net::HttpResponse played_range(const body::Replay& replay, const net::PlayedRequ
   if (const Result<void> sought = stream->seek(request.from_ns - std::min<std::uint64_t>(request.from_ns, 1)); !sought)
     return net::error_response(500, sought.error());
   std::string file;
-  auto writer = logging::McapWriter::open(std::make_unique<logging::MemorySink>(file), *info,
+  auto writer = logging::McapWriter::open(std::make_unique<MemorySink>(file), *info,
                                           {.metadata = {}, .compression = logging::Compression::lz4});
   if (!writer) return net::error_response(500, writer.error());
   const Result<std::uint64_t> until_ns = copy_range(*stream, request, *writer);

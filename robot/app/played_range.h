@@ -2,7 +2,7 @@
 #pragma once
 
 #include "robot/body/replay/replay.h"
-#include "robot/net/application.h"
+#include "robot/net/serve/backend.h"
 
 namespace robot::app {
 

@@ -11,7 +11,7 @@
 #include "robot/app/robot_name.h"
 #include "robot/app/runtime.h"
 #include "robot/app/signals.h"
-#include "robot/lab/robot_address.h"
+#include "robot/lab/relay/robot_address.h"
 
 namespace robot::app {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "robot/app/server_settings.h"
 #include "robot/core/result.h"
-#include "robot/lab/robot_link.h"
+#include "robot/lab/relay/robot_link.h"
 
 namespace robot::app {
 

@@ -3,9 +3,9 @@
 #include <memory>
 #include <utility>
 
-#include "robot/app/foresight_control.h"
-#include "robot/app/parameter_object.h"
 #include "robot/app/runtime.h"
+#include "robot/app/services/foresight_control.h"
+#include "robot/app/services/parameter_object.h"
 #include "robot/body/attached/door.h"
 
 namespace robot::app {

@@ -6,10 +6,10 @@
 
 #include "robot/app/run_attached.h"
 #include "robot/body/nao/config.h"
-#include "robot/body/nao/guardian/runtime_link.h"
 #include "robot/body/nao/nao_body.h"
 #include "robot/body/nao/nao_cameras.h"
 #include "robot/core/report.h"
+#include "robot/nao/guardian/runtime_link.h"
 
 namespace robot::app {
 namespace {
@@ -18,25 +18,25 @@ namespace {
 const char* const kOwnObjects[] = {"joints", "inertial", "fsr", "sonar", "touch", "battery", "body", "motion_status"};
 
 /// Who has LoLA or a camera, in a sentence; empty: nobody.
-std::string whose_it_is(const body::nao::NaoOptions& nao, const body::nao::NaoConfig& config) {
-  const std::string taken = body::nao::NaoBody::taken_by_others(nao);
-  return taken.empty() ? body::nao::NaoCameras::taken_by_others(config) : taken;
+std::string whose_it_is(const body::NaoOptions& nao, const body::NaoConfig& config) {
+  const std::string taken = body::NaoBody::taken_by_others(nao);
+  return taken.empty() ? body::NaoCameras::taken_by_others(config) : taken;
 }
 
 /// Who stands beside the robot may always make it soft.
 void add_sit_and_soft(const std::filesystem::path& link, net::Services& services) {
   services.add("sit_and_soft", net::Services::For::everybody,
                [link](const nlohmann::json&, const net::ClientContext&) -> nlohmann::json {
-                 const Result<void> asked = body::nao::sit_and_soft(link);
+                 const Result<void> asked = body::sit_and_soft(link);
                  return asked ? nlohmann::json{{"ok", true}} : net::failure("sit_and_soft: " + asked.error());
                });
 }
 
 struct BodyAndCameras {
-  const body::nao::NaoBody body;
-  const body::nao::NaoCameras cameras;
+  const body::NaoBody body;
+  const body::NaoCameras cameras;
 
-  BodyAndCameras(const body::nao::NaoOptions& nao, const body::nao::NaoConfig& config, memory::Memory& memory,
+  BodyAndCameras(const body::NaoOptions& nao, const body::NaoConfig& config, memory::Memory& memory,
                  const SessionClock& clock)
       : body(nao, memory, clock), cameras(config, body, memory, clock) {}
 };
@@ -44,11 +44,11 @@ struct BodyAndCameras {
 }  // namespace
 
 Result<void> run_nao(const RobotOptions& options) {
-  Result<body::nao::NaoConfig> config =
-      options.nao_config.empty() ? body::nao::NaoConfig() : body::nao::read_nao_config(options.nao_config);
+  Result<body::NaoConfig> config =
+      options.nao_config.empty() ? body::NaoConfig() : body::read_nao_config(options.nao_config);
   if (!config) return Error{config.error()};
-  const body::nao::NaoOptions nao{.link = options.guardian.empty() ? body::nao::default_link() : options.guardian,
-                                  .calibration = config->calibration};
+  const body::NaoOptions nao{.link = options.guardian.empty() ? nao::default_link() : options.guardian,
+                             .calibration = config->calibration};
   if (const std::string taken = options.plan ? "" : whose_it_is(nao, *config); !taken.empty()) {
     report(Level::warning, "nao", taken + "; going on as body attached");
     RobotOptions beside = options;

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "robot/app/foresight_control.h"
 #include "robot/app/runtime.h"
+#include "robot/app/services/foresight_control.h"
 #include "robot/body/replay/replay.h"
 
 namespace robot::app {

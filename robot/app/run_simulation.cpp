@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "robot/app/foresight_control.h"
 #include "robot/app/runtime.h"
-#include "robot/app/simulation_control.h"
+#include "robot/app/services/foresight_control.h"
+#include "robot/app/services/simulation_control.h"
 #include "robot/body/sim/sim_body.h"
 #include "robot/core/report.h"
 #include "robot/foresight/following.h"

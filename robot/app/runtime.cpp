@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "robot/app/build_id.h"
-#include "robot/app/recording_control.h"
+#include "robot/app/services/recording_control.h"
 #include "robot/core/report.h"
-#include "robot/net/derived_channels.h"
+#include "robot/net/foxglove/derived_channels.h"
 
 namespace robot::app {
 namespace {

@@ -35,22 +35,22 @@
 #include <string>
 
 #include "robot/app/application.h"
-#include "robot/app/clock_sampler.h"
-#include "robot/app/game_control.h"
 #include "robot/app/server_settings.h"
-#include "robot/app/statistics.h"
+#include "robot/app/services/clock_sampler.h"
+#include "robot/app/services/game_control.h"
+#include "robot/app/services/statistics.h"
 #include "robot/core/clock.h"
 #include "robot/core/report.h"
 #include "robot/core/result.h"
-#include "robot/logging/board.h"
-#include "robot/logging/recorder.h"
-#include "robot/logging/session_store.h"
+#include "robot/logging/sessions/recorder.h"
+#include "robot/logging/sessions/session_store.h"
+#include "robot/logging/streams/board.h"
 #include "robot/memory/channels.h"
 #include "robot/memory/memory.h"
-#include "robot/net/board_streams.h"
-#include "robot/net/parameters.h"
-#include "robot/net/server.h"
-#include "robot/net/services.h"
+#include "robot/net/foxglove/parameters.h"
+#include "robot/net/foxglove/services.h"
+#include "robot/net/serve/board_streams.h"
+#include "robot/net/serve/server.h"
 
 namespace robot::app {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robot/core/result.h"
-#include "robot/net/routes.h"
+#include "robot/net/serve/routes.h"
 
 namespace robot::app {
 

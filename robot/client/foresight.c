@@ -1,4 +1,4 @@
-// The protocol is told in robot/logging/stream_format.h.
+// The protocol is told in robot/logging/streams/stream_format.h.
 #define _GNU_SOURCE
 
 #include <foresight.h>

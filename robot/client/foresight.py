@@ -16,7 +16,7 @@ All times are of this machine's monotonic clock [ns], as those of V4L2 and time.
 proto/foresight/*.proto has them, unless announced otherwise; who has no protobuf fills and reads them with the functions
 uint_field … and fields.
 
-The protocol is told in robot/logging/stream_format.h; foresight.h is the same for C.
+The protocol is told in robot/logging/streams/stream_format.h; foresight.h is the same for C.
 """
 
 import array

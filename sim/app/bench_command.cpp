@@ -4,8 +4,8 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/cycles.h"
-#include "sim/app/game_report.h"
 #include "sim/app/progress.h"
+#include "sim/report/game_report.h"
 
 namespace sim::app {
 namespace {
@@ -19,8 +19,8 @@ struct Cost {
   double robot_ticks = 0;
 };
 
-Cost cost_of(const Lineup& lineup, std::uint64_t seed, Problem& problem) {
-  const Cast cast(lineup, seed);
+Cost cost_of(const contest::Lineup& lineup, std::uint64_t seed, contest::Problem& problem) {
+  const contest::Cast cast(lineup, seed);
   const Params& params = cast.params();
   Cost cost{.cycles_per_ns = cycles_per_ns()};
   const std::uint64_t begin = computed_ns();
@@ -52,14 +52,14 @@ class BenchCommand final : public Command {
   int run() override {
     const auto lineup = choice_.line_up();
     if (!lineup) return fail(lineup.error());
-    Problem problem;
+    contest::Problem problem;
     cost_of(*lineup, 0, problem);  // caches and clock warm
 
     std::vector<Cost> costs(static_cast<std::size_t>(games_));
     const auto begin = std::chrono::steady_clock::now();
     {
       Progress progress("playing", static_cast<std::uint64_t>(games_));
-      for_each_game(
+      contest::for_each_game(
           games_, threads_,
           [&](int game) {
             costs[static_cast<std::size_t>(game)] =
@@ -81,30 +81,31 @@ class BenchCommand final : public Command {
         values_of(costs, [](const Cost& cost) { return cost.ns * cost.cycles_per_ns / cost.robot_ticks; });
     const auto clock = values_of(costs, [](const Cost& cost) { return cost.cycles_per_ns; });
     const io::Choice choice = choice_.choice();
-    const Json json = {{"rules", choice.rules},
-                       {"players", params.rules.players},
-                       {"home", choice.strategies[0]},
-                       {"away", choice.strategies[1]},
-                       {"home_models", params.teams[0].models.name},
-                       {"away_models", params.teams[1].models.name},
-                       {"every_tick", params.pace == Pace::every_tick},
-                       {"games", games_},
-                       {"threads", threads_},
-                       {"game_ms", {{"median", median_of(game_ms)}, {"mean", mean_of(game_ms).mean}}},
-                       {"robot_tick_ns", median_of(ns)},
-                       {"robot_tick_cycles", median_of(cycles)},
-                       {"clock_ghz", median_of(clock)},
-                       {"games_per_second", games_ / seconds}};
+    const report::Json json = {
+        {"rules", choice.rules},
+        {"players", params.rules.players},
+        {"home", choice.strategies[0]},
+        {"away", choice.strategies[1]},
+        {"home_models", params.teams[0].models.name},
+        {"away_models", params.teams[1].models.name},
+        {"every_tick", params.pace == Pace::every_tick},
+        {"games", games_},
+        {"threads", threads_},
+        {"game_ms", {{"median", contest::median_of(game_ms)}, {"mean", contest::mean_of(game_ms).mean}}},
+        {"robot_tick_ns", contest::median_of(ns)},
+        {"robot_tick_cycles", contest::median_of(cycles)},
+        {"clock_ghz", contest::median_of(clock)},
+        {"games_per_second", games_ / seconds}};
     if (json_) {
       std::printf("%s\n", json.dump(2).c_str());
       return;
     }
     std::printf("%s, %d a side, %s against %s, %d games on %d thread%s\n", choice.rules.c_str(), params.rules.players,
                 choice.strategies[0].c_str(), choice.strategies[1].c_str(), games_, threads_, threads_ > 1 ? "s" : "");
-    std::printf("  game             %8.2f ms median, %.2f ms mean, as the thread computed\n", median_of(game_ms),
-                mean_of(game_ms).mean);
-    std::printf("  robot and tick   %8.1f ns, %.0f cycles at %.2f GHz\n", median_of(ns), median_of(cycles),
-                median_of(clock));
+    std::printf("  game             %8.2f ms median, %.2f ms mean, as the thread computed\n",
+                contest::median_of(game_ms), contest::mean_of(game_ms).mean);
+    std::printf("  robot and tick   %8.1f ns, %.0f cycles at %.2f GHz\n", contest::median_of(ns),
+                contest::median_of(cycles), contest::median_of(clock));
     std::printf("  games            %8.1f a second, by the clock on the wall\n", games_ / seconds);
   }
 

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "sim/app/commands.h"
-#include "sim/app/game_report.h"
-#include "sim/app/moments.h"
 #include "sim/app/progress.h"
-#include "sim/app/series.h"
+#include "sim/contest/moments.h"
+#include "sim/contest/series.h"
 #include "sim/foresight/race.h"
 #include "sim/foresight/reliability.h"
 #include "sim/io/playbook.h"
 #include "sim/match/play.h"
+#include "sim/report/game_report.h"
 
 namespace sim::app {
 namespace {
@@ -46,8 +46,8 @@ Reliability reliability_of(const std::vector<Case>& cases) {
   return reliability;
 }
 
-Json json_of(const Reliability& reliability) {
-  Json bins = Json::array();
+report::Json json_of(const Reliability& reliability) {
+  report::Json bins = report::Json::array();
   for (const Reliability::Bin& bin : reliability.bins)
     if (bin.cases > 0)
       bins.push_back({{"cases", bin.cases},
@@ -100,8 +100,8 @@ class CalibrationCommand final : public Command {
     std::vector<Cases> by_game(static_cast<std::size_t>(games));
     {
       Progress progress("foretelling", static_cast<std::uint64_t>(games));
-      for_each_game(
-          games, threads_for(games),
+      contest::for_each_game(
+          games, contest::threads_for(games),
           [&](int game) {
             by_game[static_cast<std::size_t>(game)] =
                 play(setup->params, *playbook, kFirstSeed + static_cast<std::uint64_t>(game));
@@ -119,7 +119,7 @@ class CalibrationCommand final : public Command {
   Cases play(const Params& params, const io::Playbook& playbook, std::uint64_t seed) const {
     Cases cases;
     const Tick horizon = ticks(static_cast<float>(seconds_));
-    for_each_moment(params, seed, kPerGame, kAsked, [&](const State& state) {
+    contest::for_each_moment(params, seed, kPerGame, kAsked, [&](const State& state) {
       const foresight::Believed believed =
           foresight::believe(playbook.params.front(), foresight::knowledge_of(params, state, kAsked));
       if (!believed.refusal.empty()) {
@@ -149,12 +149,12 @@ class CalibrationCommand final : public Command {
   void report(const Cases& cases) const {
     const Reliability score = reliability_of(cases.score), concede = reliability_of(cases.concede);
     if (json_) {
-      const Json json = {{"situations", cases.score.size()},
-                         {"untold", cases.untold},
-                         {"rollouts", rollouts_},
-                         {"seconds", seconds_},
-                         {"score", json_of(score)},
-                         {"concede", json_of(concede)}};
+      const report::Json json = {{"situations", cases.score.size()},
+                                 {"untold", cases.untold},
+                                 {"rollouts", rollouts_},
+                                 {"seconds", seconds_},
+                                 {"score", json_of(score)},
+                                 {"concede", json_of(concede)}};
       std::printf("%s\n", json.dump(2).c_str());
       return;
     }

@@ -10,15 +10,15 @@
 #include <cstdio>
 
 #include "sim/app/commands.h"
-#include "sim/app/game_report.h"
-#include "sim/app/moments.h"
 #include "sim/app/progress.h"
-#include "sim/app/series.h"
+#include "sim/contest/moments.h"
+#include "sim/contest/series.h"
 #include "sim/foresight/chooser.h"
 #include "sim/foresight/forecast.h"
 #include "sim/foresight/race.h"
 #include "sim/io/playbook.h"
 #include "sim/match/play.h"
+#include "sim/report/game_report.h"
 
 namespace sim::app {
 namespace {
@@ -119,13 +119,13 @@ class ChoosingCommand final : public Command {
     std::vector<std::vector<Trial>> by_game(static_cast<std::size_t>(games));
     {
       Progress progress("choosing", static_cast<std::uint64_t>(games));
-      for_each_game(
-          games, threads_for(games),
+      contest::for_each_game(
+          games, contest::threads_for(games),
           [&](int game_number) {
             const std::uint64_t seed = kFirstSeed + static_cast<std::uint64_t>(game_number);
             std::vector<Trial>& trials = by_game[static_cast<std::size_t>(game_number)];
-            for_each_moment(playbook->params.front(), seed, kPerGame, kCaptain,
-                            [&](const State& state) { trials.push_back(look_at(*playbook, state, seed)); });
+            contest::for_each_moment(playbook->params.front(), seed, kPerGame, kCaptain,
+                                     [&](const State& state) { trials.push_back(look_at(*playbook, state, seed)); });
           },
           [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
     }
@@ -195,11 +195,13 @@ class ChoosingCommand final : public Command {
     const auto a_game = [&](const auto& gain_of) {
       std::vector<double> gains;
       for (const Trial& trial : trials) gains.push_back(per_game * gain_of(trial));
-      return mean_of(gains);
+      return contest::mean_of(gains);
     };
-    const Mean knowing = a_game([](const Trial& trial) { return trial.of_knowing(); });
-    const auto told = [](const Mean& mean) { return Json{{"mean", mean.mean}, {"standard_error", mean.error}}; };
-    Json captains_told = Json::array();
+    const contest::Mean knowing = a_game([](const Trial& trial) { return trial.of_knowing(); });
+    const auto told = [](const contest::Mean& mean) {
+      return report::Json{{"mean", mean.mean}, {"standard_error", mean.error}};
+    };
+    report::Json captains_told = report::Json::array();
     for (int i = 0; i < captains(); ++i) {
       const auto chosen = [i](const Trial& trial) { return trial.chosen[static_cast<std::size_t>(i)]; };
       const auto changes =
@@ -210,30 +212,30 @@ class ChoosingCommand final : public Command {
             told(a_game([&](const Trial& trial) { return trial.gain(static_cast<std::size_t>(chosen(trial))); }))},
            {"changes", trials.empty() ? 0 : static_cast<double>(changes) / static_cast<double>(trials.size())}});
     }
-    Json strategies = Json::array();
+    report::Json strategies = report::Json::array();
     for (std::size_t strategy = 1; strategy < strategies_.size(); ++strategy) {
-      const Mean mean = a_game([&](const Trial& trial) { return trial.gain(strategy); });
+      const contest::Mean mean = a_game([&](const Trial& trial) { return trial.gain(strategy); });
       strategies.push_back(
           {{"strategy", strategies_[strategy]}, {"always", told(mean)}, {"spread", spread_of(trials, strategy)}});
     }
     if (json_) {
-      const Json json = {{"moments", trials.size()},    {"futures", futures_},       {"period", period_},
-                         {"rollouts", terms_.rollouts}, {"horizon", terms_.horizon}, {"strategies", strategies},
-                         {"knowing", told(knowing)},    {"captains", captains_told}};
+      const report::Json json = {{"moments", trials.size()},    {"futures", futures_},       {"period", period_},
+                                 {"rollouts", terms_.rollouts}, {"horizon", terms_.horizon}, {"strategies", strategies},
+                                 {"knowing", told(knowing)},    {"captains", captains_told}};
       std::printf("%s\n", json.dump(2).c_str());
       return;
     }
     std::printf("%zu moments of games of %s against %s; %d futures of each strategy\n\n", trials.size(),
                 strategies_.front().c_str(), choice_.choice().strategies[1].c_str(), futures_);
     std::printf("%-20s%26s%32s\n", "", "always, goals a game", "differs from moment to moment");
-    for (const Json& one : strategies)
+    for (const report::Json& one : strategies)
       std::printf("%-20s%+16.2f ± %-7.2f%24.3f goals\n", one["strategy"].get<std::string>().c_str(),
                   one["always"]["mean"].get<double>(), one["always"]["standard_error"].get<double>(),
                   one["spread"].get<double>());
     std::printf("\nthe best of them, chosen every %g s, gains in goals a game\n", period_);
     std::printf("  who knows the futures    %+.2f ± %.2f\n", knowing.mean, knowing.error);
     std::printf("  a captain, by %d futures of %g s of\n", terms_.rollouts, static_cast<double>(terms_.horizon));
-    for (const Json& captain : captains_told)
+    for (const report::Json& captain : captains_told)
       std::printf("    %-22s %+.2f ± %.2f, it changes in %.0f %%\n", captain["knows"].get<std::string>().c_str(),
                   captain["gain"]["mean"].get<double>(), captain["gain"]["standard_error"].get<double>(),
                   100 * captain["changes"].get<double>());

@@ -111,8 +111,8 @@ io::Choice ChoiceOptions::choice() const {
   return choice;
 }
 
-robot::Result<Lineup> ChoiceOptions::line_up() const {
-  return Lineup::prepare({.game = choice(), .rest = {rest_[0], rest_[1]}, .changed = changed_});
+robot::Result<contest::Lineup> ChoiceOptions::line_up() const {
+  return contest::Lineup::prepare({.game = choice(), .rest = {rest_[0], rest_[1]}, .changed = changed_});
 }
 
 robot::Result<io::Playbook> ChoiceOptions::playbook(const std::vector<std::string>& strategies) const {

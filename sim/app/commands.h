@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/app/lineup.h"
+#include "sim/contest/lineup.h"
 #include "sim/io/playbook.h"
 
 namespace sim::app {
@@ -38,7 +38,7 @@ class ChoiceOptions {
   /// As they were typed.
   io::Choice choice() const;
   /// Who that is.
-  robot::Result<Lineup> line_up() const;
+  robot::Result<contest::Lineup> line_up() const;
   /// What the home side may choose between, the first of it the incumbent, against what the away side plays.
   robot::Result<io::Playbook> playbook(const std::vector<std::string>& strategies) const;
 

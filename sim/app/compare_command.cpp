@@ -6,9 +6,9 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/compare_runs.h"
-#include "sim/app/contest_page.h"
-#include "sim/app/contest_report.h"
-#include "sim/app/series.h"
+#include "sim/contest/series.h"
+#include "sim/report/contest_page.h"
+#include "sim/report/contest_report.h"
 
 namespace sim::app {
 namespace {
@@ -38,13 +38,13 @@ class CompareCommand final : public Command {
     if (const std::string wrong = read_words(); !wrong.empty()) return fail(wrong);
     if (robust_) return run_robust(task_);
     if (!itself_.empty()) return run_itself(task_);
-    const auto comparison = Comparison::prepare(choice_);
+    const auto comparison = contest::Comparison::prepare(choice_);
     if (!comparison) return fail(comparison.error());
     if (plan_) return run_plan(task_, *comparison);
 
-    std::optional<RunFolder> folder;
+    std::optional<contest::RunFolder> folder;
     if (!task_.out.empty()) {
-      auto opened = RunFolder::open(task_.out, comparison->specification(), use());
+      auto opened = contest::RunFolder::open(task_.out, comparison->specification(), use());
       if (!opened) return fail(opened.error());
       folder.emplace(*std::move(opened));
     }
@@ -54,7 +54,7 @@ class CompareCommand final : public Command {
 
     const auto outcome =
         merge_ ? merge(*comparison, contest_, *folder)
-               : play_contest(*comparison, contest_, folder ? &*folder : nullptr, progress_line(contest_));
+               : contest::play_contest(*comparison, contest_, folder ? &*folder : nullptr, progress_line(contest_));
     clear_line();
     if (!outcome) return fail(outcome.error());
     return tell({*comparison, contest_, *outcome}, folder ? &*folder : nullptr);
@@ -111,7 +111,7 @@ class CompareCommand final : public Command {
         ->check(CLI::IsMember({"local", "slurm"}))
         ->capture_default_str();
     pairs->excludes(sprt);
-    contest_.jobs = threads_for(1 << 20);
+    contest_.jobs = contest::threads_for(1 << 20);
   }
 
   /// What else there is to do than to give the verdict.
@@ -132,23 +132,24 @@ class CompareCommand final : public Command {
     kinds->add_flag("--merge", merge_, "the verdict of the blocks in --out, of which none may be missing");
   }
 
-  RunFolder::Use use() const {
-    if (!task_.blocks.empty() || merge_ || engine_ == "slurm") return RunFolder::Use::share;
-    return resume_ || verify_ ? RunFolder::Use::go_on : RunFolder::Use::begin;
+  contest::RunFolder::Use use() const {
+    if (!task_.blocks.empty() || merge_ || engine_ == "slurm") return contest::RunFolder::Use::share;
+    return resume_ || verify_ ? contest::RunFolder::Use::go_on : contest::RunFolder::Use::begin;
   }
 
   /// The report, wherever it is wanted; the exit status.
-  int tell(const ContestReport& report, const RunFolder* folder) const {
-    const Json json = to_whole_json(report);
+  int tell(const report::ContestReport& report, const contest::RunFolder* folder) const {
+    const report::Json json = report::to_whole_json(report);
     if (folder)
-      if (const auto written = folder->write_result(to_json(report).dump(2) + "\n"); !written)
+      if (const auto written = folder->write_result(report::to_json(report).dump(2) + "\n"); !written)
         return fail(written.error());
     if (!html_.empty())
-      if (const auto written = robot::replace_file(html_, page_of(json)); !written) return fail(written.error());
+      if (const auto written = robot::replace_file(html_, report::page_of(json)); !written)
+        return fail(written.error());
     if (task_.json)
       std::printf("%s\n", json.dump(2).c_str());
     else
-      std::fputs(to_text(report, explain_).c_str(), stdout);
+      std::fputs(report::to_text(report, explain_).c_str(), stdout);
     return status_of(report.outcome.verdict);
   }
 
@@ -186,16 +187,16 @@ class CompareCommand final : public Command {
              seconds >= 1 && seconds <= 36000;
     };
     if (metric_ == "goals") {
-      choice_.metric = Metric::goals;
+      choice_.metric = contest::Metric::goals;
     } else if (metric_ == "first_goal") {
-      choice_.metric = Metric::first_goal;
+      choice_.metric = contest::Metric::first_goal;
     } else if (metric_ == "conceded") {
-      choice_.metric = Metric::conceded;
+      choice_.metric = contest::Metric::conceded;
     } else if (timed("score_within:%lfs%n")) {
-      choice_.metric = Metric::score_within;
+      choice_.metric = contest::Metric::score_within;
       choice_.seconds = seconds;
     } else if (timed("ball_advance:%lfs%n")) {
-      choice_.metric = Metric::ball_advance;
+      choice_.metric = contest::Metric::ball_advance;
       choice_.seconds = seconds;
     } else {
       return "--metric: expected goals, first_goal, conceded, score_within:30s or ball_advance:30s, got '" + metric_ +
@@ -219,8 +220,8 @@ class CompareCommand final : public Command {
   }
 
   CompareTask task_;
-  ComparisonChoice& choice_ = task_.choice;
-  ContestOptions& contest_ = task_.contest;
+  contest::ComparisonChoice& choice_ = task_.choice;
+  contest::ContestOptions& contest_ = task_.contest;
   std::string question_ = "0,0.1", metric_ = "goals", html_, itself_, engine_ = "local";
   bool every_tick_ = false, resume_ = false, verify_ = false, plan_ = false, explain_ = false;
   bool robust_ = false, merge_ = false;

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "sim/app/commands.h"
-#include "sim/app/contest_report.h"
-#include "sim/app/robust.h"
-#include "sim/app/slurm.h"
+#include "sim/contest/slurm.h"
+#include "sim/report/contest_report.h"
+#include "sim/report/robust.h"
 
 namespace sim::app {
 namespace {
@@ -20,7 +20,7 @@ constexpr std::int64_t kPairedPairs = 50, kUnpairedPairs = 1000;  // of a behavi
 constexpr int kVerified = 2;                                      // blocks
 
 /// How many pairs are still to be played; of a sequential test, if it goes on as it went so far.
-double pairs_left(const ContestOptions& options, const Mark& mark) {
+double pairs_left(const contest::ContestOptions& options, const contest::Mark& mark) {
   const auto played = static_cast<double>(mark.pairs);
   if (options.pairs) return static_cast<double>(*options.pairs) - played;
   const compare::Bounds bounds = compare::bounds_of(options.question);
@@ -40,9 +40,9 @@ int status_of(compare::Verdict verdict) {
 }
 
 /// What is known so far, on a terminal.
-std::function<void(const Mark&, double)> progress_line(const ContestOptions& options) {
+std::function<void(const contest::Mark&, double)> progress_line(const contest::ContestOptions& options) {
   if (isatty(STDERR_FILENO) == 0) return {};
-  return [options](const Mark& mark, double games_per_minute) {
+  return [options](const contest::Mark& mark, double games_per_minute) {
     const compare::Bounds bounds = compare::bounds_of(options.question);
     std::fprintf(stderr,
                  "\rpairs %lld  gain %+.3f ± %.3f  LLR %+.2f of %+.2f, %+.2f  %.0f games/min  %.0f s left \033[K",
@@ -56,20 +56,21 @@ void clear_line() {
   if (isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
 }
 
-int run_plan(const CompareTask& task, const Comparison& comparison) {
-  ContestOptions pilot = task.contest;
+int run_plan(const CompareTask& task, const contest::Comparison& comparison) {
+  contest::ContestOptions pilot = task.contest;
   if (task.delta > 0) pilot.question.h1 = pilot.question.h0 + task.delta;
   // of a run that was, the variance; what a pair takes here, a few tell
   const bool played_before = !task.pilot.empty();
-  pilot.pairs = played_before ? RunFolder::kPairsPerBlock : task.pairs > 0 ? task.pairs : kPilotPairs;
-  auto outcome = play_contest(comparison, pilot, nullptr, progress_line(task.contest));
+  pilot.pairs = played_before ? contest::RunFolder::kPairsPerBlock : task.pairs > 0 ? task.pairs : kPilotPairs;
+  auto outcome = contest::play_contest(comparison, pilot, nullptr, progress_line(task.contest));
   clear_line();
   if (!outcome) return fail(outcome.error());
   if (played_before) {
     const double seconds_per_pair = outcome->seconds / static_cast<double>(outcome->tally.pairs);
-    const auto folder = RunFolder::open(task.pilot, comparison.specification(), RunFolder::Use::share);
+    const auto folder =
+        contest::RunFolder::open(task.pilot, comparison.specification(), contest::RunFolder::Use::share);
     if (!folder) return fail(folder.error());
-    pilot.pairs = folder->blocks() * RunFolder::kPairsPerBlock;
+    pilot.pairs = folder->blocks() * contest::RunFolder::kPairsPerBlock;
     outcome = merge(comparison, pilot, *folder);
     if (!outcome) return fail(outcome.error());
     outcome->seconds = seconds_per_pair * static_cast<double>(outcome->tally.pairs);
@@ -77,23 +78,23 @@ int run_plan(const CompareTask& task, const Comparison& comparison) {
   if (outcome->tally.gain_squares == 0)
     return fail("--plan: the pilot's " + std::to_string(outcome->tally.pairs) +
                 " pairs all came out even, which tells nothing; try more with --pairs");
-  const ContestReport report{comparison, pilot, *outcome};
+  const report::ContestReport report{comparison, pilot, *outcome};
   if (task.json)
-    std::printf("%s\n", plan_json(report).dump(2).c_str());
+    std::printf("%s\n", report::plan_json(report).dump(2).c_str());
   else
-    std::fputs(plan_text(report).c_str(), stdout);
+    std::fputs(report::plan_text(report).c_str(), stdout);
   return kDone;
 }
 
 int run_robust(CompareTask task) {
-  std::vector<Conditions> conditions = robust_conditions(!task.choice.opponent.empty());
-  conditions.insert(conditions.begin(), Conditions{});
-  std::vector<UnderConditions> found;
-  for (const Conditions& each : conditions) {
+  std::vector<contest::Conditions> conditions = contest::robust_conditions(!task.choice.opponent.empty());
+  conditions.insert(conditions.begin(), contest::Conditions{});
+  std::vector<report::UnderConditions> found;
+  for (const contest::Conditions& each : conditions) {
     task.choice.conditions = each;
-    const auto comparison = Comparison::prepare(task.choice);
+    const auto comparison = contest::Comparison::prepare(task.choice);
     if (!comparison) return fail(comparison.error());
-    const auto outcome = play_contest(*comparison, task.contest, nullptr, progress_line(task.contest));
+    const auto outcome = contest::play_contest(*comparison, task.contest, nullptr, progress_line(task.contest));
     clear_line();
     if (!outcome) return fail(outcome.error());
     found.push_back({.conditions = each.name,
@@ -102,39 +103,39 @@ int run_robust(CompareTask task) {
                      .pairs = outcome->tally.pairs});
   }
   if (task.json)
-    std::printf("%s\n", robust_json(task.choice, found).dump(2).c_str());
+    std::printf("%s\n", report::robust_json(task.choice, found).dump(2).c_str());
   else
-    std::fputs(robust_text(task.choice, found).c_str(), stdout);
+    std::fputs(report::robust_text(task.choice, found).c_str(), stdout);
   return status_of(found.front().verdict);
 }
 
 int run_itself(CompareTask task) {
-  ContestOptions paired = task.contest, unpaired = task.contest;
+  contest::ContestOptions paired = task.contest, unpaired = task.contest;
   paired.pairs = kPairedPairs;
   unpaired.pairs = task.pairs > 0 ? task.pairs : kUnpairedPairs;
   compare::Tally tallies[2];
   for (const bool is_unpaired : {false, true}) {
     task.choice.unpaired = is_unpaired;
-    const auto comparison = Comparison::prepare(task.choice);
+    const auto comparison = contest::Comparison::prepare(task.choice);
     if (!comparison) return fail(comparison.error());
     const auto outcome =
-        play_contest(*comparison, is_unpaired ? unpaired : paired, nullptr, progress_line(task.contest));
+        contest::play_contest(*comparison, is_unpaired ? unpaired : paired, nullptr, progress_line(task.contest));
     clear_line();
     if (!outcome) return fail(outcome.error());
     tallies[is_unpaired ? 1 : 0] = outcome->tally;
   }
-  const double unit = unit_of(task.choice.metric);
+  const double unit = contest::unit_of(task.choice.metric);
   const compare::Interval gain = compare::gain_per_game(tallies[0], unit);
   const compare::Interval bias = compare::home_advantage(tallies[1], unit);
   const bool even = tallies[0].gain_squares == 0, fair = bias.low <= 0 && bias.high >= 0;
   const std::int64_t games = 2 * tallies[1].pairs;
   if (task.json) {
-    const Json json = {{"behaviour", task.choice.a},
-                       {"paired", {{"pairs", tallies[0].pairs}, {"gain", gain.mean}, {"even", even}}},
-                       {"unpaired",
-                        {{"games", games},
-                         {"home_advantage", {{"mean", bias.mean}, {"low", bias.low}, {"high", bias.high}}},
-                         {"fair", fair}}}};
+    const report::Json json = {{"behaviour", task.choice.a},
+                               {"paired", {{"pairs", tallies[0].pairs}, {"gain", gain.mean}, {"even", even}}},
+                               {"unpaired",
+                                {{"games", games},
+                                 {"home_advantage", {{"mean", bias.mean}, {"low", bias.low}, {"high", bias.high}}},
+                                 {"fair", fair}}}};
     std::printf("%s\n", json.dump(2).c_str());
   } else {
     std::printf("%s against itself\n", task.choice.a.c_str());
@@ -147,18 +148,18 @@ int run_itself(CompareTask task) {
   return even && fair ? kDone : kNo;
 }
 
-int run_blocks(const CompareTask& task, const Comparison& comparison, const RunFolder& folder) {
+int run_blocks(const CompareTask& task, const contest::Comparison& comparison, const contest::RunFolder& folder) {
   long long from = 0, to = 0;
   int used = 0;
   if (std::sscanf(task.blocks.c_str(), "%lld..%lld%n", &from, &to, &used) != 2 ||
       used != static_cast<int>(task.blocks.size()) || from < 0 || from >= to)
     return fail("--blocks: expected the first one and the one behind the last, such as 0..40, got '" + task.blocks +
                 "'");
-  const auto played = play_blocks(comparison, from, to, task.contest.jobs, folder);
+  const auto played = contest::play_blocks(comparison, from, to, task.contest.jobs, folder);
   return played ? kDone : fail(played.error());
 }
 
-int run_verify(const CompareTask& task, const Comparison& comparison, const RunFolder& folder) {
+int run_verify(const CompareTask& task, const contest::Comparison& comparison, const contest::RunFolder& folder) {
   std::int64_t blocks = 0;
   while (folder.read(blocks)) ++blocks;
   if (blocks == 0) return fail("run " + task.out + ": expected at least one block of games, there is none");
@@ -167,8 +168,8 @@ int run_verify(const CompareTask& task, const Comparison& comparison, const RunF
   for (const std::int64_t block : chosen) {
     const auto kept = folder.read(block);
     bool same = true;
-    for (std::int64_t i = 0; i < RunFolder::kPairsPerBlock; ++i) {
-      const auto played = comparison.play(block * RunFolder::kPairsPerBlock + i);
+    for (std::int64_t i = 0; i < contest::RunFolder::kPairsPerBlock; ++i) {
+      const auto played = comparison.play(block * contest::RunFolder::kPairsPerBlock + i);
       if (!played) return fail(played.error());
       same = same && played->pair == (*kept)[static_cast<std::size_t>(i)];
     }
@@ -178,14 +179,15 @@ int run_verify(const CompareTask& task, const Comparison& comparison, const RunF
   return differing == 0 ? kDone : kNo;
 }
 
-int run_slurm(const CompareTask& task, const Comparison& comparison, const RunFolder& folder,
+int run_slurm(const CompareTask& task, const contest::Comparison& comparison, const contest::RunFolder& folder,
               const std::vector<std::string>& words) {
   // how long a block takes tells how many a task gets
   const auto start = std::chrono::steady_clock::now();
   if (const auto played = comparison.play(0); !played) return fail(played.error());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const Division division = divide(task.contest.most_blocks(), seconds.count() * RunFolder::kPairsPerBlock);
-  const auto submitted = submit(words, division, folder);
+  const contest::Division division =
+      contest::divide(task.contest.most_blocks(), seconds.count() * contest::RunFolder::kPairsPerBlock);
+  const auto submitted = contest::submit(words, division, folder);
   if (!submitted) return fail(submitted.error());
   std::printf("%lld blocks in %lld tasks: job %s; their verdict: job %s, in %s/result.json\n",
               static_cast<long long>(division.blocks), static_cast<long long>(division.tasks()),

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "robot/logging/session.h"
+#include "robot/logging/sessions/session.h"
 #include "robot/memory/schema.h"
 #include "sim/match/pace.h"
 

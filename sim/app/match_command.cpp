@@ -5,17 +5,17 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/game_file.h"
-#include "sim/app/game_line.h"
-#include "sim/app/game_report.h"
-#include "sim/app/openings.h"
 #include "sim/app/progress.h"
+#include "sim/contest/openings.h"
+#include "sim/report/game_line.h"
+#include "sim/report/game_report.h"
 
 namespace sim::app {
 namespace {
 
 constexpr int kMostGames = 1'000'000;
 
-void take_notes(const State& state, const referee::Events& events, GameReport& report) {
+void take_notes(const State& state, const referee::Events& events, report::GameReport& report) {
   const referee::Book& book = state.book;
   const auto count = std::min<std::size_t>(static_cast<std::size_t>(events.count), events.list.size());
   for (std::size_t i = 0; i < count; ++i)
@@ -25,8 +25,8 @@ void take_notes(const State& state, const referee::Events& events, GameReport& r
                               .score = {book.score[0], book.score[1]}});
 }
 
-void count_events(GameReport& report) {
-  for (const Moment& moment : report.moments)
+void count_events(report::GameReport& report) {
+  for (const report::Moment& moment : report.moments)
     ++report.result.events[static_cast<int>(moment.event.kind)][static_cast<int>(moment.event.side)];
 }
 
@@ -47,10 +47,10 @@ robot::Result<void> recorded_step(const Params& params, State& state, referee::E
 Tick end_of(const State& state, float seconds) { return seconds > 0 ? state.world.tick + ticks(seconds) : kNever; }
 
 /// A game into `file` if there is one.
-robot::Result<GameReport> play_one(const Cast& cast, const Openings& openings, float seconds, std::uint64_t seed,
-                                   GameFile* file, Progress* progress) {
+robot::Result<report::GameReport> play_one(const contest::Cast& cast, const contest::Openings& openings, float seconds,
+                                           std::uint64_t seed, GameFile* file, Progress* progress) {
   const Params& params = cast.params();
-  GameReport report{.seed = seed};
+  report::GameReport report{.seed = seed};
   referee::Events events;
   State state = openings.begin(params, seed, events);
   take_notes(state, events, report);
@@ -121,7 +121,7 @@ class MatchCommand final : public Command {
     if (lines_ && !from_.empty()) return fail("--lines and --from do not go together");
     const auto lineup = choice_.line_up();
     if (!lineup) return fail(lineup.error());
-    const auto openings = Openings::read(from_, fuzz_, lineup->params());
+    const auto openings = contest::Openings::read(from_, fuzz_, lineup->params());
     if (!openings) return fail(openings.error());
     if (lines_) return run_lines(*lineup);
     return games_ > 1 ? run_many(*lineup, *openings) : run_one(*lineup, *openings);
@@ -131,8 +131,8 @@ class MatchCommand final : public Command {
   // beyond 2^53 a seed would not survive a browser
   static constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;
 
-  int run_one(const Lineup& lineup, const Openings& openings) {
-    const Cast cast(lineup, seed_);
+  int run_one(const contest::Lineup& lineup, const contest::Openings& openings) {
+    const contest::Cast cast(lineup, seed_);
     const Params& params = cast.params();
     std::optional<GameFile> file;
     if (!mcap_.empty()) {
@@ -146,20 +146,20 @@ class MatchCommand final : public Command {
     }();
     if (!report) return fail(report.error());
     if (json_)
-      std::printf("%s\n", to_json(*report, params.rules.players).dump(2).c_str());
+      std::printf("%s\n", report::to_json(*report, params.rules.players).dump(2).c_str());
     else
-      std::printf("%s%s", to_text(*report, choice_.choice(), params).c_str(),
-                  cost_text(cast.cost(Side::home), cast.cost(Side::away)).c_str());
+      std::printf("%s%s", report::to_text(*report, choice_.choice(), params).c_str(),
+                  contest::cost_text(cast.cost(Side::home), cast.cost(Side::away)).c_str());
     if (file && !json_)
       std::printf("\n%s: %llu messages, %.1f MB\n", mcap_.c_str(), static_cast<unsigned long long>(file->messages()),
                   static_cast<double>(file->size_bytes()) / 1e6);
     return kDone;
   }
 
-  int run_many(const Lineup& lineup, const Openings& openings) {
-    std::vector<GameReport> reports(static_cast<std::size_t>(games_));
-    Costs costs;
-    const std::string problem = play_all(lineup, [&](int game, std::uint64_t seed, const Cast& cast) {
+  int run_many(const contest::Lineup& lineup, const contest::Openings& openings) {
+    std::vector<report::GameReport> reports(static_cast<std::size_t>(games_));
+    contest::Costs costs;
+    const std::string problem = play_all(lineup, [&](int game, std::uint64_t seed, const contest::Cast& cast) {
       if (auto report = play_one(cast, openings, seconds_, seed, nullptr, nullptr)) {
         report->moments.clear();
         reports[static_cast<std::size_t>(game)] = *std::move(report);
@@ -168,16 +168,16 @@ class MatchCommand final : public Command {
     });
     if (!problem.empty()) return fail(problem);
     if (json_)
-      std::printf("%s\n", to_json(reports, lineup.params().rules.players).dump(2).c_str());
+      std::printf("%s\n", report::to_json(reports, lineup.params().rules.players).dump(2).c_str());
     else
-      std::printf("%s%s", to_text(reports, choice_.choice(), lineup.params()).c_str(), costs.text().c_str());
+      std::printf("%s%s", report::to_text(reports, choice_.choice(), lineup.params()).c_str(), costs.text().c_str());
     return kDone;
   }
 
-  int run_lines(const Lineup& lineup) {
+  int run_lines(const contest::Lineup& lineup) {
     std::vector<std::string> lines(static_cast<std::size_t>(games_));
-    const std::string problem = play_all(lineup, [&](int game, std::uint64_t seed, const Cast& cast) {
-      lines[static_cast<std::size_t>(game)] = game_line(cast.params(), seed);
+    const std::string problem = play_all(lineup, [&](int game, std::uint64_t seed, const contest::Cast& cast) {
+      lines[static_cast<std::size_t>(game)] = report::game_line(cast.params(), seed);
     });
     if (!problem.empty()) return fail(problem);
     for (const std::string& line : lines) std::fputs(line.c_str(), stdout);
@@ -185,15 +185,16 @@ class MatchCommand final : public Command {
   }
 
   /// Calls play(game, seed, cast) for each game; what is wrong with a behaviour from outside, or empty.
-  std::string play_all(const Lineup& lineup, const std::function<void(int, std::uint64_t, const Cast&)>& play) const {
+  std::string play_all(const contest::Lineup& lineup,
+                       const std::function<void(int, std::uint64_t, const contest::Cast&)>& play) const {
     Progress progress("playing", static_cast<std::uint64_t>(games_));
-    Problem problem;
-    for_each_game(
-        games_, threads_ > 0 ? threads_ : threads_for(games_),
+    contest::Problem problem;
+    contest::for_each_game(
+        games_, threads_ > 0 ? threads_ : contest::threads_for(games_),
         [&](int game) {
           if (problem.is_known()) return;
           const std::uint64_t seed = seed_ + static_cast<std::uint64_t>(game);
-          const Cast cast(lineup, seed);
+          const contest::Cast cast(lineup, seed);
           play(game, seed, cast);
           if (cast.failed()) problem.tell(cast.problem());
         },

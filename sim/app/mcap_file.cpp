@@ -16,12 +16,12 @@ constexpr std::uint64_t kChunkNs = 10'000'000'000;
 
 }  // namespace
 
-McapFile::McapFile(std::unique_ptr<robot::logging::ByteSink> sink) : sink_(std::move(sink)) {}
+McapFile::McapFile(std::unique_ptr<robot::ByteSink> sink) : sink_(std::move(sink)) {}
 
 Result<McapFile> McapFile::create(const std::filesystem::path& path,
                                   const std::vector<robot::memory::ChannelInfo>& channels,
                                   const robot::logging::MetadataByName& metadata) {
-  auto sink = robot::logging::FileSink::create(path);
+  auto sink = robot::FileSink::create(path);
   if (!sink) return Error{sink.error()};
   McapFile file(std::move(*sink));
   if (const Result<void> written = file.write_head(channels, metadata); !written) return Error{written.error()};

@@ -9,12 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "robot/core/byte_sink.h"
 #include "robot/core/result.h"
-#include "robot/logging/byte_sink.h"
-#include "robot/logging/compression.h"
-#include "robot/logging/mcap_format.h"
-#include "robot/logging/mcap_summary.h"
-#include "robot/logging/mcap_writer.h"
+#include "robot/logging/mcap/compression.h"
+#include "robot/logging/mcap/format.h"
+#include "robot/logging/mcap/summary.h"
+#include "robot/logging/mcap/writer.h"
 #include "robot/memory/channel.h"
 
 namespace sim::app {
@@ -45,13 +45,13 @@ class McapFile {
     std::uint32_t messages = 0;  // of the channel so far
   };
 
-  explicit McapFile(std::unique_ptr<robot::logging::ByteSink> sink);
+  explicit McapFile(std::unique_ptr<robot::ByteSink> sink);
   robot::Result<void> write_head(const std::vector<robot::memory::ChannelInfo>& channels,
                                  const robot::logging::MetadataByName& metadata);
   robot::Result<void> flush(Chunk& chunk);
   robot::Result<void> append(std::string_view bytes);
 
-  std::unique_ptr<robot::logging::ByteSink> sink_;
+  std::unique_ptr<robot::ByteSink> sink_;
   robot::logging::Compressor compressor_{robot::logging::Compression::zstd};
   std::vector<Chunk> chunks_;  // by channel; the id in the file is one more
   robot::logging::mcap::SummaryGroups summary_;

@@ -3,7 +3,7 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/progress.h"
-#include "sim/app/series.h"
+#include "sim/contest/series.h"
 #include "sim/foresight/outlook.h"
 #include "sim/io/outlook.h"
 #include "sim/match/play.h"
@@ -101,8 +101,8 @@ class OutlookCommand final : public Command {
     std::vector<Moments> games(static_cast<std::size_t>(games_));
     {
       Progress progress("playing", static_cast<std::uint64_t>(games_));
-      for_each_game(
-          games_, threads_for(games_),
+      contest::for_each_game(
+          games_, contest::threads_for(games_),
           [&](int game) {
             games[static_cast<std::size_t>(game)] =
                 moments_of(setup->params, kFirstSeed + static_cast<std::uint64_t>(game));

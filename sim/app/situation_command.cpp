@@ -4,12 +4,12 @@
 #include <map>
 
 #include "sim/app/commands.h"
-#include "sim/app/game_report.h"
-#include "sim/app/openings.h"
 #include "sim/app/progress.h"
-#include "sim/app/race_report.h"
+#include "sim/contest/openings.h"
 #include "sim/io/playbook.h"
 #include "sim/match/play.h"
+#include "sim/report/game_report.h"
+#include "sim/report/race_report.h"
 
 namespace sim::app {
 namespace {
@@ -26,7 +26,7 @@ struct Rollout {
   double possession_home = 0;  // [0..1]
 };
 
-Rollout roll_out(const Cast& cast, State state, Tick end) {
+Rollout roll_out(const contest::Cast& cast, State state, Tick end) {
   const State start = state;
   Rollout rollout;
   play(
@@ -69,45 +69,47 @@ struct Summary {
   }
 };
 
-Json json_of(const Mean& mean) { return {{"mean", mean.mean}, {"standard_error", mean.error}}; }
+report::Json json_of(const contest::Mean& mean) { return {{"mean", mean.mean}, {"standard_error", mean.error}}; }
 
 /// Of a share: as of a mean of zeros and ones.
-Mean share_of(std::size_t yes, std::size_t all) {
+contest::Mean share_of(std::size_t yes, std::size_t all) {
   std::vector<double> values(all, 0);
   std::fill_n(values.begin(), yes, 1);
-  return mean_of(values);
+  return contest::mean_of(values);
 }
 
-Json to_json(const Summary& summary, double seconds) {
+report::Json to_json(const Summary& summary, double seconds) {
   const std::size_t rollouts = summary.outs.size();
-  Json json = {{"rollouts", rollouts}, {"seconds", seconds}};
+  report::Json json = {{"rollouts", rollouts}, {"seconds", seconds}};
   for (const int side : {0, 1}) {
-    Json distribution = Json::object();
+    report::Json distribution = report::Json::object();
     for (const auto& [goals, count] : summary.goals[side]) distribution[std::to_string(goals)] = count;
     json[side == 0 ? "home" : "away"] = {
-        {"goals", json_of(mean_of(summary.counts[side]))},
+        {"goals", json_of(contest::mean_of(summary.counts[side]))},
         {"goals_distribution", distribution},
-        {"shots", json_of(mean_of(summary.shots[side]))},
+        {"shots", json_of(contest::mean_of(summary.shots[side]))},
         {"first_goal", json_of(share_of(summary.first_at[side].size(), rollouts))},
-        {"first_goal_seconds", summary.first_at[side].empty() ? Json() : json_of(mean_of(summary.first_at[side]))}};
+        {"first_goal_seconds",
+         summary.first_at[side].empty() ? report::Json() : json_of(contest::mean_of(summary.first_at[side]))}};
   }
-  json["ball_out"] = json_of(mean_of(summary.outs));
-  json["possession_home"] = json_of(mean_of(summary.possession_home));
+  json["ball_out"] = json_of(contest::mean_of(summary.outs));
+  json["possession_home"] = json_of(contest::mean_of(summary.possession_home));
   return json;
 }
 
 void print(const Summary& summary, double seconds) {
   const std::size_t rollouts = summary.outs.size();
   std::printf("%zu rollouts of %g s\n\n%-22s%18s%18s\n", rollouts, seconds, "", "home", "away");
-  const auto line = [&](const char* what, double scale, const Mean& home, const Mean& away, const char* unit) {
+  const auto line = [&](const char* what, double scale, const contest::Mean& home, const contest::Mean& away,
+                        const char* unit) {
     std::printf("%-22s%9.2f ± %-6.2f%9.2f ± %-6.2f %s\n", what, scale * home.mean, scale * home.error,
                 scale * away.mean, scale * away.error, unit);
   };
-  line("goals", 1, mean_of(summary.counts[0]), mean_of(summary.counts[1]), "");
-  line("shots", 1, mean_of(summary.shots[0]), mean_of(summary.shots[1]), "");
+  line("goals", 1, contest::mean_of(summary.counts[0]), contest::mean_of(summary.counts[1]), "");
+  line("shots", 1, contest::mean_of(summary.shots[0]), contest::mean_of(summary.shots[1]), "");
   line("first goal", 100, share_of(summary.first_at[0].size(), rollouts),
        share_of(summary.first_at[1].size(), rollouts), "%");
-  line("  scored after", 1, mean_of(summary.first_at[0]), mean_of(summary.first_at[1]), "s");
+  line("  scored after", 1, contest::mean_of(summary.first_at[0]), contest::mean_of(summary.first_at[1]), "s");
 
   int most = 0;
   for (const auto& goals : summary.goals) most = std::max(most, goals.rbegin()->first);
@@ -120,7 +122,7 @@ void print(const Summary& summary, double seconds) {
       std::printf("%8d", found == summary.goals[side].end() ? 0 : found->second);
     }
   }
-  const Mean outs = mean_of(summary.outs), possession = mean_of(summary.possession_home);
+  const contest::Mean outs = contest::mean_of(summary.outs), possession = contest::mean_of(summary.possession_home);
   std::printf("\n\nball out    %.2f ± %.2f\npossession  home %.1f ± %.1f %%\n", outs.mean, outs.error,
               100 * possession.mean, 100 * possession.error);
 }
@@ -169,20 +171,20 @@ class SituationCommand final : public Command {
   int play_on() {
     const auto lineup = choice_.line_up();
     if (!lineup) return fail(lineup.error());
-    const auto openings = Openings::read(file_, fuzz_, lineup->params());
+    const auto openings = contest::Openings::read(file_, fuzz_, lineup->params());
     if (!openings) return fail(openings.error());
 
-    Costs costs;
-    Problem problem;
+    contest::Costs costs;
+    contest::Problem problem;
     std::vector<Rollout> rollouts(static_cast<std::size_t>(rollouts_));
     {
       Progress progress("rolling out", static_cast<std::uint64_t>(rollouts_));
-      for_each_game(
-          rollouts_, threads_for(rollouts_),
+      contest::for_each_game(
+          rollouts_, contest::threads_for(rollouts_),
           [&](int i) {
             if (problem.is_known()) return;
             const auto seed = static_cast<std::uint64_t>(i);
-            const Cast cast(*lineup, seed);
+            const contest::Cast cast(*lineup, seed);
             const State start = openings->begin(cast.params(), seed);
             const Tick end = start.world.tick + ticks(static_cast<float>(seconds_));
             rollouts[static_cast<std::size_t>(i)] = roll_out(cast, start, end);
@@ -206,7 +208,7 @@ class SituationCommand final : public Command {
   int choose() {
     const auto playbook = choice_.playbook(strategies_);
     if (!playbook) return fail(playbook.error());
-    const auto openings = Openings::read(file_, fuzz_, playbook->params.front());
+    const auto openings = contest::Openings::read(file_, fuzz_, playbook->params.front());
     if (!openings) return fail(openings.error());
 
     // what is described is certain
@@ -226,9 +228,9 @@ class SituationCommand final : public Command {
     }
     const foresight::Forecast forecast = foresight::forecast(tally, task.question, task.key);
     if (json_)
-      std::printf("%s\n", race_json(forecast, task.question, strategies_).dump(2).c_str());
+      std::printf("%s\n", report::race_json(forecast, task.question, strategies_).dump(2).c_str());
     else
-      print_race(forecast, task.question, strategies_);
+      report::print_race(forecast, task.question, strategies_);
     return kDone;
   }
 

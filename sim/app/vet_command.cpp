@@ -4,8 +4,8 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/compare_runs.h"
-#include "sim/app/game_report.h"
 #include "sim/match/hash.h"
+#include "sim/report/game_report.h"
 
 namespace sim::app {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 
 struct Played {
   std::uint64_t hash = 0;
-  DecisionCost cost;
+  contest::DecisionCost cost;
   std::string problem;
 };
 
@@ -33,7 +33,7 @@ class VetCommand final : public Command {
   }
 
   int run() override {
-    const auto lineup = Lineup::prepare({.game = {.strategies = {name_, "baseline"}}, .rest = {}});
+    const auto lineup = contest::Lineup::prepare({.game = {.strategies = {name_, "baseline"}}, .rest = {}});
     if (!lineup) return fail(lineup.error());
     const Played first = play(*lineup), again = play(*lineup);
     for (const Played* played : {&first, &again})
@@ -54,26 +54,26 @@ class VetCommand final : public Command {
   Tick length() const { return ticks(static_cast<float>(seconds_)); }
 
   /// Plays on to that tick.
-  static void play_on(const Cast& cast, State& state, Tick end) {
+  static void play_on(const contest::Cast& cast, State& state, Tick end) {
     referee::Events events;
     while (state.world.tick < end && !finished(state) && !cast.failed()) step(cast.params(), state, events);
   }
 
-  State begun(const Cast& cast) const {
+  State begun(const contest::Cast& cast) const {
     referee::Events events;
     return begin(cast.params(), {.seed = seed_}, events);
   }
 
-  Played play(const Lineup& lineup) const {
-    const Cast cast(lineup, seed_);
+  Played play(const contest::Lineup& lineup) const {
+    const contest::Cast cast(lineup, seed_);
     State state = begun(cast);
     play_on(cast, state, length());
     return {.hash = hash_of(state), .cost = cast.cost(Side::home), .problem = cast.problem()};
   }
 
   /// To the end, back to the middle, and to the end again.
-  robot::Result<TakenBack> take_back(const Lineup& lineup) const {
-    Cast cast(lineup, seed_);
+  robot::Result<TakenBack> take_back(const contest::Lineup& lineup) const {
+    contest::Cast cast(lineup, seed_);
     State state = begun(cast);
     play_on(cast, state, length() / 2);
     const State middle = state;
@@ -87,7 +87,7 @@ class VetCommand final : public Command {
       return TakenBack{.hash = hash_of(state), .by_memory = true};
     }
     // what cannot be loaded is played again from its seed
-    const Cast second(lineup, seed_);
+    const contest::Cast second(lineup, seed_);
     State from_start = begun(second);
     play_on(second, from_start, length() / 2);
     const bool met = hash_of(from_start) == hash_of(middle);
@@ -96,14 +96,14 @@ class VetCommand final : public Command {
     return TakenBack{.hash = met ? hash_of(from_start) : 0, .by_memory = false};
   }
 
-  void report(bool same, bool returns, bool by_memory, const DecisionCost& cost) const {
+  void report(bool same, bool returns, bool by_memory, const contest::DecisionCost& cost) const {
     if (json_) {
-      const Json json = {{"behaviour", name_},
-                         {"same_each_time", same},
-                         {"taken_back", returns},
-                         {"taken_back_by", by_memory ? "memory" : "replay"},
-                         {"decision_us", cost.mean_us()},
-                         {"decisions_timed", cost.timed}};
+      const report::Json json = {{"behaviour", name_},
+                                 {"same_each_time", same},
+                                 {"taken_back", returns},
+                                 {"taken_back_by", by_memory ? "memory" : "replay"},
+                                 {"decision_us", cost.mean_us()},
+                                 {"decisions_timed", cost.timed}};
       std::printf("%s\n", json.dump(2).c_str());
       return;
     }

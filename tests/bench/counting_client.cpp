@@ -13,10 +13,10 @@
 #include <nlohmann/json.hpp>
 
 #include "robot/core/little_endian.h"
-#include "robot/net/foxglove_client.h"
-#include "robot/net/foxglove_server.h"
-#include "robot/net/handshake.h"
-#include "robot/net/web_socket_client.h"
+#include "robot/net/foxglove/foxglove_client.h"
+#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/websocket/handshake.h"
+#include "robot/net/websocket/web_socket_client.h"
 #include "tests/bench/load.h"
 
 namespace bench {

@@ -11,7 +11,7 @@
 #include "robot/core/clock.h"
 #include "robot/core/files.h"
 #include "robot/core/result.h"
-#include "robot/net/frames.h"
+#include "robot/net/websocket/frames.h"
 
 namespace bench {
 

@@ -14,7 +14,7 @@ const kHalf_s = 600;
 const kRecordingSpeed = 20; // the load of a half, so many times as fast
 
 // one that costs as much as they get, and one that many a change is in
-const kChanged = ["robot/net/server.cpp", "robot/app/robot_main.cpp"];
+const kChanged = ["robot/net/serve/server.cpp", "robot/app/robot_main.cpp"];
 
 /** Runs a script of the team's; how long it took [s]. What it says when it fails is the error. */
 async function timed(world, script, ...words) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "robot/core/thread.h"
-#include "robot/net/server.h"
+#include "robot/net/serve/server.h"
 #include "tests/bench/fanout.h"
 
 namespace bench {
@@ -127,7 +127,7 @@ class SaturatingStreams final : public net::Streams {
   std::thread thread_;
 };
 
-class NoApplication final : public net::Application {
+class NoApplication final : public net::Backend {
  public:
   std::string status_json() override { return "{}"; }
   std::string sessions_json() override { return "{}"; }

@@ -16,19 +16,19 @@
 #include <thread>
 #include <vector>
 
-#include "robot/body/nao/camera/camera_thread.h"
-#include "robot/body/nao/lola/actuators.h"
-#include "robot/body/nao/lola/sensors.h"
 #include "robot/core/clock.h"
 #include "robot/core/files.h"
 #include "robot/memory/memory.h"
+#include "robot/nao/camera/camera_thread.h"
+#include "robot/nao/lola/actuators.h"
+#include "robot/nao/lola/sensors.h"
 #include "tests/support/fake_video.h"
 #include "tests/support/lola_frame.h"
 
 namespace {
 
 using namespace robot;
-using namespace robot::body::nao;
+using namespace robot::nao;
 using nlohmann::json;
 
 constexpr int kRounds = 200'000;

@@ -10,8 +10,8 @@
 #include "robot/app/runtime.h"
 #include "robot/app/signals.h"
 #include "robot/foresight/foreseer.h"
-#include "robot/logging/recorder.h"
-#include "robot/logging/session.h"
+#include "robot/logging/sessions/recorder.h"
+#include "robot/logging/sessions/session.h"
 #include "tests/bench/load.h"
 #include "tests/bench/slow_disk.h"
 

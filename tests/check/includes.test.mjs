@@ -20,9 +20,9 @@ const lawful = {
   "robot/memory/deep/memory.h": '#include "proto/ball.pb.h"\n#include "robot/core/clock.h"\n#include "robot/memory/other.h"\n',
   "robot/memory/CMakeLists.txt":
     "# robot_app is not linked\nadd_library(robot_memory STATIC m.cpp)\ntarget_link_libraries(robot_memory\n  PUBLIC robot_core proto)\n",
-  "robot/net/server.cpp": "#include <boost/beast.hpp>\n",
+  "robot/net/serve/server.cpp": "#include <boost/beast.hpp>\n",
   "robot/net/CMakeLists.txt": "add_library(robot_net server.cpp)\ntarget_link_libraries(robot_net PRIVATE Boost::headers robot_core)\n",
-  "robot/app/main.cpp": '#include "robot/memory/deep/memory.h"\n#include "robot/net/server.h"\n',
+  "robot/app/main.cpp": '#include "robot/memory/deep/memory.h"\n#include "robot/net/serve/server.h"\n',
   "robot/app/CMakeLists.txt": "add_library(robot_app a.cpp)\ntarget_link_libraries(robot_app robot_net robot_memory)\n",
   "tests/robot/app/main_test.cpp": '#include "robot/app/main.h"\n#include "tests/support/file.h"\n#include <boost/beast.hpp>\n',
   "viewer-web/src/a/b.ts": 'import { x } from "../c";\nimport "svelte";\n',
@@ -36,8 +36,8 @@ const cases = [
   },
   {
     name: "the same in angle brackets",
-    files: { "robot/net/server.h": "#include <proto/ball.pb.h>\n" },
-    says: "robot/net/server.h:1: includes <proto/ball.pb.h>, but robot/net may only use robot/core",
+    files: { "robot/net/serve/server.h": "#include <proto/ball.pb.h>\n" },
+    says: "robot/net/serve/server.h:1: includes <proto/ball.pb.h>, but robot/net may only use robot/core",
   },
   {
     name: "a leaf that is included",

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "robot/net/frames.h"
-#include "robot/net/http_parser.h"
+#include "robot/net/http/http_parser.h"
+#include "robot/net/websocket/frames.h"
 
 namespace {
 

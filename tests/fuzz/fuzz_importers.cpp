@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "robot/lab/bhuman2009.h"
-#include "robot/lab/nblog.h"
+#include "robot/lab/import/bhuman2009.h"
+#include "robot/lab/import/nblog.h"
 
 namespace {
 

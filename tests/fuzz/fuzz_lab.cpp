@@ -6,8 +6,8 @@
 
 #include "proto/foresight/truth.pb.h"
 #include "robot/core/json.h"
-#include "robot/lab/mapping.h"
-#include "robot/lab/robot_address.h"
+#include "robot/lab/mapping/mapping.h"
+#include "robot/lab/relay/robot_address.h"
 #include "robot/memory/schema.h"
 #include "robot/memory/time_shift.h"
 

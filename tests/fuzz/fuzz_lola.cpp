@@ -4,10 +4,10 @@
 #include <cstring>
 #include <string_view>
 
-#include "robot/body/nao/lola/sensors.h"
+#include "robot/nao/lola/sensors.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using robot::body::nao::SensorFrames, robot::body::nao::Sensors;
+  using robot::nao::SensorFrames, robot::nao::Sensors;
   std::string_view bytes(reinterpret_cast<const char*>(data), size);
   SensorFrames experienced;
   while (true) {

@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "robot/logging/assembly.h"
-#include "robot/logging/mcap_index.h"
-#include "robot/logging/mcap_reader.h"
+#include "robot/logging/mcap/assembly.h"
+#include "robot/logging/mcap/index.h"
+#include "robot/logging/mcap/reader.h"
 
 namespace {
 
@@ -18,7 +18,7 @@ void require(bool holds) {
 }
 
 /// Reads to the end, which must come.
-std::size_t read_all(const std::shared_ptr<const ByteSource>& source, std::uint64_t from_ns) {
+std::size_t read_all(const std::shared_ptr<const robot::ByteSource>& source, std::uint64_t from_ns) {
   McapReader reader(source);
   if (from_ns > 0 && !reader.seek(from_ns)) return 0;
   std::size_t messages = 0;
@@ -38,7 +38,7 @@ std::size_t read_all(const std::shared_ptr<const ByteSource>& source, std::uint6
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
-  const auto source = std::make_shared<MemorySource>(bytes);
+  const auto source = std::make_shared<robot::MemorySource>(bytes);
   read_all(source, 0);
   read_all(source, 20);
 
@@ -46,7 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   auto assembly = assemble({source});
   if (!assembly) return 0;
   const auto assembled = std::make_shared<Assembly>(std::move(*assembly));
-  require(bool(read_bytes(*assembled, 0, assembled->size())));
+  require(bool(robot::read_bytes(*assembled, 0, assembled->size())));
   require(bool(read_index(*assembled)));
   read_all(assembled, 0);
   return 0;

@@ -2,14 +2,14 @@
 #include <cstdint>
 #include <string_view>
 
-#include "robot/net/encoding.h"
-#include "robot/net/foxglove_client.h"
-#include "robot/net/foxglove_server.h"
-#include "robot/net/handshake.h"
-#include "robot/net/origin_policy.h"
-#include "robot/net/services.h"
-#include "robot/net/session_page.h"
-#include "robot/net/web_socket_client.h"
+#include "robot/core/encoding.h"
+#include "robot/net/foxglove/foxglove_client.h"
+#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/services.h"
+#include "robot/net/http/origin_policy.h"
+#include "robot/net/serve/session_page.h"
+#include "robot/net/websocket/handshake.h"
+#include "robot/net/websocket/web_socket_client.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   namespace net = robot::net;
@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   net::foxglove::parse_server_text(bytes).operator bool();
   net::foxglove::parse_message_data(bytes).operator bool();
   net::foxglove::parse_service_answer(bytes).operator bool();
-  net::from_base64(bytes).operator bool();
+  robot::from_base64(bytes).operator bool();
   net::parse_web_socket_url(bytes).operator bool();
   net::check_web_socket_response(bytes, "dGhlIHNhbXBsZSBub25jZQ==").operator bool();
   net::check_host({}, bytes).operator bool();

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "proto/foresight/ball.pb.h"
-#include "robot/logging/stream_format.h"
+#include "robot/logging/streams/stream_format.h"
 #include "robot/memory/schema_check.h"
 
 namespace {

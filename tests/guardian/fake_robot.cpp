@@ -42,7 +42,7 @@
 namespace {
 
 using namespace robot;
-using namespace robot::body::nao;
+using namespace robot::nao;
 using nlohmann::json;
 
 constexpr std::uint64_t kCycle_ns = 12 * kMillisecond;

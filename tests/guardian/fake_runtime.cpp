@@ -9,12 +9,12 @@
 #include <random>
 #include <string>
 
-#include "robot/body/nao/guardian/guardian_client.h"
+#include "robot/nao/guardian/guardian_client.h"
 
 namespace {
 
 using namespace robot;
-using namespace robot::body::nao;
+using namespace robot::nao;
 
 volatile std::sig_atomic_t ended = 0;
 

@@ -6,7 +6,7 @@
 
 namespace tests {
 
-using namespace robot::body::nao;
+using namespace robot::nao;
 
 FakeBody::FakeBody() : sensors(standing_sensors()) {
   sensors.position[l_hip_pitch] = sensors.position[r_hip_pitch] = -0.87f;

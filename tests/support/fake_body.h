@@ -1,8 +1,8 @@
 // A Nao's body as far as LoLA shows it: joints that follow, a torso that falls when it is told to, hands that touch it.
 #pragma once
 
-#include "robot/body/nao/lola/actuators.h"
-#include "robot/body/nao/lola/sensors.h"
+#include "robot/nao/lola/actuators.h"
+#include "robot/nao/lola/sensors.h"
 
 namespace tests {
 
@@ -11,10 +11,10 @@ class FakeBody {
   /// Seated, without stiffness, upright.
   FakeBody();
 
-  robot::body::nao::Sensors sensors;  // what LoLA tells next; tests may change any of it
+  robot::nao::Sensors sensors;  // what LoLA tells next; tests may change any of it
 
   /// Joints with stiffness follow as fast as they can, the others stay; the torso goes on falling.
-  void obey(const robot::body::nao::Actuators& actuators, float dt);
+  void obey(const robot::nao::Actuators& actuators, float dt);
 
   /// The torso tips over, or stands upright again at once.
   void fall() { falls_ = true; }

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/body/nao/camera/video_device.h"
+#include "robot/nao/camera/video_device.h"
 
 namespace tests {
 
@@ -52,7 +52,7 @@ class FakeCamera {
   std::deque<Waiting> waiting_;
 };
 
-class FakeVideo final : public robot::body::nao::VideoDevice {
+class FakeVideo final : public robot::nao::VideoDevice {
  public:
   explicit FakeVideo(FakeCamera& camera) : camera_(camera) {}
   ~FakeVideo() override { close(); }

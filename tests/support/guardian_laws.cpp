@@ -6,7 +6,7 @@
 
 namespace tests {
 
-using namespace robot::body::nao;
+using namespace robot::nao;
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "robot/body/nao/guardian/guardian.h"
+#include "robot/nao/guardian/guardian.h"
 #include "tests/support/fake_body.h"
 
 namespace tests {
@@ -29,14 +29,14 @@ class GuardianLaws {
  private:
   void happen(std::uint8_t byte, std::uint32_t details);
   void make_well();
-  std::string judge(const robot::body::nao::Pose& before, const robot::body::nao::Actuators& answer, float dt);
-  std::string judge_softness(const robot::body::nao::Actuators& answer, float dt);
+  std::string judge(const robot::nao::Pose& before, const robot::nao::Actuators& answer, float dt);
+  std::string judge_softness(const robot::nao::Actuators& answer, float dt);
 
   FakeBody body_;
-  robot::body::nao::Guardian guardian_;
-  robot::body::nao::Order order_;
-  robot::body::nao::Cycle extra_;
-  robot::body::nao::Pose last_;
+  robot::nao::Guardian guardian_;
+  robot::nao::Order order_;
+  robot::nao::Cycle extra_;
+  robot::nao::Pose last_;
   std::mt19937 random_;
   std::uint64_t now_ns_ = 1'000'000'000, step_ns_ = 12'000'000;
   bool gives_orders_ = true, readable_ = true;

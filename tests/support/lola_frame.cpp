@@ -54,7 +54,7 @@ LolaFrame& LolaFrame::identity() {
 
 std::string LolaFrame::frame() const { return static_cast<char>(0x80 | keys_) + bytes_; }
 
-std::string lola_frame(robot::body::nao::Sensors sensors) {
+std::string lola_frame(robot::nao::Sensors sensors) {
   LolaFrame frame;
   frame.identity();
   const auto put = [&](std::string_view wanted) {
@@ -70,8 +70,8 @@ std::string lola_frame(robot::body::nao::Sensors sensors) {
   return frame.frame();
 }
 
-robot::body::nao::Sensors standing_sensors() {
-  using namespace robot::body::nao;
+robot::nao::Sensors standing_sensors() {
+  using namespace robot::nao;
   Sensors sensors;
   sensors.accelerometer = {0, 0, -9.81f};
   sensors.position[l_hip_pitch] = sensors.position[r_hip_pitch] = -0.41f;

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "robot/body/nao/lola/sensors.h"
+#include "robot/nao/lola/sensors.h"
 
 namespace tests {
 
@@ -33,9 +33,9 @@ class LolaFrame {
 };
 
 /// A frame of 896 bytes, in the order of keys of a real one; every status is a number of one byte, as robots send it.
-std::string lola_frame(robot::body::nao::Sensors sensors);
+std::string lola_frame(robot::nao::Sensors sensors);
 
 /// A robot that stands still and is well, in its stand.
-robot::body::nao::Sensors standing_sensors();
+robot::nao::Sensors standing_sensors();
 
 }  // namespace tests

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "robot/logging/mcap_reader.h"
+#include "robot/logging/mcap/reader.h"
 
 namespace tests {
 
@@ -80,9 +80,11 @@ void McapText::fix_chunk_crcs() {
   }
 }
 
-std::shared_ptr<const ByteSource> McapText::source() const { return std::make_shared<MemorySource>(bytes); }
+std::shared_ptr<const robot::ByteSource> McapText::source() const {
+  return std::make_shared<robot::MemorySource>(bytes);
+}
 
-std::string words_of(std::shared_ptr<const ByteSource> source, std::vector<std::string>* damages) {
+std::string words_of(std::shared_ptr<const robot::ByteSource> source, std::vector<std::string>* damages) {
   McapReader reader(std::move(source));
   std::string words;
   while (true) {
@@ -94,6 +96,6 @@ std::string words_of(std::shared_ptr<const ByteSource> source, std::vector<std::
   }
 }
 
-std::string all_bytes(const ByteSource& source) { return *read_bytes(source, 0, source.size()); }
+std::string all_bytes(const robot::ByteSource& source) { return *robot::read_bytes(source, 0, source.size()); }
 
 }  // namespace tests

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "robot/logging/byte_sink.h"
-#include "robot/logging/byte_source.h"
-#include "robot/logging/mcap_writer.h"
+#include "robot/core/byte_sink.h"
+#include "robot/core/byte_source.h"
+#include "robot/logging/mcap/writer.h"
 
 namespace tests {
 
@@ -25,7 +25,7 @@ struct Disk {
 };
 
 /// Writes to a Disk; when it is full, as much as fits.
-class DiskSink final : public logging::ByteSink {
+class DiskSink final : public robot::ByteSink {
  public:
   explicit DiskSink(Disk& disk) : disk_(disk) {}
   robot::Result<void> append(std::span<const std::string_view> pieces) override;
@@ -62,7 +62,7 @@ class McapText {
   /// Where the chunks begin, as they were written.
   const std::vector<std::uint64_t>& chunks() const { return chunks_; }
 
-  std::shared_ptr<const logging::ByteSource> source() const;
+  std::shared_ptr<const robot::ByteSource> source() const;
 
   std::string bytes;
 
@@ -71,9 +71,9 @@ class McapText {
 };
 
 /// The words of a file as McapReader delivers them, with a "!" wherever it told of a damage: "one ! three".
-std::string words_of(std::shared_ptr<const logging::ByteSource> source, std::vector<std::string>* damages = nullptr);
+std::string words_of(std::shared_ptr<const robot::ByteSource> source, std::vector<std::string>* damages = nullptr);
 
 /// All bytes of a source.
-std::string all_bytes(const logging::ByteSource& source);
+std::string all_bytes(const robot::ByteSource& source);
 
 }  // namespace tests

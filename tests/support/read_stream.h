@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "robot/logging/file_provider.h"
+#include "robot/logging/streams/file_provider.h"
 
 namespace tests {
 

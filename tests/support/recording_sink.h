@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "robot/lab/import_sink.h"
+#include "robot/lab/import/import_sink.h"
 
 namespace tests {
 

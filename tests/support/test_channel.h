@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/logging/provider.h"
+#include "robot/logging/streams/provider.h"
 #include "robot/memory/channel.h"
 
 namespace tests {

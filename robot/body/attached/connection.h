@@ -11,7 +11,7 @@
 
 #include "robot/core/files.h"
 #include "robot/core/result.h"
-#include "robot/logging/stream_format.h"
+#include "robot/logging/streams/stream_format.h"
 
 namespace robot::body {
 

@@ -1,6 +1,6 @@
 // The door by which a team's own processes join: they write into our memory and read from it through a local socket.
 //
-// What is said there is robot/logging/stream_format.h; what a process uses to say it is robot/client/foresight.h.
+// What is said there is robot/logging/streams/stream_format.h; what a process uses to say it is robot/client/foresight.h.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@
 #include "robot/core/files.h"
 #include "robot/core/report.h"
 #include "robot/core/result.h"
-#include "robot/logging/board.h"
+#include "robot/logging/streams/board.h"
 #include "robot/memory/channels.h"
 
 namespace robot::body {

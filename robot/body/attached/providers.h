@@ -8,7 +8,7 @@
 
 #include "robot/body/attached/connection.h"
 #include "robot/body/attached/turns.h"
-#include "robot/logging/provider.h"
+#include "robot/logging/streams/provider.h"
 
 namespace robot::body {
 

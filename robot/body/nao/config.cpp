@@ -9,7 +9,7 @@
 
 #include "robot/core/files.h"
 
-namespace robot::body::nao {
+namespace robot::body {
 namespace {
 
 constexpr double kGreatestOffset_deg = 20, kGreatestPixels = 5000, kGreatestControl = 1'000'000;
@@ -49,8 +49,8 @@ Result<void> read_angle(const Line& line, double& angle) {
 
 Result<void> read_pixels(const Line& line, double& pixels) { return read_number(line, 0, kGreatestPixels, 1, pixels); }
 
-Result<void> read_control(const Line& line, const std::string& name, CameraSettings& settings) {
-  if (!control_id(name)) return Error{"nao config: there is no '" + line.name.substr(0, 60) + "'"};
+Result<void> read_control(const Line& line, const std::string& name, nao::CameraSettings& settings) {
+  if (!nao::control_id(name)) return Error{"nao config: there is no '" + line.name.substr(0, 60) + "'"};
   double value = 0;
   if (Result<void> read = read_number(line, -kGreatestControl, kGreatestControl, 1, value); !read) return read;
   if (value != std::floor(value)) return wrong(line, "a whole number");
@@ -59,8 +59,8 @@ Result<void> read_control(const Line& line, const std::string& name, CameraSetti
 }
 
 /// What a line says of one camera; `name` is what stands behind "camera_top.".
-Result<void> read_camera(const Line& line, const std::string& name, CameraSettings& settings,
-                         Calibration::CameraOffset& offset, Projection& projection) {
+Result<void> read_camera(const Line& line, const std::string& name, nao::CameraSettings& settings,
+                         nao::Calibration::CameraOffset& offset, Projection& projection) {
   constexpr std::string_view kControl = "control.";
   if (name.starts_with(kControl)) return read_control(line, name.substr(kControl.size()), settings);
   for (const auto& [angle, place] :
@@ -85,7 +85,7 @@ Result<void> read_camera(const Line& line, const std::string& name, CameraSettin
 Result<void> read_line(const Line& line, NaoConfig& config) {
   const std::size_t dot = line.name.find('.');
   const std::string whose = line.name.substr(0, dot), name = dot == std::string::npos ? "" : line.name.substr(dot + 1);
-  Calibration& calibration = config.calibration;
+  nao::Calibration& calibration = config.calibration;
   if (whose == "camera_top") return read_camera(line, name, config.top, calibration.top, config.top_projection);
   if (whose == "camera_bottom")
     return read_camera(line, name, config.bottom, calibration.bottom, config.bottom_projection);
@@ -100,7 +100,7 @@ NaoConfig::NaoConfig() {
   top.device = "/dev/video-top";
   top.turned = true;
   bottom.device = "/dev/video-bottom";
-  for (CameraSettings* camera : {&top, &bottom})
+  for (nao::CameraSettings* camera : {&top, &bottom})
     camera->controls = {
         {"auto_white_balance", 1}, {"contrast", 32}, {"saturation", 64}, {"sharpness", 4}, {"auto_focus", 0}};
 }
@@ -128,4 +128,4 @@ Result<NaoConfig> read_nao_config(const std::filesystem::path& path) {
   return parse_nao_config(*text);
 }
 
-}  // namespace robot::body::nao
+}  // namespace robot::body

@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <string_view>
 
-#include "robot/body/nao/camera/video_capture.h"
-#include "robot/body/nao/kinematics/kinematics.h"
 #include "robot/core/result.h"
+#include "robot/nao/camera/video_capture.h"
+#include "robot/nao/model/kinematics.h"
 
-namespace robot::body::nao {
+namespace robot::body {
 
 /// How a camera projects, for images of the size of its settings.
 struct Projection {
@@ -18,8 +18,8 @@ struct Projection {
 };
 
 struct NaoConfig {
-  Calibration calibration;
-  CameraSettings top, bottom;
+  nao::Calibration calibration;
+  nao::CameraSettings top, bottom;
   Projection top_projection, bottom_projection;
 
   /// The V6's: /dev/video-top, which is mounted upside down, and /dev/video-bottom; controls as teams start from.
@@ -40,4 +40,4 @@ Result<NaoConfig> parse_nao_config(std::string_view text);
 
 Result<NaoConfig> read_nao_config(const std::filesystem::path& path);
 
-}  // namespace robot::body::nao
+}  // namespace robot::body

@@ -4,13 +4,13 @@
 #include <mutex>
 #include <utility>
 
-#include "robot/body/nao/guardian/lola_connection.h"
-#include "robot/body/nao/guardian/socket_owner.h"
-#include "robot/body/nao/messages.h"
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
+#include "robot/nao/guardian/lola_connection.h"
+#include "robot/nao/guardian/socket_owner.h"
+#include "robot/nao/motion/messages.h"
 
-namespace robot::body::nao {
+namespace robot::body {
 namespace {
 
 constexpr const char* kSource = "nao";
@@ -26,10 +26,10 @@ std::uint64_t distance(std::uint64_t a, std::uint64_t b) { return a > b ? a - b 
 }  // namespace
 
 std::string NaoBody::taken_by_others(const NaoOptions& options) {
-  Result<GuardianClient> guardian = GuardianClient::open(options.link);
+  Result<nao::GuardianClient> guardian = nao::GuardianClient::open(options.link);
   if (!guardian) {
-    const std::string owner = who_is_connected_to(kLolaPath);
-    return owner.empty() ? "" : "LoLA at " + std::string(kLolaPath) + " belongs to " + owner;
+    const std::string owner = nao::who_is_connected_to(nao::kLolaPath);
+    return owner.empty() ? "" : "LoLA at " + std::string(nao::kLolaPath) + " belongs to " + owner;
   }
   const auto report = guardian->next(kFirstWord_ms);
   return report && *report && (*report)->lola_is_taken ? (*report)->problem.data() : "";
@@ -52,9 +52,9 @@ void NaoBody::run() {
   name_thread("nao");
   while (!ends_) {
     if (!guardian_ && !find_guardian()) continue;
-    Result<std::optional<Report>> report = guardian_->next(kPatience_ms);
+    Result<std::optional<nao::Report>> report = guardian_->next(kPatience_ms);
     // all that have come go into memory, the newest is answered
-    std::optional<Report> newest;
+    std::optional<nao::Report> newest;
     while (report && *report) {
       newest = **report;
       take(*newest);
@@ -71,7 +71,7 @@ void NaoBody::run() {
     if (newest->has_sensors) static_cast<void>(guardian_->give(order_after(*newest, capture_ns)));
     write_body(&*newest, "");
   }
-  if (guardian_) static_cast<void>(guardian_->ask(Request::What::goodbye));
+  if (guardian_) static_cast<void>(guardian_->ask(nao::Request::What::goodbye));
 }
 
 bool NaoBody::find_guardian() {
@@ -80,7 +80,7 @@ bool NaoBody::find_guardian() {
     return false;
   }
   next_try_ns_ = monotonic_ns() + kTryAgain_ns;
-  Result<GuardianClient> guardian = GuardianClient::open(options_.link);
+  Result<nao::GuardianClient> guardian = nao::GuardianClient::open(options_.link);
   if (!guardian) {
     write_body(nullptr, guardian.error());
     return false;
@@ -89,7 +89,7 @@ bool NaoBody::find_guardian() {
   return true;
 }
 
-void NaoBody::take(const Report& report) {
+void NaoBody::take(const nao::Report& report) {
   if (!report.has_sensors) return;
   const std::uint64_t capture_ns = report.capture_ns + clock_.epoch_offset_ns();
   write_sensors(report, capture_ns);
@@ -98,10 +98,10 @@ void NaoBody::take(const Report& report) {
   if (moments_.size() > kMoments) moments_.pop_front();
 }
 
-void NaoBody::write_sensors(const Report& report, std::uint64_t capture_ns) {
+void NaoBody::write_sensors(const nao::Report& report, std::uint64_t capture_ns) {
   const auto write = [&](auto& object) {
     auto draft = object.draft();
-    fill(report, *draft);
+    nao::fill(report, *draft);
     object.write(std::move(draft), capture_ns);
   };
   write(memory_.joints);
@@ -121,7 +121,7 @@ void NaoBody::write_sensors(const Report& report, std::uint64_t capture_ns) {
   memory_.motion_status.write(std::move(status), capture_ns);
 }
 
-Order NaoBody::order_after(const Report& report, std::uint64_t capture_ns) {
+nao::Order NaoBody::order_after(const nao::Report& report, std::uint64_t capture_ns) {
   const auto command = memory_.motion_command.read();
   const auto game = memory_.game.read();
   const std::uint64_t said_ns = command ? command->capture_ns() : 0;
@@ -130,9 +130,9 @@ Order NaoBody::order_after(const Report& report, std::uint64_t capture_ns) {
 }
 
 /// `report` null: there is no guardian, as `problem` says.
-void NaoBody::write_body(const Report* report, const std::string& problem) {
+void NaoBody::write_body(const nao::Report* report, const std::string& problem) {
   foresight::Body body;
-  if (report) fill(*report, body);
+  if (report) nao::fill(*report, body);
   if (!report) body.set_reason(problem);
   body.set_refused(motion_.refused());
   const std::uint64_t now_ns = clock_.now_ns();
@@ -149,7 +149,7 @@ void NaoBody::say(const std::string& sentence) {
   if (!sentence.empty()) report(Level::warning, kSource, sentence);
 }
 
-std::optional<Transform> NaoBody::robot_from_camera(Camera camera, std::uint64_t capture_ns) const {
+std::optional<nao::Transform> NaoBody::robot_from_camera(nao::Camera camera, std::uint64_t capture_ns) const {
   std::optional<Moment> nearest;
   {
     const std::lock_guard guard(lock_);
@@ -163,9 +163,9 @@ std::optional<Transform> NaoBody::robot_from_camera(Camera camera, std::uint64_t
 }
 
 Result<void> sit_and_soft(const std::filesystem::path& link) {
-  Result<GuardianClient> guardian = GuardianClient::open(link);
+  Result<nao::GuardianClient> guardian = nao::GuardianClient::open(link);
   if (!guardian) return Error{guardian.error()};
-  return guardian->ask(Request::What::sit_and_soft);
+  return guardian->ask(nao::Request::What::sit_and_soft);
 }
 
-}  // namespace robot::body::nao
+}  // namespace robot::body

@@ -10,19 +10,19 @@
 #include <string>
 #include <thread>
 
-#include "robot/body/nao/guardian/guardian_client.h"
-#include "robot/body/nao/kinematics/kinematics.h"
-#include "robot/body/nao/motion.h"
 #include "robot/core/clock.h"
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
 #include "robot/memory/memory.h"
+#include "robot/nao/guardian/guardian_client.h"
+#include "robot/nao/model/kinematics.h"
+#include "robot/nao/motion/motion.h"
 
-namespace robot::body::nao {
+namespace robot::body {
 
 struct NaoOptions {
   std::filesystem::path link;  // the guardian's; default_link()
-  Calibration calibration;
+  nao::Calibration calibration;
 };
 
 /// A thread of its own, woken by each report of the guardian's. Where the guardian is gone, it looks for it once a second.
@@ -42,32 +42,32 @@ class NaoBody {
 
   /// Where `camera` was at `capture_ns` [ns since the epoch]; nothing if joints of that time, give or take 50 ms, are not
   /// known. Any thread.
-  std::optional<Transform> robot_from_camera(Camera camera, std::uint64_t capture_ns) const;
+  std::optional<nao::Transform> robot_from_camera(nao::Camera camera, std::uint64_t capture_ns) const;
 
  private:
   /// The joints at one time.
   struct Moment {
     std::uint64_t capture_ns;  // since the epoch
-    PerJoint<float> position;
+    nao::PerJoint<float> position;
     std::array<float, 2> angles;
   };
 
   void run();
   bool find_guardian();
-  void take(const Report& report);
-  void write_sensors(const Report& report, std::uint64_t capture_ns);
-  void write_body(const Report* report, const std::string& problem);
-  Order order_after(const Report& report, std::uint64_t capture_ns);
+  void take(const nao::Report& report);
+  void write_sensors(const nao::Report& report, std::uint64_t capture_ns);
+  void write_body(const nao::Report* report, const std::string& problem);
+  nao::Order order_after(const nao::Report& report, std::uint64_t capture_ns);
   void say(const std::string& sentence);
 
   const NaoOptions options_;
   memory::Memory& memory_;
   const SessionClock& clock_;
-  const Kinematics kinematics_;
+  const nao::Kinematics kinematics_;
 
   // of the thread
-  std::optional<GuardianClient> guardian_;
-  Motion motion_;
+  std::optional<nao::GuardianClient> guardian_;
+  nao::Motion motion_;
   std::string said_;  // the last problem
   foresight::Body body_;
   std::uint64_t body_ns_ = 0, battery_ns_ = 0, sonar_ns_ = 0, next_try_ns_ = 0;
@@ -82,4 +82,4 @@ class NaoBody {
 /// Takes the stiffness away, whatever the runtime does otherwise. Does not wait. An Error if there is no guardian.
 Result<void> sit_and_soft(const std::filesystem::path& link);
 
-}  // namespace robot::body::nao
+}  // namespace robot::body

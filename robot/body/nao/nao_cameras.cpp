@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "robot/body/nao/guardian/socket_owner.h"
+#include "robot/nao/guardian/socket_owner.h"
 
-namespace robot::body::nao {
+namespace robot::body {
 
-void fill(const Transform& robot_from_camera, const CameraSettings& settings, const Projection& projection,
+void fill(const nao::Transform& robot_from_camera, const nao::CameraSettings& settings, const Projection& projection,
           foresight::CameraMatrix& matrix) {
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
@@ -23,30 +23,31 @@ void fill(const Transform& robot_from_camera, const CameraSettings& settings, co
 }
 
 std::string NaoCameras::taken_by_others(const NaoConfig& config) {
-  for (const CameraSettings* camera : {&config.top, &config.bottom})
-    if (const std::string owner = who_has_open(camera->device); !owner.empty())
+  for (const nao::CameraSettings* camera : {&config.top, &config.bottom})
+    if (const std::string owner = nao::who_has_open(camera->device); !owner.empty())
       return "camera " + camera->device.string() + " belongs to " + owner;
   return "";
 }
 
 NaoCameras::NaoCameras(const NaoConfig& config, const NaoBody& body, memory::Memory& memory,
                        const SessionClock& clock) {
-  const auto open = [&](Camera camera, const CameraSettings& settings, const Projection& projection,
+  const auto open = [&](nao::Camera camera, const nao::CameraSettings& settings, const Projection& projection,
                         memory::MemoryObject<foresight::Image>& image,
                         memory::MemoryObject<foresight::CameraMatrix>& object) {
-    return std::make_unique<CameraThread>(camera == Camera::top ? "camera top" : "camera bottom", settings,
-                                          std::make_unique<KernelVideoDevice>(), image, clock,
-                                          [&body, &object, camera, settings, projection](std::uint64_t capture_ns) {
-                                            const auto robot_from_camera = body.robot_from_camera(camera, capture_ns);
-                                            if (!robot_from_camera) return;
-                                            auto matrix = object.draft();
-                                            fill(*robot_from_camera, settings, projection, *matrix);
-                                            object.write(std::move(matrix), capture_ns);
-                                          });
+    return std::make_unique<nao::CameraThread>(
+        camera == nao::Camera::top ? "camera top" : "camera bottom", settings,
+        std::make_unique<nao::KernelVideoDevice>(), image, clock,
+        [&body, &object, camera, settings, projection](std::uint64_t capture_ns) {
+          const auto robot_from_camera = body.robot_from_camera(camera, capture_ns);
+          if (!robot_from_camera) return;
+          auto matrix = object.draft();
+          fill(*robot_from_camera, settings, projection, *matrix);
+          object.write(std::move(matrix), capture_ns);
+        });
   };
-  top_ = open(Camera::top, config.top, config.top_projection, memory.camera_top, memory.camera_top_matrix);
-  bottom_ =
-      open(Camera::bottom, config.bottom, config.bottom_projection, memory.camera_bottom, memory.camera_bottom_matrix);
+  top_ = open(nao::Camera::top, config.top, config.top_projection, memory.camera_top, memory.camera_top_matrix);
+  bottom_ = open(nao::Camera::bottom, config.bottom, config.bottom_projection, memory.camera_bottom,
+                 memory.camera_bottom_matrix);
 }
 
-}  // namespace robot::body::nao
+}  // namespace robot::body

@@ -4,16 +4,16 @@
 #include <memory>
 #include <string>
 
-#include "robot/body/nao/camera/camera_thread.h"
 #include "robot/body/nao/config.h"
 #include "robot/body/nao/nao_body.h"
 #include "robot/core/clock.h"
 #include "robot/memory/memory.h"
+#include "robot/nao/camera/camera_thread.h"
 
-namespace robot::body::nao {
+namespace robot::body {
 
 /// Where `robot_from_camera` puts a camera that projects like that, as a message.
-void fill(const Transform& robot_from_camera, const CameraSettings& settings, const Projection& projection,
+void fill(const nao::Transform& robot_from_camera, const nao::CameraSettings& settings, const Projection& projection,
           foresight::CameraMatrix& matrix);
 
 /// Two threads, one for each camera.
@@ -26,7 +26,7 @@ class NaoCameras {
   NaoCameras(const NaoConfig& config, const NaoBody& body, memory::Memory& memory, const SessionClock& clock);
 
  private:
-  std::unique_ptr<CameraThread> top_, bottom_;
+  std::unique_ptr<nao::CameraThread> top_, bottom_;
 };
 
-}  // namespace robot::body::nao
+}  // namespace robot::body

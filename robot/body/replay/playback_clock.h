@@ -5,7 +5,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/core/lock.h"
-#include "robot/logging/parser.h"
+#include "robot/logging/streams/parser.h"
 
 namespace robot::body {
 

@@ -4,8 +4,8 @@
 #include <set>
 #include <utility>
 
-#include "robot/logging/file_provider.h"
-#include "robot/logging/shifted_provider.h"
+#include "robot/logging/sessions/session_provider.h"
+#include "robot/logging/streams/shifted_provider.h"
 
 namespace robot::body {
 

@@ -10,8 +10,8 @@
 
 #include "robot/body/replay/playback_clock.h"
 #include "robot/core/result.h"
-#include "robot/logging/board.h"
-#include "robot/logging/session.h"
+#include "robot/logging/sessions/session.h"
+#include "robot/logging/streams/board.h"
 #include "robot/memory/channels.h"
 
 namespace robot::body {

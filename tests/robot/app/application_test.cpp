@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "robot/core/files.h"
-#include "robot/logging/mcap_format.h"
-#include "robot/logging/session_writer.h"
+#include "robot/logging/mcap/format.h"
+#include "robot/logging/sessions/session_writer.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robot::app {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "robot/body/replay/replay.h"
-#include "robot/logging/session_writer.h"
+#include "robot/logging/sessions/session_writer.h"
 #include "tests/robot/foresight/memories.h"
 #include "tests/support/temporary_folder.h"
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "robot/logging/byte_source.h"
-#include "robot/logging/mcap_reader.h"
-#include "robot/logging/session_writer.h"
+#include "robot/core/byte_source.h"
+#include "robot/logging/mcap/reader.h"
+#include "robot/logging/sessions/session_writer.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robot::app {
@@ -42,7 +42,7 @@ struct PlayedRange : testing::Test {
     Answer answer;
     for (const auto& [name, value] : response.headers)
       if (name == net::kPlayedUntil) answer.until_ns = std::stoull(value);
-    logging::McapReader reader(std::make_shared<logging::MemorySource>(std::get<std::string>(response.body)));
+    logging::McapReader reader(std::make_shared<MemorySource>(std::get<std::string>(response.body)));
     while (true) {
       const auto message = reader.next();
       if (!message || !*message) return answer;

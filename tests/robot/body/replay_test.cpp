@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "proto/foresight/ball.pb.h"
-#include "robot/logging/recorder.h"
-#include "robot/logging/session_writer.h"
+#include "robot/logging/sessions/recorder.h"
+#include "robot/logging/sessions/session_writer.h"
 #include "robot/memory/memory.h"
 #include "tests/support/read_stream.h"
 #include "tests/support/temporary_folder.h"

@@ -9,7 +9,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/memory/channel.h"
-#include "robot/net/application.h"
+#include "robot/net/serve/backend.h"
 
 namespace tests {
 
@@ -37,7 +37,7 @@ class TestChannel {
 };
 
 /// Two sessions: "old" is complete, "live" is being written. `body` is what a recording holds.
-class TestApplication final : public robot::net::Application {
+class TestBackend final : public robot::net::Backend {
  public:
   std::string status_json() override { return R"({"name":"test"})"; }
   std::string sessions_json() override {
@@ -48,8 +48,8 @@ class TestApplication final : public robot::net::Application {
     if (request.session != "old" && request.session != "live")
       return robot::Error{"there is no session " + request.session};
     if (request.file)
-      return robot::net::LogFile{.body = std::make_shared<robot::logging::MemorySource>(*request.file), .etag = "f1"};
-    return robot::net::LogFile{.body = std::make_shared<robot::logging::MemorySource>(body), .etag = "e1"};
+      return robot::net::LogFile{.body = std::make_shared<robot::MemorySource>(*request.file), .etag = "f1"};
+    return robot::net::LogFile{.body = std::make_shared<robot::MemorySource>(body), .etag = "e1"};
   }
 
   robot::net::HttpResponse session_files(const std::string& session) override {
@@ -60,7 +60,7 @@ class TestApplication final : public robot::net::Application {
     return {.status = 204};
   }
   robot::net::HttpResponse played(const robot::net::PlayedRequest& request) override {
-    if (request.topic != "/14/2/ball") return Application::played(request);
+    if (request.topic != "/14/2/ball") return Backend::played(request);
     robot::net::HttpResponse response = robot::net::text_response(
         200, "application/octet-stream", std::to_string(request.from_ns) + ".." + std::to_string(request.to_ns));
     response.headers.emplace_back(robot::net::kPlayedUntil, "7");

@@ -15,10 +15,10 @@
 
 #include "robot/core/files.h"
 #include "robot/memory/channels.h"
-#include "robot/net/board_streams.h"
-#include "robot/net/foxglove_client.h"
-#include "robot/net/server.h"
-#include "robot/net/web_socket_client.h"
+#include "robot/net/foxglove/foxglove_client.h"
+#include "robot/net/serve/board_streams.h"
+#include "robot/net/serve/server.h"
+#include "robot/net/websocket/web_socket_client.h"
 #include "tests/robot/net/net_support.h"
 
 namespace tests {
@@ -124,7 +124,7 @@ class ServerTest : public testing::Test {
   robot::net::BoardStreams streams{board};
   robot::net::Parameters parameters;
   robot::net::Services services;
-  TestApplication application;
+  TestBackend backend;
   robot::net::ServerOptions options{.port = 0};
   std::unique_ptr<robot::net::Server> server;
   std::shared_ptr<robot::memory::RawChannel> state = add("/14/2/state", robot::memory::Delivery::latest);
@@ -143,7 +143,7 @@ class ServerTest : public testing::Test {
   std::uint16_t start() {
     if (parameters.names().empty()) parameters.declare("quality", std::int64_t{75}, {.min = 1, .max = 100});
     server = std::make_unique<robot::net::Server>(options, channels, robot::net::Derive(), streams, clock, parameters,
-                                                  services, application);
+                                                  services, backend);
     const auto started = server->start();
     EXPECT_TRUE(started) << started.error();
     return server->port();

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-namespace robot::body::nao {
+namespace robot::body {
 namespace {
 
 std::string why_not(std::string_view text) {
@@ -69,4 +69,4 @@ TEST(NaoConfig, SurvivesEveryTruncation) {
 }
 
 }  // namespace
-}  // namespace robot::body::nao
+}  // namespace robot::body

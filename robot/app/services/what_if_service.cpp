@@ -1,0 +1,45 @@
+#include "robot/app/services/what_if_service.h"
+
+#include <utility>
+
+#include "robot/core/clock.h"
+#include "robot/foresight/question.h"
+
+namespace robot::app {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kName = "/foresight/what_if";
+
+json refused(const std::string& sentence) { return net::failure(std::string(kName) + ": " + sentence); }
+
+json answer(const json& request, std::uint64_t asked_ns, const std::string& own, const AskForesight& ask) {
+  std::string robot = own;
+  json asked = request;
+  if (const auto named = asked.find("robot"); named != asked.end()) {
+    if (!named->is_string()) return refused("'robot' must be a text such as " + own + ", got something else");
+    robot = named->get<std::string>();
+    asked.erase(named);
+  }
+  Result<foresight::WhatIf> question = foreseeing::parse_question(asked);
+  if (!question) return refused(question.error());
+  question->set_asked_by(std::string(foreseeing::kByPeople));
+  Result<foresight::Forecast> forecast = ask(robot, *question);
+  if (!forecast) return refused(forecast.error());
+  if (!forecast->refusal().empty()) return refused(forecast->reason());
+  // whoever asks waits for others' questions too
+  forecast->set_answered_ms(static_cast<float>(monotonic_ns() - asked_ns) / 1e6f);
+  return {{"ok", true}, {"robot", robot}, {"forecast", foreseeing::to_json(*forecast, true)}};
+}
+
+}  // namespace
+
+void add_what_if(net::Services& services, const std::string& robot, AskForesight ask) {
+  services.add(kName, net::Services::For::questions,
+               [robot, ask = std::move(ask)](const json& request, const net::ClientContext& asker) {
+                 return answer(request, asker.asked_ns, robot, ask);
+               });
+}
+
+}  // namespace robot::app

@@ -1,0 +1,63 @@
+// Bytes that are written at the end of a file, and taken back when that failed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "robot/core/files.h"
+#include "robot/core/result.h"
+
+namespace robot {
+
+/// A run of bytes that grows at its end. Used by one thread.
+class ByteSink {
+ public:
+  virtual ~ByteSink() = default;
+
+  /// Appends `pieces`, one behind the other. After an Error some part of them may have been appended.
+  virtual Result<void> append(std::span<const std::string_view> pieces) = 0;
+
+  /// Takes back everything behind the first `size` bytes.
+  virtual Result<void> truncate(std::uint64_t size) = 0;
+};
+
+/// A new file.
+class FileSink final : public ByteSink {
+ public:
+  /// Makes the file at `path`; an Error if there is one already: nothing recorded is ever overwritten.
+  static Result<std::unique_ptr<FileSink>> create(const std::filesystem::path& path);
+
+  Result<void> append(std::span<const std::string_view> pieces) override;
+  Result<void> truncate(std::uint64_t size) override;
+
+ private:
+  FileSink(std::filesystem::path path, FileDescriptor file);
+
+  std::filesystem::path path_;
+  FileDescriptor file_;
+};
+
+/// Bytes in memory.
+class MemorySink final : public ByteSink {
+ public:
+  /// `bytes` outlives the sink.
+  explicit MemorySink(std::string& bytes) : bytes_(bytes) {}
+
+  Result<void> append(std::span<const std::string_view> pieces) override {
+    for (const std::string_view piece : pieces) bytes_ += piece;
+    return {};
+  }
+  Result<void> truncate(std::uint64_t size) override {
+    bytes_.resize(static_cast<std::size_t>(size));
+    return {};
+  }
+
+ private:
+  std::string& bytes_;
+};
+
+}  // namespace robot

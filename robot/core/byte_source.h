@@ -1,0 +1,66 @@
+// Bytes that are read: a file, or memory in tests.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "robot/core/files.h"
+#include "robot/core/result.h"
+
+namespace robot {
+
+/// A run of bytes that can be read from anywhere. Any thread.
+class ByteSource {
+ public:
+  virtual ~ByteSource() = default;
+
+  /// What it is called in error sentences: the file's name without its folder.
+  virtual const std::string& name() const = 0;
+
+  /// How many bytes there are. Does not change, even if the file grows.
+  virtual std::uint64_t size() const = 0;
+
+  /// Fills `into` with the bytes from `offset` on; an Error if there are not that many.
+  virtual Result<void> read(std::uint64_t offset, std::span<char> into) const = 0;
+};
+
+/// `length` bytes of `source` from `offset` on. Allocates nothing when there are not that many.
+Result<std::string> read_bytes(const ByteSource& source, std::uint64_t offset, std::uint64_t length);
+
+/// A file, as long as it was when it was opened.
+class FileSource final : public ByteSource {
+ public:
+  static Result<std::shared_ptr<const FileSource>> open(const std::filesystem::path& path);
+
+  const std::string& name() const override { return name_; }
+  std::uint64_t size() const override { return size_; }
+  Result<void> read(std::uint64_t offset, std::span<char> into) const override;
+
+ private:
+  FileSource(std::filesystem::path path, FileDescriptor file, std::uint64_t size);
+
+  std::filesystem::path path_;
+  std::string name_;
+  FileDescriptor file_;
+  std::uint64_t size_;
+};
+
+/// Bytes in memory.
+class MemorySource final : public ByteSource {
+ public:
+  explicit MemorySource(std::string bytes, std::string name = "memory")
+      : bytes_(std::move(bytes)), name_(std::move(name)) {}
+
+  const std::string& name() const override { return name_; }
+  std::uint64_t size() const override { return bytes_.size(); }
+  Result<void> read(std::uint64_t offset, std::span<char> into) const override;
+
+ private:
+  std::string bytes_, name_;
+};
+
+}  // namespace robot

@@ -1,0 +1,91 @@
+// Recordings of others in our words: which of their topics is which of our objects, as a file says.
+//
+//   {
+//     "robot": "14/2",
+//     "topics": {
+//       "/vision/ball": {"object": "ball", "fields": {"x": "position.x", "y": {"from": "position.y", "scale": 0.001},
+//                                                     "seen_ns": "@time", "deviation": {"value": 0.1}}},
+//       "/tracker": {"object": "/truth/world", "fields": {"robots": {"each": "players", "fields": {"x": "at[0]"}}}}
+//     }
+//   }
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/logging/streams/provider.h"
+#include "robot/memory/channel.h"
+
+namespace google::protobuf {
+class Descriptor;
+class FieldDescriptor;
+}  // namespace google::protobuf
+
+namespace robot::lab {
+
+/// Where one field of our message comes from.
+struct FieldRule {
+  const google::protobuf::FieldDescriptor* field = nullptr;
+  std::string from;               // "position.x", "at[0]", "@time" (capture time [ns]); empty: `value`
+  nlohmann::json value;           // a constant
+  double scale = 1, add = 0;      // our value = scale * theirs + add
+  nlohmann::json names;           // of an enum: their value, as text, to our name; null: the same names
+  std::vector<FieldRule> fields;  // of a message, or of each message of a list
+};
+
+/// One topic of theirs that becomes an object of ours.
+struct TopicRule {
+  std::string from;          // their topic
+  memory::ChannelInfo info;  // our channel
+  const google::protobuf::Descriptor* message = nullptr;
+  std::vector<FieldRule> fields;
+};
+
+struct Mapping {
+  std::string name;   // of the file
+  std::string robot;  // "14/2": whose the objects are
+  std::vector<TopicRule> topics;
+};
+
+/// Reads a mapping. An Error names the file, the place in it, what was expected there and what stands there.
+Result<Mapping> parse_mapping(const std::string& name, std::string_view text);
+Result<Mapping> read_mapping(const std::filesystem::path& file);
+
+/// One message of `from`, as `theirs` decoded, in our words. With `strict` an Error names the field that is not there or
+/// not of a kind that fits ours; otherwise what is not there is left out.
+Result<std::string> mapped(const TopicRule& rule, const nlohmann::json& theirs, std::uint64_t capture_ns, bool strict);
+
+/// The messages of a stream of theirs as our object. Protobuf and JSON are understood.
+class MappedInProvider final : public logging::InProvider {
+ public:
+  MappedInProvider(std::unique_ptr<logging::InProvider> stream, TopicRule rule);
+  ~MappedInProvider() override;
+
+  /// Our channel; an Error if theirs is in another encoding, or none of its first hundred messages is as the mapping says.
+  Result<memory::ChannelInfo> open() override;
+
+  /// A message that does not fit is left out and counted; the first one is an Error.
+  Result<std::optional<logging::Record>> read() override;
+  Result<void> seek(std::uint64_t capture_ns) override { return stream_->seek(capture_ns); }
+  std::uint64_t lost_before() const override { return stream_->lost_before() + lost_.load(std::memory_order_relaxed); }
+  void cancel() override { stream_->cancel(); }
+
+ private:
+  class Reader;
+
+  Result<void> check_first();
+  Result<std::string> translate(const logging::Record& record, bool strict) const;
+
+  const std::unique_ptr<logging::InProvider> stream_;
+  const TopicRule rule_;
+  std::unique_ptr<Reader> reader_;
+  std::atomic<std::uint64_t> lost_ = 0;
+};
+
+}  // namespace robot::lab

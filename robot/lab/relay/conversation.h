@@ -1,0 +1,78 @@
+// One connection to a robot that is relayed, from its introduction to its end.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot/lab/relay/carried_channel.h"
+#include "robot/lab/relay/robot_link.h"
+#include "robot/net/foxglove/foxglove_server.h"
+
+namespace robot::lab {
+
+/// What a link knows of a robot beyond one connection.
+struct RobotLink::Past {
+  std::string session;  // of the robot's server when messages were carried last
+  std::int64_t shift_ns = 0;
+  std::map<std::string, CarriedChannel> carried;  // by topic
+  std::map<std::string, memory::ChannelInfo> images;
+};
+
+/// Hears what the robot's server says and answers: clocks first, then subscriptions, then messages. Used by the link's
+/// thread.
+class Conversation {
+ public:
+  Conversation(RobotLink& link, net::WebSocketClient& client) : link_(link), client_(client) {}
+
+  /// Takes in what came. An Error ends the connection.
+  Result<void> hear(const net::WebSocketClient::Message& message);
+
+  /// Does what is due; until when it may wait then [monotonic].
+  Result<std::uint64_t> go_on();
+
+  /// Whether the server said that it tells the time: then it is never silent for long.
+  bool hears_time() const { return hears_time_; }
+
+ private:
+  struct Subscription {
+    CarriedChannel* to = nullptr;
+    bool jpeg = false;  // a foxglove.CompressedImage that becomes a foresight.Image
+  };
+
+  Result<void> hear_text(std::string_view text);
+  Result<void> hear_binary(std::string_view bytes);
+  void introduce(const net::foxglove::ServerInfo& info);
+  Result<void> ask_time();
+  Result<void> hear_time(std::string_view answer);
+  Result<void> agree();
+  Result<void> subscribe();
+  std::optional<memory::ChannelInfo> wanted(const net::foxglove::Advertised& offered, bool& jpeg) const;
+  CarriedChannel* channel_for(const memory::ChannelInfo& info);
+  Result<void> take(const net::foxglove::MessageData& data);
+  void update(const std::function<void(LinkStatus&)>& change);
+
+  RobotLink& link_;
+  net::WebSocketClient& client_;
+  const std::uint64_t began_ns_ = monotonic_ns();
+
+  bool introduced_ = false, hears_time_ = false, new_run_ = true, agreed_ = false;
+  std::string session_, robot_;
+  std::vector<net::foxglove::Advertised> offered_;  // not subscribed yet
+
+  // clocks
+  std::optional<std::uint32_t> clock_service_;
+  std::uint32_t call_ = 0;                         // the last one
+  std::uint64_t sent_ns_ = 0;                      // of the call that waits for its answer, our clock; 0: none
+  std::uint64_t asked_ns_ = 0, next_call_ns_ = 0;  // [monotonic]
+  std::uint32_t rounds_ = 0;
+  std::optional<ClockOffset> best_, last_;
+
+  std::uint32_t last_subscription_ = 0;
+  std::map<std::uint32_t, Subscription> subscriptions_;
+};
+
+}  // namespace robot::lab

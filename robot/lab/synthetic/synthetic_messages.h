@@ -1,0 +1,80 @@
+// What the synthetic robot senses, believes and does, as messages.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "proto/foresight/agent.pb.h"
+#include "proto/foresight/ball.pb.h"
+#include "proto/foresight/camera.pb.h"
+#include "proto/foresight/game.pb.h"
+#include "proto/foresight/motion.pb.h"
+#include "proto/foresight/pose.pb.h"
+#include "proto/foresight/sensors.pb.h"
+#include "proto/foresight/team.pb.h"
+#include "proto/foresight/truth.pb.h"
+#include "proto/foresight/vision.pb.h"
+#include "robot/lab/synthetic/synthetic_camera.h"
+#include "robot/lab/synthetic/synthetic_world.h"
+
+namespace robot::lab::synthetic {
+
+namespace pb = foresight;
+
+/// Noise with an address: the same (seed, stream, step) is the same value, whatever else was asked for.
+class Noise {
+ public:
+  enum Stream : std::uint64_t { kInertial, kJoints, kBallX, kBallY, kPixel, kPoseX, kPoseY, kPoseHeading, kParticles };
+
+  explicit Noise(std::uint64_t seed) : seed_(seed) {}
+
+  /// Bell-shaped, mean 0, standard deviation 1.
+  double operator()(Stream stream, std::uint64_t step) const;
+
+ private:
+  std::uint64_t seed_;
+};
+
+/// What the ball filter remembers at one decision.
+struct Sight {
+  bool visible = false;
+  std::optional<double> last_seen;  // [s] the newest image that showed the ball
+  unsigned run = 0;                 // [images] in a row, up to this one, that did or did not show it
+};
+
+/// The time of a message and what belongs to it.
+struct Moment {
+  double t = 0;            // [s] since the start
+  std::uint64_t step = 0;  // of the body, 100 Hz
+  std::uint64_t epoch_ns = 0;
+  int width = 0, height = 0;  // [px] of images
+};
+
+/// How the robot holds head and torso.
+Bearing bearing_at(double t);
+
+pb::Joints joints_of(const Moment& moment, const Noise& noise);
+pb::Inertial inertial_of(const Moment& moment, const Noise& noise);
+pb::Fsr fsr_of(const Moment& moment);
+pb::Touch touch_of(const Moment& moment);
+pb::Battery battery_of(const Moment& moment);
+pb::Odometry odometry_of(const Moment& moment);
+pb::MotionStatus motion_status_of(const Moment& moment);
+
+pb::CameraMatrix camera_matrix_of(const Moment& moment);
+pb::Image image_of(const Moment& moment);
+pb::Vision vision_of(const Moment& moment, const Sight& sight, const Noise& noise);
+
+/// Nothing before the ball was seen.
+std::optional<pb::Ball> ball_of(const Moment& moment, const Sight& sight, const Noise& noise);
+pb::Pose pose_of(const Moment& moment, const Noise& noise);
+pb::Team team_of(const Moment& moment);
+pb::GameState game_of(const Moment& moment);
+pb::DecisionTrace decision_of(const Moment& moment, const std::optional<pb::Ball>& ball);
+pb::MotionCommand motion_command_of(const Moment& moment);
+pb::GroundTruth truth_of(const Moment& moment);
+
+/// True if the image of time `t` shows the ball well enough.
+bool ball_visible(double t, int width, int height);
+
+}  // namespace robot::lab::synthetic

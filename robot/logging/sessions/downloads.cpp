@@ -1,0 +1,53 @@
+#include "robot/logging/sessions/downloads.h"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+namespace robot::logging {
+namespace {
+
+std::string text(const std::optional<std::uint64_t>& time_ns) { return time_ns ? std::to_string(*time_ns) : "-"; }
+
+}  // namespace
+
+Result<std::shared_ptr<const Assembly>> Downloads::open(const Session& session,
+                                                        const std::optional<std::string>& stream,
+                                                        const AssemblyOptions& options) {
+  std::string what =
+      session.folder.string() + ' ' + text(options.from_ns) + ' ' + text(options.to_ns) + ' ' + text(options.until_ns);
+  std::vector<std::filesystem::path> files;
+  for (const StreamFile& file : session.streams) {
+    if (stream && file.file != *stream) continue;
+    what += ' ' + file.file + ' ' + std::to_string(file.size_bytes);
+    // a file that holds nothing yet, not even what it is, cannot be part of another
+    if (!file.topic.empty()) files.push_back(session.folder / file.file);
+  }
+  if (files.empty())
+    return Error{"session " + session.id() + ": there is no stream" + (stream ? " '" + *stream + "'" : "")};
+  if (auto known = kept(what)) return known;
+
+  std::vector<std::shared_ptr<const ByteSource>> sources;
+  for (const auto& file : files) {
+    Result<std::shared_ptr<const FileSource>> source = FileSource::open(file);
+    if (!source) return Error{source.error()};
+    sources.push_back(std::move(*source));
+  }
+  Result<Assembly> assembled = assemble(std::move(sources), options);
+  if (!assembled) return Error{assembled.error()};
+  auto assembly = std::make_shared<const Assembly>(std::move(*assembled));
+  const std::lock_guard guard(lock_);
+  kept_.push_front({std::move(what), assembly});
+  if (kept_.size() > kKept) kept_.pop_back();
+  return assembly;
+}
+
+std::shared_ptr<const Assembly> Downloads::kept(const std::string& what) {
+  const std::lock_guard guard(lock_);
+  const auto found = std::ranges::find(kept_, what, &Kept::what);
+  if (found == kept_.end()) return nullptr;
+  kept_.splice(kept_.begin(), kept_, found);
+  return kept_.front().assembly;
+}
+
+}  // namespace robot::logging

@@ -1,0 +1,52 @@
+#include "robot/logging/sessions/session_writer.h"
+
+#include <utility>
+
+#include "robot/core/files.h"
+#include "robot/logging/sessions/profile.h"
+
+namespace robot::logging {
+
+Result<std::unique_ptr<SessionWriter>> SessionWriter::create(std::filesystem::path folder, SessionInfo info,
+                                                             Compression compression) {
+  std::error_code failed;
+  if (std::filesystem::exists(folder / "session.json", failed))
+    return Error{"session " + folder.string() + ": there is one already"};
+  std::filesystem::create_directories(folder, failed);
+  if (failed) return Error{"session: cannot make the folder " + folder.string() + ": " + failed.message()};
+  if (Result<void> written = replace_file(folder / "session.json", to_json(info)); !written)
+    return Error{"session: " + written.error()};
+  return std::unique_ptr<SessionWriter>(new SessionWriter(std::move(folder), std::move(info), compression));
+}
+
+Result<SessionWriter::Stream*> SessionWriter::stream_of(const memory::ChannelInfo& info) {
+  if (const auto found = streams_.find(info.topic); found != streams_.end()) return &found->second;
+  const bool image = info.schema.name == kImageSchema;
+  Stream stream{.channel = std::make_unique<memory::RawChannel>(info, clock_),
+                .file = std::make_unique<FileOutProvider>(
+                    folder_ / stream_file_name(info.topic),
+                    McapOptions{.channel_id = static_cast<std::uint16_t>(streams_.size() + 1),
+                                .metadata = metadata_of(info_),
+                                .compression = image ? Compression::none : compression_})};
+  if (Result<void> opened = stream.file->open(info); !opened) return Error{opened.error()};
+  return &streams_.emplace(info.topic, std::move(stream)).first->second;
+}
+
+Result<void> SessionWriter::write(const memory::ChannelInfo& info, std::uint64_t capture_ns, std::string_view bytes) {
+  Result<Stream*> stream = stream_of(info);
+  if (!stream) return Error{stream.error()};
+  clock_.set(capture_ns);
+  if (Result<void> entered = (*stream)->channel->write_bytes(bytes, capture_ns); !entered) return entered;
+  return (*stream)->file->write((*stream)->channel->newest());
+}
+
+Result<void> SessionWriter::close() {
+  Result<void> closed;
+  for (auto& [topic, stream] : streams_)
+    if (Result<void> one = stream.file->close(); !one && closed) closed = one;
+  if (!closed) return closed;
+  info_.complete = true;
+  return replace_file(folder_ / "session.json", to_json(info_));
+}
+
+}  // namespace robot::logging

@@ -1,0 +1,45 @@
+#include "robot/logging/streams/bell.h"
+
+#include <mutex>
+
+#include "robot/core/thread.h"
+
+namespace robot::logging {
+
+Bell::~Bell() {
+  {
+    const std::lock_guard guard(lock_);
+    ended_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+void Bell::add(VersionQueue& queue) {
+  const std::lock_guard guard(lock_);
+  queues_.push_back(&queue);
+  if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+  changed_.notify_all();
+}
+
+void Bell::remove(VersionQueue& queue) {
+  const std::lock_guard guard(lock_);
+  std::erase(queues_, &queue);
+}
+
+void Bell::run() {
+  become_background_thread("log bell");
+  std::unique_lock guard(lock_);
+  while (!ended_) {
+    if (queues_.empty()) {
+      changed_.wait(lock_);
+      continue;
+    }
+    const std::uint64_t now = monotonic_ns();
+    for (VersionQueue* queue : queues_) queue->ring(now);
+    const std::uint64_t next = now + kPeriodNs;
+    while (!ended_ && monotonic_ns() < next) changed_.wait_until(lock_, next);
+  }
+}
+
+}  // namespace robot::logging

@@ -1,0 +1,134 @@
+#include "robot/logging/streams/file_provider.h"
+
+#include <algorithm>
+#include <cassert>
+#include <system_error>
+#include <utility>
+
+#include "robot/core/clock.h"
+#include "robot/logging/mcap/assembly.h"
+
+namespace robot::logging {
+
+FileOutProvider::FileOutProvider(std::filesystem::path path, McapOptions options)
+    : path_(std::move(path)), options_(std::move(options)) {}
+
+Result<void> FileOutProvider::open(const memory::ChannelInfo& info) {
+  assert(!writer_ && "a stream is opened once");
+  Result<std::unique_ptr<FileSink>> sink = FileSink::create(path_);
+  if (!sink) return Error{sink.error()};
+  Result<McapWriter> writer = McapWriter::open(std::move(*sink), info, options_);
+  if (!writer) {
+    // the file is ours and empty: it must not be in the way of the next try
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+    return Error{writer.error()};
+  }
+  writer_ = std::move(*writer);
+  return counted({});
+}
+
+Result<void> FileOutProvider::write(const memory::VersionPtr& version) {
+  assert(writer_ && "a stream is opened before it is written");
+  const OutMessage message{version->sequence(), version->capture_ns(), version->publish_ns(), version->bytes()};
+  const Result<void> written = writer_->write(message, monotonic_ns());
+  if (!written) ++refused_;
+  return counted(written);
+}
+
+std::uint64_t FileOutProvider::flush_due_ns() const { return writer_ ? writer_->flush_due_ns() : kNever; }
+
+Result<void> FileOutProvider::flush() { return writer_ ? counted(writer_->flush()) : Result<void>(); }
+
+Result<void> FileOutProvider::close() { return writer_ ? counted(writer_->close()) : Result<void>(); }
+
+/// Makes the writer's counts visible to other threads.
+Result<void> FileOutProvider::counted(Result<void> result) {
+  size_bytes_.store(writer_->size_bytes(), std::memory_order_relaxed);
+  messages_.store(writer_->messages(), std::memory_order_relaxed);
+  // a message that fills a chunk is told of by its write(), those before it in the chunk are not
+  lost_.store(writer_->lost() - refused_, std::memory_order_relaxed);
+  return result;
+}
+
+Result<memory::ChannelInfo> FileInProvider::open() {
+  Result<std::shared_ptr<const FileSource>> source = FileSource::open(path_);
+  if (!source) return Error{source.error()};
+  const Result<McapIndex> index = read_index(**source);
+  if (!index) return Error{index.error()};
+  if (topic_) return open_topic(std::move(*source), *index);
+  if (index->channels.size() != 1)
+    return Error{path_.string() + ": expected the recording of one channel, got " +
+                 std::to_string(index->channels.size()) + (index->damage.empty() ? "" : " (" + index->damage + ")")};
+  reader_.emplace(std::move(*source));
+  return channel_info(index->channels.begin()->second, index->schemas);
+}
+
+/// Of the file, only the chunks that matter. Other writers may have several channels of one topic, and no chunks.
+Result<memory::ChannelInfo> FileInProvider::open_topic(std::shared_ptr<const ByteSource> source,
+                                                       const McapIndex& index) {
+  std::optional<memory::ChannelInfo> info;
+  for (const auto& [id, channel] : index.channels) {
+    if (channel.topic != *topic_) continue;
+    const memory::ChannelInfo one = channel_info(channel, index.schemas);
+    if (!info) info = one;
+    if (one == *info) channel_ids_.insert(id);
+  }
+  if (!info) return Error{path_.string() + ": expected a channel " + *topic_ + ", there is none"};
+  if (index.unchunked_messages > 0) {
+    reader_.emplace(std::move(source));
+    return *info;
+  }
+  Result<Assembly> chunks = assemble({std::move(source)}, {.topic = *topic_});
+  if (!chunks) return Error{chunks.error()};
+  reader_.emplace(std::make_shared<const Assembly>(std::move(*chunks)));
+  return *info;
+}
+
+Result<std::optional<Record>> FileInProvider::read() {
+  assert(reader_ && "a stream is opened before it is read");
+  if (ahead_.empty()) return read_on();
+  std::optional<Record> record(std::move(ahead_.front()));
+  ahead_.pop_front();
+  return record;
+}
+
+Result<std::optional<Record>> FileInProvider::read_on() {
+  while (!cancelled_.load(std::memory_order_relaxed)) {
+    Result<std::optional<McapMessage>> message = reader_->next();
+    if (!message) return Error{message.error()};
+    if (!*message) break;
+    if (topic_ && !channel_ids_.contains((*message)->channel_id)) continue;
+    return std::optional<Record>(std::move((*message)->record));
+  }
+  return std::optional<Record>();
+}
+
+Result<void> FileInProvider::seek(std::uint64_t capture_ns) {
+  assert(reader_ && "a stream is opened before it is read");
+  ahead_.clear();
+  Result<std::vector<std::uint64_t>> starts = reader_->chunk_starts_until(capture_ns);
+  if (!starts) return Error{starts.error()};
+  // from the last chunk on that begins early enough; what it begins with may be of another channel
+  std::ranges::reverse(*starts);
+  for (const std::uint64_t start_ns : *starts) {
+    if (Result<void> sought = reader_->seek(start_ns); !sought) return sought;
+    std::optional<Record> newest;
+    while (!cancelled_.load(std::memory_order_relaxed)) {
+      Result<std::optional<Record>> record = read_on();
+      if (!record) continue;  // damage was told when it was first met
+      if (!*record) break;
+      if ((*record)->capture_ns > capture_ns) {
+        if (newest) ahead_.push_back(std::move(**record));
+        break;
+      }
+      newest = std::move(**record);
+    }
+    if (!newest) continue;
+    ahead_.push_front(std::move(*newest));
+    return {};
+  }
+  return reader_->seek(0);
+}
+
+}  // namespace robot::logging

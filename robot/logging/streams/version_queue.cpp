@@ -1,0 +1,69 @@
+#include "robot/logging/streams/version_queue.h"
+
+#include <mutex>
+#include <utility>
+
+#include "robot/core/clock.h"
+
+namespace robot::logging {
+
+void VersionQueue::on_version(const memory::VersionPtr& version) {
+  {
+    const std::lock_guard guard(lock_);
+    if (closed_) return;
+    while (!versions_.empty() && bytes_ + version->size_bytes() > max_bytes_) {
+      bytes_ -= versions_.front()->size_bytes();
+      versions_.pop_front();
+      ++dropped_;
+    }
+    bytes_ += version->size_bytes();
+    versions_.push_back(version);
+  }
+  // whoever wakes up finds the lock free: to hand it over would hold the writer up
+  if (!patience_) filled_.notify_one();
+}
+
+void VersionQueue::ring(std::uint64_t now_ns) {
+  {
+    // a writer or reader is at it now: next time
+    const std::unique_lock guard(lock_, std::try_to_lock);
+    if (!guard || versions_.empty()) return;
+    if (noticed_ns_ == 0) noticed_ns_ = now_ns;
+    if (patience_ && bytes_ < patience_->bytes && now_ns < noticed_ns_ + patience_->time_ns) return;
+  }
+  filled_.notify_one();
+}
+
+memory::VersionPtr VersionQueue::pop(std::uint64_t deadline_ns) {
+  const std::lock_guard guard(lock_);
+  while (versions_.empty() && !closed_ && monotonic_ns() < deadline_ns) filled_.wait_until(lock_, deadline_ns);
+  if (versions_.empty()) return nullptr;
+  memory::VersionPtr version = std::move(versions_.front());
+  versions_.pop_front();
+  bytes_ -= version->size_bytes();
+  noticed_ns_ = 0;
+  return version;
+}
+
+void VersionQueue::close() {
+  const std::lock_guard guard(lock_);
+  closed_ = true;
+  filled_.notify_all();
+}
+
+bool VersionQueue::closed() const {
+  const std::lock_guard guard(lock_);
+  return closed_;
+}
+
+std::uint64_t VersionQueue::dropped() const {
+  const std::lock_guard guard(lock_);
+  return dropped_;
+}
+
+std::size_t VersionQueue::queued_bytes() const {
+  const std::lock_guard guard(lock_);
+  return bytes_;
+}
+
+}  // namespace robot::logging

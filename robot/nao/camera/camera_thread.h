@@ -1,0 +1,54 @@
+// One camera into memory, as long as it is there.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "proto/foresight/camera.pb.h"
+#include "robot/core/clock.h"
+#include "robot/memory/memory_object.h"
+#include "robot/nao/camera/video_capture.h"
+
+namespace robot::nao {
+
+/// A thread of its own. A camera that is not there, is somebody else's or vanishes is tried again once a second; what is
+/// wrong is told when it changes.
+class CameraThread {
+ public:
+  static constexpr std::uint64_t kSilence_ns = 2'000'000'000;  // without frames a device counts as gone
+
+  /// Called after each image with its capture time [ns since the epoch], by this thread.
+  using OnImage = std::function<void(std::uint64_t capture_ns)>;
+
+  /// `image` and `clock` outlive this.
+  CameraThread(std::string name, CameraSettings settings, std::unique_ptr<VideoDevice> device,
+               memory::MemoryObject<foresight::Image>& image, const SessionClock& clock, OnImage on_image,
+               std::uint64_t try_again_ns = kSecond);
+  ~CameraThread();
+  CameraThread(const CameraThread&) = delete;
+  CameraThread& operator=(const CameraThread&) = delete;
+
+ private:
+  void run();
+  bool rest();
+  std::string stream(VideoCapture& capture);
+  void write(const VideoCapture& capture, const VideoCapture::Frame& frame);
+  void say(const std::string& problem);
+
+  const std::string name_;
+  const CameraSettings settings_;
+  const std::unique_ptr<VideoDevice> device_;
+  memory::MemoryObject<foresight::Image>& image_;
+  const SessionClock& clock_;
+  const OnImage on_image_;
+  const std::uint64_t try_again_ns_;
+  std::string said_;
+  std::atomic<bool> ends_ = false;
+  std::thread thread_;  // last: it uses all the others
+};
+
+}  // namespace robot::nao

@@ -1,0 +1,281 @@
+#include "robot/nao/guardian/guardian.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/nao/guardian/lights.h"
+
+namespace robot::nao {
+namespace {
+
+constexpr float kHasStiffness = 0.1f;  // [0..1] mean of the joints that we find when we begin
+constexpr float kInStand = 0.03f;      // [rad] that a joint may be off the stand
+
+bool is_driven(const Order& order, std::size_t joint) {
+  return order.drives[joint] == 1 && std::isfinite(order.position[joint]) && std::isfinite(order.stiffness[joint]);
+}
+
+}  // namespace
+
+std::optional<std::array<float, 2>> Guardian::fell() const {
+  if (doing_ != Doing::falling && doing_ != Doing::fallen) return std::nullopt;
+  return fell_;
+}
+
+float Guardian::remaining() const {
+  const bool moves = doing_ == Doing::standing_up || doing_ == Doing::sitting_down || doing_ == Doing::falling;
+  return moves ? player_.remaining() : 0;
+}
+
+const Actuators& Guardian::step(const Cycle& cycle) {
+  if (cycle.sensors) {
+    sensors_ = *cycle.sensors;
+    last_sensors_ns_ = cycle.now_ns;
+    touches_.see(sensors_, cycle.now_ns);
+    watch_.see(sensors_, cycle.now_ns);
+  }
+  if (!begun_) begin(cycle);
+  const float dt = std::min(static_cast<float>(cycle.now_ns - last_ns_) * 1e-9f, kLongestStep);
+  last_ns_ = cycle.now_ns;
+  if (cycle.runtime_crashed) count_crash(cycle.now_ns);
+  if (cycle.runtime_crashed || cycle.runtime_left) {
+    has_runtime_ = false;
+    game_.reset();
+    waits_for_game_ = mode_ != Mode::unstiff;
+  }
+  take_order(cycle);
+  if (cycle.sensors && touches_.clicked()) take_click(cycle.now_ns);
+
+  if (touches_.head_held() || cycle.asked_soft) {
+    mode_ = Mode::unstiff;
+    softened_ = true;
+    soft_because_ = touches_.head_held() ? Reason::head_touched : Reason::asked_soft;
+    doing_ = Doing::soft;
+  }
+  heed_falls(cycle.now_ns);
+  limited_ = watch_.warm() || watch_.battery_low();
+  if (const Wish wished = wish(cycle); doing_ != Doing::falling && doing_ != Doing::fallen) follow(wished);
+  move(dt);
+  light(cycle.now_ns);
+  return actuators_;
+}
+
+/// A robot that we find stiff and upright was somebody's: it holds still until it is clear what it shall do.
+void Guardian::begin(const Cycle& cycle) {
+  if (!cycle.sensors) return;
+  begun_ = true;
+  last_ns_ = last_order_ns_ = cycle.now_ns;
+  Pose found{.position = sensors_.position, .stiffness = sensors_.stiffness};
+  float mean = 0;
+  for (const float stiffness : sensors_.stiffness) mean += clamp(stiffness, {0, 1}) / kJoints;
+  if (mean < kHasStiffness || !watch_.upright() || softened_) found.stiffness.fill(0);
+  limiter_.start(found);
+  if (found.stiffness == PerJoint<float>{}) return;
+  if (mode_ == Mode::unstiff) mode_ = Mode::initial;
+  doing_ = Doing::holding;
+  holds_stand_ = false;
+  waits_for_game_ = true;
+}
+
+void Guardian::lose_lola() {
+  begun_ = false;
+  doing_ = Doing::soft;
+  game_.reset();
+  waits_for_game_ = mode_ != Mode::unstiff;
+}
+
+void Guardian::take_order(const Cycle& cycle) {
+  if (!cycle.order) return;
+  order_ = *cycle.order;
+  last_order_ns_ = cycle.now_ns;
+  has_runtime_ = true;
+  const GameWord& word = order_.game;
+  if (!word.heard || word == game_) return;
+  const bool says_another = !game_ || word.penalised != game_->penalised || word.state != game_->state;
+  game_ = word;
+  if (!says_another || mode_ == Mode::unstiff) return;
+  waits_for_game_ = false;
+  if (word.penalised) {
+    mode_ = Mode::penalised;
+  } else {
+    const bool before = word.state == GameState::initial || word.state == GameState::standby;
+    mode_ = before ? Mode::initial : Mode::playing;
+  }
+}
+
+void Guardian::count_crash(std::uint64_t now_ns) {
+  std::copy_backward(crash_ns_.begin(), crash_ns_.end() - 1, crash_ns_.end());
+  crash_ns_.front() = now_ns;
+  if (crash_ns_.back() != 0 && now_ns - crash_ns_.back() < kCrashWindow_ns) crashed_ = true;
+}
+
+void Guardian::take_click(std::uint64_t now_ns) {
+  waits_for_game_ = false;
+  feet_missed_ = false;
+  if (crashed_) {
+    // one click says that somebody has seen it; the next one stands it up
+    crashed_ = false;
+    crash_ns_ = {};
+    mode_ = Mode::unstiff;
+    soft_because_ = Reason::waits_for_button;
+    return;
+  }
+  switch (mode_) {
+    case Mode::unstiff:
+      // nobody is there who could tell it anything, and it must not begin to move when somebody comes
+      if (!has_runtime_ || now_ns - last_order_ns_ >= kHoldAfter_ns) return;
+      mode_ = Mode::initial;
+      softened_ = false;
+      game_.reset();  // what the GameController says now holds
+      break;
+    case Mode::initial:
+    case Mode::playing: mode_ = Mode::penalised; break;
+    case Mode::penalised: mode_ = Mode::playing; break;
+  }
+  soft_because_ = Reason::waits_for_button;
+}
+
+void Guardian::heed_falls(std::uint64_t now_ns) {
+  if (doing_ == Doing::fallen) {
+    if (watch_.upright_lasts()) doing_ = Doing::soft;
+    return;
+  }
+  if (doing_ == Doing::falling) {
+    if (now_ns - falls_since_ns_ >= kTuckFor_ns) doing_ = Doing::fallen;
+    return;
+  }
+  if (soft() || !watch_.falls()) return;
+  fell_ = sensors_.angles;
+  falls_since_ns_ = now_ns;
+  start(Doing::falling, tuck());
+}
+
+Guardian::Wish Guardian::wish_without_order(std::uint64_t silent_ns, Reason why) {
+  reason_ = why;
+  return silent_ns >= kSitAfter_ns ? Wish::sit : Wish::hold;
+}
+
+/// What the rules ask for, falls aside; and why, where it is not what the order says.
+Guardian::Wish Guardian::wish(const Cycle& cycle) {
+  const auto because = [&](Reason reason, Wish wish) {
+    reason_ = reason;
+    return wish;
+  };
+  const std::uint64_t silent_ns = cycle.now_ns - last_order_ns_, blind_ns = cycle.now_ns - last_sensors_ns_;
+  if (doing_ == Doing::falling || doing_ == Doing::fallen) return because(Reason::fell, Wish::soft);
+  if (cycle.stop) return because(Reason::stopping, Wish::sit);
+  if (crashed_) return because(Reason::crashed, Wish::sit);
+  if (mode_ == Mode::unstiff) return because(soft_because_, Wish::sit);
+  if (watch_.hot()) return because(Reason::hot, Wish::sit);
+  if (watch_.battery_empty()) return because(Reason::battery_empty, Wish::sit);
+  if (blind_ns >= kHoldAfter_ns) return wish_without_order(blind_ns, Reason::sensors_missing);
+  if (silent_ns >= kHoldAfter_ns || !has_runtime_)
+    return wish_without_order(silent_ns, has_runtime_ ? Reason::runtime_late : Reason::runtime_gone);
+  if (waits_for_game_) return because(Reason::waits_for_game, Wish::hold);
+
+  reason_ = watch_.warm() ? Reason::warm : watch_.battery_low() ? Reason::battery_low : Reason::none;
+  if (mode_ != Mode::playing) return Wish::stand;
+  switch (order_.posture) {
+    case Order::Posture::stand: return Wish::stand;
+    case Order::Posture::sit: return Wish::sit;
+    case Order::Posture::soft: return Wish::soft;
+    case Order::Posture::freeze: return Wish::hold;
+  }
+  return Wish::hold;  // an order that we do not know
+}
+
+void Guardian::follow(Wish wish) {
+  if (wish == Wish::soft) {
+    doing_ = Doing::soft;
+    return;
+  }
+  if (wish != Wish::stand) feet_missed_ = false;
+  // nobody stops half way down
+  if (soft() ? wish != Wish::stand : doing_ == Doing::sitting_down) return;
+  switch (wish) {
+    case Wish::sit: return start(Doing::sitting_down, sit());
+    case Wish::hold:
+      if (doing_ != Doing::holding) holds_stand_ = doing_ == Doing::standing;
+      doing_ = Doing::holding;
+      return;
+    case Wish::stand: return rise();
+    case Wish::soft: return;
+  }
+}
+
+/// Stands up, or goes on doing so, or says why not.
+void Guardian::rise() {
+  if (doing_ == Doing::standing_up) {
+    if (!player_.needs_feet() || watch_.on_feet()) return;
+    feet_missed_ = true;
+    reason_ = Reason::feet_unloaded;
+    return start(Doing::sitting_down, sit());
+  }
+  const bool calm = mode_ != Mode::playing;
+  if (doing_ == Doing::standing && (!calm || in_stand())) return;
+  if (!watch_.upright()) {
+    reason_ = Reason::not_upright;
+    return;
+  }
+  // who held it up without weight on its feet puts it down first
+  if (soft() && feet_missed_ && !watch_.on_feet()) {
+    reason_ = Reason::feet_unloaded;
+    return;
+  }
+  feet_missed_ = false;
+  // it was only held up
+  if (doing_ == Doing::holding && holds_stand_ && !calm) {
+    doing_ = Doing::standing;
+    return;
+  }
+  start(Doing::standing_up, soft() ? stand_up() : stand());
+}
+
+void Guardian::start(Doing doing, KeyFrames motion) {
+  doing_ = doing;
+  if (limiter_.pose().stiffness == PerJoint<float>{}) limiter_.soften(sensors_.position);
+  player_.play(motion, limiter_.pose().position);
+}
+
+bool Guardian::in_stand() const {
+  for (std::size_t joint = 0; joint < kJoints; ++joint)
+    if (std::abs(limiter_.pose().position[joint] - stand_pose().position[joint]) > kInStand) return false;
+  return true;
+}
+
+/// The stand, and what the order drives.
+Pose Guardian::standing_pose() const {
+  Pose pose{.position = stand_pose().position, .stiffness = {}};
+  pose.stiffness.fill(stand_pose().stiffness);
+  if (mode_ != Mode::playing) return pose;
+  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+    if (!is_driven(order_, joint)) continue;
+    pose.position[joint] = order_.position[joint];
+    pose.stiffness[joint] = order_.stiffness[joint];
+  }
+  return pose;
+}
+
+void Guardian::move(float dt) {
+  const bool moves = doing_ == Doing::standing_up || doing_ == Doing::sitting_down || doing_ == Doing::falling;
+  if (moves) limiter_.next(player_.next(dt), sensors_.position, dt, 1);
+  if (doing_ == Doing::standing) limiter_.next(standing_pose(), sensors_.position, dt, limited_ ? 0.5f : 1);
+  if (moves && player_.finished()) {
+    if (doing_ == Doing::standing_up) doing_ = Doing::standing;
+    if (doing_ == Doing::sitting_down) doing_ = Doing::soft;
+  }
+  if (soft()) limiter_.soften(sensors_.position);
+  actuators_.position = limiter_.pose().position;
+  actuators_.stiffness = limiter_.pose().stiffness;
+}
+
+void Guardian::light(std::uint64_t now_ns) {
+  actuators_.lights = lights_of({.mode = mode_,
+                                 .game = game_ ? game_->state : GameState::none,
+                                 .crashed = crashed_,
+                                 .troubled = reason_ != Reason::none && reason_ != Reason::waits_for_button,
+                                 .charge = sensors_.battery[0],
+                                 .now_ns = now_ns});
+}
+
+}  // namespace robot::nao

@@ -1,0 +1,119 @@
+// Decides in every cycle of 12 ms what reaches the joints, whatever anybody asks for. Pure: no clock, no files, no sockets.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "robot/nao/guardian/key_frames.h"
+#include "robot/nao/guardian/limiter.h"
+#include "robot/nao/guardian/link.h"
+#include "robot/nao/guardian/touches.h"
+#include "robot/nao/guardian/watch.h"
+#include "robot/nao/lola/actuators.h"
+#include "robot/nao/lola/sensors.h"
+
+namespace robot::nao {
+
+/// All that a cycle brings.
+struct Cycle {
+  std::uint64_t now_ns = 0;          // [ns, monotonic clock]
+  const Sensors* sensors = nullptr;  // null: what came could not be read
+  const Order* order = nullptr;      // the newest since the last cycle; null: none came
+  bool asked_soft = false;           // somebody asked to sit and soften
+  bool runtime_left = false;         // its connection ended, on purpose
+  bool runtime_crashed = false;      // it ended otherwise
+  bool stop = false;                 // the guardian shall end, as soon as the robot sits
+};
+
+/// The rules, the first that holds:
+///
+///   the three head sensors held, or sit_and_soft   no joint has stiffness from that cycle on, until the chest button
+///   it falls                                       tucks in, then is soft; once it is upright again it may stand up
+///   told to end; a joint too hot; battery empty    sits down, then is soft
+///   the third crash of the runtime in a minute     the same, with red eyes, until the chest button
+///   no order, or no readable frame                 for 0.1 s: holds still; for 3 s: sits down, then is soft
+///   the runtime has restarted, or we have          holds still, until the GameController or the chest button say on
+///   mode initial, penalised                        stands; nobody moves it
+///   mode playing                                   as the order says
+///
+/// The chest button leads from unstiff to initial, penalised, playing, and from there back and forth between penalised
+/// and playing; what the GameController says holds from when it says another thing than before. It never ends the mode
+/// unstiff, and nor does the button while there is no runtime. The robot stands up only with its torso upright and, before it stretches its legs, weight on its feet.
+/// A robot that has stiffness when we begin holds still.
+class Guardian {
+ public:
+  static constexpr std::uint64_t kHoldAfter_ns = 100'000'000;
+  static constexpr std::uint64_t kSitAfter_ns = 3'000'000'000;
+  static constexpr std::uint64_t kTuckFor_ns = 1'000'000'000;  // a fall, from its beginning
+  static constexpr std::uint64_t kCrashWindow_ns = 60'000'000'000;
+  static constexpr std::size_t kCrashes = 3;
+  static constexpr float kLongestStep = 0.012f;  // [s] that the joints move for in one cycle, however late it is
+
+  explicit Guardian(WatchBounds bounds = {}) : watch_(bounds) {}
+
+  /// The answer to this cycle. Times never decrease.
+  const Actuators& step(const Cycle& cycle);
+
+  /// LoLA was gone for a while: how the body is, is found out anew, and nobody moves it before the GameController or the
+  /// chest button say on.
+  void lose_lola();
+
+  Mode mode() const { return mode_; }
+  Doing doing() const { return doing_; }
+  Reason reason() const { return reason_; }
+  bool limited() const { return limited_; }
+  bool soft() const { return doing_ == Doing::soft || doing_ == Doing::fallen; }
+
+  /// How the torso was when it fell [rad]: roll, pitch; nothing while it does not fall or lie.
+  std::optional<std::array<float, 2>> fell() const;
+
+  /// [s] until the motion that is under way ends.
+  float remaining() const;
+
+ private:
+  enum class Wish { soft, sit, hold, stand };
+
+  void begin(const Cycle& cycle);
+  void take_order(const Cycle& cycle);
+  void count_crash(std::uint64_t now_ns);
+  void take_click(std::uint64_t now_ns);
+  void heed_falls(std::uint64_t now_ns);
+  Wish wish(const Cycle& cycle);
+  Wish wish_without_order(std::uint64_t silent_ns, Reason why);
+  void follow(Wish wish);
+  void rise();
+  void move(float dt);
+  Pose standing_pose() const;
+  bool in_stand() const;
+  void start(Doing doing, KeyFrames motion);
+  void light(std::uint64_t now_ns);
+
+  Watch watch_;
+  Touches touches_;
+  Limiter limiter_;
+  Player player_;
+  Sensors sensors_;
+  Order order_;
+  Actuators actuators_;
+
+  Mode mode_ = Mode::unstiff;
+  Doing doing_ = Doing::soft;
+  Reason reason_ = Reason::none;
+  Reason soft_because_ = Reason::waits_for_button;  // while the mode is unstiff
+  bool limited_ = false;
+  bool crashed_ = false;
+  bool softened_ = false;  // by people, until they press the chest button
+  bool waits_for_game_ = false;
+  bool has_runtime_ = false;
+  bool begun_ = false;        // false: how the body is, is not known
+  bool holds_stand_ = false;  // what it holds is the stand
+  bool feet_missed_ = false;  // it sat down again since it had no weight on its feet
+
+  std::uint64_t last_ns_ = 0, last_order_ns_ = 0, last_sensors_ns_ = 0, falls_since_ns_ = 0;
+  std::array<std::uint64_t, kCrashes> crash_ns_{};  // the last ones, the newest first; 0: none
+  std::optional<GameWord> game_;                    // the last word of this runtime
+  std::array<float, 2> fell_{};
+};
+
+}  // namespace robot::nao

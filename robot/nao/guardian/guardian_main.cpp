@@ -1,0 +1,98 @@
+// foresight-guardian: owns LoLA's socket on a Nao V6 and decides what reaches the joints.
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/signalfd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+
+#include "robot/nao/guardian/guardian_client.h"
+#include "robot/nao/guardian/guardian_program.h"
+
+namespace robot::nao {
+namespace {
+
+constexpr int kDone = 0, kNo = 1, kBadInput = 2;
+constexpr int kPriority = 40;       // above all of the runtime's, below the kernel's own threads
+constexpr int kPatience_ms = 2000;  // for a report; there is one a second at least
+
+/// Signals that end us can be read from the file.
+FileDescriptor end_signals() {
+  sigset_t ends;
+  sigemptyset(&ends);
+  sigaddset(&ends, SIGINT);
+  sigaddset(&ends, SIGTERM);
+  sigprocmask(SIG_BLOCK, &ends, nullptr);
+  return FileDescriptor(signalfd(-1, &ends, SFD_CLOEXEC | SFD_NONBLOCK));
+}
+
+void become_real_time() {
+  const sched_param priority{.sched_priority = kPriority};
+  const bool locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
+  const bool first = sched_setscheduler(0, SCHED_FIFO, &priority) == 0;
+  std::printf("real-time priority: %s; memory locked: %s\n", first ? "yes" : "not allowed",
+              locked ? "yes" : "not allowed");
+  std::fflush(stdout);
+}
+
+int fail(const std::string& sentence) {
+  std::fprintf(stderr, "foresight-guardian: %s\n", sentence.c_str());
+  return kBadInput;
+}
+
+int run(const GuardianOptions& options) {
+  const FileDescriptor end = end_signals();
+  Result<GuardianProgram> program = GuardianProgram::open(options);
+  if (!program) return fail(program.error());
+  become_real_time();
+  program->run(end.get());
+  return kDone;
+}
+
+/// Prints how the robot is; 0: it has no stiffness, so that a new guardian may be installed.
+int tell_status(const GuardianOptions& options) {
+  Result<GuardianClient> client = GuardianClient::open(options.link);
+  if (!client) return fail(client.error());
+  const auto report = client->next(kPatience_ms);
+  if (!report) return fail(report.error());
+  if (!*report) return fail("guardian: expected a report within 2 s, got none");
+  if (!(*report)->has_sensors) {
+    std::printf("no LoLA: %s\n", (*report)->problem.data());
+    return kDone;
+  }
+  const char* because = sentence_of((*report)->reason);
+  std::printf("%s, %s%s%s\n", name_of((*report)->mode), name_of((*report)->doing), *because ? ": " : "", because);
+  const bool soft = (*report)->doing == Doing::soft || (*report)->doing == Doing::fallen;
+  return soft ? kDone : kNo;
+}
+
+int ask_soft(const GuardianOptions& options) {
+  Result<GuardianClient> client = GuardianClient::open(options.link);
+  if (!client) return fail(client.error());
+  if (Result<void> asked = client->ask(Request::What::sit_and_soft); !asked) return fail(asked.error());
+  return kDone;
+}
+
+int guardian_main(int argc, char** argv) {
+  CLI::App app{"Owns LoLA's socket on a Nao V6: answers it in time, and decides what reaches the joints"};
+  GuardianOptions options{.link = default_link()};
+  bool status = false, soft = false;
+  app.add_option("--lola", options.lola, "LoLA's socket")->capture_default_str();
+  app.add_option("--link", options.link, "where the runtime finds us: $FORESIGHT_GUARDIAN, or one of this user's")
+      ->capture_default_str();
+  app.add_flag("--status", status, "say how the robot is; exit status 0: it has no stiffness, 1: it has");
+  app.add_flag("--sit-and-soft", soft, "take the stiffness away, at once and until the chest button is pressed");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kBadInput;
+  }
+  if (status) return tell_status(options);
+  return soft ? ask_soft(options) : run(options);
+}
+
+}  // namespace
+}  // namespace robot::nao
+
+int main(int argc, char** argv) { return robot::nao::guardian_main(argc, argv); }

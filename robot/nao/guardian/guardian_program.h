@@ -1,0 +1,67 @@
+// The guardian as a process: LoLA on one side, the runtime on the other, one thread that waits for neither.
+#pragma once
+
+#include <poll.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/core/report.h"
+#include "robot/core/result.h"
+#include "robot/nao/guardian/guardian.h"
+#include "robot/nao/guardian/lola_connection.h"
+#include "robot/nao/guardian/runtime_link.h"
+#include "robot/nao/lola/actuators.h"
+
+namespace robot::nao {
+
+struct GuardianOptions {
+  std::filesystem::path lola = kLolaPath;
+  std::filesystem::path link;  // default_link()
+};
+
+/// Answers every frame of LoLA's with what the guardian decides, tells the runtime what there is, and finds LoLA again
+/// when it was gone.
+class GuardianProgram {
+ public:
+  /// An Error if another guardian is there.
+  static Result<GuardianProgram> open(GuardianOptions options);
+
+  /// Until `end_file` can be read and the robot sits; at once where there is no LoLA.
+  void run(int end_file);
+
+ private:
+  GuardianProgram(GuardianOptions options, RuntimeLink link) : options_(std::move(options)), link_(std::move(link)) {}
+
+  void wait(int end_file);
+  void find_lola();
+  void lose_lola(const std::string& why);
+  void serve_lola();
+  Result<void> answer(std::string_view frame);
+  void tell(const Sensors* sensors, const Actuators& answer);
+  void tell_problem();
+  void remember(const RuntimeLink::Heard& heard);
+
+  const GuardianOptions options_;
+  RuntimeLink link_;
+  Guardian guardian_;
+  std::optional<LolaConnection> lola_;
+  ActuatorFrame frame_;
+  Sensors sensors_;
+  Report report_;
+  RuntimeLink::Heard heard_;  // since the last frame
+  std::vector<pollfd> files_;
+
+  bool ends_ = false;
+  bool silent_ = true;  // LoLA has not sent a frame since it was connected
+  std::uint64_t next_try_ns_ = 0, connected_ns_ = 0, frame_ns_ = 0, told_ns_ = 0;
+  std::uint64_t frames_ = 0;
+  std::string problem_;
+  Reason said_ = Reason::waits_for_button;
+  Throttle unreadable_;
+};
+
+}  // namespace robot::nao

@@ -1,0 +1,117 @@
+#include "robot/nao/guardian/key_frames.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace robot::nao {
+namespace {
+
+/// A pose that is the same left and right.
+struct Halves {
+  float head_yaw = 0, head_pitch = 0;                                                         // [rad]
+  float shoulder_pitch, shoulder_roll, elbow_yaw, elbow_roll, wrist_yaw = 0;                  // [rad] of the left arm
+  float hip_yaw_pitch = 0, hip_roll = 0, hip_pitch, knee_pitch, ankle_pitch, ankle_roll = 0;  // [rad] of the left leg
+};
+
+constexpr PerJoint<float> both(const Halves& half) {
+  PerJoint<float> pose{};
+  pose[head_yaw] = half.head_yaw;
+  pose[head_pitch] = half.head_pitch;
+  pose[l_shoulder_pitch] = pose[r_shoulder_pitch] = half.shoulder_pitch;
+  pose[l_shoulder_roll] = half.shoulder_roll;
+  pose[r_shoulder_roll] = -half.shoulder_roll;
+  pose[l_elbow_yaw] = half.elbow_yaw;
+  pose[r_elbow_yaw] = -half.elbow_yaw;
+  pose[l_elbow_roll] = half.elbow_roll;
+  pose[r_elbow_roll] = -half.elbow_roll;
+  pose[l_wrist_yaw] = half.wrist_yaw;
+  pose[r_wrist_yaw] = -half.wrist_yaw;
+  pose[l_hip_yaw_pitch] = half.hip_yaw_pitch;
+  pose[l_hip_roll] = half.hip_roll;
+  pose[r_hip_roll] = -half.hip_roll;
+  pose[l_hip_pitch] = pose[r_hip_pitch] = half.hip_pitch;
+  pose[l_knee_pitch] = pose[r_knee_pitch] = half.knee_pitch;
+  pose[l_ankle_pitch] = pose[r_ankle_pitch] = half.ankle_pitch;
+  pose[l_ankle_roll] = half.ankle_roll;
+  pose[r_ankle_roll] = -half.ankle_roll;
+  return pose;
+}
+
+constexpr PerJoint<float> kStand = both({.shoulder_pitch = 1.5f,
+                                         .shoulder_roll = 0.15f,
+                                         .elbow_yaw = -0.6f,
+                                         .elbow_roll = -0.4f,
+                                         .hip_pitch = -0.41f,
+                                         .knee_pitch = 0.8f,
+                                         .ankle_pitch = -0.39f});
+
+// calves and thighs touch: it stays like this without stiffness
+constexpr PerJoint<float> kSquat = both({.shoulder_pitch = 1.5f,
+                                         .shoulder_roll = 0.2f,
+                                         .elbow_yaw = -0.6f,
+                                         .elbow_roll = -0.8f,
+                                         .hip_pitch = -0.87f,
+                                         .knee_pitch = 2.05f,
+                                         .ankle_pitch = -1.18f});
+
+constexpr PerJoint<float> kTuck = both({.head_pitch = 0.0f,
+                                        .shoulder_pitch = 1.2f,
+                                        .shoulder_roll = 0.1f,
+                                        .elbow_yaw = -0.6f,
+                                        .elbow_roll = -1.4f,
+                                        .hip_pitch = -0.8f,
+                                        .knee_pitch = 1.2f,
+                                        .ankle_pitch = -0.4f});
+
+constexpr KeyFrame kStandUp[] = {
+    {.position = kSquat, .stiffness = 0.8f, .seconds = 1.5f},
+    {.position = kStand, .stiffness = 0.9f, .seconds = 1.5f, .needs_feet = true},
+};
+constexpr KeyFrame kToStand[] = {{.position = kStand, .stiffness = 0.9f, .seconds = 1.2f}};
+constexpr KeyFrame kSit[] = {{.position = kSquat, .stiffness = 0.8f, .seconds = 1.8f}};
+constexpr KeyFrame kTuckIn[] = {{.position = kTuck, .stiffness = 0.3f, .seconds = 0.4f}};
+
+/// From 0 to 1 as `part` goes from 0 to 1, at rest at both ends.
+float smooth(float part) { return part * part * (3 - 2 * part); }
+
+}  // namespace
+
+KeyFrames stand_up() { return kStandUp; }
+KeyFrames stand() { return kToStand; }
+KeyFrames sit() { return kSit; }
+KeyFrames tuck() { return kTuckIn; }
+
+const KeyFrame& stand_pose() { return kToStand[0]; }
+
+void Player::play(KeyFrames motion, const PerJoint<float>& start) {
+  motion_ = motion;
+  from_ = start;
+  frame_ = 0;
+  elapsed_ = 0;
+}
+
+Pose Player::next(float dt) {
+  assert(!motion_.empty() && "a motion is played before it is asked for");
+  elapsed_ += dt;
+  const KeyFrame& frame = motion_[std::min(frame_, motion_.size() - 1)];
+  const float part = finished() ? 1 : smooth(std::min(elapsed_ / frame.seconds, 1.0f));
+  Pose pose;
+  for (std::size_t joint = 0; joint < kJoints; ++joint)
+    pose.position[joint] =
+        part == 1 ? frame.position[joint] : from_[joint] + part * (frame.position[joint] - from_[joint]);
+  pose.stiffness.fill(frame.stiffness);
+  if (!finished() && elapsed_ >= frame.seconds) {
+    from_ = frame.position;
+    elapsed_ = 0;
+    ++frame_;
+  }
+  return pose;
+}
+
+float Player::remaining() const {
+  float seconds = -elapsed_;
+  for (std::size_t frame = frame_; frame < motion_.size(); ++frame) seconds += motion_[frame].seconds;
+  return finished() ? 0 : seconds;
+}
+
+}  // namespace robot::nao

@@ -1,0 +1,100 @@
+#include "robot/nao/guardian/runtime_link.h"
+
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "robot/core/local_listener.h"
+
+namespace robot::nao {
+namespace {
+
+constexpr int kBacklog = 8;
+// of reports that wait for one who does not read [bytes]; the kernel doubles it, and counts its own beside
+constexpr int kSendBuffer = 16384;
+
+}  // namespace
+
+std::filesystem::path default_link() {
+  if (const char* path = std::getenv("FORESIGHT_GUARDIAN"); path && *path) return path;
+  return "/dev/shm/foresight-" + std::to_string(::geteuid()) + ".guardian";
+}
+
+Result<RuntimeLink> RuntimeLink::open(const std::filesystem::path& path) {
+  auto listening = listen_locally(path, {.who = "guardian",
+                                         .another = "another guardian does; end it, or choose another --link",
+                                         .type = SOCK_SEQPACKET,
+                                         .backlog = kBacklog});
+  if (!listening) return Error{listening.error()};
+  return RuntimeLink(std::move(*listening));
+}
+
+void RuntimeLink::add_to(std::vector<pollfd>& files) const {
+  files.push_back({.fd = listening_.get(), .events = POLLIN, .revents = 0});
+  for (const Connection& connection : connections_)
+    files.push_back({.fd = connection.socket.get(), .events = POLLIN, .revents = 0});
+}
+
+bool RuntimeLink::has_runtime() const {
+  return std::any_of(connections_.begin(), connections_.end(), [](const Connection& c) { return c.is_runtime; });
+}
+
+void RuntimeLink::take_in() {
+  while (true) {
+    FileDescriptor socket(::accept4(listening_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+    if (!socket) return;
+    if (connections_.size() >= kMaxConnections) continue;
+    ::setsockopt(socket.get(), SOL_SOCKET, SO_SNDBUF, &kSendBuffer, sizeof kSendBuffer);
+    connections_.push_back({.socket = std::move(socket)});
+  }
+}
+
+void RuntimeLink::hear(Connection& connection, Heard& heard) {
+  while (!connection.ended) {
+    // room for one byte more than any message, so that a longer one is noticed
+    alignas(Order) char message[std::max(sizeof(Order), sizeof(Request)) + 1];
+    const ssize_t n = ::recv(connection.socket.get(), message, sizeof message, 0);
+    if (n < 0 && (errno == EAGAIN || errno == EINTR)) return;
+    // it left before it had read every report; the kernel says so once, before the messages that it sent
+    if (n < 0 && errno == ECONNRESET) continue;
+    std::uint32_t layout = 0;
+    if (n >= static_cast<ssize_t>(sizeof layout)) std::memcpy(&layout, message, sizeof layout);
+    if (n == sizeof(Request) && layout == kRequestLayout) {
+      Request request;
+      std::memcpy(&request, message, sizeof request);
+      if (request.what == Request::What::sit_and_soft) heard.asked_soft = true;
+      if (request.what == Request::What::goodbye) connection.says_goodbye = true;
+    } else if (n == sizeof(Order) && layout == kOrderLayout) {
+      if (!connection.is_runtime && has_runtime()) continue;
+      connection.is_runtime = true;
+      std::memcpy(&heard.order.emplace(), message, sizeof(Order));
+    } else {
+      // it ended, or is of another build
+      connection.ended = true;
+    }
+  }
+}
+
+RuntimeLink::Heard RuntimeLink::hear() {
+  Heard heard;
+  take_in();
+  for (Connection& connection : connections_) {
+    hear(connection, heard);
+    if (!connection.ended || !connection.is_runtime) continue;
+    (connection.says_goodbye ? heard.runtime_left : heard.runtime_crashed) = true;
+    heard.order.reset();
+  }
+  connections_.remove_if([](const Connection& connection) { return connection.ended; });
+  return heard;
+}
+
+void RuntimeLink::tell(const Report& report) {
+  for (const Connection& connection : connections_)
+    ::send(connection.socket.get(), &report, sizeof report, MSG_NOSIGNAL | MSG_DONTWAIT);
+}
+
+}  // namespace robot::nao

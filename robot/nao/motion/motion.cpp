@@ -1,0 +1,134 @@
+#include "robot/nao/motion/motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "robot/nao/motion/messages.h"
+
+namespace robot::nao {
+namespace {
+
+constexpr float kLongestStep = 0.1f;  // [s] that the head moves for after a gap
+constexpr float kArrived = 0.03f;     // [rad] from where the head shall be
+
+float towards(float from, float to, float step) { return from + clamp(to - from, {-step, step}); }
+
+/// A speed that was asked for, within what the joint can; `otherwise` where none that means something was.
+float speed_of(bool given, float speed, std::size_t joint) {
+  return given && speed > 0 ? std::min(speed, limits_of(joint).speed) : Motion::kHeadSpeed;
+}
+
+/// "" if the body can do it.
+std::string refusal_of(const pb::MotionCommand& command, Doing doing) {
+  const auto stops = [](const pb::WalkSpeed& walk) { return walk.x() == 0 && walk.y() == 0 && walk.turn_rate() == 0; };
+  if (command.has_walk_speed() && !stops(command.walk_speed())) return "body nao does not walk yet: it stands";
+  if (command.has_walk_to() && command.walk_to().gain() > 0) return "body nao does not walk yet: it stands";
+  if (command.has_kick()) return "body nao does not kick yet: it stands";
+  if (command.has_scripted())
+    return "body nao has no motion '" + command.scripted().name().substr(0, 40) + "': it stands";
+  if (command.posture() == pb::MotionCommand::POSTURE_GET_UP && (doing == Doing::fallen || doing == Doing::falling))
+    return "body nao does not get up from the ground yet: it waits until somebody puts it upright";
+  return "";
+}
+
+}  // namespace
+
+GameWord word_of(const pb::GameState& game) {
+  GameWord word;
+  word.heard = game.received_ns() != 0 ? 1 : 0;
+  word.player = static_cast<std::uint8_t>(std::min<std::uint32_t>(game.own_player(), 255));
+  const int index = static_cast<int>(game.own_player()) - 1;
+  if (game.has_own() && index >= 0 && index < game.own().players_size())
+    word.penalised = game.own().players(index).penalised() ? 1 : 0;
+  switch (game.state()) {
+    case pb::GameState::STATE_INITIAL: word.state = GameState::initial; break;
+    case pb::GameState::STATE_STANDBY: word.state = GameState::standby; break;
+    case pb::GameState::STATE_READY: word.state = GameState::ready; break;
+    case pb::GameState::STATE_SET: word.state = GameState::set; break;
+    case pb::GameState::STATE_PLAYING: word.state = GameState::playing; break;
+    case pb::GameState::STATE_FINISHED: word.state = GameState::finished; break;
+    default: break;
+  }
+  return word;
+}
+
+Order Motion::next(const Report& report, const pb::MotionCommand* command, std::uint64_t command_age_ns,
+                   const pb::GameState* game) {
+  const float dt = std::min(static_cast<float>(report.capture_ns - last_capture_ns_) * 1e-9f, kLongestStep);
+  last_capture_ns_ = report.capture_ns;
+  Order order;
+  if (game) order.game = word_of(*game);
+  refused_.clear();
+  if (!command || command_age_ns > kCommandLasts_ns) {
+    posture_ = Order::Posture::stand;
+  } else {
+    refused_ = refusal_of(*command, report.doing);
+    posture_ = posture_of(*command);
+    aim(report, *command);
+  }
+  order.posture = posture_;
+  if (!head_) return order;
+  for (const auto& [joint, target, speed] :
+       {std::tuple{head_yaw, head_->yaw, head_->yaw_speed}, {head_pitch, head_->pitch, head_->pitch_speed}}) {
+    order.drives[joint] = 1;
+    order.position[joint] = towards(report.commanded[joint], target, speed * dt);
+    order.stiffness[joint] = kHeadStiffness;
+  }
+  return order;
+}
+
+Order::Posture Motion::posture_of(const pb::MotionCommand& command) const {
+  if (command.body_case() == pb::MotionCommand::BODY_NOT_SET) return posture_;
+  if (!command.has_posture()) return Order::Posture::stand;
+  switch (command.posture()) {
+    case pb::MotionCommand::POSTURE_SIT: return Order::Posture::sit;
+    case pb::MotionCommand::POSTURE_FREEZE: return Order::Posture::freeze;
+    case pb::MotionCommand::POSTURE_RELAX: return Order::Posture::soft;
+    default: return Order::Posture::stand;
+  }
+}
+
+void Motion::aim(const Report& report, const pb::MotionCommand& command) {
+  HeadTarget target;
+  if (command.has_look_to()) {
+    target = look_to(report, command.look_to());
+    target.yaw_speed = speed_of(command.look_to().has_max_yaw_speed(), command.look_to().max_yaw_speed(), head_yaw);
+    target.pitch_speed =
+        speed_of(command.look_to().has_max_pitch_speed(), command.look_to().max_pitch_speed(), head_pitch);
+  } else if (command.has_head_angles()) {
+    const pb::HeadAngles& angles = command.head_angles();
+    target.yaw = angles.yaw();
+    target.pitch = angles.pitch();
+    target.yaw_speed = speed_of(angles.has_max_yaw_speed(), angles.max_yaw_speed(), head_yaw);
+    target.pitch_speed = speed_of(angles.has_max_pitch_speed(), angles.max_pitch_speed(), head_pitch);
+  } else {
+    return;
+  }
+  if (!std::isfinite(target.yaw) || !std::isfinite(target.pitch)) return;
+  target.yaw = clamp(target.yaw, limits_of(head_yaw).range);
+  target.pitch = clamp(target.pitch, head_pitch_range(target.yaw));
+  head_ = target;
+}
+
+/// With the upper camera, or with the lower one where the head cannot be lowered so far.
+Motion::HeadTarget Motion::look_to(const Report& report, const pb::LookTo& place) const {
+  const Transform robot =
+      kinematics_.robot_from_hip(report.sensors.position, report.sensors.angles[0], report.sensors.angles[1]);
+  const Eigen::Vector3d point = robot.inverse() * Eigen::Vector3d(place.x(), place.y(), place.z());
+  Kinematics::HeadTurn head = kinematics_.look_at(point, Camera::top);
+  if (head.pitch > head_pitch_range(static_cast<float>(head.yaw)).high)
+    head = kinematics_.look_at(point, Camera::bottom);
+  return {.yaw = static_cast<float>(head.yaw), .pitch = static_cast<float>(head.pitch)};
+}
+
+void Motion::fill_status(const Report& report, pb::MotionStatus& status) const {
+  fill(report, status);
+  const auto away = [&](std::size_t joint, float target) {
+    return std::abs(report.sensors.position[joint] - target) > kArrived;
+  };
+  status.set_head_active(head_ && report.mode == Mode::playing && report.doing == Doing::standing &&
+                         (away(head_yaw, head_->yaw) || away(head_pitch, head_->pitch)));
+}
+
+}  // namespace robot::nao

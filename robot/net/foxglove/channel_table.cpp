@@ -1,0 +1,73 @@
+#include "robot/net/foxglove/channel_table.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "robot/core/report.h"
+#include "robot/net/foxglove/foxglove_server.h"
+
+namespace robot::net {
+namespace {
+
+bool is_number(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// "/14/2/ball" is the object "ball" of the robot "14/2"; other topics are no robot's
+void add_names(std::string_view topic, std::map<std::string, std::string>& metadata) {
+  if (topic.starts_with('/')) topic.remove_prefix(1);
+  const std::size_t team_end = topic.find('/');
+  const std::size_t player_end = team_end == std::string_view::npos ? team_end : topic.find('/', team_end + 1);
+  const bool of_robot = player_end != std::string_view::npos && is_number(topic.substr(0, team_end)) &&
+                        is_number(topic.substr(team_end + 1, player_end - team_end - 1));
+  if (of_robot) metadata["robot"] = topic.substr(0, player_end);
+  metadata["object"] = of_robot ? topic.substr(player_end + 1) : topic;
+}
+
+std::string advertisement(const OfferedChannel& channel) {
+  foxglove::Advertised advertised{.id = channel.id, .info = channel.info};
+  advertised.metadata["delivery"] = memory::name(channel.info.delivery);
+  if (channel.derived) advertised.metadata["derived"] = "true";
+  add_names(channel.info.topic, advertised.metadata);
+  return foxglove::advertised_channel(advertised);
+}
+
+}  // namespace
+
+std::vector<OfferedChannel*> ChannelTable::add(const std::shared_ptr<memory::Channel>& channel, const Derive& derive) {
+  std::vector<OfferedChannel*> added = {add_one(channel->info(), channel, std::nullopt)};
+  if (derive)
+    for (Derived& derived : derive(channel->info())) {
+      const memory::ChannelInfo info = derived.info;
+      added.push_back(add_one(info, channel, std::move(derived)));
+    }
+  std::erase(added, nullptr);
+  return added;
+}
+
+OfferedChannel* ChannelTable::add_one(const memory::ChannelInfo& info, const std::shared_ptr<memory::Channel>& source,
+                                      std::optional<Derived> derived) {
+  const bool taken =
+      std::ranges::any_of(channels_, [&](const auto& channel) { return channel->info.topic == info.topic; });
+  // ids are those of MCAP, 16 bits, so that a client may write down what it gets
+  if (taken || channels_.size() >= std::numeric_limits<std::uint16_t>::max()) {
+    report(Level::warning, "net",
+           "channel " + info.topic + " is not offered: its topic is taken or there are too many");
+    return nullptr;
+  }
+  auto channel = std::make_unique<OfferedChannel>();
+  channel->id = static_cast<std::uint32_t>(channels_.size() + 1);
+  channel->info = info;
+  channel->source = source;
+  channel->derived = std::move(derived);
+  channel->advertisement = advertisement(*channel);
+  channels_.push_back(std::move(channel));
+  return channels_.back().get();
+}
+
+OfferedChannel* ChannelTable::find(std::uint32_t id) {
+  return id >= 1 && id <= channels_.size() ? channels_[id - 1].get() : nullptr;
+}
+
+}  // namespace robot::net

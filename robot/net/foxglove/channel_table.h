@@ -1,0 +1,51 @@
+// The channels the server offers, with their numbers.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/memory/channel.h"
+#include "robot/net/foxglove/web_socket_out_provider.h"
+
+namespace robot::net {
+
+struct Client;
+
+/// One channel as clients see it: a memory object, or something derived from one.
+struct OfferedChannel {
+  std::uint32_t id = 0;
+  memory::ChannelInfo info;
+  std::shared_ptr<memory::Channel> source;
+  std::optional<Derived> derived;
+  std::string advertisement;  // one element of `advertise`
+
+  std::vector<Client*> subscribers;
+  std::uint64_t stream = 0;         // that carries it now; 0: nobody watches
+  std::uint64_t last_sequence = 0;  // of that stream
+  memory::VersionPtr newest;        // of that stream, if derived: what a late subscriber gets first
+
+  /// What a new subscriber of a running stream gets at once; may be null.
+  memory::VersionPtr last_value() const { return derived ? newest : source->newest(); }
+};
+
+/// Numbers channels from 1 on, in the order in which they come. Used by the I/O thread.
+class ChannelTable {
+ public:
+  /// Adds `channel` and what is derived from it; returns the new ones. A topic that is taken is left out.
+  std::vector<OfferedChannel*> add(const std::shared_ptr<memory::Channel>& channel, const Derive& derive);
+
+  OfferedChannel* find(std::uint32_t id);
+  const std::vector<std::unique_ptr<OfferedChannel>>& all() const { return channels_; }
+
+ private:
+  OfferedChannel* add_one(const memory::ChannelInfo& info, const std::shared_ptr<memory::Channel>& source,
+                          std::optional<Derived> derived);
+
+  std::vector<std::unique_ptr<OfferedChannel>> channels_;  // [id - 1]
+};
+
+}  // namespace robot::net

@@ -1,0 +1,47 @@
+// One client of the live protocol, as the hub sees it: no socket.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "robot/net/foxglove/client_queue.h"
+#include "robot/net/foxglove/services.h"
+
+namespace robot::net {
+
+/// What is known of a client when it comes.
+struct ClientIdentity {
+  ClientContext context;  // the id is given by the hub
+  std::string user_agent, subprotocol;
+  bool lossless = false;  // it gets every message or is disconnected
+  bool numbered = false;  // it is told the numbers of the messages, beyond the protocol
+  bool playback = false;  // it is told how the playback goes; older clients take that for an error
+};
+
+struct Client : std::enable_shared_from_this<Client> {
+  Client(ClientIdentity who, const QueueLimits& limits)
+      : identity(std::move(who)), queue(limits, identity.lossless, identity.numbered) {}
+
+  ClientIdentity identity;
+  ClientQueue queue;
+  std::map<std::uint32_t, std::uint32_t> channel_of;  // by subscription id
+
+  int waiting_requests = 0;  // that are done in the background and not answered yet
+
+  bool watches_all_parameters = false;
+  std::set<std::string> watched_parameters;
+
+  // round trip, by WebSocket ping: one at a time
+  std::optional<std::uint64_t> ping_sent_ns;  // [monotonic]
+  std::optional<std::uint64_t> round_trip_ns;
+
+  // messages passed over, as they were counted last, when that was [monotonic], and whether a status about them stands
+  std::uint64_t drops_counted = 0, sent_counted = 0, drops_counted_ns = 0;
+  bool drops_stand = false;
+};
+
+}  // namespace robot::net

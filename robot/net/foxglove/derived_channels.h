@@ -1,0 +1,21 @@
+// What other viewers can draw of our channels: foxglove.* messages, made only while somebody watches.
+#pragma once
+
+#include <vector>
+
+#include "robot/memory/channel.h"
+#include "robot/net/foxglove/parameters.h"
+#include "robot/net/foxglove/web_socket_out_provider.h"
+
+namespace robot::net {
+
+/// Declares `jpeg_quality`, `jpeg_rate_hz` and `jpeg_width`.
+void declare_image_parameters(Parameters& parameters);
+
+/// The channels that are derived from `source`, by its schema:
+/// of a foresight.Image `<topic>/raw` (foxglove.RawImage) and `<topic>/jpeg` (foxglove.CompressedImage),
+/// of a foresight.LogText `<topic>/foxglove` (foxglove.Log). Other channels have none.
+/// `parameters` has what declare_image_parameters() declares, is read at each conversion, and outlives the streams.
+std::vector<Derived> derived_channels(const memory::ChannelInfo& source, const Parameters& parameters);
+
+}  // namespace robot::net

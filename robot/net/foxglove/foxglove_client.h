@@ -1,0 +1,90 @@
+// What a Foxglove client says to a server (Foxglove WebSocket protocol v1): parsed and written, pure.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/net/foxglove/parameters.h"
+
+namespace robot::net::foxglove {
+
+struct Subscribe {
+  struct Item {
+    std::uint32_t subscription, channel;
+  };
+  std::vector<Item> subscriptions;
+};
+
+struct Unsubscribe {
+  std::vector<std::uint32_t> subscriptions;
+};
+
+struct GetParameters {
+  std::vector<std::string> names;  // empty: all
+  std::optional<std::string> id;   // comes back in the answer
+};
+
+struct SetParameters {
+  struct Item {
+    std::string name;
+    std::optional<ParameterValue> value;  // nothing: the client wants it unset, or sent what no parameter can be
+  };
+  std::vector<Item> parameters;
+  std::optional<std::string> id;
+};
+
+/// Adds to what the client hears of, or takes away from it.
+struct WatchParameters {
+  bool watch = true;
+  std::vector<std::string> names;  // empty: all
+};
+
+struct ServiceCall {
+  std::uint32_t service = 0, call = 0;
+  std::string encoding, payload;
+};
+
+/// A message for a channel that the client advertised; nobody here takes them.
+struct ClientPublish {
+  std::uint32_t channel = 0;
+  std::string payload;
+};
+
+struct PlaybackControl {
+  bool play = false;
+  float speed = 1;
+  std::optional<std::uint64_t> seek_ns;
+  std::string request_id;
+};
+
+/// A request of the protocol that needs a capability we do not announce.
+struct Unsupported {
+  std::string op;
+};
+
+using ClientMessage = std::variant<Subscribe, Unsubscribe, GetParameters, SetParameters, WatchParameters, ServiceCall,
+                                   ClientPublish, PlaybackControl, Unsupported>;
+
+/// Reads a text message; an Error says what is wrong with it.
+Result<ClientMessage> parse_client_text(std::string_view text);
+
+/// Reads a binary message; an Error says what is wrong with it.
+Result<ClientMessage> parse_client_binary(std::string_view bytes);
+
+/// For clients: the text of a `subscribe`.
+std::string to_text(const Subscribe& subscribe);
+
+/// Likewise of an `unsubscribe`.
+std::string to_text(const Unsubscribe& unsubscribe);
+
+/// For clients: the bytes of binary messages.
+std::string to_bytes(const ServiceCall& call);
+std::string to_bytes(const ClientPublish& message);
+std::string to_bytes(const PlaybackControl& control);
+
+}  // namespace robot::net::foxglove

@@ -1,0 +1,116 @@
+// What a Foxglove server says to its clients (Foxglove WebSocket protocol v1): written and, for our client, parsed. Pure.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/memory/channel.h"
+#include "robot/net/foxglove/parameters.h"
+
+namespace robot::net::foxglove {
+
+struct ServerInfo {
+  std::string name;
+  std::vector<std::string> capabilities;
+  std::vector<std::string> encodings;  // of service requests
+  std::map<std::string, std::string> metadata;
+  std::string session_id;  // another one tells the client to forget the data it has
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> data_span_ns = {};  // of a recording: its first and last time
+};
+
+/// A channel as it is advertised.
+struct Advertised {
+  std::uint32_t id = 0;
+  memory::ChannelInfo info;
+  std::map<std::string, std::string> metadata;
+};
+
+struct Service {
+  std::uint32_t id = 0;
+  std::string name;
+};
+
+enum class StatusLevel { info = 0, warning = 1, error = 2 };
+
+// the JSON messages
+
+std::string server_info(const ServerInfo& info);
+
+/// One element of `advertise`; made once per channel, the schema in base64 inside.
+std::string advertised_channel(const Advertised& channel);
+/// `advertise` with elements made by advertised_channel().
+std::string advertise(const std::vector<std::string>& channels);
+
+/// Services that take and give JSON.
+std::string advertise_services(const std::vector<Service>& services);
+
+/// `id` is empty or names a status that a later one replaces.
+std::string status(StatusLevel level, std::string_view message, std::string_view id = {});
+std::string remove_status(std::string_view id);
+
+std::string parameter_values(const std::vector<std::pair<std::string, ParameterValue>>& parameters,
+                             const std::optional<std::string>& id);
+
+std::string service_call_failure(std::uint32_t service, std::uint32_t call, std::string_view message);
+
+// the binary messages
+
+inline constexpr std::size_t kMessageDataHeaderBytes = 13;
+/// Appends the header of a MessageData; the payload follows.
+void append_message_data_header(std::string& out, std::uint32_t subscription, std::uint64_t log_time_ns);
+
+/// Beyond the protocol, for clients that ask for `?numbered`: the header of a MessageData that also tells the number of
+/// the version and when it entered memory, so that they can count what they miss and record what was.
+inline constexpr std::size_t kNumberedDataHeaderBytes = 29;
+void append_numbered_data_header(std::string& out, std::uint32_t subscription, std::uint64_t log_time_ns,
+                                 memory::Published published);
+
+std::string time(std::uint64_t time_ns);
+std::string service_response(std::uint32_t service, std::uint32_t call, std::string_view encoding,
+                             std::string_view payload);
+std::string asset_response(std::uint32_t request, const Result<std::string>& asset);
+
+enum class Playback : std::uint8_t { playing = 0, paused = 1, buffering = 2, ended = 3 };
+std::string playback_state(Playback playback, std::uint64_t time_ns, float speed, bool did_seek,
+                           std::string_view request_id);
+
+// for our client
+
+/// The channels of an `advertise`; nothing if `text` is another message, an Error if it is none of the protocol.
+Result<std::vector<Advertised>> parse_advertise(std::string_view text);
+
+/// What a server says in text, as far as our client minds.
+struct ServerText {
+  std::optional<ServerInfo> info;  // without encodings and the span of a recording
+  std::vector<Advertised> channels;
+  std::vector<Service> services;
+};
+
+/// Reads a text message; all empty if it is another one, an Error if it is none of the protocol.
+Result<ServerText> parse_server_text(std::string_view text);
+
+struct MessageData {
+  std::uint32_t subscription = 0;
+  std::uint64_t log_time_ns = 0;
+  std::optional<memory::Published> published = {};  // where the message is numbered
+  std::string_view payload = {};
+};
+
+/// A MessageData, numbered or not; nothing if `bytes` is another binary message, an Error if it is cut short.
+Result<std::optional<MessageData>> parse_message_data(std::string_view bytes);
+
+struct ServiceAnswer {
+  std::uint32_t service = 0, call = 0;
+  std::string_view payload;
+};
+
+/// A ServiceCallResponse; nothing if `bytes` is another binary message, an Error if it is cut short.
+Result<std::optional<ServiceAnswer>> parse_service_answer(std::string_view bytes);
+
+}  // namespace robot::net::foxglove

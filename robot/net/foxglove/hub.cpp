@@ -1,0 +1,242 @@
+#include "robot/net/foxglove/hub.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/websocket/frames.h"
+
+namespace robot::net {
+namespace {
+
+constexpr std::size_t kChannelsPerAdvertise = 100;
+constexpr std::uint64_t kDropsEvery = 5 * kSecond;  // between two statuses about drops
+// newest wins is how it should be: a page that opens or a busy machine passes over a few
+constexpr std::uint64_t kDropsWorthTelling = 10, kPartWorthTelling = 20;  // so many messages, a twentieth of all
+constexpr std::string_view kDropsId = "drops";
+
+}  // namespace
+
+Hub::Hub(HubOptions options, Parameters& parameters, const Services& services, const Clock& clock,
+         StreamControl& streams, InBackground in_background)
+    : options_(std::move(options)),
+      parameters_(parameters),
+      services_(services),
+      clock_(clock),
+      streams_(streams),
+      in_background_(std::move(in_background)),
+      session_(system_ns() / kMillisecond) {}
+
+void Hub::add_channel(const std::shared_ptr<memory::Channel>& channel, const Derive& derive) {
+  std::vector<std::string> advertisements;
+  for (const OfferedChannel* added : channels_.add(channel, derive)) advertisements.push_back(added->advertisement);
+  if (advertisements.empty()) return;
+  const std::string text = foxglove::advertise(advertisements);
+  for (const auto& client : clients_) say(*client, text);
+}
+
+std::string Hub::server_info() const {
+  foxglove::ServerInfo info{.name = options_.name,
+                            .capabilities = {"time", "parameters", "parametersSubscribe", "services"},
+                            .encodings = {"json"},
+                            .metadata = options_.metadata,
+                            .session_id = std::to_string(session_)};
+  if (options_.playback) {
+    info.capabilities.emplace_back("playbackControl");
+    info.data_span_ns = {options_.playback->start_ns(), options_.playback->end_ns()};
+  }
+  return foxglove::server_info(info);
+}
+
+std::shared_ptr<Client> Hub::join(ClientIdentity identity) {
+  identity.context.id = ++last_client_;
+  identity.context.match_mode = match_mode_;
+  auto client = std::make_shared<Client>(std::move(identity), options_.queues);
+  clients_.push_back(client);
+
+  say(*client, server_info());
+  std::vector<std::string> advertisements;
+  for (const auto& channel : channels_.all()) {
+    advertisements.push_back(channel->advertisement);
+    if (advertisements.size() == kChannelsPerAdvertise)
+      say(*client, foxglove::advertise(std::exchange(advertisements, {})));
+  }
+  if (!advertisements.empty()) say(*client, foxglove::advertise(advertisements));
+  if (const auto services = services_.list(); !services.empty()) say(*client, foxglove::advertise_services(services));
+  if (options_.playback && client->identity.playback) say_binary(*client, playback_state(false, ""));
+  return client;
+}
+
+void Hub::set_match_mode(bool match_mode) {
+  match_mode_ = match_mode;
+  for (const auto& client : clients_) client->identity.context.match_mode = match_mode;
+}
+
+void Hub::leave(Client& client) {
+  for (const auto& [subscription, channel] : client.channel_of) remove_subscriber(*channels_.find(channel), client);
+  client.channel_of.clear();
+  if (!questions_.empty())  // the first is running
+    questions_.erase(std::remove_if(questions_.begin() + 1, questions_.end(),
+                                    [&](const Question& question) { return question.client.lock().get() == &client; }),
+                     questions_.end());
+  std::erase_if(clients_, [&](const auto& other) { return other.get() == &client; });
+}
+
+void Hub::remove_subscriber(OfferedChannel& channel, Client& client) {
+  std::erase(channel.subscribers, &client);
+  if (!channel.subscribers.empty() || channel.stream == 0) return;
+  streams_.stop(std::exchange(channel.stream, 0));
+  channel.newest.reset();
+}
+
+void Hub::say(Client& client, std::string_view text) {
+  std::string frame;
+  append_frame(frame, Opcode::text, text);
+  send(client, std::move(frame));
+}
+
+void Hub::say_binary(Client& client, std::string_view bytes) {
+  std::string frame;
+  append_frame(frame, Opcode::binary, bytes);
+  send(client, std::move(frame));
+}
+
+// the sentence has no room either: only the close code gets through
+void Hub::send(Client& client, std::string frame) {
+  if (client.queue.push_control(std::move(frame))) return;
+  client.queue.finish(close_frame(kPolicyViolation, "the connection does not take the answers it asked for"));
+}
+
+void Hub::complain(Client& client, std::string_view sentence) {
+  say(client, foxglove::status(foxglove::StatusLevel::error, sentence));
+}
+
+void Hub::disconnect(Client& client, std::uint16_t close_code, std::string_view sentence) {
+  if (client.queue.finished()) return;
+  say(client, foxglove::status(foxglove::StatusLevel::error, sentence));
+  client.queue.finish(close_frame(close_code, sentence));
+}
+
+void Hub::deliver(const Inbox::Item& item) {
+  OfferedChannel* channel = channels_.find(item.channel);
+  if (!channel || channel->stream != item.stream) return;  // of a stream that was stopped meanwhile
+
+  const std::uint64_t sequence = item.version->sequence();
+  if (channel->last_sequence != 0 && sequence > channel->last_sequence + 1)
+    note_gap(*channel, sequence - channel->last_sequence - 1);
+  channel->last_sequence = sequence;
+  if (channel->derived) channel->newest = item.version;
+  for (Client* client : channel->subscribers) push(*client, channel->id, item.version);
+}
+
+void Hub::push(Client& client, std::uint32_t channel, const memory::VersionPtr& version) {
+  if (client.queue.push(channel, version) != ClientQueue::Pushed::overflow) return;
+  disconnect(client, kPolicyViolation,
+             "the connection is too slow for " + channels_.find(channel)->info.topic +
+                 ", of which nothing may be left out: it is closed, connect again to go on");
+}
+
+// messages were lost before they came here: the logger's queue was full
+void Hub::note_gap(OfferedChannel& channel, std::uint64_t missing) {
+  for (Client* client : channel.subscribers) {
+    client->queue.count_lost(channel.id, missing);
+    if (client->identity.lossless)
+      disconnect(
+          *client, kPolicyViolation,
+          std::to_string(missing) + " messages of " + channel.info.topic +
+              " were lost on the robot, and this connection is to get all: it is closed, connect again to go on");
+  }
+}
+
+void Hub::send_time() {
+  if (options_.playback && options_.playback->state().status != told_) tell_playback(false, nullptr, "");
+  last_time_ns_ = std::max(last_time_ns_, clock_.now_ns());
+  for (const auto& client : clients_)
+    if (!client->queue.finished()) client->queue.push_time(last_time_ns_);
+}
+
+std::string Hub::playback_state(bool did_seek, std::string_view request_id) const {
+  const Playback::State state = options_.playback->state();
+  return foxglove::playback_state(state.status, state.time_ns, state.speed, did_seek, request_id);
+}
+
+/// Tells those who understand it how the playback is going; the one who asked for it by the id of the request.
+void Hub::tell_playback(bool did_seek, const Client* asker, const std::string& request_id) {
+  told_ = options_.playback->state().status;
+  for (const auto& client : clients_)
+    if (client->identity.playback)
+      say_binary(*client, playback_state(did_seek, client.get() == asker ? request_id : std::string_view()));
+}
+
+void Hub::restart_time() {
+  session_ = std::max(session_ + 1, system_ns() / kMillisecond);
+  last_time_ns_ = 0;
+  const std::string info = server_info();
+  for (const auto& client : clients_) {
+    client->queue.forget();
+    say(*client, info);
+  }
+}
+
+void Hub::every_second(std::uint64_t now_ns) {
+  for (const auto& client : clients_) {
+    if (!client->ping_sent_ns) {
+      std::string frame;
+      append_frame(frame, Opcode::ping, {});
+      client->ping_sent_ns = now_ns;
+      send(*client, std::move(frame));
+    } else if (now_ns - *client->ping_sent_ns > options_.pong_timeout_ns) {
+      disconnect(*client, kPolicyViolation, "the connection has not answered for too long: it is closed");
+    }
+    tell_drops(*client, now_ns);
+  }
+}
+
+void Hub::on_pong(Client& client, std::uint64_t now_ns) {
+  if (client.ping_sent_ns) client.round_trip_ns = now_ns - *std::exchange(client.ping_sent_ns, std::nullopt);
+}
+
+// one status that stands while messages are lost, and goes when that has ended
+void Hub::tell_drops(Client& client, std::uint64_t now_ns) {
+  if (now_ns - client.drops_counted_ns < kDropsEvery) return;
+  const std::uint64_t dropped = client.queue.dropped();
+  const std::uint64_t recent = dropped - std::exchange(client.drops_counted, dropped);
+  const std::uint64_t sent = client.queue.sent() - std::exchange(client.sent_counted, client.queue.sent());
+  const bool worth_telling = recent >= kDropsWorthTelling && recent * kPartWorthTelling >= sent;
+  client.drops_counted_ns = now_ns;
+  if (worth_telling) {
+    const std::string sentence = std::to_string(recent) + " messages were passed over for newer ones in the last " +
+                                 std::to_string(kDropsEvery / kSecond) +
+                                 " s: the connection takes fewer than it asked for";
+    say(client, foxglove::status(foxglove::StatusLevel::warning, sentence, kDropsId));
+  } else if (client.drops_stand) {
+    say(client, foxglove::remove_status(kDropsId));
+  }
+  client.drops_stand = worth_telling;
+}
+
+void Hub::parameter_changed(const std::string& name) {
+  for (const auto& client : clients_)
+    if (client->watches_all_parameters || client->watched_parameters.contains(name))
+      tell_parameters(*client, {name}, std::nullopt);
+}
+
+ServerStatistics Hub::statistics() const {
+  ServerStatistics statistics;
+  for (const auto& client : clients_) {
+    const ClientIdentity& who = client->identity;
+    ClientStatistics entry{.id = who.context.id,
+                           .address = who.context.address,
+                           .user_agent = who.user_agent,
+                           .subprotocol = who.subprotocol,
+                           .round_trip_ns = client->round_trip_ns,
+                           .lossless = who.lossless};
+    for (const ClientQueue::Counts& counts : client->queue.counts())
+      entry.channels.push_back({channels_.all()[counts.channel - 1]->info.topic, counts.sent, counts.dropped,
+                                counts.queued_messages, counts.queued_bytes});
+    statistics.clients.push_back(std::move(entry));
+  }
+  return statistics;
+}
+
+}  // namespace robot::net

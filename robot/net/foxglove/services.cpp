@@ -1,0 +1,85 @@
+#include "robot/net/foxglove/services.h"
+
+#include <charconv>
+#include <utility>
+
+#include "robot/core/json.h"
+
+namespace robot::net {
+namespace {
+
+using Json = nlohmann::json;
+
+// 64-bit numbers travel as decimal text: JavaScript's numbers are too short for them
+template <class T>
+std::optional<T> whole_number(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_string()) return std::nullopt;
+  const auto& text = found->get_ref<const std::string&>();
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+Json failure(std::string_view sentence) { return {{"ok", false}, {"error", sentence}}; }
+
+void Services::add(std::string name, For whom, Handler handler) {
+  services_.push_back({std::move(name), whom, std::move(handler)});
+}
+
+std::string ClientContext::refusal() const {
+  if (!may_control) return "control from another machine needs the control token: add ?token=<token> to the address";
+  return match_mode && !loopback ? "a game is in progress: control is for this machine alone until it has finished"
+                                 : "";
+}
+
+std::vector<foxglove::Service> Services::list() const {
+  std::vector<foxglove::Service> list;
+  for (const Entry& entry : services_) list.push_back({static_cast<std::uint32_t>(list.size() + 1), entry.name});
+  return list;
+}
+
+std::string Services::refusal(std::uint32_t id, const ClientContext& client) const {
+  const Entry& entry = services_.at(id - 1);
+  if (entry.whom == For::everybody) return "";
+  const bool asks_during_game = entry.whom == For::questions && client.may_control && client.match_mode;
+  const std::string why =
+      asks_during_game ? "game in progress: until it has finished only the team's own code may ask" : client.refusal();
+  return why.empty() ? "" : entry.name + ": " + why;
+}
+
+std::string Services::call(std::uint32_t id, std::string_view request, const ClientContext& client) const {
+  const std::string refused = refusal(id, client);
+  const Json said = refused.empty() ? answer(services_.at(id - 1), request, client) : failure(refused);
+  return said.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json Services::answer(const Entry& entry, std::string_view request, const ClientContext& client) const {
+  const Result<Json> json = request.empty() ? Json::object() : parse_json(request);
+  if (!json) return failure(entry.name + ": " + json.error());
+  if (!json->is_object()) return failure(entry.name + ": expected a JSON object, got something else");
+  try {
+    return entry.handler(*json, client);
+  } catch (const Json::exception& exception) {
+    // a field of another type than the handler expected
+    return failure(entry.name + ": " + exception.what());
+  }
+}
+
+void add_clock_sync(Services& services, const Clock& clock, std::function<void(const PeerClock&)> on_measured) {
+  services.add(
+      "clock_sync", Services::For::everybody,
+      [&clock, on_measured = std::move(on_measured)](const Json& request, const ClientContext& client) -> Json {
+        const std::uint64_t received_ns = clock.now_ns();
+        if (!whole_number<std::uint64_t>(request, "sent_ns"))
+          return failure("clock_sync: 'sent_ns' must be a text with a whole number");
+        if (const auto offset = whole_number<std::int64_t>(request, "offset_ns"); offset && on_measured)
+          on_measured({client.address, *offset, whole_number<std::uint64_t>(request, "round_trip_ns")});
+        return {{"ok", true}, {"sent_ns", request["sent_ns"]}, {"received_ns", std::to_string(received_ns)}};
+      });
+}
+
+}  // namespace robot::net

@@ -1,0 +1,27 @@
+// What the hub needs of the logging board: carrying channels to providers.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "robot/logging/streams/provider.h"
+#include "robot/memory/channel.h"
+
+namespace robot::net {
+
+/// Who carries channels to providers: the logging board. Called by one thread of the server, never by its I/O thread.
+class Streams {
+ public:
+  using Id = std::uint64_t;
+
+  virtual ~Streams() = default;
+
+  /// Carries every version of `channel` to `provider` from now on, beginning with the newest there is,
+  /// on a thread of its own.
+  virtual Id start(std::shared_ptr<memory::Channel> channel, std::unique_ptr<logging::OutProvider> provider) = 0;
+
+  /// Ends the stream. When this returns the provider is not being used any more.
+  virtual void stop(Id id) = 0;
+};
+
+}  // namespace robot::net

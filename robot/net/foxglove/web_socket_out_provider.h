@@ -1,0 +1,68 @@
+// OutProviders whose device is the server: what a logger gives them goes to every client that watches the channel.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/logging/streams/provider.h"
+#include "robot/net/foxglove/inbox.h"
+
+namespace robot::net {
+
+/// Puts the versions of one channel into the server's inbox.
+class WebSocketOutProvider final : public logging::OutProvider {
+ public:
+  /// `channel` is the server's number of the channel, `stream` that of this stream.
+  WebSocketOutProvider(std::shared_ptr<Inbox> inbox, std::uint32_t channel, std::uint64_t stream)
+      : inbox_(std::move(inbox)), channel_(channel), stream_(stream) {}
+
+  Result<void> open(const memory::ChannelInfo&) override { return {}; }
+
+  /// Waits while the inbox is full, so that the logger's own queue drops and counts.
+  Result<void> write(const memory::VersionPtr& version) override;
+
+  Result<void> close() override { return {}; }
+  void cancel() override { inbox_->cancel(cancelled_); }
+
+ private:
+  const std::shared_ptr<Inbox> inbox_;
+  const std::uint32_t channel_;
+  const std::uint64_t stream_;
+  bool cancelled_ = false;  // guarded by the inbox
+};
+
+/// Makes the bytes of a derived channel from a version of its source, or nothing when this version gives none.
+using Convert = std::function<Result<std::optional<std::string>>(const memory::Version& source)>;
+
+/// A channel that is made from another one, only while somebody watches it.
+struct Derived {
+  memory::ChannelInfo info;
+  std::function<Convert()> make_convert;  // a new one for each stream; used by that stream's logger thread
+};
+
+/// The channels that are to be derived from a channel; may be empty.
+using Derive = std::function<std::vector<Derived>(const memory::ChannelInfo& source)>;
+
+/// Converts what it is given, in the logger's thread, and hands on the result.
+class ConvertingOutProvider final : public logging::OutProvider {
+ public:
+  ConvertingOutProvider(std::unique_ptr<logging::OutProvider> target, memory::ChannelInfo info, Convert convert)
+      : target_(std::move(target)), info_(std::move(info)), convert_(std::move(convert)) {}
+
+  Result<void> open(const memory::ChannelInfo&) override { return target_->open(info_); }
+  Result<void> write(const memory::VersionPtr& version) override;
+  Result<void> close() override { return target_->close(); }
+  void cancel() override { target_->cancel(); }
+
+ private:
+  const std::unique_ptr<logging::OutProvider> target_;
+  const memory::ChannelInfo info_;
+  const Convert convert_;
+  std::uint64_t last_sequence_ = 0;
+};
+
+}  // namespace robot::net

@@ -1,0 +1,52 @@
+#include "robot/net/foxglove/worker.h"
+
+#include <mutex>
+#include <utility>
+
+#include "robot/core/thread.h"
+
+namespace robot::net {
+
+Worker::Worker(std::string name)
+    : thread_([this, name = std::move(name)] {
+        become_background_thread(name);
+        run();
+      }) {}
+
+void Worker::post(std::function<void()> task) {
+  const std::lock_guard guard(lock_);
+  if (finishing_) return;
+  tasks_.push_back(std::move(task));
+  changed_.notify_one();
+}
+
+void Worker::forget() {
+  std::deque<std::function<void()>> forgotten;  // destroyed outside the lock
+  const std::lock_guard guard(lock_);
+  forgotten.swap(tasks_);
+}
+
+void Worker::finish() {
+  {
+    const std::lock_guard guard(lock_);
+    finishing_ = true;
+    changed_.notify_one();
+  }
+  if (thread_.joinable()) thread_.join();
+}
+
+void Worker::run() {
+  while (true) {
+    std::function<void()> task;
+    {
+      std::unique_lock guard(lock_);
+      while (tasks_.empty() && !finishing_) changed_.wait(lock_);
+      if (tasks_.empty()) return;
+      task = std::move(tasks_.front());
+      tasks_.pop_front();
+    }
+    task();
+  }
+}
+
+}  // namespace robot::net

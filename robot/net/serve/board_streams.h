@@ -1,0 +1,27 @@
+// The logging board as the server sees it.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "robot/logging/streams/board.h"
+#include "robot/net/foxglove/streams.h"
+
+namespace robot::net {
+
+/// A logger thread of the board for each channel that somebody watches.
+class BoardStreams final : public Streams {
+ public:
+  /// `board` outlives it.
+  explicit BoardStreams(logging::LoggingBoard& board) : board_(board) {}
+
+  Id start(std::shared_ptr<memory::Channel> channel, std::unique_ptr<logging::OutProvider> provider) override {
+    return board_.start_logger(std::move(channel), std::move(provider));
+  }
+  void stop(Id id) override { board_.stop(id); }
+
+ private:
+  logging::LoggingBoard& board_;
+};
+
+}  // namespace robot::net

@@ -1,0 +1,192 @@
+#include "robot/net/serve/http_connection.h"
+
+#include <algorithm>
+#include <boost/asio/post.hpp>
+#include <boost/asio/write.hpp>
+
+#include "robot/net/serve/web_socket_connection.h"
+
+namespace robot::net {
+namespace {
+
+using boost::system::error_code;
+
+constexpr std::size_t kPieceBytes = 64 << 10;  // of a recording: read and written in turns
+
+}  // namespace
+
+HttpConnection::HttpConnection(Socket socket, Remote remote, ConnectionContext& context)
+    : socket_(std::move(socket)), remote_(std::move(remote)), context_(context), made_ns_(monotonic_ns()) {}
+
+void HttpConnection::start() { wait_for_request(context_.options.request_timeout_ns); }
+
+// the deadline is for the whole header: who sends it byte by byte gains nothing
+void HttpConnection::wait_for_request(std::uint64_t timeout_ns) {
+  state_ = State::waiting;
+  deadline_ns_ = monotonic_ns() + timeout_ns;
+  take_requests();
+}
+
+void HttpConnection::read() {
+  socket_.async_read_some(boost::asio::buffer(input_), [self = shared_from_this()](error_code error, std::size_t size) {
+    if (self->state_ == State::closed) return;
+    if (error) return self->close();
+    if (self->state_ == State::leaving) return self->read();  // what still comes is ignored
+
+    // between two requests waiting is cheap; once one has begun, it has to come
+    if (!self->parser_.begun())
+      self->deadline_ns_ = std::min(self->deadline_ns_, monotonic_ns() + self->context_.options.request_timeout_ns);
+    self->parser_.add({self->input_.data(), size});
+    self->take_requests();
+  });
+}
+
+void HttpConnection::take_requests() {
+  auto request = parser_.next();
+  if (!request) {
+    request_ = {.method = "GET", .keep_alive = false};
+    return respond(error_response(400, request.error()));
+  }
+  if (!*request) return read();
+  handle(**std::move(request));
+}
+
+void HttpConnection::handle(HttpRequest request) {
+  state_ = State::answering;
+  deadline_ns_ = UINT64_MAX;  // our own work is not timed
+  request_ = std::move(request);
+  if (wants_web_socket(request_)) return upgrade(request_);
+  if (!Routes::may_wait(request_)) return respond(context_.routes.answer(request_, remote_.address));
+
+  context_.disk.post([self = shared_from_this(), request = request_] {
+    HttpResponse response = self->context_.routes.answer(request, self->remote_.address);
+    boost::asio::post(self->context_.io, [self, response = std::move(response)]() mutable {
+      if (self->state_ == State::answering) self->respond(std::move(response));
+    });
+  });
+}
+
+void HttpConnection::upgrade(const HttpRequest& request) {
+  const auto target = parse_target(request.target);
+  HttpResponse refusal;
+  const auto agreed = target ? agree(request, *target, refusal) : Result<Upgrade>(Error{target.error()});
+  if (!agreed) {
+    request_.keep_alive = false;
+    return respond(refusal.status == 200 ? error_response(400, agreed.error()) : std::move(refusal));
+  }
+
+  const Access access = access_of(context_.options.access, remote_.address, request, *target);
+  ClientIdentity identity{
+      .context = {.address = remote_.text(), .loopback = access.loopback, .may_control = access.may_control},
+      .user_agent = std::string(request.header("user-agent").value_or("").substr(0, 200)),
+      .subprotocol = agreed->subprotocol,
+      .lossless = target->parameter("delivery") == "lossless",
+      .numbered = target->parameters.contains("numbered"),
+      .playback = target->parameters.contains("playback")};
+  auto connection = std::make_shared<WebSocketConnection>(std::move(socket_), context_);
+  context_.web_sockets.insert(connection);
+  connection->start(std::move(identity), agreed->response, parser_.take_rest());
+  state_ = State::closed;
+  context_.http.erase(shared_from_this());
+}
+
+// an Error with `refusal` untouched is a bad request
+Result<Upgrade> HttpConnection::agree(const HttpRequest& request, const Target& target, HttpResponse& refusal) const {
+  const auto refuse = [&](int status, const std::string& sentence) {
+    refusal = error_response(status, sentence);
+    return Error{sentence};
+  };
+  const AccessOptions& access = context_.options.access;
+  if (std::ranges::count(request.headers, "host", &Headers::value_type::first) != 1)
+    return Error{"HTTP request: expected one Host header"};
+  const std::string_view host = *request.header("host");
+  if (auto accepted = check_host(access.origins, host); !accepted) return refuse(403, accepted.error());
+  if (auto accepted = check_origin(access.origins, request.header("origin"), host); !accepted)
+    return refuse(403, accepted.error());
+  if (!access_of(access, remote_.address, request, target).may_watch)
+    return refuse(401, "watching this robot needs its read token: add ?token=<token> to the address");
+  if (context_.web_sockets.size() >= context_.options.max_clients)
+    return refuse(503,
+                  "there are " + std::to_string(context_.web_sockets.size()) + " clients already, no more are taken");
+  return accept_web_socket(request);
+}
+
+void HttpConnection::respond(HttpResponse response) {
+  state_ = State::answering;
+  deadline_ns_ = monotonic_ns() + context_.options.idle_timeout_ns;
+  response_ = std::move(response);
+  body_sent_ = 0;
+  head_ = response_head(response_, request_.keep_alive);
+
+  std::string_view body;
+  if (const auto* text = std::get_if<std::string>(&response_.body)) body = *text;
+  if (const auto* text = std::get_if<std::string_view>(&response_.body)) body = *text;
+  if (request_.method == "HEAD") {
+    body = {};
+    response_.body = std::string();
+  }
+  write(head_, body);
+}
+
+void HttpConnection::write(std::string_view head, std::string_view body) {
+  const std::array<boost::asio::const_buffer, 2> buffers = {boost::asio::buffer(head), boost::asio::buffer(body)};
+  boost::asio::async_write(socket_, buffers, [self = shared_from_this()](error_code error, std::size_t) {
+    if (self->state_ != State::answering) return;
+    if (error) return self->close();
+    self->on_written();
+  });
+}
+
+void HttpConnection::on_written() {
+  deadline_ns_ = monotonic_ns() + context_.options.idle_timeout_ns;
+  const auto* part = std::get_if<BodyPart>(&response_.body);
+  if (part && body_sent_ < part->size) return read_piece();
+  response_ = {};
+  piece_.reset();
+  if (!request_.keep_alive) return leave();
+  wait_for_request(context_.options.idle_timeout_ns);
+}
+
+// the disk thread reads a piece, then the I/O thread writes it: neither waits for the other's device
+void HttpConnection::read_piece() {
+  deadline_ns_ = UINT64_MAX;
+  if (!piece_) piece_ = std::make_shared<std::string>();
+  const BodyPart& part = std::get<BodyPart>(response_.body);
+  const std::size_t wanted = static_cast<std::size_t>(std::min<std::uint64_t>(kPieceBytes, part.size - body_sent_));
+
+  context_.disk.post(
+      [self = shared_from_this(), source = part.source, offset = part.offset + body_sent_, wanted, piece = piece_] {
+        piece->resize(wanted);
+        const bool whole = static_cast<bool>(source->read(offset, *piece));
+        boost::asio::post(self->context_.io, [self, whole] {
+          if (self->state_ != State::answering) return;
+          if (!whole) return self->close();  // the client sees that bytes are missing
+          self->body_sent_ += self->piece_->size();
+          self->deadline_ns_ = monotonic_ns() + self->context_.options.idle_timeout_ns;
+          self->write(*self->piece_, {});
+        });
+      });
+}
+
+// closing at once would make the kernel throw away an answer that the client has not read yet
+void HttpConnection::leave() {
+  state_ = State::leaving;
+  deadline_ns_ = monotonic_ns() + kSecond;
+  error_code ignored;
+  socket_.shutdown(Socket::shutdown_send, ignored);
+  read();
+}
+
+void HttpConnection::check_deadline(std::uint64_t now_ns) {
+  if (now_ns >= deadline_ns_) close();
+}
+
+void HttpConnection::close() {
+  if (state_ == State::closed) return;
+  state_ = State::closed;
+  error_code ignored;
+  socket_.close(ignored);
+  context_.http.erase(shared_from_this());
+}
+
+}  // namespace robot::net

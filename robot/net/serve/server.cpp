@@ -1,0 +1,305 @@
+#include "robot/net/serve/server.h"
+
+#include "robot/net/serve/connection.h"  // Asio first, see there
+
+#include <algorithm>
+#include <boost/asio/basic_socket_acceptor.hpp>
+#include <boost/asio/basic_waitable_timer.hpp>
+#include <boost/asio/ip/v6_only.hpp>
+#include <boost/asio/post.hpp>
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+#include "robot/core/report.h"
+#include "robot/core/thread.h"
+#include "robot/net/serve/http_connection.h"
+#include "robot/net/serve/web_socket_connection.h"
+#include "robot/net/serve/wireless.h"
+
+namespace robot::net {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using boost::system::error_code;
+using Acceptor = asio::basic_socket_acceptor<tcp, asio::io_context::executor_type>;
+using Timer = asio::basic_waitable_timer<std::chrono::steady_clock, asio::wait_traits<std::chrono::steady_clock>,
+                                         asio::io_context::executor_type>;
+
+constexpr auto kTick = std::chrono::milliseconds(100);  // Time frames go out at 10 Hz
+constexpr std::uint64_t kStopTimeout = kSecond / 2;     // for goodbyes when the server stops
+
+/// Ends a connection at once and throws away what waits to be sent.
+void reset(Socket& socket) {
+  error_code ignored;
+  socket.set_option(asio::socket_base::linger(true, 0), ignored);
+  socket.close(ignored);
+}
+
+}  // namespace
+
+/// All that lives as long as the server runs. Its functions are the I/O thread's, where nothing else is said.
+class Server::Core {
+ public:
+  Core(ServerOptions options, memory::Channels& channels, Derive derive, Streams& streams, const Clock& clock,
+       Parameters& parameters, const Services& services, Backend& backend)
+      : options_(std::move(options)),
+        channels_(channels),
+        derive_(std::move(derive)),
+        parameters_(parameters),
+        backend_(backend),
+        inbox_(std::make_shared<Inbox>(options_.inbox_bytes, [this] { asio::post(io_, [this] { drain(); }); })),
+        streams_(streams, inbox_),
+        control_("net control"),
+        questions_("net questions"),
+        hub_(options_.hub, parameters, services, clock, streams_,
+             [this](Hub::Kind kind, std::function<void()> work, std::function<void()> then) {
+               (kind == Hub::Kind::question ? questions_ : control_)
+                   .post([inbox = inbox_, work = std::move(work), then = std::move(then)] {
+                     work();
+                     inbox->post(then);
+                   });
+             }),
+        routes_(options_.access, options_.assets, backend),
+        disk_("net disk"),
+        context_{.options = options_, .routes = routes_, .hub = hub_, .io = io_, .disk = disk_},
+        timer_(io_) {}
+
+  Result<void> start();  // the owner's thread
+  void stop();           // the owner's thread
+  std::uint16_t port() const { return port_; }
+
+  // any thread
+  ServerStatistics statistics() const {
+    const std::lock_guard guard(statistics_lock_);
+    return statistics_;
+  }
+  void restart_time() {
+    inbox_->post([this] { hub_.restart_time(); });
+  }
+
+ private:
+  Result<void> listen(const std::string& address);
+  void watch();
+  void accept(Acceptor& acceptor);
+  void admit(Socket socket);
+  void tick();
+  void follow_match();
+  void keep_silence(bool silent);
+  void drain();
+  void flush_all();
+  void begin_stop();
+  void finish_stop();
+
+  const ServerOptions options_;
+  memory::Channels& channels_;
+  const Derive derive_;
+  Parameters& parameters_;
+  const Backend& backend_;
+
+  asio::io_context io_{1};
+  std::shared_ptr<Inbox> inbox_;
+  StreamControl streams_;
+  Worker control_, questions_;
+  Hub hub_;
+  Routes routes_;
+  Worker disk_;
+  ConnectionContext context_;
+
+  std::vector<std::unique_ptr<Acceptor>> acceptors_;
+  bool match_mode_ = false;
+  Wireless wireless_;                       // in match mode: what stays silent
+  std::vector<Acceptor*> tired_acceptors_;  // out of file descriptors: tried again with the next tick
+  std::uint16_t port_ = 0;
+  Timer timer_;
+  std::uint64_t next_second_ns_ = 0;
+  std::uint64_t stop_deadline_ns_ = 0;  // 0: not stopping
+  Inbox::Contents contents_;
+
+  mutable Mutex statistics_lock_;
+  ServerStatistics statistics_;
+
+  std::thread thread_;  // last: it uses all the others
+};
+
+Result<void> Server::Core::start() {
+  port_ = options_.port;
+  for (const std::string& address : options_.bind)
+    if (auto listening = listen(address); !listening) return listening;
+  watch();
+  for (const auto& acceptor : acceptors_) accept(*acceptor);
+  next_second_ns_ = monotonic_ns() + kSecond;
+  tick();
+  thread_ = std::thread([this] {
+    become_background_thread("net");
+    io_.run();
+  });
+  return {};
+}
+
+Result<void> Server::Core::listen(const std::string& address) {
+  const std::string where = address + ":" + std::to_string(port_);
+  error_code error;
+  const auto ip = asio::ip::make_address(address, error);
+  if (error) return Error{"cannot listen on " + where + ": expected an IP address"};
+
+  auto acceptor = std::make_unique<Acceptor>(io_);
+  const tcp::endpoint endpoint(ip, port_);
+  acceptor->open(endpoint.protocol(), error);
+  if (!error) acceptor->set_option(Acceptor::reuse_address(true), error);
+  if (!error && ip.is_v6()) acceptor->set_option(asio::ip::v6_only(true), error);
+  if (!error) acceptor->bind(endpoint, error);
+  if (!error) acceptor->listen(Acceptor::max_listen_connections, error);
+  if (error) return Error{"cannot listen on " + where + ": " + error.message()};
+  port_ = acceptor->local_endpoint().port();  // if it was 0, all addresses get the same
+  acceptors_.push_back(std::move(acceptor));
+  return {};
+}
+
+// both lists call for as long as they live; the inbox outlives us and then forgets what comes
+void Server::Core::watch() {
+  channels_.watch([this, inbox = inbox_](const std::shared_ptr<memory::Channel>& channel) {
+    inbox->post([this, channel] { hub_.add_channel(channel, derive_); });
+  });
+  parameters_.listen(
+      [this, inbox = inbox_](const std::string& name) { inbox->post([this, name] { hub_.parameter_changed(name); }); });
+}
+
+void Server::Core::accept(Acceptor& acceptor) {
+  acceptor.async_accept(io_.get_executor(), [this, &acceptor](error_code error, Socket socket) {
+    if (error == asio::error::operation_aborted || stop_deadline_ns_ != 0) return;
+    if (error) {
+      static Throttle throttle;
+      throttle.report(Level::warning, "net", "cannot take a connection: " + error.message());
+      return tired_acceptors_.push_back(&acceptor);
+    }
+    admit(std::move(socket));
+    accept(acceptor);
+  });
+}
+
+void Server::Core::admit(Socket socket) {
+  error_code error;
+  const auto remote = socket.remote_endpoint(error);
+  if (error) return;                                                    // gone already
+  if (wireless_.carries(socket.native_handle())) return reset(socket);  // it came a moment before the game
+  if (context_.http.size() >= options_.max_http_connections) {
+    // the oldest that has not asked for anything makes room
+    std::shared_ptr<HttpConnection> oldest;
+    for (const auto& connection : context_.http)
+      if (connection->waits_for_request() && (!oldest || connection->made_ns() < oldest->made_ns()))
+        oldest = connection;
+    if (!oldest) return;
+    oldest->close();
+  }
+  auto connection = std::make_shared<HttpConnection>(std::move(socket),
+                                                     Remote{remote.address().to_string(), remote.port()}, context_);
+  context_.http.insert(connection);
+  connection->start();
+}
+
+void Server::Core::tick() {
+  const std::uint64_t now = monotonic_ns();
+  follow_match();
+  hub_.send_time();
+  if (now >= next_second_ns_) {
+    next_second_ns_ = now + kSecond;
+    if (match_mode_) keep_silence(true);  // an interface may have come since
+    hub_.every_second(now);
+    const std::lock_guard guard(statistics_lock_);
+    statistics_ = hub_.statistics();
+  }
+  // copies: a connection whose time is over leaves the set
+  for (const auto& connection : std::vector(context_.http.begin(), context_.http.end()))
+    connection->check_deadline(now);
+  for (const auto& connection : std::vector(context_.web_sockets.begin(), context_.web_sockets.end()))
+    connection->check_deadline(now);
+  flush_all();
+  for (Acceptor* acceptor : std::exchange(tired_acceptors_, {})) accept(*acceptor);
+  if (stop_deadline_ns_ != 0 && (now >= stop_deadline_ns_ || context_.web_sockets.empty())) return finish_stop();
+
+  timer_.expires_after(stop_deadline_ns_ == 0 ? kTick : kTick / 10);
+  timer_.async_wait([this](error_code error) {
+    if (!error) tick();
+  });
+}
+
+void Server::Core::follow_match() {
+  const bool match_mode = backend_.match_mode();
+  if (match_mode == match_mode_) return;
+  match_mode_ = match_mode;
+  hub_.set_match_mode(match_mode);
+  keep_silence(match_mode);
+}
+
+// what arrives at a listening socket over a wireless interface is dropped before the kernel answers it; a connection
+// that is there already ends with one packet, and what its other end still sends meets the same silence
+void Server::Core::keep_silence(bool silent) {
+  wireless_ = silent ? Wireless(options_.wireless) : Wireless();
+  for (const auto& acceptor : acceptors_)
+    if (const auto set = wireless_.silence(acceptor->native_handle()); !set) {
+      static Throttle throttle;
+      throttle.report(Level::error, "net", set.error());
+    }
+  for (const auto& connection : std::vector(context_.http.begin(), context_.http.end()))
+    if (wireless_.carries(connection->socket().native_handle())) reset(connection->socket()), connection->close();
+  for (const auto& connection : std::vector(context_.web_sockets.begin(), context_.web_sockets.end()))
+    if (wireless_.carries(connection->socket().native_handle())) reset(connection->socket()), connection->close();
+}
+
+void Server::Core::drain() {
+  inbox_->take(contents_);
+  for (const Inbox::Task& task : contents_.tasks) task();
+  for (const Inbox::Item& item : contents_.items) hub_.deliver(item);
+  contents_.items.clear();  // versions are not held longer than needed
+  flush_all();
+}
+
+void Server::Core::flush_all() {
+  for (const auto& connection : context_.web_sockets) connection->flush();
+}
+
+void Server::Core::stop() {
+  if (thread_.joinable()) {
+    asio::post(io_, [this] { begin_stop(); });
+    thread_.join();
+  }
+  inbox_->close();  // loggers that wait for room go on
+  streams_.finish();
+  for (Worker* worker : {&control_, &questions_, &disk_}) {
+    worker->forget();
+    worker->finish();
+  }
+}
+
+void Server::Core::begin_stop() {
+  stop_deadline_ns_ = monotonic_ns() + kStopTimeout;
+  error_code ignored;
+  for (const auto& acceptor : acceptors_) acceptor->close(ignored);
+  for (const auto& connection : std::vector(context_.http.begin(), context_.http.end())) connection->close();
+  for (const auto& connection : context_.web_sockets) connection->go_away();
+  timer_.cancel();
+  tick();
+}
+
+void Server::Core::finish_stop() {
+  for (const auto& connection : std::vector(context_.web_sockets.begin(), context_.web_sockets.end()))
+    connection->close();
+  io_.stop();
+}
+
+Server::Server(ServerOptions options, memory::Channels& channels, Derive derive, Streams& streams, const Clock& clock,
+               Parameters& parameters, const Services& services, Backend& backend)
+    : core_(std::make_shared<Core>(std::move(options), channels, std::move(derive), streams, clock, parameters,
+                                   services, backend)) {}
+
+Server::~Server() { stop(); }
+
+Result<void> Server::start() { return core_->start(); }
+void Server::stop() { core_->stop(); }
+std::uint16_t Server::port() const { return core_->port(); }
+ServerStatistics Server::statistics() const { return core_->statistics(); }
+void Server::restart_time() { core_->restart_time(); }
+
+}  // namespace robot::net

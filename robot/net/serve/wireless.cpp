@@ -1,0 +1,86 @@
+#include "robot/net/serve/wireless.h"
+
+#include <ifaddrs.h>
+#include <linux/filter.h>
+#include <net/if.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+
+namespace robot::net {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostInterfaces = 64;
+
+std::vector<std::string> wireless_names() {
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator("/sys/class/net", failed))
+    if (fs::exists(entry.path() / "wireless", failed) || fs::exists(entry.path() / "phy80211", failed))
+      names.push_back(entry.path().filename().string());
+  return names;
+}
+
+/// The address alone: four bytes, or sixteen; an IPv4 address within IPv6 counts as itself.
+std::string bytes_of(const sockaddr& address) {
+  if (address.sa_family == AF_INET) {
+    const auto& v4 = reinterpret_cast<const sockaddr_in&>(address).sin_addr;
+    return {reinterpret_cast<const char*>(&v4), sizeof v4};
+  }
+  if (address.sa_family != AF_INET6) return {};
+  const auto& v6 = reinterpret_cast<const sockaddr_in6&>(address).sin6_addr;
+  std::string bytes(reinterpret_cast<const char*>(&v6), sizeof v6);
+  return IN6_IS_ADDR_V4MAPPED(&v6) ? bytes.substr(12) : bytes;
+}
+
+}  // namespace
+
+Wireless::Wireless(const std::vector<std::string>& given) {
+  const std::vector<std::string> names = given.empty() ? wireless_names() : given;
+  for (const std::string& name : names)
+    if (const unsigned index = ::if_nametoindex(name.c_str()); index != 0 && indices_.size() < kMostInterfaces)
+      indices_.push_back(index);
+
+  ifaddrs* all = nullptr;
+  if (indices_.empty() || ::getifaddrs(&all) != 0) return;
+  for (const ifaddrs* one = all; one; one = one->ifa_next)
+    if (one->ifa_addr && std::ranges::count(names, one->ifa_name))
+      if (std::string bytes = bytes_of(*one->ifa_addr); !bytes.empty()) addresses_.push_back(std::move(bytes));
+  ::freeifaddrs(all);
+}
+
+Result<void> Wireless::silence(int socket) const {
+  if (indices_.empty()) {
+    const int unused = 0;
+    if (::setsockopt(socket, SOL_SOCKET, SO_DETACH_FILTER, &unused, sizeof unused) != 0 && errno != ENOENT)
+      return Error{"cannot listen to wireless networks again: " + std::string(std::strerror(errno))};
+    return {};
+  }
+  // "if the interface is the first, or the second, …: take 0 bytes of the packet; else all"
+  std::vector<sock_filter> program;
+  program.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<unsigned>(SKF_AD_OFF + SKF_AD_IFINDEX)));
+  for (std::size_t left = indices_.size(); const unsigned index : indices_)
+    program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, index, static_cast<std::uint8_t>(left--), 0));
+  program.push_back(BPF_STMT(BPF_RET | BPF_K, 0xffffffff));
+  program.push_back(BPF_STMT(BPF_RET | BPF_K, 0));
+  const sock_fprog filter{.len = static_cast<unsigned short>(program.size()), .filter = program.data()};
+  if (::setsockopt(socket, SOL_SOCKET, SO_ATTACH_FILTER, &filter, sizeof filter) != 0)
+    return Error{"cannot stay silent on wireless networks during the game: " + std::string(std::strerror(errno))};
+  return {};
+}
+
+bool Wireless::carries(int socket) const {
+  sockaddr_storage address{};
+  socklen_t size = sizeof address;
+  if (addresses_.empty() || ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) != 0) return false;
+  return std::ranges::count(addresses_, bytes_of(reinterpret_cast<const sockaddr&>(address))) > 0;
+}
+
+}  // namespace robot::net

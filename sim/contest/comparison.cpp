@@ -1,0 +1,189 @@
+#include "sim/contest/comparison.h"
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "robot/core/files.h"
+#include "sim/io/source.h"
+#include "sim/match/hash.h"
+#include "sim/match/play.h"
+
+namespace sim::contest {
+namespace {
+
+using robot::Error;
+using robot::Result;
+using Kind = referee::Event::Kind;
+
+constexpr int kProbeSteps = 3000;
+constexpr std::uint64_t kOtherLuck = std::uint64_t{1} << 40;  // seeds that no other pair has
+
+/// A number for the text of the file that a name means; 0 where it means none.
+std::uint64_t content_of(const std::string& name) {
+  if (guest::is_guest(name)) return guest::content_of(name);
+  const std::string path = name.substr(0, name.find_first_of(",:"));
+  if (!io::is_path(path)) return 0;
+  const auto text = robot::read_file(path, io::kMaxFileBytes);
+  Hash hash;
+  if (text)
+    for (const char c : *text) hash.add(static_cast<unsigned char>(c));
+  return hash.value();
+}
+
+}  // namespace
+
+const char* name_of(Metric metric) {
+  switch (metric) {
+    case Metric::goals: return "goals";
+    case Metric::first_goal: return "first_goal";
+    case Metric::conceded: return "conceded";
+    case Metric::score_within: return "score_within";
+    case Metric::ball_advance: return "ball_advance";
+  }
+  return "";
+}
+
+Result<void> Comparison::seat(std::vector<Seat>& seats, const std::string& judged, const std::string& against,
+                              Side side, bool changed) {
+  const bool home = side == Side::home;
+  LineupChoice choice{.game = {.rules = choice_.rules,
+                               .strategies = {home ? judged : against, home ? against : judged},
+                               .models = {choice_.models, choice_.models},
+                               .players = choice_.players,
+                               .pace = choice_.pace}};
+  if (changed) choice.changed = choice_.changed, choice.rest[static_cast<int>(side)] = choice_.a;
+  auto lineup = Lineup::prepare(choice);
+  if (!lineup) return Error{lineup.error()};
+  const Side opponent = other(side);
+  put_upon(choice_.conditions, choice_.opponent.empty() ? nullptr : &opponent, lineup->params());
+  auto openings = Openings::read(choice_.situation, choice_.fuzz, lineup->params());
+  if (!openings) return Error{openings.error()};
+  seats.push_back({*std::move(lineup), side, *std::move(openings)});
+  return {};
+}
+
+Result<std::string> Comparison::probe() const {
+  Hash hash;
+  for (const std::vector<Seat>* seats : {&a_, &b_})
+    for (const Seat& seat : *seats) {
+      referee::Events events;
+      const Cast cast(seat.lineup, choice_.seed);
+      State state = begin(cast.params(), {.seed = choice_.seed}, events);
+      for (int i = 0; i < kProbeSteps && !cast.failed(); ++i) step(cast.params(), state, events);
+      if (cast.failed()) return Error{cast.problem()};
+      hash.add(hash_of(state));
+    }
+  return hex(hash.value());
+}
+
+Result<Comparison> Comparison::prepare(const ComparisonChoice& choice) {
+  if (choice.metric == Metric::conceded && choice.opponent.empty())
+    return Error{"metric 'conceded' needs --vs: against each other it is what 'goals' says"};
+  if ((choice.metric == Metric::score_within || choice.metric == Metric::ball_advance) && choice.seconds <= 0)
+    return Error{"metric '" + std::string(name_of(choice.metric)) + "' needs a time, such as score_within:30s"};
+  if (choice.fuzz && choice.situation.empty()) return Error{"--fuzz needs --from, the situation that is varied"};
+  Comparison made;
+  made.choice_ = choice;
+  // the first game of a pair has B away, the second at home
+  for (const Side side : {Side::away, Side::home}) {
+    if (!choice.opponent.empty())
+      if (auto seated = made.seat(made.a_, choice.a, choice.opponent, side, false); !seated)
+        return Error{seated.error()};
+    const std::string& against = choice.opponent.empty() ? choice.a : choice.opponent;
+    if (auto seated = made.seat(made.b_, choice.b, against, side, choice.changed > 0); !seated)
+      return Error{seated.error()};
+  }
+  const auto build = made.probe();
+  if (!build) return Error{build.error()};
+
+  nlohmann::ordered_json json = {{"a", choice.a},
+                                 {"b", choice.b},
+                                 {"vs", choice.opponent},
+                                 {"rules", choice.rules},
+                                 {"models", choice.models},
+                                 {"players", choice.players},
+                                 {"changed", choice.changed},
+                                 {"every_tick", choice.pace == Pace::every_tick},
+                                 {"situation", choice.situation},
+                                 {"fuzz", choice.fuzz},
+                                 {"seconds", choice.seconds},
+                                 {"metric", name_of(choice.metric)},
+                                 {"conditions", choice.conditions.name},
+                                 {"seed", choice.seed},
+                                 {"unpaired", choice.unpaired},
+                                 {"version", FORESIGHT_VERSION},
+                                 {"build", *build}};
+  for (const std::string* file : {&choice.a, &choice.b, &choice.opponent, &choice.rules, &choice.models})
+    if (const std::uint64_t content = content_of(*file)) json["files"][*file] = hex(content);
+  if (!choice.situation.empty()) json["files"][choice.situation] = hex(made.b_[0].openings.content());
+  made.specification_ = json.dump();
+  return made;
+}
+
+Result<Comparison::Score> Comparison::play(const Seat& seat, std::uint64_t seed) const {
+  const Cast cast(seat.lineup, seed);
+  const Params& params = cast.params();
+  State state = seat.openings.begin(params, seed);
+  const int before[2] = {state.book.score[0], state.book.score[1]};
+  const Tick end = choice_.seconds > 0 ? state.world.tick + ticks(static_cast<float>(choice_.seconds)) : kNever;
+  const float sign = attack_sign(state.world, seat.side);
+  const float ball_from = sign * state.world.ball.position.x;
+  const bool first_ends = choice_.metric == Metric::first_goal || choice_.metric == Metric::ball_advance;
+  std::optional<Side> first;
+  sim::play(
+      params, state, [&](const State& now) { return now.world.tick >= end || (first && first_ends) || cast.failed(); },
+      [&](const referee::Event& event) {
+        if (event.kind == Kind::goal && !first) first = event.side;
+      });
+  if (cast.failed()) return Error{cast.problem()};
+
+  const auto scored = [&](Side side) {
+    const int index = static_cast<int>(side);
+    return state.book.score[index] - before[index];
+  };
+  Score score{.own = scored(seat.side), .other = scored(other(seat.side))};
+  score.cost[0] = cast.cost(seat.side), score.cost[1] = cast.cost(other(seat.side));
+  const int winner = !first ? 0 : *first == seat.side ? 1 : -1;
+  switch (choice_.metric) {
+    case Metric::goals: score.value = score.own - score.other; break;
+    case Metric::first_goal: score.value = winner; break;
+    case Metric::conceded: score.value = -score.other; break;
+    case Metric::score_within: score.value = score.own > 0 ? 1 : 0; break;
+    case Metric::ball_advance: {
+      // a goal puts the ball back to the middle at once: it got to the line
+      const float line = static_cast<float>(winner) * params.rules.field.length / 2;
+      const float ball_to = winner != 0 ? line : sign * state.world.ball.position.x;
+      score.value = static_cast<int>(std::lround(100 * (ball_to - ball_from)));
+    }
+  }
+  return score;
+}
+
+Result<PlayedPair> Comparison::play(std::int64_t number) const {
+  PlayedPair played;
+  for (const int place : {0, 1}) {
+    const auto index = static_cast<std::size_t>(place);
+    const std::uint64_t seed = seed_of(number) + (choice_.unpaired && place == 1 ? kOtherLuck : 0);
+    const auto b = play(b_[index], seed);
+    if (!b) return Error{b.error()};
+    Score a{.own = b->other, .other = b->own};  // against each other: the same game from the other side
+    a.cost[0] = b->cost[1];
+    int gain = b->value;
+    if (!a_.empty()) {
+      const auto other_game = play(a_[index], seed);
+      if (!other_game) return Error{other_game.error()};
+      a = *other_game;
+      gain = b->value - a.value;
+    } else if (choice_.metric == Metric::score_within) {
+      gain = b->value - (b->other > 0 ? 1 : 0);
+    }
+    played.pair.games[place] = {.gain = gain, .goals = {a.own, b->own}, .conceded = {a.other, b->other}};
+    played.cost[0].add(a.cost[0]);
+    played.cost[1].add(b->cost[0]);
+  }
+  return played;
+}
+
+}  // namespace sim::contest

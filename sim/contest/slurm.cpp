@@ -1,0 +1,91 @@
+#include "sim/contest/slurm.h"
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace sim::contest {
+namespace {
+
+using robot::Error;
+using robot::Result;
+
+constexpr double kTaskSeconds = 60;  // at least: Slurm needs about half a second to start one
+constexpr std::int64_t kMostTasks = 1000;
+
+std::string quoted(const std::string& word) {
+  std::string all = "'";
+  for (const char c : word) all += c == '\'' ? "'\\''" : std::string(1, c);
+  return all + "'";
+}
+
+std::string command_line(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : " ") + quoted(word);
+  return all;
+}
+
+constexpr const char* kHead = "#!/bin/sh\n#SBATCH --ntasks=1\n";
+
+/// The number that sbatch answers with.
+Result<std::string> sbatch(const std::string& arguments) {
+  const std::string command = "sbatch --parsable " + arguments;
+  const std::unique_ptr<FILE, int (*)(FILE*)> output(popen((command + " 2>&1").c_str(), "r"), pclose);
+  if (!output) return Error{"cannot run sbatch"};
+  std::string said;
+  for (int c = 0; (c = std::fgetc(output.get())) != EOF;)
+    if (said.size() < 1000) said += static_cast<char>(c);
+  while (!said.empty() && said.back() == '\n') said.pop_back();
+  // "number" or "number;cluster"
+  const std::string number = said.substr(0, said.find(';'));
+  if (number.empty() || number.find_first_not_of("0123456789") != number.npos)
+    return Error{"sbatch: expected the number of a job, got '" + said + "'"};
+  return number;
+}
+
+}  // namespace
+
+Division divide(std::int64_t blocks, double seconds_per_block) {
+  const auto for_a_minute = static_cast<std::int64_t>(std::ceil(kTaskSeconds / std::max(seconds_per_block, 1e-3)));
+  const std::int64_t for_few = (blocks + kMostTasks - 1) / kMostTasks;
+  return {.blocks = blocks, .blocks_per_task = std::clamp(for_a_minute, for_few, std::max(blocks, for_few))};
+}
+
+std::string array_script(const std::vector<std::string>& words, const Division& division) {
+  const std::string per_task = std::to_string(division.blocks_per_task), blocks = std::to_string(division.blocks);
+  // what was killed is begun again, and goes on behind the last block that was written; a node that is lost, Slurm sees to
+  return kHead + std::string("#SBATCH --array=0-") + std::to_string(division.tasks() - 1) +
+         "\n#SBATCH --requeue\nfrom=$((SLURM_ARRAY_TASK_ID * " + per_task + "))\nto=$((from + " + per_task +
+         "))\n[ \"$to\" -le " + blocks + " ] || to=" + blocks +
+         "\nfor try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do\n  " + command_line(words) +
+         " --blocks \"$from..$to\"\n  status=$?\n  [ \"$status\" -gt 128 ] || exit \"$status\"\n  sleep 1\ndone\n"
+         "exit \"$status\"\n";
+}
+
+std::string merge_script(const std::vector<std::string>& words) {
+  // a verdict of "not better" or "undecided" is no failure of the job
+  return kHead + command_line(words) + " --merge\nstatus=$?\n[ \"$status\" -ne 2 ]\n";
+}
+
+Result<Submitted> submit(const std::vector<std::string>& words, const Division& division, const RunFolder& folder) {
+  const std::filesystem::path where = std::filesystem::absolute(folder.path());
+  // hands a script over, with what is said before it; its log lies beside the blocks
+  const auto hand_over = [&](const char* name, const std::string& script,
+                             const std::string& before) -> Result<std::string> {
+    const std::filesystem::path path = where / (std::string(name) + ".sh"),
+                                log = where / (std::string(name) + "-%j.log");
+    if (auto written = robot::replace_file(path, script, 0755); !written) return Error{written.error()};
+    return sbatch(before + "--job-name=foresight-" + name + " --output=" + quoted(log.string()) + " " +
+                  quoted(path.string()));
+  };
+  const auto array = hand_over("blocks", array_script(words, division), "");
+  if (!array) return Error{array.error()};
+  const auto merging = hand_over("merge", merge_script(words), "--dependency=afterok:" + *array + " ");
+  if (!merging) return Error{merging.error()};
+  return Submitted{*array, *merging};
+}
+
+}  // namespace sim::contest

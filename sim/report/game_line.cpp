@@ -1,0 +1,56 @@
+#include "sim/report/game_line.h"
+
+#include <algorithm>
+
+#include "sim/report/census.h"
+#include "sim/report/game_report.h"
+
+namespace sim::report {
+namespace {
+
+using Kind = referee::Event::Kind;
+
+double seconds(Tick ticks) { return static_cast<double>(ticks) / kTicksPerSecond; }
+
+bool is_out(Kind kind) {
+  return kind == Kind::out || kind == Kind::kick_in || kind == Kind::goal_kick || kind == Kind::corner_kick;
+}
+
+}  // namespace
+
+std::string game_line(const Params& params, std::uint64_t seed) {
+  GameReport report{.seed = seed};
+  referee::Events opening;
+  State state = begin(params, {.seed = seed}, opening);
+  Census census;
+  Json first_goal;
+  int outs = 0;
+  std::uint32_t events[kEventKinds][2] = {};
+  play(
+      params, state,
+      [&](const State& now) {
+        census.look(now);
+        return false;
+      },
+      [&](const referee::Event& event) {
+        ++events[static_cast<int>(event.kind)][static_cast<int>(event.side)];
+        if (is_out(event.kind)) ++outs;
+        if (event.kind == Kind::goal && first_goal.is_null()) first_goal = seconds(event.tick);
+      });
+  report.result = result_of(state);
+  std::copy(&events[0][0], &events[0][0] + 2 * kEventKinds, &report.result.events[0][0]);
+
+  Json json = to_json(report, params.rules.players);
+  json.erase("events");  // of which there are hundreds
+  json["first_goal_seconds"] = first_goal;
+  json["out"] = outs;
+  json["home"].update(census.of(Side::home));
+  json["away"].update(census.of(Side::away));
+  json["seen"] = Json::array();
+  for_each_robot(params.rules.players, [&](int robot) {
+    json["seen"].push_back(seconds(state.tally.seen[robot]) / seconds(std::max<Tick>(1, state.tally.in_play)));
+  });
+  return json.dump() + "\n";
+}
+
+}  // namespace sim::report

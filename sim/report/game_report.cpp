@@ -1,0 +1,178 @@
+#include "sim/report/game_report.h"
+
+#include <array>
+#include <cstdio>
+
+namespace sim::report {
+namespace {
+
+using Kind = referee::Event::Kind;
+
+constexpr std::array kSides = {"home", "away"};
+
+/// One line of the table: a figure of each side.
+struct Row {
+  const char* key;
+  const char* shown;
+  const char* format;  // of a double
+  double (*value)(const Result& result, int side, int players);
+};
+
+double seen(const Result& result, int side, int players) {
+  double ticks = 0;
+  for (int player = 1; player <= players; ++player)
+    ticks += result.tally.seen[robot_of(static_cast<Side>(side), player)];
+  return result.tally.in_play == 0 ? 0 : ticks / players / result.tally.in_play;
+}
+
+double penalties(const Result& result, int side, int) {
+  double sum = 0;
+  for (const Kind kind : {Kind::pushing, Kind::illegal_defender, Kind::leaving, Kind::local_stuck, Kind::global_stuck,
+                          Kind::illegal_kick, Kind::illegal_position})
+    sum += result.events[static_cast<int>(kind)][side];
+  return sum;
+}
+
+// shares are in [0..1]: their formats end in "%%" and show hundredths
+constexpr Row kRows[] = {
+    {"goals", "goals", "%.0f", [](const Result& result, int side, int) { return double(result.score[side]); }},
+    {"shots", "shots", "%.0f", [](const Result& result, int side, int) { return double(result.tally.shots[side]); }},
+    {"kicks", "kicks", "%.0f", [](const Result& result, int side, int) { return double(result.tally.kicks[side]); }},
+    {"whiffs", "missed kicks", "%.0f",
+     [](const Result& result, int side, int) { return double(result.tally.whiffs[side]); }},
+    {"possession", "possession", "%.1f %%",
+     [](const Result& result, int side, int) { return double(result.possession(static_cast<Side>(side))); }},
+    {"ball_seen", "ball seen", "%.1f %%", seen},
+    {"walked", "walked", "%.0f m", [](const Result& result, int side, int) { return double(result.walked[side]); }},
+    {"penalties", "penalties", "%.0f", penalties},
+    {"packets", "packets", "%.0f", [](const Result& result, int side, int) { return double(result.packets[side]); }},
+};
+
+bool is_share(const Row& row) { return std::string_view(row.format).ends_with("%%"); }
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  char buffer[160];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+std::string shown(const Row& row, double value) { return text(row.format, is_share(row) ? 100 * value : value); }
+
+/// What everybody sees; phases are left to the JSON.
+bool is_news(Kind kind) { return kind >= Kind::goal && kind != Kind::placed; }
+
+double goals(const GameReport& report) { return report.result.score[0] + report.result.score[1]; }
+
+std::string heading(const io::Choice& choice, const Params& params) {
+  const field::Rules& rules = params.rules;
+  std::string line = text("%s: %d a side, %d x %s", choice.rules.c_str(), rules.players, rules.halves,
+                          clock_text(rules.half_duration).c_str());
+  for (int side = 0; side < 2; ++side)
+    line += text("\n  %s  %s, models %s", kSides[static_cast<std::size_t>(side)], choice.strategies[side].c_str(),
+                 params.teams[side].models.name.c_str());
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string who(const referee::Event& event) {
+  if (event.kind == Kind::half_time || event.kind == Kind::end || event.kind == Kind::global_stuck) return "";
+  std::string name = kSides[static_cast<std::size_t>(event.side)];
+  if (event.robot != kNobody) name += " " + std::to_string(player_of(event.robot));
+  return name;
+}
+
+std::string clock_text(float seconds) {
+  const int whole = static_cast<int>(seconds);
+  return text("%02d:%02d", whole / 60, whole % 60);
+}
+
+Json to_json(const GameReport& report, int players) {
+  Json json = {{"seed", report.seed},
+               {"score", {report.result.score[0], report.result.score[1]}},
+               {"finished", report.result.over},
+               {"seconds", static_cast<double>(report.result.ticks) / kTicksPerSecond},
+               {"in_play_seconds", static_cast<double>(report.result.tally.in_play) / kTicksPerSecond}};
+  for (const int side : {0, 1}) {
+    Json& figures = json[kSides[static_cast<std::size_t>(side)]];
+    for (const Row& row : kRows) figures[row.key] = row.value(report.result, side, players);
+  }
+  json["events"] = Json::array();
+  for (const Moment& moment : report.moments)
+    json["events"].push_back({{"kind", referee::name_of(moment.event.kind)},
+                              {"who", who(moment.event)},
+                              {"half", moment.half},
+                              {"clock", moment.clock},
+                              {"tick", moment.event.tick},
+                              {"x", moment.event.at.x},
+                              {"y", moment.event.at.y},
+                              {"score", {moment.score[0], moment.score[1]}}});
+  return json;
+}
+
+std::string to_text(const GameReport& report, const io::Choice& choice, const Params& params) {
+  const Result& result = report.result;
+  std::string all = heading(choice, params) + text("  seed  %llu\n\n", static_cast<unsigned long long>(report.seed));
+  all += text("%-14s%10s%10s\n", "", "home", "away");
+  for (const Row& row : kRows)
+    all += text("%-14s%10s%10s\n", row.shown, shown(row, row.value(result, 0, params.rules.players)).c_str(),
+                shown(row, row.value(result, 1, params.rules.players)).c_str());
+  all += "\n";
+  for (const Moment& moment : report.moments)
+    if (is_news(moment.event.kind))
+      all += text(who(moment.event).empty() ? "%d  %s  %d:%d  %s\n" : "%d  %s  %d:%d  %-17s %s\n", moment.half,
+                  clock_text(moment.clock).c_str(), moment.score[0], moment.score[1],
+                  referee::name_of(moment.event.kind), who(moment.event).c_str());
+  return all;
+}
+
+Json to_json(const std::vector<GameReport>& reports, int players) {
+  Json json = {{"games", reports.size()}, {"means", Json::object()}, {"scores", Json::array()}};
+  for (const int side : {0, 1})
+    for (const Row& row : kRows) {
+      std::vector<double> values;
+      for (const GameReport& report : reports) values.push_back(row.value(report.result, side, players));
+      const contest::Mean mean = contest::mean_of(values);
+      json["means"][kSides[static_cast<std::size_t>(side)]][row.key] = {{"mean", mean.mean},
+                                                                        {"standard_error", mean.error}};
+    }
+  for (const GameReport& report : reports)
+    json["scores"].push_back(
+        {{"seed", report.seed}, {"home", report.result.score[0]}, {"away", report.result.score[1]}});
+  return json;
+}
+
+std::string to_text(const std::vector<GameReport>& reports, const io::Choice& choice, const Params& params) {
+  std::string all =
+      heading(choice, params) + text("  seeds %llu .. %llu\n\n", static_cast<unsigned long long>(reports.front().seed),
+                                     static_cast<unsigned long long>(reports.back().seed));
+  all += text("%-14s%20s%20s\n", "mean of a game", "home", "away");
+  for (const Row& row : kRows) {
+    all += text("%-14s", row.shown);
+    for (const int side : {0, 1}) {
+      std::vector<double> values;
+      for (const GameReport& report : reports) values.push_back(row.value(report.result, side, params.rules.players));
+      const contest::Mean mean = contest::mean_of(values);
+      const double scale = is_share(row) ? 100 : 1;
+      all += text("%12.2f ± %5.2f", scale * mean.mean, scale * mean.error) + (is_share(row) ? "%" : " ");
+    }
+    all += "\n";
+  }
+
+  int won[2] = {0, 0}, goalless = 0;
+  std::vector<double> sums;
+  for (const GameReport& report : reports) {
+    const auto& score = report.result.score;
+    if (score[0] != score[1]) ++won[score[0] > score[1] ? 0 : 1];
+    if (goals(report) == 0) ++goalless;
+    sums.push_back(goals(report));
+  }
+  const int count = static_cast<int>(reports.size());
+  const contest::Mean mean = contest::mean_of(sums);
+  all += text("\n%d games: home won %d, away won %d, drawn %d, of these %d goalless; %.2f ± %.2f goals a game\n", count,
+              won[0], won[1], count - won[0] - won[1], goalless, mean.mean, mean.error);
+  return all;
+}
+
+}  // namespace sim::report

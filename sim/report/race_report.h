@@ -1,0 +1,19 @@
+// What foresight says, as a table for people and as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/foresight/forecast.h"
+#include "sim/report/game_report.h"
+
+namespace sim::report {
+
+/// One line per strategy, and the advice in a sentence.
+void print_race(const foresight::Forecast& forecast, const foresight::Question& question,
+                const std::vector<std::string>& names);
+
+Json race_json(const foresight::Forecast& forecast, const foresight::Question& question,
+               const std::vector<std::string>& names);
+
+}  // namespace sim::report

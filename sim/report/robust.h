@@ -1,0 +1,29 @@
+// A verdict asked again under other models: does it hang on what robots are like?
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/contest/contest.h"
+#include "sim/report/contest_report.h"
+
+namespace sim::report {
+
+/// What was found under one of the conditions.
+struct UnderConditions {
+  std::string conditions;  // "walk x0.8"; empty: as the models say
+  compare::Verdict verdict = compare::Verdict::undecided;
+  compare::Interval gain;
+  std::int64_t pairs = 0;
+};
+
+/// The conditions under which the verdict is another than under the models as they are, which come first in the list.
+std::vector<std::string> turned_by(const std::vector<UnderConditions>& found);
+
+/// "passing is better than baseline throughout: under all 7 models", "… under these models, but not with walk x0.8".
+std::string robust_sentence(const contest::ComparisonChoice& choice, const std::vector<UnderConditions>& found);
+
+Json robust_json(const contest::ComparisonChoice& choice, const std::vector<UnderConditions>& found);
+std::string robust_text(const contest::ComparisonChoice& choice, const std::vector<UnderConditions>& found);
+
+}  // namespace sim::report

@@ -1,0 +1,88 @@
+#include "robot/image/image_codec.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace robot::image {
+namespace {
+
+/// A smooth picture: what a JPEG of good quality keeps almost unchanged.
+std::string gradient(int width, int height) {
+  std::string yuyv;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      yuyv.push_back(static_cast<char>(40 + 160 * x / width));
+      yuyv.push_back(static_cast<char>(x % 2 == 0 ? 80 + 90 * y / height : 190 - 90 * y / height));
+    }
+  return yuyv;
+}
+
+int difference(char a, char b) { return std::abs(static_cast<unsigned char>(a) - static_cast<unsigned char>(b)); }
+
+TEST(Jpeg, ItsSizeIsToldWithoutDecodingIt) {
+  const Result<std::string> jpeg = encode_jpeg(gradient(320, 240), 320, 240, {.width = 160});
+  ASSERT_TRUE(jpeg);
+  const Result<ImageSize> size = size_of_jpeg(*jpeg);
+  ASSERT_TRUE(size) << size.error();
+  EXPECT_EQ(size->width, 160);
+  EXPECT_EQ(size->height, 120);
+  EXPECT_FALSE(size_of_jpeg("no picture"));
+  EXPECT_FALSE(size_of_jpeg(""));
+}
+
+TEST(Jpeg, GivesBackAlmostTheSamePicture) {
+  const std::string picture = gradient(320, 240);
+  const Result<std::string> jpeg = encode_jpeg(picture, 320, 240, {.width = 0, .quality = 95});
+  ASSERT_TRUE(jpeg);
+  EXPECT_LT(jpeg->size(), picture.size() / 8);
+  const Result<YuyvImage> decoded = decode_jpeg(*jpeg);
+  ASSERT_TRUE(decoded) << decoded.error();
+  EXPECT_EQ(decoded->width, 320);
+  EXPECT_EQ(decoded->height, 240);
+  ASSERT_EQ(decoded->yuyv.size(), picture.size());
+  // a border column of chroma is smoothed against its neighbour, so the frame is left out
+  for (int y = 1; y < 239; ++y)
+    for (int byte = 8; byte < 632; ++byte) {
+      const std::size_t at = static_cast<std::size_t>(y) * 640 + static_cast<std::size_t>(byte);
+      ASSERT_LE(difference(decoded->yuyv[at], picture[at]), 6) << "row " << y << " byte " << byte;
+    }
+}
+
+TEST(Jpeg, HalvesAPictureByItsMeans) {
+  const std::string grey(640 * 480 * 2, '\x80');
+  const Result<std::string> jpeg = encode_jpeg(grey, 640, 480, {.width = 320, .quality = 60});
+  ASSERT_TRUE(jpeg);
+  const Result<YuyvImage> decoded = decode_jpeg(*jpeg);
+  ASSERT_TRUE(decoded);
+  EXPECT_EQ(decoded->width, 320);
+  EXPECT_EQ(decoded->height, 240);
+  for (const char value : decoded->yuyv) ASSERT_LE(difference(value, '\x80'), 1);
+}
+
+TEST(Jpeg, SaysWhichValueIsWrong) {
+  EXPECT_EQ(encode_jpeg(std::string(10, 'x'), 640, 480).error(),
+            "JPEG: expected 2 bytes per pixel of a 640x480 image, got 10 bytes");
+  EXPECT_EQ(encode_jpeg("", 3, 480).error(),
+            "JPEG: expected a width in 4s and a height in 2s up to 4096 px, got 3x480");
+  EXPECT_EQ(encode_jpeg(gradient(8, 8), 8, 8, {.width = 5}).error(), "JPEG: expected the width 8 or half of it, got 5");
+  EXPECT_EQ(encode_jpeg(gradient(8, 8), 8, 8, {.quality = 0}).error(), "JPEG: quality must be 1 .. 100, got 0");
+}
+
+TEST(Jpeg, SurvivesEveryTruncationAndFlippedByte) {
+  const std::string jpeg = *encode_jpeg(gradient(16, 16), 16, 16);
+  for (std::size_t size = 0; size < jpeg.size(); ++size) (void)decode_jpeg(jpeg.substr(0, size));
+  for (std::size_t at = 0; at < jpeg.size(); ++at) {
+    std::string damaged = jpeg;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x5a);
+    const Result<YuyvImage> decoded = decode_jpeg(damaged);
+    if (decoded)
+      EXPECT_EQ(decoded->yuyv.size(),
+                static_cast<std::size_t>(decoded->width) * static_cast<std::size_t>(decoded->height) * 2);
+    else
+      EXPECT_EQ(decoded.error().substr(0, 6), "JPEG: ");
+  }
+}
+
+}  // namespace
+}  // namespace robot::image

@@ -1,0 +1,367 @@
+// A robot's server on loopback, and what a link makes of it.
+#include "robot/lab/relay/robot_link.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <mutex>
+
+#include "proto/foresight/ball.pb.h"
+#include "proto/foresight/camera.pb.h"
+#include "robot/image/image_codec.h"
+#include "robot/logging/streams/board.h"
+#include "robot/memory/schema.h"
+#include "robot/net/foxglove/derived_channels.h"
+#include "robot/net/serve/board_streams.h"
+#include "robot/net/serve/server.h"
+#include "tests/robot/net/net_support.h"
+
+namespace robot::lab {
+namespace {
+
+using memory::Delivery;
+
+/// A bound for failures only.
+constexpr std::uint64_t kPatience = 60 * kSecond;
+
+template <class Condition>
+void wait_until(Condition&& condition, const char* what) {
+  const std::uint64_t deadline_ns = monotonic_ns() + kPatience;
+  while (!condition()) {
+    ASSERT_LT(monotonic_ns(), deadline_ns) << what;
+    ::usleep(5'000);
+  }
+}
+
+/// A clock that may be set right.
+class SettableClock final : public Clock {
+ public:
+  explicit SettableClock(std::int64_t ahead_ns) : ahead_ns_(ahead_ns) {}
+  std::uint64_t now_ns() const override { return right_.now_ns() + static_cast<std::uint64_t>(ahead_ns_.load()); }
+  void set_right() { ahead_ns_ = 0; }
+
+ private:
+  const SessionClock right_;
+  std::atomic<std::int64_t> ahead_ns_;
+};
+
+/// A robot's runtime as far as others see it.
+class Robot {
+ public:
+  explicit Robot(const std::string& name, std::int64_t ahead_ns = 0, std::uint16_t port = 0)
+      : clock(ahead_ns), name_(name) {
+    net::declare_image_parameters(parameters);
+    net::add_clock_sync(services, clock, [this](const net::PeerClock& peer) {
+      const std::lock_guard guard(lock_);
+      measured_.push_back(peer);
+    });
+    port_ = port;
+  }
+
+  std::shared_ptr<memory::RawChannel> add(memory::ChannelInfo info) {
+    auto channel = std::make_shared<memory::RawChannel>(std::move(info), clock);
+    EXPECT_TRUE(channels.add(channel));
+    return channel;
+  }
+  void start() {
+    server = std::make_unique<net::Server>(
+        net::ServerOptions{.port = port_, .hub = {.metadata = {{"robots", name_}}, .queues = {}}}, channels,
+        [this](const memory::ChannelInfo& info) { return net::derived_channels(info, parameters); }, streams, clock,
+        parameters, services, application);
+    const auto started = server->start();
+    ASSERT_TRUE(started) << started.error();
+    port_ = server->port();
+  }
+  RobotAddress address() const {
+    return {.name = name_, .addresses = {"ws://127.0.0.1:" + std::to_string(port_) + "/"}};
+  }
+  std::vector<net::PeerClock> measured() {
+    const std::lock_guard guard(lock_);
+    return measured_;
+  }
+
+  SettableClock clock;
+  memory::Channels channels;
+  logging::LoggingBoard board;
+  net::BoardStreams streams{board};
+  net::Parameters parameters;
+  net::Services services;
+  tests::TestBackend application;
+  std::unique_ptr<net::Server> server;
+
+ private:
+  const std::string name_;
+  std::uint16_t port_ = 0;
+  std::mutex lock_;
+  std::vector<net::PeerClock> measured_;
+};
+
+/// Keeps all that enters a channel.
+class Kept final : public memory::Listener {
+ public:
+  explicit Kept(memory::Channel& channel) : channel_(channel) { channel.attach(*this); }
+  ~Kept() override { channel_.detach(*this); }
+  void on_version(const memory::VersionPtr& version) override {
+    const std::lock_guard guard(lock_);
+    versions_.push_back(version);
+  }
+  std::vector<memory::VersionPtr> versions() const {
+    const std::lock_guard guard(lock_);
+    return versions_;
+  }
+
+ private:
+  memory::Channel& channel_;
+  mutable std::mutex lock_;
+  std::vector<memory::VersionPtr> versions_;
+};
+
+struct Relaying : testing::Test {
+  const SessionClock clock;
+  memory::Channels channels;
+  TopicClaims claims;
+  std::mutex lock;
+  std::vector<ClockOffset> offsets;
+
+  std::unique_ptr<RobotLink> link(const Robot& robot, LinkOptions options = {}, int id = 1) {
+    options.robot = robot.address();
+    return std::make_unique<RobotLink>(id, options, channels, claims, clock,
+                                       [this](const std::string&, const ClockOffset& offset) {
+                                         const std::lock_guard guard(lock);
+                                         offsets.push_back(offset);
+                                       });
+  }
+  void wait_for(const std::string& topic, std::string_view bytes) {
+    wait_until(
+        [&] {
+          const auto channel = channels.find(topic);
+          return channel && channel->newest() && channel->newest()->bytes() == bytes;
+        },
+        topic.c_str());
+  }
+};
+
+TEST_F(Relaying, TopicsSchemasAndEveryMessageAreThoseOfTheRobotAlsoOfObjectsNobodyKnows) {
+  Robot robot("14/2");
+  const auto ball = robot.add({.topic = "/14/2/ball", .schema = memory::schema_of(*foresight::Ball::descriptor())});
+  const auto vortex = robot.add({.topic = "/14/2/vortex",
+                                 .message_encoding = "json",
+                                 .schema = {.name = "Vortex", .encoding = "jsonschema", .bytes = "{}"},
+                                 .delivery = Delivery::reliable});
+  robot.start();
+  const auto relayed = link(robot, {.lossless = true});
+  EXPECT_TRUE(ball->write_bytes("\x08\x01", 1));
+  EXPECT_TRUE(vortex->write_bytes("0", 1));
+  wait_for("/14/2/ball", "\x08\x01");
+  wait_for("/14/2/vortex", "0");
+  const Kept kept(*channels.find("/14/2/vortex"));
+  for (std::uint64_t i = 1; i <= 500; ++i) EXPECT_TRUE(vortex->write_bytes(std::to_string(i), i * 1000));
+  // an object that comes later is relayed, too
+  const auto late =
+      robot.add({.topic = "/14/2/late", .message_encoding = "json", .schema = {}, .delivery = Delivery::fifo});
+  EXPECT_TRUE(late->write_bytes("{}", 7));
+  wait_for("/14/2/vortex", "500");
+  wait_for("/14/2/late", "{}");
+
+  for (const auto& channel : robot.channels.all())
+    EXPECT_EQ(channels.find(channel->info().topic)->info(), channel->info());
+  const auto versions = kept.versions();
+  ASSERT_EQ(versions.size(), 501u);
+  for (std::uint64_t i = 1; i <= 500; ++i) {
+    EXPECT_EQ(versions[i]->bytes(), std::to_string(i));
+    EXPECT_EQ(versions[i]->capture_ns(), i * 1000);
+    EXPECT_EQ(versions[i]->sequence(), versions[0]->sequence() + i);
+  }
+  EXPECT_EQ(versions.back()->publish_ns(), vortex->newest()->publish_ns());
+  const LinkStatus status = relayed->status();
+  EXPECT_EQ(status.state, LinkStatus::State::connected);
+  EXPECT_EQ(status.robot, "14/2");
+  EXPECT_EQ(status.lost, 0u);
+  EXPECT_EQ(status.received, 503u);
+}
+
+TEST_F(Relaying, ARobotThatGoesComesBackAndWhatWasMissedIsCounted) {
+  auto robot = std::make_unique<Robot>("14/2");
+  const memory::ChannelInfo info{
+      .topic = "/14/2/x", .message_encoding = "json", .schema = {}, .delivery = Delivery::reliable};
+  auto channel = robot->add(info);
+  robot->start();
+  const std::uint16_t port = robot->server->port();
+  const auto relayed = link(*robot);
+  EXPECT_TRUE(channel->write_bytes("before", 1));
+  wait_for("/14/2/x", "before");
+  robot.reset();
+  wait_until([&] { return relayed->status().state == LinkStatus::State::connecting; }, "the end of the connection");
+  EXPECT_FALSE(relayed->status().problem.empty());
+
+  robot = std::make_unique<Robot>("14/2", 0, port);
+  channel = robot->add(info);
+  for (const char* text : {"missed", "missed, too", "after"}) EXPECT_TRUE(channel->write_bytes(text, 2));
+  robot->start();
+  wait_for("/14/2/x", "after");
+  wait_until([&] { return relayed->status().lost == 2; }, "what was missed");
+  EXPECT_EQ(relayed->status().connections, 2u);
+  EXPECT_EQ(channels.find("/14/2/x")->newest()->sequence(), 4u);
+}
+
+TEST_F(Relaying, AClockThatIsOffIsSetRightAndBothSidesAreTold) {
+  Robot robot("14/2", 2'000'000'000);
+  const auto ball = robot.add({.topic = "/14/2/ball", .schema = memory::schema_of(*foresight::Ball::descriptor())});
+  robot.start();
+  const auto relayed = link(robot);
+  wait_until([&] { return relayed->status().state == LinkStatus::State::connected; }, "the connection");
+  const LinkStatus status = relayed->status();
+  ASSERT_TRUE(status.clock);
+  EXPECT_LE(std::abs(status.clock->offset_ns - 2'000'000'000),
+            static_cast<std::int64_t>(status.clock->error_ns + kMillisecond));
+  EXPECT_EQ(status.shift_ns, -status.clock->offset_ns);
+
+  foresight::Ball seen;
+  const std::uint64_t at_ns = robot.clock.now_ns();
+  seen.set_seen_ns(at_ns);
+  EXPECT_TRUE(ball->write_bytes(seen.SerializeAsString(), at_ns));
+  const std::uint64_t shown_ns = at_ns + static_cast<std::uint64_t>(status.shift_ns);
+  seen.set_seen_ns(shown_ns);
+  wait_for("/14/2/ball", seen.SerializeAsString());
+  EXPECT_EQ(channels.find("/14/2/ball")->newest()->capture_ns(), shown_ns);
+  // the robot is told what was measured, to be recorded there
+  ASSERT_FALSE(robot.measured().empty());
+  const net::PeerClock peer = robot.measured().back();
+  EXPECT_LE(std::abs(peer.offset_ns + 2'000'000'000),
+            static_cast<std::int64_t>(*peer.round_trip_ns / 2 + kMillisecond));
+  const std::lock_guard guard(lock);
+  EXPECT_FALSE(offsets.empty());
+}
+
+TEST_F(Relaying, AClockThatIsTooFarOffIsRefusedWithTheOffset) {
+  Robot robot("14/2", 5'000'000'000);
+  const auto channel = robot.add({.topic = "/14/2/x", .message_encoding = "json", .schema = {}});
+  robot.start();
+  EXPECT_TRUE(channel->write_bytes("{}", 1));
+  const auto relayed = link(robot, {.most_offset_ns = kSecond});
+  wait_until(
+      [&] { return relayed->status().state == LinkStatus::State::refused && !relayed->status().problem.empty(); },
+      "the refusal");
+  EXPECT_EQ(relayed->status().problem.find("its clock is 5.000 s ahead (± "), 0u) << relayed->status().problem;
+  EXPECT_EQ(channels.find("/14/2/x"), nullptr);
+}
+
+TEST_F(Relaying, ARunThatWasRefusedAtFirstIsStillANewRun) {
+  auto robot = std::make_unique<Robot>("14/2");
+  const memory::ChannelInfo info{
+      .topic = "/14/2/x", .message_encoding = "json", .schema = {}, .delivery = Delivery::reliable};
+  auto channel = robot->add(info);
+  robot->start();
+  const std::uint16_t port = robot->server->port();
+  const auto relayed = link(*robot, {.most_offset_ns = kSecond});
+  for (const char* text : {"1", "2", "3", "4"}) EXPECT_TRUE(channel->write_bytes(text, 1));
+  wait_for("/14/2/x", "4");
+  robot.reset();
+  robot = std::make_unique<Robot>("14/2", 5'000'000'000, port);
+  channel = robot->add(info);
+  robot->start();
+  wait_until([&] { return relayed->status().state == LinkStatus::State::refused; }, "the refusal");
+  robot->clock.set_right();
+  EXPECT_TRUE(channel->write_bytes("of the new run", 2));
+  wait_for("/14/2/x", "of the new run");
+}
+
+TEST_F(Relaying, PicturesComeAsJpegUnderTheirOwnTopicOrRawOrNotAtAll) {
+  Robot robot("14/2");
+  const memory::ChannelInfo info{.topic = "/14/2/camera_top",
+                                 .schema = memory::schema_of(*foresight::Image::descriptor())};
+  const auto camera = robot.add(info);
+  robot.start();
+  foresight::Image image;
+  image.set_encoding(foresight::Image::ENCODING_YUYV);
+  image.set_width(64);
+  image.set_height(48);
+  image.set_data(std::string(64 * 48 * 2, '\x80'));
+  EXPECT_TRUE(camera->write_bytes(image.SerializeAsString(), 1'700'000'000 * kSecond));
+
+  {
+    const auto relayed = link(robot);
+    wait_until([&] { return channels.find("/14/2/camera_top") && channels.find("/14/2/camera_top")->newest(); },
+               "a picture");
+    EXPECT_EQ(channels.find("/14/2/camera_top")->info(), info);
+    EXPECT_EQ(channels.all().size(), 1u) << "what is derived is derived here again";
+    const auto newest = channels.find("/14/2/camera_top")->newest();
+    foresight::Image jpeg;
+    ASSERT_TRUE(jpeg.ParseFromString(std::string(newest->bytes())));
+    EXPECT_EQ(jpeg.encoding(), foresight::Image::ENCODING_JPEG);
+    EXPECT_EQ(jpeg.width(), 64u);
+    EXPECT_EQ(jpeg.height(), 48u);
+    EXPECT_EQ(newest->capture_ns(), 1'700'000'000 * kSecond);
+    const auto decoded = image::decode_jpeg(jpeg.data());
+    ASSERT_TRUE(decoded);
+    EXPECT_NEAR(static_cast<unsigned char>(decoded->yuyv[0]), 0x80, 3);
+  }
+  {
+    memory::Channels others;
+    TopicClaims anew;
+    const RobotLink raw(1, {.robot = robot.address(), .pictures = Pictures::raw}, others, anew, clock,
+                        [](auto&&...) {});
+    wait_until([&] { return others.find("/14/2/camera_top") && others.find("/14/2/camera_top")->newest(); },
+               "a picture");
+    EXPECT_EQ(others.find("/14/2/camera_top")->newest()->bytes(), image.SerializeAsString());
+  }
+  {
+    memory::Channels others;
+    TopicClaims anew;
+    const auto last = robot.add({.topic = "/14/2/last", .message_encoding = "json", .schema = {}});
+    const RobotLink none(1, {.robot = robot.address(), .pictures = Pictures::none}, others, anew, clock,
+                         [](auto&&...) {});
+    wait_until([&] { return others.find("/14/2/last") != nullptr; }, "the other channel");
+    EXPECT_EQ(others.find("/14/2/camera_top"), nullptr);
+  }
+}
+
+TEST_F(Relaying, WhatIsARobotsOwnItTellsItself) {
+  Robot two("14/2"), three("14/3");
+  const memory::ChannelInfo info{
+      .topic = "/14/3/x", .message_encoding = "json", .schema = {}, .delivery = Delivery::reliable};
+  const auto rumour = two.add(info), truth = three.add(info);
+  two.start();
+  three.start();
+  const auto first = link(two);
+  EXPECT_TRUE(rumour->write_bytes("rumour", 1));
+  wait_for("/14/3/x", "rumour");
+  const auto second = link(three, {}, 2);
+  EXPECT_TRUE(truth->write_bytes("truth", 2));
+  wait_for("/14/3/x", "truth");
+  const Kept kept(*channels.find("/14/3/x"));
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(rumour->write_bytes("rumour", 3));
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(truth->write_bytes(std::to_string(i), 4));
+  wait_for("/14/3/x", "19");
+  for (const auto& version : kept.versions()) EXPECT_NE(version->bytes(), "rumour");
+}
+
+TEST_F(Relaying, AnotherSchemaUnderTheSameNameIsNotMixedIn) {
+  Robot robot("14/2");
+  robot.add({.topic = "/14/2/x",
+             .message_encoding = "json",
+             .schema = {.name = "New", .encoding = "jsonschema", .bytes = "{}"}});
+  const auto other = robot.add({.topic = "/14/2/y", .message_encoding = "json", .schema = {}});
+  const auto known = std::make_shared<memory::RawChannel>(
+      memory::ChannelInfo{.topic = "/14/2/x", .message_encoding = "json", .schema = {.name = "Old"}}, clock);
+  ASSERT_TRUE(channels.add(known));
+  robot.start();
+  EXPECT_TRUE(robot.channels.find("/14/2/x")->write_bytes("new", 1));
+  EXPECT_TRUE(other->write_bytes("{}", 1));
+  const auto relayed = link(robot);
+  wait_for("/14/2/y", "{}");
+  EXPECT_EQ(known->newest(), nullptr);
+}
+
+TEST(AskName, IsTheRobotsOrASentence) {
+  Robot robot("14/7");
+  robot.start();
+  const auto name = ask_name(robot.address(), kPatience);
+  ASSERT_TRUE(name) << name.error();
+  EXPECT_EQ(*name, "14/7");
+  EXPECT_FALSE(ask_name({.name = "nobody", .addresses = {"ws://127.0.0.1:1/"}}, kPatience));
+}
+
+}  // namespace
+}  // namespace robot::lab

@@ -1,0 +1,88 @@
+#include "robot/logging/mcap/compression.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace robot::logging {
+namespace {
+
+constexpr Compression kAll[] = {Compression::none, Compression::lz4, Compression::zstd};
+
+std::string some_bytes(std::mt19937& random, std::size_t size) {
+  std::string bytes;
+  while (bytes.size() < size) bytes.append(random() % 40, static_cast<char>(random()));
+  bytes.resize(size);
+  return bytes;
+}
+
+std::string packed(Compression compression, std::string_view bytes) {
+  Compressor compressor(compression);
+  std::string into;
+  EXPECT_TRUE(compressor.compress({&bytes, 1}, into));
+  return into;
+}
+
+TEST(Compression, ThereAndBackIsTheSame) {
+  std::mt19937 random(1);
+  for (const Compression compression : kAll) {
+    Compressor compressor(compression);
+    for (const std::size_t size : {0u, 1u, 100u, 65536u, 70000u, 1000000u}) {
+      const std::string first = some_bytes(random, size), second = some_bytes(random, size / 2);
+      const std::vector<std::string_view> pieces = {first, {}, second};
+      std::string small = "what was here before";
+      ASSERT_TRUE(compressor.compress(pieces, small));
+      const auto back = decompress(compression, small, first.size() + second.size());
+      ASSERT_TRUE(back) << back.error();
+      EXPECT_EQ(*back, first + second) << name(compression) << " " << size;
+    }
+  }
+}
+
+TEST(Compression, MakesSmall) {
+  const std::string zeros(100'000, 0);
+  EXPECT_LT(packed(Compression::lz4, zeros).size(), 1000u);
+  EXPECT_LT(packed(Compression::zstd, zeros).size(), 100u);
+}
+
+TEST(Compression, ExactlyTheExpectedSizeComesOut) {
+  const std::string bytes(1000, 'x');
+  for (const Compression compression : kAll)
+    for (const std::size_t size : {0u, 1u, 999u, 1001u, 100'000u})
+      EXPECT_FALSE(decompress(compression, packed(compression, bytes), size)) << name(compression) << " " << size;
+  EXPECT_EQ(decompress(Compression::zstd, packed(Compression::zstd, bytes), 1001).error(),
+            "zstd: expected 1001 bytes, got 1000");
+}
+
+TEST(Compression, SurvivesEveryTruncationAndEveryBrokenByte) {
+  std::mt19937 random(1);
+  const std::string bytes = some_bytes(random, 300);
+  for (const Compression compression : {Compression::lz4, Compression::zstd}) {
+    const std::string small = packed(compression, bytes);
+    for (std::size_t n = 0; n < small.size(); ++n) EXPECT_FALSE(decompress(compression, small.substr(0, n), 300)) << n;
+    for (std::size_t i = 0; i < small.size(); ++i) {
+      std::string broken = small;
+      broken[i] = static_cast<char>(broken[i] ^ 0x55);
+      const auto back = decompress(compression, broken, 300);  // may succeed: the chunk's checksum tells then
+      EXPECT_TRUE(!back || back->size() == 300) << i;
+    }
+    EXPECT_FALSE(decompress(compression, small + "x", 300));
+  }
+}
+
+TEST(Compression, ALieAboutTheSizeCostsNoMemory) {
+  EXPECT_FALSE(
+      decompress(Compression::lz4, packed(Compression::lz4, "x"), std::numeric_limits<std::size_t>::max() / 2));
+  EXPECT_FALSE(
+      decompress(Compression::zstd, packed(Compression::zstd, "x"), std::numeric_limits<std::size_t>::max() / 2));
+}
+
+TEST(Compression, HasTheNamesOfMcap) {
+  for (const Compression compression : kAll) EXPECT_EQ(*compression_named(name(compression)), compression);
+  EXPECT_EQ(compression_named("bz2").error(), "compression: expected \"\", \"lz4\" or \"zstd\", got \"bz2\"");
+}
+
+}  // namespace
+}  // namespace robot::logging

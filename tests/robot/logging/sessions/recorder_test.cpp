@@ -1,0 +1,307 @@
+// Recording whole sessions: what goes in comes out, whatever happens to the disk or the process.
+#include "robot/logging/sessions/recorder.h"
+
+#include <gtest/gtest.h>
+#include <sys/mount.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+#include <random>
+
+#include "proto/foresight/camera.pb.h"
+#include "robot/memory/memory.h"
+#include "tests/support/read_stream.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/test_channel.h"
+
+namespace robot::logging {
+namespace {
+
+namespace fs = std::filesystem;
+namespace pb = foresight;
+
+constexpr std::uint64_t kNow = 1'700'000'000 * kSecond;
+
+struct Recording : ::testing::Test {
+  Recording() { EXPECT_TRUE(list(memory, channels)); }
+
+  void write_ball(float x) {
+    pb::Ball ball;
+    ball.set_x(x);
+    memory->ball.write(ball, clock.now_ns());
+    clock.set(clock.now_ns() + 33 * kMillisecond);
+  }
+
+  std::vector<Record> ball_records(const std::string& session) {
+    return tests::read_stream(folder.path() / session / "14.2.ball.mcap");
+  }
+
+  const tests::TemporaryFolder folder;
+  ManualClock clock{kNow};
+  std::shared_ptr<memory::Memory> memory = std::make_shared<memory::Memory>("14/2", clock);
+  memory::Channels channels;
+  LoggingBoard board;
+  SessionStore store{folder.path(), 4'000'000'000};
+  Recorder recorder{
+      channels, board, store, clock, {.info = {.robot = "14/2", .team = 14, .player = 2, .build = "abc"}}};
+};
+
+TEST_F(Recording, KeepsEveryVersionOfEveryObject) {
+  const Result<std::string> session = recorder.start("", "full");
+  ASSERT_TRUE(session) << session.error();
+  for (int i = 0; i < 100; ++i) write_ball(static_cast<float>(i));
+  ASSERT_TRUE(recorder.stop());
+  const std::vector<Record> records = ball_records(*session);
+  ASSERT_EQ(records.size(), 100u);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    EXPECT_EQ(records[i].sequence, i + 1);
+    EXPECT_EQ(records[i].capture_ns, kNow + i * 33 * kMillisecond);
+    pb::Ball ball;
+    ASSERT_TRUE(ball.ParseFromString(records[i].bytes));
+    EXPECT_EQ(ball.x(), static_cast<float>(i));
+  }
+}
+
+TEST_F(Recording, DescribesItself) {
+  const std::string id = *recorder.start("first half", "game");
+  EXPECT_EQ(id, "2023-11-14_22-13-20_first_half");
+  EXPECT_EQ(store.find(id)->state, SessionState::recording);
+  write_ball(1);
+  ASSERT_TRUE(recorder.stop());
+  const Result<Session> session = store.find(id);
+  ASSERT_TRUE(session);
+  EXPECT_EQ(session->state, SessionState::complete);
+  EXPECT_EQ(session->info.name, "first half");
+  EXPECT_EQ(session->info.robot, "14/2");
+  EXPECT_EQ(session->info.build, "abc");
+  EXPECT_EQ(session->info.profile, "game");
+  EXPECT_EQ(session->start_ns, kNow);
+  const auto ball = std::ranges::find(session->streams, "/14/2/ball", &StreamFile::topic);
+  ASSERT_NE(ball, session->streams.end());
+  EXPECT_EQ(ball->schema, "foresight.Ball");
+  EXPECT_EQ(ball->messages, 1u);
+}
+
+TEST_F(Recording, RunsOnlyOnceAtATime) {
+  const std::string id = *recorder.start("", "game");
+  EXPECT_EQ(recorder.start("", "game").error(), "recording: the session " + id + " is being recorded already");
+  ASSERT_TRUE(recorder.stop());
+  EXPECT_EQ(recorder.stop().error(), "recording: there is none to stop");
+}
+
+TEST_F(Recording, RefusesAProfileItDoesNotKnow) {
+  EXPECT_EQ(recorder.start("", "all").error(), "recording profile: expected one of game, vision, full, got 'all'");
+}
+
+TEST_F(Recording, ObjectsThatTurnUpLaterJoin) {
+  const std::string id = *recorder.start("", "game");
+  const auto late = tests::make_channel(clock, "/14/2/late");
+  ASSERT_TRUE(channels.add(late));
+  ASSERT_TRUE(late->write_bytes("unknown to us", clock.now_ns()));
+  ASSERT_TRUE(recorder.stop());
+  EXPECT_EQ(tests::read_stream(folder.path() / id / "14.2.late.mcap").at(0).bytes, "unknown to us");
+}
+
+TEST_F(Recording, TwoSessionsOfOneSecondDoNotMeet) {
+  const std::string first = *recorder.start("", "game");
+  ASSERT_TRUE(recorder.stop());
+  const std::string second = *recorder.start("", "game");
+  ASSERT_TRUE(recorder.stop());
+  EXPECT_NE(first, second);
+  EXPECT_EQ(store.list().size(), 2u);
+}
+
+TEST_F(Recording, InAGameImagesAreSmallAndFew) {
+  const std::string id = *recorder.start("", "game");
+  for (int i = 0; i < 61; ++i) {
+    auto image = memory->camera_top.draft();
+    image->set_encoding(pb::Image::ENCODING_YUYV);
+    image->set_width(640);
+    image->set_height(480);
+    image->set_data(std::string(614'400, '\x80'));
+    memory->camera_top.write(std::move(image), kNow + static_cast<std::uint64_t>(i) * kSecond / 30);
+  }
+  ASSERT_TRUE(recorder.stop());  // all eleven fit into the queue, whether the logger keeps up or not
+  const std::vector<Record> records = tests::read_stream(folder.path() / id / "14.2.camera_top.mcap");
+  ASSERT_EQ(records.size(), 11u) << "two seconds at 5 Hz, both ends";
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    EXPECT_EQ(records[i].sequence, i + 1);
+    pb::Image image;
+    ASSERT_TRUE(image.ParseFromString(records[i].bytes));
+    EXPECT_EQ(image.encoding(), pb::Image::ENCODING_JPEG);
+    EXPECT_EQ(image.width(), 320u);
+    EXPECT_EQ(image.height(), 240u);
+  }
+}
+
+// a thread that was held up writes its images late and close together: no image of a 30 Hz camera is one too many
+TEST_F(Recording, ForVisionLateImagesAreRecordedToo) {
+  const std::string id = *recorder.start("", "vision");
+  std::mt19937 random(1);
+  std::uint64_t last = 0;
+  for (std::uint64_t i = 0; i < 60; ++i) {
+    auto image = memory->camera_top.draft();
+    image->set_encoding(pb::Image::ENCODING_JPEG);
+    image->set_data("jpeg");
+    const std::uint64_t late = i % 4 == 3 ? random() % 60 * kMillisecond : 0;
+    last = std::max(last + kMillisecond, kNow + i * kSecond / 30 + late);
+    memory->camera_top.write(std::move(image), last);
+  }
+  ASSERT_TRUE(recorder.stop());
+  EXPECT_EQ(tests::read_stream(folder.path() / id / "14.2.camera_top.mcap").size(), 60u);
+}
+
+// the system clock does not matter: capture times come from the session's own clock
+TEST_F(Recording, KeepsItsOrderWhateverTheSystemClockDoes) {
+  const SessionClock session_clock(kNow);  // monotonic plus a fixed offset, as on the robot
+  std::uint64_t last = 0;
+  const std::string id = *recorder.start("", "game");
+  for (int i = 0; i < 100; ++i) {
+    memory->ball.write(pb::Ball(), session_clock.now_ns());
+  }
+  ASSERT_TRUE(recorder.stop());
+  for (const Record& record : ball_records(id)) {
+    EXPECT_GE(record.capture_ns, last);
+    last = record.capture_ns;
+  }
+}
+
+/// In a process of its own: records balls, says when `count` are written, then waits to be killed.
+[[noreturn]] void record_until_killed(const fs::path& folder, int ready, int count) {
+  const SessionClock clock;
+  const auto memory = std::make_shared<memory::Memory>("14/2", clock);
+  memory::Channels channels;
+  (void)list(memory, channels);
+  LoggingBoard board;
+  SessionStore store(folder, 4'000'000'000);
+  Recorder recorder(channels, board, store, clock, {});
+  (void)recorder.start("killed", "game");
+  for (int i = 0; i < count; ++i) {
+    pb::Ball ball;
+    ball.set_x(static_cast<float>(i));
+    memory->ball.write(ball, clock.now_ns());
+  }
+  usleep(1'200'000);  // what is promised: everything older than one second is on the disk
+  (void)!write(ready, "x", 1);
+  while (true) pause();
+}
+
+TEST(RecordingKilled, IsReadableAndItsIndexIsMadeAnew) {
+  const tests::TemporaryFolder folder;
+  int ready[2];
+  ASSERT_EQ(pipe(ready), 0);
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) record_until_killed(folder.path(), ready[1], 500);
+  char byte = 0;
+  ASSERT_EQ(read(ready[0], &byte, 1), 1);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+
+  const SessionStore store(folder.path(), 4'000'000'000);
+  const std::vector<Session> sessions = store.list();
+  ASSERT_EQ(sessions.size(), 1u);
+  EXPECT_EQ(sessions[0].state, SessionState::recovered);
+  EXPECT_EQ(sessions[0].message, "the recording ended without warning; what was on the disk by then is readable");
+  EXPECT_EQ(tests::read_stream(sessions[0].folder / "14.2.ball.mcap").size(), 500u);
+}
+
+/// A small disk of its own, where this is allowed.
+struct SmallDisk {
+  SmallDisk(const fs::path& where, const char* size) : path(where) {
+    mounted = mount("tmpfs", path.c_str(), "tmpfs", 0, size) == 0;
+  }
+  ~SmallDisk() {
+    if (mounted) umount2(path.c_str(), MNT_DETACH);
+  }
+  const fs::path path;
+  bool mounted = false;
+};
+
+TEST_F(Recording, IsRefusedWhereNotEvenAMinuteFits) {
+  const SmallDisk disk(folder.path(), "size=1m");
+  if (!disk.mounted) GTEST_SKIP() << "needs the right to mount a small tmpfs";
+  EXPECT_EQ(recorder.start("", "vision").error(),
+            "recording: profile vision takes about " +
+                std::to_string(std::lround(profile_named("vision")->mb_per_minute)) +
+                " MB per minute; 0 minutes of it fit");
+}
+
+TEST_F(Recording, AFullDiskIsSaidAndRecordingGoesOnWhenThereIsRoom) {
+  const SmallDisk disk(folder.path(), "size=60m");
+  if (!disk.mounted) GTEST_SKIP() << "needs the right to mount a small tmpfs";
+  const std::string part(4'000'000, 'x');
+  std::ofstream(folder / "ballast") << part << part << part << part << part;
+  const auto blobs = tests::make_channel(clock, "/14/2/blobs");
+  ASSERT_TRUE(channels.add(blobs));
+  const Result<std::string> session = recorder.start("", "game");
+  ASSERT_TRUE(session) << session.error();
+
+  std::mt19937 random(1);  // does not compress
+  const auto write_until = [&](RecordingStatus::State state) {
+    for (int i = 0; recorder.status().state != state; ++i) {
+      ASSERT_LT(i, 100'000);
+      std::string blob(300'000, '\0');
+      for (char& c : blob) c = static_cast<char>(random());
+      ASSERT_TRUE(blobs->write_bytes(blob, clock.now_ns())) << "streaming goes on whatever the disk does";
+    }
+  };
+  write_until(RecordingStatus::State::disk_full);
+  EXPECT_NE(recorder.status().message.find("No space left on device"), std::string::npos) << recorder.status().message;
+  fs::remove(folder / "ballast");
+  write_until(RecordingStatus::State::recording);
+  EXPECT_EQ(recorder.status().message.find("No space left"), std::string::npos);
+
+  const RecordingStatus before = recorder.status();
+  EXPECT_GT(before.dropped, 0u);
+  ASSERT_TRUE(recorder.stop());
+  const std::vector<Record> records = tests::read_stream(folder.path() / *session / "14.2.blobs.mcap");
+  EXPECT_GT(records.back().sequence, records.size()) << "what was lost shows as a gap";
+}
+
+struct OldSessions : Recording {
+  /// A complete session that ended `age_hours` before now and takes about `bytes`.
+  std::string make(std::uint64_t age_hours, std::size_t bytes, bool kept) {
+    const std::uint64_t start = kNow - age_hours * 3600 * kSecond;
+    const fs::path path = folder.path() / session_folder_name(start, "old", "game");
+    fs::create_directories(path);
+    std::ofstream(path / "session.json") << to_json(
+        {.robot = "14/2", .profile = "game", .start_ns = start, .kept = kept, .complete = true});
+    std::ofstream(path / "ballast") << std::string(bytes, 'x');
+    return path.filename().string();
+  }
+  bool there(const std::string& id) { return fs::exists(folder.path() / id); }
+};
+
+TEST_F(OldSessions, TheOldestGoFirstAndNeverAYoungOrAKeptOne) {
+  const std::string kept = make(96, 1'000'000, true);
+  const std::string oldest = make(72, 1'000'000, false);
+  const std::string older = make(48, 1'000'000, false);
+  const std::string young = make(23, 1'000'000, false);
+  SessionStore small(folder.path(), 3'500'000);
+  EXPECT_EQ(small.make_room(0, kNow), std::vector<std::string>{oldest});
+  EXPECT_EQ(small.make_room(3'000'000, kNow), std::vector<std::string>{older});
+  EXPECT_TRUE(there(kept));
+  EXPECT_TRUE(there(young));
+}
+
+TEST_F(OldSessions, APersonMayKeepAndRelease) {
+  const std::string id = make(72, 1'000, false);
+  SessionStore small(folder.path(), 0);
+  ASSERT_TRUE(small.keep(id, true));
+  EXPECT_TRUE(small.make_room(0, kNow).empty());
+  ASSERT_TRUE(small.keep(id, false));
+  EXPECT_EQ(small.make_room(0, kNow), std::vector<std::string>{id});
+}
+
+TEST_F(OldSessions, NamesWithAPathInThemAreRefused) {
+  make(1, 10, false);
+  for (const char* id : {"", ".", "..", "../etc", "/etc", "a/b", ".hidden"})
+    EXPECT_EQ(store.find(id).error(), "session: expected the name of a session, got '" + std::string(id) + "'");
+  EXPECT_EQ(store.find("missing").error(), "session: there is none called 'missing'");
+}
+
+}  // namespace
+}  // namespace robot::logging

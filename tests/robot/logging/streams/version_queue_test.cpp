@@ -1,0 +1,123 @@
+#include "robot/logging/streams/version_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "robot/core/clock.h"
+#include "robot/logging/streams/provider.h"
+#include "tests/support/test_channel.h"
+
+namespace robot::logging {
+namespace {
+
+constexpr std::uint64_t kNever = OutProvider::kNever;
+
+struct Queue : ::testing::Test {
+  void write(std::size_t bytes) { ASSERT_TRUE(channel->write_bytes(std::string(bytes, 'x'), 1)); }
+
+  ManualClock clock;
+  std::shared_ptr<memory::RawChannel> channel = tests::make_channel(clock);
+  VersionQueue queue{100};
+};
+
+TEST_F(Queue, GivesVersionsInOrder) {
+  channel->attach(queue);
+  for (int i = 0; i < 3; ++i) write(10);
+  channel->detach(queue);
+  for (std::uint64_t expected = 1; expected <= 3; ++expected) EXPECT_EQ(queue.pop(kNever)->sequence(), expected);
+  EXPECT_EQ(queue.pop(0), nullptr);
+}
+
+TEST_F(Queue, DropsTheOldestWhenFullAndCountsThem) {
+  channel->attach(queue);
+  for (int i = 0; i < 13; ++i) write(10);
+  channel->detach(queue);
+  EXPECT_EQ(queue.dropped(), 3u);
+  EXPECT_EQ(queue.queued_bytes(), 100u);
+  EXPECT_EQ(queue.pop(kNever)->sequence(), 4u);
+}
+
+TEST_F(Queue, LetsOneTooLargeVersionPassAlone) {
+  channel->attach(queue);
+  write(10);
+  write(1000);
+  channel->detach(queue);
+  EXPECT_EQ(queue.dropped(), 1u);
+  EXPECT_EQ(queue.pop(kNever)->size_bytes(), 1000u);
+}
+
+TEST_F(Queue, GivesWhatIsLeftAfterItWasClosedAndTakesNothingMore) {
+  channel->attach(queue);
+  write(10);
+  queue.close();
+  write(10);
+  channel->detach(queue);
+  EXPECT_NE(queue.pop(kNever), nullptr);
+  EXPECT_EQ(queue.pop(kNever), nullptr);
+  EXPECT_EQ(queue.dropped(), 0u);
+}
+
+TEST_F(Queue, WakesAReaderThatWaits) {
+  std::thread reader([&] { EXPECT_NE(queue.pop(kNever), nullptr); });
+  channel->attach(queue);
+  write(10);
+  reader.join();
+  channel->detach(queue);
+}
+
+TEST_F(Queue, TheBellWakesAPatientReaderWhenItsTimeIsOver) {
+  VersionQueue patient{1000, Patience{.time_ns = 50, .bytes = 100}};
+  channel->attach(patient);
+  std::atomic<bool> woken = false;
+  std::thread reader([&] {
+    EXPECT_NE(patient.pop(kNever), nullptr);
+    woken = true;
+  });
+  write(10);
+  patient.ring(1000);  // from now on it has waited
+  // until the reader sleeps there is nobody to be woken
+  while (!woken) patient.ring(1050);
+  reader.join();
+  channel->detach(patient);
+}
+
+TEST_F(Queue, MuchThatWaitsEndsPatience) {
+  VersionQueue patient{1000, Patience{.time_ns = kSecond, .bytes = 100}};
+  channel->attach(patient);
+  std::atomic<bool> woken = false;
+  std::thread reader([&] {
+    EXPECT_NE(patient.pop(kNever), nullptr);
+    woken = true;
+  });
+  write(100);
+  while (!woken) patient.ring(1);
+  reader.join();
+  channel->detach(patient);
+}
+
+TEST_F(Queue, ClosingWakesAReaderThatWaits) {
+  std::thread reader([&] { EXPECT_EQ(queue.pop(kNever), nullptr); });
+  queue.close();
+  reader.join();
+}
+
+// every version is either popped or counted as dropped, whatever the threads do
+TEST_F(Queue, LosesNothingUncounted) {
+  constexpr std::uint64_t kWrites = 20'000;
+  channel->attach(queue);
+  std::uint64_t popped = 0;
+  std::thread reader([&] {
+    while (queue.pop(kNever)) ++popped;
+  });
+  for (std::uint64_t i = 0; i < kWrites; ++i) write(10);
+  channel->detach(queue);
+  queue.close();
+  reader.join();
+  EXPECT_EQ(popped + queue.dropped(), kWrites);
+}
+
+}  // namespace
+}  // namespace robot::logging

@@ -1,0 +1,145 @@
+// Guardian and runtime hear each other, and nobody waits for anybody.
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+
+#include <cstring>
+
+#include "robot/core/local_address.h"
+#include "robot/nao/guardian/guardian_client.h"
+#include "robot/nao/guardian/runtime_link.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robot::nao {
+namespace {
+
+struct NaoLink : ::testing::Test {
+  NaoLink() : link(std::move(*RuntimeLink::open(path))) {}
+
+  GuardianClient client() { return std::move(*GuardianClient::open(path)); }
+
+  /// Somebody who sends whatever he likes.
+  FileDescriptor stranger() {
+    FileDescriptor socket(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0));
+    EXPECT_TRUE(LocalAddress::of(path, "test")->connect(socket.get()));
+    return socket;
+  }
+  static Order order(float yaw) {
+    Order order;
+    order.position[head_yaw] = yaw;
+    return order;
+  }
+
+  tests::TemporaryFolder folder;
+  const std::filesystem::path path = folder / "link";
+  RuntimeLink link;
+};
+
+TEST_F(NaoLink, HearsTheNewestOrderAndEveryRequest) {
+  GuardianClient runtime = client();
+  EXPECT_FALSE(link.hear().order);
+  ASSERT_TRUE(runtime.give(order(1)) && runtime.give(order(2)));
+  RuntimeLink::Heard heard = link.hear();
+  ASSERT_TRUE(heard.order);
+  EXPECT_EQ(heard.order->position[head_yaw], 2);
+  EXPECT_FALSE(heard.asked_soft);
+  ASSERT_TRUE(client().ask(Request::What::sit_and_soft));
+  EXPECT_TRUE(link.hear().asked_soft) << "also from somebody who has gone since";
+}
+
+TEST_F(NaoLink, KnowsAGoodbyeFromACrash) {
+  {
+    GuardianClient runtime = client();
+    ASSERT_TRUE(runtime.give({}) && link.hear().order);
+    ASSERT_TRUE(runtime.ask(Request::What::goodbye));
+  }
+  RuntimeLink::Heard heard = link.hear();
+  EXPECT_TRUE(heard.runtime_left);
+  EXPECT_FALSE(heard.runtime_crashed);
+  { ASSERT_TRUE(client().give({})); }
+  heard = link.hear();
+  EXPECT_TRUE(heard.runtime_crashed);
+  EXPECT_FALSE(heard.order) << "the order of a runtime that is gone";
+  { client(); }
+  heard = link.hear();
+  EXPECT_FALSE(heard.runtime_crashed || heard.runtime_left) << "who gave no order was no runtime";
+}
+
+TEST_F(NaoLink, HearsToTheEndWhoLeftBeforeReadingItsReports) {
+  for (const auto what : {Request::What::sit_and_soft, Request::What::goodbye}) {
+    {
+      GuardianClient runtime = client();
+      ASSERT_TRUE(runtime.give({}) && link.hear().order);
+      link.tell({});
+      ASSERT_TRUE(runtime.ask(what));
+    }
+    const RuntimeLink::Heard heard = link.hear();
+    EXPECT_EQ(heard.asked_soft, what == Request::What::sit_and_soft);
+    EXPECT_EQ(heard.runtime_left, what == Request::What::goodbye);
+    EXPECT_EQ(heard.runtime_crashed, what != Request::What::goodbye);
+  }
+}
+
+TEST_F(NaoLink, ObeysOneRuntimeAtATime) {
+  GuardianClient other = client();
+  {
+    GuardianClient runtime = client();
+    ASSERT_TRUE(runtime.give(order(1)) && link.hear().order);
+    ASSERT_TRUE(other.give(order(2)));
+    EXPECT_FALSE(link.hear().order);
+  }
+  ASSERT_TRUE(link.hear().runtime_crashed);
+  ASSERT_TRUE(other.give(order(3)));
+  EXPECT_TRUE(link.hear().order);
+}
+
+TEST_F(NaoLink, DropsWhoeverSpeaksAnotherLayout) {
+  Order wrong = order(1);
+  wrong.layout = 99;
+  const std::string long_one(5000, 'x');
+  for (const auto& [bytes, size] :
+       {std::pair<const void*, std::size_t>{&wrong, sizeof wrong}, {long_one.data(), long_one.size()}, {&wrong, 3}}) {
+    const FileDescriptor socket = stranger();
+    ASSERT_EQ(::send(socket.get(), bytes, size, 0), static_cast<ssize_t>(size));
+    EXPECT_FALSE(link.hear().order);
+    char byte = 0;
+    EXPECT_EQ(::recv(socket.get(), &byte, 1, 0), 0) << "the connection ended";
+  }
+}
+
+TEST_F(NaoLink, TellsEveryReportAndNeverWaitsForOneWhoDoesNotRead) {
+  GuardianClient sleeper = client(), runtime = client();
+  link.hear();
+  Report report;
+  for (std::uint64_t i = 1; i <= 10'000; ++i) {
+    report.frames = i;
+    link.tell(report);
+    const auto next = runtime.next(0);
+    ASSERT_TRUE(next && *next);
+    EXPECT_EQ((*next)->frames, i);
+  }
+  std::uint64_t kept = 0;
+  for (auto old = sleeper.next(0); old && *old; old = sleeper.next(0)) EXPECT_EQ((*old)->frames, ++kept);
+  EXPECT_GT(kept, 0u);
+  EXPECT_LT(kept, 100u) << "the others it missed";
+}
+
+TEST_F(NaoLink, SaysThatThereIsNoGuardian) {
+  const auto none = GuardianClient::open(folder / "none");
+  EXPECT_EQ(none.error(), "guardian: expected foresight-guardian to listen at " + (folder / "none").string() +
+                              ", got No such file or directory; start it first");
+  GuardianClient runtime = client();
+  link = std::move(*RuntimeLink::open(folder / "another"));
+  EXPECT_EQ(runtime.next(0).error(), "guardian: it is gone");
+  EXPECT_FALSE(runtime.give({}));
+}
+
+TEST_F(NaoLink, IsForThisUserOnly) {
+  struct stat status {};
+  ASSERT_EQ(::stat(path.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0600u);
+  EXPECT_FALSE(RuntimeLink::open(path)) << "and for one guardian";
+}
+
+}  // namespace
+}  // namespace robot::nao

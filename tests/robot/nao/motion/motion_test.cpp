@@ -1,0 +1,157 @@
+// Motion commands become orders; what the body cannot do is refused with a sentence.
+#include "robot/nao/motion/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/lola_frame.h"
+
+namespace robot::nao {
+namespace {
+
+struct NaoMotion : ::testing::Test {
+  NaoMotion() {
+    report.has_sensors = true;
+    report.mode = Mode::playing;
+    report.doing = Doing::standing;
+    report.capture_ns = 1'000'000'000;
+    report.sensors = tests::standing_sensors();
+    report.commanded = report.sensors.position;
+  }
+
+  Order next(std::uint64_t age_ns = 0) {
+    report.capture_ns += 12'000'000;
+    const Order order = motion.next(report, &command, age_ns, nullptr);
+    // the guardian obeys
+    for (std::size_t joint = 0; joint < kJoints; ++joint)
+      if (order.drives[joint]) report.commanded[joint] = report.sensors.position[joint] = order.position[joint];
+    return order;
+  }
+  bool head_active() const {
+    pb::MotionStatus status;
+    motion.fill_status(report, status);
+    return status.head_active();
+  }
+
+  Motion motion;
+  Report report;
+  pb::MotionCommand command;
+};
+
+TEST_F(NaoMotion, StandsAndDrivesNothingUntilACommandComes) {
+  const Order order = motion.next(report, nullptr, 0, nullptr);
+  EXPECT_EQ(order.posture, Order::Posture::stand);
+  EXPECT_EQ(order.drives, PerJoint<std::uint8_t>{});
+  EXPECT_FALSE(order.game.heard);
+}
+
+TEST_F(NaoMotion, TurnsTheHeadAsFastAsItIsTold) {
+  command.mutable_head_angles()->set_yaw(1);
+  command.mutable_head_angles()->set_pitch(0.2f);
+  Order order = next();
+  order = next();
+  EXPECT_NEAR(order.position[head_yaw], 2 * Motion::kHeadSpeed * 0.012f, 0.3);
+  EXPECT_TRUE(head_active());
+  for (int i = 0; i < 200; ++i) order = next();
+  EXPECT_NEAR(order.position[head_yaw], 1, 1e-5);
+  EXPECT_NEAR(order.position[head_pitch], 0.2, 1e-5);
+  EXPECT_EQ(order.drives[l_knee_pitch], 0);
+  EXPECT_FALSE(head_active());
+
+  command.mutable_head_angles()->set_yaw(-1);
+  command.mutable_head_angles()->set_max_yaw_speed(0.5f);
+  const float before = order.position[head_yaw];
+  EXPECT_NEAR(next().position[head_yaw], before - 0.5f * 0.012f, 1e-5);
+}
+
+TEST_F(NaoMotion, KeepsTheHeadClearOfTheShoulders) {
+  command.mutable_head_angles()->set_yaw(5);
+  command.mutable_head_angles()->set_pitch(5);
+  Order order;
+  for (int i = 0; i < 300; ++i) order = next();
+  EXPECT_NEAR(order.position[head_yaw], limits_of(head_yaw).range.high, 1e-5);
+  EXPECT_NEAR(order.position[head_pitch], head_pitch_range(order.position[head_yaw]).high, 1e-5);
+  command.mutable_head_angles()->set_yaw(std::nanf(""));
+  EXPECT_NEAR(next().position[head_yaw], limits_of(head_yaw).range.high, 1e-5) << "what is no number is not obeyed";
+}
+
+TEST_F(NaoMotion, LooksToAPlaceWithTheCameraThatCan) {
+  const Kinematics kinematics;
+  for (const auto& [x, y, camera] : {std::tuple{3.0f, 1.0f, Camera::top}, {0.25f, -0.1f, Camera::bottom}}) {
+    command.mutable_look_to()->set_x(x);
+    command.mutable_look_to()->set_y(y);
+    command.mutable_look_to()->set_z(0.05f);
+    for (int i = 0; i < 300; ++i) next();
+    const Transform robot_from_camera = kinematics.robot_from_hip(report.sensors.position, 0, 0) *
+                                        kinematics.hip_from_camera(report.sensors.position, camera);
+    const Eigen::Vector3d seen = robot_from_camera.inverse() * Eigen::Vector3d(x, y, 0.05);
+    EXPECT_NEAR(std::atan2(seen.head<2>().norm(), seen.z()), 0, 1e-3) << x;
+  }
+}
+
+TEST_F(NaoMotion, KeepsTheHeadWhereTheCommandSaysNothingOfIt) {
+  command.mutable_head_angles()->set_yaw(0.5f);
+  for (int i = 0; i < 100; ++i) next();
+  command.clear_head_angles();
+  command.set_posture(pb::MotionCommand::POSTURE_STAND);
+  EXPECT_NEAR(next().position[head_yaw], 0.5, 1e-5);
+}
+
+TEST_F(NaoMotion, TakesPosturesAndKeepsThem) {
+  const std::pair<pb::MotionCommand::Posture, Order::Posture> postures[] = {
+      {pb::MotionCommand::POSTURE_STAND, Order::Posture::stand},
+      {pb::MotionCommand::POSTURE_SIT, Order::Posture::sit},
+      {pb::MotionCommand::POSTURE_FREEZE, Order::Posture::freeze},
+      {pb::MotionCommand::POSTURE_RELAX, Order::Posture::soft},
+      {pb::MotionCommand::POSTURE_GET_UP, Order::Posture::stand}};
+  for (const auto& [said, wanted] : postures) {
+    command.set_posture(said);
+    EXPECT_EQ(next().posture, wanted);
+    EXPECT_EQ(motion.refused(), "");
+  }
+  command.set_posture(pb::MotionCommand::POSTURE_SIT);
+  next();
+  command.clear_body();
+  EXPECT_EQ(next().posture, Order::Posture::sit) << "go on as before";
+  EXPECT_EQ(next(2 * Motion::kCommandLasts_ns).posture, Order::Posture::stand) << "nobody commands any more";
+}
+
+TEST_F(NaoMotion, RefusesVisiblyWhatItCannot) {
+  command.mutable_walk_speed()->set_x(0.1f);
+  EXPECT_EQ(next().posture, Order::Posture::stand);
+  EXPECT_EQ(motion.refused(), "body nao does not walk yet: it stands");
+  command.mutable_walk_speed()->set_x(0);
+  next();
+  EXPECT_EQ(motion.refused(), "") << "to stop is no walk";
+  command.mutable_walk_to()->set_gain(1);
+  next();
+  EXPECT_EQ(motion.refused(), "body nao does not walk yet: it stands");
+  command.mutable_kick();
+  next();
+  EXPECT_EQ(motion.refused(), "body nao does not kick yet: it stands");
+  command.mutable_scripted()->set_name("dance");
+  next();
+  EXPECT_EQ(motion.refused(), "body nao has no motion 'dance': it stands");
+  command.set_posture(pb::MotionCommand::POSTURE_GET_UP);
+  report.doing = Doing::fallen;
+  next();
+  EXPECT_EQ(motion.refused(), "body nao does not get up from the ground yet: it waits until somebody puts it upright");
+}
+
+TEST_F(NaoMotion, TellsWhatTheGameControllerSaid) {
+  pb::GameState game;
+  game.set_own_player(2);
+  game.set_state(pb::GameState::STATE_SET);
+  game.mutable_own()->add_players();
+  game.mutable_own()->add_players()->set_penalised(true);
+  EXPECT_FALSE(word_of(game).heard) << "no packet yet";
+  game.set_received_ns(5);
+  const GameWord word = motion.next(report, nullptr, 0, &game).game;
+  EXPECT_EQ(word, (GameWord{.heard = 1, .penalised = 1, .state = GameState::set, .player = 2}));
+  game.set_own_player(9);
+  EXPECT_FALSE(word_of(game).penalised) << "it has no such player";
+}
+
+}  // namespace
+}  // namespace robot::nao

@@ -1,0 +1,150 @@
+#include "robot/net/foxglove/parameters.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <limits>
+#include <thread>
+
+#include "robot/net/foxglove/services.h"
+
+namespace robot::net {
+namespace {
+
+class ParametersTest : public testing::Test {
+ protected:
+  Parameters parameters;
+  std::string changes;
+
+  void SetUp() override {
+    parameters.declare("quality", std::int64_t{75}, {.min = 1, .max = 100});
+    parameters.declare("rate", 15.0, {.min = 0.1, .max = 30});
+    parameters.declare("profile", "game", {.choices = {"game", "full"}});
+    parameters.declare("recording", false, {.apply = [](const ParameterValue& value) -> Result<void> {
+                         if (std::get<bool>(value)) return Error{"the disk is full"};
+                         return {};
+                       }});
+    parameters.listen([this](const std::string& name) { changes += name + " "; });
+  }
+  std::string refusal(std::string_view name, const ParameterValue& value) {
+    const auto set = parameters.set(name, value);
+    return set ? "" : set.error();
+  }
+};
+
+TEST_F(ParametersTest, TakeValuesOfTheirTypeAndRange) {
+  EXPECT_TRUE(parameters.set("quality", std::int64_t{100}));
+  EXPECT_EQ(parameters.integer("quality"), 100);
+  EXPECT_TRUE(parameters.set("quality", 3.0));
+  EXPECT_EQ(parameters.integer("quality"), 3);
+  EXPECT_TRUE(parameters.set("rate", std::int64_t{1}));
+  EXPECT_EQ(parameters.number("rate"), 1.0);
+  EXPECT_TRUE(parameters.set("profile", "full"));
+  EXPECT_EQ(parameters.text("profile"), "full");
+  EXPECT_EQ(changes, "quality quality rate profile ");
+}
+
+TEST_F(ParametersTest, RefuseOthersWithASentence) {
+  EXPECT_EQ(refusal("quality", std::int64_t{0}), "parameter 'quality': expected 1 .. 100, got 0");
+  EXPECT_EQ(refusal("quality", 3.5), "parameter 'quality': expected a whole number, got a number");
+  EXPECT_EQ(refusal("rate", 0.05), "parameter 'rate': expected 0.1 .. 30, got 0.05");
+  EXPECT_NE(refusal("rate", std::numeric_limits<double>::quiet_NaN()), "");
+  EXPECT_NE(refusal("rate", std::numeric_limits<double>::infinity()), "");
+  EXPECT_NE(refusal("quality", 1e300), "");
+  EXPECT_EQ(refusal("profile", "all"), "parameter 'profile': expected one of game, full, got 'all'");
+  EXPECT_EQ(refusal("recording", "yes"), "parameter 'recording': expected true or false, got a text");
+  EXPECT_EQ(refusal("recording", true), "the disk is full");
+  EXPECT_FALSE(parameters.flag("recording"));
+  EXPECT_EQ(refusal("speed", true), "parameter 'speed': there is none of this name");
+  EXPECT_EQ(changes, "");
+}
+
+TEST_F(ParametersTest, OnlyChangesAreTold) {
+  parameters.update("recording", true);  // no checks: it is so
+  parameters.update("recording", true);
+  EXPECT_TRUE(parameters.set("quality", std::int64_t{75}));
+  EXPECT_EQ(changes, "recording ");
+}
+
+TEST(Parameters, AreSetAndReadByManyThreads) {
+  Parameters parameters;
+  parameters.declare("n", std::int64_t{0}, {.min = 0, .max = 1000});
+  std::atomic<int> told = 0;
+  parameters.listen([&](const std::string& name) {
+    ++told;
+    parameters.integer(name);
+  });
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&, t] {
+      for (int i = 0; i < 200; ++i) EXPECT_TRUE(parameters.set("n", std::int64_t{(i * 4 + t) % 1000}));
+    });
+  for (auto& thread : threads) thread.join();
+  EXPECT_GT(told, 0);
+}
+
+// services
+
+TEST(Services, AnswerInJsonWhateverHappens) {
+  Services services;
+  services.add("double", Services::For::everybody,
+               [](const nlohmann::json& request, const ClientContext&) -> nlohmann::json {
+                 return {{"ok", true}, {"result", 2 * request.at("number").get<int>()}};
+               });
+  services.add("order", Services::For::control, [](const nlohmann::json&, const ClientContext&) -> nlohmann::json {
+    return {{"ok", true}};
+  });
+  const ClientContext stranger{.id = 1, .address = "10.0.0.9:1"},
+      friendly{.id = 2, .loopback = true, .may_control = true};
+  EXPECT_EQ(services.call(1, R"({"number":21})", stranger), R"({"ok":true,"result":42})");
+  EXPECT_EQ(services.call(1, "[", stranger), R"({"error":"double: expected JSON, got something else","ok":false})");
+  EXPECT_EQ(services.call(1, "[]", stranger),
+            R"({"error":"double: expected a JSON object, got something else","ok":false})");
+  EXPECT_NE(services.call(1, R"({"number":"x"})", stranger).find(R"("ok":false)"), std::string::npos);
+  EXPECT_NE(services.call(1, "{}", stranger).find(R"("ok":false)"), std::string::npos);
+  EXPECT_NE(services.call(2, "{}", stranger).find("needs the control token"), std::string::npos);
+  EXPECT_EQ(services.call(2, "", friendly), R"({"ok":true})");
+  ClientContext during_a_game{.may_control = true, .match_mode = true};
+  EXPECT_NE(services.call(2, "", during_a_game).find("a game is in progress"), std::string::npos);
+  EXPECT_EQ(services.call(1, R"({"number":21})", during_a_game), R"({"ok":true,"result":42})");
+  during_a_game.loopback = true;
+  EXPECT_EQ(services.call(2, "", during_a_game), R"({"ok":true})");
+  services.add("ask", Services::For::questions, [](const nlohmann::json&, const ClientContext&) -> nlohmann::json {
+    return {{"ok", true}};
+  });
+  EXPECT_EQ(services.call(3, "", during_a_game),
+            R"({"error":"ask: game in progress: until it has finished only the team's own code may ask","ok":false})");
+  EXPECT_NE(services.call(3, "", stranger).find("needs the control token"), std::string::npos);
+  EXPECT_EQ(services.call(3, "", friendly), R"({"ok":true})");
+  EXPECT_FALSE(services.has(0));
+  EXPECT_FALSE(services.has(4));
+}
+
+TEST(Services, ARequestThatIsNestedTooDeepIsAnsweredWithASentence) {
+  Services services;
+  services.add("echo", Services::For::everybody,
+               [](nlohmann::json request, const ClientContext&) { return request; });  // copied, dumped, destroyed
+  const std::string deep = R"({"a":)" + std::string(100'000, '[') + std::string(100'000, ']') + "}";
+  EXPECT_EQ(services.call(1, deep, {}),
+            R"({"error":"echo: expected JSON nested at most 64 deep, got what is nested deeper","ok":false})");
+}
+
+TEST(Services, ClockSyncAnswersWithOurTimeAndTakesWhatWasMeasured) {
+  Services services;
+  const ManualClock clock(456);
+  std::vector<PeerClock> measured;
+  add_clock_sync(services, clock, [&](const PeerClock& peer) { measured.push_back(peer); });
+  const ClientContext client{.id = 1, .address = "10.0.0.9:1"};
+  EXPECT_EQ(services.call(1, R"({"sent_ns":"123"})", client), R"({"ok":true,"received_ns":"456","sent_ns":"123"})");
+  EXPECT_TRUE(measured.empty());
+  services.call(1, R"({"sent_ns":"124","offset_ns":"-5","round_trip_ns":"9"})", client);
+  ASSERT_EQ(measured.size(), 1u);
+  EXPECT_EQ(measured[0].peer, "10.0.0.9:1");
+  EXPECT_EQ(measured[0].offset_ns, -5);
+  EXPECT_EQ(measured[0].round_trip_ns, 9u);
+  for (const char* wrong : {"{}", R"({"sent_ns":123})", R"({"sent_ns":"12x"})"})
+    EXPECT_NE(services.call(1, wrong, client).find(R"("ok":false)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace robot::net
