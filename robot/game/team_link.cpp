@@ -25,7 +25,7 @@ Result<std::unique_ptr<TeamLink>> TeamLink::open(TeamLinkOptions options, memory
                                                  std::function<std::optional<Endpoint>()> game_controller) {
   if (!options.port) options.port = static_cast<std::uint16_t>(kTeamPortBase + options.team);
   Result<UdpSocket> socket = UdpSocket::open(options.address, *options.port);
-  if (!socket) return Error{"team messages: " + socket.error()};
+  if (!socket) return socket.failure("team messages");
   return std::unique_ptr<TeamLink>(
       new TeamLink(std::move(*socket), options, memory, clock, std::move(game_controller)));
 }

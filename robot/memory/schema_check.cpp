@@ -64,13 +64,14 @@ Result<void> compare(const Descriptor& ours, const Descriptor& theirs, std::set<
 Result<void> check_readable(const Schema& schema) {
   if (schema.encoding != "protobuf") return {};
   const Result<const Descriptor*> message = SchemaPool().read(schema);
-  return message ? Result<void>() : Result<void>(Error{message.error()});
+  if (!message) return message.failure();
+  return {};
 }
 
 Result<void> check_same_meaning(const Descriptor& ours, const Schema& theirs) {
   SchemaPool pool;
   const Result<const Descriptor*> message = pool.read(theirs);
-  if (!message) return Error{message.error()};
+  if (!message) return message.failure();
   std::set<const Descriptor*> seen;
   return compare(ours, **message, seen);
 }
