@@ -15,7 +15,7 @@ FileDescriptor make_socket(int type) {
   return FileDescriptor(::socket(AF_UNIX, type | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
 }
 
-/// A socket whose process was killed stays behind, and only that may be taken away.
+/// Removes the socket file that a killed process left at `path`, and nothing else.
 Result<void> make_way(const std::filesystem::path& path, const LocalAddress& address, const ListenOptions& options) {
   struct stat status {};
   if (::lstat(path.c_str(), &status) != 0) return {};

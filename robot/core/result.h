@@ -1,4 +1,4 @@
-// A value, or a sentence that says why there is none.
+// A value, or a sentence with the reason why there is none.
 //
 //   Result<Config> load(const std::filesystem::path& file) {
 //     const Result<std::string> text = read_file(file);
@@ -24,7 +24,7 @@ struct Error {
   std::string sentence;
 };
 
-/// A `T`, or the `Error` that says why there is none. Never throws.
+/// A `T`, or the `Error` with the reason why there is none. Never throws.
 /// To call `value()` on an error, or `error()` or `failure()` on a value, is a bug of the caller (asserted).
 template <class T>
 class [[nodiscard]] Result {
@@ -63,7 +63,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> content_;
 };
 
-/// Success, or the `Error` that says why not.
+/// Success, or the `Error` with the reason why not.
 template <>
 class [[nodiscard]] Result<void> {
  public:

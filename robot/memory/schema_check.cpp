@@ -12,7 +12,7 @@ using google::protobuf::Descriptor;
 using google::protobuf::EnumDescriptor;
 using google::protobuf::FieldDescriptor;
 
-/// "float", "repeated foresight.Pose.Particle": what must be equal for the bytes to mean the same.
+/// Returns the type of a field, such as "float" or "repeated foresight.Pose.Particle". Equal types read bytes equally.
 std::string type_of(const FieldDescriptor& field) {
   std::string type = field.is_repeated() ? "repeated " : "";
   if (field.type() == FieldDescriptor::TYPE_MESSAGE) return type + field.message_type()->full_name();
