@@ -75,7 +75,6 @@ void to_proto(const sim::motion::Command& command, const sim::motion::Model& mod
 void to_proto(const sim::Body& body, const sim::motion::Command& command, const sim::motion::Model& model,
               sim::Tick now, pb::MotionStatus& message);
 
-/// The time the decision took is left 0.
 void to_proto(const sim::agent::Trace& trace, pb::DecisionTrace& message);
 
 /// All that is on the field; removed robots are not.

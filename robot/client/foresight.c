@@ -1,4 +1,4 @@
-// The protocol is told in robot/logging/streams/stream_format.h.
+// robot/logging/streams/stream_format.h documents the protocol.
 #define _GNU_SOURCE
 
 #include <foresight.h>
@@ -19,14 +19,14 @@ enum { CHANNEL = 1, MESSAGE, WELCOME, WANTED, MEMORY, SHARED, TAKEN, REFUSED };
 enum { VERSION = 1 };
 enum { HEAD_BYTES = 5, MESSAGE_HEAD_BYTES = 24, SHARED_BYTES = 40 };
 enum { MAX_FRAME_BYTES = 8 << 20 };
-enum { MAX_INLINE_BYTES = 16 << 10 };  // the kernel takes so much whole or not at all
+enum { MAX_INLINE_BYTES = 16 << 10 };  // the kernel takes up to this size whole or not at all
 enum { MIN_PLACE_BYTES = 64 << 10 };
 enum { PLACES = 16 };  // half a second of images at 30 Hz may wait; a place costs nothing before its first use
 enum { SEND_BUFFER_BYTES = 1 << 20, RECEIVE_BLOCK_BYTES = 64 << 10, SMALL_BLOCK_BYTES = 4 << 10 };
 enum { MAX_PIECES = 4 };
 
 static const uint64_t kRetryNs = 100 * 1000 * 1000;          // between attempts to connect
-static const uint64_t kRefusedRetryNs = 1000 * 1000 * 1000;  // when the runtime did not like what we said
+static const uint64_t kRefusedRetryNs = 1000 * 1000 * 1000;  // after the runtime refused us
 
 // ---------------------------------------------------------------------------------------------------------- bytes
 
@@ -37,7 +37,7 @@ typedef struct {
 
 static size_t filled(const Buffer* buffer) { return buffer->end - buffer->begin; }
 
-/// Makes room for `size` more bytes at the end; 0 without memory.
+/// Makes room for `size` more bytes at the end. Returns 0 if out of memory.
 static int reserve(Buffer* buffer, size_t size) {
   if (buffer->begin == buffer->end) buffer->begin = buffer->end = 0;
   if (buffer->room - buffer->end >= size) return 1;
@@ -88,11 +88,11 @@ static int append_text(Buffer* to, const void* text, size_t size) {
 typedef struct {
   struct sockaddr_un door;
   int socket;            // -1: none
-  uint64_t retry_at_ns;  // no attempt to connect before
+  uint64_t retry_at_ns;  // time of the next attempt to connect
   uint64_t epoch_offset_ns;
-  Buffer hello;  // what is said first
-  Buffer in;     // came and was not looked at yet
-  Buffer out;    // the rest of what the kernel took in part
+  Buffer hello;  // first frame of each connection
+  Buffer in;     // received and not yet read
+  Buffer out;    // unsent rest of a frame that the kernel took in part
   char problem[512];
 } Connection;
 
@@ -139,7 +139,7 @@ static void finish(Connection* connection) {
   free(connection->out.bytes);
 }
 
-/// Takes in what has come; 0 when the connection has ended.
+/// Receives the bytes that have come. Returns 0 if the connection has ended.
 static int receive(Connection* connection, size_t wanted) {
   Buffer* in = &connection->in;
   if (!reserve(in, wanted)) {
@@ -164,7 +164,7 @@ typedef struct {
   size_t size;
 } Frame;
 
-/// The next whole frame of what has come. 0: more is needed, `missing` bytes at least.
+/// Reads the next complete frame. Returns 0 if at least `missing` more bytes are needed.
 static int next_frame(Connection* connection, Frame* frame, size_t* missing) {
   Buffer* in = &connection->in;
   *missing = HEAD_BYTES;
@@ -173,7 +173,7 @@ static int next_frame(Connection* connection, Frame* frame, size_t* missing) {
   frame->size = (size_t)get(in->bytes + in->begin + 1, 4);
   frame->body = in->bytes + in->begin + HEAD_BYTES;
   if (frame->kind < CHANNEL || frame->kind > REFUSED || frame->size > MAX_FRAME_BYTES) {
-    complain(connection, "cannot read from", "what came is no frame");
+    complain(connection, "cannot read from", "expected a frame, got something else");
     disconnect(connection, kRefusedRetryNs);
     return 0;
   }
@@ -186,7 +186,7 @@ static int next_frame(Connection* connection, Frame* frame, size_t* missing) {
   return 1;
 }
 
-/// Heeds what the runtime says to readers and writers alike; 0 when the connection has ended with it.
+/// Handles a frame that readers and writers have in common. Returns 0 if it has ended the connection.
 static int heed(Connection* connection, const Frame* frame) {
   if (frame->kind == WELCOME && frame->size == 12) {
     connection->epoch_offset_ns = get(frame->body + 4, 8);
@@ -202,7 +202,7 @@ static int heed(Connection* connection, const Frame* frame) {
   return 0;
 }
 
-/// A write failed for `reason`; if that was because the runtime ended the connection, its last words tell why.
+/// Handles a write that failed for `reason`. If the runtime has ended the connection, its last message gives the reason.
 static void lose(Connection* connection, int reason) {
   complain(connection, "cannot write to", strerror(reason));
   Frame frame;
@@ -213,7 +213,7 @@ static void lose(Connection* connection, int reason) {
   if (connection->socket >= 0) disconnect(connection, 0);
 }
 
-/// Sends what was left over; 1 when nothing is left.
+/// Sends the unsent rest. Returns 1 if nothing is left.
 static int flush(Connection* connection) {
   Buffer* out = &connection->out;
   while (filled(out) > 0) {
@@ -232,7 +232,8 @@ static int flush(Connection* connection) {
   return 1;
 }
 
-/// Sends `pieces` whole, with `file` along unless it is -1; what the kernel takes in part is finished later. 0: not sent.
+/// Sends `pieces`, with the descriptor `file` unless it is -1. If the kernel takes a part, the rest is sent later. Returns 0
+/// if nothing was sent.
 static int send_pieces(Connection* connection, struct iovec* pieces, int count, int file) {
   union {
     struct cmsghdr head;
@@ -263,7 +264,7 @@ static int send_pieces(Connection* connection, struct iovec* pieces, int count, 
     return 0;
   }
 
-  // the rest of a message that was begun must follow
+  // the rest of a message that was sent in part must follow
   size_t taken = (size_t)sent;
   for (int i = 0; i < count; ++i) {
     const size_t skipped = taken < pieces[i].iov_len ? taken : pieces[i].iov_len;
@@ -276,14 +277,14 @@ static int send_pieces(Connection* connection, struct iovec* pieces, int count, 
   return 1;
 }
 
-/// Whether the other side is who may own a door of ours: this user or root.
+/// Returns 1 if the other side may own our door: it runs as this user or root.
 static int trusted(int socket) {
   struct ucred owner;
   socklen_t size = sizeof owner;
   return getsockopt(socket, SOL_SOCKET, SO_PEERCRED, &owner, &size) == 0 && (owner.uid == geteuid() || owner.uid == 0);
 }
 
-/// Makes the connection if there is none and it is time to try. Never waits.
+/// Connects if there is no connection and the retry time has passed. Never waits.
 static int connected(Connection* connection) {
   if (connection->socket >= 0) return 1;
   if (foresight_now_ns() < connection->retry_at_ns) return 0;
@@ -295,11 +296,11 @@ static int connected(Connection* connection) {
     return 0;
   }
   if (!trusted(file)) {
-    complain(connection, "expected a runtime of this user at", "it belongs to somebody else");
+    complain(connection, "expected a runtime of this user at", "it belongs to another user");
     close(file);
     return 0;
   }
-  const int buffer_bytes = SEND_BUFFER_BYTES;  // a wish: the kernel gives what it may
+  const int buffer_bytes = SEND_BUFFER_BYTES;  // the kernel may give less
   setsockopt(file, SOL_SOCKET, SO_SNDBUF, &buffer_bytes, sizeof buffer_bytes);
   connection->socket = file;
   connection->problem[0] = '\0';
@@ -317,13 +318,13 @@ struct ForesightWriter {
   Connection connection;
   uint64_t sequence, lost;
 
-  // large messages lie in a file that the runtime has open too, each in a place of its own
+  // large messages are in a file that the runtime has open too, each at its own place
   int memory;  // -1: none yet
   size_t place_bytes;
-  uint64_t taken[PLACES];  // by the message of that number; 0: free
+  uint64_t taken[PLACES];  // number of the message at that place; 0: free
 };
 
-/// The channel frame that says what `object` is; 0 without memory.
+/// Appends the channel frame that describes `object`. Returns 0 if out of memory.
 static int announce(Buffer* hello, const ForesightObject* object) {
   static const char kNone[] = "";
   const char* texts[] = {object->topic, object->message_encoding, object->type, object->schema_encoding};
@@ -370,7 +371,7 @@ void foresight_close(ForesightWriter* writer) {
   free(writer);
 }
 
-/// Hears what the runtime has to say; 0 when the connection has ended.
+/// Handles the frames that the runtime has sent. Returns 0 if the connection has ended.
 static int listen_to_runtime(ForesightWriter* writer) {
   Connection* connection = &writer->connection;
   if (!receive(connection, SMALL_BLOCK_BYTES)) return 0;
@@ -385,7 +386,7 @@ static int listen_to_runtime(ForesightWriter* writer) {
   return connection->socket >= 0;
 }
 
-/// Sees to it that there is a file with places of `size` bytes; 1: it was there, 2: it is new to the runtime, 0: failed.
+/// Makes sure that there is a file with places of `size` bytes. Returns 1 if it existed, 2 if it is new, 0 on failure.
 static int have_memory(ForesightWriter* writer, size_t size) {
   if (writer->memory >= 0 && size <= writer->place_bytes) return 1;
   forget_memory(writer);
@@ -402,7 +403,7 @@ static int have_memory(ForesightWriter* writer, size_t size) {
   return 2;
 }
 
-/// Puts a large message into shared memory and tells the runtime where; 0 when that cannot be.
+/// Writes a large message into shared memory and sends its place to the runtime. Returns 0 on failure.
 static int share(ForesightWriter* writer, uint64_t capture_ns, const struct iovec* pieces, int count, size_t size) {
   Connection* connection = &writer->connection;
   const int memory = have_memory(writer, size);
@@ -410,7 +411,7 @@ static int share(ForesightWriter* writer, uint64_t capture_ns, const struct iove
   int place = 0;
   while (place < PLACES && writer->taken[place] != 0) ++place;
   if (place == PLACES) {
-    complain(connection, "cannot write to", "the runtime does not take what is in shared memory");
+    complain(connection, "cannot write to", "the runtime does not free shared memory");
     return 0;
   }
   const uint64_t offset = (uint64_t)place * writer->place_bytes;
@@ -445,12 +446,12 @@ static int send_inline(ForesightWriter* writer, uint64_t capture_ns, const struc
   return send_pieces(&writer->connection, all, 1 + count, -1);
 }
 
-/// One attempt to hand a message over.
+/// Tries once to send a message.
 static int hand_over(ForesightWriter* writer, uint64_t capture_ns, const struct iovec* pieces, int count, size_t size) {
   Connection* connection = &writer->connection;
   const int is_new = connection->socket < 0;
   if (!connected(connection)) return 0;
-  if (is_new) forget_memory(writer);  // whoever was there before may still read it
+  if (is_new) forget_memory(writer);  // the previous runtime may still read it
   if (!listen_to_runtime(writer) || !flush(connection)) return 0;
   return size <= MAX_INLINE_BYTES ? send_inline(writer, capture_ns, pieces, count, size)
                                   : share(writer, capture_ns, pieces, count, size);
@@ -464,7 +465,7 @@ static int write_pieces(ForesightWriter* writer, uint64_t capture_ns, const stru
   if (size > MAX_FRAME_BYTES) {
     complain(&writer->connection, "cannot write to", "a message has at most 8 MiB");
   } else {
-    // a runtime that has gone is noticed by writing to it; the next one may be there already
+    // only a write shows that the runtime has ended; the next one may be running already
     sent = hand_over(writer, capture_ns, pieces, count, size) ||
            (writer->connection.socket < 0 && hand_over(writer, capture_ns, pieces, count, size));
   }
@@ -520,9 +521,9 @@ uint64_t foresight_epoch_ns(const ForesightWriter* writer, uint64_t monotonic_ns
 
 struct ForesightReader {
   Connection connection;
-  Buffer channel;  // the frame that told what the object is; `object` points into it
+  Buffer channel;  // the frame that described the object; `object` points into it
   ForesightObject object;
-  Buffer newest;  // the bytes of the message that foresight_read_newest gave out
+  Buffer newest;  // the bytes of the message that foresight_read_newest returned
 };
 
 ForesightReader* foresight_want_from(const char* topic, const char* door) {
@@ -547,8 +548,8 @@ void foresight_end(ForesightReader* reader) {
   free(reader);
 }
 
-/// Keeps what a channel frame tells; 0 if it makes no sense. Each text is ended by overwriting the length of the next,
-/// which is known by then.
+/// Keeps the content of a channel frame. Returns 0 if the frame is malformed. The end of each text overwrites the length of
+/// the next one, which has been read by then.
 static int learn(ForesightReader* reader, const Frame* frame) {
   reader->channel.begin = reader->channel.end = 0;
   if (!append(&reader->channel, frame->body, frame->size)) return 0;
@@ -576,14 +577,14 @@ static int learn(ForesightReader* reader, const Frame* frame) {
   return 1;
 }
 
-/// The next message of what has come; 0 when there is none, and then more bytes are needed, `missing` at least.
+/// Reads the next message that has come. Returns 0 if there is none; then at least `missing` more bytes are needed.
 static int next_message(ForesightReader* reader, ForesightMessage* message, size_t* missing) {
   Connection* connection = &reader->connection;
   Frame frame;
   while (next_frame(connection, &frame, missing)) {
     if (!heed(connection, &frame)) return 0;
     if (frame.kind == CHANNEL && !learn(reader, &frame)) {
-      complain(connection, "cannot read from", "what came is no channel");
+      complain(connection, "cannot read from", "expected a channel frame, got something else");
       disconnect(connection, kRefusedRetryNs);
       return 0;
     }
@@ -598,7 +599,7 @@ static int next_message(ForesightReader* reader, ForesightMessage* message, size
   return 0;
 }
 
-/// Takes in more, at least `missing` bytes of which are awaited; 0 when nothing came.
+/// Receives more bytes; at least `missing` are needed. Returns 0 if none came.
 static int fetch(ForesightReader* reader, size_t missing) {
   Connection* connection = &reader->connection;
   if (connection->socket < 0) return 0;
@@ -624,7 +625,7 @@ int foresight_read_newest(ForesightReader* reader, ForesightMessage* message) {
     int news = 0;
     while (next_message(reader, message, &missing)) news = 1;
     if (!news) continue;
-    // taking in more moves what came before
+    // receiving more moves the earlier bytes
     reader->newest.begin = reader->newest.end = 0;
     found = append(&reader->newest, message->bytes, message->size);
     message->bytes = reader->newest.bytes;
@@ -635,10 +636,10 @@ int foresight_read_newest(ForesightReader* reader, ForesightMessage* message) {
 void foresight_wait(ForesightReader* reader, int timeout_ms) {
   Connection* connection = &reader->connection;
   const int retry_ms = (int)(kRetryNs / 1000000);
-  if (timeout_ms < 0) timeout_ms = 0;  // poll would wait for ever
+  if (timeout_ms < 0) timeout_ms = 0;  // poll would wait forever
   struct pollfd readable = {-1, POLLIN, 0};
   if (connected(connection)) readable.fd = connection->socket;
-  // without a connection the time to the next attempt is all there is to wait for
+  // without a connection it waits for the next attempt only
   poll(&readable, 1, readable.fd < 0 && timeout_ms > retry_ms ? retry_ms : timeout_ms);
 }
 

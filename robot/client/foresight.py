@@ -1,22 +1,22 @@
-"""How a team's own process joins Foresight on its robot: it writes objects into the robot's memory and reads objects from
-it, through the runtime's door (foresight-robot --body attached). Python 3.6 or newer, standard library only.
+"""The client of a team's own process: it writes objects into the robot's memory and reads objects from it, through the
+runtime's door (foresight-robot --body attached). Python 3.6 or newer, standard library only.
 
     ball = foresight.Writer("ball", "foresight.Ball")
-    ball.write(foresight.now_ns(), message)          # as often as there is news
+    ball.write(foresight.now_ns(), message)          # for each new value
 
     for message in foresight.Reader("motion_command"):
-        obey(message.bytes)                          # what there is now; returns when there is no more
+        obey(message.bytes)                          # each message so far; the loop ends when there are no more
 
-No call waits for the runtime, except Reader.wait: not while it is stopped, not while it is gone. Each writer and each
-reader has a connection of its own, makes it when it is used, and makes it anew when the runtime has gone and come back.
-Large messages, such as images, go through shared memory. A writer or reader is used by one thread at a time. What is
-written while no runtime is there is lost and counted.
+No call waits for the runtime, except Reader.wait, even while the runtime is stopped or dead. Each writer and each reader
+has its own connection. It connects at its first use, and connects again after a restart of the runtime. Large messages,
+such as images, go through shared memory. One thread at a time may use a writer or reader. Messages that are written
+without a runtime are lost and counted.
 
-All times are of this machine's monotonic clock [ns], as those of V4L2 and time.monotonic(). Messages are protobuf as
-proto/foresight/*.proto has them, unless announced otherwise; who has no protobuf fills and reads them with the functions
-uint_field … and fields.
+All times are of this machine's monotonic clock [ns], like those of V4L2 and time.monotonic(). Messages are protobuf,
+defined in proto/foresight/*.proto, unless announced otherwise. Without protobuf, use the functions uint_field … and fields
+to fill and read them.
 
-The protocol is told in robot/logging/streams/stream_format.h; foresight.h is the same for C.
+robot/logging/streams/stream_format.h documents the protocol; foresight.h is the same client for C.
 """
 
 import array
@@ -33,27 +33,27 @@ __all__ = [
     "RELIABLE", "uint_field", "float_field", "bytes_field", "floats_field", "fields", "as_float",
 ]
 
-LATEST, FIFO, RELIABLE = 0, 1, 2  # what matters to who watches over a slow network: the newest, a short history, each one
+LATEST, FIFO, RELIABLE = 0, 1, 2  # messages that a viewer needs over a slow network: the newest, a short history, all
 YUYV, JPEG = 1, 2  # encodings of foresight.Image
 
 _CHANNEL, _MESSAGE, _WELCOME, _WANTED, _MEMORY, _SHARED, _TAKEN, _REFUSED = range(1, 9)
 _VERSION = 1
 _MAX_FRAME_BYTES = 8 << 20
-_MAX_INLINE_BYTES = 16 << 10  # the kernel takes so much whole or not at all
+_MAX_INLINE_BYTES = 16 << 10  # the kernel takes up to this size whole or not at all
 _MIN_PLACE_BYTES = 64 << 10
 _PLACES = 16  # half a second of images at 30 Hz may wait; a place costs nothing before its first use
 _RETRY_NS = 100 * 1000 * 1000  # between attempts to connect
-_REFUSED_RETRY_NS = 1000 * 1000 * 1000  # when the runtime did not like what we said
+_REFUSED_RETRY_NS = 1000 * 1000 * 1000  # after the runtime refused us
 
 _FLAGS = socket.MSG_DONTWAIT | socket.MSG_NOSIGNAL
 
-#: One message that was read: number, times [ns, monotonic] and bytes. A gap in the numbers tells of messages that this
-#: reader was too slow for.
+#: One message that was read: number, times [ns, monotonic] and bytes. A gap in the numbers: this reader was too slow for
+#: some messages.
 Message = collections.namedtuple("Message", "sequence capture_ns publish_ns bytes")
 
 
 def now_ns():
-    """Now, by the clock of all times here."""
+    """Returns the present time of the monotonic clock [ns]."""
     return int(time.clock_gettime(time.CLOCK_MONOTONIC) * 1e9)
 
 
@@ -71,7 +71,7 @@ class _Gone(Exception):
 
 
 class _Connection:
-    """What writers and readers have in common."""
+    """The common part of writers and readers."""
 
     def __init__(self, door, hello):
         default = "/dev/shm/foresight-%d.door" % os.geteuid()
@@ -83,16 +83,16 @@ class _Connection:
         self._out = b""  # the rest of what the kernel took in part
         self._epoch_offset_ns = int(time.time() * 1e9) - now_ns()
 
-        #: Why the last attempt failed, in one sentence; "" while all is well.
+        #: The reason why the last attempt failed, in one sentence, or "" if it did not fail.
         self.problem = ""
 
     def epoch_ns(self, monotonic_ns):
-        """A time as time fields within messages have it [ns since the epoch, capture time], by the runtime's offset; by
-        that of the system clock until the runtime was met."""
+        """Converts a time to that of the time fields in messages [ns since the epoch, capture time]. The offset is the
+        runtime's; before the first connection it is that of the system clock."""
         return monotonic_ns + self._epoch_offset_ns
 
     def close(self):
-        """Ends the connection. What was written still arrives."""
+        """Closes the connection. Messages that were sent still arrive."""
         self._disconnect(0)
 
     def __enter__(self):
@@ -119,7 +119,7 @@ class _Connection:
         raise _Gone
 
     def _connected(self):
-        """Makes the connection if there is none and it is time to try. Never waits."""
+        """Connects if there is no connection and the retry time has passed. Never waits."""
         if self._socket:
             return True
         if now_ns() < self._retry_at_ns:
@@ -130,8 +130,8 @@ class _Connection:
             made.connect(self._door)
             owner = struct.unpack("3i", made.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, 12))[1]
             if owner not in (os.geteuid(), 0):
-                raise OSError("expected a runtime of this user, it belongs to somebody else")
-            made.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1 << 20)  # a wish: the kernel gives what it may
+                raise OSError("expected a runtime of this user, it belongs to another user")
+            made.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1 << 20)  # the kernel may give less
         except OSError as error:
             made.close()
             self.problem = "cannot connect to %s: %s" % (self._door, error.strerror or error)
@@ -142,7 +142,7 @@ class _Connection:
         return True
 
     def _flush(self):
-        """Sends what was left over; whether nothing is left."""
+        """Sends the unsent rest. Returns True if nothing is left."""
         while self._out:
             try:
                 self._out = self._out[self._socket.send(self._out, _FLAGS):]
@@ -154,7 +154,7 @@ class _Connection:
         return True
 
     def _send(self, *pieces, file=None):
-        """Sends the pieces whole, with a file along; what the kernel takes in part is finished later."""
+        """Sends the pieces, with a file descriptor if given. If the kernel takes a part, the rest is sent later."""
         extra = [] if file is None else [(socket.SOL_SOCKET, socket.SCM_RIGHTS, array.array("i", [file]))]
         try:
             sent = self._socket.sendmsg(pieces, extra, _FLAGS)
@@ -168,7 +168,7 @@ class _Connection:
         return True
 
     def _last_words(self, error):
-        """A write failed; if that was because the runtime ended the connection, its last words tell why."""
+        """Handles a failed write. If the runtime has ended the connection, its last message gives the reason."""
         self.problem = "cannot write to %s: %s" % (self._door, error.strerror)
         self._receive(4096)
         for _ in self._frames():
@@ -176,7 +176,7 @@ class _Connection:
         self._lose(self.problem)
 
     def _receive(self, size):
-        """Takes in what has come; how much that was."""
+        """Receives the bytes that have come, and returns their number."""
         try:
             block = self._socket.recv(size, socket.MSG_DONTWAIT)
         except BlockingIOError:
@@ -189,11 +189,11 @@ class _Connection:
         return len(block)
 
     def _frames(self):
-        """The whole frames of what has come: kind and body. Heeds those that are for readers and writers alike."""
+        """Yields the kind and body of each complete frame. Handles the frames that readers and writers have in common."""
         while len(self._in) >= 5:
             kind, size = struct.unpack_from("<BI", self._in)
             if not _CHANNEL <= kind <= _REFUSED or size > _MAX_FRAME_BYTES:
-                self._lose("cannot read from %s: what came is no frame" % self._door, _REFUSED_RETRY_NS)
+                self._lose("cannot read from %s: expected a frame, got something else" % self._door, _REFUSED_RETRY_NS)
             if len(self._in) < 5 + size:
                 return
             body = bytes(memoryview(self._in)[5:5 + size])
@@ -209,8 +209,8 @@ class _Connection:
 
 
 class Writer(_Connection):
-    """Writes one object: "ball" is one of this robot, "/debug/vortex" a topic as it stands. For messages of ours the
-    runtime knows the schema. The door is at $FORESIGHT_DOOR, or where the runtime of the same user has it."""
+    """A writer of one object: "ball" is an object of this robot, "/debug/vortex" a whole topic. The runtime knows the
+    schemas of Foresight's messages. The door is at $FORESIGHT_DOOR, or at the default path of this user's runtime."""
 
     def __init__(self, topic, type="", encoding="protobuf", schema=b"", schema_encoding=None, delivery=LATEST, door=None):
         texts = (topic, encoding, type, encoding if schema_encoding is None else schema_encoding, schema)
@@ -220,16 +220,16 @@ class Writer(_Connection):
         self._place_bytes = 0
         self._taken = [0] * _PLACES  # by the message of that number
 
-        #: How many messages were lost so far, because the runtime was gone or did not keep up.
+        #: The number of lost messages so far: the runtime was not running or did not keep up.
         self.lost = 0
 
     def write(self, capture_ns, *pieces):
-        """Writes one message, sensed at `capture_ns`, of at most 8 MiB; pieces are put one behind the other. False: it is
-        lost, and `problem` says why."""
+        """Writes one message of at most 8 MiB that was sensed at `capture_ns`; the pieces are joined. Returns False if it
+        is lost; `problem` gives the reason."""
         pieces = [memoryview(piece).cast("B") for piece in pieces]
         size = sum(map(len, pieces))
         self._sequence += 1
-        # a runtime that has gone is noticed by writing to it; the next one may be there already
+        # only a write shows that the runtime has ended; the next one may be running already
         sent = False
         if size > _MAX_FRAME_BYTES:
             self.problem = "cannot write to %s: a message has at most 8 MiB" % self._door
@@ -245,7 +245,7 @@ class Writer(_Connection):
 
     def _disconnect(self, retry_after_ns):
         super()._disconnect(retry_after_ns)
-        self._forget_memory()  # whoever was there may still read it
+        self._forget_memory()  # the previous runtime may still read it
 
     def _forget_memory(self):
         if getattr(self, "_memory", None) is not None:
@@ -277,7 +277,7 @@ class Writer(_Connection):
             return False
 
     def _share(self, capture_ns, pieces, size):
-        """Puts a large message into shared memory and tells the runtime where."""
+        """Writes a large message into shared memory and sends its place to the runtime."""
         is_new = self._memory is None or size > self._place_bytes
         try:
             if is_new:
@@ -286,7 +286,7 @@ class Writer(_Connection):
                 os.unlink(name)
                 self._place_bytes = max(_MIN_PLACE_BYTES, 1 << (size - 1).bit_length())
             if 0 not in self._taken:
-                self.problem = "cannot write to %s: the runtime does not take what is in shared memory" % self._door
+                self.problem = "cannot write to %s: the runtime does not free shared memory" % self._door
                 return False
             place = self._taken.index(0)
             offset = at = place * self._place_bytes
@@ -309,16 +309,16 @@ class Writer(_Connection):
 
 
 class Reader(_Connection):
-    """Reads one object, named as for a Writer; it need not be there yet. Iterating gives the messages there are now."""
+    """A reader of one object, named as for a Writer; it need not exist yet. Iteration yields the messages so far."""
 
     def __init__(self, topic, door=None):
         super().__init__(door, _frame(_WANTED, topic.encode()))
 
-        #: What the runtime says of the object: topic, type, encoding, schema encoding, schema, delivery; None before.
+        #: The runtime's description: topic, type, encoding, schema encoding, schema, delivery; None before the first message.
         self.object = None
 
     def read(self):
-        """The next message, beginning with the newest there was; None when there is none now."""
+        """Returns the next message, beginning with the newest one at the time of connecting; None if there is none now."""
         try:
             if not self._connected() or not self._flush():
                 return None
@@ -337,20 +337,20 @@ class Reader(_Connection):
         return iter(self.read, None)
 
     def newest(self):
-        """Passes over all but the newest message; None when there is none now."""
+        """Returns the newest message and skips all before it; None if there is none now."""
         newest = None
         for newest in self:
             pass
         return newest
 
     def wait(self, timeout):
-        """Waits until there may be something to read, at most `timeout` [s]; not at all where that is 0 or less."""
+        """Waits until there may be a message to read, at most `timeout` [s]. Returns at once if that is 0 or less."""
         timeout = max(0.0, timeout)
         try:
             there = self._connected()
         except _Gone:
             there = False
-        # without a connection the time to the next attempt is all there is to wait for
+        # without a connection it waits for the next attempt only
         select.select([self._socket] if there else [], [], [], timeout if there else min(timeout, _RETRY_NS / 1e9))
 
     def _learn(self, body):
@@ -364,11 +364,11 @@ class Reader(_Connection):
             self.object = dict(topic=topic, encoding=encoding, type=kind, schema_encoding=schema_encoding,
                                schema=texts[4], delivery=body[at])
         except (struct.error, IndexError, UnicodeDecodeError):
-            self._lose("cannot read from %s: what came is no channel" % self._door, _REFUSED_RETRY_NS)
+            self._lose("cannot read from %s: expected a channel frame, got something else" % self._door, _REFUSED_RETRY_NS)
 
 
-# The little of protobuf that a message of ours needs, for who has no protobuf at hand. Joined with +, fields are a
-# message: float_field(2, 1.5) + bytes_field(3, inner). A value of 0 or False need not be there.
+# The part of protobuf that Foresight's messages need, for programs without protobuf. Fields joined with + are a message:
+# float_field(2, 1.5) + bytes_field(3, inner). A value of 0 or False may be left out.
 
 
 def _varint(value):
@@ -382,7 +382,7 @@ def _varint(value):
 
 
 def uint_field(number, value):
-    """uint32, uint64, int32, int64, bool, enum."""
+    """Returns a field of type uint32, uint64, int32, int64, bool or enum."""
     return _varint(number << 3) + _varint(int(value))
 
 
@@ -391,18 +391,18 @@ def float_field(number, value):
 
 
 def bytes_field(number, value):
-    """Text, bytes, and messages."""
+    """Returns a field with a text, bytes or a message."""
     raw = value.encode() if isinstance(value, str) else value
     return _varint(number << 3 | 2) + _varint(len(raw)) + raw
 
 
 def floats_field(number, values):
-    """A list of floats, such as those of 25 joints."""
+    """Returns a field with a list of floats, such as those of 25 joints."""
     return bytes_field(number, struct.pack("<%df" % len(values), *values))
 
 
 def image(encoding, width, height, pixels):
-    """A foresight.Image as two pieces for Writer.write: the pixels are not copied."""
+    """Returns a foresight.Image as two pieces for Writer.write; the pixels are not copied."""
     head = uint_field(1, encoding) + uint_field(2, width) + uint_field(3, height)
     return head + _varint(4 << 3 | 2) + _varint(memoryview(pixels).nbytes), pixels
 
@@ -419,8 +419,8 @@ def _take_varint(message, at):
 
 
 def fields(message):
-    """The fields of a message as pairs of number and value: an int for numbers, bool and enum, 4 or 8 bytes for float and
-    double, bytes for all else. Ends where the bytes make no sense."""
+    """Yields the fields of a message as pairs of number and value: an int for numbers, bool and enum, 4 or 8 bytes for
+    float and double, bytes for all other types. Ends at the first byte that is not protobuf."""
     at = 0
     try:
         while at < len(message):
@@ -440,18 +440,18 @@ def fields(message):
 
 
 def as_float(value):
-    """What a float field holds."""
+    """Returns the value of a float field."""
     return struct.unpack("<f", value)[0]
 
 
 class Advice(collections.namedtuple("Advice", "known change choice reason")):
-    """What a forecast comes to. `known`: False where it cannot tell, `reason` says why; `change`: another strategy than
-    the first is better for sure; `choice`: what to play; `reason`: one sentence."""
+    """The advice of a forecast. `known`: False if there is none, see `reason`. `change`: another strategy than the first
+    is better, with the required certainty. `choice`: the strategy to play. `reason`: one sentence."""
 
 
 def read_forecast(message):
-    """The number of the question that a forecast answers, and what it advises. The messages are those of
-    Reader("forecast"), whoever asked."""
+    """Returns the number of the question that a forecast answers, and its Advice. `message` is one of Reader("forecast"),
+    which also gives the answers to other processes' questions."""
     forecast = dict(fields(message.bytes))
     kind = forecast.get(3, 0)
     texts = (forecast.get(number, b"").decode(errors="replace") for number in (4, 5))
@@ -459,8 +459,8 @@ def read_forecast(message):
 
 
 class Adviser:
-    """Asks foresight which strategy is best from here on. The runtime has to know pose, ball and game of the robot, and
-    the strategies by name (--strategies)."""
+    """A connection for questions to foresight: which strategy is best from now on? The runtime needs the objects pose,
+    ball and game of the robot, and the names of the strategies (--strategies)."""
 
     def __init__(self, door=None):
         self._questions = Writer("what_if", "foresight.WhatIf", delivery=RELIABLE, door=door)
@@ -468,14 +468,15 @@ class Adviser:
         self._asked = None
 
     def ask(self, strategies, horizon=30.0, budget_ms=500):
-        """Asks; the first strategy is what is played now. Looks `horizon` [s] ahead. True: the question is on its way."""
+        """Asks; the first strategy is the one that is played now. Foresight looks `horizon` [s] ahead. Returns True if
+        the question was sent."""
         self._asked = now_ns()
         names = b"".join(bytes_field(2, name) for name in strategies)
         question = uint_field(1, self._asked) + names + float_field(6, horizon) + uint_field(7, budget_ms)
         return self._questions.write(self._asked, question)
 
     def answer(self):
-        """The Advice that answers the last question; None while there is none. Never waits."""
+        """Returns the Advice for the last question, or None while there is none. Never waits."""
         for message in self._forecasts:
             asked, advice = read_forecast(message)
             if self._asked and asked == self._asked:
@@ -483,13 +484,13 @@ class Adviser:
         return None
 
     def what_if(self, strategies, horizon=30.0, budget_ms=500):
-        """Asks and waits for the Advice, at most 100 ms longer than the budget; None: there was none."""
-        self.answer()  # takes what came before, and connects
+        """Asks and waits for the Advice, at most 100 ms longer than the budget. Returns None if none came."""
+        self.answer()  # discards earlier answers, and connects
         late_ns = now_ns() + (budget_ms + 100) * 1000000
         if not self.ask(strategies, horizon, budget_ms):
             return None
         while True:
-            # read once: between two looks at the clock this thread may have to wait for the processor
+            # the clock is read once: between two reads this thread may wait long for the processor
             left_ns = late_ns - now_ns()
             advice = self.answer()
             if advice or left_ns <= 0:

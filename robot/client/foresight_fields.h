@@ -1,15 +1,15 @@
-// The little of protobuf that a message of ours needs, for who has no protobuf at hand.
+// The part of protobuf that Foresight's messages need, for programs without protobuf.
 //
 //   unsigned char room[64];
 //   ForesightBytes ball = foresight_bytes(room, sizeof room);
-//   foresight_put_float(&ball, 2, 1.5f);                        // the numbers stand in proto/foresight/ball.proto
+//   foresight_put_float(&ball, 2, 1.5f);                        // field numbers: proto/foresight/ball.proto
 //   foresight_write(writer, image_ns, ball.bytes, ball.size);
 //
 //   ForesightField field = foresight_fields(message.bytes, message.size);
 //   while (foresight_next_field(&field))
 //     if (field.number == 2) x = foresight_float(&field);
 //
-// A value of 0 or false need not be put: that is what a field holds that is not there.
+// A value of 0 or false need not be put: an absent field has that value.
 #ifndef FORESIGHT_FIELDS_H
 #define FORESIGHT_FIELDS_H
 
@@ -17,7 +17,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/// A message that is being filled, in memory of the caller's.
+/// A message that the caller fills, in the caller's memory.
 typedef struct {
   unsigned char* bytes;
   size_t size, room;
@@ -33,7 +33,7 @@ static inline ForesightBytes foresight_bytes(void* bytes, size_t room) {
   return empty;
 }
 
-/// One field of a message that is being read. What stands in `value` and `bytes` depends on how the field was written.
+/// One field of a message that is read. Its encoding decides whether `value` or `bytes` is set.
 typedef struct {
   int number;
   uint64_t value;                   // of numbers, bool, enum; the bits of float and double
@@ -57,7 +57,7 @@ static inline size_t foresight_varint(unsigned char* to, uint64_t value) {
   return size;
 }
 
-/// The head of a field, and its bytes, whole or not at all.
+/// Appends the head of a field and its bytes, or nothing if they do not fit.
 static inline void foresight_put(ForesightBytes* to, int field, unsigned wire_type, const unsigned char* length,
                                  size_t length_size, const void* bytes, size_t size) {
   unsigned char tag[10];
@@ -74,13 +74,13 @@ static inline void foresight_put(ForesightBytes* to, int field, unsigned wire_ty
   to->size += size;
 }
 
-/// uint32, uint64, bool, enum; and int32, int64 converted to uint64_t.
+/// Appends a uint32, uint64, bool or enum; also an int32 or int64 converted to uint64_t.
 static inline void foresight_put_uint(ForesightBytes* to, int field, uint64_t value) {
   unsigned char bytes[10];
   foresight_put(to, field, 0, bytes, 0, bytes, foresight_varint(bytes, value));
 }
 
-/// Text, bytes, and messages that were filled before.
+/// Appends a text, bytes, or a message that was filled before.
 static inline void foresight_put_bytes(ForesightBytes* to, int field, const void* bytes, size_t size) {
   unsigned char length[10];
   foresight_put(to, field, 2, length, foresight_varint(length, size), bytes, size);
@@ -90,7 +90,7 @@ static inline void foresight_put_float(ForesightBytes* to, int field, float valu
   foresight_put(to, field, 5, to->bytes, 0, &value, sizeof value);  // all our processors have protobuf's byte order
 }
 
-/// A list of floats, such as those of 25 joints.
+/// Appends a list of floats, such as those of 25 joints.
 static inline void foresight_put_floats(ForesightBytes* to, int field, const float* values, size_t count) {
   foresight_put_bytes(to, field, values, count * sizeof *values);
 }
@@ -104,7 +104,7 @@ static inline int foresight_take_varint(ForesightField* field, uint64_t* value) 
   return 0;
 }
 
-/// Goes to the next field; 0 at the end, or where the bytes make no sense.
+/// Reads the next field. Returns 0 at the end, or if the bytes are not a protobuf message.
 static inline int foresight_next_field(ForesightField* field) {
   uint64_t tag, size;
   field->bytes = field->end;

@@ -1,15 +1,15 @@
-// How a team's own behaviour asks foresight: which of these strategies is best from here on? C99, beside foresight.h.
+// Questions of a team's own behaviour to foresight: which of these strategies is best from now on? C99, with foresight.h.
 //
 //   ForesightAdviser adviser = foresight_adviser(NULL);                          // once
 //   ForesightAdvice advice;
 //   if (foresight_what_if(&adviser, names, 2, 30, 200, &advice))                 // waits 200 ms, or:
 //     play(advice.choice);
 //
-//   foresight_ask(&adviser, names, 2, 30, 200);                                  // goes on at once
+//   foresight_ask(&adviser, names, 2, 30, 200);                                  // returns at once
 //   if (foresight_answer(&adviser, &advice)) play(advice.choice);                // in a later cycle
 //
-// The runtime has to know pose, ball and game of the robot, and the strategies by name (--strategies). One adviser is used
-// by one thread.
+// The runtime needs the objects pose, ball and game of the robot, and the names of the strategies (--strategies). One
+// thread uses one adviser.
 #ifndef FORESIGHT_WHAT_IF_H
 #define FORESIGHT_WHAT_IF_H
 
@@ -17,21 +17,22 @@
 #include <foresight_fields.h>
 #include <string.h>
 
+/// A connection for questions and their answers.
 typedef struct {
   ForesightWriter* questions;
   ForesightReader* forecasts;
   uint64_t asked;  // number of the last question; 0: none yet
 } ForesightAdviser;
 
-/// What a forecast comes to. Its numbers are in the object `forecast`, as proto/foresight/forecast.proto has them.
+/// The advice of a forecast. All figures are in the object `forecast` (proto/foresight/forecast.proto).
 typedef struct {
-  int known;         // 0: it cannot tell, or had too little processor time; `reason` says why
-  int change;        // 1: another strategy than the first is better for sure
-  char choice[64];   // what to play: the first strategy unless `change`
-  char reason[320];  // in one sentence
+  int known;         // 0: no forecast, or too little processor time for one; see `reason`
+  int change;        // 1: another strategy than the first is better, with the required certainty
+  char choice[64];   // the strategy to play: the first one unless `change`
+  char reason[320];  // one sentence
 } ForesightAdvice;
 
-/// To the door at `door`; NULL: where the runtime of the same user has it.
+/// Makes an adviser with the door at `door`; NULL: the default door of this user's runtime.
 static inline ForesightAdviser foresight_adviser(const char* door) {
   ForesightObject object;
   ForesightAdviser adviser;
@@ -47,8 +48,8 @@ static inline ForesightAdviser foresight_adviser(const char* door) {
   return adviser;
 }
 
-/// Asks which of `strategies` is best; the first is what is played now. Looks `horizon` [s] ahead and answers after
-/// `budget_ms`. 1: the question is on its way.
+/// Asks which of `strategies` is best; the first is the one that is played now. Foresight looks `horizon` [s] ahead and
+/// answers after `budget_ms`. Returns 1 if the question was sent.
 static inline int foresight_ask(ForesightAdviser* adviser, const char* const* strategies, int count, float horizon,
                                 unsigned budget_ms) {
   unsigned char room[1024];
@@ -68,7 +69,7 @@ static inline void foresight_copy_text(char* to, size_t room, const ForesightFie
   to[size] = '\0';
 }
 
-/// The number of the question that a forecast answers; fills in what it advises.
+/// Reads a forecast into `advice` and returns the number of the question that it answers.
 static inline uint64_t foresight_read_forecast(const ForesightMessage* message, ForesightAdvice* advice) {
   uint64_t id = 0;
   ForesightField field = foresight_fields(message->bytes, message->size);
@@ -89,7 +90,7 @@ static inline uint64_t foresight_read_forecast(const ForesightMessage* message, 
   return id;
 }
 
-/// 1: the answer to the last question is there. Never waits.
+/// Reads the answer to the last question. Returns 0 if it has not come yet. Never waits.
 static inline int foresight_answer(ForesightAdviser* adviser, ForesightAdvice* advice) {
   ForesightMessage message;
   while (foresight_read(adviser->forecasts, &message))
@@ -97,21 +98,21 @@ static inline int foresight_answer(ForesightAdviser* adviser, ForesightAdvice* a
   return 0;
 }
 
-/// From `now_ns` until `late_ns` [ms], rounded up; 0 where that has passed, and at most a minute.
+/// Returns the time from `now_ns` to `late_ns` [ms], rounded up: 0 if that has passed, and at most a minute.
 static inline int foresight_ms_until(uint64_t late_ns, uint64_t now_ns) {
   const uint64_t left_ns = late_ns > now_ns ? late_ns - now_ns : 0;
   const uint64_t left_ms = left_ns / 1000000 + (left_ns % 1000000 != 0);
   return left_ms < 60000 ? (int)left_ms : 60000;
 }
 
-/// Asks and waits for the answer, at most 100 ms longer than the budget. 0: there was none.
+/// Asks and waits for the answer, at most 100 ms longer than the budget. Returns 0 if none came.
 static inline int foresight_what_if(ForesightAdviser* adviser, const char* const* strategies, int count, float horizon,
                                     unsigned budget_ms, ForesightAdvice* advice) {
   const uint64_t late_ns = foresight_now_ns() + ((uint64_t)budget_ms + 100) * 1000000;
-  foresight_answer(adviser, advice);  // takes what came before, and connects
+  foresight_answer(adviser, advice);  // discards earlier answers, and connects
   if (!foresight_ask(adviser, strategies, count, horizon, budget_ms)) return 0;
   for (;;) {
-    // read once: between two looks at the clock this thread may have to wait for the processor
+    // the clock is read once: between two reads this thread may wait long for the processor
     const int left_ms = foresight_ms_until(late_ns, foresight_now_ns());
     if (foresight_answer(adviser, advice)) return 1;
     if (left_ms == 0) return 0;

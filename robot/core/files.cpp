@@ -38,7 +38,7 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
     if (n == 0) return bytes;
     if (bytes.size() + static_cast<std::size_t>(n) > max_bytes)
       return Error{"cannot read " + path.string() + ": expected at most " + std::to_string(max_bytes) +
-                   " bytes, it holds more"};
+                   " bytes, got more"};
     bytes.append(block, static_cast<std::size_t>(n));
   }
 }

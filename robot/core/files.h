@@ -1,4 +1,4 @@
-// Whole small files in and out.
+// Reading and writing of whole small files.
 #pragma once
 
 #include <cstddef>
@@ -11,17 +11,17 @@
 
 namespace robot {
 
-/// The bytes of the file at `path`; an Error if it cannot be read or holds more than `max_bytes`.
+/// Returns the bytes of the file at `path`, or an Error if it cannot be read or holds more than `max_bytes`.
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes);
 
-/// Puts `bytes` at `path` so that a reader sees the old file or the new one, never half: writes beside it, then renames.
-/// `mode` are the permission bits of the new file.
+/// Replaces the file at `path` by `bytes`. A reader sees the old file or the new one, never half a file: the function
+/// writes a file beside it and renames that one. `mode` holds the permission bits of the new file.
 Result<void> replace_file(const std::filesystem::path& path, std::string_view bytes, unsigned mode = 0644);
 
-/// "what: path: reason" for the system error `error_number`.
+/// Returns the Error "WHAT PATH: reason" for the system error `error_number`.
 Error file_error(std::string_view what, const std::filesystem::path& path, int error_number);
 
-/// Owns a file descriptor and closes it.
+/// A file descriptor that is closed by its owner's destructor.
 class FileDescriptor {
  public:
   FileDescriptor() = default;

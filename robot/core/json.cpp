@@ -6,7 +6,7 @@
 namespace robot {
 namespace {
 
-/// How many brackets are open at most. Exact for JSON; of what is none, it does not matter.
+/// Returns the greatest number of open brackets. It is exact for JSON; for other text the result does not matter.
 int depth_of(std::string_view text) {
   int depth = 0, deepest = 0;
   bool in_text = false;
@@ -27,9 +27,9 @@ int depth_of(std::string_view text) {
 }  // namespace
 
 Result<nlohmann::json> parse_json(std::string_view text) {
-  // looked at before anything is built: what is built would have to be taken apart again
+  // checked before parsing: a value that is too deep could not be freed safely
   if (depth_of(text) > kDeepestJson)
-    return Error{"expected JSON nested at most " + std::to_string(kDeepestJson) + " deep, got what is nested deeper"};
+    return Error{"expected JSON nested at most " + std::to_string(kDeepestJson) + " deep, got deeper nesting"};
   auto json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (json.is_discarded()) return Error{"expected JSON, got something else"};
   return json;

@@ -1,4 +1,4 @@
-// JSON from outside: what clients ask, what other robots answer, what people write into files.
+// JSON from outside: requests of clients, answers of other robots, files that people write.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,12 +8,12 @@
 
 namespace robot {
 
-/// Lists and objects within each other, the outermost included. The library copies, prints and forgets a value by calling
-/// itself for what is inside, so that a hundred thousand brackets, 200 kB, would end the process.
+/// The greatest number of lists and objects within each other, the outermost included. The library copies, prints and
+/// frees a value by recursion, so a text of a hundred thousand brackets (200 kB) would end the process.
 inline constexpr int kDeepestJson = 64;
 
-/// What the text says. An Error, "expected JSON, got something else", where it is none, and where it is nested deeper
-/// than kDeepestJson.
+/// Returns the value that `text` describes. Returns the Error "expected JSON, got something else" if the text is not
+/// JSON, and an Error if it is nested deeper than kDeepestJson.
 Result<nlohmann::json> parse_json(std::string_view text);
 
 }  // namespace robot

@@ -1,4 +1,4 @@
-// Numbers as they travel and as they are stored: little endian, whatever the processor.
+// Numbers as bytes in packets and files: little endian on every processor.
 #pragma once
 
 #include <bit>
@@ -26,19 +26,19 @@ void put(std::string& out, Number value) {
     put(out, static_cast<std::uint64_t>(value), sizeof value);
 }
 
-/// Appends `text` with its uint32 length before it.
+/// Appends the uint32 length of `text`, then `text`.
 inline void put_text(std::string& out, std::string_view text) {
   put(out, static_cast<std::uint32_t>(text.size()));
   out.append(text);
 }
 
-/// Reads `bytes` from front to back; after the first read beyond the end nothing is read any more, what is asked for
-/// is 0 or empty, and ok() is false.
+/// A reader of bytes from front to back. After the first read beyond the end, every read returns 0 or an empty text,
+/// and ok() is false.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
 
-  /// The next integer or float.
+  /// Reads the next integer or float.
   template <class Number>
   Number number() {
     if constexpr (std::is_same_v<Number, float>)
@@ -47,7 +47,7 @@ class ByteReader {
       return static_cast<Number>(number(sizeof(Number)));
   }
 
-  /// The next `size` bytes as an integer; of more than eight, the first eight.
+  /// Reads the next `size` bytes as an integer; if `size` is above eight, only the first eight count.
   std::uint64_t number(std::size_t size) {
     std::uint64_t value = 0;
     const std::string_view bytes = take(size);
@@ -56,7 +56,7 @@ class ByteReader {
     return value;
   }
 
-  /// A text with its uint32 length before it.
+  /// Reads a uint32 length and then a text of that length.
   std::string_view text() { return take(number<std::uint32_t>()); }
 
   std::string_view take(std::size_t size) {
@@ -72,7 +72,7 @@ class ByteReader {
 
   std::string_view rest() const { return rest_; }
   bool ok() const { return ok_; }
-  /// All bytes were read, and none that was not there.
+  /// Returns true if every byte was read and no read went beyond the end.
   bool finished() const { return ok_ && rest_.empty(); }
 
  private:

@@ -19,7 +19,7 @@ Result<LocalAddress> LocalAddress::of(const std::filesystem::path& path, const s
 }
 
 bool LocalAddress::listen(int socket, int backlog) const {
-  // on Linux the mode a socket has before it is bound becomes that of its file: there is no moment when others may connect
+  // on Linux the socket's file gets the mode that the socket has before bind(): other users can never connect
   return ::fchmod(socket, 0600) == 0 && ::bind(socket, get(), sizeof address_) == 0 && ::listen(socket, backlog) == 0;
 }
 

@@ -1,4 +1,4 @@
-// Where a local socket lives: a path, for programs of this machine only.
+// The address of a local (Unix) socket: a path, for programs of this machine only.
 #pragma once
 
 #include <sys/socket.h>
@@ -11,14 +11,16 @@
 
 namespace robot {
 
+/// The address of a local socket, checked for its length.
 class LocalAddress {
  public:
-  /// Fails for a path that is empty or longer than the system takes (107 bytes); the sentence begins with `who`.
+  /// Returns an Error if the path is empty or longer than the system allows (107 bytes). Its sentence begins with `who`.
   static Result<LocalAddress> of(const std::filesystem::path& path, const std::string& who);
 
   bool connect(int socket) const { return ::connect(socket, get(), sizeof address_) == 0; }
 
-  /// Lets `socket` listen here, for programs of our user only and from the first moment on. When false, errno says why.
+  /// Lets `socket` listen at this address, from the first moment on for programs of our user only. Returns false and
+  /// sets errno on failure.
   bool listen(int socket, int backlog) const;
 
  private:

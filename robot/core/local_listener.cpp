@@ -15,7 +15,7 @@ FileDescriptor make_socket(int type) {
   return FileDescriptor(::socket(AF_UNIX, type | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
 }
 
-/// A socket whose process was killed stays behind, and only that may be taken away.
+/// Removes the socket file that a killed process left at `path`, and nothing else.
 Result<void> make_way(const std::filesystem::path& path, const LocalAddress& address, const ListenOptions& options) {
   struct stat status {};
   if (::lstat(path.c_str(), &status) != 0) return {};
@@ -33,8 +33,8 @@ Result<void> make_way(const std::filesystem::path& path, const LocalAddress& add
 
 Result<FileDescriptor> listen_locally(const std::filesystem::path& path, const ListenOptions& options) {
   const auto address = LocalAddress::of(path, options.who);
-  if (!address) return Error{address.error()};
-  if (Result<void> free = make_way(path, *address, options); !free) return Error{free.error()};
+  if (!address) return address.failure();
+  if (Result<void> free = make_way(path, *address, options); !free) return free.failure();
   FileDescriptor socket = make_socket(options.type);
   if (!socket || !address->listen(socket.get(), options.backlog))
     return file_error(options.who + ": cannot listen at", path, errno);

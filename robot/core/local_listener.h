@@ -1,4 +1,4 @@
-// Listening at a local socket, where nobody else does.
+// Listening at a local socket that no other process uses.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,16 @@
 
 namespace robot {
 
+/// The settings of listen_locally().
 struct ListenOptions {
-  std::string who;      // sentences begin with it: "door"
-  std::string another;  // what to do about somebody who listens there: "another runtime does; end it"
+  std::string who;      // first word of each error sentence, such as "door"
+  std::string another;  // advice when another process listens there, such as "another runtime does; end it"
   int type = 0;         // SOCK_STREAM or SOCK_SEQPACKET
   int backlog = 128;
 };
 
-/// A socket at `path` that never blocks, for programs of our user only. One that was left behind by a process that was
-/// killed is taken away; an Error if somebody listens there, or something else is there.
+/// Opens a non-blocking socket that listens at `path`, for programs of our user only. Removes the socket file of a killed
+/// process. Returns an Error if another process listens there or `path` is something other than a socket of our user.
 Result<FileDescriptor> listen_locally(const std::filesystem::path& path, const ListenOptions& options);
 
 }  // namespace robot

@@ -9,7 +9,7 @@
 namespace robot {
 namespace {
 
-// the calls below fail only when they are misused, which is our bug
+// the calls below fail only if we misuse them, which is a bug
 void check([[maybe_unused]] int error) { assert(error == 0); }
 
 }  // namespace
@@ -41,7 +41,7 @@ Condition::~Condition() { pthread_cond_destroy(&condition_); }
 void Condition::wait(Mutex& mutex) { check(pthread_cond_wait(&condition_, &mutex.mutex_)); }
 
 void Condition::wait_until(Mutex& mutex, std::uint64_t deadline_ns) {
-  // a time_t of 32 bits ends in 2038; whoever waits longer than this looks again
+  // a time_t of 32 bits ends in 2038, so one wait lasts at most an hour; the caller checks and waits again
   deadline_ns = std::min(deadline_ns, monotonic_ns() + 3600 * kSecond);
   const timespec deadline{.tv_sec = static_cast<time_t>(deadline_ns / kSecond),
                           .tv_nsec = static_cast<long>(deadline_ns % kSecond)};

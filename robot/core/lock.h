@@ -1,5 +1,5 @@
-// Locks whose holder inherits the priority of whoever waits: a real-time thread is never kept waiting
-// by a low-priority one that was pushed off the processor while it held the lock.
+// Locks with priority inheritance: the holder runs with the priority of the thread that waits for it. So a real-time
+// thread never waits for a preempted low-priority thread that holds the lock.
 #pragma once
 
 #include <pthread.h>
@@ -25,7 +25,7 @@ class Mutex {
   pthread_mutex_t mutex_;
 };
 
-/// A condition variable for `Mutex`, timed by the monotonic clock: a stepping system clock does not disturb it.
+/// A condition variable for `Mutex` that uses the monotonic clock: a step of the system clock does not disturb it.
 class Condition {
  public:
   Condition();
@@ -33,13 +33,13 @@ class Condition {
   Condition(const Condition&) = delete;
   Condition& operator=(const Condition&) = delete;
 
-  /// Waits until woken; may wake without reason. `mutex` is held by the caller.
+  /// Waits until it is notified; may return without a notification. The caller holds `mutex`.
   void wait(Mutex& mutex);
 
-  /// Waits until woken or until monotonic_ns() reaches `deadline_ns`; may wake without reason.
+  /// Waits until it is notified or monotonic_ns() reaches `deadline_ns`; may return earlier without a notification.
   void wait_until(Mutex& mutex, std::uint64_t deadline_ns);
 
-  /// Wakes one waiting thread. Costs no system call while nobody waits.
+  /// Wakes one waiting thread. Costs no system call while no thread waits.
   void notify_one();
   void notify_all();
 

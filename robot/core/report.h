@@ -1,4 +1,4 @@
-// Telling people what happened: one sentence, at most once a second per place.
+// Reports for people: one sentence each, at most one a second from each place in the code.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,24 @@ namespace robot {
 
 enum class Level { debug = 1, info = 2, warning = 3, error = 4 };
 
-/// One thing that was said.
+/// One report.
 struct Report {
   Level level;
-  std::string source;    // the part that speaks, such as "logging"
-  std::string sentence;  // what happened, where, what was expected, what came
+  std::string source;    // the part of the program that reports, such as "logging"
+  std::string sentence;  // what is wrong, where, what was expected, what came
 };
 
-/// Says a sentence: to stderr, and to whoever listens (the memory object `log`). Any thread.
+/// Writes a sentence to stderr and passes it to the listener (which fills the memory object `log`). Any thread.
 void report(Level level, std::string_view source, std::string_view sentence);
 
-/// Sends every further report to `listener` as well; an empty function ends that.
-/// When this returns, the previous listener is no longer being called. The listener must not call `report`.
+/// Passes every later report to `listener` too; an empty function removes the listener. When this function returns, the
+/// previous listener is not running and will not be called again. The listener must not call `report`.
 void set_report_listener(std::function<void(const Report&)> listener);
 
-/// Lets one report a second through, for things that may go wrong a thousand times a second. Any thread; keep one per place.
+/// A limit of one report a second, for faults that may happen a thousand times a second. Any thread; one object per place.
 class Throttle {
  public:
-  /// As report(); the next sentence that passes tells how many were left out meanwhile.
+  /// Works as report() does, but drops sentences that come too soon. The next sentence that passes names how many.
   void report(Level level, std::string_view source, std::string_view sentence, std::uint64_t now_ns = monotonic_ns());
 
  private:

@@ -1,22 +1,31 @@
-// A value, or a sentence that says why there is none.
+// A value, or a sentence with the reason why there is none.
+//
+//   Result<Config> load(const std::filesystem::path& file) {
+//     const Result<std::string> text = read_file(file);
+//     if (!text) return text.failure();                   // hands the error on as it is
+//     const Result<Config> config = parse(*text);
+//     if (!config) return config.failure(file.string());  // puts "FILE: " before its sentence
+//     return *config;
+//   }
 #pragma once
 
 #include <cassert>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
 namespace robot {
 
-/// Why something could not be done: one sentence for the person who must fix it.
-/// It tells what, where, what was expected and what came.
+/// The reason of a failure: one sentence for the person who must fix it.
+/// It says what is wrong, where, what was expected and what came.
 struct Error {
   std::string sentence;
 };
 
-/// A `T`, or the `Error` that says why there is none. Never throws.
-/// `value()` of an error and `error()` of a value are bugs of the caller (asserted).
+/// A `T`, or the `Error` with the reason why there is none. Never throws.
+/// To call `value()` on an error, or `error()` or `failure()` on a value, is a bug of the caller (asserted).
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -35,9 +44,15 @@ class [[nodiscard]] Result {
   const T* operator->() const { return const_cast<Result*>(this)->get(); }
 
   const std::string& error() const {
-    assert(!*this && "error() of a Result that holds a value");
+    assert(!*this && "error() or failure() of a Result that holds a value");
     return std::get<1>(content_).sentence;
   }
+
+  /// Returns the error so that a function with another `Result` type can return it.
+  [[nodiscard]] Error failure() const { return {error()}; }
+
+  /// Returns the error with its place before it: "PLACE: sentence".
+  [[nodiscard]] Error failure(std::string_view place) const { return {std::string(place) + ": " + error()}; }
 
  private:
   T* get() {
@@ -48,7 +63,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> content_;
 };
 
-/// Done, or the sentence that says why not.
+/// Success, or the `Error` with the reason why not.
 template <>
 class [[nodiscard]] Result<void> {
  public:
@@ -58,9 +73,15 @@ class [[nodiscard]] Result<void> {
   explicit operator bool() const { return !error_; }
 
   const std::string& error() const {
-    assert(error_ && "error() of a Result that holds a value");
+    assert(error_ && "error() or failure() of a Result that holds a value");
     return error_->sentence;
   }
+
+  /// Returns the error so that a function with another `Result` type can return it.
+  [[nodiscard]] Error failure() const { return {error()}; }
+
+  /// Returns the error with its place before it: "PLACE: sentence".
+  [[nodiscard]] Error failure(std::string_view place) const { return {std::string(place) + ": " + error()}; }
 
  private:
   std::optional<Error> error_;

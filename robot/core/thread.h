@@ -1,14 +1,14 @@
-// Threads that stay out of the way of the robot's own.
+// Names and priorities of threads: background threads must not disturb the team's own.
 #pragma once
 
 #include <string_view>
 
 namespace robot {
 
-/// Names the calling thread; 15 characters are shown.
+/// Sets the name of the calling thread; the system keeps 15 characters.
 void name_thread(std::string_view name);
 
-/// Names the calling thread and lowers its priority to nice 10: it runs when nobody else wants to.
+/// Sets the name of the calling thread and lowers its priority to nice 10, so that other threads go first.
 void become_background_thread(std::string_view name);
 
 }  // namespace robot

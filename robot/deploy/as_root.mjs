@@ -1,12 +1,12 @@
-// What only root may do on a robot: never without asking the person who called.
+// Steps on a robot that need root; each asks the user first.
 import { createInterface } from "node:readline/promises";
 import { quoted } from "./ssh.mjs";
 
-/** A yes or no at the terminal; `yes` agrees to everything. Where nobody is there to ask it is a no. */
+/** Asks for yes or no at the terminal; `yes` agrees to everything. Without a terminal the answer is no. */
 export async function agrees(question, { yes = false } = {}) {
   if (yes) return true;
   if (!process.stdin.isTTY) {
-    console.log(`${question} [y/N] nobody is here to ask: no (--yes agrees)`);
+    console.log(`${question} [y/N] there is no terminal to ask: no (--yes agrees)`);
     return false;
   }
   const terminal = createInterface({ input: process.stdin, output: process.stdout });
@@ -15,7 +15,7 @@ export async function agrees(question, { yes = false } = {}) {
   return /^y/i.test(answer);
 }
 
-/** Runs a line of shell on the robot as root, by sudo or su, which may ask for a password. True if it worked. */
+/** Runs a line of shell on the robot as root, by sudo or su, which may ask for a password. Returns true on success. */
 export async function runAsRoot(connection, command) {
   const { status } = await connection.run(`sudo -n sh -c ${quoted(command)} 2>/dev/null`);
   if (status === 0) return true;
@@ -26,10 +26,10 @@ export async function runAsRoot(connection, command) {
 
 const kDropIn = "/etc/systemd/system/user@.service.d/foresight.conf";
 
-/** The real-time priority that our programs ask for: of the guardian, which answers LoLA, or the lowest. */
+/** The real-time priority that our programs need: that of the guardian, which answers LoLA, or the lowest. */
 export const priorityOf = ({ body }) => (body === "nao" ? 40 : 1);
 
-/** What we may want root for: why, how, and how it is taken back. Only where systemd rules. */
+/** The steps that need root: reason, command and the command that undoes it. Only for robots with systemd. */
 export const kFavours = {
   linger: {
     isWanted: (probe) => probe.init === "systemd" && !probe.lingers,

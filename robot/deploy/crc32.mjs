@@ -1,4 +1,4 @@
-// CRC-32 as zlib has it; Node has had one of its own only since 22.
+// CRC-32 as in zlib; Node has its own only since version 22.
 import { createReadStream } from "node:fs";
 
 const table = Uint32Array.from({ length: 256 }, (_, byte) => {
@@ -7,14 +7,14 @@ const table = Uint32Array.from({ length: 256 }, (_, byte) => {
   return value;
 });
 
-/** Goes on with `bytes` where `crc`, that of all bytes before, ended; 0 begins. */
+/** Returns the checksum after `bytes`; `crc` is that of all bytes before them, 0 at the beginning. */
 export function crc32(bytes, crc = 0) {
   let value = ~crc;
   for (let i = 0; i < bytes.length; ++i) value = table[(value ^ bytes[i]) & 255] ^ (value >>> 8);
   return ~value >>> 0;
 }
 
-/** Of a whole file: eight hexadecimal digits. */
+/** Returns the checksum of a whole file: eight hexadecimal digits. */
 export async function crc32OfFile(path) {
   let crc = 0;
   for await (const piece of createReadStream(path, { highWaterMark: 1 << 20 })) crc = crc32(piece, crc);

@@ -1,4 +1,4 @@
-// scripts/deploy: brings Foresight to robots, sets them up, or takes all of it away.
+// scripts/deploy: sets robots up, installs Foresight on them, or removes it.
 import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -38,14 +38,14 @@ const kOptions = {
   yes: true,
 };
 
-/** What the command line says about who the robots are goes before the file. */
+/** Returns the robots with the identity from the command line, which overrides that of the file. */
 function identified(robots, { player, team, colour }) {
   if (player !== undefined && robots.length > 1) throw new BadInput(`--player: expected one robot to give number ${player}, got ${robots.length}`);
   const given = Object.fromEntries(Object.entries({ player, team, colour }).filter(([, value]) => value !== undefined));
   return robots.map((robot) => ({ ...robot, ...given }));
 }
 
-/** A file that was built elsewhere. */
+/** Returns the path of a file that was built elsewhere. */
 function givenFile(option, path) {
   if (path !== undefined && !existsSync(path)) throw new BadInput(`${option}: expected a file, got '${path}'`);
   return path && resolve(path);
@@ -53,7 +53,7 @@ function givenFile(option, path) {
 
 const kPrograms = { runtime: "foresight-robot", guardian: "foresight-guardian" };
 
-/** What a robot needs of kPrograms. */
+/** The keys of kPrograms that a robot needs. */
 const neededBy = ({ body }) => (body === "nao" ? ["runtime", "guardian"] : ["runtime"]);
 
 function builtFile(robot, preset, kind) {
@@ -63,8 +63,8 @@ function builtFile(robot, preset, kind) {
 }
 
 /**
- * The programs of each robot by its name, {runtime, guardian}; a guardian only of those with the body nao. What was not given
- * is built unless it shall not be: once per preset, before any robot is touched.
+ * Returns the programs of each robot by its name, {runtime, guardian}; only robots with the body nao have a guardian. Unless
+ * --no-build is given, missing programs are built: once per preset, before any robot is touched.
  */
 function programs(robots, { build, program, guardian, ...options }) {
   const given = { runtime: givenFile("--program", program), guardian: givenFile("--guardian", guardian) };

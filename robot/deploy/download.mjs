@@ -1,4 +1,4 @@
-// One file comes home: where an earlier attempt was cut off it goes on, and only what has the right checksum counts.
+// Download of one file: it resumes an interrupted attempt, and checks the checksum.
 import { closeSync, createWriteStream, existsSync, fsyncSync, mkdirSync, openSync, renameSync, rmSync, statSync } from "node:fs";
 import { dirname } from "node:path";
 import { pipeline } from "node:stream/promises";
@@ -11,12 +11,12 @@ const kPause_ms = 1000;
 
 const sizeOf = (path) => (existsSync(path) ? statSync(path).size : 0);
 
-/** True if the file at `path` is just that one. */
+/** Returns true if the file at `path` has the expected size and checksum. */
 async function isWhole(path, { size_bytes, crc32 }) {
   return existsSync(path) && statSync(path).size === size_bytes && (await crc32OfFile(path)) === crc32;
 }
 
-/** Brings what is missing of the file to `part`. `arrived` is called with the size of each piece. */
+/** Downloads the missing rest of the file to `part`. Calls `arrived` with the size of each piece. */
 async function fetchRest(recordings, session, { name, size_bytes }, part, arrived) {
   if (sizeOf(part) > size_bytes) rmSync(part);
   const have = sizeOf(part);
@@ -37,8 +37,9 @@ async function fetchRest(recordings, session, { name, size_bytes }, part, arrive
 }
 
 /**
- * Brings `file` ({name, size_bytes, crc32}) of a session to `path`, by way of `path`.part, which stays where it is cut off.
- * Does nothing when it is there already. Throws RobotFailed when the connection stays away, Refused when the robot refuses.
+ * Downloads `file` ({name, size_bytes, crc32}) of a session to `path`. The bytes first go to `path`.part, which an interrupted
+ * download leaves behind. Does nothing if the file is complete already. Throws RobotFailed if the connection does not come
+ * back, and Refused if the robot refuses.
  */
 export async function bring(recordings, session, file, path, arrived = () => {}) {
   if (await isWhole(path, file)) return arrived(file.size_bytes);
@@ -50,7 +51,7 @@ export async function bring(recordings, session, file, path, arrived = () => {})
     try {
       await fetchRest(recordings, session, file, part, arrived);
       if (await isWhole(part, file)) break;
-      // what was there already may be of a file that has changed since
+      // the part from an earlier attempt may be of a file that has changed since
       rmSync(part, { force: true });
       if (had === 0) throw new RobotFailed(`${session}/${file.name}: what arrived does not have the checksum ${file.crc32}`);
       arrived(-file.size_bytes);
@@ -60,7 +61,7 @@ export async function bring(recordings, session, file, path, arrived = () => {})
       if (!(await recordings.isThere())) throw error;
     }
   }
-  // the robot may delete its own then: ours must survive a laptop that goes off
+  // the robot may delete its copy after this, so ours must survive a loss of power here
   const written = openSync(part, "r");
   fsyncSync(written);
   closeSync(written);

@@ -1,12 +1,12 @@
-// The two ways in which a command fails, and how it says so.
+// The two kinds of failure of a command, and their reports.
 
-/** What the person who called must mend: a sentence with what, where, what was expected and what came. Exit status 2. */
+/** A fault that the user must fix: a sentence with what is wrong, where, what was expected and what came. Exit status 2. */
 export class BadInput extends Error {}
 
-/** What a robot could not do, one sentence. The others go on. Exit status 1. */
+/** A failure of one robot, in one sentence. The other robots continue. Exit status 1. */
 export class RobotFailed extends Error {}
 
-/** Runs `main`, which answers with an exit status, and ends this process with it. */
+/** Runs `main`, which returns an exit status, and sets that of this process. */
 export async function runMain(command, main) {
   try {
     process.exitCode = await main(process.argv.slice(2));

@@ -1,9 +1,9 @@
-// Whether a robot may be touched: not while it plays.
+// The check before each change of a robot: no game may be in progress.
 import { RobotFailed } from "./failure.mjs";
 
 const kUnderWay = ["ready", "set", "playing"];
 
-/** What /api/status says: {build, game, ...}; undefined where no runtime answers, or not as one does. */
+/** Returns the answer of /api/status, {build, game, ...}; undefined if no runtime answers or the answer is not its own. */
 export async function statusOf(connection) {
   const answer = await connection.get("/api/status");
   if (answer?.status === 503 && /game (is )?in progress/.test(answer.body)) return { game: { state: "", in_progress: true } };
@@ -15,14 +15,14 @@ export async function statusOf(connection) {
   }
 }
 
-/** "PLAYING", or undefined when no game is under way. */
+/** Returns the state of the game, such as "PLAYING", or undefined if no game is in progress. */
 export function gameUnderWay(status) {
   const { state = "", in_progress = false } = status?.game ?? {};
   if (kUnderWay.includes(state)) return state.toUpperCase();
   return in_progress ? (state.toUpperCase() || "in progress") : undefined;
 }
 
-/** Throws while a game is under way, unless `force`. A robot without a runtime that listens has none to disturb. */
+/** Throws while a game is in progress, unless `force`. A robot without a running runtime counts as not in a game. */
 export async function refuseInGame(connection, { force = false } = {}) {
   const game = gameUnderWay(await statusOf(connection));
   if (game && !force) throw new RobotFailed(`the game is ${game}; nothing was touched (--force does it all the same)`);

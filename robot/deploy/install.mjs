@@ -1,29 +1,29 @@
-// Brings a version to one robot: staged beside what runs, then swapped, then proved by its own answer; else rolled back.
+// Installation of a version on one robot: stage it beside the running one, swap, check that it answers, or else roll back.
 import { RobotFailed } from "./failure.mjs";
 import { refuseInGame, statusOf } from "./game.mjs";
 import { kGuardianStatus, kPrepare, kPutGuardianBack, kRollBack, kSwapGuardian, switchTo } from "./layout.mjs";
 
-const kPatience_ms = 20000; // until a version that starts must have answered: a V4's flash is slow
+const kPatience_ms = 20000; // timeout for the answer of a starting version: a V4's flash is slow
 const kPause_ms = 200;
 
-/** A name for a version that sorts by time: 20261122-041546_0123abcd. */
+/** Returns the name of a version, which sorts by time: 20261122-041546_0123abcd. */
 const versionName = (build) => `${new Date().toISOString().slice(0, 19).replace(/[-:]/g, "").replace("T", "-")}_${build.replace(/[^\w+.-]/g, "")}`;
 
-/** The build of the program in `folder`, told by itself, on the robot. */
+/** Returns the build that the program in `folder` on the robot reports for --version. */
 async function buildOf(connection, folder) {
   const build = (await connection.must(`the program does not run on this robot`, `${folder}/bin/foresight-robot --version`)).trim();
   if (!/^[\w+.-]{1,64}$/.test(build)) throw new RobotFailed(`the program: expected its build for --version, got '${build.slice(0, 60)}'`);
   return build;
 }
 
-/** Refuses a robot that is not the one of the robots file: addresses were mixed up, or heads. */
+/** Throws if the robot is not that of the robots file, because addresses or heads were mixed up. */
 export async function refuseOther(connection) {
   const { head_id } = connection.robot;
   const { stdout } = await connection.run("cat /sys/qi/head_id 2>/dev/null");
   if (head_id && stdout.trim() && stdout.trim() !== head_id) throw new RobotFailed(`this is another robot: expected head_id ${head_id}, got ${stdout.trim()}`);
 }
 
-/** Waits for the service to answer as `build`. Undefined when it does, else a sentence why not. */
+/** Waits until the service answers as `build`. Returns undefined then, else a sentence with the reason. */
 async function whyNotUp(connection, build) {
   const end = performance.now() + kPatience_ms;
   while (performance.now() < end) {
@@ -37,14 +37,14 @@ async function whyNotUp(connection, build) {
   return `it did not answer within ${kPatience_ms / 1000} s`;
 }
 
-/** What nobody but us may use. */
+/** Throws if another runtime uses our port. */
 async function refuseTakenPort(connection) {
   const { status } = await connection.run("foresight/current/foresight status 2>/dev/null");
   const other = status === 0 ? undefined : await statusOf(connection);
   if (other) throw new RobotFailed(`port ${connection.robot.http_port} is taken by a runtime (build ${other.build}) that was not started by us: stop it first`);
 }
 
-/** Waits for the guardian to answer. Undefined when it does, else what it said. */
+/** Waits until the guardian answers. Returns undefined then, else its output. */
 async function whyNoGuardian(connection) {
   const end = performance.now() + kPatience_ms;
   for (;;) {
@@ -55,7 +55,7 @@ async function whyNoGuardian(connection) {
   }
 }
 
-/** The guardian of what was staged, before the runtime that speaks to it. One that does not run is put back. */
+/** Installs the staged guardian, before the runtime that needs it. If it does not run, the previous one is put back. */
 async function installGuardian(connection, say) {
   const [told, ...how] = (await connection.must("the guardian could not be swapped", kSwapGuardian)).trim().split(" ");
   if (told === "kept") say(`NOT done: the guardian stays the one before, as the robot has stiffness (${how.join(" ")}): deploy again when it sits`);
@@ -76,7 +76,7 @@ async function rollBack(connection, why) {
   throw new RobotFailed(`${why}; rolled back to build ${build}${whyNot ? `, but ${whyNot}` : ", which runs"}${told}`);
 }
 
-/** What push() would change in the current version of the robot, in words. */
+/** Returns, in words, what push() would change in the current version of the robot. */
 async function changesIn(connection, folder) {
   if ((await connection.run("[ -e foresight/current ]")).status !== 0) return "everything";
   const files = (await connection.push(folder, "foresight/current", { dry: true })).split("\n");
@@ -84,7 +84,7 @@ async function changesIn(connection, folder) {
   return changed.join(", ") || "nothing new";
 }
 
-/** Tells what install() would do, and changes nothing. */
+/** Reports what install() would do, and changes nothing. */
 export async function rehearse(connection, folder, { force }, say) {
   await refuseOther(connection);
   await refuseInGame(connection, { force });
@@ -93,8 +93,8 @@ export async function rehearse(connection, folder, { force }, say) {
 }
 
 /**
- * Installs what lies in `folder`. `say` tells how far it is. `restart`: false leaves what runs running until somebody starts
- * it anew. `force`: also while a game is under way. Throws RobotFailed; then what ran before runs, as far as it can.
+ * Installs the version in `folder` and reports each step to `say`. Without `restart` the running version continues until its
+ * next start. `force` allows it during a game. After a RobotFailed the previous version runs, if possible.
  */
 export async function install(connection, folder, { restart, force }, say) {
   await refuseOther(connection);
@@ -105,7 +105,7 @@ export async function install(connection, folder, { restart, force }, say) {
   await connection.push(folder, "foresight/staging", { like: "../current" });
   const build = await buildOf(connection, "foresight/staging");
 
-  // sending takes a while, and games begin
+  // sending takes a while, and a game may have begun
   await refuseInGame(connection, { force });
   if (restart) {
     await refuseTakenPort(connection);

@@ -1,4 +1,4 @@
-// Our ssh key among those that a robot lets in.
+// Our ssh key in a robot's authorized_keys.
 import { existsSync, readFileSync } from "node:fs";
 import { homedir } from "node:os";
 import { join } from "node:path";
@@ -7,7 +7,7 @@ import { BadInput } from "./failure.mjs";
 // the servers of the old systems know no ed25519
 const kKinds = { "nao-v6": ["ed25519", "ecdsa", "rsa"], "nao-v5": ["rsa", "ecdsa"], "nao-v4": ["rsa", "ecdsa"] };
 
-/** The line of the public key that shall open `robot`: the one the robots file names, or this person's own. */
+/** Returns the line of the public key for `robot`: that of the robots file, or the user's own. */
 export function publicKey(robot, home = homedir()) {
   const files = robot.key ? [`${robot.key}.pub`] : kKinds[robot.model].map((kind) => join(home, ".ssh", `id_${kind}.pub`));
   const file = files.find((one) => existsSync(one));
@@ -19,19 +19,19 @@ export function publicKey(robot, home = homedir()) {
 
 const bodyOf = (line) => line.split(" ").slice(0, 2).join(" ");
 
-/** True if `text`, an authorized_keys, lets `line` in already. */
+/** Returns true if `text`, an authorized_keys, contains the key `line`. */
 export const hasKey = (text, line) => text.split("\n").some((one) => !one.startsWith("#") && one.includes(bodyOf(line)));
 
-/** `text` with `line` first: so that withoutKey() gives back every byte, also where the last line has no end. */
+/** Returns `text` with `line` first, so that withoutKey() restores every byte even if the last line has no newline. */
 export const withKey = (text, line) => `${line}\n${text}`;
 
-/** `text` without the first `line`, as withKey() put it there. */
+/** Returns `text` without the first `line`, which withKey() added. */
 export function withoutKey(text, line) {
   const at = `\n${text}`.indexOf(`\n${line}\n`);
   return at < 0 ? text : text.slice(0, at) + text.slice(at + line.length + 1);
 }
 
-/** Replaces the file, keeping its mode; whoever is cut off in the middle leaves the old one. */
+/** Replaces the file and keeps its mode; an interruption leaves the old file. */
 export const kReplaceKeys = `
 set -e
 keys=.ssh/authorized_keys
@@ -39,7 +39,7 @@ if [ -e $keys ]; then cp -p $keys $keys.new; fi
 (umask 077 && cat >$keys.new)
 mv -f $keys.new $keys`;
 
-/** Makes what is missing for the file, and notes it. */
+/** Makes the missing folder and file, and notes them. */
 export const kMakeKeysFile = `
 set -e
 if [ ! -d .ssh ]; then echo "folder .ssh" >>foresight/made; mkdir -m 700 .ssh; fi

@@ -1,15 +1,15 @@
-// How ~/foresight on a robot is laid out, and the lines of shell that change it.
+// The layout of ~/foresight on a robot, and the shell commands that change it.
 //
-//   staging/            a version that is arriving; nothing runs from here
+//   staging/            a version that is being sent; nothing runs from here
 //   versions/NAME/      bin/foresight-robot, etc/settings, etc/robot.json, foresight, foresight.service; of a robot that has
 //                       the body nao also guardian/
 //   current, previous   links to two of them
-//   guardian/           who owns LoLA, a copy of a version's: it stays when versions change, until the robot has no stiffness
-//   logs/ state/        what the runtime writes; no deployment touches them
-//   made                what was made or changed outside of this folder, a line each, for --undo:
+//   guardian/           the owner of LoLA, a copy from a version; a new version replaces it only without stiffness
+//   logs/ state/        written by the runtime; no deployment touches them
+//   made                changes outside of this folder, one per line, for --undo:
 //                       folder PATH, file PATH, key LINE, root linger, root priority; paths are below the home
 
-/** Refuses a ~/foresight that is somebody else's, and makes ours. */
+/** Makes our ~/foresight; fails if there is one that is not ours. */
 export const kPrepare = `
 if [ -e foresight ] && [ ! -e foresight/made ]; then
   echo "there is a ~/foresight on the robot that is not ours: expected none, or one with the file made" >&2
@@ -17,7 +17,7 @@ if [ -e foresight ] && [ ! -e foresight/made ]; then
 fi
 mkdir -p foresight/logs foresight/state && : >>foresight/made`;
 
-/** Points the link $1 to $2: at any moment there is the old one or the new one, where mv knows -T. */
+/** Points the link $1 to $2. If mv supports -T, the old or the new link exists at any moment. */
 const kPoint = `
 point() {
   rm -f "$1.new"
@@ -25,7 +25,7 @@ point() {
   mv -T "$1.new" "$1" 2>/dev/null || { rm -f "$1.new"; ln -sfn "$2" "$1"; }
 }`;
 
-/** Where this user has a systemd, our unit $1, a file, is there and starts with it; what was made for that is noted first. */
+/** If this user has a systemd, installs and enables the unit file $1. Each new file and folder is noted first. */
 const kInstallUnit = `
 install_unit() {
   if [ -z "\${XDG_RUNTIME_DIR:-}" ]; then export XDG_RUNTIME_DIR="/run/user/$(id -u)"; fi
@@ -42,13 +42,13 @@ install_unit() {
   if [ ! -e ~/$link ]; then echo "file $link" >>made; ln -s ../$name ~/$link; fi
 }`;
 
-/** The unit $1, a file's name, is gone; what was noted of it does no harm. */
+/** Removes the unit with the file name $1; its notes in `made` do no harm. */
 const kForgetUnit = `
 forget_unit() {
   rm -f ~/.config/systemd/user/$1 ~/.config/systemd/user/default.target.wants/$1
 }`;
 
-/** What fails between here and the start must not leave the robot with nothing that runs. */
+/** Stops the current version; after a failure before the next start it is started again. */
 const kStopToSwap = `
 if [ -e current ]; then
   trap '[ $? -eq 0 ] || current/foresight start' EXIT
@@ -56,8 +56,8 @@ if [ -e current ]; then
 fi`;
 
 /**
- * Makes what was staged the current version, `name`, and starts it, unless it shall not. One command: a connection that is
- * cut in the middle does not leave the robot without a runtime.
+ * Makes the staged version the current one, with `name`, and starts it if `restart`. It is one command, so a broken connection
+ * does not leave the robot without a runtime.
  */
 export const switchTo = (name, { restart }) => `
 set -e
@@ -75,7 +75,7 @@ done
 install_unit current/foresight.service
 ${restart ? "current/foresight start" : ""}`;
 
-/** Makes the previous version the current one again and starts it; where there is none, nothing runs. Says which. */
+/** Makes the previous version the current one again and starts it. Prints `previous`, or `none` if there is none. */
 export const kRollBack = `
 set -e
 cd foresight
@@ -93,7 +93,7 @@ else
 fi
 rm -rf "$bad"`;
 
-/** Stops the guardian unless the robot has stiffness: then nothing is done, and it says how the robot is. */
+/** Stops the guardian. If the robot has stiffness, it does nothing and prints the state of the robot. */
 const kStopGuardian = `
 stop_guardian() {
   if guardian/guardian status >/dev/null; then
@@ -103,8 +103,8 @@ stop_guardian() {
 }`;
 
 /**
- * Makes the guardian that was staged the one that runs, or takes away one that is not wanted any more. Says `same`, `new`,
- * `none`, or `kept` and how the robot is, which has stiffness.
+ * Installs and starts the staged guardian, or removes one that is no longer wanted. Prints `same`, `new`, `none`, or, if the
+ * robot has stiffness, `kept` and the state of the robot.
  */
 export const kSwapGuardian = `
 set -e
@@ -130,13 +130,13 @@ install_unit guardian/foresight-guardian.service
 guardian/guardian start
 echo new`;
 
-/** Whether the guardian answers: exit status 0 or 1, as the robot has no stiffness or some; else what it said. */
+/** Asks the guardian: exit status 0 if the robot has no stiffness, 1 if it has; otherwise its log. */
 export const kGuardianStatus = `
 cd foresight
 guardian/guardian status >/dev/null || { guardian/guardian log; exit 4; }
 guardian/bin/foresight-guardian --status`;
 
-/** Puts the guardian back that ran before; where there was none, none runs. */
+/** Puts the previous guardian back and starts it; without a previous one, none runs. */
 export const kPutGuardianBack = `
 cd foresight
 ${kForgetUnit}
@@ -144,7 +144,7 @@ guardian/guardian stop || :
 rm -rf guardian
 if [ -e guardian.old ]; then mv guardian.old guardian && guardian/guardian start; else forget_unit foresight-guardian.service; fi`;
 
-/** The runtime and the guardian end; a robot that has stiffness keeps both, and says how it is. */
+/** Stops the runtime and the guardian. If the robot has stiffness, it stops neither and prints the state of the robot. */
 export const kStopAll = `
 cd foresight
 ${kStopGuardian}

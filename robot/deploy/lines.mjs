@@ -1,7 +1,7 @@
-// A line per robot: on a terminal it is written over, elsewhere every new word of it is a line.
+// One line of output per robot. A terminal overwrites it; elsewhere each change is a new line.
 import { RobotFailed } from "./failure.mjs";
 
-/** Lines for `names`; `out` is a stream. say() shows what a robot is doing, end() what became of it. */
+/** The lines of `names` on the stream `out`. say() shows the present step or the result of a robot. */
 export class Lines {
   #texts = new Map();
   #drawn = 0;
@@ -13,7 +13,7 @@ export class Lines {
     if (out.isTTY) this.#draw();
   }
 
-  /** `passing`: not worth a line of its own where lines stay, such as a percentage. */
+  /** Sets the line of a robot. A `passing` text, such as a percentage, is shown on terminals only. */
   say(name, text, { passing = false } = {}) {
     if (this.#texts.get(name) === text) return;
     this.#texts.set(name, text);
@@ -21,7 +21,7 @@ export class Lines {
     else if (!passing) this.out.write(`${name.padEnd(this.width)}  ${text}\n`);
   }
 
-  /** Several lines about a robot, above those that change. */
+  /** Prints several lines about a robot, above the changing lines. */
   tell(name, text) {
     if (this.out.isTTY) this.#clear();
     for (const line of text.trimEnd().split("\n")) this.out.write(`${name.padEnd(this.width)}  ${line}\n`);
@@ -42,8 +42,8 @@ export class Lines {
 }
 
 /**
- * Does `work` for every robot, side by side. A robot that fails says why on its line and keeps nobody from going on.
- * Answers with the robots that did not fail.
+ * Does `work` for all robots at the same time. The line of a failed robot shows the reason; the others continue.
+ * Returns the robots that did not fail.
  */
 export async function sideBySide(lines, robots, work) {
   const outcomes = await Promise.all(
@@ -52,7 +52,7 @@ export async function sideBySide(lines, robots, work) {
         await work(robot);
         return [robot];
       } catch (error) {
-        // what is our own bug tells where it happened
+        // a bug of ours is shown with its stack
         const [first, ...rest] = (error instanceof RobotFailed ? error.message : error.stack).split("\n");
         if (rest.length > 0) lines.tell(robot.name, rest.join("\n"));
         lines.say(robot.name, `FAILED: ${first}`);

@@ -1,4 +1,4 @@
-// scripts/logs: brings the recordings of robots home.
+// scripts/logs: downloads the recordings of robots.
 import { existsSync, statSync } from "node:fs";
 import { join, relative } from "node:path";
 import { dayOf } from "./day.mjs";
@@ -18,25 +18,25 @@ const kOptions = { robots: anyText, "no-images": true, delete: true, out: anyTex
 
 const mb = (bytes) => `${(bytes / 1e6).toFixed(1)} MB`;
 
-/** True if all of the session has arrived before: files get their names only once their checksums are right. */
+/** Returns true if the whole session is here already: a file gets its name only when its checksum is right. */
 function isHome(session, folder, isWanted) {
   const has = ({ file, size_bytes }) => existsSync(join(folder, file)) && statSync(join(folder, file)).size === size_bytes;
   return existsSync(join(folder, "session.json")) && session.streams.filter(({ file }) => isWanted(file)).every(has);
 }
 
-/** What is to come of one session: {session, folder, files, mayGo}; where nothing is, {session, files: [], note} says why. */
+/** Returns the plan for one session: {session, folder, files, mayGo}, or {session, files: [], note} if nothing is to come. */
 async function planSession(recordings, session, options, root) {
   if (session.state === "recording") return { session, files: [], note: "still being recorded" };
   const images = options["no-images"] ? session.streams.filter(({ schema }) => kImages.includes(schema)).map(({ file }) => file) : [];
   const isWanted = (file) => !images.includes(file);
   const folder = join(root, session.session);
-  // the robot reads all of a session for its checksums: not for one that is here and stays there
+  // the robot reads the whole session for its checksums, so it is not asked for a session that is here already
   if (!options.delete && isHome(session, folder, isWanted)) return { session, files: [], note: "here already" };
   const files = (await recordings.files(session.session)).filter(({ name }) => isWanted(name));
   return { session, folder, files, mayGo: options.delete && images.length === 0 && !session.kept };
 }
 
-/** All that is to come from a robot; sessions that cannot be had now are told, and left out. */
+/** Returns the plan for one robot. Sessions that the robot refuses now are reported and left out. */
 async function planRobot(robot, options, tell) {
   const host = await addressThatAnswers(robot, "http_port");
   if (!host) throw new RobotFailed(`no runtime answers at port ${robot.http_port} of ${robot.addresses.join(" or ")}: it is off, stopped, or silent because a game is in progress`);
@@ -57,27 +57,27 @@ async function planRobot(robot, options, tell) {
   return plan;
 }
 
-/** The robot's control token, over ssh. */
+/** Reads the robot's control token over ssh. */
 async function tokenOf(robot) {
   const text = await connected(robot, (connection) => connection.must("its token for --delete (--token gives it, too)", "cat foresight/state/token"));
   return text.trim();
 }
 
-/** Brings those files of a robot that `isNow` chooses, the smallest first, some at once. */
+/** Downloads the files of a robot that `isNow` selects, the smallest first, several at the same time. */
 async function bringFiles(plan, isNow, progress) {
   const jobs = plan.sessions.flatMap(({ session, folder, files }) => files.filter(isNow).map((file) => ({ session, file, path: join(folder, file.name) })));
   jobs.sort((a, b) => a.file.size_bytes - b.file.size_bytes);
   const work = async () => {
     for (let job = jobs.shift(); job; job = jobs.shift())
       await bring(plan.recordings, job.session.session, job.file, job.path, (bytes) => progress((plan.done_bytes += bytes))).catch((error) => {
-        jobs.length = 0; // the others of this robot need not try
+        jobs.length = 0; // ends the other downloads from this robot
         throw error;
       });
   };
   await Promise.all(Array.from({ length: kAtOnce }, work));
 }
 
-/** Deletes on the robot what has arrived whole. The number of sessions deleted. */
+/** Deletes complete sessions on the robot, and returns their number. */
 async function removeArrived(plan, tell) {
   let removed = 0;
   for (const { session } of plan.sessions.filter(({ mayGo }) => mayGo))

@@ -1,9 +1,9 @@
-// The command line: options before, between and after the names of robots.
+// The command line: names of robots, with options before, between and after them.
 import { BadInput } from "./failure.mjs";
 
 /**
- * Reads `words`. `known` has one entry per option: true for a switch, else a function that makes a value of the word
- * behind it, or throws a BadInput. Answers {names, options}; options that were not given are absent.
+ * Parses `words`. `known` has one entry per option: true for a switch, else a function that converts the option's word to its
+ * value, or throws a BadInput. Returns {names, options}; options that were not given are absent.
  */
 export function readCommandLine(command, words, known) {
   const names = [];
@@ -28,7 +28,7 @@ export function readCommandLine(command, words, known) {
   return { names, options };
 }
 
-/** A word as it is; not empty. */
+/** Returns the word unchanged; it must not be empty. */
 export function anyText(value, option) {
   if (value === "") throw new BadInput(`${option}: expected a word, got nothing`);
   return value;

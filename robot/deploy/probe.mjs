@@ -1,6 +1,6 @@
-// What a robot is: its system, processor, disk, clock, who owns LoLA, what our user may do. Looking changes nothing.
+// Facts about a robot: system, processor, disk, clock, owner of LoLA, permissions of our user. The probe changes nothing.
 
-/** Lines of shell that print sections "== name"; whatever a system lacks is an empty section. */
+/** Shell commands that print sections "== name"; a section is empty if the system lacks it. */
 export const kProbe = `
 section() { echo; echo "== $1"; }
 section clock; date +%s
@@ -21,7 +21,7 @@ section head; cat /sys/qi/head_id 2>/dev/null
 section rsync; command -v rsync
 :`;
 
-/** Sections of what kProbe printed: name -> text. */
+/** Returns the sections of kProbe's output: name -> text. */
 function sectionsOf(text) {
   const sections = new Map();
   for (const [, name, body] of text.matchAll(/^== (\w+)\n([^]*?)(?=\n== |$(?![^]))/gm)) sections.set(name, body.trim());
@@ -30,7 +30,7 @@ function sectionsOf(text) {
 
 const kFrameworks = ["bhuman", "hulk", "hula", "naodevilsbase", "naodevils", "naoqi-bin", "naoqi-service", "lola", "lola_adaptor", "naoth", "runswift", "nao"];
 
-/** The system in a few words, told by its release files and its kernel. */
+/** Returns the name of the system, from its release files and its kernel. */
 function imageOf(release, kernel, folders) {
   const pretty = /^PRETTY_NAME="?([^"\n]*)"?$/m.exec(release)?.[1] || release.split("\n")[0] || kernel;
   if (/naoqi|opennao|aldebaran|softbank/i.test(`${release} ${kernel}`)) return `stock NAOqi OS (${pretty})`;
@@ -39,10 +39,10 @@ function imageOf(release, kernel, folders) {
   return `an unknown image (${pretty})`;
 }
 
-// what the programs are compiled for: toolchain/nao-v6.cmake and its neighbours
+// target processors of the programs: toolchain/nao-v6.cmake and the files beside it
 const kNeeds = { "nao-v6": ["sse4_2", "movbe", "popcnt", "rdrand"], "nao-v5": ["ssse3", "movbe"], "nao-v4": ["ssse3", "movbe"] };
 
-/** Why the program for `model` cannot run on that processor, or undefined. */
+/** Returns the reason why the program for `model` cannot run on that processor, or undefined. */
 export function whyNotModel(model, { machine, flags }) {
   if (model === "nao-v6" && machine !== "x86_64") return `expected a 64-bit kernel for ${model}, got '${machine}'`;
   if (!/^(x86_64|i[3-6]86)$/.test(machine)) return `expected an Intel processor for ${model}, got '${machine}'`;
@@ -51,8 +51,8 @@ export function whyNotModel(model, { machine, flags }) {
 }
 
 /**
- * Reads what kProbe printed. `before_s` and `after_s` are this machine's clock [s since the epoch] around it: the robot's
- * is known to about a second.
+ * Parses the output of kProbe. `before_s` and `after_s` are this machine's clock [s since the epoch] before and after the
+ * probe, so the robot's clock is known to about a second.
  */
 export function readProbe(text, before_s, after_s) {
   const section = sectionsOf(text);
@@ -77,7 +77,7 @@ export function readProbe(text, before_s, after_s) {
   };
 }
 
-/** What a person should know of it, a line each. */
+/** Returns the facts for the user, one line each. */
 export function described(probe) {
   const { image, kernel, machine, free_mb, init, lolaOwner, frameworks, head_id, behind_s } = probe;
   const clock = Math.abs(behind_s) <= 2 ? "as here" : `${Math.abs(behind_s)} s ${behind_s > 0 ? "behind" : "ahead of"} this machine's: recordings carry its dates`;

@@ -1,13 +1,13 @@
-// The recordings on a robot, as its HTTP API has them.
+// The recordings on a robot, through its HTTP API.
 import http from "node:http";
 import { BadInput, RobotFailed } from "./failure.mjs";
 import { answers } from "./ssh.mjs";
 
-const kSilence_ms = 5000; // of a connection that transfers
+const kSilence_ms = 5000; // timeout of a connection that transfers
 const kReading_ms = 120000; // the robot reads whole files for their checksums, from a slow disk
 const kSockets = 3;
 
-/** The robot answered, with something else than what was asked for. */
+/** A failure for which the robot did answer: it refused the request. */
 export class Refused extends RobotFailed {
   constructor(status, sentence) {
     super(sentence);
@@ -15,7 +15,7 @@ export class Refused extends RobotFailed {
   }
 }
 
-/** A name on the robot that becomes a file or folder here: it must not lead out of ours. */
+/** Returns a name on the robot that becomes a file or folder here; throws if it could lead out of our folder. */
 function safeName(name) {
   if (typeof name !== "string" || !/^[\w+][\w+.-]*$/.test(name)) throw new RobotFailed(`expected names of letters, digits, _, +, . and -, got ${JSON.stringify(name)}`);
   return name;
@@ -24,7 +24,7 @@ function safeName(name) {
 const isSession = ({ start_ns, streams } = {}) => /^\d{1,19}$/.test(start_ns) && Array.isArray(streams);
 const isFile = ({ size_bytes, crc32 } = {}) => Number.isSafeInteger(size_bytes) && size_bytes >= 0 && /^[0-9a-f]{8}$/.test(crc32);
 
-/** What the robot said of a request that it refused, as one sentence. */
+/** Returns the robot's reason for a refusal, in one sentence. */
 function sentenceOf(status, body) {
   try {
     return JSON.parse(body).error ?? `it answered with status ${status}`;
@@ -33,15 +33,16 @@ function sentenceOf(status, body) {
   }
 }
 
+/** The recordings of one robot. */
 export class Recordings {
   #agent = new http.Agent({ keepAlive: true, maxSockets: kSockets });
 
-  /** `token` may be absent: nothing but deleting needs it. */
+  /** `token` may be absent; only deleting needs it. */
   constructor(host, port, token) {
     Object.assign(this, { host, port, token });
   }
 
-  /** True if the robot can be reached. */
+  /** Returns true if the robot can be reached. */
   isThere() {
     return answers(this.host, this.port);
   }
@@ -50,7 +51,7 @@ export class Recordings {
     this.#agent.destroy();
   }
 
-  /** The response to a request, once its head has come; RobotFailed when the robot is silent for `silence_ms`. */
+  /** Returns the response to a request once its head has come. Throws RobotFailed after a silence of `silence_ms`. */
   #ask(path, { method = "GET", headers = {}, silence_ms = kSilence_ms } = {}) {
     return new Promise((done, fail) => {
       const sent = http.request({ host: this.host, port: this.port, path, method, headers, agent: this.#agent, timeout: silence_ms }, done);
@@ -81,7 +82,7 @@ export class Recordings {
     }
   }
 
-  /** [{session, state, kept, start_ns, streams: [{file, schema, size_bytes}]}] */
+  /** Returns [{session, state, kept, start_ns, streams: [{file, schema, size_bytes}]}]. */
   async sessions() {
     const { sessions } = await this.#json("/api/sessions");
     if (!Array.isArray(sessions) || !sessions.every(isSession)) throw new RobotFailed("expected a list of sessions, got something else: is that runtime older than this command?");
@@ -89,7 +90,7 @@ export class Recordings {
     return sessions;
   }
 
-  /** [{name, size_bytes, crc32}]: all files of a session that is not being recorded. */
+  /** Returns [{name, size_bytes, crc32}]: all files of a session that is not being recorded. */
   async files(session) {
     const { files } = await this.#json(`/api/sessions/${session}/files`, { silence_ms: kReading_ms });
     if (!Array.isArray(files) || !files.every(isFile)) throw new RobotFailed(`${session}: expected a list of files, got something else`);
@@ -97,7 +98,7 @@ export class Recordings {
     return files;
   }
 
-  /** The bytes of a file from `from` on: {from, pieces}. The robot may begin earlier, at 0. */
+  /** Returns the bytes of a file from `from` on, as {from, pieces}. The robot may begin at 0 instead. */
   async bytes(session, name, from) {
     const path = `/logs/${session}/files/${name}`;
     const response = await this.#ask(path, { headers: from > 0 ? { range: `bytes=${from}-` } : {} });
@@ -113,7 +114,7 @@ export class Recordings {
   }
 }
 
-/** The token for --token: what goes into an address as it is. */
+/** Returns the word of --token; it must be usable in an address. */
 export function tokenText(value, option) {
   if (!/^[\x21-\x7e]{8,}$/.test(value)) throw new BadInput(`${option}: expected 8 characters or more without blanks, got '${value}'`);
   return value;

@@ -1,4 +1,4 @@
-// Folders of this machine that are gone when the command ends, also when somebody stops it.
+// Temporary folders on this machine, removed when the command ends or is stopped.
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -9,7 +9,7 @@ const remove = (folder) => rmSync(folder, { recursive: true, force: true });
 process.on("exit", () => folders.forEach(remove));
 for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"]) process.on(signal, () => process.exit(130));
 
-/** An empty folder that only we may read. */
+/** Makes an empty folder that only our user may read. */
 export function scratchFolder() {
   const folder = mkdtempSync(join(tmpdir(), "foresight-"));
   folders.add(folder);

@@ -1,4 +1,4 @@
-// scripts/deploy --setup: looks at a robot, brings our key there, asks for what needs root, says what it could not do.
+// scripts/deploy --setup: examines a robot, installs our key, asks for steps that need root, reports what it could not do.
 import { agrees, kFavours, priorityOf, runAsRoot } from "./as_root.mjs";
 import { RobotFailed } from "./failure.mjs";
 import { refuseOther } from "./install.mjs";
@@ -9,7 +9,7 @@ import { connected, knownHosts, quoted, run } from "./ssh.mjs";
 
 const kLeast_mb = 100; // two versions and a half in profile game
 
-/** Forgets the host key of a robot: it may have been flashed anew, and is known again from its next login. */
+/** Forgets the host key of a robot, which may have been flashed again. The next login learns it. */
 export const forgetHost = ({ name }) => run(["ssh-keygen", "-q", "-R", `${name}.foresight`, "-f", knownHosts()]);
 
 async function probed(connection) {
@@ -26,7 +26,7 @@ async function bringKey(connection, line) {
   return "our key is there now";
 }
 
-/** Asks for what needs root; answers what was not done. */
+/** Asks for the steps that need root, and returns those that were not done. */
 async function askFavours(connection, probe, options) {
   const { robot } = connection;
   const missing = [];
@@ -40,7 +40,7 @@ async function askFavours(connection, probe, options) {
   return missing;
 }
 
-/** What a person has to know or do; none of it keeps Foresight from running. */
+/** Returns what the user should know or do. Foresight runs without it. */
 function shortcomings(probe, robot) {
   const missing = [];
   if (!probe.hasUserSystemd) missing.push("starting with the robot: no systemd of this user; the team's own start-up may call ~/foresight/current/foresight start");
@@ -72,7 +72,7 @@ async function setUpOne(robot, options) {
   await connected(robot, async () => say("set up: scripts/deploy logs in without a password"));
 }
 
-/** Does `work` for one robot after the other, because it may ask. The exit status. */
+/** Does `work` for one robot after the other, because it may ask questions. Returns the exit status. */
 export async function oneByOne(robots, work) {
   let failed = 0;
   for (const robot of robots) {

@@ -1,4 +1,4 @@
-// One connection to a robot, shared by all that is done there: commands, rsync, and HTTP to the robot's own loopback.
+// One ssh connection to a robot for all commands, for rsync, and for HTTP to the robot's own loopback.
 import { spawn } from "node:child_process";
 import { mkdirSync } from "node:fs";
 import http from "node:http";
@@ -8,11 +8,11 @@ import { dirname, join } from "node:path";
 import { RobotFailed } from "./failure.mjs";
 import { removeScratch, scratchFolder } from "./scratch.mjs";
 
-const kPing_ms = 2000; // until a robot counts as absent at an address
-const kSilence_s = 3, kSilences = 3; // a connection that is silent for so long, so often, is lost
+const kPing_ms = 2000; // timeout after which a robot counts as absent at an address
+const kSilence_s = 3, kSilences = 3; // after this many unanswered pings, at this interval, a connection is lost
 const kRequest_ms = 3000;
 
-/** Runs a program to its end: {status, stdout, stderr}. Status 127 where there is no such program. */
+/** Runs a program to its end. Returns {status, stdout, stderr}; status 127 if there is no such program. */
 export function run(words, { input = "", terminal = false } = {}) {
   return new Promise((done) => {
     const child = spawn(words[0], words.slice(1), { stdio: terminal ? "inherit" : "pipe" });
@@ -26,7 +26,7 @@ export function run(words, { input = "", terminal = false } = {}) {
   });
 }
 
-/** True if somebody listens at `port` of `host`. */
+/** Returns true if a program listens at `port` of `host`. */
 export function answers(host, port, patience_ms = kPing_ms) {
   return new Promise((done) => {
     const socket = connect({ host, port });
@@ -37,21 +37,22 @@ export function answers(host, port, patience_ms = kPing_ms) {
   });
 }
 
-/** The first of the robot's addresses where its port of that name answers; undefined if none does. */
+/** Returns the first of the robot's addresses at which the port with the name `port` answers, or undefined. */
 export async function addressThatAnswers(robot, port) {
   for (const address of robot.addresses) if (await answers(address, robot[port])) return address;
   return undefined;
 }
 
-/** A word of a POSIX shell that means just `text`. */
+/** Quotes `text` as one word of a POSIX shell. */
 export const quoted = (text) => `'${text.replaceAll("'", `'\\''`)}'`;
 
-// the servers of the old systems know nothing newer
+// the servers of the old systems support nothing newer
 const kOldKeys = ["HostKeyAlgorithms=+ssh-rsa", "PubkeyAcceptedKeyTypes=+ssh-rsa"];
 
-/** The file that remembers the host keys of the team's robots, by their names: addresses move, robots do not. */
+/** The file with the host keys of the team's robots, by name, because a robot's address may change. */
 export const knownHosts = () => join(homedir(), ".config/foresight/known_hosts");
 
+/** A connection to one robot. */
 export class Connection {
   #folder;
   #master;
@@ -61,10 +62,7 @@ export class Connection {
     this.address = address;
   }
 
-  /**
-   * Logs in at the first address that answers. `interactive`: may ask the person for a password, otherwise only a key
-   * counts.
-   */
+  /** Logs in at the first address that answers. If `interactive`, ssh may ask for a password; otherwise it needs a key. */
   static async open(robot, { interactive = false } = {}) {
     const address = await addressThatAnswers(robot, "ssh_port");
     if (!address) throw new RobotFailed(`nobody answers at port ${robot.ssh_port} of ${robot.addresses.join(" or ")}: is it on, and are we in its network?`);
@@ -78,7 +76,7 @@ export class Connection {
     mkdirSync(dirname(knownHosts()), { recursive: true });
     const forward = ["-L", `${this.#socket}:127.0.0.1:${this.robot.http_port}`];
     const only = ["-o", "ControlMaster=yes", "-o", `BatchMode=${interactive ? "no" : "yes"}`, "-o", "NumberOfPasswordPrompts=3"];
-    // it ends with its input, and so with us, whatever we die of
+    // it ends with its input, and so with this process in any case
     const words = [...this.#ssh, ...only, ...forward, this.#login, "echo connected; exec cat >/dev/null"];
     this.#master = spawn(words[0], words.slice(1), { stdio: ["pipe", "pipe", "pipe"] });
     let said = "";
@@ -117,33 +115,33 @@ export class Connection {
     return ["ssh", "-p", String(this.robot.ssh_port), ...options.flatMap((option) => ["-o", option])];
   }
 
-  /** For what follows the first login: never a second way in. */
+  /** The ssh command for all later steps; it never opens a second connection. */
   get #again() {
     return [...this.#ssh, "-o", "ControlMaster=no", "-o", "BatchMode=yes"];
   }
 
-  /** Runs a line of POSIX shell in the robot's home: {status, stdout, stderr}. */
+  /** Runs a line of POSIX shell in the robot's home. Returns {status, stdout, stderr}. */
   async run(command, { input } = {}) {
     const { status, stdout, stderr } = await run([...this.#again, this.#login, command], { input });
     if (status === 255) throw new RobotFailed(`the connection was lost: ${stderr.trim() || "no answer"}`);
     return { status, stdout, stderr };
   }
 
-  /** The same for what must work: its output, or RobotFailed with `what` and what it said. */
+  /** Runs a command that must succeed. Returns its output, or throws RobotFailed with `what` and the last line of output. */
   async must(what, command, options) {
     const { status, stdout, stderr } = await this.run(command, options);
     if (status !== 0) throw new RobotFailed(`${what}: ${(stderr.trim() || stdout.trim() || `exit status ${status}`).split("\n").at(-1)}`);
     return stdout;
   }
 
-  /** The same at this terminal, where the robot may ask for a password: its exit status. */
+  /** Runs a command at this terminal, where the robot may ask for a password. Returns its exit status. */
   async runAtTerminal(command) {
     return (await run([...this.#again, "-t", this.#login, command], { terminal: true })).status;
   }
 
   /**
-   * Makes folder `to` in the robot's home like `from`, by checksums, without what is stale there; what has not changed
-   * since `like`, a folder beside it, is taken from there. With `dry` nothing changes. Answers what rsync says of each file.
+   * Makes the folder `to` in the robot's home equal to `from`, by checksums, and removes stale files. Unchanged files are copied
+   * from `like`, a folder beside it. With `dry` nothing changes. Returns the line of rsync for each file.
    */
   async push(from, to, { like, dry = false } = {}) {
     const words = ["rsync", "-rpLcz", "--delete", "--timeout=10", "--itemize-changes", ...(dry ? ["--dry-run"] : [])];
@@ -153,7 +151,7 @@ export class Connection {
     throw new RobotFailed(`rsync ended with status ${status}: ${stderr.trim().split("\n").at(-1) ?? "no reason given"}`);
   }
 
-  /** GET `path` from the runtime on the robot, as its own loopback sees it: {status, body}, or undefined where nobody answers. */
+  /** Sends GET `path` to the runtime over the robot's loopback. Returns {status, body}, or undefined without an answer. */
   get(path) {
     return new Promise((done) => {
       const sent = http.get({ socketPath: this.#socket, path, agent: false, timeout: kRequest_ms }, (response) => {
@@ -168,7 +166,7 @@ export class Connection {
   }
 
   async close() {
-    this.#master.stdin.on("error", () => {}); // it has gone already
+    this.#master.stdin.on("error", () => {}); // it has ended already
     this.#master.stdin.end();
     const ended = new Promise((done) => (this.#master.exitCode === null && this.#master.signalCode === null ? this.#master.on("close", done) : done()));
     const late = setTimeout(() => this.#master.kill(), 1000);
@@ -178,7 +176,7 @@ export class Connection {
   }
 }
 
-/** What to do about the two refusals that everybody meets. */
+/** Returns the advice for the two most frequent refusals, else the last line of `said`. */
 function explained(said, { name }) {
   if (/HOST IDENTIFICATION HAS CHANGED|Host key verification failed/.test(said))
     return `it is not the robot we know as '${name}', or it was flashed anew; then scripts/deploy --setup ${name}`;
@@ -186,7 +184,7 @@ function explained(said, { name }) {
   return said.split("\n").at(-1);
 }
 
-/** Does `work` with a connection to `robot` and closes it, however that ends. */
+/** Does `work` with a connection to `robot`, and closes it in any case. */
 export async function connected(robot, work, options) {
   const connection = await Connection.open(robot, options);
   try {

@@ -1,6 +1,6 @@
-// The robots file: which robots a team has, where they are, who they are.
+// The robots file: names, addresses and identities of a team's robots.
 //
-// It is `~/.config/foresight/robots.json`, or where $FORESIGHT_ROBOTS or --robots say; robots.example.json is one.
+// It is `~/.config/foresight/robots.json`, or the file that $FORESIGHT_ROBOTS or --robots names. Example: robots.example.json.
 import { readFileSync } from "node:fs";
 import { homedir } from "node:os";
 import { basename, dirname, join, resolve } from "node:path";
@@ -17,7 +17,7 @@ const whole = (range) => ({ isRight: isIn(range), words: `a whole number ${range
 const word = (pattern, words) => ({ isRight: (value) => typeof value === "string" && pattern.test(value), words });
 const among = (words) => ({ isRight: (value) => words.includes(value), words: words.join(", ") });
 
-// what goes into a command line of ssh must not begin like an option
+// a word in a command line of ssh must not begin like an option
 const address = word(/^[A-Za-z0-9][A-Za-z0-9.:_-]*$/, "an IP address or host name");
 const name = word(/^[A-Za-z][A-Za-z0-9_-]*$/, "a letter, then letters, digits, _ and -");
 const identity = word(/^[\x21-\x7e]+$/, "an id as the robot has it, without blanks");
@@ -56,7 +56,7 @@ const kRobotKeys = {
 };
 const kDefaults = { body: "attached", user: "nao", ssh_port: 22, http_port: 8765 };
 
-/** Values as people write them, cut short. */
+/** Returns a value as JSON text, cut short. */
 const shown = (value) => {
   const text = value === undefined ? "nothing" : JSON.stringify(value);
   return text.length > 60 ? `${text.slice(0, 57)}...` : text;
@@ -72,7 +72,7 @@ function checkObject(where, value, keys, needed) {
     if (!Object.hasOwn(value, key)) throw new BadInput(`${where}.${key}: expected ${keys[key].words}, got nothing`);
 }
 
-/** Addresses in the order in which they are tried: a cable is faster, and disturbs nobody. */
+/** Returns the addresses in the order of attempts: a cable is faster and does not disturb the wireless network. */
 function addressesOf(where, robot) {
   const addresses = [robot.address, robot.wired, robot.wireless].filter((one) => one !== undefined);
   if (addresses.length === 0) throw new BadInput(`${where}: expected an address, or wired and wireless, got neither`);
@@ -80,7 +80,7 @@ function addressesOf(where, robot) {
   return addresses;
 }
 
-/** Refuses what two robots may not share. */
+/** A check of values that two robots must not share. */
 class Taken {
   #owners = new Map();
 
@@ -92,9 +92,9 @@ class Taken {
 }
 
 /**
- * The robots of the file's `text`: [{name, addresses, model, body, player, team, colour, key, head_id, body_id, user,
- * ssh_port, http_port, rules, strategies, foresight}]; colour, key and ids, rules, strategies and foresight may be absent.
- * `file` is what errors call it, and where files of strategies are looked for. `home` stands for ~.
+ * Parses `text` of the robots file: [{name, addresses, model, body, player, team, colour, key, head_id, body_id, user,
+ * ssh_port, http_port, rules, strategies, foresight}]; colour, key, ids, rules, strategies and foresight may be absent.
+ * `file` is its name in errors, and its folder is that of the files of strategies. `home` replaces ~.
  */
 export function parseTeam(file, text, home = homedir()) {
   let team;
@@ -106,7 +106,7 @@ export function parseTeam(file, text, home = homedir()) {
   checkObject(`${file}: $`, team, kTeamKeys, ["robots"]);
   const atHome = (path) => path.replace(/^~(?=\/)/, home);
   const taken = new Taken();
-  // all robots of a team choose between the same
+  // all robots of a team choose between the same strategies
   const ofAll = Object.fromEntries(["rules", "foresight"].filter((key) => key in team).map((key) => [key, team[key]]));
   if (team.strategies) ofAll.strategies = team.strategies.map((one) => (one.endsWith(".json") ? resolve(dirname(file), atHome(one)) : one));
   return team.robots.map((robot, index) => {
@@ -135,14 +135,14 @@ export function readTeam(file) {
   }
 }
 
-/** The robots of `team` that `words` name, each by its name, its player number or one of its addresses. */
+/** Returns the robots of `team` that `words` name, each by its name, its player number or one of its addresses. */
 export function pick(team, words, file) {
   if (words.length === 0) throw new BadInput("expected the name, player number or address of at least one robot, got none");
   const picked = words.map((word) => {
     const found = team.filter((robot) => robot.name === word || String(robot.player) === word || robot.addresses.includes(word));
     if (found.length === 0) throw new BadInput(`expected one of ${team.map((robot) => robot.name).join(", ")} (${file}), got '${word}'`);
     if (found.length > 1) throw new BadInput(`expected the name of one robot, but '${word}' are ${found.map((robot) => robot.name).join(" and ")}`);
-    // whoever names an address means that one
+    // a given address is the only one to use
     return found[0].addresses.includes(word) ? { ...found[0], addresses: [word] } : found[0];
   });
   const doubled = picked.find((robot, index) => picked.findIndex((other) => other.name === robot.name) !== index);

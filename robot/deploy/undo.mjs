@@ -1,4 +1,4 @@
-// scripts/deploy --undo: the robot is as if we had never been there.
+// scripts/deploy --undo: removes every trace of Foresight from a robot.
 import { agrees, kFavours, runAsRoot } from "./as_root.mjs";
 import { refuseInGame } from "./game.mjs";
 import { RobotFailed } from "./failure.mjs";
@@ -9,7 +9,7 @@ import { connected, quoted } from "./ssh.mjs";
 
 const kReload = "XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-/run/user/$(id -u)} systemctl --user daemon-reload 2>/dev/null || :";
 
-// what was made comes last: until then the rest can be done again; recordings that stay keep the folder ours
+// `made` is removed last, so that an interrupted undo can be repeated; with kept recordings it stays, empty
 const kRemove = (withLogs) => `
 set -e
 rm -f /dev/shm/foresight-$(id -u).*
@@ -25,12 +25,12 @@ async function removeKey(connection, line) {
   if (without !== text) await connection.must("writing .ssh/authorized_keys", kReplaceKeys, { input: without });
 }
 
-/** Takes one line of ~/foresight/made back; answers what could not be done, or undefined. Doing it twice does no harm. */
+/** Undoes one line of ~/foresight/made. Returns what could not be undone, or undefined. A second call does no harm. */
 async function takeBack(connection, line, options) {
   const [kind, ...rest] = line.split(" ");
   const what = rest.join(" ");
   if (kind === "key") return removeKey(connection, what);
-  // what others put there meanwhile stays
+  // files that others have put there since stay
   if (kind === "folder") await connection.run(`rmdir ${quoted(what)} 2>/dev/null`);
   else if (what === ".ssh/authorized_keys") await connection.run(`[ -s ${what} ] || rm -f ${what}`);
   else if (kind === "file") await connection.run(`rm -f ${quoted(what)}`);
@@ -40,7 +40,7 @@ async function takeBack(connection, line, options) {
   return `as root on the robot: ${command ?? what}`;
 }
 
-/** True if recordings go, too; there may be none. */
+/** Returns true if the recordings may be removed too, or if there are none. */
 async function mayRemoveLogs(connection, options) {
   const { stdout } = await connection.run("ls foresight/logs 2>/dev/null | wc -l; du -sk foresight/logs 2>/dev/null");
   const [count, kb] = stdout.split("\n").map((line) => parseInt(line, 10));

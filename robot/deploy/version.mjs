@@ -1,4 +1,4 @@
-// What goes to a robot: the program, its settings, who the robot is, and what starts it.
+// The files of a version for a robot: program, settings, identity of the robot, and service script.
 import { existsSync, mkdirSync, symlinkSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -8,10 +8,10 @@ import { removeScratch, scratchFolder } from "./scratch.mjs";
 const kOnRobot = fileURLToPath(new URL("on_robot/", import.meta.url));
 
 const isFile = (strategy) => strategy.endsWith(".json");
-/** What a strategy is called there: files of a team's own lie in the version. */
+/** Returns the name of a strategy on the robot; a team's own files are in the version. */
 const onRobot = (strategy) => (isFile(strategy) ? `current/etc/${basename(strategy)}` : strategy);
 
-/** The options of foresight-robot, one per line without its dashes; paths are below ~/foresight. `field` may be absent. */
+/** Returns the options of foresight-robot, one per line without dashes; paths are below ~/foresight. `field` may be absent. */
 export function settingsOf(robot, { field } = {}) {
   const lines = [
     `body=${robot.body}`,
@@ -30,18 +30,18 @@ export function settingsOf(robot, { field } = {}) {
   return `# written by scripts/deploy for the robot ${robot.name}\n${lines.join("\n")}\n`;
 }
 
-/** Who the robot is, as JSON: for the team's own code. */
+/** Returns the identity of the robot as JSON, for the team's own code. */
 export function identityOf({ name, team, player, colour, model, head_id, body_id }, { field } = {}) {
   return `${JSON.stringify({ name, team, player, colour, model, head_id, body_id, field }, null, 2)}\n`;
 }
 
-/** `foresight` starts what lies beside it, by the name of what it is. */
+/** Adds the service script and its unit. The script's name selects the program beside it that it starts. */
 function addStarter(folder, name, unit) {
   symlinkSync(join(kOnRobot, "foresight"), join(folder, name));
   symlinkSync(join(kOnRobot, unit), join(folder, unit));
 }
 
-/** The guardian is a version of its own within the version: it is copied from there when it may be. */
+/** Adds the guardian as a version inside the version, from which it is copied when the robot allows it. */
 function addGuardian(folder, program) {
   for (const name of ["bin", "etc"]) mkdirSync(join(folder, name), { recursive: true });
   symlinkSync(program, join(folder, "bin/foresight-guardian"));
@@ -50,8 +50,8 @@ function addGuardian(folder, program) {
 }
 
 /**
- * Calls `use` with a folder that holds, as links, all that goes to `robot`; it is gone afterwards. `programs`: {runtime,
- * guardian}, the latter only of a robot that has the body nao.
+ * Calls `use` with a temporary folder of links to all files for `robot`. `programs` is {runtime, guardian}; only robots with the
+ * body nao have a guardian.
  */
 export async function withVersion(robot, programs, given, use) {
   const folder = scratchFolder();

@@ -20,7 +20,7 @@ constexpr Field kHead7[] = {{version, 4},
                             {first_half, 1},
                             {kicking_colour, 1},
                             {phase, 1},
-                            {none, 3},  // who caused the last drop-in, and how long ago
+                            {none, 3},  // team and time of the last drop-in
                             {seconds_remaining, 4}};
 
 constexpr Field kHead8[] = {{version, 1},
@@ -79,7 +79,7 @@ constexpr Field kTeam7[] = {{number, 1},
                             {none, 1},  // colour of the goal
                             {score, 1}};
 
-/// The coach stands between the shots and the players: its message, then its own penalty and seconds.
+/// Between the shots and the players is the coach: its message, then its own penalty and seconds.
 constexpr Field kTeam8[] = {{number, 1},       {field_colour, 1}, {score, 1},
                             {penalty_shot, 1}, {single_shots, 2}, {none, 40 + 2}};
 constexpr Field kTeam9[] = {{number, 1},       {field_colour, 1}, {score, 1},
@@ -96,14 +96,14 @@ constexpr Field kTeam15[] = {{number, 1}, {field_colour, 1}, {goalkeeper_colour,
                              {score, 1},  {penalty_shot, 1}, {single_shots, 2},      {message_budget, 2}};
 
 // ---------------------------------------------------------------------------------------------------------------------
-// players. In 2013 the last two of the second team told the GameController's own display what format 7 had no place for;
-// they are read as players all the same
+// players. In 2013 the last two players of the second team carried values for the GameController's own display, for which
+// format 7 had no field; they are read as players too
 
 constexpr Field kPlayer7[] = {{penalty, 2}, {seconds_till_unpenalised, 2}};
 constexpr Field kPlayer8[] = {{penalty, 1}, {seconds_till_unpenalised, 1}};
 
 // ---------------------------------------------------------------------------------------------------------------------
-// what the codes 1, 2, 3 … of a penalty mean
+// meaning of the penalty codes 1, 2, 3 …
 
 using Penalty = PlayerState::Penalty;
 constexpr Penalty kNone = PlayerState::PENALTY_UNSPECIFIED;
@@ -119,7 +119,7 @@ constexpr Penalty kPenalties7[] = {
     PlayerState::PENALTY_REQUEST_FOR_PICKUP,
 };
 
-// those before 2019 end with the eighth, that of 2021 with the sixth
+// the formats before 2019 use the first eight, that of 2021 the first six
 constexpr Penalty kPenalties12[] = {
     PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,
     PlayerState::PENALTY_PLAYER_PUSHING,
@@ -133,7 +133,7 @@ constexpr Penalty kPenalties12[] = {
     PlayerState::PENALTY_ILLEGAL_POSITION,  // illegal positioning
 };
 
-/// Codes 7 to 10 changed between formats 12 and 14; what 13 meant by them was not to be found, so they stay codes.
+/// Codes 7 to 10 changed between formats 12 and 14. No source gives their meaning in format 13, so they stay codes.
 constexpr std::span kPenalties9 = std::span(kPenalties12).first(8);
 constexpr std::span kPenalties13 = std::span(kPenalties12).first(6);
 constexpr Penalty kPenalties14[] = {
@@ -161,7 +161,7 @@ constexpr ControlLayout kLayouts[] = {
     {15, kHead12, kTeam15, kPlayer8, 20, kFinished, kPenalties14},  // 2023
     {16, kHead12, kTeam15, kPlayer8, 20, kStandby, kPenalties14},   // 2024, German Open
     {17, kHead12, kTeam15, kPlayer8, 20, kStandby, kPenalties14},   // 2024, never used in a competition
-    // its header says of penaltyShot: "or fallback mode flag (if not in GAME_PHASE_PENALTYSHOOT)"
+    // the header of format 18 on penaltyShot: "or fallback mode flag (if not in GAME_PHASE_PENALTYSHOOT)"
     {18, kHead12, kTeam15, kPlayer8, 20, kStandby, kPenalties14, true},  // 2024, 2025
 };
 
@@ -175,7 +175,7 @@ constexpr std::size_t size_of(const ControlLayout& layout) {
   return kLetters + sum(layout.head) + 2 * (sum(layout.team) + layout.players * sum(layout.player));
 }
 
-// sizeof(RoboCupGameControlData) as a compiler says it of each release's header
+// sizeof(RoboCupGameControlData) of each release's header, by a compiler
 constexpr std::array<std::size_t, 12> kSizes{116, 158, 244, 588, 58, 54, 54, 62, 118, 118, 118, 118};
 
 constexpr bool sizes_are_right() {

@@ -12,7 +12,7 @@ Result<std::unique_ptr<ControlListener>> ControlListener::open(ListenerOptions o
                                                                memory::MemoryObject<pb::GameState>& game,
                                                                const Clock& clock) {
   Result<UdpSocket> socket = UdpSocket::open(options.address, options.port);
-  if (!socket) return Error{"GameController: " + socket.error()};
+  if (!socket) return socket.failure("GameController");
   return std::unique_ptr<ControlListener>(new ControlListener(std::move(*socket), options, game, clock));
 }
 

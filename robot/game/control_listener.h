@@ -1,4 +1,4 @@
-// Listens to the GameController and writes what it says into memory.
+// Receives the packets of the GameController and writes them into memory.
 #pragma once
 
 #include <atomic>
@@ -18,26 +18,28 @@ namespace robot::game {
 
 namespace pb = foresight;
 
-/// Where the GameController broadcasts to, twice a second: GAMECONTROLLER_DATA_PORT of all formats.
+/// The port to which the GameController broadcasts twice a second: GAMECONTROLLER_DATA_PORT of all formats.
 inline constexpr std::uint16_t kControlPort = 3838;
 
+/// The settings of a ControlListener.
 struct ListenerOptions {
   std::uint32_t team = 0, player = 0;  // ours
-  std::uint32_t address = 0;           // to listen at, host byte order; 0: all of this machine's
+  std::uint32_t address = 0;           // local address to listen at, host byte order; 0: all
   std::uint16_t port = kControlPort;   // 0: any
 };
 
-/// How many packets came and what became of them.
+/// Counts of the packets that came.
 struct ListenerCounts {
   std::uint64_t told = 0;     // written into memory
-  std::uint64_t foreign = 0;  // of a game of two other teams
-  std::uint64_t refused = 0;  // not packets of the GameController; the last one's sentence is reported once a second
+  std::uint64_t foreign = 0;  // of a game between two other teams
+  std::uint64_t refused = 0;  // not packets of the GameController; reported at most once a second
 };
 
-/// A thread of its own; it listens, and never sends. Every packet about our team becomes a version of `game`.
+/// A receiver of the GameController's packets, with its own thread. It never sends.
+/// Every packet about our team becomes a version of `game`.
 class ControlListener {
  public:
-  /// Begins to listen; an Error if the port cannot be had. `game` and `clock` outlive the listener.
+  /// Starts to listen. Returns an Error if the port cannot be opened. `game` and `clock` outlive the listener.
   static Result<std::unique_ptr<ControlListener>> open(ListenerOptions options,
                                                        memory::MemoryObject<pb::GameState>& game, const Clock& clock);
   ~ControlListener();
@@ -46,10 +48,10 @@ class ControlListener {
 
   std::uint16_t port() const { return socket_.port(); }
 
-  /// Any thread.
+  /// Returns the counts so far. Any thread.
   ListenerCounts counts() const;
 
-  /// Who sent the last packet about our team; nothing before the first. Any thread.
+  /// Returns the sender of the last packet about our team, or nothing before the first. Any thread.
   std::optional<Endpoint> game_controller() const;
 
  private:

@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::string_view kLetters = "RGme";
 
-/// Times are negative when they are overrun: two's complement in as many bytes as there are.
+/// Returns a time, negative when it is overrun: two's complement of `bytes` bytes.
 float seconds_of(std::uint32_t number, std::size_t bytes) {
   return bytes == 2 ? static_cast<float>(static_cast<std::int16_t>(number))
                     : static_cast<float>(static_cast<std::int32_t>(number));
 }
 
 pb::TeamState::Colour colour_of(std::uint32_t code) {
-  // ours begin with "not known"
+  // our enumeration begins with "not known"
   return pb::TeamState::Colour_IsValid(static_cast<int>(code) + 1) ? static_cast<pb::TeamState::Colour>(code + 1)
                                                                    : pb::TeamState::COLOUR_UNSPECIFIED;
 }
@@ -55,7 +55,7 @@ class Parser {
  private:
   std::uint32_t take(const Field& field) { return static_cast<std::uint32_t>(bytes_.number(field.bytes)); }
 
-  /// Like take(); what is greater than `greatest` spoils the packet and counts as 0.
+  /// Reads a number as take() does. A number above `greatest` makes the packet wrong and counts as 0.
   std::uint32_t take_up_to(const Field& field, std::uint32_t greatest, const char* name) {
     const std::uint32_t number = take(field);
     if (number <= greatest) return number;
@@ -120,7 +120,7 @@ class Parser {
   }
 
   pb::PlayerState::Penalty penalty_of(std::uint32_t code) const {
-    // these two are the same in all formats
+    // these two codes are the same in all formats
     if (code == pb::PlayerState::PENALTY_SUBSTITUTE || code == pb::PlayerState::PENALTY_MANUAL)
       return static_cast<pb::PlayerState::Penalty>(code);
     const bool named = code >= 1 && code <= layout_.penalties.size();
@@ -129,7 +129,7 @@ class Parser {
 
   void set_kicking_team() {
     for (const pb::TeamState& team : packet_.teams) {
-      // 0 blue, 1 red, 2 a ball dropped by the referee
+      // 0: blue, 1: red, 2: a ball dropped by the referee
       const bool by_colour =
           kicking_colour_ && *kicking_colour_ <= 1 && colour_of(*kicking_colour_) == team.field_colour();
       if (by_colour || kicking_team_ == team.number()) packet_.game.set_kicking_team(team.number());
@@ -150,7 +150,7 @@ Result<ControlPacket> parse_control_packet(std::string_view bytes) {
     return Error{"GameController packet: expected it to begin with RGme, got " + std::to_string(bytes.size()) +
                  " bytes that do not"};
   if (bytes.size() == kLetters.size()) return Error{"GameController packet: it ends before its version"};
-  // the version has one, two or four bytes; its first one tells which
+  // the version has one, two or four bytes; the first byte selects the format
   const auto version = static_cast<std::uint8_t>(bytes[kLetters.size()]);
   const ControlLayout* const layout = control_layout(version);
   if (layout == nullptr)

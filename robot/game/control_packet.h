@@ -1,4 +1,4 @@
-// Packets of the GameController, of every format from 2012 to 2025, as messages.
+// Parser for the GameController's packets of every format from 2012 to 2025.
 #pragma once
 
 #include <array>
@@ -12,20 +12,20 @@ namespace robot::game {
 
 namespace pb = foresight;
 
-/// What one packet says, seen by nobody in particular.
+/// The content of one packet, from no team's point of view.
 struct ControlPacket {
-  pb::GameState game;  // without what depends on who looks: the two teams, our number, the time of arrival
+  pb::GameState game;  // without the fields that depend on the receiver: both teams, our number, the time of arrival
   std::array<pb::TeamState, 2> teams;
 };
 
-/// Reads the payload of a UDP packet; its format is told by its own version. An Error where the letters, the version, the
-/// length or a value is not one of that format. Pure, any thread.
+/// Parses the payload of a UDP packet; its version number selects the format. Returns an Error if the letters, the version,
+/// the length or a value is wrong for that format. Pure, any thread.
 ///
-/// A penalty or colour that the format does not name is no error: its code is kept. A kicking team that is neither of the
-/// two is absent, as is one that is hidden.
+/// A penalty or colour without a name in the format is no error: its code is kept. The kicking team is absent if it is
+/// hidden or is neither of the two teams.
 Result<ControlPacket> parse_control_packet(std::string_view bytes);
 
-/// The game as a robot of team `own_team` sees it; nothing if neither of the two teams is its own.
+/// Returns the game from the point of view of team `own_team`, or nothing if it is not one of the two teams.
 std::optional<pb::GameState> seen_by(const ControlPacket& packet, std::uint32_t own_team, std::uint32_t own_player);
 
 }  // namespace robot::game

@@ -3,7 +3,7 @@
 namespace robot::game {
 namespace {
 
-/// Says nothing about beginning or end: a break belongs to whatever it interrupts.
+/// Returns true for a break, which neither begins nor ends a match.
 bool pauses(const pb::GameState& game) {
   return game.state() == pb::GameState::STATE_STANDBY || game.state() == pb::GameState::STATE_UNSPECIFIED ||
          game.phase() == pb::GameState::PHASE_TIMEOUT;

@@ -1,4 +1,4 @@
-// Whether a game is in progress: from READY to FINISHED of a real GameController.
+// Detection of a game in progress: from READY to FINISHED of a real GameController.
 #pragma once
 
 #include <atomic>
@@ -12,14 +12,14 @@ namespace robot::game {
 
 namespace pb = foresight;
 
-/// Follows the game state from version to version. update() belongs to one thread, in_progress() to any.
+/// A follower of the game state. One thread calls update(); any thread may call in_progress().
 ///
-/// A match begins with READY, or with SET or PLAYING for a robot that comes late. It ends with FINISHED, or with INITIAL,
-/// when somebody began anew. A time-out does not end it, nor does STANDBY. Another half or opponent is another match.
+/// A match begins with READY, or with SET or PLAYING for a robot that joins late. It ends with FINISHED, or with INITIAL
+/// after a restart. A time-out or STANDBY does not end it. Another half or another opponent is another match.
 class Match {
  public:
-  /// A GameController that is not heard for so long has been switched off [ns]. Until then silence means nothing: a robot
-  /// may lose the wireless network for minutes, and must not take that for the end of the game.
+  /// After this silence the GameController counts as switched off [ns]. A shorter silence means nothing: a robot may lose
+  /// the wireless network for minutes, and that is not the end of the game.
   static constexpr std::uint64_t kSilenceNs = 20ull * 60 * 1'000'000'000;
 
   enum class Change {
@@ -29,11 +29,10 @@ class Match {
     another,  // one ended and the next began
   };
 
-  /// Looks at the newest game state at `now_ns`; the same one may be looked at again and again. Simulated ones count for
-  /// nothing.
+  /// Follows the newest game state at `now_ns`; the same state may be passed many times. Simulated games are ignored.
   Change update(const pb::GameState& game, std::uint64_t now_ns);
 
-  /// True while services from beyond this machine should answer "game in progress".
+  /// Returns true while requests from other machines should get the answer "game in progress".
   bool in_progress() const { return in_progress_.load(std::memory_order_acquire); }
 
  private:
@@ -50,10 +49,10 @@ class Match {
   Identity identity_;
 };
 
-/// True in READY, SET and PLAYING.
+/// Returns true for READY, SET and PLAYING.
 bool under_way(pb::GameState::State state);
 
-/// What the recording of a match is called: "A_vs-5_half-2_14-3_0123abcd" for field "A", opponent 5, the second half,
+/// Returns the name of a match's recording: "A_vs-5_half-2_14-3_0123abcd" for field "A", opponent 5, the second half,
 /// robot "14/3" and that build. An empty field is left out; the shoot-out is "shoot-out", overtime "overtime-1".
 std::string session_name(const pb::GameState& game, std::string_view field, std::string_view build);
 

@@ -1,4 +1,4 @@
-// What a robot answers to the GameController: that it is there, and since 2022 where it believes itself and the ball.
+// The robot's answer to the GameController: a sign of life, and since 2022 its beliefs about its own pose and the ball.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ namespace robot::game {
 
 namespace pb = foresight;
 
-/// Where the GameController takes answers, on the machine it runs on: GAMECONTROLLER_RETURN_PORT since 2016.
+/// The port of the GameController's machine that receives answers: GAMECONTROLLER_RETURN_PORT since 2016.
 inline constexpr std::uint16_t kReturnPort = 3939;
 
-/// Who answers, and what it knows; null where a memory object was never written.
+/// The robot that answers, and its beliefs; a pointer is null if that memory object was never written.
 struct RobotStatus {
   std::uint32_t team = 0, player = 0;
   const pb::MotionStatus* motion = nullptr;
@@ -25,10 +25,10 @@ struct RobotStatus {
   std::uint64_t now_ns = 0;  // [ns since the epoch]
 };
 
-/// The answer to a GameController that speaks format `version`: struct RoboCupGameControlReturnData of the same releases,
-/// its version 2 (formats 9, 10), 3 (11 to 13) or 4 (14 to 18). Nothing for older ones: they took answers elsewhere.
+/// Returns the answer to a GameController of format `version`: struct RoboCupGameControlReturnData of the same releases, in
+/// its version 2 (formats 9, 10), 3 (11 to 13) or 4 (14 to 18). Returns nothing for older formats: they used another port.
 ///
-/// Values that are not numbers are left at what says "not known": the GameController drops packets with such.
+/// A value that is not a finite number is sent as "not known", because the GameController drops packets with such values.
 std::optional<std::string> return_packet(std::uint32_t version, const RobotStatus& status);
 
 }  // namespace robot::game

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kHalfSeconds = 600;
 
-/// [s] until the end of the game, extra time left out.
+/// Returns the time until the end of the game [s], without extra time.
 float seconds_left(const pb::GameState& game) {
   return std::max(0.f, game.seconds_remaining()) + (game.half() == 1 ? kHalfSeconds : 0);
 }
@@ -22,7 +22,7 @@ void SendGuard::hear(const pb::GameState& game) {
   const bool another = game.opponent().number() != game_.opponent().number() || now > before + kReserve;
   game_ = game;
   if (!known || another) {
-    // extra time brings some messages, another game all of them: what was counted before says nothing about it
+    // extra time adds some messages and another game resets the budget: earlier counts are void
     counted_ = spent_ = 0;
     return;
   }
@@ -33,7 +33,7 @@ void SendGuard::hear(const pb::GameState& game) {
 }
 
 void SendGuard::hear_double(const std::string& who) {
-  if (stopped_.empty()) stopped_ = "sending has stopped: " + who + " sends as our player, too; only one of us may";
+  if (stopped_.empty()) stopped_ = "sending has stopped: " + who + " also sends as our player; only one of us may";
 }
 
 std::uint64_t SendGuard::interval_ns() const {

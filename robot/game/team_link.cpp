@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint64_t kTickNs = kSecond / 10;
 constexpr std::uint64_t kAnswerNs = kSecond;        // the GameController wants 0.5 .. 2 Hz
-constexpr std::uint64_t kDeafNs = 5 * kSecond;      // a GameController not heard for so long gets no answer
-constexpr std::uint64_t kTimeOutNs = 15 * kSecond;  // twice what a team of seven makes of its budget
+constexpr std::uint64_t kDeafNs = 5 * kSecond;      // a GameController that is silent for longer gets no answer
+constexpr std::uint64_t kTimeOutNs = 15 * kSecond;  // twice the message interval of a team of seven on its budget
 
 bool penalised(const pb::GameState& game, std::uint32_t player) {
   const auto& players = game.own().players();
@@ -25,7 +25,7 @@ Result<std::unique_ptr<TeamLink>> TeamLink::open(TeamLinkOptions options, memory
                                                  std::function<std::optional<Endpoint>()> game_controller) {
   if (!options.port) options.port = static_cast<std::uint16_t>(kTeamPortBase + options.team);
   Result<UdpSocket> socket = UdpSocket::open(options.address, *options.port);
-  if (!socket) return Error{"team messages: " + socket.error()};
+  if (!socket) return socket.failure("team messages");
   return std::unique_ptr<TeamLink>(
       new TeamLink(std::move(*socket), options, memory, clock, std::move(game_controller)));
 }
@@ -67,14 +67,14 @@ void TeamLink::run() {
 void TeamLink::take(const Datagram& datagram) {
   const std::uint64_t now_ns = clock_.now_ns();
   const Result<TeamMessage> message = parse_team_message(datagram.bytes, now_ns);
-  if (message && message->sender == sender_) return;  // our own comes back to us
+  if (message && message->sender == sender_) return;  // our own broadcast comes back to us
   guard_.count();
   if (message && message->team == options_.team) {
     if (message->player == options_.player) guard_.hear_double(text_of(datagram.from));
     return take_message(*message, now_ns);
   }
   ++messages_wrong_;
-  // another program's message: from this robot it can only be the team's own framework
+  // another program's message; if it comes from this robot, its sender is the team's own framework
   if (is_own_address(datagram.from.address)) guard_.hear_double("another program of this robot");
 }
 
@@ -144,7 +144,7 @@ void TeamLink::tell_teammates() {
     message.epoch = static_cast<std::uint8_t>((*strategy)->epoch());
   }
   last_message_ns_ = monotonic;
-  // counted before it is known to have gone: the budget counts what the GameController hears
+  // counted even if sending fails: the budget counts each message that the GameController receives
   guard_.count();
   if (const Result<void> sent = socket_.send({options_.broadcast, port()}, to_bytes(message, now_ns)); !sent)
     return throttle_.report(Level::warning, "game", sent.error());

@@ -1,5 +1,5 @@
-// Answers the GameController and talks to the teammates: the only part of the runtime that sends during a match, and only
-// what it was asked to.
+// Answers to the GameController and messages to the teammates. No other part of the runtime sends during a match, and this
+// part sends only what its options ask for.
 #pragma once
 
 #include <cstdint>
@@ -21,23 +21,24 @@
 
 namespace robot::game {
 
+/// The settings of a TeamLink.
 struct TeamLinkOptions {
   std::uint32_t team = 0, player = 0;       // ours
   bool return_packets = false;              // answer the GameController once a second
-  bool team_messages = false;               // tell the teammates, as often as the budget allows
-  std::uint32_t address = 0;                // to listen at, host byte order; 0: all of this machine's
-  std::uint32_t broadcast = 0xffff'ffff;    // where team messages go, host byte order
+  bool team_messages = false;               // send to the teammates, as often as the budget allows
+  std::uint32_t address = 0;                // local address to listen at, host byte order; 0: all
+  std::uint32_t broadcast = 0xffff'ffff;    // destination of team messages, host byte order
   std::optional<std::uint16_t> port = {};   // of team messages; nothing: 10000 + team
   std::uint16_t return_port = kReturnPort;  // of answers
 };
 
-/// A thread of its own. It listens to the team's port, writes the object `team`, and sends what the options ask for, until
-/// a sender with our number is heard or the budget falls faster than it should: then it reports an error and sends
-/// nothing more.
+/// The link to teammates and GameController, with its own thread. It listens to the team's port, writes the object `team`,
+/// and sends what the options ask for. When another program sends with our number, or the budget falls too fast, it reports
+/// an error and sends nothing more.
 class TeamLink {
  public:
-  /// Begins; an Error if the port cannot be had. `memory` and `clock` outlive the link; `game_controller` tells where the
-  /// newest packet about us came from, and is called by the link's thread.
+  /// Starts the link. Returns an Error if the port cannot be opened. `memory` and `clock` outlive the link.
+  /// `game_controller` returns the sender of the newest packet about us; the link's thread calls it.
   static Result<std::unique_ptr<TeamLink>> open(TeamLinkOptions options, memory::Memory& memory, const Clock& clock,
                                                 std::function<std::optional<Endpoint>()> game_controller);
   ~TeamLink();
@@ -46,7 +47,7 @@ class TeamLink {
 
   std::uint16_t port() const { return socket_.port(); }
 
-  /// Why nothing is sent any more, in one sentence; empty while all is well. Any thread.
+  /// Returns the reason why sending has stopped, in one sentence, or an empty string while it has not. Any thread.
   std::string stopped() const;
 
  private:
@@ -66,11 +67,11 @@ class TeamLink {
   memory::Memory& memory_;
   const Clock& clock_;
   const std::function<std::optional<Endpoint>()> game_controller_;
-  const std::uint32_t sender_;  // tells our messages from those of a double
+  const std::uint32_t sender_;  // distinguishes our messages from those of a second program with our number
 
   Throttle throttle_;
 
-  // the thread's own; times by monotonic_ns()
+  // used by the thread alone; times by monotonic_ns()
   SendGuard guard_;
   std::uint64_t game_sequence_ = 0;
   std::uint64_t last_answer_ns_ = 0, last_message_ns_ = 0, last_written_ns_ = 0;

@@ -83,7 +83,7 @@ std::optional<Datagram> UdpSocket::receive(std::optional<std::uint64_t> deadline
     int wait_ms = -1;
     if (deadline_ns) {
       const std::uint64_t now_ns = monotonic_ns();
-      // rounded up: a wait that ends too early would spin
+      // rounded up, because a wait that ends too early would spin
       const std::uint64_t left_ns = *deadline_ns - std::min(*deadline_ns, now_ns) + kMillisecond - 1;
       wait_ms = static_cast<int>(std::min<std::uint64_t>(left_ns / kMillisecond, 60'000));
     }
@@ -98,7 +98,7 @@ std::optional<Datagram> UdpSocket::receive(std::optional<std::uint64_t> deadline
     sockaddr_in from{};
     socklen_t size = sizeof from;
     const ssize_t n = ::recvfrom(socket_.get(), datagram.bytes.data(), datagram.bytes.size(), 0, generic(from), &size);
-    if (n < 0) continue;  // what an earlier send() met, or a packet with a wrong sum
+    if (n < 0) continue;  // the error of an earlier send(), or a packet with a wrong checksum
     datagram.bytes.resize(static_cast<std::size_t>(n));
     datagram.from = endpoint_of(from);
     return datagram;

@@ -1,4 +1,4 @@
-// One UDP socket, and a way to wake the thread that waits for it.
+// A UDP socket, with a way to wake the thread that waits for it.
 #pragma once
 
 #include <netinet/in.h>
@@ -15,7 +15,7 @@
 
 namespace robot::game {
 
-/// Where a packet came from or goes to: IPv4 only, as the GameController.
+/// The source or destination of a packet: IPv4 only, as for the GameController.
 struct Endpoint {
   std::uint32_t address = 0;  // host byte order
   std::uint16_t port = 0;
@@ -23,35 +23,36 @@ struct Endpoint {
   bool operator==(const Endpoint&) const = default;
 };
 
-/// "192.168.14.2:3838"
+/// Returns the endpoint as text, such as "192.168.14.2:3838".
 std::string text_of(const Endpoint& endpoint);
 
-/// Reads "192.168.14.2"; an Error for anything else.
+/// Parses an IPv4 address such as "192.168.14.2" (host byte order); returns an Error for any other text.
 Result<std::uint32_t> parse_address(std::string_view text);
 
-/// Whether `address` (host byte order) is one of this machine's now.
+/// Returns true if `address` (host byte order) is one of this machine's addresses now.
 bool is_own_address(std::uint32_t address);
 
+/// A received packet.
 struct Datagram {
   std::string bytes;
   Endpoint from;
 };
 
-/// receive() belongs to one thread; send() and wake() to any.
+/// A UDP socket. One thread calls receive(); any thread may call send() and wake().
 class UdpSocket {
  public:
-  /// Listens on `port` of the given local address (host byte order; 0: all), 0 chooses a port. Other programs may listen
-  /// on the same port, if they allow it, too: each gets a copy of what is broadcast. May send to everybody.
+  /// Listens on `port` (0: any) of the given local address (host byte order; 0: all). Another program that allows sharing
+  /// may listen on the same port; each gets a copy of every broadcast. The socket may send broadcasts.
   static Result<UdpSocket> open(std::uint32_t address, std::uint16_t port);
 
-  /// The port it listens on.
+  /// Returns the port on which it listens.
   std::uint16_t port() const { return port_; }
 
-  /// The next packet; nothing after wake(), or when `deadline_ns` of monotonic_ns() has passed. What is longer than
-  /// 2048 bytes is cut there: no packet of a game is.
+  /// Returns the next packet, or nothing after wake() or when monotonic_ns() reaches `deadline_ns`. A packet longer than
+  /// 2048 bytes is cut; no packet of a game is that long.
   std::optional<Datagram> receive(std::optional<std::uint64_t> deadline_ns = {});
 
-  /// Ends this and every later receive().
+  /// Ends the current and every later receive().
   void wake();
   bool woken() const { return *woken_; }
 

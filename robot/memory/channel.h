@@ -1,4 +1,4 @@
-// What only carries data needs no types: a channel is a memory object as bytes, whatever its message.
+// Channels: memory objects as bytes. Code that only carries data needs no message types.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@
 
 namespace robot::memory {
 
-/// What matters to somebody who watches a channel over a network that is too slow for all of it.
+/// The versions of a channel that a client needs when the network is too slow for all of them.
 enum class Delivery {
-  latest,    // only the newest counts: images, state
-  fifo,      // a short history counts: sensors
-  reliable,  // each one counts: events, log text
+  latest,    // only the newest one: images, state
+  fifo,      // a short history: sensors
+  reliable,  // every one: events, log text
 };
 
-/// "latest", "fifo" or "reliable".
+/// Returns "latest", "fifo" or "reliable".
 std::string_view name(Delivery delivery);
 
-/// How the bytes of a channel are to be read.
+/// The description of a message type, enough to read the bytes of a channel.
 struct Schema {
   std::string name;      // "foresight.Ball"
   std::string encoding;  // "protobuf": `bytes` is a serialised FileDescriptorSet with all imports
@@ -32,7 +32,7 @@ struct Schema {
   bool operator==(const Schema&) const = default;
 };
 
-/// What a channel says of itself.
+/// The description of a channel.
 struct ChannelInfo {
   std::string topic;  // "/14/2/ball"
   std::string message_encoding = "protobuf";
@@ -42,7 +42,7 @@ struct ChannelInfo {
   bool operator==(const ChannelInfo&) const = default;
 };
 
-/// Which number a version had, and when it entered memory, in the process that it comes from.
+/// The number of a version, and the time when it entered memory, in the process that it comes from.
 struct Published {
   std::uint64_t sequence = 0, publish_ns = 0;
 };
@@ -50,17 +50,17 @@ struct Published {
 class Version;
 using VersionPtr = std::shared_ptr<const Version>;
 
-/// One version of one memory object: immutable, shared by whoever holds it. Any thread.
+/// One version of one memory object: immutable, shared by all its readers. Any thread.
 class Version {
  public:
   virtual ~Version() = default;
 
-  std::uint64_t sequence() const { return sequence_; }  // 1, 2, 3 …; a gap tells of versions lost on their way here
+  std::uint64_t sequence() const { return sequence_; }      // 1, 2, 3 …; a gap: versions were lost on the way here
   std::uint64_t capture_ns() const { return capture_ns_; }  // [ns since the epoch] when the data were sensed
   std::uint64_t publish_ns() const { return publish_ns_; }  // [ns since the epoch] when it entered memory
   std::size_t size_bytes() const { return size_bytes_; }    // of bytes()
 
-  /// The serialised message. Made by the first who asks, once per version, for all; lives as long as the version.
+  /// Returns the serialised message. The first call makes it, for all later calls; it lives as long as the version.
   virtual std::string_view bytes() const = 0;
 
  protected:
@@ -73,16 +73,17 @@ class Version {
   std::size_t size_bytes_ = 0;
 };
 
-/// Other bytes in place of those of `original`, of the same capture and publish time: a smaller image, another format.
-/// `sequence` is its number in the stream it goes to.
+/// Returns a version with other bytes and the times of `original`: a smaller image, another format.
+/// `sequence` is its number in the stream that it goes to.
 VersionPtr with_bytes(const Version& original, std::uint64_t sequence, std::string bytes);
 
-/// Hears of every version of the channels it is attached to.
+/// A receiver of every version of the channels that it is attached to.
 class Listener {
  public:
   virtual ~Listener() = default;
 
-  /// Called by the writer's thread, in the order of the sequence numbers: keep the pointer, wake somebody, return.
+  /// Called by the writer's thread, in the order of the sequence numbers. It should only keep the pointer, wake a thread
+  /// and return.
   virtual void on_version(const VersionPtr& version) = 0;
 };
 
@@ -93,32 +94,32 @@ class Channel {
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;
 
-  /// Fixed before the first write.
+  /// Returns the description of this channel, which is fixed before the first write.
   const ChannelInfo& info() const { return info_; }
 
-  /// The newest version, or null before the first write. Never waits for a listener.
+  /// Returns the newest version, or null before the first write. Never waits for a listener.
   VersionPtr newest() const;
 
-  /// From now on `listener` hears of every version, beginning with the newest there is.
-  /// The same listener may hear several channels.
+  /// Passes every version from now on to `listener`, beginning with the newest one.
+  /// One listener may be attached to several channels.
   void attach(Listener& listener);
 
-  /// After return `listener` is not being called and will not be called again for this channel.
+  /// Ends that. When it returns, `listener` is not running and will not be called again for this channel.
   void detach(Listener& listener);
 
-  /// Enters a message that came as bytes, from a recording, a socket or another process.
-  /// An Error (nothing is written) if the bytes are not a message of this channel's schema.
+  /// Writes a message that came as bytes, from a recording, a socket or another process.
+  /// Returns an Error, and writes nothing, if the bytes are not a message of this channel's schema.
   virtual Result<void> write_bytes(std::string_view bytes, std::uint64_t capture_ns) = 0;
 
  protected:
   Channel() = default;
 
-  /// Names the channel and gives it its time base, once, before it is shared.
+  /// Sets the description and the time base of the channel. Called once, before the channel is shared.
   void announce(ChannelInfo info, const Clock& clock);
 
-  /// Gives `version` its number and times, makes it the newest and tells the listeners.
-  /// Writers wait for each other; they never wait for a reader. Returns the version that was newest before.
-  /// What was published `elsewhere` keeps its number and time.
+  /// Gives `version` its number and times, passes it to the listeners and makes it the newest. Returns the version that was
+  /// newest before. Writers wait for each other; they never wait for a reader.
+  /// A version that was published `elsewhere` keeps its number and publish time.
   VersionPtr publish(std::shared_ptr<Version> version, std::uint64_t capture_ns, std::size_t size_bytes,
                      const Published* elsewhere = nullptr);
 
@@ -126,7 +127,7 @@ class Channel {
   ChannelInfo info_;
   const Clock* clock_ = nullptr;
 
-  Mutex writers_;  // puts writers in order, guards the next two
+  Mutex writers_;  // held during a write; guards the next two
   std::vector<Listener*> listeners_;
   std::uint64_t last_sequence_ = 0;
 
@@ -134,7 +135,7 @@ class Channel {
   VersionPtr newest_;
 };
 
-/// A channel whose message type need not be known when this program is built.
+/// A channel whose message type this program need not know.
 class RawChannel final : public Channel {
  public:
   /// `clock` outlives the channel.
@@ -143,8 +144,8 @@ class RawChannel final : public Channel {
   /// Accepts any bytes.
   Result<void> write_bytes(std::string_view bytes, std::uint64_t capture_ns) override;
 
-  /// As write_bytes(), for what another process published: number and publish time stay as they were there. Numbers only
-  /// grow: one that does not is replaced by the next.
+  /// Writes a version that another process published, and keeps its number and publish time from there. Numbers only
+  /// grow: a number that does not is replaced by the next one.
   void relay(std::string bytes, std::uint64_t capture_ns, Published published);
 };
 

@@ -1,4 +1,4 @@
-// All channels of one process: those of the typed memory and those met at run time.
+// All channels of one process: those of the typed memory and those that appear at run time.
 #pragma once
 
 #include <cstdint>
@@ -13,25 +13,25 @@
 
 namespace robot::memory {
 
-/// The list that loggers and the server go by. Channels are only ever added, each topic once. Any thread.
+/// The list of channels, used by the loggers and the server. Channels are added and never removed. Any thread.
 class Channels {
  public:
-  /// Lists `channel` and tells the watchers; an Error if its topic is listed already.
+  /// Adds `channel` and calls the watchers. Returns an Error if a channel with its topic is in the list already.
   Result<void> add(std::shared_ptr<Channel> channel);
 
-  /// All channels, in the order in which they were added.
+  /// Returns all channels in the order in which they were added.
   std::vector<std::shared_ptr<Channel>> all() const;
 
-  /// The channel of `topic`, or null.
+  /// Returns the channel with `topic`, or null.
   std::shared_ptr<Channel> find(std::string_view topic) const;
 
   using WatcherId = std::uint64_t;
 
-  /// Calls `watcher` for every channel listed now and for each one added later, by the thread that adds it.
-  /// A watcher must neither add channels nor watch.
+  /// Calls `watcher` for every channel in the list, and for each later one in the thread that adds it.
+  /// A watcher must neither add channels nor call watch().
   WatcherId watch(std::function<void(const std::shared_ptr<Channel>&)> watcher);
 
-  /// After return that watcher is not being called and will not be called again.
+  /// Removes a watcher. When it returns, the watcher is not running and will not be called again.
   void unwatch(WatcherId watcher);
 
  private:

@@ -27,10 +27,10 @@ namespace robot::memory {
 
 namespace pb = foresight;
 
-/// Everything the robot's threads tell each other.
-/// Units, frames, writers and rates are documented in the .proto of each message.
+/// All data that the robot's threads exchange.
+/// The .proto of each message documents its writer, rate, frame and units.
 ///
-/// A new object is one .proto, one member, one `see` line: logs, streams and the viewer then know it.
+/// A new object needs one .proto, one member and one `see` line. Logs, streams and the viewer then know it.
 struct Memory {
   MemoryObject<pb::Image> camera_top;
   MemoryObject<pb::Image> camera_bottom;
@@ -63,8 +63,8 @@ struct Memory {
   MemoryObject<pb::GroundTruth> truth;
   MemoryObject<pb::Simulation> simulation;
 
-  /// Calls see(name, object, delivery) for each object. A name that starts with '/' is a topic of its own;
-  /// any other is an object of this robot.
+  /// Calls see(name, object, delivery) for each object. A name that starts with '/' is the whole topic;
+  /// any other name belongs to this robot: "/<robot>/<name>".
   template <class Visitor>
   void visit(Visitor&& see) {
     using enum Delivery;
@@ -100,12 +100,12 @@ struct Memory {
     see("/sim/state", simulation, latest);
   }
 
-  /// The memory of robot `robot`, "<team>/<player>"; `clock` is its time base and outlives it.
+  /// Makes the memory of `robot`, "<team>/<player>". `clock` is its time base and outlives it.
   Memory(std::string_view robot, const Clock& clock);
 };
 
-/// Lists every object of `memory` in `channels`, which then keeps the memory alive.
-/// An Error if a topic is taken, such as that of a second memory of the same robot.
+/// Adds every object of `memory` to `channels`, which then keeps the memory alive.
+/// Returns an Error if a topic is in the list already, for instance from a second memory of the same robot.
 Result<void> list(const std::shared_ptr<Memory>& memory, Channels& channels);
 
 }  // namespace robot::memory

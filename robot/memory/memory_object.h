@@ -15,7 +15,7 @@
 
 namespace robot::memory {
 
-/// One immutable version of a message of type T, with its number, its times and its bytes.
+/// One immutable version of a message of type T, with its number, times and bytes.
 template <class T>
 class TypedVersion final : public Version {
  public:
@@ -42,10 +42,10 @@ class TypedVersion final : public Version {
   T value_;
   mutable Mutex serialising_;
   mutable std::atomic<bool> serialised_ = false;
-  mutable std::string bytes_;  // keeps its memory when the version is used again
+  mutable std::string bytes_;  // keeps its memory when the version is reused
 };
 
-/// A message that is being filled and nobody else can see yet. Comes from MemoryObject::draft().
+/// A message that its writer fills before others can see it. Made by MemoryObject::draft().
 template <class T>
 class Draft {
  public:
@@ -60,19 +60,19 @@ class Draft {
   std::shared_ptr<TypedVersion<T>> version_;
 };
 
-/// The newest value of a message of type T, its capture time and its sequence number.
+/// The newest value of a message of type T, with its capture time and sequence number.
 ///
-/// A value never changes once it is written: who has read it may keep it as long as he likes, and nobody sees half an
-/// update. `write` never waits for a reader, a logger or a client; an old value is not freed by its writer.
+/// A written value never changes: a reader may keep it for any time, and no reader sees half an update.
+/// `write` never waits for a reader, a logger or a client, and the writer's thread never frees an old value.
 template <class T>
 class MemoryObject final : public Channel {
  public:
-  /// Names the object and gives it its time base; `clock` outlives it. Once, before the first write.
+  /// Sets the topic and the time base; `clock` outlives the object. Called once, before the first write.
   void announce(std::string topic, Delivery delivery, const Clock& clock) {
     Channel::announce({.topic = std::move(topic), .schema = schema_of(*T::descriptor()), .delivery = delivery}, clock);
   }
 
-  /// An empty message to fill; its memory has been used before, so filling it allocates nothing in steady state.
+  /// Returns an empty message to fill. Its memory is reused, so in steady state filling it allocates nothing.
   Draft<T> draft() {
     std::shared_ptr<TypedVersion<T>> version = pool_.take();
     version->value_.Clear();
@@ -80,7 +80,7 @@ class MemoryObject final : public Channel {
     return Draft<T>(std::move(version));
   }
 
-  /// Makes `draft` the newest version, sensed at `capture_ns` [ns since the epoch]. A draft is written once.
+  /// Publishes `draft` as the newest version, with the capture time `capture_ns` [ns since the epoch]. Once per draft.
   void write(Draft<T>&& draft, std::uint64_t capture_ns) {
     assert(draft.version_ && "a draft is written once");
     const std::size_t size = draft.version_->value_.ByteSizeLong();
@@ -88,7 +88,7 @@ class MemoryObject final : public Channel {
     publish(std::move(draft.version_), capture_ns, size);
   }
 
-  /// As above, with a copy of `value`.
+  /// Publishes a copy of `value`.
   void write(const T& value, std::uint64_t capture_ns) {
     Draft<T> copy = draft();
     *copy = value;
@@ -99,12 +99,12 @@ class MemoryObject final : public Channel {
     Draft<T> message = draft();
     if (!message->ParseFromArray(bytes.data(), static_cast<int>(bytes.size())))
       return Error{info().topic + ": expected a message of type " + T::descriptor()->full_name() + ", got " +
-                   std::to_string(bytes.size()) + " bytes that are none"};
+                   std::to_string(bytes.size()) + " bytes of something else"};
     write(std::move(message), capture_ns);
     return {};
   }
 
-  /// The newest version, or null before the first write.
+  /// Returns the newest version, or null before the first write.
   std::shared_ptr<const TypedVersion<T>> read() const {
     return std::static_pointer_cast<const TypedVersion<T>>(newest());
   }

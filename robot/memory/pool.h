@@ -1,4 +1,4 @@
-// Things that are used again instead of being freed: a real-time writer neither allocates nor frees in steady state.
+// Reuse of objects instead of freeing them: in steady state a real-time writer neither allocates nor frees memory.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 
 namespace robot::memory {
 
-/// Lends out objects of type T and takes them back when the last shared pointer to one is gone.
-/// A few wait for their next use: as many as a logger that writes every now and then holds at once, of large ones fewer.
-/// What comes back beyond that is freed by the thread that let go of it, except within a `KeepAll`.
-/// What is lent may outlive the pool. Any thread.
+/// A pool of objects of type T. It lends them out and takes each back when the last shared pointer to it is gone.
+/// It keeps a few spare ones: as many as a logger holds between two writes, and fewer of large objects.
+/// The thread that returns one more frees it, except within a `KeepAll`.
+/// A lent object may outlive the pool. Any thread.
 template <class T>
 class Pool {
  public:
@@ -22,7 +22,7 @@ class Pool {
   static constexpr std::size_t kSpareOfSmall = 32;
   static constexpr std::size_t kSmallBytes = 16 << 10;
 
-  /// While one lives, its thread gives everything back to the pools and frees nothing.
+  /// While a `KeepAll` exists, its thread returns every object to the pools and frees none.
   class KeepAll {
    public:
     KeepAll() { keep_all() = true; }
@@ -31,7 +31,7 @@ class Pool {
     KeepAll& operator=(const KeepAll&) = delete;
   };
 
-  /// One object, as its last user left it, or a new one.
+  /// Returns a spare object in the state in which its last user left it, or a new object.
   std::shared_ptr<T> take() {
     std::unique_ptr<T> object = spare_->pop();
     if (!object) object = std::make_unique<T>();
@@ -63,7 +63,7 @@ class Pool {
       return object;
     }
 
-    /// An object that is not kept is freed when the caller's pointer goes, outside the lock.
+    /// Takes `object`, or leaves it to the caller, who frees it outside the lock.
     void push(std::unique_ptr<T>& object) {
       const std::lock_guard guard(lock_);
       if (objects_.size() < spare_of(*object) || keep_all()) objects_.push_back(std::move(object));

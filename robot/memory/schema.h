@@ -1,4 +1,4 @@
-// The schema of a protobuf message as others need it to read the bytes without us.
+// The schema of a protobuf message, enough for other programs to read its bytes.
 #pragma once
 
 #include <google/protobuf/descriptor.h>
@@ -7,8 +7,8 @@
 
 namespace robot::memory {
 
-/// Name, encoding "protobuf" and the serialised FileDescriptorSet of `message` with everything it imports,
-/// each file once, a file after those it depends on.
+/// Returns the name, the encoding "protobuf" and the serialised FileDescriptorSet of `message`.
+/// The set holds each imported file once, and each file after the files that it imports.
 Schema schema_of(const google::protobuf::Descriptor& message);
 
 }  // namespace robot::memory

@@ -12,7 +12,7 @@ using google::protobuf::Descriptor;
 using google::protobuf::EnumDescriptor;
 using google::protobuf::FieldDescriptor;
 
-/// "float", "repeated foresight.Pose.Particle": what must be equal for the bytes to mean the same.
+/// Returns the type of a field, such as "float" or "repeated foresight.Pose.Particle". Equal types read bytes equally.
 std::string type_of(const FieldDescriptor& field) {
   std::string type = field.is_repeated() ? "repeated " : "";
   if (field.type() == FieldDescriptor::TYPE_MESSAGE) return type + field.message_type()->full_name();
@@ -64,13 +64,14 @@ Result<void> compare(const Descriptor& ours, const Descriptor& theirs, std::set<
 Result<void> check_readable(const Schema& schema) {
   if (schema.encoding != "protobuf") return {};
   const Result<const Descriptor*> message = SchemaPool().read(schema);
-  return message ? Result<void>() : Result<void>(Error{message.error()});
+  if (!message) return message.failure();
+  return {};
 }
 
 Result<void> check_same_meaning(const Descriptor& ours, const Schema& theirs) {
   SchemaPool pool;
   const Result<const Descriptor*> message = pool.read(theirs);
-  if (!message) return Error{message.error()};
+  if (!message) return message.failure();
   std::set<const Descriptor*> seen;
   return compare(ours, **message, seen);
 }

@@ -1,4 +1,4 @@
-// Whether others mean what we mean by a message of the same name.
+// Comparison of other programs' message types with ours of the same name.
 #pragma once
 
 #include <google/protobuf/descriptor.h>
@@ -8,12 +8,12 @@
 
 namespace robot::memory {
 
-/// An Error if `schema` is of encoding "protobuf" and cannot be read, or does not describe the message it names.
+/// Returns an Error if `schema` has the encoding "protobuf" and is not readable or does not describe the message it names.
 Result<void> check_readable(const Schema& schema);
 
-/// An Error if bytes written by `theirs`, which is readable, would be misread as `ours`: a field or a value of an enum
-/// that has another number, a field of another type, a number that means another field. Fields that only one side knows
-/// are welcome. Messages within the message are looked at too.
+/// Returns an Error if bytes of `theirs` would be misread as `ours`. That is so if a field or an enum value has another
+/// number, a field has another type, or a number belongs to another field. Fields that only one side knows are allowed.
+/// Inner messages are compared too. `theirs` must be readable.
 Result<void> check_same_meaning(const google::protobuf::Descriptor& ours, const Schema& theirs);
 
 }  // namespace robot::memory

@@ -16,8 +16,8 @@ Result<const google::protobuf::Descriptor*> SchemaPool::read(const Schema& schem
   google::protobuf::FileDescriptorSet set;
   if (!set.ParseFromString(schema.bytes))
     return Error{"schema of " + schema.name + ": expected a serialised FileDescriptorSet, got " +
-                 std::to_string(schema.bytes.size()) + " bytes that are none"};
-  std::set<std::string> names;  // the database would tell of a second one on stderr
+                 std::to_string(schema.bytes.size()) + " bytes of something else"};
+  std::set<std::string> names;  // checked here because the database would print a message about a second one to stderr
   for (const auto& file : set.file())
     if (!names.insert(file.name()).second || !files_.Add(file))
       return Error{"schema of " + schema.name + ": expected every file and every name once, got " + file.name() +

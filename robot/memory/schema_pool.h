@@ -1,4 +1,4 @@
-// Messages that were not known when this program was built, as their schemas describe them.
+// Messages that this program learns from their schemas at run time.
 #pragma once
 
 #include <google/protobuf/descriptor.h>
@@ -11,15 +11,15 @@
 
 namespace robot::memory {
 
-/// The messages of one schema; its descriptors live as long as it does. Used by one thread.
+/// The messages of one schema. Its descriptors live as long as the pool. Used by one thread.
 class SchemaPool {
  public:
-  /// The message that `schema` names, out of the files that it holds, in any order. Once. An Error if they are no
-  /// serialised FileDescriptorSet or do not describe the message.
+  /// Returns the descriptor of the message that `schema` names. The files of the schema may be in any order. Returns an
+  /// Error if its bytes are not a serialised FileDescriptorSet or do not describe the message. Call it once.
   Result<const google::protobuf::Descriptor*> read(const Schema& schema);
 
  private:
-  /// Keeps the first complaint instead of printing it.
+  /// A collector that keeps the first complaint; without one protobuf would print them.
   class FirstComplaint final : public google::protobuf::DescriptorPool::ErrorCollector {
    public:
     void AddError(const std::string& file, const std::string& element, const google::protobuf::Message* descriptor,

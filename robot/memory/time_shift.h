@@ -1,4 +1,4 @@
-// Messages of a machine whose clock is ahead or behind, told in another clock's time.
+// Conversion of the times in messages from one machine's clock to another's.
 #pragma once
 
 #include <google/protobuf/dynamic_message.h>
@@ -13,18 +13,19 @@
 
 namespace robot::memory {
 
-/// Moves the times within the messages of one channel. As everywhere in our messages a time is a whole number of 64 bits
-/// in a field that ends in `_ns`; a duration or a monotonic time, which may be called the same, is not within a day of
-/// when its message was captured. Used by one thread.
+/// A shift of all times in the messages of one channel. Used by one thread.
+///
+/// A time in our messages is a 64-bit unsigned integer in a field whose name ends in `_ns`. Durations and monotonic times
+/// have such names too; they are told apart because they are not within a day of the message's capture time.
 class TimeShift {
  public:
-  /// `by_ns` is added to every time. What is no protobuf with a readable schema has no times that could be found.
+  /// Adds `by_ns` to every time. In a channel that is not protobuf or has no readable schema, no times can be found.
   TimeShift(const ChannelInfo& channel, std::int64_t by_ns);
 
   std::uint64_t operator()(std::uint64_t time_ns) const { return time_ns + static_cast<std::uint64_t>(by_ns_); }
 
-  /// `bytes`, captured at `capture_ns` by the clock that wrote them, with every time in it moved. Bytes that are not of
-  /// the schema stay as they are.
+  /// Returns `bytes` with every time in it shifted. `capture_ns` is their capture time by the clock that wrote them.
+  /// Bytes that do not match the schema are returned unchanged.
   std::string moved(std::string bytes, std::uint64_t capture_ns);
 
  private:
@@ -33,7 +34,7 @@ class TimeShift {
   const std::int64_t by_ns_;
   const std::unique_ptr<SchemaPool> schema_;
   google::protobuf::DynamicMessageFactory factory_;
-  const google::protobuf::Message* prototype_ = nullptr;  // of the factory; null: there is nothing to move
+  const google::protobuf::Message* prototype_ = nullptr;  // of the factory; null: no times to shift
 };
 
 }  // namespace robot::memory

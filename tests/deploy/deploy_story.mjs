@@ -159,7 +159,7 @@ export function deployStory() {
   });
 
   test("undo asks before it removes recordings, and leaves no trace", async () => {
-    assert.match(await deploy(0, "--undo", "tim"), /tim: recordings are still on the robot: \d+, together 1 MB. Remove them\? \[y\/N\] nobody is here to ask: no[^]*nothing of ours is left but ~\/foresight\/logs/);
+    assert.match(await deploy(0, "--undo", "tim"), /tim: recordings are still on the robot: \d+, together 1 MB. Remove them\? \[y\/N\] there is no terminal to ask: no[^]*nothing of ours is left but ~\/foresight\/logs/);
     assert.equal(world.on(tim, "cat foresight/logs/a-session/note; ls foresight"), "x\nlogs\nmade");
     assert.equal(world.programOn(tim), "");
     await deploy(0, "--setup", "tim");

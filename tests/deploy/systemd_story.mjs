@@ -32,7 +32,7 @@ export function systemdStory() {
   story("what needs root is told where nobody is there to ask, and done where somebody agrees", async () => {
     const told = await deploy(0, "--setup", "tim");
     assert.match(told, /tim {2}image: an Ubuntu \(Ubuntu 22.04.4 LTS\), systemd\n/);
-    assert.match(told, /tim: root on the robot: loginctl enable-linger nao\n.*\[y\/N\] nobody is here to ask: no/);
+    assert.match(told, /tim: root on the robot: loginctl enable-linger nao\n.*\[y\/N\] there is no terminal to ask: no/);
     assert.match(told, /NOT done: Foresight starts when the robot is switched on.*: as root on the robot: loginctl enable-linger nao/);
     assert.match(told, /NOT done: Foresight may have a real-time priority/);
     assert.equal(world.on(tim, "ls /tmp"), "");

@@ -104,7 +104,7 @@ test("nonsense gets one sentence, and nothing else happens", async (t) => {
 test("a question nested a hundred thousand deep gets one sentence, and so do all others who nest", async (t) => {
   const { server, live } = await pausedGame(t);
   const deep = (inner) => `{"horizon":${"[".repeat(100000)}${inner}${"]".repeat(100000)}}`;
-  const sentence = "expected JSON nested at most 64 deep, got what is nested deeper";
+  const sentence = "expected JSON nested at most 64 deep, got deeper nesting";
 
   const call = await independentClient(t, server);
   for (const name of [kService, "/sim/reset", "/sim/step", "start_recording", "clock_sync"])

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A behaviour of a team's own, in Python: reads ball and game state, decides, and writes what the body shall do, and why.
+"""A team's own behaviour in Python: reads ball and game state, decides, and writes the motion command and its reason.
 
     PYTHONPATH=.. python3 behaviour.py [SECONDS]
 """
@@ -16,7 +16,7 @@ PLAYING = 5
 ball = foresight.Reader("ball")
 game = foresight.Reader("game")
 command = foresight.Writer("motion_command", "foresight.MotionCommand", delivery=foresight.FIFO)
-thoughts = foresight.Writer("thoughts", "team.Thoughts", encoding="json")  # a type that nobody but us knows
+thoughts = foresight.Writer("thoughts", "team.Thoughts", encoding="json")  # a type that only this team knows
 
 end = time.monotonic() + float(sys.argv[1] if len(sys.argv) > 1 else 10)
 playing, decisions = False, 0
@@ -29,14 +29,14 @@ while time.monotonic() < end:
     if not seen:
         continue
 
-    # WalkTo: straight to the ball, looking at it; no field means 0
+    # WalkTo: straight to the ball, facing it; an absent field means 0
     place = dict(foresight.fields(seen.bytes))
     x, y = (foresight.as_float(place[number]) if number in place else 0.0 for number in (2, 3))
     bearing = math.atan2(y, x)
     walk_to = foresight.float_field(1, x) + foresight.float_field(2, y) + foresight.float_field(3, bearing)
     walk_to += foresight.float_field(4, 1.0 if playing else 0.0)
 
-    # a decision has the capture time of what it comes from
+    # a decision has the capture time of the ball that it was made from
     command.write(seen.capture_ns, foresight.bytes_field(2, walk_to))
     thoughts.write(seen.capture_ns, json.dumps({"playing": playing, "bearing": bearing}).encode())
     decisions += 1

@@ -1,4 +1,4 @@
-// Lets foresight choose what a team's own behaviour plays, in C: asks every few seconds, goes on meanwhile.
+// A behaviour in C that lets foresight choose its strategy: it asks once a second and continues meanwhile.
 //
 //   ./strategy [SECONDS]
 #include <foresight.h>
@@ -8,7 +8,7 @@
 
 int main(int count, char** words) {
   const uint64_t end_ns = foresight_now_ns() + (uint64_t)(count > 1 ? atoi(words[1]) : 30) * 1000000000u;
-  // as foresight-robot --strategies names what this team can play; what is played now goes first
+  // the names of foresight-robot --strategies; the one that is played now goes first
   const char* strategies[] = {"baseline", "passing", "kick_now"};
   ForesightAdviser adviser = foresight_adviser(NULL);
   ForesightAdvice advice;

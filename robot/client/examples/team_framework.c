@@ -1,5 +1,5 @@
-// Stands in for a team's framework: what such a one has anyway, images, joints, pose, ball, team and game state, it also
-// gives to Foresight, and it hears what the agent wants. Ends after the given number of seconds.
+// A stand-in for a team's framework: it writes its images, joints, pose, ball, team and game state to Foresight, and reads
+// the motion commands. Ends after the given number of seconds.
 #include <foresight.h>
 #include <foresight_fields.h>
 #include <math.h>
@@ -35,17 +35,17 @@ int main(int argc, char** argv) {
     foresight_put_floats(&message, 1, angles, JOINTS);
     foresight_write(joints, now_ns, message.bytes, message.size);
 
-    if (cycle % 3 == 0) {  // a new image, and what follows from it
+    if (cycle % 3 == 0) {  // a new image, and the beliefs from it
       for (size_t i = 0; i < sizeof yuyv; i += 2) yuyv[i] = (unsigned char)(i / 2 % WIDTH + cycle);
       foresight_write_image(camera, now_ns, FORESIGHT_YUYV, WIDTH, HEIGHT, yuyv, sizeof yuyv);
 
-      message.size = 0;  // walks on a circle round the centre of the field
+      message.size = 0;  // the robot walks on a circle round the centre of the field
       foresight_put_float(&message, 1, cosf(t));
       foresight_put_float(&message, 2, sinf(t));
       foresight_put_float(&message, 3, remainderf(t + 1.571f, 6.2832f));
       foresight_write(pose, now_ns, message.bytes, message.size);
 
-      message.size = 0;  // which is always a metre to its left
+      message.size = 0;  // the ball, always a metre to its left
       foresight_put_uint(&message, 1, foresight_epoch_ns(ball, now_ns));
       foresight_put_float(&message, 3, 1);
       foresight_put_float(&message, 6, 0.1f);
@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
     }
 
     ForesightMessage wanted;
-    while (foresight_read(command, &wanted)) ++commands;  // a real one would walk
+    while (foresight_read(command, &wanted)) ++commands;  // a real framework would walk
 
     const struct timespec rest = {0, CYCLE_NS};
     nanosleep(&rest, NULL);

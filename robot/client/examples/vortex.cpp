@@ -1,5 +1,5 @@
-// An object that Foresight has never heard of, from C++: logged, streamed and shown like any other. And the ball, as soon
-// as somebody writes it. Ends after the given number of seconds.
+// An object that Foresight does not know, written from C++ for each ball that is read: it is logged, streamed and shown like
+// any other. Ends after the given number of seconds.
 #include <foresight.h>
 #include <foresight_fields.h>
 
@@ -15,7 +15,7 @@ namespace {
 using Writer = std::unique_ptr<ForesightWriter, decltype(&foresight_close)>;
 using Reader = std::unique_ptr<ForesightReader, decltype(&foresight_end)>;
 
-/// The distance to the ball [m] that a foresight.Ball tells.
+/// Returns the distance to the ball [m] of a foresight.Ball.
 double distance_of(const ForesightMessage& message) {
   float x = 0, y = 0;
   ForesightField field = foresight_fields(message.bytes, message.size);
@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
     if (!foresight_read_newest(ball.get(), &message)) continue;
     ++read;
     const std::string json = "{\"distance\": " + std::to_string(distance_of(message)) + "}";
-    // what follows from the ball was sensed when the ball was
+    // a value computed from the ball has the capture time of the ball
     foresight_write(vortex.get(), message.capture_ns, json.data(), json.size());
   }
   std::printf("%lu balls; lost: %lu %s\n", read, static_cast<unsigned long>(foresight_lost(vortex.get())),

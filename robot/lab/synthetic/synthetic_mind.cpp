@@ -154,12 +154,6 @@ pb::DecisionTrace decision_of(const Moment& moment, const std::optional<pb::Ball
   pb::DecisionTrace trace;
   trace.set_strategy("synthetic");
   trace.set_role("striker");
-  trace.set_decide_ns(180'000 + moment.step % 7 * 4'000);
-  pb::DecisionTrace::Node& root = *trace.add_visited();
-  root.set_kind(pb::DecisionTrace::Node::KIND_SELECTOR);
-  root.set_name("play");
-  root.set_path("play");
-  root.set_result(true);
 
   const int state = state_at(moment.t);
   if (!ask(trace, "is_playing", "game_state = 5", "game_state", state, 5, state == pb::GameState::STATE_PLAYING)) {

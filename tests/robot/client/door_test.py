@@ -23,9 +23,9 @@ sys.path.insert(0, CLIENT)
 import foresight  # noqa: E402
 
 PROGRAMS = sys.argv.pop(1)
-PATIENCE = 30  # [s] far more than anything takes; only a failure waits so long
+PATIENCE = 30  # [s] far above every normal time; only a failure waits this long
 
-# says what it writes, one object, again and again, until it is killed: every message is of one byte value throughout
+# writes one object until it is killed; all bytes of a message are equal
 PULSE = """
 import sys
 sys.path.insert(0, sys.argv[1])
@@ -46,28 +46,28 @@ def until(condition, what):
         if value:
             return value
         time.sleep(0.005)
-    raise AssertionError("waited in vain: " + what)
+    raise AssertionError("waited %d s without success: %s" % (PATIENCE, what))
 
 
 def waits():
-    """How often this thread gave the processor away to wait for something, however busy the machine is."""
+    """Returns how often this thread gave up the processor in order to wait; the load of the machine does not matter."""
     return resource.getrusage(resource.RUSAGE_THREAD).ru_nvcsw
 
 
 class Client(unittest.TestCase):
-    """What needs no runtime."""
+    """Tests without a runtime."""
 
-    def test_who_waits_no_time_or_less_goes_on_at_once(self):
+    def test_a_wait_of_no_time_or_less_returns_at_once(self):
         with foresight.Reader("forecast", door="/nowhere") as reader:
             for timeout in (0, -1, -0.001):
                 reader.wait(timeout)
 
-    def test_a_deadline_that_has_passed_is_not_waited_for(self):
+    def test_a_passed_deadline_ends_the_wait(self):
         adviser = foresight.Adviser(door="/nowhere")
-        adviser.ask = lambda *_: True  # it is on its way, and nobody answers
+        adviser.ask = lambda *_: True  # the question counts as sent, and no answer comes
         waited = []
         adviser._forecasts.wait = waited.append
-        # a clock that is somewhere else each time it is looked at, as a thread sees it that waits for the processor
+        # a clock that jumps at each read, as for a thread that waits long for the processor
         for step_ns in range(1000000, 200000000, 1000000):
             clock = itertools.count(10 ** 12, step_ns)
             with unittest.mock.patch.object(foresight, "now_ns", lambda: next(clock)):
@@ -139,7 +139,7 @@ class Door(unittest.TestCase):
         self.addCleanup(lambda: child.poll() is None and (child.kill(), child.wait()))
         return child
 
-    def test_what_one_process_writes_another_reads(self):
+    def test_a_process_reads_the_messages_of_another(self):
         self.start()
         ball, reader = self.writer("ball", "foresight.Ball"), self.reader("ball")
         message = foresight.float_field(2, 1.5) + foresight.uint_field(7, True)
@@ -153,7 +153,7 @@ class Door(unittest.TestCase):
         self.assertEqual([(n, v if n == 7 else foresight.as_float(v)) for n, v in foresight.fields(seen.bytes)],
                          [(2, 1.5), (7, 1)])
 
-    def test_parameters_can_be_read_and_not_be_written(self):
+    def test_parameters_can_be_read_but_not_written(self):
         self.start()
         seen = until(self.reader("parameters").read, "the parameters")
         self.assertEqual(json.loads(seen.bytes.decode())["recording"], False)
@@ -162,21 +162,21 @@ class Door(unittest.TestCase):
         self.assertEqual(writer.problem, "the runtime refuses: /14/2/parameters: expected an object of the team's, "
                                          "got one that only the runtime writes")
 
-    def test_what_the_game_controller_says_the_runtime_writes(self):
+    def test_the_runtime_alone_writes_the_game_when_it_listens_to_the_game_controller(self):
         runtime = self.start("--game-controller", "--game-port", "0")
         writer = self.writer("game", "foresight.GameState")
         until(lambda: not writer.write(1, b"") and "refuses" in writer.problem, "a refusal")
         self.assertEqual(writer.problem, "the runtime refuses: /14/2/game: expected an object of the team's, "
                                          "got one that only the runtime writes")
-        # nobody has asked for messages to the teammates
+        # team messages are off, so the team's own code may write this object
         team = self.writer("team", "foresight.Team")
         until(lambda: team.write(foresight.now_ns(), b""), "a runtime")
         self.assertEqual(team.problem, "")
-        time.sleep(0.3)  # it looks at the game ten times a second
+        time.sleep(0.3)  # the runtime checks the game ten times a second
         runtime.end()
         self.assertEqual(runtime.process.returncode, 0)
 
-    def test_images_come_whole(self):
+    def test_images_arrive_complete(self):
         self.start()
         camera, reader = self.writer("camera_top", "foresight.Image"), self.reader("camera_top")
         until(lambda: reader.read() is None and not reader.problem, "a runtime")
@@ -230,13 +230,13 @@ class Door(unittest.TestCase):
         python = [sys.executable, os.path.join(CLIENT, "examples", "strategy.py"), "5"]
         by_python = self.run_beside(*python, environment={"PYTHONPATH": CLIENT})
         by_c = self.run_beside(os.path.join(PROGRAMS, "example_strategy"), "5")
-        # how many answers come in time hangs on how busy this machine is; that one comes does not
+        # the number of answers in time depends on the load of this machine; at least one must come
         adviser = foresight.Adviser()
         until(lambda: adviser.ask(["passing", "baseline"], horizon=5, budget_ms=20), "that the question is on its way")
         advice = until(adviser.answer, "an answer")
         self.assertIn(advice.choice, ("passing", "baseline"))
         self.assertTrue(advice.reason)
-        latest = until(self.reader("forecast").newest, "the latest forecast")  # of whoever asked last
+        latest = until(self.reader("forecast").newest, "the latest forecast")  # the question may be another process's
         self.assertIn(foresight.read_forecast(latest)[1].choice, ("baseline", "passing", "kick_now"))
         for child in (by_python, by_c):
             lines = child.communicate()[0].splitlines()
@@ -244,7 +244,7 @@ class Door(unittest.TestCase):
             for line in lines[:-1]:
                 self.assertTrue(re.match(r"^(keeps|changes|no advice|cannot tell|foresight is busy)", line), line)
 
-    def test_a_runtime_that_is_stopped_keeps_nobody_waiting(self):
+    def test_no_call_waits_for_a_stopped_runtime(self):
         runtime = self.start()
         joints = self.writer("joints", "foresight.Joints")
         camera = self.writer("camera_top", "foresight.Image")
@@ -263,7 +263,7 @@ class Door(unittest.TestCase):
         until(lambda: camera.write(foresight.now_ns(), *foresight.image(foresight.YUYV, 640, 480, pixels)),
               "a runtime that goes on")
 
-    def test_a_runtime_that_is_killed_is_found_again(self):
+    def test_clients_connect_again_after_the_runtime_was_killed(self):
         pulse, reader = self.writer("pulse", "test.Pulse", encoding="json"), self.reader("pulse")
         number, rounds = 0, 5
 
@@ -287,7 +287,7 @@ class Door(unittest.TestCase):
                 beat()
             self.assertLess(waits() - before, 20, "a call waits for a runtime that is gone")
 
-    def test_a_process_that_is_killed_tears_nothing(self):
+    def test_a_killed_process_leaves_no_torn_message(self):
         self.start()
         reader = self.reader("pulse")
         for i in range(10):
@@ -304,7 +304,7 @@ class Door(unittest.TestCase):
             for message in reader:
                 self.assertEqual(len(set(message.bytes)), 1, "a torn message")
 
-    def test_a_second_runtime_says_that_the_door_is_taken(self):
+    def test_a_second_runtime_reports_that_the_door_is_taken(self):
         self.start()
         until(lambda: os.path.exists(os.environ["FORESIGHT_DOOR"]), "the door")
         second = self.start()

@@ -1,4 +1,4 @@
-// What a team includes, used once each.
+// Uses each header that a team includes once.
 #include <foresight.h>
 #include <foresight_fields.h>
 #include <foresight_what_if.h>

@@ -1,4 +1,4 @@
-# Installs the client alone, and builds the examples against it as a project of a team's own.
+# Installs the client alone, and builds the examples with it as a team's own project.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE talk ERROR_VARIABLE talk)
   if(NOT status EQUAL 0)
@@ -11,7 +11,7 @@ run(${CMAKE_COMMAND} --install ${BUILD} --component client --prefix ${FOLDER}/in
 run(${CMAKE_COMMAND} -S ${EXAMPLES} -B ${FOLDER}/build -DCMAKE_PREFIX_PATH=${FOLDER}/installed
   -DCMAKE_C_COMPILER=${C_COMPILER} -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_C_FLAGS=${FLAGS} -DCMAKE_CXX_FLAGS=${FLAGS})
 run(${CMAKE_COMMAND} --build ${FOLDER}/build)
-# nobody is there to join: they end, and say so
+# no runtime is there: the examples must end and report their losses
 foreach(example example_team_framework example_vortex)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env FORESIGHT_DOOR=${FOLDER}/none ${FOLDER}/build/${example} 0.05
     OUTPUT_VARIABLE talk RESULT_VARIABLE status)

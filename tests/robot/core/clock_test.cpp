@@ -28,7 +28,7 @@ TEST(SessionClock, NeverDecreases) {
   }
 }
 
-TEST(ManualClock, IsWhatItWasSetTo) {
+TEST(ManualClock, ShowsTheTimeItWasSetTo) {
   ManualClock clock(5);
   EXPECT_EQ(clock.now_ns(), 5u);
   clock.set(7);

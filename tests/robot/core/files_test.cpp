@@ -9,7 +9,7 @@
 namespace robot {
 namespace {
 
-TEST(Files, GiveBackWhatWasPutThere) {
+TEST(Files, ReturnTheBytesThatWereWritten) {
   const tests::TemporaryFolder folder;
   std::string bytes(200'000, 'x');
   bytes[100'000] = '\0';
@@ -30,18 +30,18 @@ TEST(Files, AreReplacedWithTheGivenModeAndLeaveNothingBeside) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
-TEST(Files, SayWhatCannotBeRead) {
+TEST(Files, NameTheFileThatCannotBeRead) {
   const tests::TemporaryFolder folder;
   const std::string path = (folder / "missing").string();
   EXPECT_EQ(read_file(path, 10).error(), "cannot read " + path + ": No such file or directory");
 }
 
-TEST(Files, HaveABound) {
+TEST(Files, AreReadOnlyUpToTheGivenSize) {
   const tests::TemporaryFolder folder;
   ASSERT_TRUE(replace_file(folder / "a", "12345"));
   EXPECT_TRUE(read_file(folder / "a", 5));
   EXPECT_EQ(read_file(folder / "a", 4).error(),
-            "cannot read " + (folder / "a").string() + ": expected at most 4 bytes, it holds more");
+            "cannot read " + (folder / "a").string() + ": expected at most 4 bytes, got more");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using Numbers = testing::Types<std::uint8_t, std::int8_t, std::uint16_t, std::in
                                std::uint64_t, std::int64_t, float>;
 TYPED_TEST_SUITE(LittleEndian, Numbers);
 
-TYPED_TEST(LittleEndian, WhatIsPutIsRead) {
+TYPED_TEST(LittleEndian, ReadsBackEveryNumberThatWasPut) {
   using Limits = std::numeric_limits<TypeParam>;
   for (const TypeParam value :
        {TypeParam{0}, TypeParam{1}, Limits::lowest(), Limits::max(), static_cast<TypeParam>(2)}) {
@@ -26,7 +26,7 @@ TYPED_TEST(LittleEndian, WhatIsPutIsRead) {
   }
 }
 
-TEST(LittleEndianBytes, TheLowestComesFirst) {
+TEST(LittleEndianBytes, TheLowestByteComesFirst) {
   std::string bytes;
   put(bytes, std::uint32_t{0x04030201});
   put(bytes, 0x070605, 3);
@@ -35,7 +35,7 @@ TEST(LittleEndianBytes, TheLowestComesFirst) {
   EXPECT_EQ(bytes, std::string("\1\2\3\4\5\6\7\0\0\x80\x3f\2\0\0\0ab", 17));
   EXPECT_EQ(ByteReader(bytes).number(7), 0x07060504030201u);
   ByteReader wide(bytes);
-  EXPECT_EQ(wide.number(bytes.size()), 0x0007060504030201u);  // more than a number holds
+  EXPECT_EQ(wide.number(bytes.size()), 0x0007060504030201u);  // more bytes than a number holds
   EXPECT_TRUE(wide.finished());
 }
 
@@ -52,7 +52,7 @@ TEST(ByteReader, ReadsNothingAfterTheFirstReadBeyondTheEnd) {
   EXPECT_FALSE(reader.finished());
 }
 
-TEST(ByteReader, ATextMayNotBeLongerThanWhatIsThere) {
+TEST(ByteReader, ATextMayNotBeLongerThanTheRestOfTheBytes) {
   std::string bytes;
   put_text(bytes, "Nao");
   EXPECT_EQ(ByteReader(bytes).text(), "Nao");

@@ -13,7 +13,7 @@ namespace {
 
 FileDescriptor make_socket() { return FileDescriptor(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)); }
 
-TEST(LocalAddress, ProgramsOfOurUserOnlyMeetThere) {
+TEST(LocalAddress, OnlyProgramsOfOurUserMayConnect) {
   const tests::TemporaryFolder folder;
   const auto address = LocalAddress::of(folder / "socket", "test");
   ASSERT_TRUE(address);
@@ -31,7 +31,7 @@ TEST(LocalAddress, ProgramsOfOurUserOnlyMeetThere) {
   EXPECT_EQ(errno, EADDRINUSE);
 }
 
-TEST(LocalAddress, APathHasToFit) {
+TEST(LocalAddress, APathMustHaveOneTo107Bytes) {
   EXPECT_TRUE(LocalAddress::of(std::string(107, 'a'), "test"));
   for (const std::size_t bytes : {std::size_t{0}, std::size_t{108}, std::size_t{5000}}) {
     const auto address = LocalAddress::of(std::string(bytes, 'a'), "test");

@@ -24,7 +24,7 @@ TEST(Report, ReachesTheListener) {
   EXPECT_EQ(heard.reports[0].sentence, "/dev/video-top: expected 30 frames a second, got 12");
 }
 
-TEST(Report, EndsWithTheListener) {
+TEST(Report, DoesNotReachARemovedListener) {
   std::size_t count = 0;
   set_report_listener([&](const Report&) { ++count; });
   set_report_listener({});

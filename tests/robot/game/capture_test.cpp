@@ -1,4 +1,4 @@
-// Games that the real GameController of 2013, 2019 and 2022 played through for us, against the script they followed.
+// Captures of the real GameControllers of 2013, 2019 and 2022, compared with the script that the operator followed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace robot::game {
 namespace {
 
-/// The script of all three captures: [s] when what was clicked.
+/// The script of all three captures: the time [s] of each click.
 constexpr double kReady = 2.0, kSet = 4.5, kPlaying = 6.5, kPushing = 9.5, kOut = 12.0, kGoal = 14.5, kFinished = 17.0;
 
 struct Year {
@@ -42,7 +42,7 @@ void expect_team_14(const pb::TeamState& team, const Year& year, double seconds)
   EXPECT_EQ(pusher.penalised(), seconds >= kPushing);
   EXPECT_EQ(pusher.penalty(),
             seconds < kPushing ? pb::PlayerState::PENALTY_UNSPECIFIED : pb::PlayerState::PENALTY_PLAYER_PUSHING);
-  // a goal ended all penalties in 2013, the end of the half did later
+  // in 2013 a goal ended all penalties; in later years the end of the half does
   const bool over = seconds >= (year.version == 7 ? kGoal : kFinished);
   const double left = seconds < kPushing || over ? 0 : year.penalty_seconds - (seconds - kPushing);
   EXPECT_NEAR(pusher.seconds_till_unpenalised(), left, 1);
@@ -55,9 +55,9 @@ void expect_team_5(const pb::TeamState& team, const Year& year) {
   ASSERT_EQ(team.players_size(), year.players);
 }
 
-/// All other players: on the field, or substitutes from number 6 on.
+/// Checks all other players: on the field, and substitutes from number 6 on.
 void expect_others(const pb::TeamState& team, const Year& year) {
-  // in 2013 the last two places of the second team told the GameController's own display what the format had no place for
+  // in 2013 the last two players of the second team carry values for the GameController's own display
   const int players = year.version == 7 ? 9 : team.players_size();
   for (int i = 0; i < players; ++i) {
     if (team.number() == 14 && i == 2) continue;

@@ -18,7 +18,7 @@ using tests::ControlPacketText;
 constexpr std::uint32_t kLoopback = 0x7f000001;
 
 struct Listening : ::testing::Test {
-  /// Sends until the listener has counted one more packet: UDP promises nothing, not even on loopback.
+  /// Sends until the listener has counted one more packet: UDP may lose packets, even on loopback.
   void send(const std::string& bytes) {
     const std::uint64_t before = all();
     while (all() == before) {
@@ -38,7 +38,7 @@ struct Listening : ::testing::Test {
       std::move(*ControlListener::open({.team = 14, .player = 3, .address = kLoopback, .port = 0}, memory.game, clock));
 };
 
-TEST_F(Listening, WritesWhatThePacketsSay) {
+TEST_F(Listening, WritesThePacketsIntoMemory) {
   EXPECT_EQ(memory.game.read(), nullptr);
   EXPECT_FALSE(listener->game_controller());
   send(ControlPacketText{.state = 1}.bytes(18));
@@ -56,14 +56,14 @@ TEST_F(Listening, TheFormatMayChangeFromPacketToPacket) {
   }
 }
 
-TEST_F(Listening, LeavesGamesOfOthersOut) {
+TEST_F(Listening, IgnoresGamesOfOtherTeams) {
   send(ControlPacketText{.first = {.number = 20}}.bytes(18));
   EXPECT_EQ(memory.game.read(), nullptr);
   EXPECT_GE(listener->counts().foreign, 1u);
   EXPECT_FALSE(listener->game_controller());
 }
 
-TEST_F(Listening, CountsWhatItRefusesAndGoesOn) {
+TEST_F(Listening, CountsRefusedPacketsAndContinues) {
   send("not a packet");
   send("");
   send(std::string(60'000, 'x'));
@@ -75,8 +75,8 @@ TEST_F(Listening, CountsWhatItRefusesAndGoesOn) {
 
 TEST_F(Listening, SharesItsPortWithTheTeamsOwnFramework) { EXPECT_TRUE(UdpSocket::open(kLoopback, listener->port())); }
 
-TEST_F(Listening, SaysWhenAPortCannotBeHad) {
-  // an address of nobody: TEST-NET-1
+TEST_F(Listening, NamesThePortThatCannotBeOpened) {
+  // an address that no machine has: TEST-NET-1
   const auto other = ControlListener::open({.address = *parse_address("192.0.2.1"), .port = 3838}, memory.game, clock);
   ASSERT_FALSE(other);
   EXPECT_EQ(other.error(), "GameController: cannot listen on UDP 192.0.2.1:3838: Cannot assign requested address");

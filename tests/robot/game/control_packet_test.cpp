@@ -35,7 +35,7 @@ TEST_P(EveryFormat, HasTheSizeOfItsYear) {
   EXPECT_EQ(ControlPacketText().bytes(version).size(), kSizes[version - kOldest]);
 }
 
-TEST_P(EveryFormat, TellsItsOwnVersion) {
+TEST_P(EveryFormat, ContainsItsVersion) {
   const pb::GameState game = parsed({});
   EXPECT_EQ(game.packet_version(), static_cast<std::uint32_t>(version));
   EXPECT_EQ(game.source(), pb::GameState::SOURCE_GAME_CONTROLLER);
@@ -43,7 +43,7 @@ TEST_P(EveryFormat, TellsItsOwnVersion) {
   EXPECT_EQ(game.own_player(), 3u);
 }
 
-TEST_P(EveryFormat, TellsStateHalfAndTimes) {
+TEST_P(EveryFormat, ContainsStateHalfAndTimes) {
   const pb::GameState game = parsed({.packet_number = 250,
                                      .players_per_team = 6,
                                      .state = 3,
@@ -60,9 +60,11 @@ TEST_P(EveryFormat, TellsStateHalfAndTimes) {
   EXPECT_EQ(game.packet_number(), version >= 8 ? 250u : 0u);
 }
 
-TEST_P(EveryFormat, KnowsOverrunTime) { EXPECT_EQ(parsed({.seconds_remaining = -5}).seconds_remaining(), -5); }
+TEST_P(EveryFormat, ReadsOverrunTimeAsNegative) {
+  EXPECT_EQ(parsed({.seconds_remaining = -5}).seconds_remaining(), -5);
+}
 
-TEST_P(EveryFormat, TellsTheTeamsFromEitherSide) {
+TEST_P(EveryFormat, ShowsTheTeamsFromEitherSide) {
   const ControlPacketText text{
       .phase = 1,
       .first = {.score = 2, .penalty_shot = 3, .single_shots = 0x105, .message_budget = 1033},
@@ -85,7 +87,7 @@ TEST_P(EveryFormat, TellsTheTeamsFromEitherSide) {
             version >= 15 ? pb::TeamState::COLOUR_GRAY : pb::TeamState::COLOUR_UNSPECIFIED);
 }
 
-TEST_P(EveryFormat, TellsWhoIsPenalised) {
+TEST_P(EveryFormat, ContainsThePenalisedPlayers) {
   const pb::GameState game = parsed(
       {.first = {.penalised_player = 3, .penalty = 2, .seconds_till_unpenalised = 44},
        .second = {
@@ -98,21 +100,21 @@ TEST_P(EveryFormat, TellsWhoIsPenalised) {
   EXPECT_EQ(game.opponent().players(5).seconds_till_unpenalised(), 0);
 }
 
-TEST_P(EveryFormat, KeepsACodeThatItCannotName) {
+TEST_P(EveryFormat, KeepsAPenaltyCodeWithoutAName) {
   const pb::GameState game = parsed({.first = {.penalised_player = 1, .penalty = 77, .seconds_till_unpenalised = 9}});
   EXPECT_TRUE(game.own().players(0).penalised());
   EXPECT_EQ(game.own().players(0).penalty(), pb::PlayerState::PENALTY_UNSPECIFIED);
   EXPECT_EQ(game.own().players(0).code(), 77u);
 }
 
-TEST_P(EveryFormat, TellsWhoKicks) {
+TEST_P(EveryFormat, ContainsTheKickingTeam) {
   const bool by_colour = version <= 8;
   EXPECT_EQ(parsed({.kicking = by_colour ? 1 : 5}).kicking_team(), 5u);
   EXPECT_EQ(parsed({.kicking = by_colour ? 0 : 14}).kicking_team(), 14u);
   EXPECT_FALSE(parsed({.kicking = by_colour ? 2 : 255}).has_kicking_team()) << "nobody";
 }
 
-TEST_P(EveryFormat, RefusesEveryTruncationAndWhatIsTooLong) {
+TEST_P(EveryFormat, RefusesEveryTruncationAndLongerPackets) {
   const std::string bytes = ControlPacketText().bytes(version);
   for (std::size_t size = 0; size < bytes.size(); ++size)
     EXPECT_FALSE(parse_control_packet(bytes.substr(0, size))) << size;
@@ -121,7 +123,7 @@ TEST_P(EveryFormat, RefusesEveryTruncationAndWhatIsTooLong) {
                 std::to_string(version) + ", got " + std::to_string(bytes.size() + 1));
 }
 
-TEST_P(EveryFormat, RefusesValuesThatAreNone) {
+TEST_P(EveryFormat, RefusesValuesOutsideTheFormat) {
   const auto error = [&](const ControlPacketText& text) { return parse_control_packet(text.bytes(version)).error(); };
   const std::string format = " in format " + std::to_string(version) + ", got 9";
   EXPECT_EQ(error({.state = 9}),
@@ -134,8 +136,8 @@ TEST_P(EveryFormat, RefusesValuesThatAreNone) {
   }
 }
 
-// whatever the rest says: the letters, the version and the length alone do not make it harmful
-TEST_P(EveryFormat, RandomBytesBehindARealHeadDoNoHarm) {
+// the letters, the version and the length are right, and the rest is random
+TEST_P(EveryFormat, RandomBytesAfterAValidHeadDoNoHarm) {
   std::mt19937 random(1);
   std::string bytes = ControlPacketText().bytes(version);
   const std::size_t head = bytes.find(static_cast<char>(version)) + (version == 7 ? 4 : 2);
@@ -167,27 +169,27 @@ TEST(ControlPacket, RefusesFormatsItDoesNotKnow) {
   EXPECT_EQ(parse_control_packet("RGme").error(), "GameController packet: it ends before its version");
 }
 
-// the same letters, another length of version: the Humanoid League's format 12 of 2019
-TEST(ControlPacket, RefusesAVersionThatGoesOn) {
+// the Humanoid League's format 12 of 2019 has the same letters and a longer version number
+TEST(ControlPacket, RefusesAVersionWithMoreBytes) {
   std::string bytes = ControlPacketText().bytes(9);
   bytes[5] = 1;
   EXPECT_EQ(parse_control_packet(bytes).error(), "GameController packet: expected format 9, got 265");
 }
 
-TEST(ControlPacket, RefusesWhatIsMeantForMonitorsOrComesFromRobots) {
+TEST(ControlPacket, RefusesPacketsForMonitorsAndFromRobots) {
   std::string bytes = ControlPacketText().bytes(18);
   for (const char* letters : {"RGTD", "RGrt", "RGTr"})
     EXPECT_EQ(parse_control_packet(bytes.replace(0, 4, letters)).error(),
               "GameController packet: expected it to begin with RGme, got 118 bytes that do not");
 }
 
-TEST(ControlPacket, AGameOfOthersIsNotOurs) {
+TEST(ControlPacket, AGameOfOtherTeamsIsNotOurs) {
   const Result<ControlPacket> packet = parse_control_packet(ControlPacketText().bytes(18));
   ASSERT_TRUE(packet);
   EXPECT_FALSE(seen_by(*packet, 15, 1));
 }
 
-// names as each year's header gives them
+// the comments give the names of each year's header
 TEST(ControlPacket, TranslatesPenaltiesOfOtherYears) {
   const auto penalty = [](int version, int code) {
     const auto packet =
@@ -220,10 +222,10 @@ TEST(ControlPacket, Format18CountsShotsInTheShootOutOnly) {
         .penalty_shot();
   };
   EXPECT_EQ(shots(1), 1u);
-  EXPECT_EQ(shots(0), 0u) << "elsewhere it says that the team fell back to something";
+  EXPECT_EQ(shots(0), 0u) << "outside the shoot-out the field is the fallback mode flag";
 }
 
-TEST(ControlPacket, KnowsStandbyAndEverySetPlay) {
+TEST(ControlPacket, ReadsStandbyAndEverySetPlay) {
   EXPECT_EQ(parse_control_packet(ControlPacketText{.state = 5}.bytes(18))->game.state(), pb::GameState::STATE_STANDBY);
   for (int set_play = 0; set_play <= 5; ++set_play)
     EXPECT_EQ(parse_control_packet(ControlPacketText{.set_play = set_play}.bytes(18))->game.set_play(), set_play);

@@ -53,17 +53,17 @@ TEST(Match, BeginsAndEndsOnceEach) {
             (std::vector{none, began, none, none, ended, none}));
 }
 
-TEST(Match, BeginsLateForARobotThatComesLate) {
+TEST(Match, BeginsInAnyStateOfPlayForARobotThatJoinsLate) {
   EXPECT_EQ(changes({game(GameState::STATE_PLAYING)}), std::vector{began});
 }
 
-TEST(Match, GoesOnThroughATimeOut) {
+TEST(Match, ContinuesThroughATimeOut) {
   EXPECT_EQ(changes({game(GameState::STATE_PLAYING), game(GameState::STATE_INITIAL, 1, GameState::PHASE_TIMEOUT),
                      game(GameState::STATE_STANDBY), game(GameState::STATE_READY)}),
             (std::vector{began, none, none, none}));
 }
 
-TEST(Match, EndsWhenSomebodyBeginsAnew) {
+TEST(Match, EndsWhenTheGameIsRestarted) {
   EXPECT_EQ(changes({game(GameState::STATE_PLAYING), game(GameState::STATE_INITIAL)}), (std::vector{began, ended}));
 }
 
@@ -75,13 +75,13 @@ TEST(Match, AnotherHalfOrOpponentIsAnotherMatch) {
   EXPECT_EQ(changes({game(GameState::STATE_PLAYING), other}), (std::vector{began, another}));
 }
 
-TEST(Match, SimulatedGamesCountForNothing) {
+TEST(Match, IgnoresSimulatedGames) {
   GameState simulated = game(GameState::STATE_PLAYING);
   simulated.set_source(GameState::SOURCE_SIMULATOR);
   EXPECT_EQ(changes({simulated}), std::vector{none});
 }
 
-TEST(Match, SilenceEndsItOnlyAfterALongTime) {
+TEST(Match, EndsAfterALongSilenceOnly) {
   Match match;
   const GameState playing = game(GameState::STATE_PLAYING);
   EXPECT_EQ(match.update(playing, 2 * kSecond), began);

@@ -50,7 +50,7 @@ TEST_F(Answer, Has32BytesSince2022) {
   }
 }
 
-TEST_F(Answer, SaysWhatItDoesNotKnow) {
+TEST_F(Answer, MarksUnknownValues) {
   const std::string packet = return_packet(18, {.team = 14, .player = 3}).value();
   EXPECT_EQ(packet[7], '\0') << "not known to have fallen";
   EXPECT_EQ(float_at(packet, 20), -1) << "never saw the ball";
@@ -58,7 +58,7 @@ TEST_F(Answer, SaysWhatItDoesNotKnow) {
 }
 
 // the GameController drops packets with such values
-TEST_F(Answer, HoldsNothingThatIsNotANumber) {
+TEST_F(Answer, HoldsFiniteNumbersOnly) {
   pose.set_heading(std::numeric_limits<float>::quiet_NaN());
   ball.set_x(std::numeric_limits<float>::infinity());
   const std::string packet = return_packet(18, status()).value();
@@ -66,14 +66,14 @@ TEST_F(Answer, HoldsNothingThatIsNotANumber) {
   EXPECT_EQ(float_at(packet, 20), -1);
 }
 
-TEST_F(Answer, IsAliveBefore2022) {
+TEST_F(Answer, IsASignOfLifeBefore2022) {
   for (std::uint32_t version : {9u, 10u})
     EXPECT_EQ(return_packet(version, status()), std::string("RGrt\x02\x0e\x03\x02"));
   for (std::uint32_t version : {11u, 12u, 13u})
     EXPECT_EQ(return_packet(version, status()), std::string("RGrt\x03\x0e\x03\x00", 8));
 }
 
-TEST_F(Answer, IsNoneForFormatsThatTookItElsewhere) {
+TEST_F(Answer, IsAbsentForFormatsWithAnotherPort) {
   for (std::uint32_t version : {0u, 7u, 8u, 19u}) EXPECT_FALSE(return_packet(version, status()));
 }
 

@@ -36,14 +36,14 @@ TEST_F(Guard, SendsOnlyWhileTheGameRuns) {
   }
 }
 
-// 1200 s, 7 players, 1170 messages that may be used: one every 7.18 s
+// 1200 s, 7 players, 1170 usable messages: one message per robot every 7.18 s
 TEST_F(Guard, MakesTheBudgetLastToTheEndOfTheGame) {
   hear(1200);
   EXPECT_FALSE(guard.may_send(17 * kSecond, 10 * kSecond));
   EXPECT_TRUE(guard.may_send(18 * kSecond, 10 * kSecond));
 }
 
-TEST_F(Guard, AWholeTeamThatFollowsItStaysWithinTheBudget) {
+TEST_F(Guard, KeepsAWholeTeamWithinTheBudget) {
   std::uint32_t budget = 1200;
   std::uint64_t last[7] = {};
   for (std::uint64_t second = 1; second <= 1200; ++second) {
@@ -71,14 +71,14 @@ TEST_F(Guard, KeepsAReserve) {
   EXPECT_TRUE(guard.may_send(kSecond, 0));
   hear(SendGuard::kReserve);
   EXPECT_FALSE(guard.may_send(kSecond, 0));
-  EXPECT_EQ(guard.stopped(), "") << "that is no error";
+  EXPECT_EQ(guard.stopped(), "") << "reaching the reserve is no error";
 }
 
 TEST_F(Guard, StopsWhenTheBudgetFallsFasterThanItCounts) {
   hear(1200);
   count(40);
   hear(1200 - 60);
-  EXPECT_EQ(guard.stopped(), "") << "some were lost on the way to us";
+  EXPECT_EQ(guard.stopped(), "") << "some messages may be lost on the way to us";
   hear(1200 - 61);
   EXPECT_EQ(
       guard.stopped(),
@@ -90,7 +90,7 @@ TEST_F(Guard, StopsWhenTheBudgetFallsFasterThanItCounts) {
   EXPECT_FALSE(guard.may_send(100 * kSecond, 0)) << "it stays so";
 }
 
-TEST_F(Guard, ExtraTimeAndAnotherGameBeginTheCountAnew) {
+TEST_F(Guard, RestartsTheCountInExtraTimeAndInAnotherGame) {
   hear(100);
   count(3);
   hear(160);  // one minute more
@@ -100,10 +100,10 @@ TEST_F(Guard, ExtraTimeAndAnotherGameBeginTheCountAnew) {
   EXPECT_EQ(guard.stopped(), "");
 }
 
-TEST_F(Guard, StopsWhenSomebodyElseSendsAsOurPlayer) {
+TEST_F(Guard, StopsWhenAnotherProgramSendsAsOurPlayer) {
   hear(1200);
   guard.hear_double("192.168.14.9:10014");
-  EXPECT_EQ(guard.stopped(), "sending has stopped: 192.168.14.9:10014 sends as our player, too; only one of us may");
+  EXPECT_EQ(guard.stopped(), "sending has stopped: 192.168.14.9:10014 also sends as our player; only one of us may");
   EXPECT_FALSE(guard.may_send(kSecond, 0));
 }
 

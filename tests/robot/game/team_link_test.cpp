@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kLoopback = 0x7f000001, kEverybodyHere = 0x7fffffff;
 
-/// The next packet at `socket`; nothing within two seconds.
+/// Returns the next packet at `socket`, or nothing if none comes within two seconds.
 std::optional<Datagram> next(UdpSocket& socket, std::uint64_t patience_ns = 2 * kSecond) {
   return socket.receive(monotonic_ns() + patience_ns);
 }
@@ -44,7 +44,7 @@ struct Link : ::testing::Test {
     memory.game.write(game, clock.now_ns());
   }
 
-  /// Sends from a teammate until `done`: UDP promises nothing.
+  /// Sends from a teammate until `done`, because UDP may lose packets.
   template <class Done>
   void say_until(const std::string& bytes, Done&& done) {
     for (int i = 0; i < 100 && !done(); ++i) {
@@ -57,7 +57,7 @@ struct Link : ::testing::Test {
   SessionClock clock;
   memory::Memory memory{"14/3", clock};
   Result<UdpSocket> referee = UdpSocket::open(kLoopback, 0);
-  Result<UdpSocket> mate = UdpSocket::open(0, 0);  // shares the team's port with the link: each hears all of it
+  Result<UdpSocket> mate = UdpSocket::open(0, 0);  // shares the team's port with the link; each receives every packet
   std::unique_ptr<TeamLink> link;
 };
 
@@ -76,7 +76,7 @@ TEST_F(Link, AnswersTheGameControllerOnceASecond) {
   EXPECT_GT(monotonic_ns() - before_ns, kSecond / 2);
 }
 
-TEST_F(Link, SendsNothingThatItWasNotAskedFor) {
+TEST_F(Link, SendsNothingThatItsOptionsDoNotAskFor) {
   hear(pb::GameState::STATE_PLAYING);
   open({});
   EXPECT_FALSE(next(*mate, kSecond / 2));
@@ -88,7 +88,7 @@ TEST_F(Link, ASilentGameControllerGetsNoAnswer) {
   EXPECT_FALSE(next(*referee, kSecond / 2));
 }
 
-TEST_F(Link, TellsTheTeammatesInMessagesTheRulesAllow) {
+TEST_F(Link, SendsTeamMessagesThatTheRulesAllow) {
   pb::Ball ball;
   ball.set_x(2);
   memory.ball.write(ball, clock.now_ns());
@@ -113,10 +113,10 @@ TEST_F(Link, TellsTheTeammatesInMessagesTheRulesAllow) {
   EXPECT_FALSE(next(*mate, 2 * kSecond)) << "one in several seconds";
   ASSERT_TRUE(memory.team.read());
   EXPECT_EQ((*memory.team.read())->messages_sent(), 1u);
-  EXPECT_EQ(link->stopped(), "") << "its own message is no double";
+  EXPECT_EQ(link->stopped(), "") << "its own message does not count as another sender's";
 }
 
-TEST_F(Link, HearsItsTeammates) {
+TEST_F(Link, ReceivesItsTeammatesMessages) {
   open({.team_messages = true});
   TeamMessage message{
       .team = 14, .player = 5, .sender = 1, .fallen = true, .strategy = 2, .epoch = 9, .pose = pb::Pose()};
@@ -133,12 +133,12 @@ TEST_F(Link, HearsItsTeammates) {
   EXPECT_TRUE((*team)->teammates(0).active());
 }
 
-TEST_F(Link, StopsWhenAnotherSendsWithOurNumber) {
+TEST_F(Link, StopsWhenAnotherProgramSendsWithOurNumber) {
   hear(pb::GameState::STATE_PLAYING);
   open({.return_packets = true, .team_messages = true});
   say_until(to_bytes({.team = 14, .player = 3, .sender = 1}, clock.now_ns()), [&] { return !link->stopped().empty(); });
   EXPECT_EQ(link->stopped(), "sending has stopped: " + text_of({kLoopback, mate->port()}) +
-                                 " sends as our player, too; only one of us may");
+                                 " also sends as our player; only one of us may");
   while (next(*referee, kSecond / 10)) {
   }
   EXPECT_FALSE(next(*referee, 2 * kSecond)) << "no answers either";
@@ -148,7 +148,7 @@ TEST_F(Link, StopsWhenTheTeamsOwnFrameworkSends) {
   open({.team_messages = true});
   say_until("a message of another framework", [&] { return !link->stopped().empty(); });
   EXPECT_EQ(link->stopped(),
-            "sending has stopped: another program of this robot sends as our player, too; only one of us may");
+            "sending has stopped: another program of this robot also sends as our player; only one of us may");
 }
 
 TEST_F(Link, StopsWhenTheBudgetFallsTooFast) {

@@ -64,7 +64,7 @@ TEST(TeamMessage, ArrivesAsItWasSent) {
   EXPECT_EQ(read->ball->seen_ns(), arrival - 1500 * kMillisecond);
 }
 
-TEST(TeamMessage, LeavesOutWhatIsNotKnown) {
+TEST(TeamMessage, LeavesOutUnknownValues) {
   TeamMessage unknown{.team = 14, .player = 3, .pose = pb::Pose()};
   unknown.pose->set_x(std::numeric_limits<float>::quiet_NaN());
   const Result<TeamMessage> read = parse_team_message(to_bytes(unknown, kNow), kNow);
@@ -73,24 +73,24 @@ TEST(TeamMessage, LeavesOutWhatIsNotKnown) {
   EXPECT_FALSE(read->ball);
 }
 
-TEST(TeamMessage, GreatValuesStayWithinTheirBounds) {
+TEST(TeamMessage, ClampsLargeValuesToTheirBounds) {
   TeamMessage far{.player = 1, .pose = pb::Pose(), .ball = pb::Ball()};
   far.pose->set_x(1e30f);
   far.pose->set_deviation_x(1e30f);
   const Result<TeamMessage> read = parse_team_message(to_bytes(far, kNow), kNow);
   EXPECT_NEAR(read->pose->x(), 32.767, 0.001);
   EXPECT_NEAR(read->pose->deviation_x(), 65.535, 0.001);
-  EXPECT_EQ(read->ball->seen_ns(), kNow - 65'535 * kMillisecond) << "never seen is long ago";
+  EXPECT_EQ(read->ball->seen_ns(), kNow - 65'535 * kMillisecond) << "a ball that was never seen has the greatest age";
 }
 
-TEST(TeamMessage, RefusesEveryTruncationAndWhatIsTooLong) {
+TEST(TeamMessage, RefusesEveryTruncationAndLongerMessages) {
   const std::string bytes = to_bytes(message(), kNow);
   for (std::size_t size = 0; size < bytes.size(); ++size) EXPECT_FALSE(parse_team_message(bytes.substr(0, size), kNow));
   EXPECT_EQ(parse_team_message(bytes + "x", kNow).error(),
             "team message: expected 38 bytes that begin with FSgt, got 39 bytes");
 }
 
-TEST(TeamMessage, RefusesOthersMessages) {
+TEST(TeamMessage, RefusesMessagesOfOtherPrograms) {
   std::string bytes = to_bytes(message(), kNow);
   bytes[4] = 1;
   EXPECT_EQ(parse_team_message(bytes, kNow).error(), "team message: expected version 2, got 1");

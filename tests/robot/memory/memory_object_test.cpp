@@ -28,7 +28,7 @@ struct BallObject : ::testing::Test {
   MemoryObject<pb::Ball> ball;
 };
 
-/// Keeps all it hears.
+/// A listener that keeps every version.
 struct Hearing : Listener {
   void on_version(const VersionPtr& version) override { versions.push_back(version); }
   std::vector<VersionPtr> versions;
@@ -47,7 +47,7 @@ TEST_F(BallObject, GivesTheNewestValueWithItsTimesAndNumber) {
   EXPECT_EQ(newest->sequence(), 2u);
 }
 
-TEST_F(BallObject, LeavesWhatWasReadUnchanged) {
+TEST_F(BallObject, NeverChangesAValueThatWasRead) {
   ball.write(ball_at(1, 2), 1);
   const auto kept = ball.read();
   for (int i = 0; i < 100; ++i) ball.write(ball_at(static_cast<float>(i), 0), 2);
@@ -70,7 +70,7 @@ TEST_F(BallObject, SerialisesOncePerVersion) {
   EXPECT_EQ(version->bytes().data(), version->bytes().data());
 }
 
-TEST_F(BallObject, SerialisesAnewWhenItsMemoryIsUsedAgain) {
+TEST_F(BallObject, SerialisesAgainWhenItsMemoryIsReused) {
   for (int i = 0; i < 50; ++i) {
     ball.write(ball_at(static_cast<float>(i), 0), 1);
     pb::Ball parsed;
@@ -79,16 +79,16 @@ TEST_F(BallObject, SerialisesAnewWhenItsMemoryIsUsedAgain) {
   }
 }
 
-TEST_F(BallObject, TakesBytesThatAreItsMessageAndRefusesOthers) {
+TEST_F(BallObject, AcceptsBytesOfItsMessageAndRefusesOthers) {
   ASSERT_TRUE(ball.write_bytes(ball_at(5, 6).SerializeAsString(), 7));
   EXPECT_EQ(ball.read()->value().x(), 5);
   const Result<void> refused = ball.write_bytes("\xff\xff", 8);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error(), "/14/2/ball: expected a message of type foresight.Ball, got 2 bytes that are none");
+  EXPECT_EQ(refused.error(), "/14/2/ball: expected a message of type foresight.Ball, got 2 bytes of something else");
   EXPECT_EQ(ball.read()->sequence(), 1u);
 }
 
-TEST_F(BallObject, TellsListenersOfEveryVersionBeginningWithTheNewest) {
+TEST_F(BallObject, PassesEveryVersionToListenersBeginningWithTheNewest) {
   Hearing hearing;
   ball.write(ball_at(1, 0), 1);
   ball.write(ball_at(2, 0), 2);
@@ -141,7 +141,7 @@ TEST_F(BallObject, IsNeverSeenHalfUpdated) {
   for (std::thread& reader : readers) reader.join();
 }
 
-TEST(ImageObject, UsesTheSameMemoryAgain) {
+TEST(ImageObject, ReusesItsMemory) {
   ManualClock clock;
   MemoryObject<pb::Image> image;
   image.announce("/14/2/camera_top", Delivery::latest, clock);
@@ -171,7 +171,7 @@ TEST(ImageObject, VersionsOutliveTheObject) {
   EXPECT_NE(kept->bytes().find("pixels"), std::string_view::npos);
 }
 
-TEST(Pool, FreesNothingInAWriterAndLittleIsKeptElsewhere) {
+TEST(Pool, FreesNothingInAWriterAndKeepsFewSpareObjectsElsewhere) {
   static int alive = 0;
   struct Counted {
     Counted() { ++alive; }
@@ -186,10 +186,10 @@ TEST(Pool, FreesNothingInAWriterAndLittleIsKeptElsewhere) {
   }
   EXPECT_EQ(alive, 20);
   lent.clear();
-  EXPECT_EQ(alive, 10) << "ten are spare already, so each further one goes";
+  EXPECT_EQ(alive, 10) << "ten are spare already, so each further one is freed";
 }
 
-TEST(Pool, KeepsMoreOfWhatIsSmall) {
+TEST(Pool, KeepsMoreSpareObjectsIfTheyAreSmall) {
   static int alive = 0;
   struct Sized {
     Sized() { ++alive; }
@@ -215,7 +215,7 @@ TEST(WithBytes, KeepsTheTimesOfTheOriginal) {
   EXPECT_EQ(other->publish_ns(), 9u);
 }
 
-TEST(RawChannel, WhatWasPublishedElsewhereKeepsItsNumberAndTime) {
+TEST(RawChannel, KeepsTheNumberAndTimeOfAnotherProcess) {
   ManualClock clock(9);
   RawChannel channel({.topic = "/1/1/x"}, clock);
   channel.relay("seventh", 5, {.sequence = 7, .publish_ns = 6});

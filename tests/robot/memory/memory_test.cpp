@@ -46,7 +46,7 @@ TEST_F(WholeMemory, IsKeptAliveByItsChannels) {
   EXPECT_EQ(channels.find("/14/2/ball")->newest(), nullptr);
 }
 
-TEST_F(WholeMemory, WatchersHearOfEveryChannelOnce) {
+TEST_F(WholeMemory, CallsAWatcherOnceForEachChannel) {
   ASSERT_TRUE(list(memory, channels));
   std::multiset<std::string> heard;
   channels.watch([&](const std::shared_ptr<Channel>& channel) { heard.insert(channel->info().topic); });
@@ -57,7 +57,7 @@ TEST_F(WholeMemory, WatchersHearOfEveryChannelOnce) {
   EXPECT_EQ(heard.count("/14/2/vortex"), 1u);
 }
 
-TEST_F(WholeMemory, WatchersThatLeftHearNothing) {
+TEST_F(WholeMemory, DoesNotCallARemovedWatcher) {
   std::size_t heard = 0;
   const auto watcher = channels.watch([&](const std::shared_ptr<Channel>&) { ++heard; });
   channels.unwatch(watcher);
@@ -65,7 +65,7 @@ TEST_F(WholeMemory, WatchersThatLeftHearNothing) {
   EXPECT_EQ(heard, 0u);
 }
 
-// what a viewer does that was never told of our messages
+// a viewer that knows none of our messages reads them this way
 TEST_F(WholeMemory, SchemasSufficeToReadTheBytes) {
   memory->visit([&](std::string_view name, auto& object, Delivery) {
     const Schema& schema = object.info().schema;

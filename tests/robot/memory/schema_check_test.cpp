@@ -17,7 +17,7 @@ using google::protobuf::DescriptorProto;
 using google::protobuf::FieldDescriptorProto;
 using google::protobuf::FileDescriptorSet;
 
-/// The schema of `Message` after somebody has changed its last file, which holds the message itself.
+/// Returns the schema of `Message` after `change` of its last file, which holds the message itself.
 template <class Message>
 Schema changed(const std::function<void(google::protobuf::FileDescriptorProto&)>& change) {
   Schema schema = schema_of(*Message::descriptor());
@@ -64,7 +64,7 @@ TEST(SchemaCheck, ANumberThatMeansAnotherFieldIsRefused) {
             "number 2 of foresight.Ball: expected field x, got field bearing");
 }
 
-TEST(SchemaCheck, FieldsThatOneSideDoesNotKnowAreWelcome) {
+TEST(SchemaCheck, FieldsThatOnlyOneSideKnowsAreAllowed) {
   EXPECT_EQ(verdict_on_ball([](DescriptorProto& ball) {
               ball.mutable_field()->RemoveLast();
               auto& spin = *ball.add_field();
@@ -76,7 +76,7 @@ TEST(SchemaCheck, FieldsThatOneSideDoesNotKnowAreWelcome) {
             "");
 }
 
-TEST(SchemaCheck, MessagesAndEnumsWithinAreLookedAt) {
+TEST(SchemaCheck, InnerMessagesAndEnumsAreCompared) {
   Schema team = schema_of(*foresight::Team::descriptor());
   FileDescriptorSet files;
   ASSERT_TRUE(files.ParseFromString(team.bytes));
@@ -94,9 +94,9 @@ TEST(SchemaCheck, MessagesAndEnumsWithinAreLookedAt) {
             "value STATE_PLAYING of foresight.GameState.State: expected number 5, got number 50");
 }
 
-TEST(SchemaCheck, SaysWhatIsNoSchema) {
+TEST(SchemaCheck, ReportsBytesThatAreNoSchema) {
   EXPECT_EQ(check_readable({.name = "a.B", .encoding = "protobuf", .bytes = "\xff"}).error(),
-            "schema of a.B: expected a serialised FileDescriptorSet, got 1 bytes that are none");
+            "schema of a.B: expected a serialised FileDescriptorSet, got 1 bytes of something else");
   EXPECT_EQ(check_readable({.name = "a.B", .encoding = "protobuf", .bytes = ""}).error(),
             "schema of a.B: expected a description of that message with all it imports, got 0 files without it");
   EXPECT_TRUE(check_readable({.name = "a.B", .encoding = "jsonschema", .bytes = "{}"}));

@@ -43,7 +43,7 @@ TEST(TimeShift, LeavesDurationsAndMonotonicTimes) {
   EXPECT_EQ(moved(sample).SerializeAsString(), expected.SerializeAsString());
 }
 
-TEST(TimeShift, ThereAndBackIsWhatItWas) {
+TEST(TimeShift, AShiftAndItsReverseGiveTheOriginalBytes) {
   foresight::Team team;
   for (int player : {1, 3}) {
     auto& mate = *team.add_teammates();
@@ -53,7 +53,7 @@ TEST(TimeShift, ThereAndBackIsWhatItWas) {
   EXPECT_EQ(moved(moved(team), -kBy).SerializeAsString(), team.SerializeAsString());
 }
 
-TEST(TimeShift, WhatItCannotReadStaysAsItIs) {
+TEST(TimeShift, LeavesBytesThatItCannotReadUnchanged) {
   TimeShift json({.topic = "/x", .message_encoding = "json"}, kBy);
   EXPECT_EQ(json.moved("{\"seen_ns\": 5}", kNow), "{\"seen_ns\": 5}");
   TimeShift broken({.topic = "/x", .schema = {.name = "a.B", .encoding = "protobuf", .bytes = "no"}}, kBy);

@@ -65,7 +65,7 @@ TEST_F(WhatIfService, WhatMakesNoSenseIsNotAsked) {
   EXPECT_EQ(refusal(R"({"rollouts": 1000000000})"), "/foresight/what_if: 'rollouts' is nothing that a question has");
   EXPECT_EQ(refusal("[]"), "/foresight/what_if: expected a JSON object, got something else");
   EXPECT_EQ(refusal(R"({"horizon":)" + std::string(100'000, '[') + std::string(100'000, ']') + "}"),
-            "/foresight/what_if: expected JSON nested at most 64 deep, got what is nested deeper");
+            "/foresight/what_if: expected JSON nested at most 64 deep, got deeper nesting");
   EXPECT_EQ(refusal(R"({"horizon":)" + std::string(60, '[') + std::string(60, ']') + "}").find("'horizon' must be"),
             20u);
   EXPECT_FALSE(asked);

@@ -126,7 +126,7 @@ TEST(Services, ARequestThatIsNestedTooDeepIsAnsweredWithASentence) {
                [](nlohmann::json request, const ClientContext&) { return request; });  // copied, dumped, destroyed
   const std::string deep = R"({"a":)" + std::string(100'000, '[') + std::string(100'000, ']') + "}";
   EXPECT_EQ(services.call(1, deep, {}),
-            R"({"error":"echo: expected JSON nested at most 64 deep, got what is nested deeper","ok":false})");
+            R"({"error":"echo: expected JSON nested at most 64 deep, got deeper nesting","ok":false})");
 }
 
 TEST(Services, ClockSyncAnswersWithOurTimeAndTakesWhatWasMeasured) {
