@@ -72,7 +72,7 @@ void visit_members(Struct& whole, See&& see) {
     see("last_touch_at", last_touch_at), see("ball_before", ball_before), see("still_since", still_since);
     see("stuck_since", stuck_since), see("stuck_at", stuck_at), see("score", score), see("packets", packets);
     see("penalties", penalties), see("penalised_until", penalised_until);
-  } else if constexpr (std::is_same_v<Type, referee::Tally>) {
+  } else if constexpr (std::is_same_v<Type, referee::GameCounts>) {
     auto& [kicks, whiffs, shots, possession, in_play, seen] = whole;
     see("kicks", kicks), see("whiffs", whiffs), see("shots", shots), see("possession", possession);
     see("in_play", in_play), see("seen", seen);
@@ -122,8 +122,8 @@ void visit_members(Struct& whole, See&& see) {
     see("next", next), see("turn", turn), see("radio", radio), see("lag", lag), see("lost", lost);
   } else {
     static_assert(std::is_same_v<Type, State>, "a struct of the state that nobody named the members of");
-    auto& [world, schedule, book, tally, robots] = whole;
-    see("world", world), see("schedule", schedule), see("book", book), see("tally", tally), see("robots", robots);
+    auto& [world, schedule, book, counts, robots] = whole;
+    see("world", world), see("schedule", schedule), see("book", book), see("counts", counts), see("robots", robots);
   }
 }
 

@@ -10,7 +10,7 @@ inline constexpr int kEventKinds = static_cast<int>(referee::Event::Kind::placed
 /// What a game, or a part of one, came to. Pairs are by Side.
 struct Result {
   std::uint8_t score[2];
-  referee::Tally tally;
+  referee::GameCounts counts;
   Tick ticks;                            // from its beginning, dead time included
   bool over;                             // the game came to its end
   float walked[2];                       // [m] by all robots of a side

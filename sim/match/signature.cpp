@@ -32,8 +32,8 @@ void add(Hash& hash, const referee::Event& event) {
 
 Scenario scenario(const Ingredients& ingredients, int number) {
   const RandomKey key{kSeed + static_cast<std::uint64_t>(number)};
-  const auto what = draw(key, kNobody, Event::situation, 1);
-  const auto how = draw(key, kNobody, Event::situation, 2);
+  const auto what = draw(key, kNobody, Draw::situation, 1);
+  const auto how = draw(key, kNobody, Draw::situation, 2);
 
   // rules and behaviours in turn, so that each comes up; the rest as drawn
   Scenario made;

@@ -15,7 +15,7 @@ struct Four {
   float values[4];
 };
 Four four(RandomKey key, int robot, std::uint32_t number) {
-  const auto words = draw(key, static_cast<std::uint32_t>(robot), Event::situation, number);
+  const auto words = draw(key, static_cast<std::uint32_t>(robot), Draw::situation, number);
   return {{2 * uniform(words[0]) - 1, 2 * uniform(words[1]) - 1, 2 * uniform(words[2]) - 1, 2 * uniform(words[3]) - 1}};
 }
 

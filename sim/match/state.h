@@ -37,7 +37,7 @@ struct State {
   World world;
   Schedule schedule;
   referee::Book book;
-  referee::Tally tally;
+  referee::GameCounts counts;
   Robot robots[kMaxRobots];  // by the same index as the bodies
 };
 static_assert(std::is_trivially_copyable_v<State>);

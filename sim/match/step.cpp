@@ -22,14 +22,14 @@ const Team& team_of(const Params& params, int robot) { return params.teams[stati
 const Models& common(const Params& params) { return params.teams[0].models; }
 
 /// What the robots of a side sense, decide and move with.
-struct Means {
+struct SideParams {
   const Team& team;
-  perception::Means perceiving;
-  motion::Means moving;
+  perception::PerceptionParams perception;
+  motion::MotionParams motion;
   agent::Surroundings surroundings;
 };
 
-Means means_of(const Params& params, Side side) {
+SideParams side_params(const Params& params, Side side) {
   const Team& team = params.teams[static_cast<int>(side)];
   const Models& own = team.models;
   const BallModel& ball = common(params).ball;
@@ -39,7 +39,9 @@ Means means_of(const Params& params, Side side) {
           {&params.rules.field, &own.motion}};
 }
 
-referee::Means judging(const Params& params) { return {params.rules, common(params).ball, common(params).contact}; }
+referee::RefereeParams referee_params(const Params& params) {
+  return {params.rules, common(params).ball, common(params).contact};
+}
 
 /// Some of the robots, a bit each.
 using Some = std::uint32_t;
@@ -90,13 +92,13 @@ Tick earliest_of(const State& state) {
 }
 
 /// Beliefs from the world, a command from the beliefs, and when it is its turn again.
-void think(const Params& params, const Means& means, State& state, int robot, agent::Trace* trace) {
+void think(const Params& params, const SideParams& side, State& state, int robot, agent::Trace* trace) {
   Robot& self = state.robots[robot];
   const Tick now = state.world.tick, steps = state.schedule.lag[robot];
-  perception::perceive(means.perceiving, state.world, robot, steps, self.beliefs, self.cognition);
-  if (referee::in_play(state.book) && self.beliefs.ball.visible) state.tally.seen[robot] += steps;
+  perception::perceive(side.perception, state.world, robot, steps, self.beliefs, self.cognition);
+  if (referee::in_play(state.book) && self.beliefs.ball.visible) state.counts.seen[robot] += steps;
   const agent::Game game = referee::game_for(params.rules, state.world, state.book, robot);
-  self.command = means.team.behaviour->decide(means.surroundings, game, self.beliefs, now, self.mind, trace);
+  self.command = side.team.behaviour->decide(side.surroundings, game, self.beliefs, now, self.mind, trace);
   const Wait wait = wait_of(params, state, robot);
   state.schedule.lag[robot] = static_cast<std::uint8_t>(wait.turn);
   state.world.bodies[robot].glide = static_cast<std::uint8_t>(wait.move);
@@ -104,15 +106,14 @@ void think(const Params& params, const Means& means, State& state, int robot, ag
 }
 
 /// The body goes on with its command, at most to its next turn. The head may come last: nobody looks before.
-void move(const Means& means, State& state, int robot) {
+void move(const SideParams& side, State& state, int robot) {
   const Robot& self = state.robots[robot];
   Body& body = state.world.bodies[robot];
   const Tick now = state.world.tick, left = state.schedule.turn[robot] - now;
   const Tick steps = std::min<Tick>(body.glide, left);
-  motion::move(means.moving, self.command, robot, steps, state.world);
+  motion::move(side.motion, self.command, robot, steps, state.world);
   body.moved = static_cast<std::uint8_t>(now + steps);
-  if (steps == left)
-    motion::turn_head(means.moving, self.command, self.cognition.last, state.schedule.lag[robot], body);
+  if (steps == left) motion::turn_head(side.motion, self.command, self.cognition.last, state.schedule.lag[robot], body);
 }
 
 /// [s] of the game that are still to be played.
@@ -166,19 +167,19 @@ void talk(const Params& params, State& state, int robot) {
 
 /// Robots perceive, decide, communicate and begin to move. Says whether anybody may have moved.
 bool act(const Params& params, State& state, int traced, agent::Trace* trace) {
-  const Means means[] = {means_of(params, Side::home), means_of(params, Side::away)};
-  const auto means_for = [&](int robot) -> const Means& { return means[static_cast<int>(side_of(robot))]; };
+  const SideParams sides[] = {side_params(params, Side::home), side_params(params, Side::away)};
+  const auto side_for = [&](int robot) -> const SideParams& { return sides[static_cast<int>(side_of(robot))]; };
 
   // everybody whose turn it is perceives and decides on the same world: nobody has moved yet
   const Due due = due_in(state);
   for_each_of(due.turns, [&](int robot) {
-    think(params, means_for(robot), state, robot,
+    think(params, side_for(robot), state, robot,
           traced == kEverybody ? trace + robot
           : traced == robot    ? trace
                                : nullptr);
   });
   for_each_of(due.radios, [&](int robot) { talk(params, state, robot); });
-  for_each_of(due.moves, [&](int robot) { move(means_for(robot), state, robot); });
+  for_each_of(due.moves, [&](int robot) { move(side_for(robot), state, robot); });
   state.schedule.next = earliest_of(state);
   return due.moves != 0;
 }
@@ -200,7 +201,7 @@ void meet(const Params& params, bool bodies_move, bool touched, World& world) {
 
 /// The referee's decisions; whoever comes onto the field begins anew, after half time that is everybody.
 void judge(const Params& params, State& state, referee::Events& events) {
-  referee::judge(judging(params), state.world, state.book, state.tally, events);
+  referee::judge(referee_params(params), state.world, state.book, state.counts, events);
   for (int i = 0; i < events.count; ++i) {
     const referee::Event& event = events.list[static_cast<std::size_t>(i)];
     if (event.kind == referee::Event::Kind::returned) enter(params, state, event.robot);
@@ -219,7 +220,7 @@ void enter(const Params& params, State& state, int robot) {
   // a robot in a mirror begins to search the other way
   const float sign = attack_sign(state.world, side_of(robot));
   self.mind.search_side = agent::left_or_right(sign * state.world.bodies[robot].position.y);
-  perception::enter(means_of(params, side_of(robot)).perceiving, state.world, robot, self.beliefs, self.cognition);
+  perception::enter(side_params(params, side_of(robot)).perception, state.world, robot, self.beliefs, self.cognition);
 }
 
 State begin(const Params& params, RandomKey key, referee::Events& events) {
@@ -227,7 +228,7 @@ State begin(const Params& params, RandomKey key, referee::Events& events) {
   events.count = 0;
   state.world.key = key;
   state.world.players = params.rules.players;
-  referee::open(judging(params), state.world, state.book, events);
+  referee::open(referee_params(params), state.world, state.book, events);
   for_each_robot(state.world.players, [&](int robot) { enter(params, state, robot); });
   return state;
 }

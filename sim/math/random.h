@@ -23,7 +23,7 @@ struct RandomKey {
 };
 
 /// What a number is drawn for. Append only: the numbers of a game hang on the values.
-enum class Event : std::uint32_t {
+enum class Draw : std::uint32_t {
   ball_seen = 1,
   ball_noise = 2,
   false_ball = 3,
@@ -48,8 +48,8 @@ enum class Event : std::uint32_t {
 /// 128 random bits for one event. `robot` is its index in the state (kNobody for the game's own events); `number`
 /// is what tells two events of one kind apart, mostly the tick.
 /// Inline, because then the words that nobody reads are not computed.
-inline std::array<std::uint32_t, 4> draw(RandomKey key, std::uint32_t robot, Event event, std::uint32_t number) {
-  const philox4x32_ctr_t counter = {{number, static_cast<std::uint32_t>(event), robot, 0}};
+inline std::array<std::uint32_t, 4> draw(RandomKey key, std::uint32_t robot, Draw purpose, std::uint32_t number) {
+  const philox4x32_ctr_t counter = {{number, static_cast<std::uint32_t>(purpose), robot, 0}};
   const philox4x32_key_t seed = {{static_cast<std::uint32_t>(key.seed), static_cast<std::uint32_t>(key.seed >> 32)}};
   const philox4x32_ctr_t words = philox4x32_R(7, counter, seed);
   return {words.v[0], words.v[1], words.v[2], words.v[3]};

@@ -95,14 +95,14 @@ float yaw_limit_at(const Head& head, float pitch) {
   return std::min(limit, head.yaw_limit);
 }
 
-void turn_head(const Means& means, const Command& command, const Pose2& told, Tick steps, Body& body) {
-  const Head& head = means.model.head;
+void turn_head(const MotionParams& params, const Command& command, const Pose2& told, Tick steps, Body& body) {
+  const Head& head = params.model.head;
   if (command.head == Command::Head::keep || body.doing >= Body::Doing::fallen) return;
   const bool aims = command.head == Command::Head::look_to;
   Angles to = aims ? aimed_at(command.look, told, body) : Angles{command.look[0], command.look[1]};
   if (to.yaw == body.head_yaw && to.pitch == body.head_pitch) return;
 
-  if (means.effects.head_limits) {
+  if (params.effects.head_limits) {
     const float dt = static_cast<float>(steps) * kTickDuration;
     to.yaw = std::clamp(to.yaw, -head.yaw_limit, head.yaw_limit);
 

@@ -15,6 +15,6 @@ void begin_kick(const Command& command, Tick now, Body& body);
 
 /// Goes on with the kick for at most `left` ticks, up to its end; the foot meets the ball on the way. Returns how many
 /// ticks it took, at least one.
-Tick kick(const Means& means, int robot, Tick now, Tick left, World& world);
+Tick kick(const MotionParams& params, int robot, Tick now, Tick left, World& world);
 
 }  // namespace sim::motion

@@ -13,7 +13,7 @@
 namespace sim::motion {
 
 /// What moving depends on; none of it changes during a game.
-struct Means {
+struct MotionParams {
   const Model& model;
   const Effects& effects;
   const BallModel& ball;
@@ -36,12 +36,12 @@ struct Means {
 ///
 /// Effects: walk_acceleration also stands for what turning costs and for slowing down before a destination. Draws from
 /// the events walk_noise (number: index of the walk step), kick_noise, fall and get_up (number: tick).
-void move(const Means& means, const Command& command, int robot, Tick steps, World& world);
+void move(const MotionParams& params, const Command& command, int robot, Tick steps, World& world);
 
 /// Moves the head for `steps` ticks, at the end of which the body stands where it does. A point, seen from where the
 /// body was when it was `told` to look there [field], is looked to within 0.02 rad. Where yaw and pitch together would
 /// touch a shoulder, the pitch gives way; the yaw waits for it. Who lies does not move it.
-void turn_head(const Means& means, const Command& command, const Pose2& told, Tick steps, Body& body);
+void turn_head(const MotionParams& params, const Command& command, const Pose2& told, Tick steps, Body& body);
 
 /// The kick of that name, or -1.
 int find_kick(const Model& model, std::string_view name);

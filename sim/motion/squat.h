@@ -15,6 +15,6 @@ void begin_squat(Tick now, Body& body);
 
 /// Goes down, or stays down and comes up again, for at most `left` ticks, up to the next change. Returns how many ticks
 /// it took, at least one.
-Tick squat(const Means& means, Tick now, Tick left, Body& body);
+Tick squat(const MotionParams& params, Tick now, Tick left, Body& body);
 
 }  // namespace sim::motion

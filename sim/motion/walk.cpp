@@ -27,7 +27,7 @@ float deviate(std::uint32_t word) {
 }
 
 Luck draw_luck(const Walk& walk, const World& world, int robot, Tick step) {
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::walk_noise, step);
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::walk_noise, step);
   return {{std::max(0.f, 1 + walk.speed_noise * deviate(words[0])),
            std::max(0.f, 1 + walk.speed_noise * deviate(words[1]))},
           walk.turn_noise * deviate(words[2])};
@@ -81,7 +81,7 @@ Gait gait_of(const Walk& walk, bool limited, const Command& command, const Erran
 
 // Settles what the step does that begins now, or in the midst of which the body begins to walk; and takes back the
 // rounding of the many small turns before it. Kept out of the way of what happens in every tick.
-[[gnu::noinline]] void begin_step(const Means& means, const Rhythm& rhythm, const Command& command,
+[[gnu::noinline]] void begin_step(const MotionParams& params, const Rhythm& rhythm, const Command& command,
                                   const Errand& errand, Tick now, int robot, World& world) {
   Body& body = world.bodies[robot];
   const SinCos heading = sin_cos(body.heading);
@@ -90,19 +90,19 @@ Gait gait_of(const Walk& walk, bool limited, const Command& command, const Erran
   body.step_turn_rate = 0;
   if (body.doing != Body::Doing::walking) return;
 
-  const Walk& walk = means.model.walk;
-  const Luck luck = means.effects.walk_noise ? draw_luck(walk, world, robot, rhythm.step_at(now)) : Luck{};
+  const Walk& walk = params.model.walk;
+  const Luck luck = params.effects.walk_noise ? draw_luck(walk, world, robot, rhythm.step_at(now)) : Luck{};
   const float dt = static_cast<float>(rhythm.until_next(now)) * kTickDuration;
-  const Gait gait = gait_of(walk, means.effects.walk_acceleration, command, errand, dt, luck);
+  const Gait gait = gait_of(walk, params.effects.walk_acceleration, command, errand, dt, luck);
   body.step_velocity = gait.velocity;
   body.step_turn_rate = gait.turn_rate;
 }
 
 }  // namespace
 
-void walk(const Means& means, const Command& command, int robot, Tick now, Tick left, World& world) {
-  const Walk& model = means.model.walk;
-  const bool limited = means.effects.walk_acceleration;
+void walk(const MotionParams& params, const Command& command, int robot, Tick now, Tick left, World& world) {
+  const Walk& model = params.model.walk;
+  const bool limited = params.effects.walk_acceleration;
   Body& body = world.bodies[robot];
   Errand errand = errand_of(command);
   const Rhythm rhythm(model);
@@ -111,14 +111,14 @@ void walk(const Means& means, const Command& command, int robot, Tick now, Tick 
   while (true) {
     if (!in_step(rhythm, body, now)) {
       const bool wanted = wants_to_walk(command, errand);
-      if (!change_gear(model, means.effects, wanted, now, body)) {
+      if (!change_gear(model, params.effects, wanted, now, body)) {
         if (!wanted) return;
         const Tick delay = body.since + ticks(model.start_delay) - now;
         if (left <= delay) return;
         now += delay, left -= delay;
         continue;
       }
-      begin_step(means, rhythm, command, errand, now, robot, world);
+      begin_step(params, rhythm, command, errand, now, robot, world);
     }
 
     Tick together = std::min(left, rhythm.until_next(now));

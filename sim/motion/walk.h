@@ -34,6 +34,6 @@ inline Errand errand_of(const Command& command) {
 }
 
 /// Stands, starts, walks or stops for `left` ticks from `now` on.
-void walk(const Means& means, const Command& command, int robot, Tick now, Tick left, World& world);
+void walk(const MotionParams& params, const Command& command, int robot, Tick now, Tick left, World& world);
 
 }  // namespace sim::motion

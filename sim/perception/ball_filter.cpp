@@ -53,10 +53,11 @@ agent::Ball unknown_ball(const BallFilter& filter) {
   return ball;
 }
 
-bool believe(const Means& means, const Body& body, const BallPercept& percept, bool forgotten, agent::Ball& ball) {
-  const BallFilter& filter = means.model.filter;
-  const float height = means.model.camera.height - means.ball.radius;
-  const ImageNoise noise = image_noise(means.model, body);
+bool believe(const PerceptionParams& params, const Body& body, const BallPercept& percept, bool forgotten,
+             agent::Ball& ball) {
+  const BallFilter& filter = params.model.filter;
+  const float height = params.model.camera.height - params.ball.radius;
+  const ImageNoise noise = image_noise(params.model, body);
   const auto variance_at = [&](Vec2 place) {
     return percept_variance(noise, squared_length(place), height) + kLeastVariance;
   };

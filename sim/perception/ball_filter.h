@@ -22,7 +22,8 @@ inline constexpr float kForgotten = 0.5f;  // [s] out of sight after which a bal
 /// A percept farther off than `reacquire` standard deviations starts the filter anew if the ball was `forgotten`.
 /// Otherwise it is doubted, which says false: the belief stays where it is but becomes so uncertain that the next
 /// percept there is believed.
-bool believe(const Means& means, const Body& body, const BallPercept& percept, bool forgotten, agent::Ball& ball);
+bool believe(const PerceptionParams& params, const Body& body, const BallPercept& percept, bool forgotten,
+             agent::Ball& ball);
 
 // The two steps of each image, inline because every robot takes them every tick.
 
@@ -47,7 +48,7 @@ inline void roll(Vec2& position, Vec2& velocity, float deceleration, float dt) {
 ///
 /// That the odometry is off is not added to the uncertainty: 5 % of the 0.2 m that a robot walks in a second are 1 cm
 /// against the tenths of a metre that an unseen ball becomes uncertain by.
-inline void predict(const Means& means, const Odometry& odometry, Tick steps, agent::Ball& ball) {
+inline void predict(const PerceptionParams& params, const Odometry& odometry, Tick steps, agent::Ball& ball) {
   if (ball.seen == kNever) return;
 
   // the same place in the frame of the robot that moved
@@ -58,11 +59,11 @@ inline void predict(const Means& means, const Odometry& odometry, Tick steps, ag
   ball.position -= odometry.moved;
 
   // the ball rolls; when it may be anywhere nothing is reckoned with any more
-  const BallFilter& filter = means.model.filter;
+  const BallFilter& filter = params.model.filter;
   const float most = filter.lost_deviation * filter.lost_deviation;
   if (ball.variance >= most) return;
   const float dt = static_cast<float>(steps) * kTickDuration;
-  roll(ball.position, ball.velocity, means.ball.deceleration, dt);
+  roll(ball.position, ball.velocity, params.ball.deceleration, dt);
 
   // white noise of acceleration, of which each tick has `acceleration_noise`
   const float noise = filter.acceleration_noise * filter.acceleration_noise * kTickDuration * dt;
@@ -76,11 +77,11 @@ inline void predict(const Means& means, const Odometry& odometry, Tick steps, ag
 
 /// Counts the image of `now` in, and believes its percept, if there is one. Each image without the ball takes a tenth
 /// of the heat away.
-inline void update(const Means& means, const Body& body, const BallPercept& percept, Tick steps, Tick now,
+inline void update(const PerceptionParams& params, const Body& body, const BallPercept& percept, Tick steps, Tick now,
                    agent::Ball& ball) {
   bool believed = percept.seen;
-  if (percept.seen && means.effects.ball_noise) {
-    believed = believe(means, body, percept, !ball.visible && age(now, ball.seen) >= kForgotten, ball);
+  if (percept.seen && params.effects.ball_noise) {
+    believed = believe(params, body, percept, !ball.visible && age(now, ball.seen) >= kForgotten, ball);
   } else if (percept.seen) {
     ball.position = percept.position;
     ball.velocity = percept.velocity;

@@ -17,8 +17,8 @@ constexpr float kBeyondRange = 2;      // percepts that seem to be so many range
 /// Where the image shows the ball: where it was `latency` ago, in whole ticks. [m, field]
 ///
 /// What the robot itself moved meanwhile its odometry makes good; that this errs over 70 ms is left out.
-Vec2 shown_ball(const Means& means, const Ball& ball) {
-  const Tick ago = means.effects.latency ? ticks(means.model.camera.latency) : 0;
+Vec2 shown_ball(const PerceptionParams& params, const Ball& ball) {
+  const Tick ago = params.effects.latency ? ticks(params.model.camera.latency) : 0;
   return ago == 0 ? ball.position : ball.past[ago - 1];
 }
 
@@ -61,14 +61,14 @@ struct LineOfSight {
   }
 };
 
-bool is_hidden(const Means& means, const World& world, Vec2 eye, const Sighting& ball) {
+bool is_hidden(const PerceptionParams& params, const World& world, Vec2 eye, const Sighting& ball) {
   const LineOfSight line{eye, ball.to_it, ball.square};
-  const float radius = means.contact.hiding_radius;
+  const float radius = params.contact.hiding_radius;
   // the robot itself is at the eye and hides nothing; who lies is lower than the line
   const auto hides = [&](const Body& body) { return line.meets(body.position, radius) && has_eyes(body); };
   for (int i = 0; i < world.players; ++i)
     if (hides(world.bodies[i]) || hides(world.bodies[kMaxPlayers + i])) return true;
-  return means.effects.official && line.meets(world.official.position, means.contact.official_radius);
+  return params.effects.official && line.meets(world.official.position, params.contact.official_radius);
 }
 
 /// [ticks] since something was last detected that each of the last `steps` images shows with the probability `chance`;
@@ -101,19 +101,20 @@ Vec2 velocity_error(const ImageNoise& noise, Vec2 place, float range, float heig
 
 /// The ball, if it is detected where it shows in the image. A body between camera and ball hides it; a ball at the feet
 /// of one is in front of it.
-BallPercept detect_ball(const Means& means, const World& world, int robot, Tick steps, const Sighting& sighting) {
-  const auto& [model, effects, field, marks, contact, ball] = means;
+BallPercept detect_ball(const PerceptionParams& params, const World& world, int robot, Tick steps,
+                        const Sighting& sighting) {
+  const auto& [model, effects, field, marks, contact, ball] = params;
   const Body& body = world.bodies[robot];
   const float range = std::sqrt(sighting.square);
   std::array<std::uint32_t, 4> words{};
   if (effects.missed_ball || effects.ball_noise)
-    words = draw(world.key, static_cast<std::uint32_t>(robot), Event::ball_seen, world.tick);
+    words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::ball_seen, world.tick);
 
   // detected in any of the images, and not hidden: in this order because the second costs more
   const float chance = effects.missed_ball ? probability(model.ball, range) : 1;
   const Tick ago = newest_detection(chance, steps, uniform(words[0]));
   if (ago == steps) return {};
-  if (effects.occlusion && is_hidden(means, world, body.position, sighting)) return {};
+  if (effects.occlusion && is_hidden(params, world, body.position, sighting)) return {};
 
   // where it seems to be, and what the images tell about where it rolls
   BallPercept percept{.seen = true,
@@ -130,7 +131,7 @@ BallPercept detect_ball(const Means& means, const World& world, int robot, Tick 
     percept.position = seen_through(noise, place, range, sighting.height, kBeyondRange * model.ball.far_range, errors);
     if (percept.position == Vec2{}) return {};
     if (images.spread > 0 && range > 0) {
-      const auto more = draw(world.key, static_cast<std::uint32_t>(robot), Event::ball_noise, world.tick);
+      const auto more = draw(world.key, static_cast<std::uint32_t>(robot), Draw::ball_noise, world.tick);
       const Vec2 error = velocity_error(noise, place, range, sighting.height, images.spread, normals(more[0], more[1]));
       percept.velocity += error;
       percept.position += images.middle * error;
@@ -141,33 +142,33 @@ BallPercept detect_ball(const Means& means, const World& world, int robot, Tick 
 }
 
 /// Now and then something that looks like a ball, anywhere in view.
-BallPercept detect_false_ball(const Means& means, const World& world, int robot) {
-  const Camera& camera = means.model.camera;
+BallPercept detect_false_ball(const PerceptionParams& params, const World& world, int robot) {
+  const Camera& camera = params.model.camera;
   const Body& body = world.bodies[robot];
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::false_ball, world.tick);
-  const float chance = means.model.filter.false_per_second * static_cast<float>(kFalseInterval) * kTickDuration;
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::false_ball, world.tick);
+  const float chance = params.model.filter.false_per_second * static_cast<float>(kFalseInterval) * kTickDuration;
   if (uniform(words[0]) >= chance) return {};
 
-  const float range = kNearestFalse + uniform(words[1]) * (means.model.ball.far_range - kNearestFalse);
+  const float range = kNearestFalse + uniform(words[1]) * (params.model.ball.far_range - kNearestFalse);
   const Vec2 place = turned(range * body.look, direction(camera.width * (uniform(words[2]) - 0.5f)));
-  const Sighting sighting{turned(place, body.facing), range * range, camera.height - means.ball.radius};
-  if (!in_view(camera, body, look_of(body), means.model.ball.far_range, sighting)) return {};
+  const Sighting sighting{turned(place, body.facing), range * range, camera.height - params.ball.radius};
+  if (!in_view(camera, body, look_of(body), params.model.ball.far_range, sighting)) return {};
   return {.seen = true, .position = place};
 }
 
 }  // namespace
 
-BallPercept look_for_ball(const Means& means, const World& world, int robot, Tick steps, bool followed) {
+BallPercept look_for_ball(const PerceptionParams& params, const World& world, int robot, Tick steps, bool followed) {
   const Body& body = world.bodies[robot];
   if (!has_eyes(body)) return {};
-  const Camera& camera = means.model.camera;
-  const Sighting sighting = sighting_of(body, shown_ball(means, world.ball), camera.height - means.ball.radius);
-  if (!means.effects.limited_view || in_view(camera, body, look_of(body), means.model.ball.far_range, sighting)) {
-    const BallPercept percept = detect_ball(means, world, robot, followed ? steps : 1, sighting);
+  const Camera& camera = params.model.camera;
+  const Sighting sighting = sighting_of(body, shown_ball(params, world.ball), camera.height - params.ball.radius);
+  if (!params.effects.limited_view || in_view(camera, body, look_of(body), params.model.ball.far_range, sighting)) {
+    const BallPercept percept = detect_ball(params, world, robot, followed ? steps : 1, sighting);
     if (percept.seen) return percept;
   }
-  if (!means.effects.false_balls || world.tick % kFalseInterval != 0) return {};
-  return detect_false_ball(means, world, robot);
+  if (!params.effects.false_balls || world.tick % kFalseInterval != 0) return {};
+  return detect_false_ball(params, world, robot);
 }
 
 }  // namespace sim::perception

@@ -28,6 +28,6 @@ struct BallPercept {
 ///
 /// Now and then the newest image shows something else that looks like it. What earlier ones do is left out: by now
 /// teammates and the robot's own eyes have put it right.
-BallPercept look_for_ball(const Means& means, const World& world, int robot, Tick steps, bool followed);
+BallPercept look_for_ball(const PerceptionParams& params, const World& world, int robot, Tick steps, bool followed);
 
 }  // namespace sim::perception

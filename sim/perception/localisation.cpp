@@ -23,12 +23,12 @@ struct Information {
   float position = 0;
   float heading = 0;
 };
-Information look_at_marks(const Means& means, const Body& body) {
-  const Localisation& model = means.model.localisation;
+Information look_at_marks(const PerceptionParams& params, const Body& body) {
+  const Localisation& model = params.model.localisation;
   Information information;
   if (!has_eyes(body)) return information;
-  const Window window = window_of(means.model.camera, body, model.mark_range);
-  const field::Marks& marks = means.marks;
+  const Window window = window_of(params.model.camera, body, model.mark_range);
+  const field::Marks& marks = params.marks;
   float squares[field::Marks::kMost];
   std::uint32_t shown[field::Marks::kMost];
   for (int block = 0; block < marks.count; block += field::Marks::kBlock)
@@ -66,9 +66,9 @@ Change change_of(float variance, float noise, float grown, float information) {
 }
 
 /// One draw for all that odometry and the marks did to the belief since the last look.
-void look(const Means& means, const World& world, int robot, agent::Pose& belief, Cognition& cognition) {
-  const Localisation& model = means.model.localisation;
-  const Information information = look_at_marks(means, world.bodies[robot]);
+void look(const PerceptionParams& params, const World& world, int robot, agent::Pose& belief, Cognition& cognition) {
+  const Localisation& model = params.model.localisation;
+  const Information information = look_at_marks(params, world.bodies[robot]);
   const float walked = cognition.walked;
   const float turned = static_cast<float>(cognition.turned) * kTurnUnit;
   cognition.walked = 0;
@@ -87,7 +87,7 @@ void look(const Means& means, const World& world, int robot, agent::Pose& belief
   // the marks look the same from the other side
   const Pose2 truth = true_pose(world, robot);
   const Pose2 seen = cognition.flipped ? turned_round(truth) : truth;
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::pose_correction, world.tick);
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::pose_correction, world.tick);
   const auto shift = normals(words[0], words[1]);
   const auto twist = normals(words[2], words[3]);
   belief.pose.position += place.gain * (seen.position - belief.pose.position);
@@ -104,7 +104,7 @@ void flip(const Localisation& model, const World& world, int robot, float durati
   const bool unsure = belief.deviation > kSuperb || belief.deviation_heading > kSuperbHeading;
   if (!unsure && !cognition.flipped) return;
   const float chance = cognition.flipped ? duration / model.flip_duration : model.flips_per_minute / 60 * duration;
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::pose_flip, world.tick);
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::pose_flip, world.tick);
   if (uniform(words[0]) >= chance) return;
   belief.pose = turned_round(belief.pose);
   cognition.flipped = !cognition.flipped;
@@ -118,11 +118,11 @@ Pose2 true_pose(const World& world, int robot) {
   return attack_sign(world, side_of(robot)) > 0 ? pose : turned_round(pose);
 }
 
-void look_round(const Means& means, const World& world, int robot, Tick steps, agent::Pose& belief,
+void look_round(const PerceptionParams& params, const World& world, int robot, Tick steps, agent::Pose& belief,
                 Cognition& cognition) {
-  look(means, world, robot, belief, cognition);
-  if (!means.effects.pose_flips) return;
-  flip(means.model.localisation, world, robot, static_cast<float>(steps) * kTickDuration, belief, cognition);
+  look(params, world, robot, belief, cognition);
+  if (!params.effects.pose_flips) return;
+  flip(params.model.localisation, world, robot, static_cast<float>(steps) * kTickDuration, belief, cognition);
 }
 
 }  // namespace sim::perception

@@ -24,7 +24,7 @@ Pose2 true_pose(const World& world, int robot);
 
 /// Looks at the marks after `steps` ticks without a look. One draw settles all that odometry and the marks did to the
 /// belief meanwhile; then the robot may turn the field round, or notice that it has.
-void look_round(const Means& means, const World& world, int robot, Tick steps, agent::Pose& belief,
+void look_round(const PerceptionParams& params, const World& world, int robot, Tick steps, agent::Pose& belief,
                 Cognition& cognition);
 
 // What each image does, inline because every robot does it every tick. It draws nothing.
@@ -45,9 +45,9 @@ inline Odometry read_odometry(const Body& body, Cognition& cognition) {
 }
 
 /// Moves the belief by `odometry`; looks at the marks in the first image of each `mark_interval` of the game's clock.
-[[gnu::always_inline]] inline void localise(const Means& means, const World& world, int robot, Tick steps,
+[[gnu::always_inline]] inline void localise(const PerceptionParams& params, const World& world, int robot, Tick steps,
                                             const Odometry& odometry, agent::Pose& belief, Cognition& cognition) {
-  if (!means.effects.odometry_drift) {
+  if (!params.effects.odometry_drift) {
     belief = {.pose = true_pose(world, robot)};
     return;
   }
@@ -61,9 +61,9 @@ inline Odometry read_odometry(const Body& body, Cognition& cognition) {
     cognition.walked += odometry.way;
   }
 
-  const Tick interval = ticks(means.model.localisation.mark_interval);
+  const Tick interval = ticks(params.model.localisation.mark_interval);
   if (world.tick % interval < steps)
-    look_round(means, world, robot, steps < interval ? interval : steps, belief, cognition);
+    look_round(params, world, robot, steps < interval ? interval : steps, belief, cognition);
 }
 
 }  // namespace sim::perception

@@ -17,7 +17,7 @@
 namespace sim::perception {
 
 /// What perceiving depends on; none of it changes during a game.
-struct Means {
+struct PerceptionParams {
   const Model& model;
   const Effects& effects;
   const field::Field& field;
@@ -28,11 +28,12 @@ struct Means {
 
 /// The robot comes onto the field (at the start, or back from a penalty): it knows roughly where it stands, and nothing
 /// of the ball.
-void enter(const Means& means, const World& world, int robot, agent::Beliefs& beliefs, Cognition& cognition);
+void enter(const PerceptionParams& params, const World& world, int robot, agent::Beliefs& beliefs,
+           Cognition& cognition);
 
 /// The beliefs of a robot `steps` ticks after the last time: predicted by odometry, then corrected by the image of
 /// `world.tick`. Cheap when nothing is in view.
-void perceive(const Means& means, const World& world, int robot, Tick steps, agent::Beliefs& beliefs,
+void perceive(const PerceptionParams& params, const World& world, int robot, Tick steps, agent::Beliefs& beliefs,
               Cognition& cognition);
 
 /// What the robot would tell its team now.

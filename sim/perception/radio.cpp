@@ -39,7 +39,7 @@ Tick next_packet(const field::Rules& rules, const Effects& effects, Tick last, i
 Transmission transmit(const Model& model, const Effects& effects, const World& world, int sender) {
   Transmission transmission;
   if (!effects.packet_delay && !effects.packet_loss) return transmission;
-  const auto words = draw(world.key, static_cast<std::uint32_t>(sender), Event::packet, world.tick);
+  const auto words = draw(world.key, static_cast<std::uint32_t>(sender), Draw::packet, world.tick);
   if (effects.packet_delay) {
     const float times = -log(1 - uniform(words[0]));
     transmission.delay = ticks(model.radio.delay * (times < kLongestDelay ? times : kLongestDelay));

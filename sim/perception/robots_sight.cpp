@@ -7,9 +7,9 @@ constexpr float kBeyondRange = 1.5f;  // percepts that seem to be so many ranges
 
 }  // namespace
 
-void look_for_opponent(const Means& means, const World& world, int robot, int opponent, std::uint32_t number,
-                       agent::Beliefs& beliefs) {
-  const auto& [model, effects, field, marks, contact, ball] = means;
+void look_for_opponent(const PerceptionParams& params, const World& world, int robot, int opponent,
+                       std::uint32_t number, agent::Beliefs& beliefs) {
+  const auto& [model, effects, field, marks, contact, ball] = params;
   const Body& body = world.bodies[robot];
   const Body& other = world.bodies[opponent];
   if (!has_eyes(body) || other.doing == Body::Doing::removed) return;
@@ -22,7 +22,7 @@ void look_for_opponent(const Means& means, const World& world, int robot, int op
   // detected, and where
   if (effects.missed_ball || effects.ball_noise) {
     const float range = std::sqrt(sighting.square);
-    const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::opponent_seen, number);
+    const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::opponent_seen, number);
     if (effects.missed_ball && uniform(words[0]) >= probability(model.robots, range)) return;
     if (effects.ball_noise) {
       place = seen_through(image_noise(model, body), place, range, sighting.height,

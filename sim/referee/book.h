@@ -40,7 +40,7 @@ struct Book {
 constexpr bool in_play(const Book& book) { return book.phase == agent::Game::Phase::playing; }
 
 /// What a game is summed up by.
-struct Tally {
+struct GameCounts {
   std::uint16_t kicks[2] = {0, 0};       // that touched the ball
   std::uint16_t whiffs[2] = {0, 0};      // that did not
   std::uint16_t shots[2] = {0, 0};       // kicks whose ball would roll into the goal

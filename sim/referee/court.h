@@ -20,7 +20,7 @@ struct Court {
   const ContactModel& contact;
   World& world;
   Book& book;
-  Tally& tally;
+  GameCounts& counts;
   Events& events;
 };
 

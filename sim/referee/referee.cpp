@@ -2,6 +2,7 @@
 
 #include "sim/referee/ball_free.h"
 #include "sim/referee/corner_kick.h"
+#include "sim/referee/counts.h"
 #include "sim/referee/global_stuck.h"
 #include "sim/referee/goal.h"
 #include "sim/referee/goal_kick.h"
@@ -18,7 +19,6 @@
 #include "sim/referee/ready.h"
 #include "sim/referee/returning.h"
 #include "sim/referee/set.h"
-#include "sim/referee/tally.h"
 
 namespace sim::referee {
 namespace {
@@ -72,11 +72,11 @@ void judge_returns(Court& court) {
 
 }  // namespace
 
-void open(const Means& means, World& world, Book& book, Events& events) {
-  Tally tally;
+void open(const RefereeParams& params, World& world, Book& book, Events& events) {
+  GameCounts counts;
   book = Book{};
-  Court court{means.rules, means.rules.field, means.ball, means.contact, world, book, tally, events};
-  world.players = means.rules.players;
+  Court court{params.rules, params.rules.field, params.ball, params.contact, world, book, counts, events};
+  world.players = params.rules.players;
   world.home_attacks = 1;
   world.ball = Ball{};
 
@@ -85,14 +85,14 @@ void open(const Means& means, World& world, Book& book, Events& events) {
     const float left = attack_sign(world, side_of(robot));
     put_at_touch_line(court, robot, player_of(robot) % 2 == 1 ? left : -left);
   });
-  const float toss = uniform(draw(world.key, kNobody, sim::Event::kick_off, 0)[0]);
+  const float toss = uniform(draw(world.key, kNobody, Draw::kick_off, 0)[0]);
   book.first_kick_off = toss < 0.5f ? Side::home : Side::away;
   begin_kick_off(court, book.first_kick_off, world.tick);
 }
 
-void judge(const Means& means, World& world, Book& book, Tally& tally, Events& events) {
+void judge(const RefereeParams& params, World& world, Book& book, GameCounts& counts, Events& events) {
   if (book.phase == Phase::finished) return;
-  Court court{means.rules, means.rules.field, means.ball, means.contact, world, book, tally, events};
+  Court court{params.rules, params.rules.field, params.ball, params.contact, world, book, counts, events};
   const bool look = world.tick % kLook == 0;
 
   // the time
@@ -101,7 +101,7 @@ void judge(const Means& means, World& world, Book& book, Tally& tally, Events& e
 
   // the ball, and who is round it
   if (in_play(book)) {
-    keep_tally(court);
+    keep_counts(court);
     judge_ball(court);
   }
   if (in_play(book)) {

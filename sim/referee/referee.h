@@ -11,18 +11,18 @@
 namespace sim::referee {
 
 /// What judging depends on; none of it changes during a game.
-struct Means {
+struct RefereeParams {
   const field::Rules& rules;
   const BallModel& ball;
   const ContactModel& contact;
 };
 
 /// Opens a game: everybody outside at the touch line, ready for the kick-off of the side that the key draws.
-void open(const Means& means, World& world, Book& book, Events& events);
+void open(const RefereeParams& params, World& world, Book& book, Events& events);
 
 /// Looks at the world after everybody moved and applies the rules that are due. Moves the ball and removed robots;
 /// where those come back, `perception::enter` is called by whoever steps the game.
-void judge(const Means& means, World& world, Book& book, Tally& tally, Events& events);
+void judge(const RefereeParams& params, World& world, Book& book, GameCounts& counts, Events& events);
 
 /// [s] of the half that are still to be played; the half ends with the first tick at which none are.
 float left_of_half(const field::Rules& rules, const Book& book);

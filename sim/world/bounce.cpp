@@ -133,7 +133,7 @@ Moving rebound(Moving ball, const Obstacle& obstacle, const ContactModel& contac
 
   // a foot in motion hits it somewhere
   if (own > 0 && effects.push_noise) {
-    const auto words = draw(world.key, obstacle.robot, Event::push_noise, world.tick);
+    const auto words = draw(world.key, obstacle.robot, Draw::push_noise, world.tick);
     const float deviation = contact.push_deviation * normals(words[0], words[1])[0];
     ball.velocity = turned(ball.velocity, direction(deviation));
     const float speed = dot(ball.velocity, away);

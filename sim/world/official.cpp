@@ -12,7 +12,7 @@ constexpr float kSpeed = 1;        // [m/s]
 void walk_official(const field::Field& field, World& world) {
   Official& official = world.official;
   if (!is_there(official)) {
-    const auto words = draw(world.key, kNobody, Event::official, 0);
+    const auto words = draw(world.key, kNobody, Draw::official, 0);
     official = {{((words[0] & 1) != 0 ? 0.25f : -0.25f) * field.length, 0}, {}};
   }
 

@@ -62,10 +62,10 @@ TEST(Play, AddsUp) {
     EXPECT_EQ(of(result, Kind::goal, side), result.score[i]);
     EXPECT_GT(result.packets[i], 0);
     EXPECT_GT(result.walked[i], 10.f);
-    EXPECT_GT(result.tally.kicks[i], 0);
+    EXPECT_GT(result.counts.kicks[i], 0);
   }
-  EXPECT_LE(result.tally.possession[0] + result.tally.possession[1], result.tally.in_play);
-  EXPECT_LE(result.tally.in_play, result.ticks);
+  EXPECT_LE(result.counts.possession[0] + result.counts.possession[1], result.counts.in_play);
+  EXPECT_LE(result.counts.in_play, result.ticks);
   EXPECT_NEAR(result.possession(Side::home) + result.possession(Side::away), 1, 1e-6);
 }
 

@@ -55,10 +55,10 @@ struct Arena {
   /// Moves one body; as long as the robot's tick is.
   void move(const Command& command, Tick steps = 1) {
     world.kicked = world.touched = world.whiffed = kNobody;
-    const Means means{model, effects, ball};
+    const MotionParams params{model, effects, ball};
     const Pose2 told{body().position, body().heading};
-    motion::move(means, command, kRobot, steps, world);
-    motion::turn_head(means, command, told, steps, body());
+    motion::move(params, command, kRobot, steps, world);
+    motion::turn_head(params, command, told, steps, body());
     world.tick += steps;
   }
 };

@@ -58,8 +58,8 @@ TEST(BallFilter, ManyShortPredictionsEndWhereOneLongOneDoes) {
                       .velocity_variance = 0.1f * share(random),
                       .seen = 0};
     agent::Ball once = often;
-    for (int step = 0; step < 12; ++step) predict(scene.means(), {}, 1, often);
-    predict(scene.means(), {}, 12, once);
+    for (int step = 0; step < 12; ++step) predict(scene.params(), {}, 1, often);
+    predict(scene.params(), {}, 12, once);
     ASSERT_NEAR(distance(often.position, once.position), 0, 1e-4f);
     ASSERT_NEAR(distance(often.velocity, once.velocity), 0, 1e-4f);
     ASSERT_NEAR(often.variance, once.variance, 1e-4f);
@@ -77,7 +77,7 @@ TEST(BallFilter, PredictsAsTheBallRolls) {
     roll(truth, scene.ball.deceleration, 0, kTickDuration);
     agent::Ball unbounded = ball;
     unbounded.variance = unbounded.covariance = unbounded.velocity_variance = 0;
-    predict(scene.means(), {}, 1, unbounded);
+    predict(scene.params(), {}, 1, unbounded);
     ball = unbounded;
     ASSERT_NEAR(distance(ball.position, truth.position), 0, 1e-3f);
   }
@@ -173,7 +173,7 @@ TEST(BallFilter, OneFalsePerceptDoesNotThrowAGoodTrackAway) {
   agent::Ball& ball = scene.beliefs.ball;
   const Tick seen = ball.seen;
   const BallPercept elsewhere{.seen = true, .position = {3, 1.5f}};
-  update(scene.means(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
+  update(scene.params(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
   EXPECT_LT(error_of(scene), 0.15f);
   EXPECT_EQ(ball.seen, seen);
   EXPECT_FALSE(ball.visible);
@@ -186,7 +186,7 @@ TEST(BallFilter, TwoPerceptsElsewhereAreBelieved) {
   for (int i = 0; i < 30; ++i) scene.perceive();
   agent::Ball& ball = scene.beliefs.ball;
   const BallPercept elsewhere{.seen = true, .position = {2, 1}};
-  for (int i = 0; i < 2; ++i) update(scene.means(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
+  for (int i = 0; i < 2; ++i) update(scene.params(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
   EXPECT_TRUE(ball.visible);
   EXPECT_LT(distance(ball.position, elsewhere.position), 0.2f);
 }
@@ -198,7 +198,7 @@ TEST(BallFilter, AForgottenBallJumpsToWhereItIsSeenAgain) {
   scene.perceive(ticks(kForgotten));
   agent::Ball& ball = scene.beliefs.ball;
   const BallPercept elsewhere{.seen = true, .position = {0.5f, 1.8f}};
-  update(scene.means(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
+  update(scene.params(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
   EXPECT_TRUE(ball.visible);
   EXPECT_NEAR(distance(ball.position, elsewhere.position), 0, 1e-6f);
   EXPECT_EQ(ball.velocity, Vec2{});

@@ -21,7 +21,7 @@ Scene clear_scene() {
 
 BallPercept look(Scene& scene) {
   ++scene.world.tick;
-  return look_for_ball(scene.means(), scene.world, Scene::kRobot, 1, false);
+  return look_for_ball(scene.params(), scene.world, Scene::kRobot, 1, false);
 }
 
 /// How often the ball is seen in `images`.
@@ -139,7 +139,7 @@ TEST(BallSight, ManyImagesAtOnceTellAsMuchAsOneByOne) {
     if (last < kImages) ++seen[last];
     information += count;
 
-    const BallPercept percept = look_for_ball(scene.means(), scene.world, Scene::kRobot, kImages, true);
+    const BallPercept percept = look_for_ball(scene.params(), scene.world, Scene::kRobot, kImages, true);
     if (!percept.seen) continue;
     ++together[percept.ago];
     const Images& images = percept.images;
@@ -169,7 +169,7 @@ TEST(BallSight, OfABallThatWasNotFollowedOnlyTheNewestImageCounts) {
   scene.place_ball({1, 0});
   for (int i = 0; i < 1000; ++i) {
     const BallPercept one = look(scene);
-    const BallPercept several = look_for_ball(scene.means(), scene.world, Scene::kRobot, 6, false);
+    const BallPercept several = look_for_ball(scene.params(), scene.world, Scene::kRobot, 6, false);
     EXPECT_EQ(several.seen, one.seen);
     EXPECT_EQ(several.position, one.position);
     EXPECT_EQ(several.images.count, 1);

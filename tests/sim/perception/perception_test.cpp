@@ -120,7 +120,7 @@ TEST(Perception, DependsOnTheWorldAloneNotOnWhoPerceivedBefore) {
   Cognition cognition;
   for (int i = 0; i < 300; ++i) {
     first.perceive();
-    perceive(second.means(), second.world, 0, 1, others, cognition);
+    perceive(second.params(), second.world, 0, 1, others, cognition);
     second.perceive();
     ASSERT_EQ(first.beliefs.ball.position, second.beliefs.ball.position);
     ASSERT_EQ(first.beliefs.pose.pose, second.beliefs.pose.pose);

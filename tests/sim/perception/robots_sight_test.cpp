@@ -85,7 +85,7 @@ TEST(RobotsSight, IsDetectedAsOftenAsItsDistanceSaysAndNoisy) {
   double squares = 0;
   for (std::uint32_t i = 0; i < looks; ++i) {
     scene.beliefs.opponents[kPlayer] = {};
-    look_for_opponent(scene.means(), scene.world, Scene::kRobot, Scene::kOpponent, i, scene.beliefs);
+    look_for_opponent(scene.params(), scene.world, Scene::kRobot, Scene::kOpponent, i, scene.beliefs);
     const agent::Opponent& opponent = scene.beliefs.opponents[kPlayer];
     if (opponent.seen == kNever) continue;
     ++seen;

@@ -72,7 +72,7 @@ struct Scene {
     place_ball({1, 0});
   }
 
-  Means means() const { return {model, effects, field, marks, contact, ball}; }
+  PerceptionParams params() const { return {model, effects, field, marks, contact, ball}; }
   Body& body(int robot = kRobot) { return world.bodies[robot]; }
 
   void stand(Vec2 position, float heading, int robot = kRobot) {
@@ -91,11 +91,11 @@ struct Scene {
     for (Vec2& past : world.ball.past) past = position;
   }
 
-  void enter() { perception::enter(means(), world, kRobot, beliefs, cognition); }
+  void enter() { perception::enter(params(), world, kRobot, beliefs, cognition); }
   /// After as many ticks, with the world as it stands now.
   void perceive(Tick steps = 1) {
     world.tick += steps;
-    perception::perceive(means(), world, kRobot, steps, beliefs, cognition);
+    perception::perceive(params(), world, kRobot, steps, beliefs, cognition);
   }
 
   /// Walks and turns for a tick, at these speeds. [m/s, robot], [rad/s]

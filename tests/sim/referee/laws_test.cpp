@@ -102,7 +102,7 @@ void expect_same(const Scene& one, const Scene& two, const Symmetry& symmetry) {
   for (const Side side : {Side::home, Side::away}) {
     const auto from = static_cast<std::size_t>(side), to = static_cast<std::size_t>(symmetry.of(side));
     EXPECT_EQ(one.book.score[from], two.book.score[to]);
-    EXPECT_EQ(one.tally.possession[from], two.tally.possession[to]);
+    EXPECT_EQ(one.counts.possession[from], two.counts.possession[to]);
   }
 }
 
@@ -133,7 +133,7 @@ TEST(Laws, AllEventsOfATickFit) {
     for_each_robot(rules.players, [&](int robot) { scene.world.bodies[robot].pushing = 255; });
     Events now;
     while (now.count == 0) {
-      judge(scene.means(), scene.world, scene.book, scene.tally, now);
+      judge(scene.params(), scene.world, scene.book, scene.counts, now);
       ++scene.world.tick;
     }
     EXPECT_EQ(now.count, 2 * rules.players);

@@ -22,12 +22,12 @@ struct Scene {
                        .push_deviation = 0.5f};
   World world;
   Book book;
-  Tally tally;
+  GameCounts counts;
   std::vector<Event> events;  // all so far
 
   explicit Scene(const field::Rules& given, std::uint64_t seed = 1);
 
-  Means means() const { return {rules, ball_model, contact}; }
+  RefereeParams params() const { return {rules, ball_model, contact}; }
   Ball& ball() { return world.ball; }
   Body& robot(Side side, int player) { return world.bodies[robot_of(side, player)]; }
 

@@ -6,7 +6,7 @@
 namespace sim::referee {
 
 /// While in play: notes touches, counts kicks, whiffs, shots, possession.
-void keep_tally(Court& court);
+void keep_counts(Court& court);
 
 /// The ball, if nobody touches it any more, rolls wholly over the goal line that `side` attacks, between the posts.
 bool rolls_into_goal(const Court& court, Side side);
