@@ -7,7 +7,7 @@ void count(Result& result, const referee::Event& event) {
   ++result.events[static_cast<int>(event.kind)][static_cast<int>(event.side)];
 }
 
-/// All but the events.
+/// Fills in everything but the events.
 void sum_up(const State& state, Result& result) {
   result.counts = state.counts;
   result.ticks = state.world.tick;

@@ -56,10 +56,10 @@ TEST(Snapshot, SaysWhyItIsRefused) {
   Bytes bytes = snapshot_of(test::scrambled(3));
   const std::string size = std::to_string(bytes.size());
   EXPECT_EQ(restore(Bytes(7)).refusal, "snapshot: expected at least 8 bytes, got 7");
-  EXPECT_EQ(restore(Bytes(100)).refusal, "snapshot: does not begin with FSIM");
+  EXPECT_EQ(restore(Bytes(100)).refusal, "snapshot: expected the bytes FSIM at the beginning");
   EXPECT_EQ(restore(std::span(bytes).first(9)).refusal, "snapshot: expected " + size + " bytes, got 9");
   bytes[20] ^= 1;
-  EXPECT_EQ(restore(bytes).refusal, "snapshot: its bytes do not have the hash at its end; it was damaged");
+  EXPECT_EQ(restore(bytes).refusal, "snapshot: the hash at its end does not match its bytes; it is damaged");
   bytes[4] = kSnapshotVersion + 1;
   EXPECT_EQ(restore(bytes).refusal, "snapshot: expected version " + std::to_string(kSnapshotVersion) + ", got " +
                                         std::to_string(kSnapshotVersion + 1));
@@ -72,7 +72,7 @@ TEST(Snapshot, IsRefusedWithWhatCannotBe) {
     return restore(snapshot_of(state)).refusal;
   };
   const auto impossible = [](const char* name) {
-    return "snapshot: " + std::string(name) + " is not a possible value";
+    return "snapshot: " + std::string(name) + " has an impossible value";
   };
   EXPECT_EQ(refusal([](State& s) { s.world.ball.position.x = std::nanf(""); }), impossible("world.ball.position.x"));
   EXPECT_EQ(refusal([](State& s) { s.world.bodies[2].doing = static_cast<Body::Doing>(10); }),
@@ -96,7 +96,7 @@ TEST(Snapshot, OfATruthValueThatIsNeitherIsRefused) {
   Bytes spoilt = bytes;
   spoilt[at] = 2;
   seal(spoilt);
-  EXPECT_EQ(restore(spoilt).refusal, "snapshot: book.ball_free is not a possible value");
+  EXPECT_EQ(restore(spoilt).refusal, "snapshot: book.ball_free has an impossible value");
 }
 
 }  // namespace
