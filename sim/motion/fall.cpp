@@ -23,7 +23,7 @@ Tick lie(const MotionParams& params, int robot, Tick now, Tick left, World& worl
   Body& body = world.bodies[robot];
   const Falls& falls = params.model.falls;
 
-  // lies on, or is still on its way up
+  // nothing changes within these ticks
   const bool fallen = body.doing == Body::Doing::fallen;
   const Tick duration = std::max<Tick>(1, ticks(fallen ? falls.lying : falls.getting_up));
   const Tick elapsed = std::min(now - body.since, duration - 1);

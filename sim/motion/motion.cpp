@@ -10,14 +10,13 @@ namespace sim::motion {
 
 namespace {
 
-// Whatever else than walking there is: falls, lies, gets up, kicks, squats. Returns how many of the ticks are left to
-// walk.
+/// Does everything but walking: falls, gets up, kicks, squats. Returns the number of ticks left for walking.
 Tick anything_else(const MotionParams& params, const Command& command, int robot, Tick steps, World& world) {
   Body& body = world.bodies[robot];
   if (body.doing == Body::Doing::removed) return 0;
   if (params.effects.falls && !lies(body)) perhaps_fall(params, robot, world.tick, steps, world);
 
-  // a kick or a squat begins at once, but for a step that has to be finished
+  // a kick or a squat begins at once, unless a walking step has to be finished first
   const bool kicks = command.body == Command::Body::kick && command.kick < params.model.kick_count;
   const bool free = !lies(body) && !squats(body) && body.doing != Body::Doing::kicking &&
                     !in_step(Rhythm(params.model.walk), body, world.tick);

@@ -8,7 +8,7 @@ bool rolls_into_goal(const Court& court, Side side) {
   const Vec2 from = court.world.ball.position;
   const Vec2 to = resting_place(court.world.ball, court.ball_model.deceleration);
   const float line = ball_over_goal_line(court);
-  // a ball that is over the line already crosses it where it is
+  // the ball is over the line already: it crosses the line at its present place
   if (ahead(court, side, from) > line)
     return ahead(court, side, to) > line && std::abs(from.y) < court.field.goal_width / 2;
   return field::goal_entered(court.field, from, to, court.ball_model.radius) == attack_sign(court.world, side);

@@ -1,14 +1,14 @@
-// Who touched the ball, and the statistics of a game.
+// Touches of the ball and the statistics of a game.
 #pragma once
 
 #include "sim/referee/court.h"
 
 namespace sim::referee {
 
-/// While in play: notes touches, counts kicks, whiffs, shots, possession.
+/// Notes touches and counts kicks, whiffs, shots and possession. Call it once a tick in play.
 void keep_counts(Court& court);
 
-/// The ball, if nobody touches it any more, rolls wholly over the goal line that `side` attacks, between the posts.
+/// Reports whether the ball would roll into the goal that `side` attacks if nobody touched it any more.
 bool rolls_into_goal(const Court& court, Side side);
 
 }  // namespace sim::referee

@@ -80,7 +80,7 @@ void open(const RefereeParams& params, World& world, Book& book, Events& events)
   world.home_attacks = 1;
   world.ball = Ball{};
 
-  // every other one at the left touch line, as its side sees it
+  // odd players at the left touch line, from the view of their side, even players at the right one
   for_each_robot(world.players, [&](int robot) {
     const float left = attack_sign(world, side_of(robot));
     put_at_touch_line(court, robot, player_of(robot) % 2 == 1 ? left : -left);
@@ -95,11 +95,11 @@ void judge(const RefereeParams& params, World& world, Book& book, GameCounts& co
   Court court{params.rules, params.rules.field, params.ball, params.contact, world, book, counts, events};
   const bool look = world.tick % kLook == 0;
 
-  // the time
+  // the clock
   half_time::run_clock(book);
   if (half_time::due(court)) half_time::apply(court);
 
-  // the ball, and who is round it
+  // the ball, and offences of robots
   if (in_play(book)) {
     keep_counts(court);
     judge_ball(court);
@@ -117,7 +117,7 @@ void judge(const RefereeParams& params, World& world, Book& book, GameCounts& co
     set::apply(court);
   }
 
-  // robots that leave and come back
+  // robots that leave the field and come back
   if (look && book.phase != Phase::finished) judge_places(court);
   if (returning::somebody_waits(court)) judge_returns(court);
   book.ball_before = world.ball.position;

@@ -11,7 +11,8 @@ struct Ball {
   Vec2 velocity;      // [m/s]
   Vec2 acceleration;  // [m/s²] present slow-down; 0 at rest
   static constexpr int kPast = 4;
-  Vec2 past[kPast];  // [m] positions before the last rolls, newest first, one roll a tick: a camera with latency sees these
+  Vec2 past
+      [kPast];  // [m] positions before the last rolls, newest first, one roll a tick: a camera with latency sees these
 };
 
 /// Rolls the ball for `dt` [s] on turf that slows it by `deceleration` [m/s²], both >= 0. Below `stop_speed` [m/s] the

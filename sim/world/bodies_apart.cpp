@@ -145,8 +145,8 @@ void count_touches(const Circles& circles, const Neighbours& near, World& world)
     if (runs_into(second, first)) pushing[j] = true;
   }
 
-  // `pushing` counts fifths of a second: every sixth tick
-  const bool counts = world.tick % 6 == 0;
+  // `pushing` counts in units of several ticks
+  const bool counts = world.tick % kPushingUnit == 0;
   for (int i = 0; i < circles.count; ++i) {
     Body& body = world.bodies[circles.robot[i]];
     body.touching = touching[i] ? static_cast<std::uint8_t>(std::min(body.touching + 1, 255)) : std::uint8_t{0};

@@ -35,8 +35,8 @@ constexpr bool is_there(const Official& official) { return official.position.x <
 struct World {
   RandomKey key;
   Tick tick = 0;
-  std::int32_t players = 0;        // of one side
-  float home_attacks = 1;          // direction in which the home side attacks now: +1 towards +x of `field`, -1 towards -x
+  std::int32_t players = 0;  // of one side
+  float home_attacks = 1;    // direction in which the home side attacks now: +1 towards +x of `field`, -1 towards -x
   std::uint8_t touched = kNobody;  // robot that touched the ball in this tick, kicks included; kNobody: none
   std::uint8_t kicked = kNobody;   // robot whose foot met the ball in this tick
   std::uint8_t whiffed = kNobody;  // robot whose foot missed it in this tick
