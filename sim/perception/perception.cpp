@@ -8,7 +8,7 @@
 namespace sim::perception {
 namespace {
 
-/// The odometry of this robot in this game.
+/// Draws the scale errors of this robot's odometry in this game.
 void draw_odometry(const Localisation& model, const World& world, int robot, Cognition& cognition) {
   const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::odometry_bias, 0);
   const auto biases = normals(words[0], words[1]);
@@ -16,10 +16,10 @@ void draw_odometry(const Localisation& model, const World& world, int robot, Cog
   cognition.turn_scale = 1 + model.bias * biases[1];
 }
 
-/// Off by as much as somebody who was put down by hand.
+/// Returns the true pose with the error of a robot that was put down by hand.
 agent::Pose rough_pose(const Localisation& model, const World& world, int robot) {
   agent::Pose belief{true_pose(world, robot), model.start_deviation, model.start_deviation_heading};
-  // of this event: what a look at the marks in the same tick drew is forgotten now
+  // shares the address of a look at the marks in the same tick: that look's result is discarded now
   const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::pose_correction, world.tick);
   const auto shift = normals(words[0], words[1]);
   const auto twist = normals(words[2], words[3]);
@@ -48,12 +48,12 @@ void perceive(const PerceptionParams& params, const World& world, int robot, Tic
               Cognition& cognition) {
   const Body& body = world.bodies[robot];
 
-  // what it expects, by its own odometry
+  // prediction by the robot's own odometry
   const Odometry odometry = read_odometry(body, cognition);
   predict(params, odometry, steps, beliefs.ball);
   localise(params, world, robot, steps, odometry, beliefs.pose, cognition);
 
-  // what it sees
+  // correction by the images
   const BallPercept percept = look_for_ball(params, world, robot, steps, beliefs.ball.visible);
   update(params, body, percept, steps, world.tick, beliefs.ball);
   look_for_opponents(params, world, robot, steps, beliefs);

@@ -3,7 +3,7 @@
 namespace sim::perception {
 namespace {
 
-constexpr float kBeyondRange = 1.5f;  // percepts that seem to be so many ranges away are nothing to anybody
+constexpr float kBeyondRange = 1.5f;  // [ranges] a percept that seems to be farther away is dropped
 
 }  // namespace
 
@@ -14,12 +14,12 @@ void look_for_opponent(const PerceptionParams& params, const World& world, int r
   const Body& other = world.bodies[opponent];
   if (!has_eyes(body) || other.doing == Body::Doing::removed) return;
 
-  // in view are its feet
+  // its feet must be in view
   const Sighting sighting = sighting_of(body, other.position, model.camera.height);
   if (effects.limited_view && !in_view(model.camera, body, look_of(body), model.robots.far_range, sighting)) return;
   Vec2 place = turned_back(sighting.to_it, body.facing);
 
-  // detected, and where
+  // the detection and its noise
   if (effects.missed_ball || effects.ball_noise) {
     const float range = std::sqrt(sighting.square);
     const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::opponent_seen, number);
