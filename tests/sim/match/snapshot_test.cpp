@@ -14,7 +14,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-TEST(Snapshot, ComesBackAsItWas) {
+TEST(Snapshot, RestoresTheSameState) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const State state = test::scrambled(seed);
     const Restored restored = restore(snapshot_of(state));
@@ -65,7 +65,7 @@ TEST(Snapshot, SaysWhyItIsRefused) {
                                         std::to_string(kSnapshotVersion + 1));
 }
 
-TEST(Snapshot, IsRefusedWithWhatCannotBe) {
+TEST(Snapshot, IsRefusedWithImpossibleValues) {
   const auto refusal = [](auto&& spoil) {
     State state = test::scrambled(4);
     spoil(state);
@@ -85,8 +85,8 @@ TEST(Snapshot, IsRefusedWithWhatCannotBe) {
             impossible("robots[13].command.kick"));
 }
 
-TEST(Snapshot, OfATruthValueThatIsNeitherIsRefused) {
-  // where the two snapshots differ is the truth value
+TEST(Snapshot, IsRefusedWithABoolThatIsNeitherTrueNorFalse) {
+  // the two snapshots differ in the byte of the bool
   State state = test::scrambled(5);
   const Bytes bytes = snapshot_of(state);
   state.book.ball_free = !state.book.ball_free;

@@ -14,7 +14,7 @@ using Words = std::array<std::uint32_t, 4>;
 
 constexpr sim::RandomKey kKey{20250715};
 
-/// Philox4x32 with 7 rounds once more, as the paper describes it: what the library is compared with.
+/// Philox4x32 with 7 rounds, written from the paper: the reference for the library.
 Words philox(Words counter, std::array<std::uint32_t, 2> key) {
   for (int round = 0; round < 7; ++round) {
     const std::uint64_t first = 0xD2511F53ull * counter[0], second = 0xCD9E8D57ull * counter[2];
@@ -25,7 +25,7 @@ Words philox(Words counter, std::array<std::uint32_t, 2> key) {
   return counter;
 }
 
-/// Chi-square of counts that should be equal, as standard deviations from what chance makes of them.
+/// Returns the chi-square of counts that should be equal, in standard deviations from its expected value.
 double surprise(const std::vector<int>& counts) {
   double total = 0, squares = 0;
   for (const int count : counts) total += count;
@@ -43,7 +43,7 @@ TEST(Random, ReferenceGivesThePublishedAnswers) {
             (Words{0x4dfccaba, 0x190a87f0, 0xc47362ba, 0xb6b5242a}));
 }
 
-TEST(Random, DrawIsPhiloxOfSeedRobotEventAndNumber) {
+TEST(Random, DrawIsPhiloxOfSeedRobotPurposeAndNumber) {
   for (std::uint32_t i = 0; i < 1000; ++i) {
     const std::uint64_t seed = 0x9876543210fedcbaull * i;
     const auto event = static_cast<Draw>(i % 19 + 1);
@@ -64,7 +64,7 @@ TEST(Random, EveryPartOfTheAddressCounts) {
   EXPECT_EQ(seen.size(), 4u * 2 * 14 * 19 * 10);
 }
 
-TEST(Random, UniformIsInRangeAndEven) {
+TEST(Random, UniformIsInRangeAndEvenlyDistributed) {
   EXPECT_EQ(sim::uniform(0), 0);
   EXPECT_LT(sim::uniform(0xffffffff), 1);
   std::vector<int> counts(100);
@@ -82,7 +82,7 @@ TEST(Random, UniformIsInRangeAndEven) {
   EXPECT_NEAR(squares / (4 * kDraws), 1. / 3, 0.002);
 }
 
-/// Chi-square of the pairs (a word of one address, the same of another) on a grid of 16 x 16.
+/// Checks by chi-square, on a grid of 16 x 16, that the words of two neighbouring addresses are independent.
 template <class Other>
 void expect_independent(Other&& other) {
   for (std::size_t word = 0; word < 4; ++word) {
@@ -101,7 +101,7 @@ TEST(Random, NeighbouringRobotsAreIndependent) {
   expect_independent([](std::uint32_t tick) { return draw(kKey, 3, Draw::walk_noise, tick); });
 }
 
-TEST(Random, NeighbouringEventsAreIndependent) {
+TEST(Random, NeighbouringPurposesAreIndependent) {
   expect_independent([](std::uint32_t tick) { return draw(kKey, 2, Draw::kick_noise, tick); });
 }
 
@@ -144,7 +144,7 @@ TEST(Random, NormalsHaveTheMomentsAndTailsOfTheirDistribution) {
   EXPECT_NEAR(beyond[3] / kCount, 0.00270, 0.0004);
 }
 
-TEST(Random, NormalsAreEvenRoundTheCircle) {
+TEST(Random, NormalsHaveEveryDirectionEquallyOften) {
   std::vector<int> counts(64);
   for (std::uint32_t tick = 0; tick < 200000; ++tick) {
     const Words words = draw(kKey, 1, Draw::ball_noise, tick);

@@ -1,4 +1,4 @@
-// Whatever happens: mirrored, or with sides exchanged, it is decided alike.
+// The referee's decisions are symmetric: in a mirrored game, and with the sides exchanged.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace sim::referee {
 namespace {
 
-/// What a script does in one tick, as the home side sees it before anything is mirrored.
+/// The script of one tick, from the home side's view, before mirroring.
 struct Step {
   Vec2 ball;
   int touched;  // index or kNobody
@@ -52,7 +52,7 @@ Scene play(const field::Rules& rules, const std::vector<Step>& steps, const Symm
   scene.events.clear();
   int used = 0;
   for (const Step& step : steps) {
-    // teleported once in a while, so that phases pass too
+    // acts rarely outside PLAYING, so that the other phases pass too
     const bool acts = used++ % 40 == 0 || scene.book.phase == agent::Game::Phase::playing;
     if (acts) {
       scene.ball().position = symmetry.of(step.ball);
@@ -74,7 +74,7 @@ void expect_same(const Scene& one, const Scene& two, const Symmetry& symmetry) {
   ASSERT_EQ(one.events.size(), two.events.size());
   const int players = one.rules.players;
 
-  // of one tick, events may come in another order
+  // events of one tick may have another order
   auto key = [](const Event& event) { return std::tuple(event.tick, event.kind, event.robot); };
   std::vector<Event> first, second = two.events;
   for (Event event : one.events) {
@@ -124,7 +124,7 @@ void check(const Symmetry& symmetry) {
 }
 
 TEST(Laws, AMirroredGameIsJudgedMirrored) { check({.mirror = -1}); }
-TEST(Laws, ExchangedSidesAreJudgedAlike) { check({.exchanged = true}); }
+TEST(Laws, ExchangedSidesAreJudgedTheSame) { check({.exchanged = true}); }
 
 TEST(Laws, AllEventsOfATickFit) {
   for (const auto& rules : {rules_2012(), rules_2025()}) {

@@ -59,7 +59,7 @@ Scene::Scene(const field::Rules& given, std::uint64_t seed) : rules(given) {
 }
 
 void Scene::pass() {
-  // a test that waits for what never comes ends here
+  // a test that waits in vain ends here
   if (world.tick > kLongest) std::abort();
   Events now;
   judge(params(), world, book, counts, now);
