@@ -41,7 +41,7 @@ Rollout roll_out(const contest::Cast& cast, State state, Tick end) {
       });
   for (const int side : {0, 1}) {
     rollout.goals[side] = state.book.score[side] - start.book.score[side];
-    rollout.shots[side] = state.tally.shots[side] - start.tally.shots[side];
+    rollout.shots[side] = state.counts.shots[side] - start.counts.shots[side];
   }
   rollout.possession_home = static_cast<double>(result_of(state).possession(Side::home));
   return rollout;

@@ -5,8 +5,9 @@
 
 namespace sim::field {
 
-/// Lengths [m] between the middles of lines, as a rule book draws them.
-/// Frame field: origin at the centre, +x towards the goal the home team attacks in the first half, +y left of it.
+/// The sizes of a field [m], measured between the middles of lines as in the rule book.
+/// Frame `field`: origin at the centre, +x towards the goal that the home team attacks in the first half, +y to the left
+/// of that.
 struct Field {
   float length;  // between the goal lines
   float width;   // between the touch lines
@@ -41,15 +42,15 @@ struct Field {
   }
 };
 
-/// All marks of a field that a robot can locate itself by: 4 posts, the L and T corners of lines, the centre circle, the
-/// penalty marks; symmetric about both axes. Packed, because each look at them looks at all.
+/// The marks by which a robot can localise itself: 4 posts, L and T corners of lines, the centre circle, the penalty
+/// marks. They are symmetric about both axes. The arrays are packed because each look tests all marks.
 struct Marks {
   enum class Kind : unsigned char { post, corner, circle, penalty_mark };
-  static constexpr int kBlock = 4;  // as many are looked at together
+  static constexpr int kBlock = 4;  // marks tested together, in vector registers
   static constexpr int kMost = 40;
 
   int count = 0;
-  float x[kMost];  // [m, field]; the rest of the last block is far from everything
+  float x[kMost];  // [m, field]; the last block is filled up with places far from everything
   float y[kMost];
   Kind kind[kMost];
 
@@ -57,23 +58,21 @@ struct Marks {
 };
 Marks marks_of(const Field& field);
 
-// Below, a goal is named by the sign of its x: +1 or -1.
-
-/// The middles of the four posts: the goal at +x first, of each goal the post at +y first. [m, field]
 inline constexpr int kPosts = 4;
+/// Returns the middle of post 0..3 [m, field]: the goal at +x comes first, and of each goal the post at +y.
 constexpr Vec2 post_of(const Field& field, int post) {
   return {(post < 2 ? 0.5f : -0.5f) * field.length, (post % 2 == 0 ? 0.5f : -0.5f) * field.goal_width};
 }
 
-/// The point is on the field, whose lines belong to it, or at most `margin` [m] outside.
+/// Reports whether the point is on the field, lines included, or at most `margin` [m] outside.
 constexpr bool inside_field(const Field& field, Vec2 point, float margin = 0) {
   const float x = 0.5f * (field.length + field.line_width) + margin;
   const float y = 0.5f * (field.width + field.line_width) + margin;
   return -x <= point.x && point.x <= x && -y <= point.y && point.y <= y;
 }
 
-/// The goal into which a ball that moved straight `from` there `to` here [m, field] went: it is a goal as soon as the
-/// whole ball is behind the line, between the posts. 0: into none in this move.
+/// Returns the goal that a ball enters on the straight way from `from` to `to` [m, field]: +1 or -1 is the sign of the
+/// goal's x, 0 is none. The ball is in as soon as the whole of it is behind the line, between the posts.
 float goal_entered(const Field& field, Vec2 from, Vec2 to, float ball_radius);
 
 }  // namespace sim::field

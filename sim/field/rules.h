@@ -11,13 +11,13 @@ inline constexpr int kMaxPlayers = 7;  // a side
 
 namespace field {
 
-/// What happens to a ball that left the field.
+/// The treatment of a ball that left the field.
 enum class BallOut : std::uint8_t {
   placed_back,  // until 2017: an assistant puts it down inside the touch line, play goes on
-  set_play,     // since: kick-in, goal kick, corner kick
+  set_play,     // since 2018: kick-in, goal kick, corner kick
 };
 
-/// Times [s], lengths [m], counts.
+/// The rules of one year: times [s], lengths [m], counts.
 struct Rules {
   Field field;
   BallOut ball_out;
@@ -25,28 +25,28 @@ struct Rules {
   int players;  // a side, the goalkeeper included, 1..7
   int halves;
   float half_duration;
-  float ready_duration;  // at most; ends early when everybody stands in place
+  float ready_duration;  // longest; READY ends earlier when all robots stand still
   float set_duration;
-  float kick_off_duration;   // after which everybody may touch the ball
-  float set_play_duration;   // likewise; 0 where there are none
+  float kick_off_duration;   // after this time everybody may touch the ball
+  float set_play_duration;   // likewise; 0 in years without set plays
   bool kick_off_goal;        // a goal may be scored directly from the kick-off
-  float clear_distance;      // opponents keep this far from the ball of a kick-off or set play
-  float goal_message_delay;  // the GameController tells robots of a goal this much later
-  int mercy_goals;           // a game ends at this difference; 0: never
+  float clear_distance;      // opponents' distance from the ball of a kick-off or set play
+  float goal_message_delay;  // from a goal to the GameController's message to the robots
+  int mercy_goals;           // lead that ends a game; 0: no limit
 
-  float out_inset;     // placed_back: how far inside the touch line the ball is put
-  float out_set_back;  // placed_back: how far towards the own goal of whoever put it out
+  float out_inset;     // placed_back: distance of the ball from the touch line, inwards
+  float out_set_back;  // placed_back: shift towards the own goal of the side that put the ball out
 
   float penalty_duration;
-  float penalty_step;      // longer for each further one of the same team
-  float pushing_time;      // a robot that runs into another for so long is removed; 0: nobody is
+  float penalty_step;      // added for each earlier penalty of the same team
+  float pushing_time;      // running into another robot for this long is punished; 0: never
   bool illegal_defender;   // only the goalkeeper may stay in its own goal area
-  float stuck_local;       // several robots round a ball that does not get away; 0: not a rule
-  float stuck_global;      // nobody touches the ball; 0: not a rule
-  float leaving_distance;  // beyond the border of the carpet
+  float stuck_local;       // time with several robots round a ball that does not get away; 0: no such rule
+  float stuck_global;      // time without a touch of the ball; 0: no such rule
+  float leaving_distance;  // beyond the edge of the carpet
 
-  int message_budget;      // packets of a team and game; 0: no limit
-  float message_interval;  // between two of one robot, at least
+  int message_budget;      // packets of a team in a game; 0: no limit
+  float message_interval;  // least time between two packets of one robot
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {

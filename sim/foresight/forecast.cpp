@@ -68,7 +68,7 @@ void count_best(const Tally& tally, RandomKey key, Standing* standings) {
   for (int n = 0; n < kDraws; ++n) {
     float drawn[kMaxStrategies];
     for (std::uint32_t pair = 0; pair < kMaxStrategies / 2; ++pair) {
-      const auto words = draw(key, pair, Event::belief, static_cast<std::uint32_t>(n) + 1);
+      const auto words = draw(key, pair, Draw::belief, static_cast<std::uint32_t>(n) + 1);
       const auto two = normals(words[0], words[1]);
       drawn[2 * pair] = two[0];
       drawn[2 * pair + 1] = two[1];

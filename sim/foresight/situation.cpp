@@ -163,7 +163,7 @@ struct Normals {
   float values[4];
 };
 Normals normals_of(RandomKey key, int who, std::uint32_t number = 0) {
-  const auto words = draw(key, static_cast<std::uint32_t>(who), Event::belief, number);
+  const auto words = draw(key, static_cast<std::uint32_t>(who), Draw::belief, number);
   const auto first = normals(words[0], words[1]), second = normals(words[2], words[3]);
   return {{first[0], first[1], second[0], second[1]}};
 }
@@ -301,7 +301,7 @@ State sample(const Params& params, const Situation& situation, RandomKey key) {
   });
 
   const field::Field& field = params.rules.field;
-  const auto words = draw(key, kNobody, Event::belief, kTries);  // the numbers before are those of the tries
+  const auto words = draw(key, kNobody, Draw::belief, kTries);  // the numbers before are those of the tries
   const bool stays = uniform(words[0]) >= doubt.ball_elsewhere;
   const auto near = stays ? ball_nearby(field, world, doubt, seen_from, key) : std::nullopt;
   world.ball = near ? *near : ball_elsewhere(params.rules, world.ball, words);

@@ -224,7 +224,7 @@ class Scene {
   void shake() {
     World& world = state_.world;
     const auto offset = [&](int robot, std::uint32_t number) {
-      const auto words = draw(*shaken_, static_cast<std::uint32_t>(robot), Event::situation, kShakes + number);
+      const auto words = draw(*shaken_, static_cast<std::uint32_t>(robot), Draw::situation, kShakes + number);
       const auto one = [&](int i) { return 2 * uniform(words[static_cast<std::size_t>(i)]) - 1; };
       return Pose2{{kShaken * one(0), kShaken * one(1)}, kTurned * one(2)};
     };

@@ -16,7 +16,7 @@ std::string FieldPath::text() const {
 
 namespace {
 
-/// -0 and 0 are the same number.
+/// Returns the bits of a field, with -0 replaced by 0.
 template <class Field>
 std::uint64_t comparable(Field field) {
   return bits_of(field == Field{} ? Field{} : field);

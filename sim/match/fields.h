@@ -1,6 +1,7 @@
-// Every field of a State by its name: what hashing, comparing and storing it are written with.
+// Visits every field of a State by name. Hash, comparison and snapshot are built on it.
 //
-// Never as a struct image: padding is nobody's value, and 32- and 64-bit machines lay structs out differently.
+// They never use the struct's memory image: padding has no defined value, and 32- and 64-bit machines lay structs out
+// differently.
 #pragma once
 
 #include <bit>
@@ -12,21 +13,21 @@
 
 namespace sim {
 
-/// The names that lead to a field.
+/// The path of names from the State to one of its fields.
 struct FieldPath {
   struct Name {
     const char* name;
-    int index;  // in an array; -1: not one
+    int index;  // in an array; -1: not an array
   };
   Name names[8];
   int depth = 0;
 
-  /// As one writes it: "robots[3].beliefs.ball.position.x".
+  /// Returns the path in C++ notation: "robots[3].beliefs.ball.position.x".
   std::string text() const;
 };
 
-/// Calls see(name, member) for each member of a struct of the state, in the order of its declaration. The bindings
-/// count the members: a new one that is not named here does not compile.
+/// Calls see(name, member) for each member of a struct of the state, in the order of declaration. The structured
+/// bindings count the members, so a new member that is missing here does not compile.
 template <class Struct, class See>
 void visit_members(Struct& whole, See&& see) {
   using Type = std::remove_const_t<Struct>;
@@ -72,7 +73,7 @@ void visit_members(Struct& whole, See&& see) {
     see("last_touch_at", last_touch_at), see("ball_before", ball_before), see("still_since", still_since);
     see("stuck_since", stuck_since), see("stuck_at", stuck_at), see("score", score), see("packets", packets);
     see("penalties", penalties), see("penalised_until", penalised_until);
-  } else if constexpr (std::is_same_v<Type, referee::Tally>) {
+  } else if constexpr (std::is_same_v<Type, referee::GameCounts>) {
     auto& [kicks, whiffs, shots, possession, in_play, seen] = whole;
     see("kicks", kicks), see("whiffs", whiffs), see("shots", shots), see("possession", possession);
     see("in_play", in_play), see("seen", seen);
@@ -121,14 +122,14 @@ void visit_members(Struct& whole, See&& see) {
     auto& [next, turn, radio, lag, lost] = whole;
     see("next", next), see("turn", turn), see("radio", radio), see("lag", lag), see("lost", lost);
   } else {
-    static_assert(std::is_same_v<Type, State>, "a struct of the state that nobody named the members of");
-    auto& [world, schedule, book, tally, robots] = whole;
-    see("world", world), see("schedule", schedule), see("book", book), see("tally", tally), see("robots", robots);
+    static_assert(std::is_same_v<Type, State>, "a struct of the state whose members are not listed here");
+    auto& [world, schedule, book, counts, robots] = whole;
+    see("world", world), see("schedule", schedule), see("book", book), see("counts", counts), see("robots", robots);
   }
 }
 
-/// Calls see(path, field) for each number, truth value and enumerator in `value`, always in the same order. `path` is
-/// what led there.
+/// Calls see(path, field) for each number, bool and enumerator in `value`, always in the same order. `path` is the path
+/// to `value`.
 template <class Value, class See>
 void visit_fields(Value& value, FieldPath& path, See&& see) {
   if constexpr (std::is_array_v<Value>) {
@@ -152,7 +153,7 @@ void visit_fields(Value& value, See&& see) {
   visit_fields(value, path, see);
 }
 
-/// The last enumerator of each enumeration of the state, as a number.
+/// Returns the last enumerator of an enumeration of the state, as a number.
 template <class Enum>
 constexpr unsigned last_of() {
   const auto number = [](auto enumerator) { return static_cast<unsigned>(enumerator); };
@@ -165,7 +166,7 @@ constexpr unsigned last_of() {
   if constexpr (std::is_same_v<Enum, agent::Role>) return number(agent::Role::defender);
 }
 
-/// The bits of a field as a number: of a float as IEEE 754 has them.
+/// Returns the bits of a field as a number; a float has its IEEE 754 bits.
 template <class Field>
 constexpr std::uint64_t bits_of(Field field) {
   if constexpr (std::is_same_v<Field, float>) {
@@ -178,7 +179,7 @@ constexpr std::uint64_t bits_of(Field field) {
   }
 }
 
-/// And back; the caller knows that an enumeration has such an enumerator.
+/// Returns the field with these bits. The caller ensures that an enumeration has such an enumerator.
 template <class Field>
 constexpr Field field_of(std::uint64_t bits) {
   if constexpr (std::is_same_v<Field, float>) {
@@ -188,8 +189,8 @@ constexpr Field field_of(std::uint64_t bits) {
   }
 }
 
-/// The name of the first field in which the two differ; empty when they are equal. Numbers are compared as numbers:
-/// -0 equals 0.
+/// Returns the path of the first field in which two states differ, or an empty string when they are equal. Numbers are
+/// compared as numbers: -0 equals 0.
 std::string difference(const State& a, const State& b);
 
 }  // namespace sim

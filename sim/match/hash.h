@@ -1,4 +1,4 @@
-// A number that tells two states apart.
+// A 64-bit hash of states.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace sim {
 
-/// Takes in numbers one by one; the same numbers in the same order give the same hash on every machine. Multiply and
-/// rotate, then an avalanche: every bit of every number moves every bit of the hash.
+/// A hash of a sequence of numbers. The same numbers in the same order have the same hash on every machine.
+/// It multiplies and rotates for each number and ends with an avalanche, so each input bit affects each bit of the hash.
 class Hash {
  public:
   void add(std::uint64_t number) {
@@ -27,10 +27,10 @@ class Hash {
   std::uint64_t hash_ = 0x243f6a8885a308d3u;  // digits of π
 };
 
-/// Of every field of a state, bit by bit.
+/// Returns the hash of the bits of every field of a state.
 std::uint64_t hash_of(const State& state);
 
-/// 16 hexadecimal digits.
+/// Returns the hash as 16 hexadecimal digits.
 std::string hex(std::uint64_t hash);
 
 }  // namespace sim

@@ -11,32 +11,33 @@ namespace {
 using Phase = agent::Game::Phase;
 using Doing = Body::Doing;
 
-/// [ticks] between turns of whoever is nearer than so, and between the pieces in which the bodies of those move that walk.
+/// The waiting time of robots within a distance: between two turns, and between two pieces of a walking body's move.
 struct Ring {
   float within;  // [m]
   Tick ticks;
 };
-/// To the ball's path. Each is a small part of the time that it takes to get there; next to the ball it is less than
-/// half a step of the walk.
+/// By the distance to the ball's path. Each time is a small part of the time needed to reach the ball; next to the ball
+/// it is less than half a walking step.
 constexpr Ring kToBall[] = {{0.35f, 2}, {0.6f, 4}, {0.8f, 6}, {1.2f, 9}};
-/// To another robot's middle, less both radii: two that walk towards each other cover 0.5 m in a second.
+/// By the gap to the nearest other robot: two that walk towards each other cover 0.5 m in a second.
 constexpr Ring kToRobot[] = {{0.1f, 4}, {0.2f, 9}};
-constexpr Tick kFar = 18;
-constexpr Tick kFarSteps = 2;  // of the walk, between turns of whoever walks as far away
-constexpr Tick kHalfStep = 4;  // at least, between turns of whoever walks: its legs wait for the next step anyway
-constexpr Tick kStanding = 2;  // between turns of whoever stands within the rings: it may have to block at any moment
-constexpr Tick kChasing = 9;   // at most, of whoever goes for the ball
-constexpr Tick kSet = 15;      // while everybody has to stand
+constexpr Tick kFar = 18;      // [ticks] beyond all rings
+constexpr Tick kFarSteps = 2;  // [walking steps] between turns of a walking robot beyond all rings
+constexpr Tick kHalfStep = 4;  // [ticks] least time between turns of a walking robot: its legs wait for the next step
+constexpr Tick kStanding = 2;  // [ticks] between turns of a standing robot within the rings: it may have to block
+constexpr Tick kChasing = 9;   // [ticks] longest time between turns of the chaser
+constexpr Tick kSet = 15;      // [ticks] between turns in SET, where all robots stand
 
-constexpr float kForesight = 1;  // [s] of the ball's path that is looked at
+constexpr float kForesight = 1;  // [s] length of the ball's path that counts
 
+/// Returns the time of the innermost ring that contains this distance, or kFar.
 Tick ticks_at(float squared_distance, std::span<const Ring> rings, float radius) {
   for (const Ring& ring : rings)
     if (squared_distance < (radius + ring.within) * (radius + ring.within)) return ring.ticks;
   return kFar;
 }
 
-/// Squared distance of `point` from the way the ball rolls in the next kForesight seconds, braking left aside.
+/// Returns the squared distance [m²] of `point` from the ball's path in the next kForesight seconds, without friction.
 float squared_distance_from_path(const Ball& ball, Vec2 point) {
   const Vec2 way = kForesight * ball.velocity;
   const Vec2 to_point = point - ball.position;
@@ -48,19 +49,19 @@ float squared_distance_from_path(const Ball& ball, Vec2 point) {
   return across * across / whole;
 }
 
-/// Of the nearest other robot on the field.
+/// Returns the squared distance [m²] of the nearest other robot.
 float squared_distance_from_robots(const World& world, int robot) {
   const Vec2 own = world.bodies[robot].position;
   float nearest = 1e6f;
   for_each_robot(world.players, [&](int other) {
     const float squared = squared_length(world.bodies[other].position - own);
-    // whoever is removed stands beside the field
+    // removed robots count too: they wait beside the field, far enough away
     if (other != robot) nearest = std::min(nearest, squared);
   });
   return nearest;
 }
 
-/// [ticks] until the foot passes where the ball should be, at least 1; 0 of a robot that is in no kick.
+/// Returns the time until the foot passes the place of the ball [ticks], at least 1, or 0 for a robot without a kick.
 Tick until_impact(const motion::Model& model, const World& world, const Robot& self, int robot) {
   const Body& body = world.bodies[robot];
   const bool kicks = body.doing == Doing::kicking;
@@ -71,7 +72,7 @@ Tick until_impact(const motion::Model& model, const World& world, const Robot& s
   return elapsed < impact ? impact - elapsed : 1;
 }
 
-/// How soon it could matter what it does, by where it is.
+/// The waiting times [ticks] that follow from the distance to the ball and to other robots.
 struct Nearness {
   Tick ball;
   Tick robots;
@@ -88,7 +89,7 @@ Nearness nearness_of(const Params& params, const State& state, int robot) {
 
 Tick next_multiple(Tick now, Tick period) { return period - now % period; }
 
-/// [ticks] to the next begin of a step whose number is a multiple of `steps`.
+/// Returns the time to the start of the next walking step whose number is a multiple of `steps` [ticks].
 Tick next_step(const motion::Rhythm& rhythm, Tick now, Tick steps) {
   Tick wait = rhythm.until_next(now);
   while (rhythm.step_at(now + wait) % steps != 0) wait += rhythm.until_next(now + wait);
@@ -106,16 +107,19 @@ Wait wait_of(const Params& params, const State& state, int robot) {
   const motion::Rhythm rhythm(motion.walk);
   const auto at_once = [](Tick ticks) { return Wait{ticks, ticks}; };
 
-  // the legs are busy
+  // a kick: wait for the contact
   const bool waits = motion::in_step(rhythm, body, world.tick);
   if (!waits)
     if (const Tick impact = until_impact(motion, world, state.robots[robot], robot); impact > 0) return at_once(impact);
+
+  // SET: all robots stand until one tick after the whistle
   if (state.book.phase == Phase::set) {
     const Tick over = state.book.phase_since + ticks(params.rules.set_duration) + 1;
     const Tick wait = next_multiple(world.tick, kSet);
     return at_once(over > world.tick ? std::min(wait, over - world.tick) : wait);
   }
 
+  // a walking robot, then all others
   const Nearness near = nearness_of(params, state, robot);
   if (motion::in_step(body)) {
     const Tick steps = next_step(rhythm, world.tick, waits || near.ball < kFar ? 1 : kFarSteps);

@@ -1,4 +1,4 @@
-// What stays the same during a game.
+// Everything that stays constant during a game.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace sim {
 
-/// A model of reality, as a file in sim/data/models describes it.
+/// A model of reality, read from a file in sim/data/models.
 struct Models {
   std::string name;
   Effects effects;
@@ -22,15 +22,17 @@ struct Models {
   perception::Model perception;
 };
 
-/// How one side plays and what its robots can do.
+/// The behaviour and the abilities of one side.
 struct Team {
-  const agent::Behaviour* behaviour = nullptr;  // outlives the game
-  Models models;                                // of these robots; ball and contacts are the home side's
+  const agent::Behaviour* behaviour = nullptr;  // not owned; outlives the game
+  Models models;                                // of its robots; for ball and contacts the home side's count
 };
 
-/// Robots far from the ball may sense and decide less often; scripts/bench equivalence shows what that changes.
+/// How often robots perceive and decide: each tick, or less often far from the ball (sim/match/pace.h).
+/// `scripts/bench equivalence` measures the difference.
 enum class Pace : unsigned char { every_tick, thinned };
 
+/// The parameters of a game.
 struct Params {
   field::Rules rules;
   field::Marks marks;  // of rules.field

@@ -7,9 +7,9 @@ void count(Result& result, const referee::Event& event) {
   ++result.events[static_cast<int>(event.kind)][static_cast<int>(event.side)];
 }
 
-/// All but the events.
+/// Fills in everything but the events.
 void sum_up(const State& state, Result& result) {
-  result.tally = state.tally;
+  result.counts = state.counts;
   result.ticks = state.world.tick;
   result.over = finished(state);
   for (int side = 0; side < 2; ++side) {
@@ -33,8 +33,8 @@ Result play_on(const Params& params, State& state, Tick most, Result result) {
 }  // namespace
 
 float Result::possession(Side side) const {
-  const std::uint32_t all = tally.possession[0] + tally.possession[1];
-  return all == 0 ? 0 : static_cast<float>(tally.possession[static_cast<int>(side)]) / static_cast<float>(all);
+  const std::uint32_t all = counts.possession[0] + counts.possession[1];
+  return all == 0 ? 0 : static_cast<float>(counts.possession[static_cast<int>(side)]) / static_cast<float>(all);
 }
 
 Result result_of(const State& state) {

@@ -1,4 +1,4 @@
-// Whole games, and what they came to.
+// Whole games and their results.
 #pragma once
 
 #include "sim/match/step.h"
@@ -7,25 +7,26 @@ namespace sim {
 
 inline constexpr int kEventKinds = static_cast<int>(referee::Event::Kind::placed) + 1;
 
-/// What a game, or a part of one, came to. Pairs are by Side.
+/// The result of a game or of a part of one. Pairs are by Side.
 struct Result {
   std::uint8_t score[2];
-  referee::Tally tally;
-  Tick ticks;                            // from its beginning, dead time included
-  bool over;                             // the game came to its end
+  referee::GameCounts counts;
+  Tick ticks;                            // since the start of the game, dead time included
+  bool over;                             // the game has ended
   float walked[2];                       // [m] by all robots of a side
   std::int32_t packets[2];               // sent
-  std::uint32_t events[kEventKinds][2];  // by referee::Event::Kind and the side each was about
+  std::uint32_t events[kEventKinds][2];  // number of events, by referee::Event::Kind and Event::side
 
-  /// Share of the time in play since whose touch it was; 0 when the ball was never in play.
+  /// Returns the share of possession [0..1]: the time in play in which this side was the last to touch the ball. It is 0
+  /// when nobody had the ball.
   float possession(Side side) const;
 };
 
-/// What the game has come to so far. A state does not keep its events: `events` are all 0.
+/// Returns the result so far. A State does not keep its events, so `events` are all 0.
 Result result_of(const State& state);
 
-/// Steps until the game is over or `until(state)` says to stop, which is asked before each step. on_event(event) hears
-/// every decision of the referee in its order. Returns how many ticks it was.
+/// Steps until the game is over or `until(state)` returns true; it is called before each step. Calls on_event(event) for
+/// each decision of the referee, in order. Returns the number of ticks played.
 template <class Until, class OnEvent>
 Tick play(const Params& params, State& state, Until&& until, OnEvent&& on_event) {
   const Tick began = state.world.tick;
@@ -37,10 +38,10 @@ Tick play(const Params& params, State& state, Until&& until, OnEvent&& on_event)
   return state.world.tick - began;
 }
 
-/// Plays on to the end of the game, at most `most` ticks. The events are those of this part.
+/// Plays on to the end of the game, for at most `most` ticks. The result counts the events of this part only.
 Result play_on(const Params& params, State& state, Tick most = kNever);
 
-/// A whole game.
+/// Plays a whole game.
 Result play_game(const Params& params, RandomKey key);
 
 }  // namespace sim

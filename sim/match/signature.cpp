@@ -14,7 +14,7 @@ const auto& pick(const List& list, std::uint32_t word) {
   return list[word % list.size()];
 }
 
-/// One effect in four is not what the file says.
+/// Switches each effect over with a probability of 1/4.
 void turn_effects_over(Effects& effects, std::uint32_t word) {
   Effects::visit(effects, [&](const char*, bool& effect, const char*, bool, bool) {
     if (word % 4 == 0) effect = !effect;
@@ -32,10 +32,10 @@ void add(Hash& hash, const referee::Event& event) {
 
 Scenario scenario(const Ingredients& ingredients, int number) {
   const RandomKey key{kSeed + static_cast<std::uint64_t>(number)};
-  const auto what = draw(key, kNobody, Event::situation, 1);
-  const auto how = draw(key, kNobody, Event::situation, 2);
+  const auto what = draw(key, kNobody, Draw::situation, 1);
+  const auto how = draw(key, kNobody, Draw::situation, 2);
 
-  // rules and behaviours in turn, so that each comes up; the rest as drawn
+  // rules and behaviours rotate, so that each one is used; everything else is random
   Scenario made;
   const auto n = static_cast<std::uint32_t>(number);
   Params& params = made.params;

@@ -6,16 +6,15 @@
 namespace sim {
 namespace {
 
-/// [m] between the middles of two robots, of robot and ball, and from the lines.
-constexpr float kRoom = 0.5f;
-constexpr float kFastest = 2;  // [m/s]
+constexpr float kRoom = 0.5f;  // [m] least distance between robots, from robot to ball, and from the lines
+constexpr float kFastest = 2;  // [m/s] fastest ball
 
-/// Four numbers in [-1, 1), the `number`-th of a robot.
+/// Four random numbers in [-1, 1).
 struct Four {
   float values[4];
 };
 Four four(RandomKey key, int robot, std::uint32_t number) {
-  const auto words = draw(key, static_cast<std::uint32_t>(robot), Event::situation, number);
+  const auto words = draw(key, static_cast<std::uint32_t>(robot), Draw::situation, number);
   return {{2 * uniform(words[0]) - 1, 2 * uniform(words[1]) - 1, 2 * uniform(words[2]) - 1, 2 * uniform(words[3]) - 1}};
 }
 
@@ -78,7 +77,7 @@ State random_situation(const Params& params, RandomKey key) {
   place(world.ball, place_of(of_ball));
   world.ball.velocity = (kFastest * of_ball.values[2]) * direction(kPi * of_ball.values[3]);
 
-  // everybody at the first place drawn that is free
+  // each robot stands at the first random place that is free
   bool placed[kMaxRobots] = {};
   for_each_robot(world.players, [&](int robot) {
     std::uint32_t number = 0;

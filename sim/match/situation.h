@@ -1,4 +1,4 @@
-// The middle of some game, described or made up: where what-ifs, tests, the signature and benches begin.
+// Situations: states in the middle of a game, from which what-ifs, tests, the signature and benches start.
 #pragma once
 
 #include "sim/match/params.h"
@@ -6,16 +6,16 @@
 
 namespace sim {
 
-/// Play is on from here: whoever describes a situation has placed ball and bodies, and set the clock, half and score
-/// if those matter. Everybody on the field knows roughly where it stands, and nothing else.
+/// Starts play in a situation. The caller has placed ball and bodies, and has set clock, half and score if they matter.
+/// Every robot on the field enters: all it knows is roughly where it stands.
 void start_play(const Params& params, State& state);
 
-/// Everybody on the field saw the ball at tick `seen`, off by `deviation` [m] and [m/s] along each axis, and has told
-/// its team now. Where each believes to stand stays.
+/// Gives every robot on the field a belief about the ball: seen at tick `seen`, with a standard deviation of `deviation`
+/// [m] and [m/s] along each axis. All robots have just sent a packet about it. Believed poses stay unchanged.
 void know_ball(State& state, Tick seen, float deviation);
 
-/// Play is on: everybody somewhere on the field, nobody on top of another, the ball rolling at up to 2 m/s. Drawn from
-/// the key (event `situation`), for the key's game.
+/// Returns a random situation in play: robots at random places without overlaps, the ball rolling at up to 2 m/s.
+/// Draws Draw::situation with `key`, which is also the key of the game.
 State random_situation(const Params& params, RandomKey key);
 
 }  // namespace sim

@@ -15,7 +15,7 @@ void put(std::vector<std::uint8_t>& bytes, std::uint64_t number, std::size_t siz
   for (std::size_t i = 0; i < size; ++i) bytes.push_back(static_cast<std::uint8_t>(number >> (8 * i)));
 }
 
-/// The next number of `size` bytes; the caller knows that there are so many.
+/// Takes the next number of `size` bytes. The caller has checked that there are that many.
 std::uint64_t take(std::span<const std::uint8_t>& bytes, std::size_t size) {
   std::uint64_t number = 0;
   for (std::size_t i = 0; i < size; ++i) number |= std::uint64_t{bytes[i]} << (8 * i);
@@ -29,9 +29,9 @@ std::uint64_t hash_of_bytes(std::span<const std::uint8_t> bytes) {
   return hash.value();
 }
 
-constexpr std::size_t kSealSize = 8;  // of the hash at the end
+constexpr std::size_t kSealSize = 8;  // [bytes] hash at the end
 
-/// Of the whole snapshot; every state has the same.
+/// Returns the size of a snapshot [bytes]. It is the same for every state.
 std::size_t snapshot_size() {
   std::size_t size = 4 + 4 + kSealSize;
   const State any{};
@@ -54,7 +54,7 @@ bool is_valid(Field field, std::uint64_t bits) {
 
 bool is_robot(std::uint8_t index) { return index < kMaxRobots || index == kNobody; }
 
-/// Empty, or the name of a count or index that leads outside its array.
+/// Returns the path of a count or index that is outside its array, or an empty string.
 std::string lost_index(const State& state) {
   const World& world = state.world;
   if (world.players < 1 || world.players > kMaxPlayers) return "world.players";
@@ -95,19 +95,19 @@ void seal(std::span<std::uint8_t> bytes) {
 }
 
 Restored restore(std::span<const std::uint8_t> bytes) {
-  // is it one at all, of this version, and whole?
+  // check magic, version, size and hash
   if (bytes.size() < 8) return refused("expected at least 8 bytes, got " + std::to_string(bytes.size()));
   std::span<const std::uint8_t> rest = bytes;
-  if (take(rest, 4) != kMagic) return refused("does not begin with FSIM");
+  if (take(rest, 4) != kMagic) return refused("expected the bytes FSIM at the beginning");
   if (const auto version = take(rest, 4); version != kSnapshotVersion)
     return refused("expected version " + std::to_string(kSnapshotVersion) + ", got " + std::to_string(version));
   if (bytes.size() != snapshot_size())
     return refused("expected " + std::to_string(snapshot_size()) + " bytes, got " + std::to_string(bytes.size()));
   std::span<const std::uint8_t> tail = bytes.last(kSealSize);
   if (take(tail, kSealSize) != hash_of_bytes(bytes.first(bytes.size() - kSealSize)))
-    return refused("its bytes do not have the hash at its end; it was damaged");
+    return refused("the hash at its end does not match its bytes; it is damaged");
 
-  // field by field, none of them impossible
+  // read field by field and check each value
   State state;
   std::string wrong;
   visit_fields(state, [&](const FieldPath& path, auto& field) {
@@ -118,7 +118,7 @@ Restored restore(std::span<const std::uint8_t> bytes) {
     if ((!representable || !is_valid(field, bits)) && wrong.empty()) wrong = path.text();
   });
   if (wrong.empty()) wrong = lost_index(state);
-  if (!wrong.empty()) return refused(wrong + " is not a possible value");
+  if (!wrong.empty()) return refused(wrong + " has an impossible value");
   return {state, {}};
 }
 

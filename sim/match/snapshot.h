@@ -1,4 +1,4 @@
-// A State as bytes that any machine can read: little-endian numbers of fixed width, field by field.
+// A State as bytes: little-endian numbers of fixed width, field by field, the same on every machine.
 #pragma once
 
 #include <cstddef>
@@ -12,21 +12,23 @@
 
 namespace sim {
 
-/// Goes up whenever the fields of State change; older snapshots are then refused.
+/// The version of the format. Increment it when the fields of State change; older snapshots are then refused.
 inline constexpr std::uint32_t kSnapshotVersion = 2;
 
-/// "FSIM", the version, every field in its order, and the hash of all that.
+/// Returns "FSIM", the version, every field in order, and the hash of all these bytes.
 std::vector<std::uint8_t> snapshot_of(const State& state);
 
-/// Writes the hash of all bytes before them into the last 8, as `snapshot_of` has done; for tests that change bytes.
+/// Writes the hash of all bytes but the last 8 into the last 8, as `snapshot_of` does. For tests that change bytes.
 void seal(std::span<std::uint8_t> bytes);
 
-/// The state of a snapshot, or the sentence that says why these bytes are none. Whatever they are, a state that comes
-/// back can be stepped: its enumerators exist, its indices are inside their arrays, its numbers are finite.
+/// The restored state, or the reason why the bytes were refused.
 struct Restored {
   std::optional<State> state;
   std::string refusal;  // empty when there is a state
 };
+
+/// Reads a snapshot from untrusted bytes. A returned state can always be stepped: its enumerators exist, its indices are
+/// inside their arrays, its numbers are finite.
 Restored restore(std::span<const std::uint8_t> bytes);
 
 }  // namespace sim

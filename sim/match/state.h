@@ -1,7 +1,7 @@
 // The state of a game: everything that changes, in one plain struct.
 //
-// Copying it is the snapshot; rewind, what-if, rollouts and replay are copies. What does not change is in Params
-// (sim/match/params.h).
+// A copy is a snapshot: rewind, what-if, rollouts and replay are copies of a State. Everything that stays constant is
+// in Params (sim/match/params.h).
 #pragma once
 
 #include <cstdint>
@@ -16,28 +16,29 @@
 
 namespace sim {
 
-/// One robot but for its body, which is in the world.
+/// One robot without its body, which is in the world.
 struct Robot {
-  motion::Command command;          // the last one, in force until the next
-  agent::Beliefs beliefs;           // what it thinks is so
-  agent::Mind mind;                 // what it remembers
-  perception::Cognition cognition;  // how wrong it is
+  motion::Command command;          // the newest command, in force until the next one
+  agent::Beliefs beliefs;           // of ball, own pose, teammates and opponents
+  agent::Mind mind;                 // the behaviour's memory between decisions
+  perception::Cognition cognition;  // hidden errors of odometry and pose, and the packet on the air
 };
 
-/// When robots are due, by their index.
+/// The ticks in which robots are due, by index.
 struct Schedule {
-  Tick next = 0;                       // nobody is before: most ticks cost one look
-  Tick turn[kMaxRobots] = {};          // when it perceives and decides (sim/match/pace.h); kNever: is removed
-  Tick radio[kMaxRobots] = {};         // when its packet arrives; with none on the way: when it may send again
-  std::uint8_t lag[kMaxRobots] = {};   // [ticks] from its last turn to the next
-  std::uint8_t lost[kMaxRobots] = {};  // whom the packet on its way does not reach: bit i is beliefs.mates[i]
+  Tick next = 0;                       // earliest tick with anything due, so that most ticks cost one comparison
+  Tick turn[kMaxRobots] = {};          // next perception and decision (sim/match/pace.h); kNever: removed
+  Tick radio[kMaxRobots] = {};         // arrival of the packet on the air; without one: earliest next packet
+  std::uint8_t lag[kMaxRobots] = {};   // [ticks] from the last turn to the next
+  std::uint8_t lost[kMaxRobots] = {};  // receivers that lose the packet on the air: bit i is beliefs.mates[i]
 };
 
+/// The whole state of a game.
 struct State {
   World world;
   Schedule schedule;
   referee::Book book;
-  referee::Tally tally;
+  referee::GameCounts counts;
   Robot robots[kMaxRobots];  // by the same index as the bodies
 };
 static_assert(std::is_trivially_copyable_v<State>);

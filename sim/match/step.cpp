@@ -9,6 +9,13 @@
 #include "sim/referee/referee.h"
 #include "sim/world/contact.h"
 
+// Read this file from the bottom: `step` is one tick of a game, and each function above it is one part of that.
+//
+//   step ─ act ─── think ─ perception::perceive, Behaviour::decide, wait_of
+//        │       ├ talk ── perception::transmit, perception::receive
+//        │       └ move ── motion::move, motion::turn_head
+//        ├ meet ── keep_bodies_apart, bounce_ball
+//        └ judge ─ referee::judge
 namespace sim {
 namespace {
 
@@ -18,18 +25,18 @@ bool on_field(const World& world, int robot) { return world.bodies[robot].doing 
 
 const Team& team_of(const Params& params, int robot) { return params.teams[static_cast<int>(side_of(robot))]; }
 
-/// Ball and contacts are the home side's.
+/// Returns the models of ball and contacts. Both sides share those of the home side.
 const Models& common(const Params& params) { return params.teams[0].models; }
 
-/// What the robots of a side sense, decide and move with.
-struct Means {
+/// The parameters of one side, sorted by the part of the simulator that reads them.
+struct SideParams {
   const Team& team;
-  perception::Means perceiving;
-  motion::Means moving;
+  perception::PerceptionParams perception;
+  motion::MotionParams motion;
   agent::Surroundings surroundings;
 };
 
-Means means_of(const Params& params, Side side) {
+SideParams side_params(const Params& params, Side side) {
   const Team& team = params.teams[static_cast<int>(side)];
   const Models& own = team.models;
   const BallModel& ball = common(params).ball;
@@ -39,9 +46,11 @@ Means means_of(const Params& params, Side side) {
           {&params.rules.field, &own.motion}};
 }
 
-referee::Means judging(const Params& params) { return {params.rules, common(params).ball, common(params).contact}; }
+referee::RefereeParams referee_params(const Params& params) {
+  return {params.rules, common(params).ball, common(params).contact};
+}
 
-/// Some of the robots, a bit each.
+/// A set of robots, one bit per index.
 using Some = std::uint32_t;
 
 template <class See>
@@ -49,25 +58,25 @@ void for_each_of(Some robots, See&& see) {
   for (; robots != 0; robots &= robots - 1) see(std::countr_zero(robots));
 }
 
-/// What there is to do in a tick.
+/// The robots with something to do in a tick.
 struct Due {
-  Some moves;   // bodies on the field that move on
-  Some turns;   // of these, whoever perceives and decides before
-  Some radios;  // something arrives, or may be sent
+  Some moves;   // move on; all are on the field
+  Some turns;   // perceive and decide before they move
+  Some radios;  // their packet arrives or may be sent
 };
 
 Due due_in(State& state) {
   Due due{};
   Schedule& schedule = state.schedule;
   const Tick now = state.world.tick;
-  // no branch: who is due is random
+  // without branches: the branch predictor could not foresee which robots are due
   for_each_robot(state.world.players, [&](int robot) {
     const bool turn = schedule.turn[robot] <= now, move = until_move(state.world.bodies[robot], now) == 0;
     due.turns |= static_cast<Some>(turn) << robot;
     due.moves |= static_cast<Some>(turn | move) << robot;
     due.radios |= static_cast<Some>(schedule.radio[robot] <= now) << robot;
   });
-  // who is removed has a turn again when it enters
+  // a removed robot has no turn until it enters again
   for_each_of(due.moves, [&](int robot) {
     if (on_field(state.world, robot)) return;
     schedule.turn[robot] = kNever;
@@ -77,6 +86,7 @@ Due due_in(State& state) {
   return due;
 }
 
+/// Returns the next tick in which any robot has something to do.
 Tick earliest_of(const State& state) {
   const World& world = state.world;
   const Schedule& schedule = state.schedule;
@@ -89,39 +99,39 @@ Tick earliest_of(const State& state) {
   return earliest;
 }
 
-/// Beliefs from the world, a command from the beliefs, and when it is its turn again.
-void think(const Params& params, const Means& means, State& state, int robot, agent::Trace* trace) {
+/// Updates the robot's beliefs from the world, decides a command from the beliefs, and schedules the next turn.
+void think(const Params& params, const SideParams& side, State& state, int robot, agent::Trace* trace) {
   Robot& self = state.robots[robot];
   const Tick now = state.world.tick, steps = state.schedule.lag[robot];
-  perception::perceive(means.perceiving, state.world, robot, steps, self.beliefs, self.cognition);
-  if (referee::in_play(state.book) && self.beliefs.ball.visible) state.tally.seen[robot] += steps;
+  perception::perceive(side.perception, state.world, robot, steps, self.beliefs, self.cognition);
+  if (referee::in_play(state.book) && self.beliefs.ball.visible) state.counts.seen[robot] += steps;
   const agent::Game game = referee::game_for(params.rules, state.world, state.book, robot);
-  self.command = means.team.behaviour->decide(means.surroundings, game, self.beliefs, now, self.mind, trace);
+  self.command = side.team.behaviour->decide(side.surroundings, game, self.beliefs, now, self.mind, trace);
   const Wait wait = wait_of(params, state, robot);
   state.schedule.lag[robot] = static_cast<std::uint8_t>(wait.turn);
   state.world.bodies[robot].glide = static_cast<std::uint8_t>(wait.move);
   state.schedule.turn[robot] = now + wait.turn;
 }
 
-/// The body goes on with its command, at most to its next turn. The head may come last: nobody looks before.
-void move(const Means& means, State& state, int robot) {
+/// Moves the body on with its command, at most up to the robot's next turn. The head moves once, at the end of that
+/// time: no image is taken before.
+void move(const SideParams& side, State& state, int robot) {
   const Robot& self = state.robots[robot];
   Body& body = state.world.bodies[robot];
   const Tick now = state.world.tick, left = state.schedule.turn[robot] - now;
   const Tick steps = std::min<Tick>(body.glide, left);
-  motion::move(means.moving, self.command, robot, steps, state.world);
+  motion::move(side.motion, self.command, robot, steps, state.world);
   body.moved = static_cast<std::uint8_t>(now + steps);
-  if (steps == left)
-    motion::turn_head(means.moving, self.command, self.cognition.last, state.schedule.lag[robot], body);
+  if (steps == left) motion::turn_head(side.motion, self.command, self.cognition.last, state.schedule.lag[robot], body);
 }
 
-/// [s] of the game that are still to be played.
+/// Returns the remaining time of the whole game [s].
 float remaining(const Params& params, const referee::Book& book) {
   const float halves = static_cast<float>(params.rules.halves - book.half + 1);
   return halves * params.rules.half_duration - static_cast<float>(book.clock) * kTickDuration;
 }
 
-/// To the teammates that hear it; and from now on the sender waits until it may send again.
+/// Delivers the sender's packet to the teammates that do not lose it, and schedules the sender's next packet.
 void deliver(const Params& params, State& state, int sender) {
   const Side side = side_of(sender);
   perception::Cognition& cognition = state.robots[sender].cognition;
@@ -136,6 +146,7 @@ void deliver(const Params& params, State& state, int sender) {
                               state.book.packets[static_cast<int>(side)], remaining(params, state.book));
 }
 
+/// Puts the sender's beliefs on the air as a packet, with its delay and its losses.
 void send(const Params& params, State& state, int sender) {
   const Tick now = state.world.tick;
   const Models& models = team_of(params, sender).models;
@@ -148,8 +159,8 @@ void send(const Params& params, State& state, int sender) {
   ++state.book.packets[static_cast<int>(side_of(sender))];
 }
 
-/// What is on its way arrives; then the robot may send, if it is its turn or it waits beside the field. What comes
-/// without delay arrives at once.
+/// Delivers the robot's packet if one is on the air. Then the robot may send the next one, right after its turn or while
+/// it waits beside the field. A packet without delay is delivered at once.
 void talk(const Params& params, State& state, int robot) {
   const Tick now = state.world.tick;
   const auto is_due = [&] { return state.schedule.radio[robot] <= now; };
@@ -164,27 +175,31 @@ void talk(const Params& params, State& state, int robot) {
   if (is_due()) deliver(params, state, robot);
 }
 
-/// Robots perceive, decide, communicate and begin to move. Says whether anybody may have moved.
+/// Lets the robots that are due perceive, decide, communicate and move. Returns whether any body may have moved.
 bool act(const Params& params, State& state, int traced, agent::Trace* trace) {
-  const Means means[] = {means_of(params, Side::home), means_of(params, Side::away)};
-  const auto means_for = [&](int robot) -> const Means& { return means[static_cast<int>(side_of(robot))]; };
+  const SideParams sides[] = {side_params(params, Side::home), side_params(params, Side::away)};
+  const auto side_for = [&](int robot) -> const SideParams& { return sides[static_cast<int>(side_of(robot))]; };
 
-  // everybody whose turn it is perceives and decides on the same world: nobody has moved yet
+  // all robots that have a turn see the same world: no body has moved yet
   const Due due = due_in(state);
   for_each_of(due.turns, [&](int robot) {
-    think(params, means_for(robot), state, robot,
+    think(params, side_for(robot), state, robot,
           traced == kEverybody ? trace + robot
           : traced == robot    ? trace
                                : nullptr);
   });
   for_each_of(due.radios, [&](int robot) { talk(params, state, robot); });
-  for_each_of(due.moves, [&](int robot) { move(means_for(robot), state, robot); });
+  for_each_of(due.moves, [&](int robot) { move(side_for(robot), state, robot); });
+
+  // until then `step` skips this function
   state.schedule.next = earliest_of(state);
   return due.moves != 0;
 }
 
-/// What moves meets what is in its way: robots each other, the ball robots and posts. Where nobody moves and the ball
-/// lies, nothing can happen; but who has just touched the ball may squeeze it on.
+/// Rolls the ball and resolves contacts: robots with robots, the ball with robots and posts.
+///
+/// With no moving body and a resting ball there is nothing to resolve, except when the ball was touched in the last
+/// tick: a robot may still squeeze it.
 void meet(const Params& params, bool bodies_move, bool touched, World& world) {
   const auto& [name, effects, ball, contact, motion, perception] = common(params);
   const field::Field& field = params.rules.field;
@@ -198,9 +213,9 @@ void meet(const Params& params, bool bodies_move, bool touched, World& world) {
   bounce_ball(field, ball, contact, effects, crowd, world);
 }
 
-/// The referee's decisions; whoever comes onto the field begins anew, after half time that is everybody.
+/// Applies the referee's rules. A robot that returns from a penalty enters the field; after half time all robots do.
 void judge(const Params& params, State& state, referee::Events& events) {
-  referee::judge(judging(params), state.world, state.book, state.tally, events);
+  referee::judge(referee_params(params), state.world, state.book, state.counts, events);
   for (int i = 0; i < events.count; ++i) {
     const referee::Event& event = events.list[static_cast<std::size_t>(i)];
     if (event.kind == referee::Event::Kind::returned) enter(params, state, event.robot);
@@ -216,10 +231,10 @@ void enter(const Params& params, State& state, int robot) {
   self = {};
   state.schedule.next = state.schedule.turn[robot] = state.schedule.radio[robot] = 0;
   state.schedule.lag[robot] = 1;
-  // a robot in a mirror begins to search the other way
+  // mirrored robots begin their search in mirrored directions
   const float sign = attack_sign(state.world, side_of(robot));
   self.mind.search_side = agent::left_or_right(sign * state.world.bodies[robot].position.y);
-  perception::enter(means_of(params, side_of(robot)).perceiving, state.world, robot, self.beliefs, self.cognition);
+  perception::enter(side_params(params, side_of(robot)).perception, state.world, robot, self.beliefs, self.cognition);
 }
 
 State begin(const Params& params, RandomKey key, referee::Events& events) {
@@ -227,7 +242,7 @@ State begin(const Params& params, RandomKey key, referee::Events& events) {
   events.count = 0;
   state.world.key = key;
   state.world.players = params.rules.players;
-  referee::open(judging(params), state.world, state.book, events);
+  referee::open(referee_params(params), state.world, state.book, events);
   for_each_robot(state.world.players, [&](int robot) { enter(params, state, robot); });
   return state;
 }

@@ -1,4 +1,4 @@
-// The simulator on one screen.
+// One step of a game: the simulator on one screen.
 #pragma once
 
 #include "sim/agent/trace.h"
@@ -8,21 +8,22 @@
 
 namespace sim {
 
-/// The state in which a game begins. The rules say how many robots there are; the key says everything else.
+/// Returns the state at the start of a game. The rules give the number of robots, the key settles everything random.
 State begin(const Params& params, RandomKey key, referee::Events& events);
 
-inline constexpr int kEverybody = -2;
+inline constexpr int kEverybody = -2;  // for `traced`: trace all robots
 
-/// One tick, 1/30 s: perceive, decide, communicate, move, judge. Allocates nothing.
-/// `traced` with `trace`: the decision of that robot in this tick is explained. kEverybody: `trace` is an array of
-/// kMaxRobots, by index; who does not decide in this tick leaves his as it was.
+/// Plays one tick, 1/30 s: perceive, decide, communicate, move, judge. Allocates nothing.
+///
+/// Writes the decision trace of robot `traced` to `trace`. With kEverybody, `trace` is an array of kMaxRobots traces by
+/// index. A robot that does not decide in this tick leaves its trace unchanged.
 void step(const Params& params, State& state, referee::Events& events, int traced = -1, agent::Trace* trace = nullptr);
 
-/// The robot comes onto the field where its body stands, and begins anew: it knows roughly where that is, and nothing
-/// else. `begin` and `step` do it where it is due; others after they placed a body.
+/// Lets a robot enter the field at the place of its body. All it knows is roughly where it stands.
+/// `begin` and `step` call this themselves; other code calls it after placing a body.
 void enter(const Params& params, State& state, int robot);
 
-/// The game is over.
+/// Reports whether the game is over.
 bool finished(const State& state);
 
 }  // namespace sim

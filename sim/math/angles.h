@@ -1,8 +1,9 @@
-// Elementary functions that give the same bits on every machine.
+// Elementary functions that return the same bits on every machine.
 //
-// The C library's differ between processors (its run-time FMA dispatch), so `sim` never calls them; `sqrt` is exact
-// everywhere and is the only one it may use. All are odd or even to the bit, as mathematics has it: a mirrored game
-// is the mirrored game. Each is a range reduction (Cody and Waite) and a minimax polynomial (Remez), without tables.
+// The C library picks FMA versions of its functions at run time, so their results differ between processors. `sim` uses
+// none of them except `sqrt`, which is exact everywhere. Each function here is odd or even to the bit, as in
+// mathematics, so that a mirrored start leads to the mirrored game. Each one is a range reduction (Cody and Waite) and a
+// minimax polynomial (Remez), without tables.
 #pragma once
 
 #include <bit>
@@ -16,47 +17,49 @@ static_assert(FLT_EVAL_METHOD == 0, "floats must not be computed with more bits 
 
 inline constexpr float kPi = 3.14159265358979f;
 
-/// For |angle| <= 1000 rad within 2 ulp of 1 (absolute error <= 1.2e-7).
+/// Returns the sine with an absolute error of at most 1.2e-7 (2 ulp of 1), for |angle| <= 1000 rad.
 float sin(float angle);
+/// Returns the cosine, likewise.
 float cos(float angle);
-/// Both at once, for little more than one.
+/// The sine and the cosine of an angle. Both together cost little more than one.
 struct SinCos {
   float sin;
   float cos;
 };
 SinCos sin_cos(float angle);
-/// [rad] [-π, π], within 3.2e-7; 0 for (0, 0) and π for a negative `x` with `y` = 0 or -0: -π is only what an angle a
-/// little above it is rounded to.
+/// Returns the angle of the point (x, y) in [-π, π] rad, within 3.2e-7 rad. Returns 0 for (0, 0), and π for a negative
+/// `x` with `y` = 0 or -0. It returns -π only when an angle slightly above -π is rounded.
 float atan2(float y, float x);
-/// Natural, within 2 ulp for normal numbers > 0.
+/// Returns the natural logarithm, within 2 ulp, for normal numbers > 0.
 float log(float x);
-/// Within 2 ulp for -87 <= x <= 88, clamped beyond.
+/// Returns e to the power of `x`, within 2 ulp, for -87 <= x <= 88. Values beyond are clamped.
 float exp(float x);
 
-/// `angle` as the equal one in (-π, π], for |angle| <= 1000 rad; one in there stays what it is.
+/// Returns the equal angle in (-π, π], for |angle| <= 1000 rad. An angle in that range is returned unchanged.
 float normalized(float angle);
 
-// How they do it. Inline, because they are what a step spends much of its time with.
+// The implementations are inline because a step spends much of its time in them.
 
 namespace detail {
 
-// adding it rounds to a whole number, ties to even and so the same way on both sides of 0; that number is in the low
-// bits of the sum
+// Adding this rounds to a whole number. Ties go to even, which is symmetric about 0. The low bits of the sum hold that
+// number.
 inline constexpr float kRound = 0x1.8p23f;
 
-// π/2 in three parts: few enough bits in the first two for exact products with whole numbers up to 2000
+// π/2 in three parts. The first two have so few bits that their products with whole numbers up to 2000 are exact.
 inline constexpr float kHalfPiHigh = 0x1.92p0f;
 inline constexpr float kHalfPiMiddle = 0x1.fb4p-12f;
 inline constexpr float kHalfPiLow = 0x1.4442d2p-24f;
 
-/// Of a rest in [-π/4, π/4] and the number of quarter turns before it.
+/// Returns sine and cosine of `quarters` quarter turns plus `rest` in [-π/4, π/4] rad.
 inline SinCos sin_cos_of_rest(float rest, std::uint32_t quarters) {
   const float square = rest * rest;
   const float sine = rest + rest * square * (-0x1.55554p-3f + square * (0x1.1105a8p-7f - square * 0x1.98d6b8p-13f));
   const float cosine =
       1.f - 0.5f * square + square * square * (0x1.55554ap-5f - square * (0x1.6c0c82p-10f - square * 0x1.99ff4p-16f));
 
-  // an odd number of quarters swaps the two, the second bit turns the signs; in bits, because branches would be random
+  // an odd number of quarters swaps the two, the second bit changes the signs; bit operations, because the branch
+  // predictor could not foresee either
   const std::uint32_t swap = 0u - (quarters & 1u);
   const auto sine_bits = std::bit_cast<std::uint32_t>(sine), cosine_bits = std::bit_cast<std::uint32_t>(cosine);
   const std::uint32_t difference = (sine_bits ^ cosine_bits) & swap;
@@ -82,7 +85,7 @@ inline float atan2(float y, float x) {
   const float longer = across > along ? across : along, shorter = across > along ? along : across;
   if (longer == 0) return 0;
 
-  // the arcus tangent of a slope of at most 1
+  // the arc tangent of a slope of at most 1
   const float slope = shorter / longer;
   const float square = slope * slope, fourth = square * square;
   const float low = -0x1.5550f2p-2f + square * 0x1.98d61p-3f;
@@ -90,8 +93,8 @@ inline float atan2(float y, float x) {
   const float high = -0x1.d947e4p-5f + square * (0x1.797d32p-6f - square * 0x1.1d6f7p-8f);
   const float angle = slope + slope * square * (low + fourth * (middle + fourth * high));
 
-  // to the octant in which the point lies: on from the axis before it or back from the one behind it; in bits, because
-  // branches would be random
+  // move to the octant of the point: forward from the axis before it or back from the axis after it; bit operations,
+  // because the branch predictor could not foresee the octant
   const std::uint32_t steep = across > along, behind = x < 0, right = y < 0;
   const float axis = std::bit_cast<float>(((0u - steep) & 0x3fc90fdbu) | ((0u - (behind & ~steep)) & 0x40490fdbu));
   const float turned = axis + std::bit_cast<float>(std::bit_cast<std::uint32_t>(angle) ^ ((steep ^ behind) << 31));
@@ -109,7 +112,7 @@ inline float log(float x) {
   const float high = (0x1.226e4cp-3f - rest * 0x1.0ce07ap-3f) + square * (0x1.07d0dep-3f - rest * 0x1.41eddcp-4f);
   const float cubic = rest * square * (low + fourth * high);
 
-  // the logarithm of 2 in two parts, the first exact in the product
+  // the logarithm of 2 in two parts; the product with the first is exact
   const auto doublings = static_cast<float>(exponent);
   return doublings * 0x1.63p-1f + (rest - (0.5f * square - (cubic - doublings * 0x1.bd0106p-13f)));
 }
@@ -134,7 +137,7 @@ inline float normalized(float angle) {
   const float rest = ((angle - turns * (4 * detail::kHalfPiHigh)) - turns * (4 * detail::kHalfPiMiddle)) -
                      turns * (4 * detail::kHalfPiLow);
 
-  // what lies a rounding error beyond the border is on the other side
+  // rounding may leave the angle slightly outside (-π, π]
   if (rest > kPi) return rest - 2 * kPi;
   if (rest <= -kPi) return rest + 2 * kPi;
   return rest;

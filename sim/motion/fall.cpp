@@ -4,14 +4,14 @@
 
 namespace sim::motion {
 
-void perhaps_fall(const Means& means, int robot, Tick now, Tick steps, World& world) {
+void perhaps_fall(const MotionParams& params, int robot, Tick now, Tick steps, World& world) {
   Body& body = world.bodies[robot];
   float rate = 0;  // [1/s]
-  if (body.doing == Body::Doing::walking) rate += means.model.falls.per_minute_walking / 60;
-  if (body.touching > 0) rate += means.model.falls.per_second_touching;
+  if (body.doing == Body::Doing::walking) rate += params.model.falls.per_minute_walking / 60;
+  if (body.touching > 0) rate += params.model.falls.per_second_touching;
   if (rate == 0) return;
 
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::fall, now);
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::fall, now);
   if (uniform(words[0]) >= rate * static_cast<float>(steps) * kTickDuration) return;
   body.doing = Body::Doing::fallen;
   body.since = now;
@@ -19,11 +19,11 @@ void perhaps_fall(const Means& means, int robot, Tick now, Tick steps, World& wo
   body.turn_rate = 0;
 }
 
-Tick lie(const Means& means, int robot, Tick now, Tick left, World& world) {
+Tick lie(const MotionParams& params, int robot, Tick now, Tick left, World& world) {
   Body& body = world.bodies[robot];
-  const Falls& falls = means.model.falls;
+  const Falls& falls = params.model.falls;
 
-  // lies on, or is still on its way up
+  // nothing changes within these ticks
   const bool fallen = body.doing == Body::Doing::fallen;
   const Tick duration = std::max<Tick>(1, ticks(fallen ? falls.lying : falls.getting_up));
   const Tick elapsed = std::min(now - body.since, duration - 1);
@@ -35,7 +35,7 @@ Tick lie(const Means& means, int robot, Tick now, Tick left, World& world) {
     body.doing = Body::Doing::getting_up;
     return used;
   }
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::get_up, body.since);
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::get_up, body.since);
   body.doing = uniform(words[0]) < falls.failure ? Body::Doing::fallen : Body::Doing::standing;
   return used;
 }

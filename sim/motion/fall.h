@@ -6,10 +6,10 @@
 
 namespace sim::motion {
 
-/// Lets an upright body fall, if that is its luck in these ticks.
-void perhaps_fall(const Means& means, int robot, Tick now, Tick steps, World& world);
+/// Lets an upright body fall with the probability of these ticks.
+void perhaps_fall(const MotionParams& params, int robot, Tick now, Tick steps, World& world);
 
-/// Lies and gets up for at most `left` ticks, up to the next change. Returns how many ticks it took, at least one.
-Tick lie(const Means& means, int robot, Tick now, Tick left, World& world);
+/// Lets the body lie or get up for at most `left` ticks, up to the next change. Returns the ticks used, at least one.
+Tick lie(const MotionParams& params, int robot, Tick now, Tick left, World& world);
 
 }  // namespace sim::motion

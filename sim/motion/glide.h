@@ -1,4 +1,4 @@
-// How a body moves on with a gait: towards its speeds, along an arc. Internal to sim/motion.
+// The movement of a body with a gait: it accelerates towards it and follows an arc. Internal to sim/motion.
 #pragma once
 
 #include <cmath>
@@ -8,13 +8,13 @@
 
 namespace sim::motion {
 
-/// An angle beyond ±π, but not beyond ±3π, as the equal one within.
+/// Returns the equal angle within ±π, for |angle| <= 3π.
 inline float wrapped(float angle) { return angle > kPi ? angle - 2 * kPi : angle < -kPi ? angle + 2 * kPi : angle; }
 
-/// A change that is greater than what is possible by less than this share is possible: sums of rounded numbers.
+/// The tolerance for sums of rounded numbers: a change counts as possible if it exceeds the limit by a smaller share.
 inline constexpr float kRounding = 1e-4f;
 
-/// Leads `velocity` towards `wanted`, by at most `most`, and returns its mean over the time that `most` takes.
+/// Changes `velocity` towards `wanted` by at most `most`. Returns the mean velocity over the time that `most` takes.
 inline Vec2 approach(Vec2& velocity, Vec2 wanted, float most) {
   const Vec2 change = wanted - velocity;
   const float squared = squared_length(change);
@@ -25,12 +25,12 @@ inline Vec2 approach(Vec2& velocity, Vec2 wanted, float most) {
     return mean;
   }
   velocity = wanted;
-  // 1 mm/s is not felt
+  // a change below 1 mm/s needs no mean
   if (squared < 1e-6f) return wanted;
   return wanted - 0.5f * std::sqrt(squared) / most * change;
 }
 
-/// Likewise a turn rate.
+/// Does the same for a turn rate.
 inline float approach(float& rate, float wanted, float most) {
   const float change = wanted - rate;
   const float size = std::abs(change);
@@ -45,7 +45,7 @@ inline float approach(float& rate, float wanted, float most) {
   return wanted - 0.5f * size / most * change;
 }
 
-/// What the chord of an arc is to the arc, seen from where it begins: (sin a / a, (1 - cos a) / a).
+/// Returns the chord of an arc of length 1, in the frame of its start: (sin a / a, (1 - cos a) / a).
 inline Vec2 chord_of(float angle) {
   const float square = angle * angle;
   if (square < 0.09f) return {1 - square * (1.f / 6 - square * (1.f / 120)), angle * (0.5f - square * (1.f / 24))};
@@ -53,14 +53,15 @@ inline Vec2 chord_of(float angle) {
   return {end.sin / angle, (1 - end.cos) / angle};
 }
 
-/// A motion of the robot's frame: seen from where it was, [m] and a unit vector, and the angle of that [rad].
+/// A motion of the robot's frame, seen from its former pose.
 struct Moved {
-  Vec2 displacement;
-  Vec2 facing;
-  float angle;
+  Vec2 displacement;  // [m]
+  Vec2 facing;        // unit vector at `angle`
+  float angle;        // [rad]
 };
 
-/// Moves the body for `dt` towards the gait, at once or within its accelerations. Inline, because it is called once.
+/// Moves the body for `dt` with the gait, reached at once or within the limits of acceleration. Inline, because there is
+/// one call.
 [[gnu::always_inline]] inline Moved glide(const Walk& walk, bool limited, const Gait& gait, float dt, Body& body) {
   Vec2 velocity = gait.velocity;
   float rate = gait.turn_rate;
@@ -72,7 +73,7 @@ struct Moved {
     body.turn_rate = rate;
   }
 
-  // the chord of an angle has both functions of the angle in it
+  // the chord also yields sine and cosine of the angle
   const Vec2 arc = dt * velocity;
   const float angle = rate * dt;
   const Vec2 chord = chord_of(angle);

@@ -9,16 +9,17 @@
 namespace sim::motion {
 namespace {
 
-constexpr float kCameraHeight = 0.45f;  // [m] BH assumedObservationHeight; aiming needs it no better
-constexpr float kTolerance = 0.015f;    // [rad] an aim that is off by less is kept
+constexpr float kCameraHeight = 0.45f;  // [m] B-Human's assumedObservationHeight; good enough for aiming
+constexpr float kTolerance = 0.015f;    // [rad] an aim with a smaller error is kept
 constexpr float kViewCentre = 0.44f;    // [rad] below the horizon with pitch 0: the middle of both cameras' views
 
+/// The angles of the head [rad].
 struct Angles {
   float yaw;
   float pitch;
 };
 
-// how far up and down the head may nod at this yaw: the table of `yaw_limit_at`, read the other way round
+/// The limits of the pitch at some yaw [rad]: the table of `yaw_limit_at`, inverted.
 struct Nod {
   float up;
   float down;
@@ -30,7 +31,8 @@ Nod nod_at(const Head& head, float yaw) {
   return {std::max(up, head.pitch_up), std::min(down, head.pitch_down)};
 }
 
-// of the angle whose tangent is up / along, within 0.004 for along >= 0: aiming needs it no better
+/// Returns the angle whose tangent is up / along, within 0.004 rad, for along >= 0. `nearer` is 1 / along. Good enough
+/// for aiming.
 float elevation(float up, float along, float nearer) {
   const float height = std::abs(up);
   const bool steep = height > along;
@@ -39,7 +41,8 @@ float elevation(float up, float along, float nearer) {
   return std::copysign(steep ? 0.5f * kPi - flat : flat, up);
 }
 
-// what is all but right stays: most of the time the head follows what hardly moves; a short way needs no arcus tangent
+/// Returns the angles that aim at `look`. An angle within the tolerance is kept, because the head mostly follows things
+/// that hardly move. A short way needs no arc tangent.
 Angles aimed_at(const float (&look)[3], const Pose2& told, const Body& body) {
   Vec2 point{look[0], look[1]};
   if (told.heading != body.heading || told.position != body.position) {
@@ -58,10 +61,11 @@ Angles aimed_at(const float (&look)[3], const Pose2& told, const Body& body) {
   return {yaw, std::abs(pitch - body.head_pitch) <= kTolerance ? body.head_pitch : pitch};
 }
 
-// between these pitches no shoulder is in the way, whatever the yaw
+/// Reports whether no shoulder is in the way at this pitch, whatever the yaw.
 bool is_clear(float pitch) { return -0.4f <= pitch && pitch <= 0.2f; }
 
-// A little way turns what there is, as far as the rounding of many is taken back: wherever it passes straight ahead.
+/// Turns the head to `yaw`. A small turn rotates the present `look`; each pass through straight ahead computes it anew,
+/// which removes the accumulated rounding.
 void turn_yaw(float yaw, Body& body) {
   const float angle = yaw - body.head_yaw;
   const float square = angle * angle;
@@ -95,18 +99,18 @@ float yaw_limit_at(const Head& head, float pitch) {
   return std::min(limit, head.yaw_limit);
 }
 
-void turn_head(const Means& means, const Command& command, const Pose2& told, Tick steps, Body& body) {
-  const Head& head = means.model.head;
+void turn_head(const MotionParams& params, const Command& command, const Pose2& told, Tick steps, Body& body) {
+  const Head& head = params.model.head;
   if (command.head == Command::Head::keep || body.doing >= Body::Doing::fallen) return;
   const bool aims = command.head == Command::Head::look_to;
   Angles to = aims ? aimed_at(command.look, told, body) : Angles{command.look[0], command.look[1]};
   if (to.yaw == body.head_yaw && to.pitch == body.head_pitch) return;
 
-  if (means.effects.head_limits) {
+  if (params.effects.head_limits) {
     const float dt = static_cast<float>(steps) * kTickDuration;
     to.yaw = std::clamp(to.yaw, -head.yaw_limit, head.yaw_limit);
 
-    // the pitch first: clear of the shoulders both where the head is and where it goes
+    // the pitch first: clear of the shoulders at the present and at the wanted yaw
     Nod nod{head.pitch_up, head.pitch_down};
     const bool clear = is_clear(to.pitch) && is_clear(body.head_pitch);
     if (!clear) nod = nod_at(head, std::max(std::abs(to.yaw), std::abs(body.head_yaw)));

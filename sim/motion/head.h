@@ -5,7 +5,8 @@
 
 namespace sim::motion {
 
-/// [rad] How far the head may turn to each side at this pitch without touching a shoulder (NB corpus/Kinematics.h).
+/// Returns how far the head may turn to each side at this pitch without touching a shoulder [rad] (Northern Bites,
+/// corpus/Kinematics.h).
 float yaw_limit_at(const Head& head, float pitch);
 
 }  // namespace sim::motion

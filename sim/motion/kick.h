@@ -7,14 +7,14 @@
 
 namespace sim::motion {
 
-/// [m] With the effect kick_whiff off, any ball that lies before the robot and nearer than this is hit.
+/// [m] Without the effect kick_whiff, a kick hits every ball in front of the robot that is nearer than this.
 inline constexpr float kReach = 0.25f;
 
-/// Stops the body and begins the kick that the command names.
+/// Stops the body and begins the kick of the command.
 void begin_kick(const Command& command, Tick now, Body& body);
 
-/// Goes on with the kick for at most `left` ticks, up to its end; the foot meets the ball on the way. Returns how many
-/// ticks it took, at least one.
-Tick kick(const Means& means, int robot, Tick now, Tick left, World& world);
+/// Continues the kick for at most `left` ticks, up to its end; the foot hits the ball on the way. Returns the ticks used,
+/// at least one.
+Tick kick(const MotionParams& params, int robot, Tick now, Tick left, World& world);
 
 }  // namespace sim::motion

@@ -1,11 +1,11 @@
-// What a robot's body can do: walk, head and kicks, as data.
+// The abilities of a robot's body, as data: walk, head, kicks, squat, falls.
 #pragma once
 
 namespace sim::motion {
 
 inline constexpr int kMaxKicks = 8;
 
-/// Speeds are what the robot can reach, commands are clipped to them.
+/// The walk. Speeds are the greatest possible ones; commands are clipped to them.
 struct Walk {
   float forward;            // [m/s]
   float backward;           // [m/s]
@@ -13,10 +13,10 @@ struct Walk {
   float turn_rate;          // [rad/s]
   float acceleration;       // [m/s²]
   float turn_acceleration;  // [rad/s²]
-  float turn_cost;          // [0..1] share of the translation that the greatest turn rate costs, linear
-  float slow_down;          // [m] from the destination of walk_to at which it begins to slow down
-  float step_duration;      // [s] commands are heeded, and noise is drawn, when a step begins
-  float speed_noise;        // standard deviation, as share of the speed, drawn per step
+  float turn_cost;          // [0..1] share of the speed lost at the greatest turn rate, linear
+  float slow_down;          // [m] distance from the destination of walk_to at which slowing down begins
+  float step_duration;      // [s] the start of a step obeys a new command and draws the noise
+  float speed_noise;        // standard deviation per step, as share of the speed
   float turn_noise;         // [rad/s] standard deviation per step while walking
   float start_delay;        // [s] from the command to the first motion
   float stop_delay;         // [s] from the command to standing
@@ -39,7 +39,7 @@ struct Walk {
   }
 };
 
-/// Limits are those of the joints; near the shoulders the yaw is limited further (NB corpus/Kinematics.h).
+/// The head's joints. Near the shoulders the yaw is limited further (Northern Bites, corpus/Kinematics.h).
 struct Head {
   float yaw_limit;    // [rad] to each side
   float pitch_up;     // [rad] < 0
@@ -60,16 +60,16 @@ struct Head {
 /// One kick, described for the left foot; the right foot's is its mirror image.
 struct Kick {
   char name[16];
-  float ball_x;               // [m, robot] where the ball must lie
+  float ball_x;               // [m, robot] best place of the ball
   float ball_y;               // [m, robot]
-  float gate_x;               // [m] half size of the region in which the kick is as good as here
+  float gate_x;               // [m] half size of the region round it with full quality
   float gate_y;               // [m]
-  float delay;                // [s] from the command to the foot touching the ball
-  float duration;             // [s] from the command to being able to walk again
-  float range;                // [m] how far the ball rolls from there
+  float delay;                // [s] from the command to the touch of the ball
+  float duration;             // [s] from the command to the next walk
+  float range;                // [m] mean rolling distance
   float range_deviation;      // standard deviation, as share of the range
-  float direction;            // [rad, robot] where the ball goes
-  float direction_deviation;  // [rad]
+  float direction;            // [rad, robot] mean direction of the ball
+  float direction_deviation;  // [rad] standard deviation
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
@@ -86,10 +86,10 @@ struct Kick {
   }
 };
 
-/// Squatting down with spread legs, as goalkeepers do: how wide that is, is in the contact model.
+/// A squat with spread legs, as goalkeepers do. Its width is in the contact model.
 struct Squat {
-  float delay;     // [s] from the command to being down
-  float duration;  // [s] from the command to being able to walk again
+  float delay;     // [s] from the command to the ground
+  float duration;  // [s] from the command to the next walk
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
@@ -98,10 +98,10 @@ struct Squat {
   }
 };
 
-/// Falling, which the thesis leaves out; figures are estimates until they are measured.
+/// Falls, which the thesis leaves out. The figures are estimates until they are measured.
 struct Falls {
-  float per_minute_walking;   // [1/min] while walking alone
-  float per_second_touching;  // [1/s] while pressed against another robot
+  float per_minute_walking;   // [1/min] while walking
+  float per_second_touching;  // [1/s] more while in contact with another robot
   float lying;                // [s] before it begins to get up
   float getting_up;           // [s]
   float failure;              // [0..1] probability that an attempt fails and is repeated
@@ -116,6 +116,7 @@ struct Falls {
   }
 };
 
+/// All abilities of a body.
 struct Model {
   Walk walk;
   Head head;

@@ -10,40 +10,39 @@ namespace sim::motion {
 
 namespace {
 
-// Whatever else than walking there is: falls, lies, gets up, kicks, squats. Returns how many of the ticks are left to
-// walk.
-Tick anything_else(const Means& means, const Command& command, int robot, Tick steps, World& world) {
+/// Does everything but walking: falls, gets up, kicks, squats. Returns the number of ticks left for walking.
+Tick anything_else(const MotionParams& params, const Command& command, int robot, Tick steps, World& world) {
   Body& body = world.bodies[robot];
   if (body.doing == Body::Doing::removed) return 0;
-  if (means.effects.falls && !lies(body)) perhaps_fall(means, robot, world.tick, steps, world);
+  if (params.effects.falls && !lies(body)) perhaps_fall(params, robot, world.tick, steps, world);
 
-  // a kick or a squat begins at once, but for a step that has to be finished
-  const bool kicks = command.body == Command::Body::kick && command.kick < means.model.kick_count;
+  // a kick or a squat begins at once, unless a walking step has to be finished first
+  const bool kicks = command.body == Command::Body::kick && command.kick < params.model.kick_count;
   const bool free = !lies(body) && !squats(body) && body.doing != Body::Doing::kicking &&
-                    !in_step(Rhythm(means.model.walk), body, world.tick);
+                    !in_step(Rhythm(params.model.walk), body, world.tick);
   if (kicks && free) begin_kick(command, world.tick, body);
   if (command.body == Command::Body::squat && free) begin_squat(world.tick, body);
 
   // one thing after the other until the ticks are used up
   Tick left = steps;
   const auto now = [&] { return world.tick + steps - left; };
-  while (left > 0 && lies(body)) left -= lie(means, robot, now(), left, world);
-  while (left > 0 && squats(body)) left -= squat(means, now(), left, body);
-  if (left > 0 && body.doing == Body::Doing::kicking) left -= kick(means, robot, now(), left, world);
+  while (left > 0 && lies(body)) left -= lie(params, robot, now(), left, world);
+  while (left > 0 && squats(body)) left -= squat(params, now(), left, body);
+  if (left > 0 && body.doing == Body::Doing::kicking) left -= kick(params, robot, now(), left, world);
   return left;
 }
 
 }  // namespace
 
-void move(const Means& means, const Command& command, int robot, Tick steps, World& world) {
+void move(const MotionParams& params, const Command& command, int robot, Tick steps, World& world) {
   Body& body = world.bodies[robot];
   Tick left = steps;
-  if (body.doing >= Body::Doing::kicking || command.body >= Command::Body::kick || means.effects.falls) {
-    left = anything_else(means, command, robot, steps, world);
+  if (body.doing >= Body::Doing::kicking || command.body >= Command::Body::kick || params.effects.falls) {
+    left = anything_else(params, command, robot, steps, world);
     if (left == 0) return;
   }
   const bool rests = body.doing == Body::Doing::standing && command.body == Command::Body::stand;
-  if (!rests) walk(means, command, robot, world.tick + steps - left, left, world);
+  if (!rests) walk(params, command, robot, world.tick + steps - left, left, world);
 }
 
 }  // namespace sim::motion

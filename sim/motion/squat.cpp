@@ -11,8 +11,8 @@ void begin_squat(Tick now, Body& body) {
   body.turn_rate = 0;
 }
 
-Tick squat(const Means& means, Tick now, Tick left, Body& body) {
-  const Squat& model = means.model.squat;
+Tick squat(const MotionParams& params, Tick now, Tick left, Body& body) {
+  const Squat& model = params.model.squat;
   const bool going_down = body.doing == Body::Doing::crouching;
   const Tick end = body.since + std::max<Tick>(1, ticks(going_down ? model.delay : model.duration));
   const Tick used = end > now ? end - now : 1;

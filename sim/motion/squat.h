@@ -1,4 +1,4 @@
-// Squatting to block the ball. Internal to sim/motion.
+// The squat that blocks the ball. Internal to sim/motion.
 #pragma once
 
 #include "sim/motion/motion.h"
@@ -13,8 +13,8 @@ inline bool squats(const Body& body) {
 /// Stops the body and begins to go down.
 void begin_squat(Tick now, Body& body);
 
-/// Goes down, or stays down and comes up again, for at most `left` ticks, up to the next change. Returns how many ticks
-/// it took, at least one.
-Tick squat(const Means& means, Tick now, Tick left, Body& body);
+/// Lets the body go down, stay down or come up for at most `left` ticks, up to the next change. Returns the ticks used,
+/// at least one.
+Tick squat(const MotionParams& params, Tick now, Tick left, Body& body);
 
 }  // namespace sim::motion

@@ -21,19 +21,19 @@ bool wants_to_walk(const Command& command, const Errand& errand) {
   }
 }
 
-// triangular in [-√6, √6): standard deviation 1, and cheap
+/// Returns a number in [-√6, √6) with a triangular distribution and standard deviation 1. It is cheaper than a normal one.
 float deviate(std::uint32_t word) {
   return kTriangular * (static_cast<float>((word & 0xffff) + (word >> 16)) * 0x1p-16f - 1);
 }
 
 Luck draw_luck(const Walk& walk, const World& world, int robot, Tick step) {
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::walk_noise, step);
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::walk_noise, step);
   return {{std::max(0.f, 1 + walk.speed_noise * deviate(words[0])),
            std::max(0.f, 1 + walk.speed_noise * deviate(words[1]))},
           walk.turn_noise * deviate(words[2])};
 }
 
-// standing, starting or stopping as the command wants; false when the body does not move yet
+/// Changes between standing, starting, walking and stopping. Returns false when the body does not move yet.
 bool change_gear(const Walk& walk, const Effects& effects, bool wanted, Tick now, Body& body) {
   using Doing = Body::Doing;
   const auto shift = [&](Doing doing) { body.doing = doing, body.since = now; };
@@ -56,13 +56,13 @@ bool change_gear(const Walk& walk, const Effects& effects, bool wanted, Tick now
   return body.doing == Doing::stopping;
 }
 
-// how many ticks, at least one, until a body that stops may stand
+/// Returns the time until a stopping body may stand [ticks], at least 1.
 Tick until_standing(const Walk& walk, Tick now, const Body& body) {
   const Tick end = body.since + ticks(walk.stop_delay);
   return end > now ? end - now : 1;
 }
 
-// how many ticks, at least one, until a body that stops is still: free of its step
+/// Returns the time until a stopping body is still and its step ends [ticks], at least 1.
 Tick until_still(const Walk& walk, bool limited, const Body& body) {
   if (!limited) return 1;
   const float seconds =
@@ -70,7 +70,7 @@ Tick until_still(const Walk& walk, bool limited, const Body& body) {
   return std::max<Tick>(1, static_cast<Tick>(std::ceil((1 - kRounding) * seconds * kTicksPerSecond)));
 }
 
-// what it aims at for the next `dt`
+/// Returns the gait to aim at for the next `dt`.
 Gait gait_of(const Walk& walk, bool limited, const Command& command, const Errand& errand, float dt, const Luck& luck) {
   if (command.body == Command::Body::walk_speed) return at_speed(walk, limited, errand.walk, errand.turn, luck);
   const float gain = std::clamp(command.gain, 0.f, 1.f);
@@ -79,9 +79,9 @@ Gait gait_of(const Walk& walk, bool limited, const Command& command, const Erran
                                  : towards_near(walk, limited, gain, errand, dt, luck);
 }
 
-// Settles what the step does that begins now, or in the midst of which the body begins to walk; and takes back the
-// rounding of the many small turns before it. Kept out of the way of what happens in every tick.
-[[gnu::noinline]] void begin_step(const Means& means, const Rhythm& rhythm, const Command& command,
+/// Settles the gait of the step that begins now, or of the present step when the body begins to walk within it. Also
+/// removes the rounding of the small turns before. Not inline, because it is rare.
+[[gnu::noinline]] void begin_step(const MotionParams& params, const Rhythm& rhythm, const Command& command,
                                   const Errand& errand, Tick now, int robot, World& world) {
   Body& body = world.bodies[robot];
   const SinCos heading = sin_cos(body.heading);
@@ -90,35 +90,35 @@ Gait gait_of(const Walk& walk, bool limited, const Command& command, const Erran
   body.step_turn_rate = 0;
   if (body.doing != Body::Doing::walking) return;
 
-  const Walk& walk = means.model.walk;
-  const Luck luck = means.effects.walk_noise ? draw_luck(walk, world, robot, rhythm.step_at(now)) : Luck{};
+  const Walk& walk = params.model.walk;
+  const Luck luck = params.effects.walk_noise ? draw_luck(walk, world, robot, rhythm.step_at(now)) : Luck{};
   const float dt = static_cast<float>(rhythm.until_next(now)) * kTickDuration;
-  const Gait gait = gait_of(walk, means.effects.walk_acceleration, command, errand, dt, luck);
+  const Gait gait = gait_of(walk, params.effects.walk_acceleration, command, errand, dt, luck);
   body.step_velocity = gait.velocity;
   body.step_turn_rate = gait.turn_rate;
 }
 
 }  // namespace
 
-void walk(const Means& means, const Command& command, int robot, Tick now, Tick left, World& world) {
-  const Walk& model = means.model.walk;
-  const bool limited = means.effects.walk_acceleration;
+void walk(const MotionParams& params, const Command& command, int robot, Tick now, Tick left, World& world) {
+  const Walk& model = params.model.walk;
+  const bool limited = params.effects.walk_acceleration;
   Body& body = world.bodies[robot];
   Errand errand = errand_of(command);
   const Rhythm rhythm(model);
 
-  // in pieces within which nothing changes
+  // move in pieces within which nothing changes
   while (true) {
     if (!in_step(rhythm, body, now)) {
       const bool wanted = wants_to_walk(command, errand);
-      if (!change_gear(model, means.effects, wanted, now, body)) {
+      if (!change_gear(model, params.effects, wanted, now, body)) {
         if (!wanted) return;
         const Tick delay = body.since + ticks(model.start_delay) - now;
         if (left <= delay) return;
         now += delay, left -= delay;
         continue;
       }
-      begin_step(means, rhythm, command, errand, now, robot, world);
+      begin_step(params, rhythm, command, errand, now, robot, world);
     }
 
     Tick together = std::min(left, rhythm.until_next(now));
@@ -128,7 +128,7 @@ void walk(const Means& means, const Command& command, int robot, Tick now, Tick 
     const Moved moved = glide(model, limited, gait, static_cast<float>(together) * kTickDuration, body);
     if (together == left) return;
 
-    // what is left, seen from where it is now
+    // the rest, seen from the present pose
     now += together, left -= together;
     if (command.body == Command::Body::walk_to) {
       errand.walk = turned_back(errand.walk - moved.displacement, moved.facing);

@@ -1,4 +1,4 @@
-// Walking: by speed or to a destination. Internal to sim/motion.
+// Walking with a speed or to a destination. Internal to sim/motion.
 #pragma once
 
 #include "sim/motion/command.h"
@@ -7,24 +7,24 @@
 
 namespace sim::motion {
 
-inline constexpr float kNear = 0.4f;          // [m] nearer it walks in any direction, facing as it shall on arrival
-inline constexpr float kArrived = 0.01f;      // [m] nearer it has arrived
+inline constexpr float kNear = 0.4f;          // [m] below this it walks in any direction, turning to its final heading
+inline constexpr float kArrived = 0.01f;      // [m] below this it has arrived
 inline constexpr float kArrivedTurn = 0.03f;  // [rad] likewise
-inline constexpr float kBrakes = 0.7f;  // share of the acceleration used to slow down; the rest is for corrections
+inline constexpr float kBrakes = 0.7f;        // share of the acceleration for slowing down; the rest is for corrections
 
-/// [m/s²] at which it slows down before a destination.
+/// Returns the deceleration before a destination [m/s²].
 inline float brake_of(const Walk& walk) {
   const float gentle = walk.forward * walk.forward / (2 * walk.slow_down);
   return gentle < kBrakes * walk.acceleration ? gentle : kBrakes * walk.acceleration;
 }
 
-/// What is left of the walking a command asked for; at the first tick of a move it is the command's own.
+/// The rest of a walking command. At the first tick of a move it equals the command.
 struct Errand {
-  Vec2 walk;       // walk_speed: [m/s, robot]; walk_to: where to [m, robot]
+  Vec2 walk;       // walk_speed: [m/s, robot]; walk_to: destination [m, robot]
   float turn = 0;  // walk_speed: [rad/s]; walk_to: heading on arrival [rad, robot], within ±π
 };
 
-/// `command`'s errand, seen from where the body stands now.
+/// Returns the errand of a command, seen from the present pose.
 inline Errand errand_of(const Command& command) {
   Errand errand{command.walk, command.turn};
   if (command.body != Command::Body::walk_to) return errand;
@@ -34,6 +34,6 @@ inline Errand errand_of(const Command& command) {
 }
 
 /// Stands, starts, walks or stops for `left` ticks from `now` on.
-void walk(const Means& means, const Command& command, int robot, Tick now, Tick left, World& world);
+void walk(const MotionParams& params, const Command& command, int robot, Tick now, Tick left, World& world);
 
 }  // namespace sim::motion

@@ -3,11 +3,11 @@
 namespace sim::perception {
 namespace {
 
-constexpr float kLeastVariance = 1e-6f;  // [m²] of a percept: no camera measures better than to a millimetre
+constexpr float kLeastVariance = 1e-6f;  // [m²] of a percept: no camera is more accurate than 1 mm
 
 float squared(float x) { return x * x; }
 
-/// The ball is there, give or take `variance`, and may roll anywhere.
+/// Restarts the filter at a place with this variance. The velocity is unknown.
 void start(const BallFilter& filter, Vec2 position, float variance, agent::Ball& ball) {
   ball.position = position;
   ball.velocity = {};
@@ -16,8 +16,8 @@ void start(const BallFilter& filter, Vec2 position, float variance, agent::Ball&
   ball.velocity_variance = squared(filter.first_velocity);
 }
 
-/// What the images tell are two things with errors that do not depend on each other: where it was at their middle, and
-/// its velocity.
+/// Corrects the belief by two measurements with independent errors: the position at the mean time of the images, and the
+/// velocity.
 void correct(const BallPercept& percept, float variance, agent::Ball& ball) {
   const Images& images = percept.images;
   {
@@ -53,16 +53,17 @@ agent::Ball unknown_ball(const BallFilter& filter) {
   return ball;
 }
 
-bool believe(const Means& means, const Body& body, const BallPercept& percept, bool forgotten, agent::Ball& ball) {
-  const BallFilter& filter = means.model.filter;
-  const float height = means.model.camera.height - means.ball.radius;
-  const ImageNoise noise = image_noise(means.model, body);
+bool believe(const PerceptionParams& params, const Body& body, const BallPercept& percept, bool forgotten,
+             agent::Ball& ball) {
+  const BallFilter& filter = params.model.filter;
+  const float height = params.model.camera.height - params.ball.radius;
+  const ImageNoise noise = image_noise(params.model, body);
   const auto variance_at = [&](Vec2 place) {
     return percept_variance(noise, squared_length(place), height) + kLeastVariance;
   };
 
-  // how far a percept may be off is judged by where the ball is expected: by the percepts themselves, those that seem
-  // near would count for more, and the ball would seem nearer than it is
+  // the expected place gives the variance of the percept: with the percept's own place, percepts that seem near would
+  // have more weight, and the ball would seem nearer than it is
   const bool lost = ball.variance >= squared(filter.lost_deviation);
   const float variance = variance_at(lost ? percept.position : ball.position);
   const float square = squared_length(percept.position - ball.position), gate = squared(filter.reacquire);

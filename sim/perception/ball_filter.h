@@ -1,7 +1,7 @@
-// The ball filter: what a robot makes of its percepts.
+// The ball filter: from percepts to a believed ball.
 //
-// A Kalman filter in the frame of the robot whose axes do not know of each other: position and velocity of each, with
-// one variance for both. It runs on believed odometry, so a robot that misjudges its walk misjudges the ball.
+// It is a Kalman filter of position and velocity in the robot's frame. Both axes are independent and share one
+// covariance. It uses believed odometry, so a robot that misjudges its walk also misjudges the ball.
 #pragma once
 
 #include "sim/agent/beliefs.h"
@@ -12,21 +12,22 @@
 
 namespace sim::perception {
 
-/// A ball nobody has seen: anywhere.
+/// Returns the belief about a ball that was never seen: it may be anywhere.
 agent::Ball unknown_ball(const BallFilter& filter);
 
-inline constexpr float kForgotten = 0.5f;  // [s] out of sight after which a ball may turn up anywhere
+inline constexpr float kForgotten = 0.5f;  // [s] unseen; after that the ball may appear anywhere
 
-/// Moves the belief towards a percept [m, robot] and says true.
+/// Corrects the belief by a percept [m, robot] and returns true.
 ///
-/// A percept farther off than `reacquire` standard deviations starts the filter anew if the ball was `forgotten`.
-/// Otherwise it is doubted, which says false: the belief stays where it is but becomes so uncertain that the next
-/// percept there is believed.
-bool believe(const Means& means, const Body& body, const BallPercept& percept, bool forgotten, agent::Ball& ball);
+/// A percept farther off than `reacquire` standard deviations restarts the filter if the ball was `forgotten`. Otherwise
+/// the percept is doubted and the result is false: the belief keeps its place, but becomes so uncertain that it accepts
+/// the next percept there.
+bool believe(const PerceptionParams& params, const Body& body, const BallPercept& percept, bool forgotten,
+             agent::Ball& ball);
 
-// The two steps of each image, inline because every robot takes them every tick.
+// Below: prediction and update, inline because each robot does them for each image.
 
-/// Rolls a ball on over turf that slows it down; it does not roll back.
+/// Rolls a ball on turf that slows it down. The ball does not roll back.
 inline void roll(Vec2& position, Vec2& velocity, float deceleration, float dt) {
   const float square = squared_length(velocity);
   if (square == 0) return;
@@ -42,12 +43,12 @@ inline void roll(Vec2& position, Vec2& velocity, float deceleration, float dt) {
   }
 }
 
-/// Rolls the believed ball on for `steps` ticks while the robot moved by `odometry`: where it is then, and how
-/// uncertain that is. Many short predictions end where one long one does.
+/// Predicts the believed ball and its uncertainty for `steps` ticks, in which the robot moved by `odometry`. Many short
+/// predictions end where one long one does.
 ///
-/// That the odometry is off is not added to the uncertainty: 5 % of the 0.2 m that a robot walks in a second are 1 cm
-/// against the tenths of a metre that an unseen ball becomes uncertain by.
-inline void predict(const Means& means, const Odometry& odometry, Tick steps, agent::Ball& ball) {
+/// The error of the odometry is not added to the uncertainty. It is 1 cm, 5 % of the 0.2 m that a robot walks in a
+/// second, while an unseen ball becomes uncertain by some tenths of a metre.
+inline void predict(const PerceptionParams& params, const Odometry& odometry, Tick steps, agent::Ball& ball) {
   if (ball.seen == kNever) return;
 
   // the same place in the frame of the robot that moved
@@ -57,14 +58,14 @@ inline void predict(const Means& means, const Odometry& odometry, Tick steps, ag
   }
   ball.position -= odometry.moved;
 
-  // the ball rolls; when it may be anywhere nothing is reckoned with any more
-  const BallFilter& filter = means.model.filter;
+  // the ball rolls; a ball that may be anywhere needs no prediction
+  const BallFilter& filter = params.model.filter;
   const float most = filter.lost_deviation * filter.lost_deviation;
   if (ball.variance >= most) return;
   const float dt = static_cast<float>(steps) * kTickDuration;
-  roll(ball.position, ball.velocity, means.ball.deceleration, dt);
+  roll(ball.position, ball.velocity, params.ball.deceleration, dt);
 
-  // white noise of acceleration, of which each tick has `acceleration_noise`
+  // white noise of the acceleration, with the standard deviation `acceleration_noise` in each tick
   const float noise = filter.acceleration_noise * filter.acceleration_noise * kTickDuration * dt;
   ball.variance += dt * (2 * ball.covariance + dt * (ball.velocity_variance + noise * (1.f / 3)));
   ball.covariance += dt * (ball.velocity_variance + 0.5f * noise);
@@ -74,20 +75,20 @@ inline void predict(const Means& means, const Odometry& odometry, Tick steps, ag
   ball.velocity = {};
 }
 
-/// Counts the image of `now` in, and believes its percept, if there is one. Each image without the ball takes a tenth
-/// of the heat away.
-inline void update(const Means& means, const Body& body, const BallPercept& percept, Tick steps, Tick now,
+/// Updates the belief with the images up to `now` and with their percept, if there is one. Each image without the ball
+/// reduces the heat by a tenth.
+inline void update(const PerceptionParams& params, const Body& body, const BallPercept& percept, Tick steps, Tick now,
                    agent::Ball& ball) {
   bool believed = percept.seen;
-  if (percept.seen && means.effects.ball_noise) {
-    believed = believe(means, body, percept, !ball.visible && age(now, ball.seen) >= kForgotten, ball);
+  if (percept.seen && params.effects.ball_noise) {
+    believed = believe(params, body, percept, !ball.visible && age(now, ball.seen) >= kForgotten, ball);
   } else if (percept.seen) {
     ball.position = percept.position;
     ball.velocity = percept.velocity;
     ball.variance = ball.covariance = ball.velocity_variance = 0;
   }
 
-  // images in a row
+  // number of images in a row with, or without, the ball
   const bool visible = believed && percept.ago == 0;
   const std::uint32_t frames = visible == ball.visible ? ball.frames + steps : steps;
   ball.frames = static_cast<std::uint8_t>(frames < 255 ? frames : 255);

@@ -1,33 +1,34 @@
-// What an image shows of the ball: in view or not, hidden or not, detected or not, and with which noise.
+// The percept of the ball in an image: in view, hidden, detected, and with which noise.
 #pragma once
 
 #include "sim/perception/perception.h"
 
 namespace sim::perception {
 
-/// The images that show the ball, when several are looked at together.
+/// Statistics of the images that show the ball, when one perception covers several images.
 struct Images {
-  float count = 1;   // as many as show it on average
-  float middle = 0;  // [s] before the moment of looking: their mean
-  float spread = 0;  // [s²] sum of the squared distances from that: 0 of a single one, which tells no velocity
+  float count = 1;   // expected number
+  float middle = 0;  // [s] their mean time before now
+  float spread = 0;  // [s²] sum of the squared distances from that time; 0 for one image, which shows no velocity
 };
 
+/// The ball as one perception measures it.
 struct BallPercept {
   bool seen = false;
   Vec2 position;   // [m, robot]
-  Vec2 velocity;   // [m/s, robot's axes] by the spread of the images; perfect eyes see the true one, of no ball it is 0
-  Images images;   // from which both are
-  Tick ago = 0;    // [ticks] since the newest of them
-  float heat = 0;  // [0..1] how much an opponent looks like kicking it
+  Vec2 velocity;   // [m/s, robot's axes] measured from several images; the true one without noise; 0 of a false ball
+  Images images;   // source of position and velocity
+  Tick ago = 0;    // [ticks] age of the newest of them
+  float heat = 0;  // [0..1] how likely an opponent is about to kick the ball
 };
 
-/// The ball as the last `steps` images show it to a robot, the newest at `world.tick`. Several are taken together:
-/// position and velocity are those of the straight way through the places that all of them show, as far off as the noise
-/// of each makes it. They all count only of a ball that was `followed` by the image before them, too: else the head may
-/// have been turned away during all but the newest.
+/// Returns the percept of the last `steps` images of a robot, the newest at `world.tick`. Position and velocity are those
+/// of the straight line fitted through the places in all images; their errors follow from the noise of each image.
+/// Several images count only if the ball was `followed`: the image before them showed it too. Otherwise the head may
+/// have been turned away until the newest image.
 ///
-/// Now and then the newest image shows something else that looks like it. What earlier ones do is left out: by now
-/// teammates and the robot's own eyes have put it right.
-BallPercept look_for_ball(const Means& means, const World& world, int robot, Tick steps, bool followed);
+/// Occasionally the newest image shows a false ball. False balls in earlier images are left out: teammates and the
+/// robot's own later images would have corrected them by now.
+BallPercept look_for_ball(const PerceptionParams& params, const World& world, int robot, Tick steps, bool followed);
 
 }  // namespace sim::perception

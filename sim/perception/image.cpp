@@ -5,7 +5,7 @@
 namespace sim::perception {
 namespace {
 
-/// [m²] Squared distance of the ground that is `angle` [rad] below the horizon for an eye at `height` [m].
+/// Returns the squared distance of the ground `angle` [rad] below the horizon, seen from `height` [m]. [m²]
 float squared_ground(float height, float angle) {
   if (angle <= 0) return FLT_MAX;
   if (angle >= kPi / 2) return 0;

@@ -5,11 +5,11 @@
 namespace sim::perception {
 namespace {
 
-// B-Human call a localisation superb up to these (models.md 2.5); nobody turns the field round while it is.
+// B-Human call a localisation with smaller deviations superb (models.md 2.5). Such a pose never flips.
 constexpr float kSuperb = 0.1f;                   // [m]
 constexpr float kSuperbHeading = 10 * kPi / 180;  // [rad]
-// The scale of odometry is off by the same all game. Between two corrections that adds up over about this way: the
-// longer it is, the more a metre walked with a wrong scale counts as noise.
+// The scale error of odometry is constant in a game, so its errors add up between two corrections, over about this way.
+// A longer way makes a metre walked with a wrong scale count as more noise.
 constexpr float kCorrelated = 1;  // [m], [rad]
 
 float squared(float x) { return x * x; }
@@ -18,17 +18,17 @@ float opposite(float heading) { return heading > 0 ? heading - kPi : heading + k
 
 Pose2 turned_round(Pose2 pose) { return {-pose.position, opposite(pose.heading)}; }
 
-/// [1/m²], [1/rad²] What the marks in view tell, each as often as it is detected.
+/// The information from the marks in view (inverse variances), weighted by the probability of detection.
 struct Information {
-  float position = 0;
-  float heading = 0;
+  float position = 0;  // [1/m²]
+  float heading = 0;   // [1/rad²]
 };
-Information look_at_marks(const Means& means, const Body& body) {
-  const Localisation& model = means.model.localisation;
+Information look_at_marks(const PerceptionParams& params, const Body& body) {
+  const Localisation& model = params.model.localisation;
   Information information;
   if (!has_eyes(body)) return information;
-  const Window window = window_of(means.model.camera, body, model.mark_range);
-  const field::Marks& marks = means.marks;
+  const Window window = window_of(params.model.camera, body, model.mark_range);
+  const field::Marks& marks = params.marks;
   float squares[field::Marks::kMost];
   std::uint32_t shown[field::Marks::kMost];
   for (int block = 0; block < marks.count; block += field::Marks::kBlock)
@@ -52,11 +52,11 @@ Information look_at_marks(const Means& means, const Body& body) {
   return information;
 }
 
-/// The variance of one quantity through a look at the marks: it grew on the way, the marks make it less.
+/// The change of one quantity by a look at the marks: its variance grew on the way, the marks reduce it.
 struct Change {
-  float gain;       // share of the error that the marks take away
-  float deviation;  // of the error that is drawn: by odometry and by the marks
-  float variance;   // afterwards
+  float gain;       // share of the error that the marks remove
+  float deviation;  // standard deviation of the drawn error, from odometry and marks
+  float variance;   // after the look
 };
 Change change_of(float variance, float noise, float grown, float information) {
   const float prior = variance + grown;
@@ -65,17 +65,17 @@ Change change_of(float variance, float noise, float grown, float information) {
   return {gain, std::sqrt(squared(rest) * noise + gain * prior * rest), prior * rest};
 }
 
-/// One draw for all that odometry and the marks did to the belief since the last look.
-void look(const Means& means, const World& world, int robot, agent::Pose& belief, Cognition& cognition) {
-  const Localisation& model = means.model.localisation;
-  const Information information = look_at_marks(means, world.bodies[robot]);
+/// Draws once the effect of odometry and marks on the belief since the last look.
+void look(const PerceptionParams& params, const World& world, int robot, agent::Pose& belief, Cognition& cognition) {
+  const Localisation& model = params.model.localisation;
+  const Information information = look_at_marks(params, world.bodies[robot]);
   const float walked = cognition.walked;
   const float turned = static_cast<float>(cognition.turned) * kTurnUnit;
   cognition.walked = 0;
   cognition.turned = 0;
   if (walked == 0 && turned == 0 && information.position == 0) return;
 
-  // what the way added, and what of it the robot reckons with: the scale besides, and walking in a wrong direction
+  // the variance added by the way; the robot also allows for a wrong scale and a wrong heading
   const float noise = squared(model.translation_noise) * walked;
   const float noise_heading = squared(model.rotation_noise) * turned + squared(model.rotation_per_metre) * walked;
   const float systematic = squared(model.bias), astray = squared(belief.deviation_heading);
@@ -87,7 +87,7 @@ void look(const Means& means, const World& world, int robot, agent::Pose& belief
   // the marks look the same from the other side
   const Pose2 truth = true_pose(world, robot);
   const Pose2 seen = cognition.flipped ? turned_round(truth) : truth;
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::pose_correction, world.tick);
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::pose_correction, world.tick);
   const auto shift = normals(words[0], words[1]);
   const auto twist = normals(words[2], words[3]);
   belief.pose.position += place.gain * (seen.position - belief.pose.position);
@@ -98,13 +98,14 @@ void look(const Means& means, const World& world, int robot, agent::Pose& belief
   belief.deviation_heading = std::sqrt(heading.variance);
 }
 
-/// The field looks the same from both sides: rarely a robot that is unsure turns it round, and later it notices.
+/// Flips the pose of an unsure robot with a small probability, because the field looks the same from both sides. Later
+/// the robot notices it and flips back.
 void flip(const Localisation& model, const World& world, int robot, float duration, agent::Pose& belief,
           Cognition& cognition) {
   const bool unsure = belief.deviation > kSuperb || belief.deviation_heading > kSuperbHeading;
   if (!unsure && !cognition.flipped) return;
   const float chance = cognition.flipped ? duration / model.flip_duration : model.flips_per_minute / 60 * duration;
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::pose_flip, world.tick);
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::pose_flip, world.tick);
   if (uniform(words[0]) >= chance) return;
   belief.pose = turned_round(belief.pose);
   cognition.flipped = !cognition.flipped;
@@ -118,11 +119,11 @@ Pose2 true_pose(const World& world, int robot) {
   return attack_sign(world, side_of(robot)) > 0 ? pose : turned_round(pose);
 }
 
-void look_round(const Means& means, const World& world, int robot, Tick steps, agent::Pose& belief,
+void look_round(const PerceptionParams& params, const World& world, int robot, Tick steps, agent::Pose& belief,
                 Cognition& cognition) {
-  look(means, world, robot, belief, cognition);
-  if (!means.effects.pose_flips) return;
-  flip(means.model.localisation, world, robot, static_cast<float>(steps) * kTickDuration, belief, cognition);
+  look(params, world, robot, belief, cognition);
+  if (!params.effects.pose_flips) return;
+  flip(params.model.localisation, world, robot, static_cast<float>(steps) * kTickDuration, belief, cognition);
 }
 
 }  // namespace sim::perception

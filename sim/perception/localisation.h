@@ -1,6 +1,6 @@
-// Where a robot believes it is: odometry that drifts, marks that correct it, and now and then the wrong way round.
+// A robot's believed pose: odometry drifts, marks correct it, and sometimes the pose flips to the other half.
 //
-// The deviations are honest: the squared error divided by the variance is 1 on average, flips left aside.
+// The believed deviations are consistent: the squared error divided by the variance is 1 on average, without flips.
 #pragma once
 
 #include <cmath>
@@ -11,25 +11,25 @@
 
 namespace sim::perception {
 
-/// How the robot believes it moved since it was last asked. [robot, as it stands now]
+/// The believed motion since the last reading. [robot, present pose]
 struct Odometry {
   Vec2 moved;        // [m]
-  float way = 0;     // [m] the length of it
+  float way = 0;     // [m] length of `moved`
   float turned = 0;  // [rad]
-  Vec2 turn{1, 0};   // the unit vector at `turned`
+  Vec2 turn{1, 0};   // unit vector at `turned`
 };
 
-/// Where the robot stands. [team_field]
+/// Returns the robot's true pose. [team_field]
 Pose2 true_pose(const World& world, int robot);
 
-/// Looks at the marks after `steps` ticks without a look. One draw settles all that odometry and the marks did to the
-/// belief meanwhile; then the robot may turn the field round, or notice that it has.
-void look_round(const Means& means, const World& world, int robot, Tick steps, agent::Pose& belief,
+/// Looks at the marks after `steps` ticks without a look. One draw settles the effect of odometry and marks on the
+/// belief in that time. Then the pose may flip, or the robot may notice its flip.
+void look_round(const PerceptionParams& params, const World& world, int robot, Tick steps, agent::Pose& belief,
                 Cognition& cognition);
 
-// What each image does, inline because every robot does it every tick. It draws nothing.
+// Below: the part of each image, inline because each robot does it in each turn. It draws nothing.
 
-/// What the body did since `cognition.last`, by the robot's own reckoning, and moves `last` there.
+/// Returns the believed motion since `cognition.last`, and moves `last` to the present pose.
 inline Odometry read_odometry(const Body& body, Cognition& cognition) {
   Odometry odometry;
   if (body.position != cognition.last.position) {
@@ -44,10 +44,10 @@ inline Odometry read_odometry(const Body& body, Cognition& cognition) {
   return odometry;
 }
 
-/// Moves the belief by `odometry`; looks at the marks in the first image of each `mark_interval` of the game's clock.
-[[gnu::always_inline]] inline void localise(const Means& means, const World& world, int robot, Tick steps,
+/// Moves the belief by `odometry`. Looks at the marks in the first image of each `mark_interval` of game time.
+[[gnu::always_inline]] inline void localise(const PerceptionParams& params, const World& world, int robot, Tick steps,
                                             const Odometry& odometry, agent::Pose& belief, Cognition& cognition) {
-  if (!means.effects.odometry_drift) {
+  if (!params.effects.odometry_drift) {
     belief = {.pose = true_pose(world, robot)};
     return;
   }
@@ -61,9 +61,9 @@ inline Odometry read_odometry(const Body& body, Cognition& cognition) {
     cognition.walked += odometry.way;
   }
 
-  const Tick interval = ticks(means.model.localisation.mark_interval);
+  const Tick interval = ticks(params.model.localisation.mark_interval);
   if (world.tick % interval < steps)
-    look_round(means, world, robot, steps < interval ? interval : steps, belief, cognition);
+    look_round(params, world, robot, steps < interval ? interval : steps, belief, cognition);
 }
 
 }  // namespace sim::perception

@@ -1,9 +1,9 @@
-// How a robot perceives: camera, detection, localisation and radio, as data.
+// The model of perception, as data: camera, detection, localisation, radio.
 #pragma once
 
 namespace sim::perception {
 
-/// Both cameras as one: their images overlap (Nao V6: tilts 1.2° and 39.7°, 43.7° high each).
+/// Both cameras together, because their images overlap (Nao V6: tilts 1.2° and 39.7°, 43.7° high each).
 struct Camera {
   float height;       // [m] above ground
   float width;        // [rad] of the view, horizontally
@@ -23,7 +23,7 @@ struct Camera {
   }
 };
 
-/// How likely something is detected: `near` up to `near_range`, falling linearly to `far` at `far_range`, 0 beyond.
+/// The probability of a detection: `near` up to `near_range`, falling linearly to `far` at `far_range`, 0 beyond.
 struct Detection {
   float near;
   float far;
@@ -39,9 +39,9 @@ struct Detection {
   }
 };
 
-/// Noise in the image becomes noise on the ground: an error of the tilt moves far things much, near things little.
+/// The noise in the image. On the ground an error of the tilt displaces far things much and near things little.
 struct Noise {
-  float pixels;        // standard deviation of the place in the image, each axis
+  float pixels;        // [px] standard deviation of the place in the image, each axis
   float tilt;          // [rad] standard deviation of the camera's tilt, standing
   float tilt_walking;  // [rad] walking
   float roll;          // [rad] of the bearing beyond the pixels
@@ -57,10 +57,10 @@ struct Noise {
 
 /// The ball filter: constant velocity with the turf's deceleration, one variance for both axes.
 struct BallFilter {
-  float acceleration_noise;  // [m/s²] standard deviation of what may happen to a ball between two images
-  float first_velocity;      // [m/s] standard deviation when it is first seen
-  float reacquire;           // [standard deviations] a percept farther off starts the filter anew
-  float lost_deviation;      // [m] the uncertainty stops to grow here
+  float acceleration_noise;  // [m/s²] standard deviation of the ball's acceleration between two images
+  float first_velocity;      // [m/s] standard deviation of the velocity at the first percept
+  float reacquire;           // [standard deviations] a percept farther off restarts the filter
+  float lost_deviation;      // [m] greatest deviation; a ball that uncertain may be anywhere
   float false_per_second;    // [1/s] false percepts
 
   template <class Self, class See>
@@ -73,22 +73,22 @@ struct BallFilter {
   }
 };
 
-/// Odometry drifts, marks correct it. That images nearer together than `mark_interval` share their errors is why the
-/// marks are not looked at more often.
+/// The localisation: odometry drifts, marks correct it. Images within one `mark_interval` share their errors, so the
+/// marks are used once in that time.
 struct Localisation {
   float start_deviation;          // [m] on entering the field
   float start_deviation_heading;  // [rad]
-  float bias;                     // standard deviation of the odometry's scale, of this robot in this game
-  float translation_noise;        // standard deviation along each axis after a metre; grows with the way's root
-  float rotation_noise;           // standard deviation after a radian; grows with the angle's root
-  float rotation_per_metre;       // [rad/m^0.5] heading lost by walking straight
+  float bias;                     // standard deviation of the odometry's scale, drawn per robot and game
+  float translation_noise;        // [m^0.5] standard deviation along each axis after 1 m; grows with the way's root
+  float rotation_noise;           // [rad^0.5] standard deviation after 1 rad; grows with the angle's root
+  float rotation_per_metre;       // [rad/m^0.5] standard deviation of the heading after 1 m
   float mark_interval;            // [s] between two looks at the marks
-  float mark_near;                // [0..1] probability of detecting a mark that is in view, next to it
-  float mark_range;               // [m] where that has fallen to 0
+  float mark_near;                // [0..1] probability of detecting a mark in view right in front of the robot
+  float mark_range;               // [m] distance at which that probability is 0
   float mark_deviation;           // [m] error of one mark 1 m away: half of it at the feet, growing with the square
-  float mark_deviation_heading;   // [rad] of one mark
-  float flips_per_minute;         // [1/min] turned round by mistake, while unsure of the pose
-  float flip_duration;            // [s] until it is noticed, on average
+  float mark_deviation_heading;   // [rad] error of one mark
+  float flips_per_minute;         // [1/min] flips of an unsure pose
+  float flip_duration;            // [s] mean time until the robot notices a flip
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
@@ -108,10 +108,10 @@ struct Localisation {
   }
 };
 
-/// The team's radio. How often a robot may send is in the rules.
+/// The team's radio. The rules limit how often a robot may send.
 struct Radio {
-  float delay;  // [s] mean of an exponential delay
-  float loss;   // [0..1] of packets, for each receiver on its own
+  float delay;  // [s] mean of an exponential distribution
+  float loss;   // [0..1] probability per packet and receiver
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
@@ -120,6 +120,7 @@ struct Radio {
   }
 };
 
+/// All of a robot's perception.
 struct Model {
   Camera camera;
   Detection ball;

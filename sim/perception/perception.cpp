@@ -8,19 +8,19 @@
 namespace sim::perception {
 namespace {
 
-/// The odometry of this robot in this game.
+/// Draws the scale errors of this robot's odometry in this game.
 void draw_odometry(const Localisation& model, const World& world, int robot, Cognition& cognition) {
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::odometry_bias, 0);
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::odometry_bias, 0);
   const auto biases = normals(words[0], words[1]);
   cognition.odometry_scale = 1 + model.bias * biases[0];
   cognition.turn_scale = 1 + model.bias * biases[1];
 }
 
-/// Off by as much as somebody who was put down by hand.
+/// Returns the true pose with the error of a robot that was put down by hand.
 agent::Pose rough_pose(const Localisation& model, const World& world, int robot) {
   agent::Pose belief{true_pose(world, robot), model.start_deviation, model.start_deviation_heading};
-  // of this event: what a look at the marks in the same tick drew is forgotten now
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::pose_correction, world.tick);
+  // shares the address of a look at the marks in the same tick: that look's result is discarded now
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::pose_correction, world.tick);
   const auto shift = normals(words[0], words[1]);
   const auto twist = normals(words[2], words[3]);
   belief.pose.position += belief.deviation * Vec2{shift[0], shift[1]};
@@ -30,32 +30,33 @@ agent::Pose rough_pose(const Localisation& model, const World& world, int robot)
 
 }  // namespace
 
-void enter(const Means& means, const World& world, int robot, agent::Beliefs& beliefs, Cognition& cognition) {
+void enter(const PerceptionParams& params, const World& world, int robot, agent::Beliefs& beliefs,
+           Cognition& cognition) {
   const Body& body = world.bodies[robot];
-  beliefs.ball = unknown_ball(means.model.filter);
+  beliefs.ball = unknown_ball(params.model.filter);
   beliefs.pose = {.pose = true_pose(world, robot)};
   cognition.last = {body.position, body.heading};
   cognition.walked = 0;
   cognition.turned = 0;
   cognition.flipped = false;
-  if (!means.effects.odometry_drift) return;
-  draw_odometry(means.model.localisation, world, robot, cognition);
-  beliefs.pose = rough_pose(means.model.localisation, world, robot);
+  if (!params.effects.odometry_drift) return;
+  draw_odometry(params.model.localisation, world, robot, cognition);
+  beliefs.pose = rough_pose(params.model.localisation, world, robot);
 }
 
-void perceive(const Means& means, const World& world, int robot, Tick steps, agent::Beliefs& beliefs,
+void perceive(const PerceptionParams& params, const World& world, int robot, Tick steps, agent::Beliefs& beliefs,
               Cognition& cognition) {
   const Body& body = world.bodies[robot];
 
-  // what it expects, by its own odometry
+  // prediction by the robot's own odometry
   const Odometry odometry = read_odometry(body, cognition);
-  predict(means, odometry, steps, beliefs.ball);
-  localise(means, world, robot, steps, odometry, beliefs.pose, cognition);
+  predict(params, odometry, steps, beliefs.ball);
+  localise(params, world, robot, steps, odometry, beliefs.pose, cognition);
 
-  // what it sees
-  const BallPercept percept = look_for_ball(means, world, robot, steps, beliefs.ball.visible);
-  update(means, body, percept, steps, world.tick, beliefs.ball);
-  look_for_opponents(means, world, robot, steps, beliefs);
+  // correction by the images
+  const BallPercept percept = look_for_ball(params, world, robot, steps, beliefs.ball.visible);
+  update(params, body, percept, steps, world.tick, beliefs.ball);
+  look_for_opponents(params, world, robot, steps, beliefs);
 }
 
 }  // namespace sim::perception

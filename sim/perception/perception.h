@@ -16,8 +16,8 @@
 
 namespace sim::perception {
 
-/// What perceiving depends on; none of it changes during a game.
-struct Means {
+/// The parameters of perception. They are constant during a game.
+struct PerceptionParams {
   const Model& model;
   const Effects& effects;
   const field::Field& field;
@@ -26,26 +26,28 @@ struct Means {
   const BallModel& ball;
 };
 
-/// The robot comes onto the field (at the start, or back from a penalty): it knows roughly where it stands, and nothing
-/// of the ball.
-void enter(const Means& means, const World& world, int robot, agent::Beliefs& beliefs, Cognition& cognition);
+/// Sets the beliefs of a robot that enters the field, at the start or after a penalty: it knows roughly where it stands,
+/// and nothing about the ball.
+void enter(const PerceptionParams& params, const World& world, int robot, agent::Beliefs& beliefs,
+           Cognition& cognition);
 
-/// The beliefs of a robot `steps` ticks after the last time: predicted by odometry, then corrected by the image of
-/// `world.tick`. Cheap when nothing is in view.
-void perceive(const Means& means, const World& world, int robot, Tick steps, agent::Beliefs& beliefs,
+/// Updates the beliefs of a robot `steps` ticks after its last perception: odometry predicts them, the images up to
+/// `world.tick` correct them. Cheap when nothing is in view.
+void perceive(const PerceptionParams& params, const World& world, int robot, Tick steps, agent::Beliefs& beliefs,
               Cognition& cognition);
 
-/// What the robot would tell its team now.
+/// Returns the packet that the robot would send to its team now.
 agent::Mate packet_of(const agent::Beliefs& beliefs, const agent::Mind& mind, bool penalised, Tick now);
-/// When a robot that sent at `last` may and wants to send again: after the year's interval, and with an even share of
-/// what is left of the budget; kNever when nothing is. `sent` [packets] by the team so far, `remaining` [s] of the game.
+/// Returns when a robot that sent at `last` sends again: after the year's interval, and later if an even share of the
+/// remaining budget requires it; kNever when the budget is used up. `sent` [packets] is the team's number so far,
+/// `remaining` [s] the rest of the game.
 Tick next_packet(const field::Rules& rules, const Effects& effects, Tick last, int sent, float remaining);
-/// What becomes of a packet on its way.
+/// The fate of a packet on the air.
 struct Transmission {
-  Tick delay = 0;         // [ticks] from sending to arriving
-  std::uint8_t lost = 0;  // bit i: to the sender's beliefs.mates[i], each on his own
+  Tick delay = 0;         // [ticks] from sending to arrival
+  std::uint8_t lost = 0;  // bit i: lost for the sender's beliefs.mates[i]; losses are independent
 };
-/// Of a packet that `sender` sends now.
+/// Draws the transmission of a packet that `sender` sends now.
 Transmission transmit(const Model& model, const Effects& effects, const World& world, int sender);
 /// Puts a packet of `sender` into the beliefs of its teammate `receiver`.
 inline void receive(const agent::Mate& packet, int sender, int receiver, agent::Beliefs& beliefs) {

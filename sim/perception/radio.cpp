@@ -1,11 +1,11 @@
-// The team's radio: what a packet says, when one is sent, how late it comes and whether it does.
+// The team's radio: contents, times, delays and losses of packets.
 #include "sim/perception/perception.h"
 
 namespace sim::perception {
 namespace {
 
-constexpr int kHeldBack = 30;       // packets, as B-Human do (models.md 2.7)
-constexpr float kLongestDelay = 5;  // times the mean: what comes later than that counts as lost elsewhere
+constexpr int kHeldBack = 30;       // [packets] reserve of the budget, as B-Human keep it (models.md 2.7)
+constexpr float kLongestDelay = 5;  // [mean delays] a longer delay is cut off here
 
 }  // namespace
 
@@ -39,13 +39,13 @@ Tick next_packet(const field::Rules& rules, const Effects& effects, Tick last, i
 Transmission transmit(const Model& model, const Effects& effects, const World& world, int sender) {
   Transmission transmission;
   if (!effects.packet_delay && !effects.packet_loss) return transmission;
-  const auto words = draw(world.key, static_cast<std::uint32_t>(sender), Event::packet, world.tick);
+  const auto words = draw(world.key, static_cast<std::uint32_t>(sender), Draw::packet, world.tick);
   if (effects.packet_delay) {
     const float times = -log(1 - uniform(words[0]));
     transmission.delay = ticks(model.radio.delay * (times < kLongestDelay ? times : kLongestDelay));
   }
   if (effects.packet_loss) {
-    // 16 bits of luck for each mate
+    // 16 random bits for each mate
     static_assert(agent::kMaxMates <= 6);
     const auto chance = static_cast<std::uint32_t>(model.radio.loss * 0x1p16f);
     std::uint32_t lost = 0;

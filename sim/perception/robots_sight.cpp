@@ -3,26 +3,26 @@
 namespace sim::perception {
 namespace {
 
-constexpr float kBeyondRange = 1.5f;  // percepts that seem to be so many ranges away are nothing to anybody
+constexpr float kBeyondRange = 1.5f;  // [ranges] a percept that seems to be farther away is dropped
 
 }  // namespace
 
-void look_for_opponent(const Means& means, const World& world, int robot, int opponent, std::uint32_t number,
-                       agent::Beliefs& beliefs) {
-  const auto& [model, effects, field, marks, contact, ball] = means;
+void look_for_opponent(const PerceptionParams& params, const World& world, int robot, int opponent,
+                       std::uint32_t number, agent::Beliefs& beliefs) {
+  const auto& [model, effects, field, marks, contact, ball] = params;
   const Body& body = world.bodies[robot];
   const Body& other = world.bodies[opponent];
   if (!has_eyes(body) || other.doing == Body::Doing::removed) return;
 
-  // in view are its feet
+  // its feet must be in view
   const Sighting sighting = sighting_of(body, other.position, model.camera.height);
   if (effects.limited_view && !in_view(model.camera, body, look_of(body), model.robots.far_range, sighting)) return;
   Vec2 place = turned_back(sighting.to_it, body.facing);
 
-  // detected, and where
+  // the detection and its noise
   if (effects.missed_ball || effects.ball_noise) {
     const float range = std::sqrt(sighting.square);
-    const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Event::opponent_seen, number);
+    const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::opponent_seen, number);
     if (effects.missed_ball && uniform(words[0]) >= probability(model.robots, range)) return;
     if (effects.ball_noise) {
       place = seen_through(image_noise(model, body), place, range, sighting.height,

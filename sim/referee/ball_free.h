@@ -1,5 +1,5 @@
-// All years: everybody may touch the ball of a kick-off once its side did, or 10 s after it began. Since 2018 the same
-// holds for set plays, after 30 s.
+// All years: after a kick-off everybody may touch the ball once the kicking side has touched it, or after 10 s.
+// Since 2018: likewise after a set play, with 30 s.
 #pragma once
 
 #include "sim/referee/court.h"
@@ -23,7 +23,7 @@ inline void apply(Court& court) {
   book.set_play = SetPlay::none;
   book.last_touch_tick = court.world.tick;
   book.stuck_since = court.world.tick;
-  tell(court, Event::Kind::ball_free, book.kicking, court.world.touched, court.world.ball.position);
+  report(court, Event::Kind::ball_free, book.kicking, court.world.touched, court.world.ball.position);
 }
 
 }  // namespace sim::referee::ball_free

@@ -1,5 +1,5 @@
-// Since 2018: a ball that a defender put over its own goal line lies in the corner of the field, on the side where it
-// went out, for a corner kick of the attackers.
+// Since 2018: when a defender puts the ball over its own goal line, the attackers have a corner kick. The ball lies in
+// the corner of the field on the side where it went out.
 #pragma once
 
 #include "sim/referee/crossing.h"

@@ -3,11 +3,10 @@
 namespace sim::referee {
 namespace {
 
-// [m] between the edge of the carpet and where removed robots wait
-constexpr float kWaiting = 1;
+constexpr float kWaiting = 1;  // [m] from the edge of the carpet to the waiting removed robots
 
-// [m] how far behind the halfway line a player's own place on the touch line is: players 1.. spread from the own goal
-// line to the halfway line
+/// Returns how far behind the halfway line a player's own place on the touch line is [m]. Players 1.. spread evenly from
+/// the own goal line to the halfway line.
 float own_place(const field::Rules& rules, int player) {
   return rules.field.length / 2 * static_cast<float>(rules.players + 1 - player) /
          static_cast<float>(rules.players + 1);
@@ -15,7 +14,7 @@ float own_place(const field::Rules& rules, int player) {
 
 }  // namespace
 
-void tell(Court& court, Event::Kind kind, Side side, int robot, Vec2 at) {
+void report(Court& court, Event::Kind kind, Side side, int robot, Vec2 at) {
   court.events.add(
       {.kind = kind, .side = side, .robot = static_cast<std::uint8_t>(robot), .tick = court.world.tick, .at = at});
 }
@@ -49,9 +48,9 @@ void begin_kick_off(Court& court, Side kicking, Tick told) {
   book.kicking = kicking;
   book.last_touch = kicking;
   book.ball_free = false;
-  // the ball stays where it is until robots know: they may still be after it
+  // the ball stays there until the robots know: they may still be after it
   place_ball(court, court.world.ball.position);
-  tell(court, Event::Kind::ready, kicking, kNobody, {});
+  report(court, Event::Kind::ready, kicking, kNobody, {});
 }
 
 void begin_set_play(Court& court, SetPlay set_play, Event::Kind kind, Side kicking, Vec2 at) {
@@ -62,13 +61,13 @@ void begin_set_play(Court& court, SetPlay set_play, Event::Kind kind, Side kicki
   book.last_touch = kicking;
   book.ball_free = false;
   place_ball(court, at);
-  tell(court, kind, kicking, kNobody, at);
+  report(court, kind, kicking, kNobody, at);
 }
 
 void finish(Court& court) {
   begin_phase(court, Phase::finished);
   court.book.set_play = SetPlay::none;
-  tell(court, Event::Kind::end, Side::home, kNobody, court.world.ball.position);
+  report(court, Event::Kind::end, Side::home, kNobody, court.world.ball.position);
 }
 
 void put_robot(Court& court, int robot, Vec2 at, Vec2 facing, float heading) {
@@ -97,15 +96,15 @@ float touch_line_of(const Body& body) {
 void remove_robot(Court& court, int robot, Event::Kind kind) {
   const Side side = side_of(robot);
   Body& body = court.world.bodies[robot];
-  tell(court, kind, side, robot, body.position);
+  report(court, kind, side, robot, body.position);
 
-  // each further offence of a team takes longer
+  // each earlier penalty of the team makes this one longer
   std::uint16_t& penalties = court.book.penalties[static_cast<int>(side)];
   const float seconds = court.rules.penalty_duration + court.rules.penalty_step * static_cast<float>(penalties);
   court.book.penalised_until[robot] = court.world.tick + ticks(seconds);
   ++penalties;
 
-  // carried off over the nearer touch line
+  // the robot is carried off over the nearer touch line
   const float line = touch_line_of(body);
   put_at_touch_line(court, robot, line);
   body.position.y += line * (court.field.border + kWaiting);

@@ -1,4 +1,4 @@
-// Where the ball left the field.
+// The place and the way in which the ball left the field.
 #pragma once
 
 #include <algorithm>
@@ -7,25 +7,25 @@
 
 namespace sim::referee {
 
-/// How the ball went from inside the lines to outside.
+/// The ball's crossing of a line from inside to outside.
 struct Crossing {
-  bool goal_line;   // over a goal line rather than a touch line
+  bool goal_line;   // over a goal line, not a touch line
   bool from_field;  // it was inside before: a ball that comes from behind a goal is no goal
   bool between_posts;
-  float end;   // ±1: the sign of x of the goal line nearer to it
-  float line;  // ±1: the sign of y of the touch line nearer to it
-  Vec2 at;     // [m, field] the ball when it was just wholly over the line
+  float end;   // ±1: sign of x of the nearer goal line
+  float line;  // ±1: sign of y of the nearer touch line
+  Vec2 at;     // [m, field] ball at the moment when the whole of it was over the line
 };
 
 inline bool ball_is_out(const Court& court) {
   return !field::inside_field(court.field, court.world.ball.position, court.ball_model.radius);
 }
 
-/// Of a ball that is out: the first line that it crossed since the last tick.
+/// Returns the first line that the ball crossed since the last tick. The ball must be out.
 inline Crossing crossing_of(const Court& court) {
   const Vec2 from = court.book.ball_before;
   const Vec2 to = court.world.ball.position;
-  // share of the way at which a coordinate passed its limit; 2: it did not
+  // share of the way at which a coordinate passed its limit; 2: never
   const auto share = [](float begin, float end, float limit) {
     if (end <= limit) return 2.f;
     return begin < limit ? (limit - begin) / (end - begin) : 0.f;
@@ -43,7 +43,7 @@ inline Crossing crossing_of(const Court& court) {
       .at = at};
 }
 
-/// The side that defends the goal line which the ball crossed or was nearer to.
+/// Returns the side that defends the goal line which the ball crossed, or the nearer one.
 inline Side defender_of(const Court& court, const Crossing& crossing) {
   return crossing.end * court.world.home_attacks > 0 ? Side::away : Side::home;
 }

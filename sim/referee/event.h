@@ -1,4 +1,4 @@
-// What the referee decided.
+// The referee's decisions.
 #pragma once
 
 #include <array>
@@ -11,40 +11,46 @@
 
 namespace sim::referee {
 
+/// One decision of the referee.
 struct Event {
   enum class Kind : std::uint8_t {
+    // phases
     ready,
     set,
     playing,
-    ball_free,  // phases
+    ball_free,
+    // the ball
     goal,
     out,
     kick_in,
     goal_kick,
-    corner_kick,  // the ball
+    corner_kick,
+    // offences
     pushing,
     illegal_defender,
     leaving,
     local_stuck,
     global_stuck,
     illegal_kick,
-    illegal_position,  // offences
-    returned,          // a penalised robot comes back
-    half_time,         // sides have changed, everybody stands at the touch lines again, nobody is penalised
+    illegal_position,
+    // others
+    returned,   // a penalised robot comes back
+    half_time,  // sides have changed, all robots stand at the touch lines again, nobody is penalised
     end,
-    placed,  // a robot that stood illegally in set was carried to the nearest legal place
+    placed,  // a robot with an illegal place in SET was carried to the nearest legal one
   };
   Kind kind;
-  Side side = Side::home;        // who scored, whose kick it is, whose robot it was
+  Side side = Side::home;        // side that scored, has the kick, or owns the robot
   std::uint8_t robot = kNobody;  // index; kNobody: not about one robot
   Tick tick = 0;
   Vec2 at;  // [m, field] of the ball or the robot
 };
 
-/// As a sentence's words in a report: "goal", "kick-in", ...
+/// Returns the words for a report: "goal", "kick-in", ...
 const char* name_of(Event::Kind kind);
 
-/// The decisions of one step; more than fit are counted and dropped (cannot happen: one rule decides once a step).
+/// The decisions of one step. Events beyond the capacity are counted and dropped; this cannot happen, because each rule
+/// decides at most once a step.
 struct Events {
   std::array<Event, 32> list;
   int count = 0;

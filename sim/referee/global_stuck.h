@@ -1,6 +1,6 @@
-// Both years: when nobody has touched the ball for Rules::stuck_global, play begins anew with a kick-off. It goes to
-// the side that did not touch the ball last; if nobody did since a kick-off or set play, to the side that had not been
-// given that.
+// All years: when nobody has touched the ball for Rules::stuck_global, play restarts with a kick-off. It goes to the
+// side that did not touch the ball last. Without a touch since the last kick-off or set play, it goes to the side that
+// did not have that one.
 #pragma once
 
 #include "sim/referee/court.h"
@@ -14,7 +14,7 @@ inline bool due(const Court& court) {
 
 inline void apply(Court& court) {
   const Side kicking = other(court.book.last_touch);
-  tell(court, Event::Kind::global_stuck, kicking, kNobody, court.world.ball.position);
+  report(court, Event::Kind::global_stuck, kicking, kNobody, court.world.ball.position);
   begin_kick_off(court, kicking, court.world.tick);
 }
 

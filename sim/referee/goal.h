@@ -1,6 +1,6 @@
 // All years: a goal is scored when the whole ball passes over the goal line between the posts. The other side kicks
-// off; in preliminary rounds the clock runs on. Since 2019 robots hear of it late, as they should see or hear it
-// themselves (Rules::goal_message_delay). Not directly from a kick-off: then it is a ball that went out.
+// off; as in preliminary rounds, the clock runs on. A ball directly from a kick-off is no goal but a ball that went out.
+// Since 2019 the robots are told late (Rules::goal_message_delay), so that they see or hear a goal themselves.
 #pragma once
 
 #include "sim/referee/crossing.h"
@@ -15,7 +15,7 @@ inline bool due(const Court& court, const Crossing& crossing) {
 inline void apply(Court& court, const Crossing& crossing) {
   const Side scorer = other(defender_of(court, crossing));
   ++court.book.score[static_cast<int>(scorer)];
-  tell(court, Event::Kind::goal, scorer, court.book.last_toucher, crossing.at);
+  report(court, Event::Kind::goal, scorer, court.book.last_toucher, crossing.at);
   begin_kick_off(court, other(scorer), court.world.tick + ticks(court.rules.goal_message_delay));
 }
 

@@ -1,5 +1,5 @@
-// Since 2018: a ball that an attacker put over the goal line lies at the corner of the goal area, on the side where it
-// went out, for a goal kick of the defenders.
+// Since 2018: when an attacker puts the ball over the goal line, the defenders have a goal kick. The ball lies at the
+// corner of the goal area on the side where it went out.
 #pragma once
 
 #include "sim/referee/crossing.h"

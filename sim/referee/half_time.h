@@ -1,13 +1,13 @@
-// All years: when the time of a half is up, sides change and the other side kicks off; after the last half the game is
-// over. The clock runs from the first `playing` of a half and, as in preliminary rounds, never stops again. Penalties
-// do not outlast the break.
+// All years: at the end of a half the sides change and the other side kicks off; after the last half the game is over.
+// The clock starts with the first PLAYING of a half and, as in preliminary rounds, does not stop again. Penalties end
+// at half time.
 #pragma once
 
 #include "sim/referee/court.h"
 
 namespace sim::referee::half_time {
 
-/// Counts this tick; call it once a tick.
+/// Counts this tick. Call it once a tick.
 inline void run_clock(Book& book) {
   if (book.phase == Phase::playing || book.clock > 0) ++book.clock;
 }
@@ -17,7 +17,7 @@ inline bool due(const Court& court) { return court.book.clock >= ticks(court.rul
 inline void apply(Court& court) {
   Book& book = court.book;
   if (book.half >= court.rules.halves) return finish(court);
-  tell(court, Event::Kind::half_time, Side::home, kNobody, court.world.ball.position);
+  report(court, Event::Kind::half_time, Side::home, kNobody, court.world.ball.position);
   ++book.half;
   book.clock = 0;
   court.world.home_attacks = -court.world.home_attacks;

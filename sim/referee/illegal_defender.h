@@ -1,4 +1,4 @@
-// 2012: of the defending side only the goalkeeper may be in the area before its goal; a field player there is removed.
+// 2012: only the goalkeeper may be in its own goal area. A field player there is removed.
 #pragma once
 
 #include "sim/referee/court.h"

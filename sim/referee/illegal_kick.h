@@ -1,5 +1,5 @@
-// All years: until the ball of a kick-off or set play is free, only the side whose kick it is may touch it. If the
-// other does, the ball is put back and the robot is removed, unless it still has time to get out of the way.
+// All years: until the ball of a kick-off or set play is free, only the kicking side may touch it. After a touch by the
+// other side, the ball is put back and the robot is removed, unless it still has time to leave.
 #pragma once
 
 #include "sim/referee/illegal_position.h"

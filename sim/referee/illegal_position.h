@@ -1,15 +1,16 @@
-// All years: until the ball of a kick-off is free, the other side stays out of the centre circle. Since 2018 it also
-// keeps 0.75 m away from the ball of a set play; whoever happens to stand there gets time to leave. Who does not is
-// removed. (How long referees wait is not in the rule book: an estimate, what 0.75 m take at walking speed, twice.)
+// All years: until the ball of a kick-off is free, the other side stays out of the centre circle.
+// Since 2018 it also keeps 0.75 m away from the ball of a set play. A robot that stands there has time to leave, and is
+// removed after that.
 #pragma once
 
 #include "sim/referee/court.h"
 
 namespace sim::referee::illegal_position {
 
-inline constexpr float kTimeToLeave = 10;  // [s]
+// [s] an estimate, because the rule book names no time: twice the time that 0.75 m take at walking speed
+inline constexpr float kTimeToLeave = 10;
 
-/// The side that does not kick must have left by now.
+/// Reports whether the side that does not kick must have left by now.
 inline bool time_to_leave_is_up(const Court& court) {
   return court.book.set_play == SetPlay::kick_off || in_phase(court) >= ticks(kTimeToLeave);
 }

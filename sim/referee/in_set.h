@@ -1,6 +1,7 @@
-// All years: at the kick-off a robot must be in its own half, and one of the side that does not kick off outside the
-// centre circle. 2012: a robot that is not is placed by hand, without penalty. 2025: it is removed for 15 s; here it
-// is placed too, which costs it as much as the walk back to where it was.
+// All years: at the kick-off each robot must be in its own half. Robots of the side that does not kick off must be
+// outside the centre circle.
+// 2012: a robot at an illegal place is placed by hand, without penalty. 2025: it is removed for 15 s. Here it is placed
+// in all years, which costs it about as much as the walk back.
 #pragma once
 
 #include "sim/referee/court.h"
@@ -15,7 +16,7 @@ inline bool due(const Court& court, int robot) {
   return ahead(court, side, at) > 0 || (side != court.book.kicking && squared_length(at) < circle * circle);
 }
 
-/// To the nearest legal place, one robot's radius clear of the line.
+/// Puts the robot at the nearest legal place, one robot's radius clear of the line.
 inline void apply(Court& court, int robot) {
   const Side side = side_of(robot);
   const float margin = court.contact.robot_radius;
@@ -28,7 +29,7 @@ inline void apply(Court& court, int robot) {
   if (side != court.book.kicking && from_centre < circle) at = ((circle + margin) / from_centre) * at;
 
   put_robot(court, robot, at, body.facing, body.heading);
-  tell(court, Event::Kind::placed, side, robot, at);
+  report(court, Event::Kind::placed, side, robot, at);
 }
 
 }  // namespace sim::referee::in_set

@@ -1,4 +1,5 @@
-// Since 2018: a ball that a side put over a touch line lies where it crossed the line for a kick-in of the other side.
+// Since 2018: when a side puts the ball over a touch line, the other side has a kick-in. The ball lies where it crossed
+// the line.
 #pragma once
 
 #include "sim/referee/crossing.h"

@@ -1,4 +1,4 @@
-// All years: a robot that walks off the carpet is removed.
+// All years: a robot that walks off the carpet by more than Rules::leaving_distance is removed.
 #pragma once
 
 #include "sim/referee/court.h"

@@ -1,13 +1,15 @@
-// Both years: when the ball, with several robots round it, has not got away for Rules::stuck_local, the robot nearest
-// to it is removed. Of robots at exactly the same distance, all are: no order of robots decides.
+// All years: when the ball has not got away from several robots round it for Rules::stuck_local, the robot nearest to it
+// is removed. If several are at exactly the same distance, all of them are removed, so the order of robots does not
+// matter.
 #pragma once
 
 #include "sim/referee/court.h"
 
 namespace sim::referee::local_stuck {
 
-inline constexpr float kAway = 0.5f;    // [m] the ball has got away
-inline constexpr float kRound = 0.75f;  // [m] robots nearer than this are round the ball (estimate)
+inline constexpr float kAway = 0.5f;    // [m] way after which the ball has got away
+inline constexpr float kRound = 0.75f;  // [m] greatest distance of a robot round the ball (estimate)
+inline constexpr int kSeveral = 2;      // robots round the ball
 
 inline float squared_distance_to_ball(const Court& court, int robot) {
   return squared_length(court.world.bodies[robot].position - court.world.ball.position);
@@ -18,10 +20,10 @@ inline bool several_are_round(const Court& court) {
   for_each_robot(court.world.players, [&](int robot) {
     round += on_field(court, robot) && squared_distance_to_ball(court, robot) < kRound * kRound;
   });
-  return round >= 2;
+  return round >= kSeveral;
 }
 
-/// Notes since when the ball has hardly moved with several robots round it.
+/// Notes since when the ball has hardly moved with several robots round it. Call it with each check of the robots.
 inline void watch(Court& court) {
   Book& book = court.book;
   const Vec2 ball = court.world.ball.position;

@@ -1,4 +1,4 @@
-// All years: a game ends at once when one side leads by Rules::mercy_goals.
+// All years: the game ends at once when one side leads by Rules::mercy_goals.
 #pragma once
 
 #include "sim/referee/court.h"

@@ -1,4 +1,4 @@
-// All years: a robot that keeps running into another is removed; who is pushed stays.
+// All years: a robot that runs into another one for Rules::pushing_time is removed. The pushed robot stays.
 #pragma once
 
 #include "sim/referee/court.h"
@@ -6,9 +6,11 @@
 namespace sim::referee::pushing {
 
 inline bool due(const Court& court, int robot) {
-  // a body counts in fifths of a second, and hardly any does
+  // the most likely answer first: hardly any body pushes
   const std::uint8_t pushing = court.world.bodies[robot].pushing;
-  return pushing > 0 && court.rules.pushing_time > 0 && static_cast<float>(pushing) >= 5 * court.rules.pushing_time;
+  constexpr float kUnitsPerSecond = kTicksPerSecond / kPushingUnit;
+  return pushing > 0 && court.rules.pushing_time > 0 &&
+         static_cast<float>(pushing) >= kUnitsPerSecond * court.rules.pushing_time;
 }
 
 inline void apply(Court& court, int robot) { remove_robot(court, robot, Event::Kind::pushing); }

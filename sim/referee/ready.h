@@ -1,13 +1,12 @@
-// All years: in ready robots walk to their places, for 45 s at most. It ends early when everybody on the field has
-// stood still for two seconds, since robots know of it (B-Human's simulated referee). Then comes set.
+// All years: in READY the robots walk to their places, for 45 s at most. READY ends early when all robots on the field
+// have stood still for two seconds since they were told of it (as B-Human's simulated referee does). SET follows.
 #pragma once
 
 #include "sim/referee/in_set.h"
 
 namespace sim::referee::ready {
 
-// [s] everybody has to stand
-inline constexpr float kStill = 2;
+inline constexpr float kStill = 2;  // [s] all robots have to stand
 
 inline bool anybody_moves(const Court& court) {
   bool moves = false;
@@ -18,7 +17,7 @@ inline bool anybody_moves(const Court& court) {
   return moves;
 }
 
-/// Notes since when everybody stands; puts the ball at the centre when robots know that it is ready. Once a tick.
+/// Notes since when all robots stand. Puts the ball at the centre when the robots are told of READY. Call it once a tick.
 inline void watch(Court& court) {
   Book& book = court.book;
   if (book.phase != Phase::ready) return;
@@ -34,7 +33,7 @@ inline bool due(const Court& court) {
 inline void apply(Court& court) {
   begin_phase(court, Phase::set);
   place_ball(court, {});
-  tell(court, Event::Kind::set, court.book.kicking, kNobody, {});
+  report(court, Event::Kind::set, court.book.kicking, kNobody, {});
   for_each_robot(court.world.players, [&](int robot) {
     if (in_set::due(court, robot)) in_set::apply(court, robot);
   });

@@ -2,6 +2,7 @@
 
 #include "sim/referee/ball_free.h"
 #include "sim/referee/corner_kick.h"
+#include "sim/referee/counts.h"
 #include "sim/referee/global_stuck.h"
 #include "sim/referee/goal.h"
 #include "sim/referee/goal_kick.h"
@@ -18,7 +19,6 @@
 #include "sim/referee/ready.h"
 #include "sim/referee/returning.h"
 #include "sim/referee/set.h"
-#include "sim/referee/tally.h"
 
 namespace sim::referee {
 namespace {
@@ -72,36 +72,36 @@ void judge_returns(Court& court) {
 
 }  // namespace
 
-void open(const Means& means, World& world, Book& book, Events& events) {
-  Tally tally;
+void open(const RefereeParams& params, World& world, Book& book, Events& events) {
+  GameCounts counts;
   book = Book{};
-  Court court{means.rules, means.rules.field, means.ball, means.contact, world, book, tally, events};
-  world.players = means.rules.players;
+  Court court{params.rules, params.rules.field, params.ball, params.contact, world, book, counts, events};
+  world.players = params.rules.players;
   world.home_attacks = 1;
   world.ball = Ball{};
 
-  // every other one at the left touch line, as its side sees it
+  // odd players at the left touch line, from the view of their side, even players at the right one
   for_each_robot(world.players, [&](int robot) {
     const float left = attack_sign(world, side_of(robot));
     put_at_touch_line(court, robot, player_of(robot) % 2 == 1 ? left : -left);
   });
-  const float toss = uniform(draw(world.key, kNobody, sim::Event::kick_off, 0)[0]);
+  const float toss = uniform(draw(world.key, kNobody, Draw::kick_off, 0)[0]);
   book.first_kick_off = toss < 0.5f ? Side::home : Side::away;
   begin_kick_off(court, book.first_kick_off, world.tick);
 }
 
-void judge(const Means& means, World& world, Book& book, Tally& tally, Events& events) {
+void judge(const RefereeParams& params, World& world, Book& book, GameCounts& counts, Events& events) {
   if (book.phase == Phase::finished) return;
-  Court court{means.rules, means.rules.field, means.ball, means.contact, world, book, tally, events};
+  Court court{params.rules, params.rules.field, params.ball, params.contact, world, book, counts, events};
   const bool look = world.tick % kLook == 0;
 
-  // the time
+  // the clock
   half_time::run_clock(book);
   if (half_time::due(court)) half_time::apply(court);
 
-  // the ball, and who is round it
+  // the ball, and offences of robots
   if (in_play(book)) {
-    keep_tally(court);
+    keep_counts(court);
     judge_ball(court);
   }
   if (in_play(book)) {
@@ -117,7 +117,7 @@ void judge(const Means& means, World& world, Book& book, Tally& tally, Events& e
     set::apply(court);
   }
 
-  // robots that leave and come back
+  // robots that leave the field and come back
   if (look && book.phase != Phase::finished) judge_places(court);
   if (returning::somebody_waits(court)) judge_returns(court);
   book.ball_before = world.ball.position;

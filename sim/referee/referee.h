@@ -1,4 +1,4 @@
-// The referee: which rule is due, and what it does. One rule per file in this folder.
+// The referee: applies the rules that are due. Each rule is one file in this folder.
 #pragma once
 
 #include "sim/agent/beliefs.h"
@@ -10,27 +10,27 @@
 
 namespace sim::referee {
 
-/// What judging depends on; none of it changes during a game.
-struct Means {
+/// The parameters of the referee. They are constant during a game.
+struct RefereeParams {
   const field::Rules& rules;
   const BallModel& ball;
   const ContactModel& contact;
 };
 
-/// Opens a game: everybody outside at the touch line, ready for the kick-off of the side that the key draws.
-void open(const Means& means, World& world, Book& book, Events& events);
+/// Opens a game: all robots stand at the touch lines, in READY for the kick-off. Draw::kick_off selects the kicking side.
+void open(const RefereeParams& params, World& world, Book& book, Events& events);
 
-/// Looks at the world after everybody moved and applies the rules that are due. Moves the ball and removed robots;
-/// where those come back, `perception::enter` is called by whoever steps the game.
-void judge(const Means& means, World& world, Book& book, Tally& tally, Events& events);
+/// Judges the world after all robots have moved: applies the rules that are due. Moves the ball and removed robots.
+/// For a robot that comes back, the caller must call `perception::enter`.
+void judge(const RefereeParams& params, World& world, Book& book, GameCounts& counts, Events& events);
 
-/// [s] of the half that are still to be played; the half ends with the first tick at which none are.
+/// Returns the remaining time of the half [s]. The half ends with the first tick at which it is 0 or less.
 float left_of_half(const field::Rules& rules, const Book& book);
 
-/// [s] after which that part of the game ends by itself: READY, and a kick-off or set play in PLAYING. 0: it does not.
+/// Returns the time after which READY, or a kick-off or set play in PLAYING, ends by itself [s]. 0: it does not end so.
 float countdown_of(const field::Rules& rules, agent::Game::Phase phase, agent::Game::SetPlay set_play);
 
-/// What the GameController tells a robot now.
+/// Returns the GameController's message to a robot at this moment.
 agent::Game game_for(const field::Rules& rules, const World& world, const Book& book, int robot);
 
 }  // namespace sim::referee

@@ -1,5 +1,5 @@
-// All years: in set nobody moves and the ball lies at the centre; some seconds later (B-Human's simulated referee: 5)
-// the whistle blows. Whoever moved to where it must not be meanwhile is placed again.
+// All years: in SET nobody moves and the ball lies at the centre. The whistle blows after Rules::set_duration (5 s in
+// B-Human's simulated referee). A robot that has moved to an illegal place is placed again.
 #pragma once
 
 #include "sim/referee/in_set.h"
@@ -16,7 +16,7 @@ inline void apply(Court& court) {
   });
   begin_phase(court, Phase::playing);
   place_ball(court, {});
-  tell(court, Event::Kind::playing, court.book.kicking, kNobody, {});
+  report(court, Event::Kind::playing, court.book.kicking, kNobody, {});
 }
 
 }  // namespace sim::referee::set

@@ -48,7 +48,7 @@ std::string game_line(const Params& params, std::uint64_t seed) {
   json["away"].update(census.of(Side::away));
   json["seen"] = Json::array();
   for_each_robot(params.rules.players, [&](int robot) {
-    json["seen"].push_back(seconds(state.tally.seen[robot]) / seconds(std::max<Tick>(1, state.tally.in_play)));
+    json["seen"].push_back(seconds(state.counts.seen[robot]) / seconds(std::max<Tick>(1, state.counts.in_play)));
   });
   return json.dump() + "\n";
 }

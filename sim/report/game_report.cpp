@@ -21,8 +21,8 @@ struct Row {
 double seen(const Result& result, int side, int players) {
   double ticks = 0;
   for (int player = 1; player <= players; ++player)
-    ticks += result.tally.seen[robot_of(static_cast<Side>(side), player)];
-  return result.tally.in_play == 0 ? 0 : ticks / players / result.tally.in_play;
+    ticks += result.counts.seen[robot_of(static_cast<Side>(side), player)];
+  return result.counts.in_play == 0 ? 0 : ticks / players / result.counts.in_play;
 }
 
 double penalties(const Result& result, int side, int) {
@@ -36,10 +36,10 @@ double penalties(const Result& result, int side, int) {
 // shares are in [0..1]: their formats end in "%%" and show hundredths
 constexpr Row kRows[] = {
     {"goals", "goals", "%.0f", [](const Result& result, int side, int) { return double(result.score[side]); }},
-    {"shots", "shots", "%.0f", [](const Result& result, int side, int) { return double(result.tally.shots[side]); }},
-    {"kicks", "kicks", "%.0f", [](const Result& result, int side, int) { return double(result.tally.kicks[side]); }},
+    {"shots", "shots", "%.0f", [](const Result& result, int side, int) { return double(result.counts.shots[side]); }},
+    {"kicks", "kicks", "%.0f", [](const Result& result, int side, int) { return double(result.counts.kicks[side]); }},
     {"whiffs", "missed kicks", "%.0f",
-     [](const Result& result, int side, int) { return double(result.tally.whiffs[side]); }},
+     [](const Result& result, int side, int) { return double(result.counts.whiffs[side]); }},
     {"possession", "possession", "%.1f %%",
      [](const Result& result, int side, int) { return double(result.possession(static_cast<Side>(side))); }},
     {"ball_seen", "ball seen", "%.1f %%", seen},
@@ -93,7 +93,7 @@ Json to_json(const GameReport& report, int players) {
                {"score", {report.result.score[0], report.result.score[1]}},
                {"finished", report.result.over},
                {"seconds", static_cast<double>(report.result.ticks) / kTicksPerSecond},
-               {"in_play_seconds", static_cast<double>(report.result.tally.in_play) / kTicksPerSecond}};
+               {"in_play_seconds", static_cast<double>(report.result.counts.in_play) / kTicksPerSecond}};
   for (const int side : {0, 1}) {
     Json& figures = json[kSides[static_cast<std::size_t>(side)]];
     for (const Row& row : kRows) figures[row.key] = row.value(report.result, side, players);

@@ -12,7 +12,7 @@ void roll(Ball& ball, float deceleration, float stop_speed, float dt) {
     return;
   }
 
-  // it may come to lie within this step
+  // it may come to rest within this step
   const float speed = std::sqrt(squared_speed);
   const Vec2 heading = (1 / speed) * ball.velocity;
   const float slowed = speed - deceleration * dt;

@@ -9,18 +9,16 @@ namespace sim {
 
 namespace {
 
-// [m] nearer than this to each other, two robots touch
-constexpr float kTouch = 0.01f;
-// [m] overlaps up to this are left
-constexpr float kTolerance = 0.0005f;
-// [m] who is farther apart than this need not be looked at until somebody has moved half of it
+constexpr float kTouch = 0.01f;        // [m] gap below which two robots touch
+constexpr float kTolerance = 0.0005f;  // [m] overlaps up to this remain
+// [m] larger gaps are not tested again until a robot has moved by half of this
 constexpr float kMargin = 0.1f;
-// a heap of all robots needs some dozens, one that is wedged in between a post and the referee some hundreds
+// A heap of all robots needs some dozens of passes, a robot wedged between a post and the referee some hundreds.
 constexpr int kMostPasses = 2000;
-// shifts are summed as whole numbers of this unit [1/m]: their sum does not depend on the order
+// [1/m] Shifts are summed as whole numbers of 1 / kUnits, so that the sum does not depend on the order.
 constexpr float kUnits = 0x1p24f;
 
-/// Whoever is on the field, as it is shifted.
+/// The robots on the field as circles, which the passes shift.
 struct Circles {
   int count = 0;
   float x[kMaxRobots];
@@ -31,9 +29,9 @@ struct Circles {
   Vec2 middle(int i) const { return {x[i], y[i]}; }
 };
 
-/// Where things are that do not give way.
+/// The things that do not give way: posts and the walking referee.
 struct Things {
-  Vec2 post;  // the one in the quarter of the field where x and y are positive
+  Vec2 post;  // the one with positive x and y
   float post_radius;
   const Official& official;
   float official_radius;
@@ -41,7 +39,7 @@ struct Things {
   Vec2 from_post(Vec2 middle) const { return {std::fabs(middle.x) - post.x, std::fabs(middle.y) - post.y}; }
 };
 
-/// Who is near whom, and near things.
+/// The pairs of near robots, and the robots near things.
 struct Neighbours {
   int pairs = 0;
   int at_things = 0;
@@ -50,8 +48,9 @@ struct Neighbours {
   std::uint8_t at_thing[kMaxRobots];
 };
 
+/// The sum of all shifts of one pass.
 struct Shifts {
-  float worst = 0;  // [m] the greatest overlap
+  float worst = 0;  // [m] greatest overlap
   std::int32_t x[kMaxRobots] = {};
   std::int32_t y[kMaxRobots] = {};
 
@@ -73,8 +72,8 @@ Circles circles_of(const ContactModel& contact, const Crowd& crowd, const World&
   return circles;
 }
 
-/// [m²] at less than these squared distances of middles something may be nearer than `margin`: as if all were as large
-/// as the largest.
+/// The squared distances of middles [m²] below which a gap may be less than `margin`, if all robots were as large as the
+/// largest.
 struct Limits {
   float robots;
   float post;
@@ -87,7 +86,7 @@ Limits limits_of(const Things& things, float largest, float margin) {
           squared(largest + things.official_radius + margin)};
 }
 
-/// Whether anybody may touch anything: quick, a block at a time.
+/// Reports whether any robot may touch anything. It is fast: it tests a block at a time.
 bool anything_near(const Things& things, const Crowd& crowd, float largest) {
   const Limits limits = limits_of(things, largest, kTouch);
   std::uint32_t hits[Crowd::kBlock] = {};
@@ -105,7 +104,7 @@ bool anything_near(const Things& things, const Crowd& crowd, float largest) {
     for (int block = 0; block < crowd.count; block += Crowd::kBlock)
       count_near(block,
                  [&](Vec2 middle) { return squared_length(middle - things.official.position) < limits.official; });
-  // everybody is near himself
+  // each robot counts once as near itself
   return hits[0] + hits[1] + hits[2] + hits[3] > static_cast<std::uint32_t>(crowd.count);
 }
 
@@ -126,7 +125,7 @@ Neighbours neighbours_of(const Things& things, const Circles& circles, float lar
   return near;
 }
 
-/// It walks, and within 60° of where the other one is.
+/// Reports whether a body walks in a direction within 60° of the other one.
 bool runs_into(const Body& body, const Body& other) {
   const Vec2 to_other = turned_back(other.position - body.position, body.facing);
   const float towards = dot(body.velocity, to_other);
@@ -145,8 +144,8 @@ void count_touches(const Circles& circles, const Neighbours& near, World& world)
     if (runs_into(second, first)) pushing[j] = true;
   }
 
-  // `pushing` counts fifths of a second: every sixth tick
-  const bool counts = world.tick % 6 == 0;
+  // `pushing` counts in units of several ticks
+  const bool counts = world.tick % kPushingUnit == 0;
   for (int i = 0; i < circles.count; ++i) {
     Body& body = world.bodies[circles.robot[i]];
     body.touching = touching[i] ? static_cast<std::uint8_t>(std::min(body.touching + 1, 255)) : std::uint8_t{0};
@@ -157,7 +156,8 @@ void count_touches(const Circles& circles, const Neighbours& near, World& world)
   }
 }
 
-/// By how much `apart`, from something else to a middle, must grow. `otherwise`: which way, if there is none.
+/// Returns the shift that is missing until `apart`, the vector to a circle's middle, is `reach` long. `otherwise` is its
+/// direction when `apart` is zero.
 Vec2 missing(Vec2 apart, float reach, Vec2 otherwise, Shifts& shifts) {
   const float squared = squared_length(apart);
   if (squared >= reach * reach) return {};
@@ -166,7 +166,7 @@ Vec2 missing(Vec2 apart, float reach, Vec2 otherwise, Shifts& shifts) {
   return (reach - gap) * (gap > 0 ? (1 / gap) * apart : otherwise);
 }
 
-/// What the places of all demand of each.
+/// Returns the shift that each robot needs, given the places of all.
 Shifts shifts_of(const Things& things, const Circles& circles, const Neighbours& near) {
   Shifts shifts;
   for (int pair = 0; pair < near.pairs; ++pair) {
@@ -187,14 +187,14 @@ Shifts shifts_of(const Things& things, const Circles& circles, const Neighbours&
   return shifts;
 }
 
-/// Where the look did not tell. Not inline: it seldom comes to this.
+/// Parts overlapping robots, when the fast test found some near each other. Not inline, because it is rare.
 [[gnu::noinline]] void part(const ContactModel& contact, const Things& things, float largest, Crowd& crowd,
                             World& world) {
   Circles circles = circles_of(contact, crowd, world);
   Neighbours near = neighbours_of(things, circles, largest);
   count_touches(circles, near, world);
 
-  // all move at once, again and again, until nothing is left to part
+  // shift all robots together, pass after pass, until no overlap is left
   float moved = 0;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const Shifts shifts = shifts_of(things, circles, near);

@@ -1,4 +1,4 @@
-// A robot's body, as it truly is.
+// A robot's body: ground truth.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,10 @@
 
 namespace sim {
 
-/// Frame: field; its velocity in its own.
+/// The unit of Body::pushing: contacts are counted five times a second.
+inline constexpr Tick kPushingUnit = 6;  // [ticks]
+
+/// The true state of a body. Frame: field, but velocities are in the robot's own frame.
 struct Body {
   enum class Doing : std::uint8_t {
     standing,
@@ -16,8 +19,8 @@ struct Body {
     walking,
     stopping,
     kicking,
-    crouching,  // on its way down to block the ball
-    squatting,  // down, wider than it stands
+    crouching,  // on the way down to block the ball
+    squatting,  // down, wider than when it stands
     fallen,
     getting_up,
     removed
@@ -26,7 +29,7 @@ struct Body {
   Vec2 position;         // [m]
   float heading = 0;     // [rad] (-π, π]
   Vec2 facing{1, 0};     // the unit vector at `heading`
-  Vec2 velocity;         // [m/s, robot] as it walks now
+  Vec2 velocity;         // [m/s, robot] present walking velocity
   float turn_rate = 0;   // [rad/s]
   float head_yaw = 0;    // [rad] > 0 left
   float head_pitch = 0;  // [rad] > 0 down
@@ -34,19 +37,19 @@ struct Body {
   Doing doing = Doing::standing;
   std::uint8_t kick = 0;      // kicking: index into the kick table
   bool kick_left = false;     // kicking: with the left foot
-  bool kick_done = false;     // kicking: the foot has passed where the ball should be
+  bool kick_done = false;     // kicking: the foot has passed the place of the ball
   float kick_gain = 1;        // kicking: share of the range
-  Tick since = 0;             // when it began to do this
-  Vec2 step_velocity;         // [m/s, robot] where the present step leads to
+  Tick since = 0;             // start of `doing`
+  Vec2 step_velocity;         // [m/s, robot] target of the present walking step
   float step_turn_rate = 0;   // [rad/s] likewise
   float walked = 0;           // [m] in this game
-  std::uint8_t touching = 0;  // ticks in a row pressed against another robot, at most 255
-  std::uint8_t pushing = 0;   // [1/5 s] it has been running into one
-  std::uint8_t glide = 1;     // [ticks] that it moves at once (sim/match/pace.h)
-  std::uint8_t moved = 0;     // up to which tick it has: the lower 8 bits
+  std::uint8_t touching = 0;  // [ticks] in contact with another robot without a break, at most 255
+  std::uint8_t pushing = 0;   // [kPushingUnit] running into another robot without a break
+  std::uint8_t glide = 1;     // [ticks] moved in one piece (sim/match/pace.h)
+  std::uint8_t moved = 0;     // tick up to which the body has moved, its lower 8 bits
 };
 
-/// It is on the ground: fallen, or on its way up.
+/// Reports whether the body is on the ground: fallen, or getting up.
 inline bool lies(const Body& body) {
   return body.doing == Body::Doing::fallen || body.doing == Body::Doing::getting_up;
 }

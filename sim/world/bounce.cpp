@@ -7,40 +7,40 @@ namespace sim {
 
 namespace {
 
-// after so many rebounds within one tick the ball is stuck between things and stays where it is until the next
+// After this many rebounds within one tick the ball is stuck between things and stays there until the next tick.
 constexpr int kMostRebounds = 4;
-// [m] an overlap up to this is none
-constexpr float kTolerance = 1e-5f;
+constexpr float kTolerance = 1e-5f;  // [m] a smaller overlap does not count
 
-/// What a ball can hit: a body or a post.
+/// A body or a post that the ball can hit.
 struct Obstacle {
   Vec2 position;       // [m, field]
   Vec2 velocity;       // [m/s, field]
-  float reach;         // [m] from its middle to that of a ball that touches it
-  float keeps;         // share of the speed that a ball keeps
+  float reach;         // [m] from its middle to the middle of a ball that touches it
+  float keeps;         // [0..1] share of the speed that the ball keeps
   std::uint8_t robot;  // kNobody: a post
 };
 
-/// What the ball may meet on its way: robots, and kNobody for a post.
+/// The obstacles that the ball may meet in this tick: robots, and kNobody for a post.
 struct Near {
   int count = 0;
   std::uint8_t list[kMaxRobots + 1];
 };
 
+/// The ball on its way through this tick. [field]
 struct Moving {
   Vec2 position;
   Vec2 velocity;
 };
 
-/// When and how deep a ball meets an obstacle.
+/// The contact of a ball with an obstacle.
 struct Meeting {
   float time = 0;   // [s] from now
-  float depth = 0;  // [m²] of an overlap that is there already
+  float depth = 0;  // [m²] of a present overlap
 
   bool before(const Meeting& other) const { return time < other.time || (time == other.time && depth > other.depth); }
 };
 
-/// [m] at which a body touches the ball, less the ball's radius.
+/// Returns the distance at which a body touches the ball, minus the ball's radius [m].
 float touch_radius(const ContactModel& contact, Body::Doing doing) {
   switch (doing) {
     case Body::Doing::squatting: return contact.squatting_radius;
@@ -50,29 +50,29 @@ float touch_radius(const ContactModel& contact, Body::Doing doing) {
   }
 }
 
-/// Where the ball can meet something in this tick.
+/// The region in which the ball can meet something in this tick.
 struct Way {
-  Vec2 whole;   // [m] that it went
+  Vec2 whole;   // [m] its displacement
   Vec2 middle;  // [m, field]
-  float half;   // [m] at most, to each side
+  float half;   // [m] upper bound of half its length
 
   bool within(Vec2 place, float reach) const {
     return squared_length(place - middle) < (reach + half) * (reach + half);
   }
 };
 
-/// |x| + |y| is at least a way's length.
+/// Returns the ball's way in this tick. |x| + |y| is an upper bound of its length.
 Way way_of(const Ball& ball) {
   const Vec2 whole = kTickDuration * ball.velocity;
   return {whole, ball.position - 0.5f * whole, 0.5f * (std::fabs(whole.x) + std::fabs(whole.y))};
 }
 
-/// [m] nearer than this to a body, of whatever it does, the ball may touch it.
+/// Returns the greatest distance at which the ball may touch a body, whatever the body does [m].
 float widest_reach(const BallModel& ball, const ContactModel& contact) {
   return std::max({contact.foot_radius, contact.squatting_radius, contact.lying_radius}) + ball.radius;
 }
 
-/// The post on whose side of the field the ball is.
+/// Returns the post in the ball's quarter of the field.
 Vec2 nearest_post(const field::Field& field, Vec2 ball) {
   const Vec2 post = field::post_of(field, 0);
   return {std::copysign(post.x, ball.x), std::copysign(post.y, ball.y)};
@@ -98,7 +98,7 @@ Obstacle obstacle_of(const field::Field& field, const BallModel& ball, const Con
           ball.robot_restitution, robot};
 }
 
-/// Whether the ball meets the obstacle within `time` [s], and when.
+/// Reports whether the ball meets the obstacle within `time` [s], and sets `meeting`.
 bool meets(const Moving& ball, const Obstacle& obstacle, float time, Meeting& meeting) {
   const Vec2 offset = ball.position - obstacle.position;
   const float outside = squared_length(offset) - obstacle.reach * obstacle.reach;
@@ -107,7 +107,7 @@ bool meets(const Moving& ball, const Obstacle& obstacle, float time, Meeting& me
     return true;
   }
 
-  // it comes nearer, over ground and as the body sees it
+  // the ball must come nearer, both over ground and relative to the body
   const float nearing = dot(offset, ball.velocity);
   if (nearing >= 0 || dot(offset, ball.velocity - obstacle.velocity) >= 0) return false;
   const float squared_speed = squared_length(ball.velocity);
@@ -117,7 +117,7 @@ bool meets(const Moving& ball, const Obstacle& obstacle, float time, Meeting& me
   return meeting.time <= time;
 }
 
-/// The ball just outside the obstacle, thrown back or pushed along.
+/// Returns the ball just outside the obstacle, thrown back or pushed along.
 Moving rebound(Moving ball, const Obstacle& obstacle, const ContactModel& contact, const Effects& effects,
                const World& world) {
   const Vec2 offset = ball.position - obstacle.position;
@@ -125,15 +125,15 @@ Moving rebound(Moving ball, const Obstacle& obstacle, const ContactModel& contac
   const Vec2 away = gap > 0 ? (1 / gap) * offset : Vec2{1, 0};
   ball.position = obstacle.position + obstacle.reach * away;
 
-  // as the obstacle sees it, the ball keeps its sideward speed and turns the other round
+  // relative to the obstacle, the ball keeps its tangential speed and its normal speed is reversed
   const float own = dot(obstacle.velocity, away);
   const float relative = dot(ball.velocity, away) - own;
   if (relative >= 0) return ball;
   ball.velocity += (-(1 + obstacle.keeps) * relative) * away;
 
-  // a foot in motion hits it somewhere
+  // a moving foot pushes it in a random direction
   if (own > 0 && effects.push_noise) {
-    const auto words = draw(world.key, obstacle.robot, Event::push_noise, world.tick);
+    const auto words = draw(world.key, obstacle.robot, Draw::push_noise, world.tick);
     const float deviation = contact.push_deviation * normals(words[0], words[1])[0];
     ball.velocity = turned(ball.velocity, direction(deviation));
     const float speed = dot(ball.velocity, away);
@@ -142,14 +142,14 @@ Moving rebound(Moving ball, const Obstacle& obstacle, const ContactModel& contac
   return ball;
 }
 
-/// The way anew, past whatever it meets. Not inline: it seldom comes to this.
+/// Computes the ball's way again, with its rebounds off obstacles. Not inline, because it is rare.
 [[gnu::noinline]] void bounce_off(const field::Field& field, const BallModel& ball, const ContactModel& contact,
                                   const Effects& effects, const Near& near, const Way& way, World& world) {
   const auto obstacle = [&](int i) { return obstacle_of(field, ball, contact, world, way, near.list[i]); };
   Moving moving{world.ball.position - way.whole, world.ball.velocity};
   float left = kTickDuration;
   for (int round = 0; round < kMostRebounds; ++round) {
-    // the first that it meets; if it meets two at once, what each of them does counts half
+    // find the first obstacle; of several at the same time the mean effect counts
     Meeting first{left, -1};
     int met[kMaxRobots + 1], count = 0;
     for (int i = 0; i < near.count; ++i) {

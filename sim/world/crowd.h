@@ -1,4 +1,4 @@
-// Who is on the field and where, packed: most of the time one look tells that nobody is near anything.
+// The robots on the field, packed in arrays: usually one quick test shows that nothing is near anything else.
 #pragma once
 
 #include <cstdint>
@@ -7,19 +7,20 @@
 
 namespace sim {
 
+/// The positions of all robots on the field.
 struct Crowd {
-  static constexpr int kBlock = 4;  // as many are looked at together
+  static constexpr int kBlock = 4;  // robots tested together, in vector registers
   static constexpr int kRoom = (kMaxRobots + kBlock - 1) / kBlock * kBlock;
 
   int count = 0;
   bool somebody_lies = false;
-  float x[kRoom];  // [m, field]; the rest of the last block is far from everything
+  float x[kRoom];  // [m, field]; the last block is filled up with places far from everything
   float y[kRoom];
   std::uint8_t robot[kRoom];  // index in the world
 
   Vec2 middle(int i) const { return {x[i], y[i]}; }
 
-  /// Somebody's middle is nearer to `place` than `reach` [m].
+  /// Reports whether the middle of any robot is nearer to `place` than `reach` [m].
   bool anybody_within(Vec2 place, float reach) const {
     std::uint32_t hits[kBlock] = {};
     for (int block = 0; block < count; block += kBlock)
@@ -29,15 +30,16 @@ struct Crowd {
   }
 };
 
-/// Each thing that a body can do as a bit.
+/// Returns a different bit for each value of Doing.
 constexpr std::uint32_t bit_of(Body::Doing doing) { return 1u << static_cast<unsigned>(doing); }
 inline constexpr std::uint32_t kLying = bit_of(Body::Doing::fallen) | bit_of(Body::Doing::getting_up);
 
+/// Returns the robots of `world` that are on the field.
 inline Crowd crowd_of(const World& world) {
   Crowd crowd;
   std::uint32_t count = 0, doing = 0;
   for_each_robot(world.players, [&](int robot) {
-    // whoever is removed is overwritten by the next
+    // the next robot overwrites a removed one
     const Body& body = world.bodies[robot];
     crowd.x[count] = body.position.x;
     crowd.y[count] = body.position.y;

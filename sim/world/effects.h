@@ -1,31 +1,31 @@
-// What of reality is simulated: each effect can be switched on its own.
+// The simulated effects of reality. Each one can be switched on and off.
 #pragma once
 
 namespace sim {
 
-/// Off means ideal: without `limited_view` a robot sees the ball wherever it is, without `odometry_drift` it always
-/// knows where it stands.
+/// One switch per effect. Off is ideal: without `limited_view` a robot sees the ball wherever it is, and without
+/// `odometry_drift` it always knows its exact pose.
 struct Effects {
   bool limited_view;    // the ball is seen only inside the camera's view and range
-  bool missed_ball;     // and then only as often as the detection finds it
-  bool occlusion;       // and never behind a robot
-  bool false_balls;     // percepts of what is not a ball
-  bool ball_noise;      // range and bearing noise
-  bool latency;         // the camera's
-  bool odometry_drift;  // and so all errors of localisation
-  bool pose_flips;      // turned round on the symmetric field
-  bool packet_limit;    // the year's budget and interval; off: every decision
+  bool missed_ball;     // a ball in view is detected with a probability only
+  bool occlusion;       // a ball behind a robot is not seen
+  bool false_balls;     // percepts of other things as balls
+  bool ball_noise;      // errors of range and bearing
+  bool latency;         // of the camera
+  bool odometry_drift;  // all errors of localisation
+  bool pose_flips;      // poses turned round by 180° on the symmetric field
+  bool packet_limit;    // the year's budget and interval; off: a packet with every decision
   bool packet_delay;
   bool packet_loss;
   bool walk_acceleration;  // limits of acceleration and the cost of turning
   bool walk_noise;
-  bool walk_delay;   // start and stop
-  bool head_limits;  // speed and joints; off: the head looks anywhere at once
+  bool walk_delay;   // of starting and stopping
+  bool head_limits;  // speed and range of the joints; off: the head looks anywhere at once
   bool kick_noise;
-  bool kick_whiff;  // a kick misses the ball that lies off its gate; off: it always hits within reach
-  bool push_noise;  // a ball that is walked into goes about
+  bool kick_whiff;  // a kick misses a ball that lies outside its gate; off: it hits every ball within reach
+  bool push_noise;  // a random direction of a ball that a robot walks into
   bool falls;
-  bool official;  // the referee walks on the field: an obstacle, and hides the ball
+  bool official;  // a referee walks on the field, is an obstacle and hides the ball
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {

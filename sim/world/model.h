@@ -1,14 +1,15 @@
-// How balls and bodies behave, as data.
+// The physics of ball and contacts, as data.
 #pragma once
 
 namespace sim {
 
+/// The ball on the carpet.
 struct BallModel {
-  float radius;            // [m]
-  float deceleration;      // [m/s²] of rolling, constant
-  float post_restitution;  // [0..1] share of the speed kept by bouncing
-  float robot_restitution;
-  float stop_speed;  // [m/s] below which it snaps into a dimple and lies
+  float radius;             // [m]
+  float deceleration;       // [m/s²] of rolling, constant
+  float post_restitution;   // [0..1] share of the speed after a bounce off a post
+  float robot_restitution;  // [0..1] likewise off a robot
+  float stop_speed;         // [m/s] a slower ball stops at once, in a dimple of the carpet
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
@@ -20,14 +21,15 @@ struct BallModel {
   }
 };
 
+/// The sizes of bodies as circles.
 struct ContactModel {
-  float robot_radius;      // [m] robots touch at twice this distance
-  float foot_radius;       // [m] to the ball's middle less its radius: where the ball is touched
-  float squatting_radius;  // [m] of a robot that squats, likewise
-  float lying_radius;      // [m] of a robot that has fallen
-  float hiding_radius;     // [m] of one that stands: what is behind is hidden, in the mean over its headings
+  float robot_radius;      // [m] two robots touch at twice this distance
+  float foot_radius;       // [m] of a robot against the ball: it touches at this plus the ball's radius
+  float squatting_radius;  // [m] of a squatting robot, likewise
+  float lying_radius;      // [m] of a fallen robot
+  float hiding_radius;     // [m] of a standing robot that hides things behind it, mean over its headings
   float official_radius;   // [m] of the walking referee
-  float push_deviation;    // [rad] direction of a ball that is walked into
+  float push_deviation;    // [rad] standard deviation of the direction of a ball that a robot walks into
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {

@@ -127,7 +127,7 @@ double part_better(double gain, int tests, int block) {
     Tally tally;
     Verdict verdict = Verdict::undecided;
     for (std::uint32_t i = 0; verdict == Verdict::undecided && i < 100'000; ++i) {
-      const auto words = draw({.seed = static_cast<std::uint64_t>(test)}, kNobody, Event::situation, i);
+      const auto words = draw({.seed = static_cast<std::uint64_t>(test)}, kNobody, Draw::situation, i);
       const int noise = static_cast<int>(words[0] % 5) - 2 + static_cast<int>(words[1] % 5) - 2;
       const int shift = static_cast<double>(uniform(words[2])) < 2 * gain ? 1 : 0;
       tally.add(pair_of(noise, shift));
@@ -166,7 +166,7 @@ Tally resampled(const std::vector<int>& sums, std::uint64_t test, Verdict& verdi
   Tally tally;
   verdict = Verdict::undecided;
   for (std::uint32_t i = 0; verdict == Verdict::undecided; ++i) {
-    const auto words = draw({.seed = test}, kNobody, Event::situation, i);
+    const auto words = draw({.seed = test}, kNobody, Draw::situation, i);
     tally.add(pair_of(sums[words[0] % sums.size()], 0));
     if (tally.pairs % 25 == 0) verdict = decide(tally, {}, 1000);
   }

@@ -40,7 +40,7 @@ bool contains(const std::vector<Mark>& marks, Kind kind, Vec2 position) {
                      [=](const Mark& mark) { return mark.kind == kind && mark.position == position; });
 }
 
-TEST(Field, HasItsMarks) {
+TEST(Field, HasAllItsMarks) {
   const auto old = marks_in(kFields[0]), present = marks_in(kFields[1]);
   for (const auto& marks : {old, present}) {
     EXPECT_EQ(count(marks, Kind::post), 4);
@@ -93,14 +93,14 @@ TEST(Field, AGoalIsAGoalOnlyWhenTheWholeBallIsBehindTheLine) {
   EXPECT_EQ(sim::field::goal_entered(field, {4.4f, 0}, {4.57f, 0}, 0.05f), 0);
   EXPECT_EQ(sim::field::goal_entered(field, {4.4f, 0}, {4.58f, 0}, 0.05f), 1);
   EXPECT_EQ(sim::field::goal_entered(field, {-4.57f, 0.3f}, {-4.6f, 0.3f}, 0.05f), -1);
-  EXPECT_EQ(sim::field::goal_entered(field, {4.58f, 0}, {4.6f, 0}, 0.05f), 0) << "that was an earlier move";
-  EXPECT_EQ(sim::field::goal_entered(field, {4.6f, 0}, {4.5f, 0}, 0.05f), 0) << "out again";
+  EXPECT_EQ(sim::field::goal_entered(field, {4.58f, 0}, {4.6f, 0}, 0.05f), 0) << "the ball was behind the line before";
+  EXPECT_EQ(sim::field::goal_entered(field, {4.6f, 0}, {4.5f, 0}, 0.05f), 0) << "the ball comes out";
   EXPECT_EQ(sim::field::goal_entered(field, {4.5f, 0.9f}, {4.6f, 0.9f}, 0.05f), 0) << "beside the post";
 }
 
 TEST(Field, AGoalIsDecidedWhereTheBallCrossedTheLine) {
   const Field& field = kFields[1];
-  // the line is at 4.575: the first crosses it between the posts and ends beside them, the second the other way round
+  // the line is at 4.575: the first ball crosses it between the posts and ends beside them, the second does the opposite
   EXPECT_EQ(sim::field::goal_entered(field, {4.5f, 0.7f}, {4.65f, 0.86f}, 0.05f), 1);
   EXPECT_EQ(sim::field::goal_entered(field, {4.5f, 0.9f}, {4.65f, 0.74f}, 0.05f), 0);
 }

@@ -51,7 +51,7 @@ TEST(Chooser, WakesUpATeamThatStandsIdle) {
   while (!all_play(1) && state.world.tick < ticks(60)) state = test::after(setup.params, state, 1);
   EXPECT_TRUE(all_play(1)) << "it wins the ball and more than idling";
   state = test::after(setup.params, state, ticks(100));
-  EXPECT_GT(state.tally.kicks[0], 0);
+  EXPECT_GT(state.counts.kicks[0], 0);
   EXPECT_EQ(state.robots[robot_of(Side::away, 2)].mind.choice.strategy, kNoStrategy) << "the others choose nothing";
 }
 

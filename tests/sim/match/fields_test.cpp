@@ -17,7 +17,7 @@ std::vector<std::string> names_of(const State& state) {
   return names;
 }
 
-/// `state` with another value in its `wanted`-th field.
+/// Returns `state` with another value in field number `wanted`.
 State changed(State state, std::size_t wanted) {
   std::size_t i = 0;
   visit_fields(state, [&](const FieldPath&, auto& field) {
@@ -27,14 +27,14 @@ State changed(State state, std::size_t wanted) {
   return state;
 }
 
-TEST(Fields, HaveNamesAndEachItsOwn) {
+TEST(Fields, HaveDifferentNames) {
   const auto names = names_of(State{});
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
   EXPECT_EQ(names.front(), "world.key.seed");
   EXPECT_EQ(std::count(names.begin(), names.end(), "robots[3].beliefs.ball.position.x"), 1);
 }
 
-TEST(Fields, AreAllOfTheStateButPadding) {
+TEST(Fields, AreAllOfTheStateWithoutPadding) {
   std::size_t size = 0;
   const State any{};
   visit_fields(any, [&](const FieldPath&, auto field) { size += sizeof field; });
@@ -66,7 +66,7 @@ TEST(Hash, DiffersWithEveryField) {
   EXPECT_EQ(hashes.size(), 1 + (count + 2) / 3);
 }
 
-TEST(Hash, IsThatOfACopyWhateverItsPadding) {
+TEST(Hash, IgnoresPadding) {
   const State state = test::scrambled(3);
   alignas(State) unsigned char memory[sizeof(State)];
   std::fill(std::begin(memory), std::end(memory), static_cast<unsigned char>(0xa5));
@@ -75,7 +75,7 @@ TEST(Hash, IsThatOfACopyWhateverItsPadding) {
   EXPECT_EQ(hash_of(*other), hash_of(state));
 }
 
-TEST(Hash, OfOneBitMovesAboutHalfOfItsBits) {
+TEST(Hash, ChangesHalfOfItsBitsForOneBit) {
   const State state = test::scrambled(5);
   const std::uint64_t hash = hash_of(state);
   int moved = 0;

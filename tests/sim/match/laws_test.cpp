@@ -1,4 +1,4 @@
-// What holds in every step of whole games.
+// Invariants of every step of whole games.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -67,11 +67,11 @@ TEST_P(Game, HasNoRobotFasterThanItsLegs) {
   const motion::Walk& walk = params().teams[0].models.motion.walk;
   const float fastest = std::max({walk.forward, walk.backward, walk.sideward});
   watch(2, [&](const State& before, const State& state) {
-    if (state.world.home_attacks != before.world.home_attacks) return;  // everybody is put at the touch lines
+    if (state.world.home_attacks != before.world.home_attacks) return;  // half time puts all robots at the touch lines
     for_each_body(state.world, [&](int robot, const Body& body) {
       EXPECT_LE(length(body.velocity), fastest * 1.0001f);
       EXPECT_LE(std::abs(body.turn_rate), walk.turn_rate * 1.0001f);
-      // what it has walked, whoever pushed it; several ticks at once where it has no turn in each
+      // the way it walked, without pushes; several ticks at once when it has no turn in each
       const float walked = body.walked - before.world.bodies[robot].walked;
       const auto ticks = static_cast<float>(state.schedule.lag[robot]);
       EXPECT_LE(walked, fastest * ticks * kTickDuration * 1.001f + 1e-4f) << robot << " in tick " << state.world.tick;
@@ -90,7 +90,7 @@ TEST_P(Game, KeepsUnitVectorsAndAngles) {
   });
 }
 
-TEST_P(Game, KeepsTheBallFromRollingFasterThanItIsKicked) {
+TEST_P(Game, HasNoBallFasterThanAKick) {
   const motion::Model& model = params().teams[0].models.motion;
   float farthest = 0;
   for (int kick = 0; kick < model.kick_count; ++kick) farthest = std::max(farthest, model.kicks[kick].range);
@@ -101,8 +101,8 @@ TEST_P(Game, KeepsTheBallFromRollingFasterThanItIsKicked) {
   });
 }
 
-TEST_P(Game, IsTheSameWhereEveryTickIsLookedAt) {
-  // what `next` and `crowded` spare changes nothing
+TEST_P(Game, IsTheSameWithoutShortcuts) {
+  // the work skipped by `next` and `crowded` would change nothing
   State state = begun(params(), 4), looked_at = state;
   referee::Events events;
   while (!finished(state)) {
@@ -116,7 +116,7 @@ TEST_P(Game, IsTheSameWhereEveryTickIsLookedAt) {
   }
 }
 
-TEST_P(Game, HasOneTickAfterTheOther) {
+TEST_P(Game, CountsEveryTick) {
   watch(5, [&](const State& before, const State& state) {
     EXPECT_EQ(state.world.tick, before.world.tick + 1);
     EXPECT_GE(state.book.score[0], before.book.score[0]);

@@ -17,7 +17,7 @@ namespace {
 using test::choice_of;
 using test::setup_of;
 
-TEST(Pace, OfThePlainRunIsEveryTickForEverybody) {
+TEST(Pace, EveryTickMeansEveryTickForAllRobots) {
   const auto setup = setup_of(choice_of("spl2012", "baseline", "match", Pace::every_tick));
   State state = test::begun(setup.params, 1);
   referee::Events events;
@@ -28,7 +28,7 @@ TEST(Pace, OfThePlainRunIsEveryTickForEverybody) {
   }
 }
 
-TEST(Pace, IsQuickNextToTheBallAndToRobots) {
+TEST(Pace, IsFastNextToTheBallAndToRobots) {
   const auto setup = setup_of(choice_of("spl2025", "baseline", "match", Pace::thinned));
   const float radius = setup.params.teams[0].models.contact.robot_radius;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
@@ -47,7 +47,7 @@ TEST(Pace, IsQuickNextToTheBallAndToRobots) {
   }
 }
 
-TEST(Pace, OfWhoeverWalksIsThatOfTheSteps) {
+TEST(Pace, OfAWalkingRobotFollowsItsSteps) {
   const auto setup = setup_of(choice_of("spl2025", "baseline", "match", Pace::thinned));
   const motion::Rhythm rhythm(setup.params.teams[0].models.motion.walk);
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
@@ -59,14 +59,14 @@ TEST(Pace, OfWhoeverWalksIsThatOfTheSteps) {
       state.world.bodies[robot].doing = Body::Doing::walking;
       state.world.bodies[robot].position = state.world.ball.position + Vec2{away, 0};
       const Wait wait = wait_of(setup.params, state, robot);
-      // next to the ball it looks once more in between
+      // next to the ball it has one more turn in between
       const Tick sooner = state.book.phase != agent::Game::Phase::playing ? 18 : away < 0.6f ? 4 : away < 0.8f ? 6 : 18;
       EXPECT_TRUE(wait.turn == sooner || rhythm.begins_at(state.world.tick + wait.turn)) << away << ": " << wait.turn;
       EXPECT_LE(wait.turn, sooner);
       EXPECT_GE(wait.move, 1u);
       EXPECT_LE(wait.move, wait.turn);
       EXPECT_LE(wait.turn, 2u * 8);
-      // what it is told in the midst of a step is heeded with the next
+      // a command in the middle of a step takes effect with the next step
       state.robots[robot].command.body = motion::Command::Body::kick;
       const bool begins = rhythm.begins_at(state.world.tick);
       const Wait kick = wait_of(setup.params, state, robot);
@@ -97,7 +97,7 @@ TEST(Pace, WaitsForTheFootOfAKick) {
   EXPECT_GT(wait_of(setup.params, state, 1).turn, 1u);
 }
 
-TEST(Pace, OfWhoeverStandsNearTheBallsWayIsEveryOtherTick) {
+TEST(Pace, OfAStandingRobotNearTheBallsPathIsEverySecondTick) {
   const auto setup = setup_of(choice_of("spl2025", "baseline", "match", Pace::thinned));
   State state = random_situation(setup.params, {4});
   Body& body = state.world.bodies[0];
@@ -131,13 +131,13 @@ TEST(Pace, IsLowerTheFartherFromTheBall) {
   }
   EXPECT_EQ(slowest, 18u);
 
-  // whoever goes for the ball does not wait so long
+  // the chaser waits less
   state.robots[0].mind.role = agent::Role::chaser;
   for (state.world.tick = 0; state.world.tick < 30; ++state.world.tick)
     EXPECT_LE(wait_of(setup.params, state, 0).turn, 9u);
 }
 
-TEST(Pace, HasEverybodyReadyWhenPlayBegins) {
+TEST(Pace, GivesAllRobotsATurnWhenPlayBegins) {
   const auto setup = setup_of(choice_of("spl2012", "baseline", "match", Pace::thinned));
   State state = test::begun(setup.params, 5);
   const auto is_playing = [](const State& now) { return now.book.phase == agent::Game::Phase::playing; };
@@ -146,7 +146,7 @@ TEST(Pace, HasEverybodyReadyWhenPlayBegins) {
       state.world, [&](int robot, const Body&) { EXPECT_EQ(state.schedule.turn[robot], state.world.tick) << robot; });
 }
 
-TEST(Pace, LooksWhereTheBallRolls) {
+TEST(Pace, FollowsThePathOfTheBall) {
   const auto setup = setup_of(choice_of("spl2025", "idle", "match", Pace::thinned));
   State state = random_situation(setup.params, {1});
   for (int robot = 0; robot < kMaxRobots; ++robot)
@@ -160,14 +160,14 @@ TEST(Pace, LooksWhereTheBallRolls) {
   EXPECT_EQ(wait_of(setup.params, state, 0).turn, 2u);
 }
 
-TEST(Pace, GivesBothSidesTheirTurnsAtOnce) {
+TEST(Pace, GivesBothSidesTheirTurnsInTheSameTicks) {
   const auto setup = setup_of(choice_of("spl2025", "idle", "match", Pace::thinned));
   State state = random_situation(setup.params, {2});
   place(state.world.ball, {0, -2.9f});
   state.world.ball.velocity = {};
   for (int robot = 0; robot < kMaxRobots; ++robot)
     state.world.bodies[robot].position = {static_cast<float>(robot % 7) - 3, robot < 7 ? 2.7f : 1.5f};
-  // the phase set has its end in mind, and it is far away
+  // in SET, long before its end
   state.book.phase_since = 1000;
   for (const auto phase : {agent::Game::Phase::playing, agent::Game::Phase::ready, agent::Game::Phase::set}) {
     state.book.phase = phase;
@@ -179,7 +179,7 @@ TEST(Pace, GivesBothSidesTheirTurnsAtOnce) {
   }
 }
 
-TEST(Pace, IsTheSameInAMirrorAndByOtherNames) {
+TEST(Pace, IsTheSameMirroredAndWithExchangedSides) {
   const auto setup = setup_of(choice_of("spl2012", "baseline", "match", Pace::thinned));
   const Params other_names = test::exchanged(setup.params);
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
@@ -194,7 +194,7 @@ TEST(Pace, IsTheSameInAMirrorAndByOtherNames) {
   }
 }
 
-TEST(Pace, ThinsMostOfTheWorkAway) {
+TEST(Pace, SavesMostOfTheTurns) {
   const auto setup = setup_of(choice_of("spl2012", "baseline", "match", Pace::thinned), 120);
   State state = test::begun(setup.params, 3);
   referee::Events events;
@@ -209,7 +209,7 @@ TEST(Pace, ThinsMostOfTheWorkAway) {
   EXPECT_LT(turns, 0.2 * robots);
 }
 
-TEST(Pace, ShowsRobotsOnTheirWay) {
+TEST(Pace, InterpolatesBodiesBetweenTurns) {
   const auto setup = setup_of(choice_of("spl2025", "idle", "match", Pace::thinned));
   State state = random_situation(setup.params, {6});
   state.world.tick = 100;
@@ -233,7 +233,7 @@ TEST(Pace, ShowsRobotsOnTheirWay) {
   EXPECT_EQ(between_turns(state).bodies[2].position, state.world.bodies[2].position);
 }
 
-TEST(Pace, OfThePlainRunShowsTheWorldAsItIs) {
+TEST(Pace, OfEveryTickNeedsNoInterpolation) {
   const auto setup = setup_of(choice_of("spl2012", "baseline", "match", Pace::every_tick));
   State state = test::begun(setup.params, 1);
   referee::Events events;

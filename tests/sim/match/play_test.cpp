@@ -46,7 +46,7 @@ TEST(Play, KeepsTheBudgetOfPackets) {
   }
 }
 
-TEST(Play, CountsPacketsOfWhoeverMaySendInEveryImage) {
+TEST(Play, CountsThePacketsOfRobotsThatSendInEveryTick) {
   const auto setup =
       setup_of(choice_of("spl2012", "idle", "match,packet_limit=off,packet_delay=off", Pace::every_tick));
   const Result result = play_game(setup.params, {7});
@@ -62,14 +62,14 @@ TEST(Play, AddsUp) {
     EXPECT_EQ(of(result, Kind::goal, side), result.score[i]);
     EXPECT_GT(result.packets[i], 0);
     EXPECT_GT(result.walked[i], 10.f);
-    EXPECT_GT(result.tally.kicks[i], 0);
+    EXPECT_GT(result.counts.kicks[i], 0);
   }
-  EXPECT_LE(result.tally.possession[0] + result.tally.possession[1], result.tally.in_play);
-  EXPECT_LE(result.tally.in_play, result.ticks);
+  EXPECT_LE(result.counts.possession[0] + result.counts.possession[1], result.counts.in_play);
+  EXPECT_LE(result.counts.in_play, result.ticks);
   EXPECT_NEAR(result.possession(Side::home) + result.possession(Side::away), 1, 1e-6);
 }
 
-TEST(Play, InPartsIsTheWholeGame) {
+TEST(Play, InPartsEqualsTheWholeGame) {
   const auto setup = setup_of(choice_of("spl2025", "baseline", "match"), 60);
   State whole = begun(setup.params, 3), parts = whole;
   const Result at_once = play_on(setup.params, whole);
@@ -82,10 +82,10 @@ TEST(Play, InPartsIsTheWholeGame) {
   EXPECT_EQ(difference(whole, parts), "");
   for (int kind = 0; kind < kEventKinds; ++kind)
     for (int side = 0; side < 2; ++side) EXPECT_EQ(sum.events[kind][side], at_once.events[kind][side]);
-  EXPECT_EQ(play_on(setup.params, parts).ticks, at_once.ticks) << "a game that is over stays so";
+  EXPECT_EQ(play_on(setup.params, parts).ticks, at_once.ticks) << "a game that is over stays over";
 }
 
-TEST(Play, StopsWhenItIsToldTo) {
+TEST(Play, StopsOnRequest) {
   const auto setup = setup_of(choice_of("spl2012", "baseline", "match"));
   State state = begun(setup.params, 4);
   std::vector<referee::Event> heard;
@@ -99,7 +99,7 @@ TEST(Play, StopsWhenItIsToldTo) {
   EXPECT_EQ(heard[1].tick + 1, played);
 }
 
-TEST(Possession, OfAGameWithoutPlayIsNobodys) {
+TEST(Possession, IsZeroInAGameWithoutPlay) {
   const Result nothing{};
   EXPECT_EQ(nothing.possession(Side::home), 0);
 }

@@ -23,18 +23,18 @@ const io::AllIngredients& ingredients() {
 TEST(Signature, IsTheOneInTheRepository) {
   std::ifstream file(FORESIGHT_GOLDEN_DIR "/sim_signature.txt");
   std::string golden;
-  ASSERT_TRUE(file >> golden) << "tests/golden/sim_signature.txt is not there";
+  ASSERT_TRUE(file >> golden) << "tests/golden/sim_signature.txt is missing";
   EXPECT_EQ(hex(signature_of(ingredients().lists)), golden)
       << "the simulator behaves differently now. If it should: foresight-sim signature > "
          "tests/golden/sim_signature.txt, and the last line of the commit message is 'Sim signature: <it>'";
 }
 
-TEST(Scenarios, AreWhatTheirNumberSays) {
+TEST(Scenarios, FollowFromTheirNumber) {
   for (int number = 0; number < kScenarios; number += 5)
     EXPECT_EQ(difference(scenario(ingredients().lists, number).start, scenario(ingredients().lists, number).start), "");
 }
 
-TEST(Scenarios, BringUpEverything) {
+TEST(Scenarios, UseAllIngredients) {
   std::set<const agent::Behaviour*> behaviours;
   std::set<std::string> models;
   std::set<float> fields;
@@ -62,7 +62,7 @@ TEST(Scenarios, BringUpEverything) {
   EXPECT_EQ(effects_on, effects_off);
 }
 
-TEST(Signature, HangsOnEveryModelRuleAndBehaviour) {
+TEST(Signature, DependsOnEveryModelRuleAndBehaviour) {
   Ingredients some = ingredients().lists;
   const std::uint64_t before = signature_of(some);
   some.models.front().ball.deceleration *= 1.0001f;

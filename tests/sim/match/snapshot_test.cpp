@@ -14,7 +14,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-TEST(Snapshot, ComesBackAsItWas) {
+TEST(Snapshot, RestoresTheSameState) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const State state = test::scrambled(seed);
     const Restored restored = restore(snapshot_of(state));
@@ -56,23 +56,23 @@ TEST(Snapshot, SaysWhyItIsRefused) {
   Bytes bytes = snapshot_of(test::scrambled(3));
   const std::string size = std::to_string(bytes.size());
   EXPECT_EQ(restore(Bytes(7)).refusal, "snapshot: expected at least 8 bytes, got 7");
-  EXPECT_EQ(restore(Bytes(100)).refusal, "snapshot: does not begin with FSIM");
+  EXPECT_EQ(restore(Bytes(100)).refusal, "snapshot: expected the bytes FSIM at the beginning");
   EXPECT_EQ(restore(std::span(bytes).first(9)).refusal, "snapshot: expected " + size + " bytes, got 9");
   bytes[20] ^= 1;
-  EXPECT_EQ(restore(bytes).refusal, "snapshot: its bytes do not have the hash at its end; it was damaged");
+  EXPECT_EQ(restore(bytes).refusal, "snapshot: the hash at its end does not match its bytes; it is damaged");
   bytes[4] = kSnapshotVersion + 1;
   EXPECT_EQ(restore(bytes).refusal, "snapshot: expected version " + std::to_string(kSnapshotVersion) + ", got " +
                                         std::to_string(kSnapshotVersion + 1));
 }
 
-TEST(Snapshot, IsRefusedWithWhatCannotBe) {
+TEST(Snapshot, IsRefusedWithImpossibleValues) {
   const auto refusal = [](auto&& spoil) {
     State state = test::scrambled(4);
     spoil(state);
     return restore(snapshot_of(state)).refusal;
   };
   const auto impossible = [](const char* name) {
-    return "snapshot: " + std::string(name) + " is not a possible value";
+    return "snapshot: " + std::string(name) + " has an impossible value";
   };
   EXPECT_EQ(refusal([](State& s) { s.world.ball.position.x = std::nanf(""); }), impossible("world.ball.position.x"));
   EXPECT_EQ(refusal([](State& s) { s.world.bodies[2].doing = static_cast<Body::Doing>(10); }),
@@ -85,8 +85,8 @@ TEST(Snapshot, IsRefusedWithWhatCannotBe) {
             impossible("robots[13].command.kick"));
 }
 
-TEST(Snapshot, OfATruthValueThatIsNeitherIsRefused) {
-  // where the two snapshots differ is the truth value
+TEST(Snapshot, IsRefusedWithABoolThatIsNeitherTrueNorFalse) {
+  // the two snapshots differ in the byte of the bool
   State state = test::scrambled(5);
   const Bytes bytes = snapshot_of(state);
   state.book.ball_free = !state.book.ball_free;
@@ -96,7 +96,7 @@ TEST(Snapshot, OfATruthValueThatIsNeitherIsRefused) {
   Bytes spoilt = bytes;
   spoilt[at] = 2;
   seal(spoilt);
-  EXPECT_EQ(restore(spoilt).refusal, "snapshot: book.ball_free is not a possible value");
+  EXPECT_EQ(restore(spoilt).refusal, "snapshot: book.ball_free has an impossible value");
 }
 
 }  // namespace

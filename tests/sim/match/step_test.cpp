@@ -27,7 +27,7 @@ TEST(Step, IsAFunctionOfItsArguments) {
   }
 }
 
-TEST(Step, WithAnotherKeyIsAnotherGame) {
+TEST(Step, AnotherKeyGivesAnotherGame) {
   const auto setup = setup_of(choice_of("spl2012", "baseline", "match"));
   State other = begun(setup.params, 8);
   other = after(setup.params, other, 3000);
@@ -35,7 +35,7 @@ TEST(Step, WithAnotherKeyIsAnotherGame) {
   EXPECT_NE(difference(after(setup.params, begun(setup.params, 7), 3000), other), "");
 }
 
-TEST(Step, FromASnapshotAnywhereInTheMiddleLeadsToTheSameEnd) {
+TEST(Step, FromAnySnapshotLeadsToTheSameEnd) {
   for (const Pace pace : {Pace::every_tick, Pace::thinned}) {
     const auto setup = setup_of(choice_of("spl2012", "baseline", "match", pace), 60);
     const State end = after(setup.params, begun(setup.params, 3), kNever);
@@ -50,8 +50,8 @@ TEST(Step, FromASnapshotAnywhereInTheMiddleLeadsToTheSameEnd) {
   }
 }
 
-TEST(Step, LeavesNothingBehindThatIsNotInTheState) {
-  // two games take turns
+TEST(Step, HasNoStateOutsideTheState) {
+  // two games step alternately
   const auto setup = setup_of(choice_of("spl2025", "passing", "match"));
   State a = begun(setup.params, 1), b = begun(setup.params, 2);
   for (int i = 0; i < 2000; ++i) {
@@ -73,7 +73,7 @@ TEST(Step, AllocatesNothing) {
   }
 }
 
-TEST(Step, ExplainsDecisionsWithoutChangingThem) {
+TEST(Step, TracesDecisionsWithoutChangingThem) {
   const auto setup = setup_of(choice_of("spl2012", "baseline", "match"));
   State explained = begun(setup.params, 4), plain = explained;
   referee::Events events;
@@ -108,7 +108,7 @@ TEST(Step, DoesNotTouchRobotsThatDoNotPlay) {
   EXPECT_EQ(difference(others, start), "");
 }
 
-TEST(Step, WithPerfectModelsIsBelievedAsItIs) {
+TEST(Step, WithPerfectModelsBeliefsEqualTheTruth) {
   const auto setup = setup_of(choice_of("spl2012", "baseline", "perfect"));
   State state = random_situation(setup.params, {11});
   referee::Events events;

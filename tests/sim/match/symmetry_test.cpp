@@ -1,4 +1,4 @@
-// Left and right, home and away: nobody is favoured by how the simulator is written.
+// The simulator favours neither left nor right, neither home nor away.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -18,10 +18,10 @@ using test::choice_of;
 using test::exchanged;
 using test::setup_of;
 
-// [ticks] between two comparisons: what differs once differs more later
+// [ticks] between two comparisons; differences only grow
 constexpr int kCompared = 40;
 
-/// The first field in which two states differ that matters.
+/// Returns the first relevant field in which two states differ.
 std::string real_difference(const State& a, const State& b) {
   return difference(test::as_it_matters(a), test::as_it_matters(b));
 }
@@ -45,7 +45,7 @@ TEST(Symmetry, GamesOfExchangedSidesAreTheExchangedGames) {
       }
 }
 
-/// The same trees with left and right exchanged.
+/// Returns the same trees with left and right exchanged.
 struct MirroredTrees {
   explicit MirroredTrees(Params given) : params(std::move(given)) {
     for (Team& team : params.teams) {

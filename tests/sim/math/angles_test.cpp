@@ -21,7 +21,7 @@ void sweep(float least, float most, See&& see) {
   }
 }
 
-/// The distance of neighbouring floats at `x`.
+/// Returns the distance between neighbouring floats at `x`.
 double ulp(double x) {
   const auto value = static_cast<float>(std::fabs(x));
   return static_cast<double>(std::nextafter(value, std::numeric_limits<float>::infinity())) -
@@ -55,7 +55,7 @@ TEST(Angles, BothAtOnceAreTheSameAsEach) {
   });
 }
 
-TEST(Angles, ArcusTangentIsWithinItsErrorAllRound) {
+TEST(Angles, ArcTangentIsWithinItsErrorInAllDirections) {
   double worst = 0;
   for (const float radius : {1e-20f, 0.01f, 1.f, 1e15f})
     sweep(0, kPi, [&](float angle) {
@@ -66,7 +66,7 @@ TEST(Angles, ArcusTangentIsWithinItsErrorAllRound) {
   EXPECT_LE(worst, 3.2e-7);
 }
 
-TEST(Angles, ArcusTangentIsOddToTheBitAndNeverBeyondPi) {
+TEST(Angles, ArcTangentIsOddToTheBitAndNeverBeyondPi) {
   sweep(0.00001f, kPi, [](float angle) {
     const float x = std::cos(angle), y = std::sin(angle);
     ASSERT_EQ(bits(sim::atan2(-y, x)), bits(-sim::atan2(y, x))) << angle;
@@ -74,7 +74,7 @@ TEST(Angles, ArcusTangentIsOddToTheBitAndNeverBeyondPi) {
   });
 }
 
-TEST(Angles, ArcusTangentOnTheAxes) {
+TEST(Angles, ArcTangentIsExactOnTheAxes) {
   EXPECT_EQ(sim::atan2(0, 0), 0);
   EXPECT_EQ(sim::atan2(-0.f, -0.f), 0);
   EXPECT_EQ(sim::atan2(0, 2), 0);
@@ -122,7 +122,7 @@ TEST(Angles, NormalizedIsTheSameDirectionInRange) {
   });
 }
 
-TEST(Angles, NormalizedIsOddToTheBitAndTwiceIsOnce) {
+TEST(Angles, NormalizedIsOddToTheBitAndIdempotent) {
   sweep(0.001f, 1000, [](float x) {
     const float angle = sim::normalized(x);
     ASSERT_EQ(bits(sim::normalized(angle)), bits(angle)) << x;
@@ -132,7 +132,7 @@ TEST(Angles, NormalizedIsOddToTheBitAndTwiceIsOnce) {
   EXPECT_EQ(sim::normalized(-kPi), kPi);
 }
 
-TEST(Angles, NormalizedAtTheBorderGoesToTheOtherSide) {
+TEST(Angles, NormalizedTurnsMinusPiIntoPi) {
   const float beyond = std::nextafter(kPi, 4.f);
   EXPECT_NEAR(sim::normalized(beyond), -kPi, 1e-6);
   EXPECT_NEAR(sim::normalized(-beyond), kPi, 1e-6);

@@ -9,12 +9,12 @@
 namespace {
 
 using sim::draw;
-using sim::Event;
+using sim::Draw;
 using Words = std::array<std::uint32_t, 4>;
 
 constexpr sim::RandomKey kKey{20250715};
 
-/// Philox4x32 with 7 rounds once more, as the paper describes it: what the library is compared with.
+/// Philox4x32 with 7 rounds, written from the paper: the reference for the library.
 Words philox(Words counter, std::array<std::uint32_t, 2> key) {
   for (int round = 0; round < 7; ++round) {
     const std::uint64_t first = 0xD2511F53ull * counter[0], second = 0xCD9E8D57ull * counter[2];
@@ -25,7 +25,7 @@ Words philox(Words counter, std::array<std::uint32_t, 2> key) {
   return counter;
 }
 
-/// Chi-square of counts that should be equal, as standard deviations from what chance makes of them.
+/// Returns the chi-square of counts that should be equal, in standard deviations from its expected value.
 double surprise(const std::vector<int>& counts) {
   double total = 0, squares = 0;
   for (const int count : counts) total += count;
@@ -43,10 +43,10 @@ TEST(Random, ReferenceGivesThePublishedAnswers) {
             (Words{0x4dfccaba, 0x190a87f0, 0xc47362ba, 0xb6b5242a}));
 }
 
-TEST(Random, DrawIsPhiloxOfSeedRobotEventAndNumber) {
+TEST(Random, DrawIsPhiloxOfSeedRobotPurposeAndNumber) {
   for (std::uint32_t i = 0; i < 1000; ++i) {
     const std::uint64_t seed = 0x9876543210fedcbaull * i;
-    const auto event = static_cast<Event>(i % 19 + 1);
+    const auto event = static_cast<Draw>(i % 19 + 1);
     EXPECT_EQ(draw({seed}, i % 14, event, i * 77777u),
               philox({i * 77777u, i % 19 + 1, i % 14, 0},
                      {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}));
@@ -60,18 +60,18 @@ TEST(Random, EveryPartOfTheAddressCounts) {
       for (std::uint32_t robot = 0; robot < 14; ++robot)
         for (std::uint32_t event = 1; event <= 19; ++event)
           for (std::uint32_t number = 0; number < 10; ++number)
-            seen.insert(draw({seed + high}, robot, static_cast<Event>(event), number));
+            seen.insert(draw({seed + high}, robot, static_cast<Draw>(event), number));
   EXPECT_EQ(seen.size(), 4u * 2 * 14 * 19 * 10);
 }
 
-TEST(Random, UniformIsInRangeAndEven) {
+TEST(Random, UniformIsInRangeAndEvenlyDistributed) {
   EXPECT_EQ(sim::uniform(0), 0);
   EXPECT_LT(sim::uniform(0xffffffff), 1);
   std::vector<int> counts(100);
   double sum = 0, squares = 0;
   constexpr int kDraws = 100000;
   for (std::uint32_t tick = 0; tick < kDraws; ++tick)
-    for (const std::uint32_t word : draw(kKey, 3, Event::ball_seen, tick)) {
+    for (const std::uint32_t word : draw(kKey, 3, Draw::ball_seen, tick)) {
       const float value = sim::uniform(word);
       ++counts[static_cast<std::size_t>(value * 100)];
       sum += value;
@@ -82,36 +82,36 @@ TEST(Random, UniformIsInRangeAndEven) {
   EXPECT_NEAR(squares / (4 * kDraws), 1. / 3, 0.002);
 }
 
-/// Chi-square of the pairs (a word of one address, the same of another) on a grid of 16 x 16.
+/// Checks by chi-square, on a grid of 16 x 16, that the words of two neighbouring addresses are independent.
 template <class Other>
 void expect_independent(Other&& other) {
   for (std::size_t word = 0; word < 4; ++word) {
     std::vector<int> counts(256);
     for (std::uint32_t tick = 0; tick < 50000; ++tick)
-      ++counts[(draw(kKey, 2, Event::walk_noise, tick)[word] >> 28) * 16 + (other(tick)[word] >> 28)];
+      ++counts[(draw(kKey, 2, Draw::walk_noise, tick)[word] >> 28) * 16 + (other(tick)[word] >> 28)];
     EXPECT_LT(std::fabs(surprise(counts)), 3.5) << "word " << word;
   }
 }
 
 TEST(Random, NeighbouringTicksAreIndependent) {
-  expect_independent([](std::uint32_t tick) { return draw(kKey, 2, Event::walk_noise, tick + 1); });
+  expect_independent([](std::uint32_t tick) { return draw(kKey, 2, Draw::walk_noise, tick + 1); });
 }
 
 TEST(Random, NeighbouringRobotsAreIndependent) {
-  expect_independent([](std::uint32_t tick) { return draw(kKey, 3, Event::walk_noise, tick); });
+  expect_independent([](std::uint32_t tick) { return draw(kKey, 3, Draw::walk_noise, tick); });
 }
 
-TEST(Random, NeighbouringEventsAreIndependent) {
-  expect_independent([](std::uint32_t tick) { return draw(kKey, 2, Event::kick_noise, tick); });
+TEST(Random, NeighbouringPurposesAreIndependent) {
+  expect_independent([](std::uint32_t tick) { return draw(kKey, 2, Draw::kick_noise, tick); });
 }
 
 TEST(Random, NeighbouringSeedsAreIndependent) {
-  expect_independent([](std::uint32_t tick) { return draw({kKey.seed + 1}, 2, Event::walk_noise, tick); });
+  expect_independent([](std::uint32_t tick) { return draw({kKey.seed + 1}, 2, Draw::walk_noise, tick); });
 }
 
 TEST(Random, WordsOfOneDrawAreIndependent) {
   expect_independent([](std::uint32_t tick) {
-    const Words words = draw(kKey, 2, Event::walk_noise, tick);
+    const Words words = draw(kKey, 2, Draw::walk_noise, tick);
     return Words{words[1], words[2], words[3], words[0]};
   });
 }
@@ -121,7 +121,7 @@ TEST(Random, NormalsHaveTheMomentsAndTailsOfTheirDistribution) {
   double sum = 0, squares = 0, cubes = 0, fourths = 0, products = 0;
   int beyond[4] = {};
   for (std::uint32_t tick = 0; tick < kDraws; ++tick) {
-    const Words words = draw(kKey, 1, Event::ball_noise, tick);
+    const Words words = draw(kKey, 1, Draw::ball_noise, tick);
     for (const auto& [x, y] : {sim::normals(words[0], words[1]), sim::normals(words[2], words[3])}) {
       products += x * y;
       for (const double value : {static_cast<double>(x), static_cast<double>(y)}) {
@@ -144,10 +144,10 @@ TEST(Random, NormalsHaveTheMomentsAndTailsOfTheirDistribution) {
   EXPECT_NEAR(beyond[3] / kCount, 0.00270, 0.0004);
 }
 
-TEST(Random, NormalsAreEvenRoundTheCircle) {
+TEST(Random, NormalsHaveEveryDirectionEquallyOften) {
   std::vector<int> counts(64);
   for (std::uint32_t tick = 0; tick < 200000; ++tick) {
-    const Words words = draw(kKey, 1, Event::ball_noise, tick);
+    const Words words = draw(kKey, 1, Draw::ball_noise, tick);
     const auto [x, y] = sim::normals(words[0], words[1]);
     ++counts[static_cast<std::size_t>((std::atan2(y, x) / (2 * sim::kPi) + 0.5f) * 63.999f)];
   }

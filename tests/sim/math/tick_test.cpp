@@ -15,7 +15,7 @@ TEST(Tick, TicksAreTheNearestWholeNumber) {
   EXPECT_EQ(sim::ticks(600), 18000u);
 }
 
-TEST(Tick, WhatNeverHappenedWasVeryLongAgo) {
+TEST(Tick, TheAgeOfKNeverIsVeryLong) {
   EXPECT_GT(sim::age(0, sim::kNever), 1e5f);
   EXPECT_GT(sim::age(36000, sim::kNever), sim::age(36000, 0));
 }

@@ -1,4 +1,4 @@
-// A world with the bodies of a match, moved by hand.
+// A world with the bodies of a match, which tests move step by step.
 #pragma once
 
 #include "sim/motion/motion.h"
@@ -29,7 +29,7 @@ inline Model match_model() {
   return model;
 }
 
-/// All effects of motion but falling.
+/// All effects of motion except falls.
 inline Effects all_effects() {
   Effects effects{};
   effects.walk_acceleration = effects.walk_noise = effects.walk_delay = true;
@@ -52,13 +52,13 @@ struct Arena {
   static constexpr int kRobot = 2;
   Body& body() { return world.bodies[kRobot]; }
 
-  /// Moves one body; as long as the robot's tick is.
+  /// Moves the body by `steps` ticks and advances the world by as many.
   void move(const Command& command, Tick steps = 1) {
     world.kicked = world.touched = world.whiffed = kNobody;
-    const Means means{model, effects, ball};
+    const MotionParams params{model, effects, ball};
     const Pose2 told{body().position, body().heading};
-    motion::move(means, command, kRobot, steps, world);
-    motion::turn_head(means, command, told, steps, body());
+    motion::move(params, command, kRobot, steps, world);
+    motion::turn_head(params, command, told, steps, body());
     world.tick += steps;
   }
 };
@@ -71,7 +71,7 @@ inline Command walk_speed(Vec2 velocity, float turn) {
   return command;
 }
 
-/// To a pose of the field, as the robot sees it from where it stands.
+/// Returns the command that walks to a pose of the field.
 inline Command walk_to(const Body& body, Pose2 target) {
   Command command;
   command.body = Command::Body::walk_to;

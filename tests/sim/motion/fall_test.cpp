@@ -1,4 +1,4 @@
-// What falling promises.
+// Tests of falls.
 #include <gtest/gtest.h>
 
 #include "tests/sim/motion/arena.h"
@@ -15,7 +15,7 @@ Arena with_falls(std::uint64_t seed) {
   return arena;
 }
 
-// share of bodies that fall within `duration` [s] while they are told `command`
+// share of bodies that fall within `duration` [s] with this command
 float share_fallen(const Command& command, bool touching, bool effect, int duration) {
   int fallen = 0;
   const int count = 1000;
@@ -36,11 +36,11 @@ TEST(Fall, HappensAsOftenAsTheModelSays) {
   EXPECT_NEAR(share_fallen(walk, false, true, 5), 0.393f, 0.05f);
   EXPECT_NEAR(share_fallen({}, true, true, 1), 0.393f, 0.05f);
   EXPECT_NEAR(share_fallen(walk, true, true, 1), 0.451f, 0.05f);
-  EXPECT_EQ(share_fallen({}, false, true, 5), 0) << "whoever stands alone stands";
+  EXPECT_EQ(share_fallen({}, false, true, 5), 0) << "a robot that stands alone does not fall";
   EXPECT_EQ(share_fallen(walk, true, false, 5), 0) << "nobody falls without the effect";
 }
 
-TEST(Fall, LiesGetsUpAndStandsWhateverItIsTold) {
+TEST(Fall, LiesGetsUpAndStandsDespiteCommands) {
   int repeated = 0;
   const int count = 2000;
   for (int seed = 0; seed < count; ++seed) {
@@ -82,7 +82,7 @@ TEST(Fall, EndsWhatTheBodyWasDoing) {
   }
 }
 
-TEST(Fall, ManyTicksAtOnceAreOneTickManyTimes) {
+TEST(Fall, ManyTicksAtOnceEqualManySingleTicks) {
   for (Tick steps = 1; steps < 200; steps += 7) {
     Arena once = with_falls(steps);
     once.model.falls.per_minute_walking = 0;

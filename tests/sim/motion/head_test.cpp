@@ -1,4 +1,4 @@
-// What a head promises.
+// Tests of the head.
 #include "sim/motion/head.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ struct Dice {
   }
 };
 
-TEST(Head, NeverBeyondItsLimitsNorFasterThanItsSpeedNorInAShoulder) {
+TEST(Head, StaysWithinItsLimitsAndSpeedAndOffTheShoulders) {
   Dice dice{std::mt19937(1)};
   Arena arena;
   const Head& head = arena.model.head;
@@ -111,7 +111,7 @@ TEST(Head, WithoutLimitsItLooksAnywhereAtOnce) {
   EXPECT_EQ(arena.body().look, direction(-3));
 }
 
-TEST(Head, LooksToAPointSoThatItIsInTheMiddleOfTheView) {
+TEST(Head, LooksToAPointInTheMiddleOfTheView) {
   Dice dice{std::mt19937(2)};
   Arena arena{.effects = Effects{}};
   for (int i = 0; i < 1000; ++i) {
@@ -126,7 +126,7 @@ TEST(Head, LooksToAPointSoThatItIsInTheMiddleOfTheView) {
   }
 }
 
-TEST(Head, WhatMovesIsFollowedForLongWithoutLosingTheDirection) {
+TEST(Head, FollowsAMovingPointForLongWithoutDrift) {
   Arena arena;
   for (int tick = 0; tick < 18000; ++tick) {
     const float time = static_cast<float>(tick) / 30;
@@ -135,7 +135,7 @@ TEST(Head, WhatMovesIsFollowedForLongWithoutLosingTheDirection) {
   }
 }
 
-TEST(Head, KeepsStill) {
+TEST(Head, StaysStillWithoutACommand) {
   Arena arena;
   arena.move(angles(0.5f, 0.1f), 30);
   const Body before = arena.body();

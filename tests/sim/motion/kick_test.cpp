@@ -1,4 +1,4 @@
-// What kicks promise.
+// Tests of kicks.
 #include "sim/motion/kick.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ Command kick_command(int kick, bool left) {
   return command;
 }
 
-// kicks a ball that lies `off` the kick's middle, in units of its gate; ends at the impact
+// kicks a ball that is `off` the middle of the gate, in units of the gate; ends at the impact
 struct Shot {
   Arena arena;
   Command command;
@@ -52,7 +52,7 @@ struct Shot {
   bool whiffed() const { return arena.world.whiffed == Arena::kRobot; }
 };
 
-TEST(Kick, MeetsTheBallAfterItsDelayAndEndsAfterItsDuration) {
+TEST(Kick, HitsTheBallAfterItsDelayAndEndsAfterItsDuration) {
   for (int kick = 0; kick < 3; ++kick) {
     Shot shot(no_noise(), kick, true, {});
     const Kick& table = shot.arena.model.kicks[kick];
@@ -104,7 +104,7 @@ TEST(Kick, SpreadsAsTheTableSays) {
   }
 }
 
-TEST(Kick, IsWeakerTheFartherTheBallLiesOffItsGateAndMissesBeyondTwice) {
+TEST(Kick, IsWeakerOutsideItsGateAndMissesBeyondTwiceItsSize) {
   for (int kick = 0; kick < 3; ++kick) {
     for (const Vec2 way : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}, Vec2{1, 1}}) {
       const float whole = Shot(no_noise(), kick, true, 0.99f * way).range();
@@ -126,7 +126,7 @@ TEST(Kick, IsWeakerTheFartherTheBallLiesOffItsGateAndMissesBeyondTwice) {
   }
 }
 
-TEST(Kick, SpreadsMoreOffItsGate) {
+TEST(Kick, SpreadsMoreOutsideItsGate) {
   double inside = 0, outside = 0;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     const auto angle = [&](Vec2 off) {
@@ -135,7 +135,8 @@ TEST(Kick, SpreadsMoreOffItsGate) {
     inside += angle({}) * angle({});
     outside += angle({1.5f, 0}) * angle({1.5f, 0});
   }
-  EXPECT_NEAR(std::sqrt(outside / inside), 2, 0.01) << "half way out twice as much, with the same luck";
+  EXPECT_NEAR(std::sqrt(outside / inside), 2, 0.01)
+      << "half way out the deviation doubles, with the same random numbers";
 }
 
 TEST(Kick, TheRightFootNeedsTheBallOnTheRight) {
@@ -146,7 +147,7 @@ TEST(Kick, TheRightFootNeedsTheBallOnTheRight) {
   EXPECT_EQ(arena.world.whiffed, Arena::kRobot);
 }
 
-TEST(Kick, WithoutWhiffItHitsWhateverIsWithinReachBeforeIt) {
+TEST(Kick, WithoutWhiffItHitsEveryBallInFrontWithinReach) {
   Effects effects = no_noise();
   effects.kick_whiff = false;
   const struct {
@@ -190,7 +191,7 @@ TEST(Kick, CannotBeInterrupted) {
   }
 }
 
-TEST(Kick, IsWalkedOnFromWithoutDelayUntilTheBodyHasComeToARest) {
+TEST(Kick, IsFollowedByAWalkWithoutDelay) {
   for (const bool waits : {false, true}) {
     Arena arena{.effects = no_noise()};
     arena.move(kick_command(0, true), ticks(arena.model.kicks[0].duration));
@@ -202,7 +203,7 @@ TEST(Kick, IsWalkedOnFromWithoutDelayUntilTheBodyHasComeToARest) {
   }
 }
 
-TEST(Kick, ManyTicksAtOnceAreOneTickManyTimes) {
+TEST(Kick, ManyTicksAtOnceEqualManySingleTicks) {
   for (Tick steps = 1; steps < 70; ++steps) {
     Arena once{.effects = all_effects()};
     once.world.ball.position = {0.185f, 0.05f};
@@ -215,13 +216,13 @@ TEST(Kick, ManyTicksAtOnceAreOneTickManyTimes) {
   }
 }
 
-TEST(Kick, ThatTheTableDoesNotHaveIsNotBegun) {
+TEST(Kick, DoesNotBeginWithAnUnknownIndex) {
   Arena arena;
   arena.move(kick_command(3, true), 10);
   EXPECT_EQ(arena.body().doing, Doing::standing);
 }
 
-TEST(Kick, OfTwoInOneTickNeitherIsFirst) {
+TEST(Kick, TwoInOneTickAddUpInAnyOrder) {
   const auto both = [](int first, int second) {
     Arena arena{.effects = no_noise()};
     World& world = arena.world;

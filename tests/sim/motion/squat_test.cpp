@@ -1,4 +1,4 @@
-// Squatting, as goalkeepers block a ball.
+// Tests of the squat.
 #include <gtest/gtest.h>
 
 #include "tests/sim/motion/arena.h"
@@ -44,7 +44,7 @@ TEST(Squat, StopsTheBodyAndIsNotInterrupted) {
   }
 }
 
-TEST(Squat, ManyTicksAtOnceAreTheSameAsOneByOne) {
+TEST(Squat, ManyTicksAtOnceEqualManySingleTicks) {
   for (Tick steps = 1; steps <= 70; ++steps) {
     Arena once = keeper(), singly = keeper();
     once.move(kSquat);

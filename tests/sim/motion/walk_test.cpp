@@ -1,4 +1,4 @@
-// What a walking body promises.
+// Tests of walking.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using Doing = Body::Doing;
 
-// how far from its destination a body may stop: what counts as arrived and the way of stopping
+// how far from its destination a body may stop: the tolerance and the stopping distance
 constexpr float kTolerance = 0.02f;
 
 struct Dice {
@@ -40,7 +40,7 @@ void place(Body& body, Pose2 pose) {
   body.facing = direction(pose.heading);
 }
 
-// 1 at the border of the velocities the body can reach
+// 1 at the border of the possible velocities
 float share_of_top(const Walk& walk, Vec2 velocity) {
   const float x = velocity.x / (velocity.x >= 0 ? walk.forward : walk.backward);
   const float y = velocity.y / walk.sideward;
@@ -163,7 +163,7 @@ TEST(Walk, StartsAndStopsWithDelay) {
   EXPECT_EQ(arena.body().velocity, Vec2{});
 }
 
-TEST(Walk, WhoeverIsStillStoppingWalksOnWithTheNextStep) {
+TEST(Walk, AStoppingBodyWalksOnWithTheNextStep) {
   Arena arena{.effects = no_noise()};
   const Command go = walk_speed({0.25f, 0}, 0);
   arena.move(go, 60);
@@ -178,7 +178,7 @@ TEST(Walk, WhoeverIsStillStoppingWalksOnWithTheNextStep) {
   EXPECT_EQ(arena.body().doing, Doing::walking);
 }
 
-TEST(Walk, AStepIsFinishedWhateverItIsToldMeanwhile) {
+TEST(Walk, AStepIsFinishedDespiteNewCommands) {
   Dice dice{std::mt19937(11)};
   const Rhythm rhythm(match_model().walk);
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
@@ -229,7 +229,7 @@ TEST(Walk, WithoutDelayAndAccelerationItGoesAtOnceAndStandsWhenTheStepEnds) {
   EXPECT_FLOAT_EQ(arena.body().position.x, 8 * 0.25f / 30);
 }
 
-TEST(Walk, ManyTicksAtOnceAreOneTickManyTimes) {
+TEST(Walk, ManyTicksAtOnceEqualManySingleTicks) {
   Dice dice{std::mt19937(3)};
   for (int i = 0; i < 300; ++i) {
     Arena once{.effects = no_noise()};
@@ -256,14 +256,14 @@ TEST(Walk, AtConstantSpeedOneLongTickIsTheArc) {
   const Vec2 velocity{0.2f, 0.1f};
   const float turn = 1;
   arena.move(walk_speed(velocity, turn), 30);
-  // the arc about the point that stands still
+  // the arc about the centre of rotation
   const Vec2 pivot{-velocity.y / turn, velocity.x / turn};
   const Vec2 end = pivot - turned(pivot, direction(1));
   EXPECT_NEAR(distance(arena.body().position, end), 0, 3e-4f);
   EXPECT_NEAR(arena.body().heading, 1, 1e-6f);
 }
 
-TEST(Walk, AWalkOfSeveralTicksFollowsItsDestinationWithoutBeingToldAgain) {
+TEST(Walk, AWalkOfSeveralTicksFollowsItsDestinationWithoutNewCommands) {
   Dice dice{std::mt19937(4)};
   for (int i = 0; i < 200; ++i) {
     Arena often{.effects = no_noise()};
@@ -313,7 +313,7 @@ TEST(Walk, ArrivesWithAnyEffectSwitchedOff) {
   }
 }
 
-TEST(Walk, FarAwayItFacesWhereItGoes) {
+TEST(Walk, FacesADistantDestination) {
   Arena arena{.effects = no_noise()};
   const Pose2 target{{2, 2}, -1};
   for (int tick = 0; tick < 120; ++tick) arena.move(walk_to(arena.body(), target));
@@ -321,7 +321,7 @@ TEST(Walk, FarAwayItFacesWhereItGoes) {
   EXPECT_NEAR(arena.body().velocity.y, 0, 0.01f);
 }
 
-TEST(Walk, NearItWalksInAnyDirection) {
+TEST(Walk, WalksInAnyDirectionToANearDestination) {
   Arena arena{.effects = no_noise()};
   const Pose2 target{{-0.2f, 0.25f}, 0};
   while (arena.world.tick < 150) {
@@ -369,7 +369,7 @@ TEST(Walk, AMirroredWalkIsTheMirrorImageToTheBit) {
   }
 }
 
-TEST(Walk, ADestinationStraightBehindIsTurnedToEitherWay) {
+TEST(Walk, TurnsEitherWayToADestinationStraightBehind) {
   for (const float zero : {0.f, -0.f}) {
     Arena arena{.effects = no_noise()};
     Command command;
@@ -458,7 +458,7 @@ TEST(Walk, ARemovedBodyDoesNothing) {
   EXPECT_EQ(now.walked, before.walked);
 }
 
-TEST(Walk, OthersAreLeftAlone) {
+TEST(Walk, OtherBodiesStayUnchanged) {
   Arena arena;
   const World before = arena.world;
   arena.move(walk_speed({0.2f, 0}, 1), 50);

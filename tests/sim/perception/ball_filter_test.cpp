@@ -11,7 +11,7 @@
 namespace sim::perception {
 namespace {
 
-/// A robot that looks at the ball through noise and knows where it is.
+/// A robot with a known pose that sees the ball with noise.
 Scene watching_scene(std::uint64_t seed) {
   Scene scene(seed);
   scene.effects = {};
@@ -22,7 +22,7 @@ Scene watching_scene(std::uint64_t seed) {
 
 float error_of(const Scene& scene) { return distance(scene.beliefs.ball.position, scene.world.ball.position); }
 
-TEST(BallFilter, UnseenTheUncertaintyGrowsAndASightTakesItAway) {
+TEST(BallFilter, UncertaintyGrowsUnseenAndAPerceptReducesIt) {
   Scene scene = watching_scene(1);
   for (int i = 0; i < 30; ++i) scene.perceive();
   const agent::Ball& ball = scene.beliefs.ball;
@@ -58,8 +58,8 @@ TEST(BallFilter, ManyShortPredictionsEndWhereOneLongOneDoes) {
                       .velocity_variance = 0.1f * share(random),
                       .seen = 0};
     agent::Ball once = often;
-    for (int step = 0; step < 12; ++step) predict(scene.means(), {}, 1, often);
-    predict(scene.means(), {}, 12, once);
+    for (int step = 0; step < 12; ++step) predict(scene.params(), {}, 1, often);
+    predict(scene.params(), {}, 12, once);
     ASSERT_NEAR(distance(often.position, once.position), 0, 1e-4f);
     ASSERT_NEAR(distance(often.velocity, once.velocity), 0, 1e-4f);
     ASSERT_NEAR(often.variance, once.variance, 1e-4f);
@@ -77,14 +77,14 @@ TEST(BallFilter, PredictsAsTheBallRolls) {
     roll(truth, scene.ball.deceleration, 0, kTickDuration);
     agent::Ball unbounded = ball;
     unbounded.variance = unbounded.covariance = unbounded.velocity_variance = 0;
-    predict(scene.means(), {}, 1, unbounded);
+    predict(scene.params(), {}, 1, unbounded);
     ball = unbounded;
     ASSERT_NEAR(distance(ball.position, truth.position), 0, 1e-3f);
   }
   EXPECT_EQ(ball.velocity, Vec2{});
 }
 
-TEST(BallFilter, ARobotThatTurnsAndWalksKeepsTheBallWhereItIs) {
+TEST(BallFilter, ARobotThatTurnsAndWalksKeepsTheBallInPlace) {
   Scene scene = watching_scene(4);
   scene.effects.ball_noise = false;
   scene.perceive();
@@ -99,7 +99,7 @@ TEST(BallFilter, ARobotThatTurnsAndWalksKeepsTheBallWhereItIs) {
   EXPECT_FALSE(scene.beliefs.ball.visible);
 }
 
-TEST(BallFilter, ErrorsAreAsLargeAsItBelieves) {
+TEST(BallFilter, ErrorsMatchTheirBelievedVariance) {
   double sum = 0;
   int images = 0;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
@@ -112,7 +112,7 @@ TEST(BallFilter, ErrorsAreAsLargeAsItBelieves) {
       ++images;
     }
   }
-  // what lies still is known better than a filter for moving balls dares to believe
+  // a ball at rest has smaller errors than a filter for moving balls believes
   EXPECT_GT(sum / images, 0.7);
   EXPECT_LT(sum / images, 1.3);
 }
@@ -131,12 +131,12 @@ TEST(BallFilter, FindsTheVelocityOfARollingBall) {
     const float error = distance(scene.beliefs.ball.velocity, scene.world.ball.velocity);
     squares += error * error;
   }
-  // 0.8 s of a ball 1 m away, whose percepts are off by 5 cm
+  // 0.8 s of a ball 1 m away, whose percepts have an error of 5 cm
   EXPECT_LT(std::sqrt(squares / games), 0.15);
 }
 
-TEST(BallFilter, ImagesTogetherTellWhatTheyTellOneByOne) {
-  // of a ball to which nothing happens, and that cannot be mistaken for another
+TEST(BallFilter, ImagesTogetherEqualImagesOneByOne) {
+  // for a ball that keeps its velocity, with a gate so wide that no percept is doubted
   double variances = 0, covariances = 0, velocity_variances = 0;
   const int looks = 400;
   double one_by_one = 0, together = 0, velocity_one_by_one = 0, velocity_together = 0;
@@ -173,7 +173,7 @@ TEST(BallFilter, OneFalsePerceptDoesNotThrowAGoodTrackAway) {
   agent::Ball& ball = scene.beliefs.ball;
   const Tick seen = ball.seen;
   const BallPercept elsewhere{.seen = true, .position = {3, 1.5f}};
-  update(scene.means(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
+  update(scene.params(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
   EXPECT_LT(error_of(scene), 0.15f);
   EXPECT_EQ(ball.seen, seen);
   EXPECT_FALSE(ball.visible);
@@ -186,19 +186,19 @@ TEST(BallFilter, TwoPerceptsElsewhereAreBelieved) {
   for (int i = 0; i < 30; ++i) scene.perceive();
   agent::Ball& ball = scene.beliefs.ball;
   const BallPercept elsewhere{.seen = true, .position = {2, 1}};
-  for (int i = 0; i < 2; ++i) update(scene.means(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
+  for (int i = 0; i < 2; ++i) update(scene.params(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
   EXPECT_TRUE(ball.visible);
   EXPECT_LT(distance(ball.position, elsewhere.position), 0.2f);
 }
 
-TEST(BallFilter, AForgottenBallJumpsToWhereItIsSeenAgain) {
+TEST(BallFilter, AForgottenBallJumpsToItsNextPercept) {
   Scene scene = watching_scene(7);
   for (int i = 0; i < 60; ++i) scene.perceive();
   scene.look(2, 0);
   scene.perceive(ticks(kForgotten));
   agent::Ball& ball = scene.beliefs.ball;
   const BallPercept elsewhere{.seen = true, .position = {0.5f, 1.8f}};
-  update(scene.means(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
+  update(scene.params(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
   EXPECT_TRUE(ball.visible);
   EXPECT_NEAR(distance(ball.position, elsewhere.position), 0, 1e-6f);
   EXPECT_EQ(ball.velocity, Vec2{});

@@ -11,7 +11,7 @@
 namespace sim::perception {
 namespace {
 
-/// Only where the camera looks decides.
+/// Returns a scene whose only effect is the view of the camera.
 Scene clear_scene() {
   Scene scene;
   scene.effects = {};
@@ -21,17 +21,17 @@ Scene clear_scene() {
 
 BallPercept look(Scene& scene) {
   ++scene.world.tick;
-  return look_for_ball(scene.means(), scene.world, Scene::kRobot, 1, false);
+  return look_for_ball(scene.params(), scene.world, Scene::kRobot, 1, false);
 }
 
-/// How often the ball is seen in `images`.
+/// Returns the number of images, out of `images`, in which the ball is seen.
 int count_seen(Scene& scene, int images) {
   int seen = 0;
   for (int i = 0; i < images; ++i) seen += look(scene).seen ? 1 : 0;
   return seen;
 }
 
-TEST(BallSight, IsWhatTheAnglesOfBodyHeadAndCameraSay) {
+TEST(BallSight, FollowsFromTheAnglesOfBodyHeadAndCamera) {
   Scene scene = clear_scene();
   const Camera& camera = scene.model.camera;
   std::mt19937 random(1);
@@ -57,7 +57,7 @@ TEST(BallSight, IsWhatTheAnglesOfBodyHeadAndCameraSay) {
   EXPECT_GT(seen, 1000);
 }
 
-TEST(BallSight, NobodySeesBehindHimself) {
+TEST(BallSight, NoRobotSeesBehindItself) {
   Scene scene = clear_scene();
   scene.model.camera.width = 3.1f;
   std::mt19937 random(2);
@@ -68,7 +68,7 @@ TEST(BallSight, NobodySeesBehindHimself) {
   }
 }
 
-TEST(BallSight, WhoIsNotUprightSeesNothing) {
+TEST(BallSight, ARobotThatIsNotUprightSeesNothing) {
   for (const auto doing : {Body::Doing::fallen, Body::Doing::getting_up, Body::Doing::removed}) {
     Scene scene = clear_scene();
     EXPECT_TRUE(look(scene).seen);
@@ -79,7 +79,7 @@ TEST(BallSight, WhoIsNotUprightSeesNothing) {
   }
 }
 
-TEST(BallSight, WithoutLimitsTheBallIsSeenAnywhere) {
+TEST(BallSight, WithoutLimitedViewTheBallIsSeenAnywhere) {
   Scene scene = clear_scene();
   scene.effects.limited_view = false;
   for (const Vec2 place : {Vec2{-3, 1}, Vec2{20, 0}, Vec2{0, 0}}) {
@@ -90,7 +90,7 @@ TEST(BallSight, WithoutLimitsTheBallIsSeenAnywhere) {
   }
 }
 
-TEST(BallSight, ImagesShowTheBallWhereItWasALatencyAgo) {
+TEST(BallSight, ImagesShowTheBallWithTheirLatency) {
   Scene scene = clear_scene();
   for (int i = 0; i < Ball::kPast; ++i) scene.world.ball.past[i] = {0.9f - 0.1f * static_cast<float>(i), 0};
   EXPECT_EQ(look(scene).position, scene.world.ball.position);
@@ -107,7 +107,7 @@ TEST(BallSight, ImagesShowTheBallWhereItWasALatencyAgo) {
   EXPECT_EQ(look(scene).position, scene.world.ball.position);
 }
 
-TEST(BallSight, IsDetectedAsOftenAsItsDistanceSays) {
+TEST(BallSight, IsDetectedWithTheProbabilityOfItsDistance) {
   for (const float range : {0.3f, 1.f, 2.f, 3.5f, 4.99f}) {
     Scene scene = clear_scene();
     scene.effects.missed_ball = true;
@@ -118,7 +118,7 @@ TEST(BallSight, IsDetectedAsOftenAsItsDistanceSays) {
   }
 }
 
-TEST(BallSight, ManyImagesAtOnceTellAsMuchAsOneByOne) {
+TEST(BallSight, ManyImagesAtOnceAreAsInformativeAsSingleOnes) {
   constexpr int kImages = 6, kLooks = 20000;
   Scene scene;
   scene.effects = {};
@@ -129,7 +129,7 @@ TEST(BallSight, ManyImagesAtOnceTellAsMuchAsOneByOne) {
   int seen[kImages] = {}, together[kImages] = {};
   double error = 0, velocity_error = 0, information = 0, expected = 0, several = 0;
   for (int i = 0; i < kLooks; ++i) {
-    // one by one: when it was last seen, and how much all percepts together tell
+    // one by one: the newest percept, and the information of all percepts together
     int last = kImages, count = 0;
     for (int image = 0; image < kImages; ++image) {
       if (!look(scene).seen) continue;
@@ -139,12 +139,12 @@ TEST(BallSight, ManyImagesAtOnceTellAsMuchAsOneByOne) {
     if (last < kImages) ++seen[last];
     information += count;
 
-    const BallPercept percept = look_for_ball(scene.means(), scene.world, Scene::kRobot, kImages, true);
+    const BallPercept percept = look_for_ball(scene.params(), scene.world, Scene::kRobot, kImages, true);
     if (!percept.seen) continue;
     ++together[percept.ago];
     const Images& images = percept.images;
     expected += static_cast<double>(images.count);
-    // at the middle of the images it is off by the less the more there are, its velocity the wider they are spread
+    // more images reduce the error of the position, a wider spread reduces the error of the velocity
     const auto off = static_cast<double>(percept.position.y - images.middle * percept.velocity.y);
     error += off * off * static_cast<double>(images.count);
     if (images.spread == 0) continue;
@@ -155,21 +155,21 @@ TEST(BallSight, ManyImagesAtOnceTellAsMuchAsOneByOne) {
   for (int ago = 0; ago < kImages; ++ago) EXPECT_NEAR(together[ago], seen[ago], 0.02 * kLooks) << ago;
   EXPECT_NEAR(expected / information, 1, 0.02);
 
-  // beside the line of sight each is off by the bearing's noise
+  // across the line of sight the error is the bearing's noise
   const double looks = together[0] + together[1] + together[2] + together[3] + together[4] + together[5];
   const double one = static_cast<double>(image_noise(scene.model, scene.body()).bearing);
   EXPECT_NEAR(error / looks / one, 1, 0.05);
   EXPECT_NEAR(velocity_error / several / one, 1, 0.05);
 }
 
-TEST(BallSight, OfABallThatWasNotFollowedOnlyTheNewestImageCounts) {
+TEST(BallSight, ForABallThatWasNotFollowedOnlyTheNewestImageCounts) {
   Scene scene = clear_scene();
   scene.effects.missed_ball = scene.effects.ball_noise = true;
   scene.model.ball = {.near = 0.4f, .far = 0.4f, .near_range = 1, .far_range = 5};
   scene.place_ball({1, 0});
   for (int i = 0; i < 1000; ++i) {
     const BallPercept one = look(scene);
-    const BallPercept several = look_for_ball(scene.means(), scene.world, Scene::kRobot, 6, false);
+    const BallPercept several = look_for_ball(scene.params(), scene.world, Scene::kRobot, 6, false);
     EXPECT_EQ(several.seen, one.seen);
     EXPECT_EQ(several.position, one.position);
     EXPECT_EQ(several.images.count, 1);
@@ -200,7 +200,7 @@ TEST(BallSight, ABodyInBetweenHidesTheBall) {
     EXPECT_FALSE(look(scene).seen);
     scene.stand({1, 1.1f * radius}, 0, other);
     EXPECT_TRUE(look(scene).seen);
-    // it stands behind the ball, or behind the robot, or lies, or is no obstacle of this model
+    // not hidden: the body is behind the ball, behind the robot, or lies, or occlusion is off
     scene.stand({2.2f, 0}, 0, other);
     EXPECT_TRUE(look(scene).seen);
     scene.stand({-1, 0}, 0, other);
@@ -216,7 +216,7 @@ TEST(BallSight, ABodyInBetweenHidesTheBall) {
   }
 }
 
-TEST(BallSight, TheRefereeHidesTheBallWhereItWalks) {
+TEST(BallSight, TheWalkingRefereeHidesTheBall) {
   Scene scene = clear_scene();
   scene.effects.occlusion = true;
   scene.place_ball({2, 0});
@@ -226,7 +226,7 @@ TEST(BallSight, TheRefereeHidesTheBallWhereItWalks) {
   EXPECT_FALSE(look(scene).seen);
 }
 
-/// Standard deviation of the range and of the bearing, with the mean range.
+/// The standard deviations of range and bearing, and the mean range.
 struct Spread {
   double mean = 0, range = 0, bearing = 0;
 };
@@ -246,7 +246,7 @@ Spread spread_of(Scene& scene) {
   return {mean, std::sqrt(squares / seen - mean * mean), std::sqrt(bearings / seen)};
 }
 
-TEST(BallSight, RangeIsOffByTheTiltAsTheGeometryHasIt) {
+TEST(BallSight, TheErrorOfTheRangeFollowsFromTheTilt) {
   for (const bool walking : {false, true}) {
     for (const float range : {0.3f, 0.5f, 1.f, 2.f}) {
       Scene scene = clear_scene();
@@ -279,7 +279,7 @@ TEST(BallSight, FalseBallsComeAtTheirRateAndInView) {
     ASSERT_LE(std::abs(std::atan2(percept.position.y, percept.position.x)), scene.model.camera.width / 2 + 1e-5f);
     ASSERT_LE(length(percept.position), scene.model.ball.far_range);
   }
-  // those too near for the lower edge do not show
+  // false balls nearer than the lower edge are not in view
   EXPECT_GT(seen, images / 30 * 8 / 10);
   EXPECT_LT(seen, images / 30 * 11 / 10);
   scene.effects.false_balls = false;

@@ -19,14 +19,14 @@ Scene walking_scene(std::uint64_t seed) {
   return scene;
 }
 
-/// Belief less truth, in team_field.
+/// Returns belief minus truth, in team_field.
 Pose2 error_of(const Scene& scene) {
   const Pose2 truth = true_pose(scene.world, Scene::kRobot);
   const Pose2& belief = scene.beliefs.pose.pose;
   return {belief.position - truth.position, normalized(belief.heading - truth.heading)};
 }
 
-TEST(Localisation, AWindowShowsWhatIsInView) {
+TEST(Localisation, AWindowAgreesWithInView) {
   Scene scene;
   const Camera& camera = scene.model.camera;
   std::mt19937 random(1);
@@ -43,7 +43,7 @@ TEST(Localisation, AWindowShowsWhatIsInView) {
   EXPECT_GT(seen, 500);
 }
 
-/// Walks round on the field, to and fro, looking about.
+/// Walks about on the field and looks around.
 void wander(Scene& scene, int ticks) {
   for (int i = 0; i < ticks; ++i) {
     const Vec2 home = turned_back(-scene.body().position, scene.body().facing);
@@ -55,7 +55,7 @@ void wander(Scene& scene, int ticks) {
   }
 }
 
-TEST(Localisation, DeviationsAreHonestOverLongWalks) {
+TEST(Localisation, DeviationsAreConsistentOverLongWalks) {
   double position = 0, heading = 0;
   int samples = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -76,7 +76,7 @@ TEST(Localisation, DeviationsAreHonestOverLongWalks) {
   EXPECT_LT(heading / samples, 1.5);
 }
 
-TEST(Localisation, EntersAsFarOffAsItBelieves) {
+TEST(Localisation, EntersWithTheErrorThatItBelieves) {
   double position = 0, heading = 0;
   const int games = 2000;
   for (std::uint64_t seed = 0; seed < games; ++seed) {
@@ -91,7 +91,7 @@ TEST(Localisation, EntersAsFarOffAsItBelieves) {
   EXPECT_NEAR(std::sqrt(heading / games), model.start_deviation_heading, 0.01f);
 }
 
-/// Without marks, from a pose that is known.
+/// A scene without marks that starts from a known pose.
 Scene blind_scene(std::uint64_t seed) {
   Scene scene = walking_scene(seed);
   scene.marks.count = 0;
@@ -174,7 +174,7 @@ TEST(Localisation, IsTheTruthWithoutDrift) {
   }
 }
 
-TEST(Localisation, OdometryIsOffByTheSameAllGame) {
+TEST(Localisation, TheScaleOfOdometryIsConstantInAGame) {
   Scene scene = walking_scene(5);
   scene.enter();
   const float scale = scene.cognition.odometry_scale, turn = scene.cognition.turn_scale;
@@ -210,7 +210,7 @@ TEST(Localisation, FlipsHappenAtTheirRateWhileUnsureAndEnd) {
   EXPECT_NEAR(static_cast<float>(flipped) / 30 / static_cast<float>(flips), duration, 0.25f * duration);
 }
 
-TEST(Localisation, FlippedMarksConfirmTheWrongWayRound) {
+TEST(Localisation, MarksConfirmAFlippedPose) {
   Scene scene = walking_scene(8);
   scene.effects.pose_flips = true;
   scene.model.localisation.flip_duration = 1e6f;
@@ -223,7 +223,7 @@ TEST(Localisation, FlippedMarksConfirmTheWrongWayRound) {
   EXPECT_LT(std::abs(normalized(scene.beliefs.pose.pose.heading - 0.3f + kPi)), 0.2f);
 }
 
-TEST(Localisation, WhoIsSureNeverTurnsTheFieldRound) {
+TEST(Localisation, ASurePoseNeverFlips) {
   Scene scene = blind_scene(9);
   scene.effects.pose_flips = true;
   scene.model.localisation.flips_per_minute = 1000;

@@ -68,7 +68,7 @@ TEST(Perception, AMirroredWorldIsTheMirroredBeliefToTheBit) {
 }
 
 TEST(Perception, ThreeTicksAtOnceAreThreeTimesOneTick) {
-  // a robot that walks and sees nothing: only what it reckons with
+  // a robot that walks and sees nothing: prediction only
   Scene often(3), once(3);
   for (Scene* scene : {&often, &once}) {
     scene->effects.false_balls = false;
@@ -98,7 +98,7 @@ TEST(Perception, ThreeTicksAtOnceAreThreeTimesOneTick) {
   EXPECT_NEAR(often.beliefs.pose.deviation, once.beliefs.pose.deviation, 1e-4f);
 }
 
-TEST(Perception, WhoEntersKnowsNothingOfTheBall) {
+TEST(Perception, ARobotThatEntersKnowsNothingAboutTheBall) {
   Scene scene;
   scene.perceive();
   scene.enter();
@@ -112,7 +112,7 @@ TEST(Perception, WhoEntersKnowsNothingOfTheBall) {
   EXPECT_EQ(scene.beliefs.ball.position, Vec2{});
 }
 
-TEST(Perception, DependsOnTheWorldAloneNotOnWhoPerceivedBefore) {
+TEST(Perception, DoesNotDependOnTheOrderOfRobots) {
   Scene first(5), second(5);
   first.enter();
   second.enter();
@@ -120,7 +120,7 @@ TEST(Perception, DependsOnTheWorldAloneNotOnWhoPerceivedBefore) {
   Cognition cognition;
   for (int i = 0; i < 300; ++i) {
     first.perceive();
-    perceive(second.means(), second.world, 0, 1, others, cognition);
+    perceive(second.params(), second.world, 0, 1, others, cognition);
     second.perceive();
     ASSERT_EQ(first.beliefs.ball.position, second.beliefs.ball.position);
     ASSERT_EQ(first.beliefs.pose.pose, second.beliefs.pose.pose);

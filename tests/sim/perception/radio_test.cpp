@@ -16,7 +16,7 @@ field::Rules rules_of(int players, int budget) {
   return rules;
 }
 
-/// All robots of a team send when they may; how many packets that are in a game of `duration` [s].
+/// Returns the number of packets of a team whose robots send as often as allowed, in a game of `duration` [s].
 int play(const field::Rules& rules, float duration) {
   const Effects effects = all_effects();
   Tick due[kMaxPlayers] = {}, last[kMaxPlayers];
@@ -43,23 +43,23 @@ TEST(Radio, SpendsTheBudgetEvenlyAndNeverMore) {
     EXPECT_LE(sent, 1200 - 30 + players);
     EXPECT_GT(sent, 1100) << players;
   }
-  // shorter, the interval is what limits
+  // in a shorter game the interval is the limit
   EXPECT_NEAR(play(rules_of(4, 1200), 120), 4 * 120, 8);
 }
 
 TEST(Radio, WithoutABudgetOnlyTheIntervalLimits) { EXPECT_NEAR(play(rules_of(4, 0), 60), 4 * 60, 4); }
 
-TEST(Radio, WithoutLimitsEveryDecisionIsTold) {
+TEST(Radio, WithoutLimitsEveryDecisionIsSent) {
   Effects effects = all_effects();
   effects.packet_limit = false;
   EXPECT_EQ(next_packet(rules_of(4, 1200), effects, 99, 5000, 0), 100u);
 }
 
-TEST(Radio, WhoHasNothingLeftIsSilent) {
+TEST(Radio, ATeamWithoutBudgetIsSilent) {
   EXPECT_EQ(next_packet(rules_of(4, 1200), all_effects(), 99, 1200, 600), kNever);
 }
 
-TEST(Radio, APacketTellsWhatTheRobotBelieves) {
+TEST(Radio, APacketHoldsTheRobotsBeliefs) {
   agent::Beliefs beliefs;
   beliefs.pose.pose = {{1, 2}, kPi / 2};
   agent::Mind mind;
@@ -97,7 +97,7 @@ TEST(Radio, IsFiledUnderTheSender) {
     }
 }
 
-TEST(Radio, LosesPacketsForEachMateOnHisOwn) {
+TEST(Radio, LosesPacketsIndependentlyForEachMate) {
   Scene scene;
   scene.model.radio.loss = 0.2f;
   const int packets = 5000;
@@ -119,7 +119,7 @@ TEST(Radio, LosesPacketsForEachMateOnHisOwn) {
   EXPECT_EQ(transmit(scene.model, scene.effects, scene.world, 0).lost, 0u);
 }
 
-TEST(Radio, DelaysAsAnExponentialDoes) {
+TEST(Radio, DelaysAreExponentiallyDistributed) {
   Scene scene;
   scene.model.radio.delay = 0.5f;
   double sum = 0;

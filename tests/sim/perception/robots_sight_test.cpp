@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kPlayer = Scene::kOpponent - kMaxPlayers;  // as an index of `opponents`
 
-TEST(RobotsSight, OnlyWhoIsInViewIsSeen) {
+TEST(RobotsSight, OnlyAnOpponentInViewIsSeen) {
   Scene scene;
   scene.effects = {};
   scene.effects.limited_view = true;
@@ -24,7 +24,7 @@ TEST(RobotsSight, OnlyWhoIsInViewIsSeen) {
   EXPECT_EQ(scene.beliefs.opponents[kPlayer].position, scene.body(Scene::kOpponent).position);
 }
 
-TEST(RobotsSight, EachHasItsTurn) {
+TEST(RobotsSight, EachOpponentHasItsTurn) {
   Scene scene;
   scene.effects = {};
   scene.effects.limited_view = true;
@@ -33,12 +33,12 @@ TEST(RobotsSight, EachHasItsTurn) {
   for (int i = 0; i < 4 * static_cast<int>(kGlance); ++i) scene.perceive();
   for (int i = 0; i < 4; ++i) EXPECT_NE(scene.beliefs.opponents[i].seen, kNever) << i;
 
-  // no turn is lost to a robot that looks more seldom
+  // a robot that looks less often misses no turn
   scene.beliefs = {};
   for (int i = 0; i < 7; ++i) scene.perceive(3);
   for (int i = 0; i < 4; ++i) EXPECT_NE(scene.beliefs.opponents[i].seen, kNever) << i;
 
-  // nor one that is never anybody's, however rare the images are
+  // each opponent still has its turn when images are rare
   for (Tick steps = 1; steps <= 15; ++steps) {
     scene.beliefs.opponents[0] = scene.beliefs.opponents[3] = {};
     for (Tick i = 0; i < 4 * kGlance; ++i) scene.perceive(steps);
@@ -46,7 +46,7 @@ TEST(RobotsSight, EachHasItsTurn) {
   }
 }
 
-TEST(RobotsSight, WithoutLimitsAllAreSeenAllTheTime) {
+TEST(RobotsSight, WithoutLimitedViewAllAreSeenInEveryImage) {
   for (const float attacks : {1.f, -1.f}) {
     Scene scene;
     scene.effects = {};
@@ -74,7 +74,7 @@ TEST(RobotsSight, IsPlacedByTheBelievedPose) {
   EXPECT_NEAR(distance(scene.beliefs.opponents[kPlayer].position, {-1, 2.5f}), 0, 1e-5f);
 }
 
-TEST(RobotsSight, IsDetectedAsOftenAsItsDistanceSaysAndNoisy) {
+TEST(RobotsSight, IsDetectedByItsDistanceAndWithNoise) {
   Scene scene;
   scene.effects = {};
   scene.effects.limited_view = scene.effects.missed_ball = scene.effects.ball_noise = true;
@@ -85,7 +85,7 @@ TEST(RobotsSight, IsDetectedAsOftenAsItsDistanceSaysAndNoisy) {
   double squares = 0;
   for (std::uint32_t i = 0; i < looks; ++i) {
     scene.beliefs.opponents[kPlayer] = {};
-    look_for_opponent(scene.means(), scene.world, Scene::kRobot, Scene::kOpponent, i, scene.beliefs);
+    look_for_opponent(scene.params(), scene.world, Scene::kRobot, Scene::kOpponent, i, scene.beliefs);
     const agent::Opponent& opponent = scene.beliefs.opponents[kPlayer];
     if (opponent.seen == kNever) continue;
     ++seen;

@@ -1,4 +1,4 @@
-// A world to perceive, with the cognitive controller of a match, moved by hand.
+// A world and the cognitive controller of a match, which tests move step by step.
 #pragma once
 
 #include "sim/perception/perception.h"
@@ -44,7 +44,7 @@ inline Effects all_effects() {
   return effects;
 }
 
-/// Four robots a side, all but one far away, and that one's beliefs.
+/// A world with four robots a side, all but one far away, and the beliefs of that one.
 struct Scene {
   static constexpr int kRobot = 1;     // player 2 at home
   static constexpr int kOpponent = 8;  // player 2 away
@@ -72,7 +72,7 @@ struct Scene {
     place_ball({1, 0});
   }
 
-  Means means() const { return {model, effects, field, marks, contact, ball}; }
+  PerceptionParams params() const { return {model, effects, field, marks, contact, ball}; }
   Body& body(int robot = kRobot) { return world.bodies[robot]; }
 
   void stand(Vec2 position, float heading, int robot = kRobot) {
@@ -91,14 +91,14 @@ struct Scene {
     for (Vec2& past : world.ball.past) past = position;
   }
 
-  void enter() { perception::enter(means(), world, kRobot, beliefs, cognition); }
-  /// After as many ticks, with the world as it stands now.
+  void enter() { perception::enter(params(), world, kRobot, beliefs, cognition); }
+  /// Perceives the present world after this many ticks.
   void perceive(Tick steps = 1) {
     world.tick += steps;
-    perception::perceive(means(), world, kRobot, steps, beliefs, cognition);
+    perception::perceive(params(), world, kRobot, steps, beliefs, cognition);
   }
 
-  /// Walks and turns for a tick, at these speeds. [m/s, robot], [rad/s]
+  /// Walks and turns for a tick with these speeds. [m/s, robot], [rad/s]
   void walk(Vec2 velocity, float turn_rate) {
     Body& self = body();
     self.doing = Body::Doing::walking;

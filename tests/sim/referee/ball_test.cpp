@@ -7,7 +7,7 @@
 namespace sim::referee {
 namespace {
 
-/// One ball that leaves the field, as the rule books describe it.
+/// One case of a ball that leaves the field, from the rule books.
 struct Case {
   const char* what;
   bool in_2025;
@@ -17,7 +17,7 @@ struct Case {
   Vec2 placed;
 };
 
-TEST(BallOut, IsDecidedAsTheYearsRulesSay) {
+TEST(BallOut, FollowsTheRulesOfTheYear) {
   const Side home = Side::home, away = Side::away;
   const Case cases[] = {
       {"2012 touch line by home: 1 m back", false, home, {1, 1.9f}, {1, 2.1f}, {"out home"}, {0, 1.6f}},
@@ -69,19 +69,19 @@ TEST(SetPlay, IsFreeWhenItsSideTouchesTheBallOrItsTimeIsUp) {
   EXPECT_EQ(scene.told(), Names{"ball free away"});
 }
 
-TEST(SetPlay, TheOthersLeaveTheBallAlone) {
+TEST(SetPlay, TheOtherSideKeepsAwayFromTheBall) {
   Scene scene(rules_2025());
   scene.start_play();
   scene.carry(Side::home, 2, {1, 2.9f}, {1, 3.1f});
   scene.told();
 
-  // whoever happens to stand there has time to leave, the ball stays
+  // a robot that stands there has time to leave; the ball stays
   scene.ball().position = {1.2f, 2.8f};
   scene.touch(Side::home, 2);
   EXPECT_EQ(scene.told(), Names{});
   EXPECT_EQ(scene.ball().position, (Vec2{1, 3}));
 
-  // who stays is removed, and so is who touches it later
+  // a robot that stays is removed, and so is one that touches the ball later
   scene.stand(Side::home, 2, {1, 2.5f});
   scene.stand(Side::home, 3, {1, 2.2f});
   scene.pass_seconds(10);
@@ -93,7 +93,7 @@ TEST(SetPlay, TheOthersLeaveTheBallAlone) {
   EXPECT_FALSE(scene.book.ball_free);
 }
 
-TEST(KickOff, TheOthersStayOutOfTheCircleUntilItIsFree) {
+TEST(KickOff, TheOtherSideStaysOutOfTheCircleUntilTheBallIsFree) {
   for (const auto& rules : {rules_2012(), rules_2025()}) {
     Scene scene(rules);
     while (scene.book.phase != agent::Game::Phase::playing) scene.pass();
@@ -111,7 +111,7 @@ TEST(KickOff, TheOthersStayOutOfTheCircleUntilItIsFree) {
   }
 }
 
-TEST(Goal, CountsForWhoeverAttacksThere) {
+TEST(Goal, CountsForTheSideThatAttacksThere) {
   for (const auto& rules : {rules_2012(), rules_2025()})
     for (const Side last : {Side::home, Side::away})
       for (const float end : {1.f, -1.f}) {
@@ -136,7 +136,7 @@ TEST(Goal, IsNotScoredDirectlyFromAKickOff) {
       const Side kicking = scene.book.kicking;
       const float end = kicking == Side::home ? 1 : -1;  // home attacks towards +x in the first half
 
-      // the kicker touches it inside the circle; then nobody, or a teammate, before it is in the goal
+      // the kicker touches the ball inside the circle; then a teammate or nobody touches it before the goal
       scene.ball().position = {end * 0.1f, 0};
       scene.touch(kicking, 2);
       if (by_another) scene.touch(kicking, 3);
@@ -188,7 +188,7 @@ TEST(Goal, IsNeverGivenFromBehindTheGoalLineOrBesideThePosts) {
       scene.ball().position = to;
       scene.pass();
 
-      // the same in other words: inside before, and where the way meets the line it is between the posts
+      // the rule again: inside before, and between the posts where the way meets the line
       const bool inside = std::abs(from.x) <= end && std::abs(from.y) <= side;
       const float at = from.y + (to.y - from.y) * (end - std::abs(from.x)) / (std::abs(to.x) - std::abs(from.x));
       const int given = scene.book.score[0] + scene.book.score[1];

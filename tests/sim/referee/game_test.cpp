@@ -12,7 +12,7 @@ agent::Game told_to(const Scene& scene, Side side, int player) {
   return game_for(scene.rules, scene.world, scene.book, robot_of(side, player));
 }
 
-TEST(Game, TellsWhoItIsAndTheState) {
+TEST(Game, HoldsThePlayerAndTheState) {
   Scene scene(rules_2025());
   scene.start_play();
   scene.pass_seconds(20);
@@ -45,7 +45,7 @@ TEST(Game, AKickBelongsToOneSide) {
   EXPECT_FALSE(told_to(scene, Side::away, 1).own_kick);
 }
 
-TEST(Game, AGoalIsToldLateIn2025AndAtOnceIn2012) {
+TEST(Game, AGoalIsReportedLateIn2025AndAtOnceIn2012) {
   for (const auto& rules : {rules_2012(), rules_2025()}) {
     Scene scene(rules);
     scene.start_play();
@@ -71,7 +71,7 @@ TEST(Game, AGoalIsToldLateIn2025AndAtOnceIn2012) {
   }
 }
 
-TEST(Game, APenalisedRobotIsTold) {
+TEST(Game, APenalisedRobotIsInformed) {
   Scene scene(rules_2012());
   scene.start_play();
   scene.robot(Side::home, 2).pushing = 255;

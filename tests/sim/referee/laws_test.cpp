@@ -1,4 +1,4 @@
-// Whatever happens: mirrored, or with sides exchanged, it is decided alike.
+// The referee's decisions are symmetric: in a mirrored game, and with the sides exchanged.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace sim::referee {
 namespace {
 
-/// What a script does in one tick, as the home side sees it before anything is mirrored.
+/// The script of one tick, from the home side's view, before mirroring.
 struct Step {
   Vec2 ball;
   int touched;  // index or kNobody
@@ -52,7 +52,7 @@ Scene play(const field::Rules& rules, const std::vector<Step>& steps, const Symm
   scene.events.clear();
   int used = 0;
   for (const Step& step : steps) {
-    // teleported once in a while, so that phases pass too
+    // acts rarely outside PLAYING, so that the other phases pass too
     const bool acts = used++ % 40 == 0 || scene.book.phase == agent::Game::Phase::playing;
     if (acts) {
       scene.ball().position = symmetry.of(step.ball);
@@ -74,7 +74,7 @@ void expect_same(const Scene& one, const Scene& two, const Symmetry& symmetry) {
   ASSERT_EQ(one.events.size(), two.events.size());
   const int players = one.rules.players;
 
-  // of one tick, events may come in another order
+  // events of one tick may have another order
   auto key = [](const Event& event) { return std::tuple(event.tick, event.kind, event.robot); };
   std::vector<Event> first, second = two.events;
   for (Event event : one.events) {
@@ -102,7 +102,7 @@ void expect_same(const Scene& one, const Scene& two, const Symmetry& symmetry) {
   for (const Side side : {Side::home, Side::away}) {
     const auto from = static_cast<std::size_t>(side), to = static_cast<std::size_t>(symmetry.of(side));
     EXPECT_EQ(one.book.score[from], two.book.score[to]);
-    EXPECT_EQ(one.tally.possession[from], two.tally.possession[to]);
+    EXPECT_EQ(one.counts.possession[from], two.counts.possession[to]);
   }
 }
 
@@ -124,7 +124,7 @@ void check(const Symmetry& symmetry) {
 }
 
 TEST(Laws, AMirroredGameIsJudgedMirrored) { check({.mirror = -1}); }
-TEST(Laws, ExchangedSidesAreJudgedAlike) { check({.exchanged = true}); }
+TEST(Laws, ExchangedSidesAreJudgedTheSame) { check({.exchanged = true}); }
 
 TEST(Laws, AllEventsOfATickFit) {
   for (const auto& rules : {rules_2012(), rules_2025()}) {
@@ -133,7 +133,7 @@ TEST(Laws, AllEventsOfATickFit) {
     for_each_robot(rules.players, [&](int robot) { scene.world.bodies[robot].pushing = 255; });
     Events now;
     while (now.count == 0) {
-      judge(scene.means(), scene.world, scene.book, scene.tally, now);
+      judge(scene.params(), scene.world, scene.book, scene.counts, now);
       ++scene.world.tick;
     }
     EXPECT_EQ(now.count, 2 * rules.players);

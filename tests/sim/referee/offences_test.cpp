@@ -10,7 +10,7 @@ Names twice_around(Scene& scene) {
   return scene.told();
 }
 
-TEST(Pushing, RemovesWhoPushesAndNotWhoIsPushed) {
+TEST(Pushing, RemovesThePushingRobotAndNotThePushedOne) {
   for (const auto& rules : {rules_2012(), rules_2025()}) {
     Scene scene(rules);
     scene.start_play();
@@ -40,7 +40,7 @@ TEST(IllegalDefender, OnlyTheGoalkeeperMayBeInTheGoalArea) {
   EXPECT_EQ(twice_around(later), Names{});
 }
 
-TEST(Leaving, RemovesWhoLeavesTheCarpet) {
+TEST(Leaving, RemovesARobotThatLeavesTheCarpet) {
   for (const auto& rules : {rules_2012(), rules_2025()}) {
     Scene scene(rules);
     scene.start_play();
@@ -66,7 +66,7 @@ TEST(LocalStuck, RemovesTheNearestOfSeveralRobots) {
   }
 }
 
-TEST(LocalStuck, IsNotWhereTheBallGetsAwayOrOneRobotIsAlone) {
+TEST(LocalStuck, DoesNotApplyWhenTheBallGetsAwayOrOneRobotIsAlone) {
   Scene scene(rules_2025());
   scene.start_play();
   scene.stand(Side::home, 2, {0.2f, 0});
@@ -81,7 +81,7 @@ TEST(LocalStuck, IsNotWhereTheBallGetsAwayOrOneRobotIsAlone) {
   EXPECT_EQ(scene.told(), Names{});
 }
 
-TEST(GlobalStuck, IsAKickOffOfWhoDidNotTouchTheBallLast) {
+TEST(GlobalStuck, GivesTheKickOffToTheSideThatDidNotTouchTheBallLast) {
   for (const auto& rules : {rules_2012(), rules_2025()}) {
     Scene scene(rules);
     scene.start_play();
@@ -93,7 +93,7 @@ TEST(GlobalStuck, IsAKickOffOfWhoDidNotTouchTheBallLast) {
   }
 }
 
-TEST(GlobalStuck, GoesToAndFroWhileNobodyPlays) {
+TEST(GlobalStuck, AlternatesWhileNobodyPlays) {
   Scene scene(rules_2012());
   scene.start_play();
   const Side first = scene.book.kicking;
@@ -104,7 +104,7 @@ TEST(GlobalStuck, GoesToAndFroWhileNobodyPlays) {
   }
 }
 
-TEST(Penalty, LastsExactlyItsTimeAndLongerForEachFurtherOne) {
+TEST(Penalty, LastsExactlyItsTimeAndGrowsWithEachPenalty) {
   for (const auto& rules : {rules_2012(), rules_2025()}) {
     Scene scene(rules);
     scene.start_play();
@@ -124,7 +124,7 @@ TEST(Penalty, LastsExactlyItsTimeAndLongerForEachFurtherOne) {
   }
 }
 
-TEST(Penalty, ARemovedRobotIsOffTheFieldAndComesBackAcrossFromTheBall) {
+TEST(Penalty, ARemovedRobotComesBackAtTheTouchLineFartherFromTheBall) {
   for (const auto& rules : {rules_2012(), rules_2025()})
     for (const float where : {1.f, -1.f}) {
       Scene scene(rules);
@@ -148,7 +148,7 @@ TEST(Penalty, ARemovedRobotIsOffTheFieldAndComesBackAcrossFromTheBall) {
     }
 }
 
-TEST(Penalty, RobotsComeBackBesideOneAnother) {
+TEST(Penalty, RobotsComeBackSideBySide) {
   field::Rules rules = rules_2012();
   rules.stuck_global = 0;
   Scene scene(rules);

@@ -9,7 +9,7 @@ using Phase = agent::Game::Phase;
 
 std::string with(const char* name, Side side) { return std::string(name) + (side == Side::home ? " home" : " away"); }
 
-TEST(Phases, EverybodyBeginsAtTheTouchLineOfTheOwnHalf) {
+TEST(Phases, AllRobotsBeginAtTheTouchLinesOfTheirOwnHalf) {
   for (const auto& rules : {rules_2012(), rules_2025()}) {
     Scene scene(rules);
     EXPECT_EQ(scene.book.phase, Phase::ready);
@@ -28,19 +28,19 @@ TEST(Phases, EverybodyBeginsAtTheTouchLineOfTheOwnHalf) {
   }
 }
 
-TEST(Phases, HomeAndAwayBeginAlikeTurnedRound) {
+TEST(Phases, HomeAndAwayBeginSymmetrically) {
   Scene scene(rules_2025());
   for (int player = 1; player <= 7; ++player)
     EXPECT_EQ(scene.robot(Side::home, player).position, -scene.robot(Side::away, player).position);
 }
 
-TEST(Phases, TheKeyDrawsWhoKicksOff) {
+TEST(Phases, TheKeySettlesTheKickOff) {
   int home = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) home += Scene(rules_2012(), seed).book.first_kick_off == Side::home;
   EXPECT_NEAR(home, 500, 50);
 }
 
-TEST(Phases, ReadyEndsTwoSecondsAfterEverybodyStands) {
+TEST(Phases, ReadyEndsTwoSecondsAfterAllRobotsStand) {
   Scene scene(rules_2012());
   scene.told();
   const Side side = scene.book.kicking;
@@ -79,7 +79,7 @@ TEST(Phases, TheKickingSideFreesTheBallByTouchingIt) {
   EXPECT_EQ(scene.told(), Names{with("ball free", scene.book.kicking)});
 }
 
-TEST(Phases, InSetNobodyStandsWhereItMustNot) {
+TEST(Phases, InSetNoRobotIsAtAnIllegalPlace) {
   Scene scene(rules_2025());
   const Side kicking = scene.book.kicking;
   const float ahead = attack_sign(scene.world, kicking);
@@ -102,7 +102,7 @@ TEST(Phases, InSetNobodyStandsWhereItMustNot) {
   EXPECT_GT(scene.robot(other(kicking), 2).position.x * ahead, 0);
 }
 
-TEST(Phases, WhatHappensToTheBallBeforePlayIsIgnored) {
+TEST(Phases, EventsOfTheBallBeforePlayAreIgnored) {
   Scene scene(rules_2012());
   scene.told();
   scene.pass();
@@ -184,7 +184,7 @@ TEST(Phases, MercyEndsAGame) {
   EXPECT_EQ(scene.told(), Names{});
 }
 
-TEST(Phases, EachNameIsAnotherOne) {
+TEST(Phases, AllEventNamesDiffer) {
   std::vector<std::string> names;
   for (int kind = 0; kind <= static_cast<int>(Event::Kind::placed); ++kind)
     names.emplace_back(name_of(static_cast<Event::Kind>(kind)));

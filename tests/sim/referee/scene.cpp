@@ -54,15 +54,15 @@ field::Rules rules_2025() {
 Scene::Scene(const field::Rules& given, std::uint64_t seed) : rules(given) {
   world.key.seed = seed;
   Events now;
-  open(means(), world, book, now);
+  open(params(), world, book, now);
   events.assign(now.list.begin(), now.list.begin() + now.count);
 }
 
 void Scene::pass() {
-  // a test that waits for what never comes ends here
+  // a test that waits in vain ends here
   if (world.tick > kLongest) std::abort();
   Events now;
-  judge(means(), world, book, tally, now);
+  judge(params(), world, book, counts, now);
   events.insert(events.end(), now.list.begin(), now.list.begin() + now.count);
   ++world.tick;
   world.touched = world.kicked = world.whiffed = kNobody;

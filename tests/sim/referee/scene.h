@@ -1,4 +1,4 @@
-// A game without agents: tests put ball and robots where they want them and see what the referee decides.
+// A game without agents: tests place ball and robots and check the referee's decisions.
 #pragma once
 
 #include <string>
@@ -22,32 +22,32 @@ struct Scene {
                        .push_deviation = 0.5f};
   World world;
   Book book;
-  Tally tally;
+  GameCounts counts;
   std::vector<Event> events;  // all so far
 
   explicit Scene(const field::Rules& given, std::uint64_t seed = 1);
 
-  Means means() const { return {rules, ball_model, contact}; }
+  RefereeParams params() const { return {rules, ball_model, contact}; }
   Ball& ball() { return world.ball; }
   Body& robot(Side side, int player) { return world.bodies[robot_of(side, player)]; }
 
-  /// One tick in which nobody moves, touched by nobody.
+  /// Plays one tick without motion and without a touch of the ball.
   void pass();
   void pass(Tick count) {
     for (Tick i = 0; i < count; ++i) pass();
   }
   void pass_seconds(float seconds) { pass(ticks(seconds)); }
 
-  /// From a fresh scene to a ball that everybody may touch, everybody at the touch lines; forgets the events.
+  /// Plays from a fresh scene until everybody may touch the ball, all robots at the touch lines. Clears the events.
   void start_play();
-  /// The robot touches the ball in one tick.
+  /// Plays one tick in which the robot touches the ball.
   void touch(Side side, int player);
-  /// The ball, last touched by that robot of which nothing else is asked, goes from one place to another in one tick.
+  /// Moves the ball from one place to another in one tick. The robot is the last that touched it and does nothing else.
   void carry(Side side, int player, Vec2 from, Vec2 to);
-  /// The robot stands there.
+  /// Makes the robot stand there.
   void stand(Side side, int player, Vec2 at);
 
-  /// Names of the events since the last call, each with its side where it is about one: "goal home".
+  /// Returns the names of the events since the last call, each with its side if it has one: "goal home".
   std::vector<std::string> told();
 
  private:

@@ -12,7 +12,7 @@ State scrambled(std::uint64_t seed) {
   std::uint32_t number = 0;
   visit_fields(state, [&](const FieldPath&, auto& field) {
     using Field = std::remove_reference_t<decltype(field)>;
-    const std::uint32_t word = draw({seed}, kNobody, Event::situation, number++)[0];
+    const std::uint32_t word = draw({seed}, kNobody, Draw::situation, number++)[0];
     if constexpr (std::is_same_v<Field, float>)
       field = 200 * uniform(word) - 100;
     else if constexpr (std::is_same_v<Field, bool>)
@@ -106,10 +106,10 @@ State exchanged(const State& state) {
   std::swap(book.penalties[0], book.penalties[1]);
   exchange(book.penalised_until);
 
-  referee::Tally& tally = other_names.tally;
-  for (auto* pair : {&tally.kicks, &tally.whiffs, &tally.shots}) std::swap((*pair)[0], (*pair)[1]);
-  std::swap(tally.possession[0], tally.possession[1]);
-  exchange(tally.seen);
+  referee::GameCounts& counts = other_names.counts;
+  for (auto* pair : {&counts.kicks, &counts.whiffs, &counts.shots}) std::swap((*pair)[0], (*pair)[1]);
+  std::swap(counts.possession[0], counts.possession[1]);
+  exchange(counts.seen);
   return other_names;
 }
 

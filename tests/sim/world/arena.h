@@ -1,4 +1,4 @@
-// Fields, models and worlds for tests of what happens on the field.
+// Fields, models and worlds for tests of sim/world.
 #pragma once
 
 #include <random>
@@ -19,10 +19,10 @@ inline constexpr ContactModel kContact{.robot_radius = 0.16f,
 inline constexpr Effects kIdeal{};
 inline constexpr Effects kNoisyPush{.push_noise = true};
 
-/// [m] from a body's middle to that of a ball that touches it
+/// [m] from a body's middle to the middle of a ball that touches it
 inline constexpr float kReach = kContact.foot_radius + kBall.radius;
 
-/// A world of `players` a side, all of them removed, the ball at rest in the middle.
+/// Returns a world with `players` a side, all removed, and the ball at rest in the middle.
 inline World empty(int players = 7) {
   World world;
   world.players = players;
@@ -30,7 +30,7 @@ inline World empty(int players = 7) {
   return world;
 }
 
-/// The robot stands there, facing `heading` [rad].
+/// Makes the robot stand there, facing `heading` [rad].
 inline Body& stand(World& world, int robot, Vec2 position, float heading = 0) {
   Body& body = world.bodies[robot];
   body.position = position;
@@ -40,7 +40,7 @@ inline Body& stand(World& world, int robot, Vec2 position, float heading = 0) {
   return body;
 }
 
-/// The robot walks from there with `velocity` [m/s, robot].
+/// Makes the robot walk from there with `velocity` [m/s, robot].
 inline Body& walk(World& world, int robot, Vec2 position, float heading, Vec2 velocity) {
   Body& body = stand(world, robot, position, heading);
   body.doing = Body::Doing::walking;
@@ -48,7 +48,7 @@ inline Body& walk(World& world, int robot, Vec2 position, float heading, Vec2 ve
   return body;
 }
 
-/// Robots of both sides at random in a square of `size` [m] around `middle`; some walk, some have fallen, some are away.
+/// Puts robots of both sides at random in a square of `size` [m] around `middle`: some walk, some lie, some are removed.
 inline World crowd(std::mt19937& random, Vec2 middle, float size) {
   std::uniform_real_distribution<float> metres(-size / 2, size / 2), radians(-kPi, kPi), speed(-0.2f, 0.3f);
   World world = empty();
@@ -64,7 +64,7 @@ inline World crowd(std::mt19937& random, Vec2 middle, float size) {
 
 inline Vec2 mirrored(Vec2 a) { return {a.x, -a.y}; }
 
-/// The world with left and right exchanged.
+/// Returns the world with left and right exchanged.
 inline World mirrored(World world) {
   for (Vec2* place : {&world.ball.position, &world.ball.velocity, &world.ball.acceleration, &world.official.position,
                       &world.official.velocity})
@@ -79,7 +79,7 @@ inline World mirrored(World world) {
   return world;
 }
 
-/// The world with the bodies in the order that `order` tells: the new body i is the old body order[i].
+/// Returns the world with its bodies reordered: the new body i is the old body order[i].
 inline World reordered(const World& world, const int (&order)[kMaxRobots]) {
   World result = world;
   for (int i = 0; i < kMaxRobots; ++i) result.bodies[i] = world.bodies[order[i]];

@@ -49,7 +49,7 @@ TEST(Ball, AHundredTicksAreOneLongRoll) {
   });
 }
 
-TEST(Ball, ComesToLieWhereItsRestingPlaceIs) {
+TEST(Ball, StopsAtItsRestingPlace) {
   for_many_balls([](const Ball& ball, std::mt19937&) {
     const Ball lying = rolled(ball, 60);
     EXPECT_EQ(lying.velocity, Vec2{});
@@ -58,7 +58,7 @@ TEST(Ball, ComesToLieWhereItsRestingPlaceIs) {
   });
 }
 
-TEST(Ball, HasTheSameRestingPlaceAllTheWay) {
+TEST(Ball, KeepsItsRestingPlaceWhileItRolls) {
   for_many_balls([](const Ball& ball, std::mt19937&) {
     EXPECT_NEAR(
         sim::distance(sim::resting_place(rolled(ball, 0.4f), kDeceleration), sim::resting_place(ball, kDeceleration)),
@@ -73,7 +73,7 @@ TEST(Ball, SpeedForRangeRollsThatRange) {
   }
 }
 
-TEST(Ball, RollsStraightAndNeverFaster) {
+TEST(Ball, RollsStraightAndNeverSpeedsUp) {
   for_many_balls([](const Ball& ball, std::mt19937&) {
     const Ball later = rolled(ball, sim::kTickDuration);
     EXPECT_LE(sim::length(later.velocity), sim::length(ball.velocity));
@@ -97,13 +97,13 @@ TEST(Ball, RollsForeverWithoutFriction) {
   EXPECT_NEAR(sim::distance(ball.velocity, {1, -2}), 0, 1e-6);
 }
 
-TEST(Ball, BelowTheStopSpeedItLiesAtOnce) {
+TEST(Ball, StopsAtOnceBelowTheStopSpeed) {
   const Ball ball = rolled({.position = {1, 2}, .velocity = {0.006f, -0.006f}}, 0.1f);
   EXPECT_EQ(ball.position, (Vec2{1, 2}));
   EXPECT_EQ(ball.velocity, Vec2{});
 }
 
-TEST(Ball, MirroredItRollsTheMirroredWay) {
+TEST(Ball, AMirroredBallRollsTheMirroredWay) {
   for_many_balls([](const Ball& ball, std::mt19937&) {
     const auto mirrored = [](Vec2 a) { return Vec2{a.x, -a.y}; };
     const Ball there = rolled(ball, 0.2f);
@@ -114,7 +114,7 @@ TEST(Ball, MirroredItRollsTheMirroredWay) {
   });
 }
 
-TEST(Ball, RemembersWhereItWasBeforeTheLastRolls) {
+TEST(Ball, RemembersItsPlacesBeforeTheLastRolls) {
   Ball ball{.velocity = {1.5f, 0.5f}};
   Vec2 places[10];
   for (Vec2& place : places) {
@@ -123,7 +123,7 @@ TEST(Ball, RemembersWhereItWasBeforeTheLastRolls) {
   }
   for (int i = 0; i < Ball::kPast; ++i) EXPECT_EQ(ball.past[i], places[9 - i]);
 
-  // it goes on remembering when it lies
+  // also when it is at rest
   ball.velocity = {};
   sim::roll(ball, kDeceleration, kStop, sim::kTickDuration);
   sim::roll(ball, kDeceleration, kStop, sim::kTickDuration);
@@ -131,7 +131,7 @@ TEST(Ball, RemembersWhereItWasBeforeTheLastRolls) {
   EXPECT_EQ(ball.past[2], places[9]);
 }
 
-TEST(Ball, PlacedItLiesAndWasThereAllTheTime) {
+TEST(Ball, APlacedBallIsAtRestAndHasNoOtherPast) {
   Ball ball = rolled({.velocity = {2, 1}}, 0.5f);
   sim::place(ball, {1, -2});
   EXPECT_EQ(ball.position, (Vec2{1, -2}));

@@ -18,7 +18,7 @@ void part(World& world) {
 
 float radius_of(const Body& body) { return lies(body) ? kContact.lying_radius : kContact.robot_radius; }
 
-/// [m] the deepest overlap on the field.
+/// Returns the deepest overlap on the field [m].
 float overlap_in(const World& world) {
   float worst = 0;
   for (int i = 0; i < kMaxRobots; ++i) {
@@ -60,7 +60,7 @@ TEST(BodiesApart, NoTwoOverlapByMoreThanAMillimetreNorOneAPost) {
   EXPECT_GT(overlapping, 400);
 }
 
-TEST(BodiesApart, EvenIfAllStandAtOnePlaceByAPost) {
+TEST(BodiesApart, PartsAllRobotsFromOnePlaceAtAPost) {
   for (int post = 0; post < field::kPosts; ++post) {
     World world = empty();
     for_each_robot(7, [&](int robot) { stand(world, robot, field::post_of(kField, post)); });
@@ -69,7 +69,7 @@ TEST(BodiesApart, EvenIfAllStandAtOnePlaceByAPost) {
   }
 }
 
-TEST(BodiesApart, EachGoesHalfOfTheWay) {
+TEST(BodiesApart, EachRobotGoesHalfOfTheWay) {
   World world = empty();
   stand(world, 0, {1, 1});
   stand(world, 8, {1.2f, 1.1f});
@@ -79,7 +79,7 @@ TEST(BodiesApart, EachGoesHalfOfTheWay) {
   EXPECT_NEAR(distance(world.bodies[0].position + world.bodies[8].position, sum), 0, 1e-5);
 }
 
-TEST(BodiesApart, WhoOverlapsNobodyStaysToTheBit) {
+TEST(BodiesApart, ARobotWithoutOverlapStaysToTheBit) {
   std::mt19937 random(2);
   for (int i = 0; i < 300; ++i) {
     World world = crowd(random, {0, 0}, 6);
@@ -98,7 +98,7 @@ TEST(BodiesApart, WhoOverlapsNobodyStaysToTheBit) {
   }
 }
 
-TEST(BodiesApart, PartedOnceIsPartedForGood) {
+TEST(BodiesApart, ASecondCallChangesNothing) {
   for_many_heaps([](World world, std::mt19937&) {
     part(world);
     const World once = world;
@@ -124,7 +124,7 @@ TEST(BodiesApart, DoesNotDependOnTheOrderOfRobots) {
   });
 }
 
-TEST(BodiesApart, MirroredTheyPartTheMirroredWay) {
+TEST(BodiesApart, MirroredRobotsPartTheMirroredWay) {
   for_many_heaps([](World world, std::mt19937&) {
     World other = mirrored(world);
     part(world);
@@ -137,7 +137,7 @@ TEST(BodiesApart, MirroredTheyPartTheMirroredWay) {
   });
 }
 
-TEST(BodiesApart, WhoIsRemovedIsNowhere) {
+TEST(BodiesApart, ARemovedRobotTouchesNothing) {
   World world = empty();
   stand(world, 0, {1, 1});
   stand(world, 1, {1.1f, 1}).doing = Body::Doing::removed;
@@ -147,7 +147,7 @@ TEST(BodiesApart, WhoIsRemovedIsNowhere) {
   EXPECT_EQ(world.bodies[0].touching, 0);
 }
 
-TEST(BodiesApart, OutOfTheWalkingRefereeWhoDoesNotGiveWay) {
+TEST(BodiesApart, RobotsGiveWayToTheWalkingReferee) {
   World world = empty();
   stand(world, 0, {1, 1});
   world.official.position = {1.2f, 1};
@@ -175,11 +175,11 @@ TEST(BodiesApart, CountTouchingInTicksAndPushingInFifthsOfASecond) {
   EXPECT_EQ(world.bodies[0].touching, 60);
   EXPECT_EQ(world.bodies[9].touching, 60);
   EXPECT_EQ(world.bodies[0].pushing, 10);
-  EXPECT_EQ(world.bodies[9].pushing, 0) << "it only stands there";
+  EXPECT_EQ(world.bodies[9].pushing, 0) << "a standing robot does not push";
   EXPECT_EQ(run_into(300, {0.2f, 0}).bodies[0].touching, 255);
 }
 
-TEST(BodiesApart, PastSomebodyOrAwayIsNotPushing) {
+TEST(BodiesApart, WalkingPastOrAwayIsNotPushing) {
   for (const Vec2 velocity : {Vec2{-0.0001f, 0}, Vec2{0, 0.0001f}, Vec2{0, 0}}) {
     const World world = run_into(30, velocity);
     EXPECT_EQ(world.bodies[0].touching, 30);
@@ -187,7 +187,7 @@ TEST(BodiesApart, PastSomebodyOrAwayIsNotPushing) {
   }
 }
 
-TEST(BodiesApart, AloneAgainNobodyTouches) {
+TEST(BodiesApart, CountsRestartWithoutContact) {
   World world = run_into(60, {0.2f, 0});
   world.bodies[9].position = {3, 0};
   part(world);

@@ -14,14 +14,14 @@ void bounce(World& world, const Effects& effects = kIdeal) {
   bounce_ball(kField, kBall, kContact, effects, crowd_of(world), world);
 }
 
-/// One tick of the ball.
+/// Plays one tick of the ball.
 void roll_and_bounce(World& world, const Effects& effects = kIdeal) {
   roll(world.ball, kBall.deceleration, kBall.stop_speed, kTickDuration);
   bounce(world, effects);
   ++world.tick;
 }
 
-/// [m] from the ball to the nearest robot on the field.
+/// Returns the distance from the ball to the nearest robot on the field [m].
 float gap_to_robots(const World& world) {
   float gap = 1e6f;
   for (const Body& body : world.bodies)
@@ -56,7 +56,7 @@ TEST(Bounce, AStandingBodyThrowsTheBallBack) {
   }
 }
 
-TEST(Bounce, AGlancedBallKeepsItsSidewardSpeed) {
+TEST(Bounce, AGrazingBallKeepsItsTangentialSpeed) {
   World world = empty();
   stand(world, 4, {2, 0});
   const Vec2 before{1.5f, 0};
@@ -65,7 +65,7 @@ TEST(Bounce, AGlancedBallKeepsItsSidewardSpeed) {
   bounce(world);
   EXPECT_EQ(world.touched, 4);
 
-  // what it lost is the speed towards the body: the change points from the body's middle to where they met
+  // only the speed towards the body changed: the change points from the body's middle to the contact
   const Vec2 change = world.ball.velocity - before;
   const Vec2 away = (1 / length(change)) * change;
   EXPECT_NEAR(kReach * away.y, 0.1f, 1e-4);
@@ -86,7 +86,7 @@ TEST(Bounce, APostThrowsTheBallBackAndTouchesNothing) {
   }
 }
 
-TEST(Bounce, NothingThatStandsMakesTheBallFaster) {
+TEST(Bounce, AStandingThingNeverMakesTheBallFaster) {
   std::mt19937 random(1);
   int touches = 0;
   for (int i = 0; i < 1500; ++i) {
@@ -102,7 +102,7 @@ TEST(Bounce, NothingThatStandsMakesTheBallFaster) {
   EXPECT_GT(touches, 1000);
 }
 
-TEST(Bounce, HoweverFastTheBallPassesThroughNothing) {
+TEST(Bounce, TheFastestBallPassesThroughNothing) {
   std::mt19937 random(1);
   int bounced = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -123,7 +123,7 @@ TEST(Bounce, HoweverFastTheBallPassesThroughNothing) {
     const Vec2 through = world.ball.position;
     bounce(world);
 
-    // it is outside and does not go on inwards
+    // the ball is outside and does not move inwards
     EXPECT_GE(distance(world.ball.position, middle), reach - 0.0005f);
     const bool entered = dot(through - start, way) + dot(start - middle, way) > entry + 0.001f;
     if (!entered) continue;
@@ -149,7 +149,7 @@ TEST(Bounce, AWalkingBodyPushesTheBallAlongAtLeastAsFast) {
     }
 }
 
-TEST(Bounce, AWalkerDribblesTheBallBeforeIt) {
+TEST(Bounce, AWalkingRobotDribblesTheBallInFrontOfIt) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     World world = empty();
     world.key = {seed};
@@ -165,7 +165,7 @@ TEST(Bounce, AWalkerDribblesTheBallBeforeIt) {
   }
 }
 
-TEST(Bounce, PushNoiseSpreadsTheDirectionAndNothingElse) {
+TEST(Bounce, PushNoiseChangesTheDirectionOnly) {
   double sum = 0, squares = 0;
   constexpr int kCount = 4000;
   for (int i = 0; i < kCount; ++i) {
@@ -183,7 +183,7 @@ TEST(Bounce, PushNoiseSpreadsTheDirectionAndNothingElse) {
   EXPECT_NEAR(std::sqrt(squares / kCount), kContact.push_deviation, 0.03);
 }
 
-TEST(Bounce, WhoIsPushedFromBothSidesStays) {
+TEST(Bounce, ABallPushedFromBothSidesStays) {
   World world = empty();
   walk(world, 2, {-kReach + 0.005f, 1}, 0, {0.25f, 0});
   walk(world, 9, {kReach - 0.005f, 1}, kPi, {0.25f, 0});
@@ -193,7 +193,7 @@ TEST(Bounce, WhoIsPushedFromBothSidesStays) {
   EXPECT_NEAR(distance(world.ball.position, {0, 1}), 0, 1e-6);
 }
 
-TEST(Bounce, OfTwoAtOnceHomeTouchesInEvenTicksAndAwayInOddOnes) {
+TEST(Bounce, OfTwoAtOnceHomeIsTheToucherInEvenTicksAndAwayInOddOnes) {
   for (const Tick tick : {4u, 5u}) {
     World world = empty();
     world.tick = tick;
@@ -218,7 +218,7 @@ TEST(Bounce, FarFromEverythingNothingChanges) {
   }
 }
 
-TEST(Bounce, WhoIsRemovedIsNowhere) {
+TEST(Bounce, ARemovedRobotTouchesNothing) {
   World world = empty();
   stand(world, 0, {0.1f, 0}).doing = Body::Doing::removed;
   bounce(world);
@@ -226,14 +226,14 @@ TEST(Bounce, WhoIsRemovedIsNowhere) {
   EXPECT_EQ(world.touched, kNobody);
 }
 
-TEST(Bounce, WhoLiesIsLarger) {
+TEST(Bounce, AFallenRobotIsLarger) {
   World world = empty();
   stand(world, 0, {0.2f, 0}).doing = Body::Doing::fallen;
   bounce(world);
   EXPECT_NEAR(gap_to_robots(world), kContact.lying_radius + kBall.radius, 1e-5);
 }
 
-TEST(Bounce, WhoSquatsIsWiderOnceItIsDown) {
+TEST(Bounce, ASquattingRobotIsWiderOnceItIsDown) {
   for (const auto& [doing, radius] : {std::pair{Body::Doing::crouching, kContact.foot_radius},
                                       std::pair{Body::Doing::squatting, kContact.squatting_radius}}) {
     World world = empty();
@@ -266,7 +266,7 @@ TEST(Bounce, DoesNotDependOnTheOrderOfRobots) {
   EXPECT_GT(touches, 500);
 }
 
-TEST(Bounce, MirroredItBouncesTheMirroredWay) {
+TEST(Bounce, AMirroredBallBouncesTheMirroredWay) {
   std::mt19937 random(5);
   for (int i = 0; i < 1000; ++i) {
     World world = shot_at_crowd(random, false);

@@ -9,7 +9,7 @@ namespace {
 using namespace sim;
 using namespace sim::arena;
 
-/// The ball wanders about, the referee follows.
+/// A ball that moves about, and the referee that follows it.
 template <class See>
 void follow(std::uint64_t seed, See&& see) {
   World world = empty();
@@ -41,13 +41,13 @@ TEST(Official, KeepsOneAndAHalfMetresFromTheBall) {
   });
 }
 
-TEST(Official, StandsStillWhereItIsFarEnough) {
+TEST(Official, StandsStillAtTheRightDistance) {
   World world = empty();
   for (world.tick = 0; world.tick < 300; ++world.tick) walk_official(kField, world);
   EXPECT_NEAR(length(world.official.velocity), 0, 1e-4);
 }
 
-TEST(Official, ComesOntoTheLongAxisOnTheSideThatTheKeyDraws) {
+TEST(Official, StartsOnTheLongAxisInARandomHalf) {
   int right = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     World world = empty();
@@ -60,7 +60,7 @@ TEST(Official, ComesOntoTheLongAxisOnTheSideThatTheKeyDraws) {
   EXPECT_LT(right, 130);
 }
 
-TEST(Official, MirroredItWalksTheMirroredWay) {
+TEST(Official, AMirroredRefereeWalksTheMirroredWay) {
   follow(3, [](const World& world) {
     World here = world, there = mirrored(world);
     walk_official(kField, here);

@@ -1,4 +1,4 @@
-#include "sim/referee/tally.h"
+#include "sim/referee/counts.h"
 
 #include <algorithm>
 
@@ -8,16 +8,16 @@ bool rolls_into_goal(const Court& court, Side side) {
   const Vec2 from = court.world.ball.position;
   const Vec2 to = resting_place(court.world.ball, court.ball_model.deceleration);
   const float line = ball_over_goal_line(court);
-  // a ball that is over the line already crosses it where it is
+  // the ball is over the line already: it crosses the line at its present place
   if (ahead(court, side, from) > line)
     return ahead(court, side, to) > line && std::abs(from.y) < court.field.goal_width / 2;
   return field::goal_entered(court.field, from, to, court.ball_model.radius) == attack_sign(court.world, side);
 }
 
-void keep_tally(Court& court) {
+void keep_counts(Court& court) {
   const World& world = court.world;
   Book& book = court.book;
-  Tally& tally = court.tally;
+  GameCounts& counts = court.counts;
 
   if (world.touched != kNobody) {
     const float circle = court.field.centre_circle_radius;
@@ -30,13 +30,13 @@ void keep_tally(Court& court) {
   }
   if (world.kicked != kNobody) {
     const Side side = side_of(world.kicked);
-    ++tally.kicks[static_cast<int>(side)];
-    if (rolls_into_goal(court, side)) ++tally.shots[static_cast<int>(side)];
+    ++counts.kicks[static_cast<int>(side)];
+    if (rolls_into_goal(court, side)) ++counts.shots[static_cast<int>(side)];
   }
-  if (world.whiffed != kNobody) ++tally.whiffs[static_cast<int>(side_of(world.whiffed))];
+  if (world.whiffed != kNobody) ++counts.whiffs[static_cast<int>(side_of(world.whiffed))];
 
-  ++tally.in_play;
-  if (book.last_toucher != kNobody) ++tally.possession[static_cast<int>(book.last_touch)];
+  ++counts.in_play;
+  if (book.last_toucher != kNobody) ++counts.possession[static_cast<int>(book.last_touch)];
 }
 
 }  // namespace sim::referee

@@ -5,10 +5,10 @@
 namespace sim::referee {
 namespace {
 
-TEST(Tally, CountsKicksWhiffsAndPossessionInPlay) {
+TEST(GameCounts, CountsKicksWhiffsAndPossessionInPlay) {
   Scene scene(rules_2012());
   scene.start_play();
-  scene.tally = {};
+  scene.counts = {};
   scene.world.kicked = static_cast<std::uint8_t>(robot_of(Side::away, 2));
   scene.touch(Side::away, 2);
   scene.pass(9);
@@ -16,15 +16,15 @@ TEST(Tally, CountsKicksWhiffsAndPossessionInPlay) {
   scene.pass();
   scene.touch(Side::home, 3);
   scene.pass(4);
-  EXPECT_EQ(scene.tally.kicks[0], 0);
-  EXPECT_EQ(scene.tally.kicks[1], 1);
-  EXPECT_EQ(scene.tally.whiffs[0], 1);
-  EXPECT_EQ(scene.tally.possession[0], 5u);
-  EXPECT_EQ(scene.tally.possession[1], 11u);
-  EXPECT_EQ(scene.tally.in_play, 16u);
+  EXPECT_EQ(scene.counts.kicks[0], 0);
+  EXPECT_EQ(scene.counts.kicks[1], 1);
+  EXPECT_EQ(scene.counts.whiffs[0], 1);
+  EXPECT_EQ(scene.counts.possession[0], 5u);
+  EXPECT_EQ(scene.counts.possession[1], 11u);
+  EXPECT_EQ(scene.counts.in_play, 16u);
 }
 
-TEST(Tally, AShotIsAKickWhoseBallWouldRollIntoTheGoal) {
+TEST(GameCounts, AShotIsAKickWhoseBallWouldRollIntoTheGoal) {
   struct Case {
     Side side;
     Vec2 from, velocity;
@@ -45,8 +45,8 @@ TEST(Tally, AShotIsAKickWhoseBallWouldRollIntoTheGoal) {
     scene.ball().velocity = at.velocity;
     scene.world.kicked = static_cast<std::uint8_t>(robot_of(at.side, 2));
     scene.touch(at.side, 2);
-    EXPECT_EQ(scene.tally.shots[static_cast<int>(at.side)], at.shot) << at.velocity.x << " " << at.velocity.y;
-    EXPECT_EQ(scene.tally.shots[static_cast<int>(other(at.side))], 0);
+    EXPECT_EQ(scene.counts.shots[static_cast<int>(at.side)], at.shot) << at.velocity.x << " " << at.velocity.y;
+    EXPECT_EQ(scene.counts.shots[static_cast<int>(other(at.side))], 0);
   }
 }
 
