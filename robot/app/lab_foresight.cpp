@@ -8,7 +8,7 @@
 #include "robot/core/clock.h"
 #include "robot/logging/file_provider.h"
 #include "robot/logging/session.h"
-#include "sim/foresight/tally.h"
+#include "sim/foresight/rollout_statistics.h"
 #include "sim/io/source.h"
 
 namespace robot::app {

@@ -103,8 +103,8 @@ void ChoiceOptions::add_to(CLI::App& command) {
   command.add_flag("--every-tick", every_tick_, "everybody decides 30 times a second, also far from the ball");
 }
 
-io::Choice ChoiceOptions::choice() const {
-  io::Choice choice = choice_;
+io::Matchup ChoiceOptions::choice() const {
+  io::Matchup choice = choice_;
   choice.models[0] = home_models_.empty() ? models_ : home_models_;
   choice.models[1] = away_models_.empty() ? models_ : away_models_;
   choice.pace = every_tick_ ? Pace::every_tick : Pace::thinned;
@@ -116,7 +116,7 @@ robot::Result<Lineup> ChoiceOptions::line_up() const {
 }
 
 robot::Result<io::Playbook> ChoiceOptions::playbook(const std::vector<std::string>& strategies) const {
-  const io::Choice game = choice();
+  const io::Matchup game = choice();
   return io::prepare_playbook({.strategies = strategies,
                                .opponent = game.strategies[1],
                                .rules = game.rules,

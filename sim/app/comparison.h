@@ -11,7 +11,7 @@
 #include "sim/app/conditions.h"
 #include "sim/app/lineup.h"
 #include "sim/app/openings.h"
-#include "sim/compare/tally.h"
+#include "sim/compare/pair_statistics.h"
 #include "sim/match/state.h"
 
 namespace sim::app {

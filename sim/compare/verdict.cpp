@@ -37,40 +37,41 @@ Interval interval_of(std::int64_t count, std::int64_t sum, std::int64_t squares,
 }  // namespace
 
 // a pair's sum is of two games
-Interval gain_per_game(const Tally& tally, double unit) {
-  return interval_of(tally.pairs, tally.gain, tally.gain_squares, 0.5 / unit);
+Interval gain_per_game(const PairStatistics& statistics, double unit) {
+  return interval_of(statistics.pairs, statistics.gain, statistics.gain_squares, 0.5 / unit);
 }
 
 // at home B gains, away A does: half the difference of the two games of a pair
-Interval home_advantage(const Tally& tally, double unit) {
-  const std::int64_t sum = tally.game_gain[1] - tally.game_gain[0];
-  const std::int64_t squares = 2 * (tally.game_gain_squares[0] + tally.game_gain_squares[1]) -
-                               tally.gain_squares;  // (b-a)^2 = 2a^2+2b^2-(a+b)^2
-  return interval_of(tally.pairs, sum, squares, 0.5 / unit);
+Interval home_advantage(const PairStatistics& statistics, double unit) {
+  const std::int64_t sum = statistics.game_gain[1] - statistics.game_gain[0];
+  const std::int64_t squares = 2 * (statistics.game_gain_squares[0] + statistics.game_gain_squares[1]) -
+                               statistics.gain_squares;  // (b-a)^2 = 2a^2+2b^2-(a+b)^2
+  return interval_of(statistics.pairs, sum, squares, 0.5 / unit);
 }
 
-double pair_variance(const Tally& tally, double unit) {
-  return variance_of(tally.pairs, tally.gain, tally.gain_squares) / (4 * unit * unit);
+double pair_variance(const PairStatistics& statistics, double unit) {
+  return variance_of(statistics.pairs, statistics.gain, statistics.gain_squares) / (4 * unit * unit);
 }
 
-double pairing_gain(const Tally& tally) {
-  const double paired = pair_variance(tally);
+double pairing_gain(const PairStatistics& statistics) {
+  const double paired = pair_variance(statistics);
   if (paired <= 0) return 0;
   double of_a_game = 0;
   for (const int place : {0, 1})
-    of_a_game += variance_of(tally.pairs, tally.game_gain[place], tally.game_gain_squares[place]) / 2;
+    of_a_game += variance_of(statistics.pairs, statistics.game_gain[place], statistics.game_gain_squares[place]) / 2;
   return of_a_game / 2 / paired;  // two games without a bond have half the variance of one
 }
 
-Bounds bounds_of(const Question& question) {
-  return {.h0 = std::log(question.beta / (1 - question.alpha)), .h1 = std::log((1 - question.beta) / question.alpha)};
+Bounds bounds_of(const Hypothesis& hypothesis) {
+  return {.h0 = std::log(hypothesis.beta / (1 - hypothesis.alpha)),
+          .h1 = std::log((1 - hypothesis.beta) / hypothesis.alpha)};
 }
 
-double llr(const Tally& tally, const Question& question, double unit) {
-  const double variance = pair_variance(tally, unit);
-  const double mean = gain_per_game(tally, unit).mean;
-  const double towards_h1 =
-      static_cast<double>(tally.pairs) * (question.h1 - question.h0) * (2 * mean - question.h0 - question.h1) / 2;
+double llr(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit) {
+  const double variance = pair_variance(statistics, unit);
+  const double mean = gain_per_game(statistics, unit).mean;
+  const double towards_h1 = static_cast<double>(statistics.pairs) * (hypothesis.h1 - hypothesis.h0) *
+                            (2 * mean - hypothesis.h0 - hypothesis.h1) / 2;
   if (variance > 0) return towards_h1 / variance;
   return towards_h1 == 0 ? 0 : std::copysign(kInfinity, towards_h1);
 }
@@ -85,21 +86,21 @@ std::string_view name(Verdict verdict) {
   return "";
 }
 
-Verdict decide(const Tally& tally, const Question& question, double unit) {
-  if (tally.pairs < question.fewest_pairs) return Verdict::undecided;
-  if (tally.gain_squares == 0) return Verdict::identical;
-  const double ratio = llr(tally, question, unit);
-  const Bounds bounds = bounds_of(question);
+Verdict decide(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit) {
+  if (statistics.pairs < hypothesis.fewest_pairs) return Verdict::undecided;
+  if (statistics.gain_squares == 0) return Verdict::identical;
+  const double ratio = llr(statistics, hypothesis, unit);
+  const Bounds bounds = bounds_of(hypothesis);
   if (ratio >= bounds.h1) return Verdict::better;
   return ratio <= bounds.h0 ? Verdict::not_better : Verdict::undecided;
 }
 
-Verdict judge(const Tally& tally, const Question& question, double unit) {
-  if (tally.pairs < 2) return Verdict::undecided;
-  if (tally.gain_squares == 0) return Verdict::identical;
-  const Interval gain = gain_per_game(tally, unit);
-  if (gain.low > question.h0) return Verdict::better;
-  return gain.high < question.h1 ? Verdict::not_better : Verdict::undecided;
+Verdict judge(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit) {
+  if (statistics.pairs < 2) return Verdict::undecided;
+  if (statistics.gain_squares == 0) return Verdict::identical;
+  const Interval gain = gain_per_game(statistics, unit);
+  if (gain.low > hypothesis.h0) return Verdict::better;
+  return gain.high < hypothesis.h1 ? Verdict::not_better : Verdict::undecided;
 }
 
 namespace {
@@ -152,22 +153,22 @@ struct Walk {
 
 // the log-likelihood ratio is the motion: per pair it drifts by (h1-h0)(2 gain-h0-h1)/(2 variance), and varies by
 // (h1-h0)^2/variance
-Interval unbiased_gain(const Tally& tally, const Question& question, double unit) {
-  const double variance = pair_variance(tally, unit);
-  const double step = question.h1 - question.h0;
-  const double ratio = llr(tally, question, unit);
-  const Bounds bounds = bounds_of(question);
+Interval unbiased_gain(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit) {
+  const double variance = pair_variance(statistics, unit);
+  const double step = hypothesis.h1 - hypothesis.h0;
+  const double ratio = llr(statistics, hypothesis, unit);
+  const Bounds bounds = bounds_of(hypothesis);
   const bool above = ratio > 0;
   // where it stopped is beyond the bound by what one look brings
   const double lower = above ? bounds.h0 : std::min(bounds.h0, ratio);
   const double upper = above ? std::max(bounds.h1, ratio) : bounds.h1;
   const double scale = step / std::sqrt(variance);  // of the ratio, per root of a pair
   const Walk walk{-lower / scale, (upper - lower) / scale};
-  const auto time = static_cast<double>(tally.pairs);
-  const auto drift_of = [&](double gain) { return (gain - (question.h0 + question.h1) / 2) / std::sqrt(variance); };
+  const auto time = static_cast<double>(statistics.pairs);
+  const auto drift_of = [&](double gain) { return (gain - (hypothesis.h0 + hypothesis.h1) / 2) / std::sqrt(variance); };
 
   // the gain for which an outcome that says more is so likely; the likelihood rises with the gain
-  const double mean = gain_per_game(tally, unit).mean, off = 12 * std::sqrt(variance / time);
+  const double mean = gain_per_game(statistics, unit).mean, off = 12 * std::sqrt(variance / time);
   const auto gain_at = [&](double probability) {
     double low = mean - off, high = mean + off;
     for (int i = 0; i < 60; ++i) {

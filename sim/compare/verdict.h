@@ -1,10 +1,10 @@
-// Is B better than A? What a tally says, how sure that is, and how many games a certainty takes.
+// Is B better than A? What a statistics says, how sure that is, and how many games a certainty takes.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
 
-#include "sim/compare/tally.h"
+#include "sim/compare/pair_statistics.h"
 
 namespace sim::compare {
 
@@ -15,19 +15,19 @@ struct Interval {
 };
 
 /// B's gain over A per game, from the pairs. `unit`: how many of the metric's smallest units make one.
-Interval gain_per_game(const Tally& tally, double unit = 1);
+Interval gain_per_game(const PairStatistics& statistics, double unit = 1);
 
 /// How much better those at home do than those away, per game, whoever plays there; 0 for a fair simulator.
-Interval home_advantage(const Tally& tally, double unit = 1);
+Interval home_advantage(const PairStatistics& statistics, double unit = 1);
 
 /// The variance of B's gain per game [unit^2], from pairs.
-double pair_variance(const Tally& tally, double unit = 1);
+double pair_variance(const PairStatistics& statistics, double unit = 1);
 
 /// How many times as many games it would take without pairs for the same certainty; 0 where that cannot be told.
-double pairing_gain(const Tally& tally);
+double pairing_gain(const PairStatistics& statistics);
 
-/// The question of a sequential test: is B's gain per game `h0`, or `h1`? (h0 < h1, in the metric's own unit)
-struct Question {
+/// The hypothesis of a sequential test: is B's gain per game `h0`, or `h1`? (h0 < h1, in the metric's own unit)
+struct Hypothesis {
   double h0 = 0, h1 = 0.1;
   double alpha = 0.05;  // how often h1 may be accepted where h0 is true
   double beta = 0.05;   // how often h0 may be accepted where h1 is true
@@ -38,11 +38,11 @@ struct Question {
 struct Bounds {
   double h0 = 0, h1 = 0;
 };
-Bounds bounds_of(const Question& question);
+Bounds bounds_of(const Hypothesis& hypothesis);
 
 /// The generalised log-likelihood ratio of h1 against h0: pairs of equal, unknown variance, N (h1 - h0) (2 mean - h0 - h1)
 /// / (2 variance), as chess engines are tested (fishtest calls it LLR_alt2). Of pairs that are all alike it is +-infinity.
-double llr(const Tally& tally, const Question& question, double unit = 1);
+double llr(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit = 1);
 
 enum class Verdict {
   better,
@@ -53,16 +53,16 @@ enum class Verdict {
 std::string_view name(Verdict verdict);
 
 /// What the test says after these pairs.
-Verdict decide(const Tally& tally, const Question& question, double unit = 1);
+Verdict decide(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit = 1);
 
 /// What the interval says of a run of a fixed length: better where it lies above `h0` as a whole, not better where it does
 /// not reach `h1`.
-Verdict judge(const Tally& tally, const Question& question, double unit = 1);
+Verdict judge(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit = 1);
 
 /// B's gain per game after a sequential test that has an answer: the mean of the pairs is the larger the sooner it stopped,
 /// this one is as often too high as too low, and its interval covers the truth in 95 % (the test as Brownian motion
 /// between its two bounds, outcomes in the order of when and where they stopped).
-Interval unbiased_gain(const Tally& tally, const Question& question, double unit = 1);
+Interval unbiased_gain(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit = 1);
 
 /// How many pairs tell a gain of `delta` from none, for pairs of this variance.
 struct Plan {

@@ -79,10 +79,10 @@ void Chooser::ask(const agent::Game& game, const agent::Beliefs& beliefs, Tick n
             .outlook = &plans_.outlook,
             .key = key_of(beliefs, now)};
   for (int i = 0; i < count; ++i) task.params[i] = &plans_.params[static_cast<std::size_t>(i)];
-  Tally tally;
+  RolloutStatistics statistics;
   race(
-      task, [this](std::int64_t rollouts) { return static_cast<double>(rollouts) / terms_.rollouts; }, {}, tally);
-  const Forecast told = forecast(tally, question, task.key);
+      task, [this](std::int64_t rollouts) { return static_cast<double>(rollouts) / terms_.rollouts; }, {}, statistics);
+  const Forecast told = forecast(statistics, question, task.key);
   if (told.advice == Forecast::Advice::none) return;
   agent::Choice choice = mind.choice;
   choose(static_cast<std::uint8_t>(told.choice), choice);

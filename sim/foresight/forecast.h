@@ -1,10 +1,10 @@
-// What a tally says: what each strategy is worth, how sure that is, and whether to change.
+// What a statistics says: what each strategy is worth, how sure that is, and whether to change.
 #pragma once
 
 #include <string>
 
 #include "sim/foresight/question.h"
-#include "sim/foresight/tally.h"
+#include "sim/foresight/rollout_statistics.h"
 
 namespace sim::foresight {
 
@@ -37,7 +37,7 @@ struct Forecast {
 
 /// It changes when the gain of the best is above the switching cost for as sure as the question asks (one-sided), never
 /// else.
-Forecast forecast(const Tally& tally, const Question& question, RandomKey key);
+Forecast forecast(const RolloutStatistics& statistics, const Question& question, RandomKey key);
 
 /// The advice in one sentence, with the numbers behind it: "keeps baseline: passing would gain 0.04 ± 0.09 goals, which
 /// may be chance (212 futures)". `names` are the strategies', by index.

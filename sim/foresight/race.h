@@ -6,8 +6,8 @@
 
 #include "sim/foresight/outlook.h"
 #include "sim/foresight/question.h"
+#include "sim/foresight/rollout_statistics.h"
 #include "sim/foresight/situation.h"
-#include "sim/foresight/tally.h"
 
 namespace sim::foresight {
 
@@ -24,14 +24,14 @@ struct Task {
 /// How much of the budget is spent: 0 nothing, 1 or more all. Asked before each rollout and now and then within one,
 /// with the number of rollouts so far.
 using Spent = std::function<double(std::int64_t rollouts)>;
-/// Hears the tally after each stripe.
-using Told = std::function<void(const Tally&)>;
+/// Hears the statistics after each stripe.
+using Told = std::function<void(const RolloutStatistics&)>;
 
 inline constexpr int kFewestStripes = 8;  // fewer say nothing about chance
 
 /// Sequential halving (Karnin, Koren, Somekh, ICML 2013): as many rounds as halvings leave one, each an equal share of the
 /// budget; after each the better half goes on, the incumbent always. A stripe that the end of the budget cuts in two does
 /// not count. Allocates nothing.
-void race(const Task& task, const Spent& spent, const Told& told, Tally& tally);
+void race(const Task& task, const Spent& spent, const Told& told, RolloutStatistics& statistics);
 
 }  // namespace sim::foresight

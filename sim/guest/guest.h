@@ -15,7 +15,7 @@ namespace sim::guest {
 
 /// The players of one side in one game. They remember: made for each game, used by one thread, its state played forwards
 /// only unless it is loaded.
-class Guest : public agent::Behaviour {
+class GuestBehaviour : public agent::Behaviour {
  public:
   const std::string& name() const final { return name_; }
   /// As any behaviour, until something goes wrong; from then on everybody stands, and problem() says what it was.
@@ -31,7 +31,7 @@ class Guest : public agent::Behaviour {
   virtual robot::Result<void> load(std::string_view) { return robot::Error{name_ + " cannot load"}; }
 
  protected:
-  Guest(std::string name, std::uint64_t seed) : name_(std::move(name)), seed_(seed) {}
+  GuestBehaviour(std::string name, std::uint64_t seed) : name_(std::move(name)), seed_(seed) {}
 
   /// Fills the command; empty, or what is wrong.
   virtual std::string ask(const ForesightPlayer& player, const ForesightMoment& moment, ForesightCommand& command) = 0;
@@ -44,11 +44,11 @@ class Guest : public agent::Behaviour {
 };
 
 /// Where guests come from; any thread.
-class Source {
+class GuestFactory {
  public:
-  virtual ~Source() = default;
+  virtual ~GuestFactory() = default;
   /// The players of one side for a new game. `seed`: of chance of their own.
-  virtual std::unique_ptr<Guest> begin(std::uint64_t seed) const = 0;
+  virtual std::unique_ptr<GuestBehaviour> begin(std::uint64_t seed) const = 0;
   /// A game can be taken back to a moment of it without playing it again.
   virtual bool saves() const = 0;
 };
@@ -57,7 +57,7 @@ class Source {
 bool is_guest(const std::string& name);
 
 /// `name` is such a one; what is wrong with it is told before any game begins.
-robot::Result<std::shared_ptr<const Source>> open(const std::string& name);
+robot::Result<std::shared_ptr<const GuestFactory>> open(const std::string& name);
 
 /// A number for what is behind the name: the bytes of the library, the command and the files it names.
 std::uint64_t content_of(const std::string& name);

@@ -30,10 +30,10 @@ class Player {
   void* const self_;
 };
 
-class LibraryGuest final : public Guest {
+class LibraryGuest final : public GuestBehaviour {
  public:
   LibraryGuest(std::string name, std::uint64_t seed, const ForesightBehaviour& behaviour)
-      : Guest(std::move(name), seed), behaviour_(behaviour) {}
+      : GuestBehaviour(std::move(name), seed), behaviour_(behaviour) {}
 
   std::optional<std::string> save() const override {
     if (!behaviour_.save) return {};
@@ -77,11 +77,11 @@ class LibraryGuest final : public Guest {
 };
 
 /// Stays loaded to the end of the program: players may still be around.
-class Library final : public Source {
+class Library final : public GuestFactory {
  public:
   Library(std::string path, const ForesightBehaviour& behaviour) : path_(std::move(path)), behaviour_(behaviour) {}
 
-  std::unique_ptr<Guest> begin(std::uint64_t seed) const override {
+  std::unique_ptr<GuestBehaviour> begin(std::uint64_t seed) const override {
     return std::make_unique<LibraryGuest>(path_, seed, behaviour_);
   }
   bool saves() const override { return behaviour_.save != nullptr; }
@@ -99,7 +99,7 @@ std::string numbers(std::initializer_list<std::uint64_t> values) {
 
 }  // namespace
 
-Result<std::shared_ptr<const Source>> open_library(const std::string& path) {
+Result<std::shared_ptr<const GuestFactory>> open_library(const std::string& path) {
   const std::string called = "behaviour '" + path + "': ";
   // a name without a folder would be looked for among the system's libraries
   const std::string place = path.find('/') == path.npos ? "./" + path : path;
@@ -123,7 +123,7 @@ Result<std::shared_ptr<const Source>> open_library(const std::string& path) {
     return Error{called + "create, destroy and decide must be there"};
   if (!behaviour->save != !behaviour->load)
     return Error{called + "expected save and load, or neither, got one of them"};
-  return std::shared_ptr<const Source>(std::make_shared<Library>(path, *behaviour));
+  return std::shared_ptr<const GuestFactory>(std::make_shared<Library>(path, *behaviour));
 }
 
 }  // namespace sim::guest

@@ -17,10 +17,10 @@ std::string greet(Process& process, const ForesightPlayer& player) {
   return answer ? check_greeting(*answer) : answer.error();
 }
 
-class PipeGuest final : public Guest {
+class PipeGuest final : public GuestBehaviour {
  public:
   PipeGuest(std::string name, std::uint64_t seed, std::string command)
-      : Guest(std::move(name), seed), command_(std::move(command)) {}
+      : GuestBehaviour(std::move(name), seed), command_(std::move(command)) {}
 
  private:
   std::string ask(const ForesightPlayer& player, const ForesightMoment& moment, ForesightCommand& command) override {
@@ -38,11 +38,11 @@ class PipeGuest final : public Guest {
   std::unique_ptr<Process> process_;  // a game's own: what one game leaves behind never reaches another
 };
 
-class Pipe final : public Source {
+class Pipe final : public GuestFactory {
  public:
   Pipe(std::string name, std::string command) : name_(std::move(name)), command_(std::move(command)) {}
 
-  std::unique_ptr<Guest> begin(std::uint64_t seed) const override {
+  std::unique_ptr<GuestBehaviour> begin(std::uint64_t seed) const override {
     return std::make_unique<PipeGuest>(name_, seed, command_);
   }
   bool saves() const override { return false; }
@@ -53,13 +53,13 @@ class Pipe final : public Source {
 
 }  // namespace
 
-Result<std::shared_ptr<const Source>> open_pipe(const std::string& name, const std::string& command) {
+Result<std::shared_ptr<const GuestFactory>> open_pipe(const std::string& name, const std::string& command) {
   const std::string called = "behaviour '" + name + "': ";
   if (command.find_first_not_of(' ') == command.npos) return Error{called + "expected a command behind pipe:"};
   auto process = Process::start(command);
   if (!process) return Error{called + process.error()};
   if (const std::string wrong = greet(*process, ForesightPlayer{}); !wrong.empty()) return Error{called + wrong};
-  return std::shared_ptr<const Source>(std::make_shared<Pipe>(name, command));
+  return std::shared_ptr<const GuestFactory>(std::make_shared<Pipe>(name, command));
 }
 
 }  // namespace sim::guest

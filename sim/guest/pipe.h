@@ -9,6 +9,6 @@
 namespace sim::guest {
 
 /// `command` is the shell's; it is started once to see whether it answers.
-robot::Result<std::shared_ptr<const Source>> open_pipe(const std::string& name, const std::string& command);
+robot::Result<std::shared_ptr<const GuestFactory>> open_pipe(const std::string& name, const std::string& command);
 
 }  // namespace sim::guest

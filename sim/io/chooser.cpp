@@ -71,7 +71,8 @@ Result<std::string> find_chooser(const std::string& name, const std::string& cal
 
 }  // namespace
 
-Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string& name, const Choice& game, Side side) {
+Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string& name, const Matchup& game,
+                                                               Side side) {
   using Behaviour = std::shared_ptr<const agent::Behaviour>;
   const std::string called = "strategy '" + name + "'";
   const Result<Variation> variation = parse_variation(name, called);

@@ -16,14 +16,14 @@
 
 #include "robot/core/result.h"
 #include "sim/agent/behaviour.h"
-#include "sim/io/setup.h"
+#include "sim/io/matchup.h"
 #include "sim/world/world.h"
 
 namespace sim::io {
 
 /// What `side` of that game plays: a decision tree, or a team that chooses between some; embedded by name or a file by
 /// path, behind commas what differs: "foresight,horizon=30".
-robot::Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string& name, const Choice& game,
+robot::Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string& name, const Matchup& game,
                                                                       Side side);
 
 }  // namespace sim::io

@@ -17,7 +17,7 @@
 #include <string_view>
 
 #include "robot/core/result.h"
-#include "sim/io/setup.h"
+#include "sim/io/matchup.h"
 #include "sim/match/state.h"
 
 namespace sim::io {

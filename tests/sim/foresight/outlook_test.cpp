@@ -10,7 +10,7 @@ namespace sim::foresight {
 namespace {
 
 TEST(Outlook, ZonesCountFromTheOwnGoal) {
-  const io::Setup setup = test::setup_of(test::choice_of("spl2012", "baseline", "match"));
+  const io::PreparedGame setup = test::setup_of(test::choice_of("spl2012", "baseline", "match"));
   State state = random_situation(setup.params, {.seed = 1});
   const field::Field& field = setup.params.rules.field;
   state.book.last_touch = Side::home;
@@ -30,7 +30,7 @@ TEST(Outlook, WhatIsGoodForOneSideIsAsBadForTheOther) {
   for (const char* rules : {"spl2012", "spl2025"}) {
     const auto outlook = io::load_outlook(rules);
     ASSERT_TRUE(outlook) << outlook.error();
-    const io::Setup setup = test::setup_of(test::choice_of(rules, "baseline", "match"));
+    const io::PreparedGame setup = test::setup_of(test::choice_of(rules, "baseline", "match"));
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
       State state = random_situation(setup.params, {.seed = seed});
       state.book.last_touch = seed % 2 == 0 ? Side::home : Side::away;
@@ -52,7 +52,7 @@ TEST(Outlook, TheOthersGoalIsABetterPlaceThanOnesOwn) {
 TEST(Outlook, NothingIsWorthAnythingWhenTheHalfIsOver) {
   const auto outlook = io::load_outlook("spl2012");
   ASSERT_TRUE(outlook);
-  const io::Setup setup = test::setup_of(test::choice_of("spl2012", "baseline", "match"));
+  const io::PreparedGame setup = test::setup_of(test::choice_of("spl2012", "baseline", "match"));
   State state = random_situation(setup.params, {.seed = 1});
   state.world.ball.position = {2.9f, 0};
   const float at_first = worth(*outlook, setup.params, state, Side::home);

@@ -22,7 +22,7 @@ constexpr int kOwn = 1;  // home 2
 
 /// A game with `models`, 20 s after its kick-off.
 struct Fixture {
-  io::Setup setup;
+  io::PreparedGame setup;
   State state;
 
   explicit Fixture(const std::string& models = "match", std::uint64_t seed = 3)
@@ -409,7 +409,7 @@ TEST(Sample, ABallBelievedOutLiesWhereTheRefereePutsIt) {
 
 /// Since there are set plays nobody places a ball back inside the touch line.
 TEST(Sample, WithSetPlaysABallElsewhereIsAnywhere) {
-  const io::Setup setup = test::setup_of(test::choice_of("spl2025:5", "baseline", "match"), 60);
+  const io::PreparedGame setup = test::setup_of(test::choice_of("spl2025:5", "baseline", "match"), 60);
   Situation situation{.state = test::begun(setup.params, 1), .doubt = {}};
   situation.doubt.ball_elsewhere = 1;
   std::set<float> across;

@@ -9,8 +9,8 @@
 namespace sim::io {
 namespace {
 
-const Setup& setup() {
-  static const Setup made = prepare({}).value();
+const PreparedGame& setup() {
+  static const PreparedGame made = prepare({}).value();
   return made;
 }
 

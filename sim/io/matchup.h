@@ -10,7 +10,7 @@
 namespace sim::io {
 
 /// As one types it; each may be a name, a path, and where that is allowed a variation.
-struct Choice {
+struct Matchup {
   std::string rules = "spl2012";
   std::string strategies[2] = {"baseline", "baseline"};  // by Side
   std::string models[2] = {"match", "match"};            // by Side
@@ -19,11 +19,11 @@ struct Choice {
 };
 
 /// The parameters, and the behaviours that they point to.
-struct Setup {
+struct PreparedGame {
   Params params;
   std::shared_ptr<const agent::Behaviour> behaviours[2];  // by Side
 };
 
-robot::Result<Setup> prepare(const Choice& choice);
+robot::Result<PreparedGame> prepare(const Matchup& matchup);
 
 }  // namespace sim::io

@@ -27,7 +27,7 @@ struct Path {
 };
 
 /// One strategy's rollouts.
-struct Account {
+struct StrategyStatistics {
   static constexpr int kPaths = 3;  // of the first stripes: as good as any, and the same luck for every strategy
   bool racing = true;               // false: the race went on without it
   int rollouts = 0;
@@ -41,12 +41,12 @@ struct Account {
 ///
 /// A stripe is one possible world and one set of random numbers, played with every strategy that still races. So two
 /// strategies have all stripes in common that the one which left first has.
-struct Tally {
+struct RolloutStatistics {
   int strategies = 0;
   int stripes = 0;         // of the strategies that still race; the first strategy, the incumbent, always does
   double spent = 0;        // [0..1] of the budget
   std::int64_t ticks = 0;  // of game time played
-  Account accounts[kMaxStrategies];
+  StrategyStatistics by_strategy[kMaxStrategies];
   /// A gain is a strategy's value less the incumbent's in the same stripe. Over the stripes that both i and j played:
   /// the sum of i's gains, and that of i's gain times j's.
   double gains[kMaxStrategies][kMaxStrategies] = {};
