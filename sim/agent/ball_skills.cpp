@@ -30,7 +30,8 @@ Target target_of(const View& view, Aim aim, float lead) {
     }
     case Aim::away: return {ball + (ball - view.own_goal())};
     case Aim::mate:
-      if (const int mate = pass_mate(view); mate >= 0) return {view.beliefs.mates[mate].pose.position + Vec2{lead, 0}};
+      if (const int mate = pass_target(view).mate; mate >= 0)
+        return {view.beliefs.mates[mate].pose.position + Vec2{lead, 0}};
       break;
     case Aim::ahead: break;
   }
@@ -148,7 +149,8 @@ motion::Command walk_to_ball(const View& view, Mind& mind, const WalkToBall& wit
 }
 
 motion::Command align(const View& view, Mind& mind, const Align& with) {
-  return shoot(view, mind, target_of(view, with.aim, 0), {with.aim, with.tolerance, with.range, 1, 1}, false);
+  return shoot(view, mind, target_of(view, with.aim, 0),
+               {.aim = with.aim, .tolerance = with.tolerance, .range = with.range}, false);
 }
 
 motion::Command kick(const View& view, Mind& mind, const Kick& with) {
@@ -169,7 +171,9 @@ motion::Command dribble(const View& view, Mind& mind, const Dribble& with) {
 motion::Command pass(const View& view, Mind& mind, const Pass& with) {
   const Target target = target_of(view, Aim::mate, with.lead);
   const float range = distance(target.point, view.ball_in_team);
-  return shoot(view, mind, target, {Aim::mate, with.tolerance, range, with.care, with.frames}, true);
+  return shoot(
+      view, mind, target,
+      {.aim = Aim::mate, .tolerance = with.tolerance, .range = range, .care = with.care, .frames = with.frames}, true);
 }
 
 }  // namespace sim::agent

@@ -50,9 +50,9 @@ motion::Command stand(const View& view) {
   return command;
 }
 
-motion::Command look_round(const View& view, float angle) {
+motion::Command look_round(const View& view, Mind&, const LookRound& with) {
   motion::Command command;
-  scan(view, command, angle);
+  scan(view, command, with.angle);
   return command;
 }
 

@@ -28,7 +28,8 @@ Vec2 patrol(const View& view, Tick round) {
 
 }  // namespace
 
-motion::Command search_ball(const View& view, Mind& mind, float gain) {
+motion::Command search_ball(const View& view, Mind& mind, const SearchBall& with) {
+  const float gain = with.gain;
   if (mind.search_since == kNever) mind.search_since = view.now;
   motion::Command command;
 

@@ -29,7 +29,7 @@ struct Node {
 };
 
 struct Leaf {
-  Skill skill = Skill::stand;
+  Skill skill{};  // the first of the table: stand
   float arguments[kMaxArguments] = {};
 };
 

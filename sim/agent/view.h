@@ -10,7 +10,8 @@ namespace sim::agent {
 
 /// [s] an opponent that was not seen for longer is nowhere.
 inline constexpr float kOpponentMemory = 3;
-inline constexpr int kMaxFeatures = 64;
+inline constexpr int kMaxFeatures = 256;  // ours and the team's own; a multiple of 64
+inline constexpr int kMaxOwnFeatures = 128;
 
 /// Lives for one decision. What is costly is computed when somebody asks for it, once (features.h).
 struct View {
@@ -36,10 +37,9 @@ struct View {
   Vec2 ball_velocity;   // [m/s, team_field]; 0 of a reported ball
   float ball_distance;  // [m]
 
-  mutable std::uint64_t asked = 0;     // bit per feature: its value is below
-  mutable float values[kMaxFeatures];  // [SI] NaN: not known
-  mutable int pass_mate = -2;          // index into beliefs.mates of who a pass would go to; -1: nobody; -2: not asked
-  mutable float pass_gain = 0;         // [m]
+  // values that features.h has computed for this decision
+  mutable std::uint64_t computed[kMaxFeatures / 64] = {};  // one bit per feature
+  mutable float values[kMaxFeatures];                      // [SI] NaN: not known
 
   /// A point of the field seen from the robot, and back; directions likewise without the position.
   Vec2 to_robot(Vec2 in_team) const { return turned_back(in_team - position, facing); }

@@ -189,7 +189,8 @@ class Compiler {
       leaf.arguments[i] = info.standard;
       const auto given = with.find(info.name);
       if (given == with.end()) continue;
-      const Result<float> value = values_.read(*given, {info.unit, info.least, info.most, info.names});
+      const Result<float> value =
+          values_.read(*given, {info.range.unit, info.range.least, info.range.most, info.range.names});
       if (!value) return refuse(place.at("." + std::string(info.name)), value.error());
       leaf.arguments[i] = *value;
     }

@@ -58,9 +58,9 @@ TEST(Skills, AreFoundByTheirNameAndHaveParametersWithinTheirRange) {
     for (int k = 0; k < info.count; ++k) {
       const ParameterInfo& parameter = info.parameters[k];
       EXPECT_TRUE(names.insert(parameter.name).second);
-      EXPECT_LE(parameter.least, parameter.standard) << info.name << " " << parameter.name;
-      EXPECT_GE(parameter.most, parameter.standard) << info.name << " " << parameter.name;
-      EXPECT_TRUE(!parameter.lateral || parameter.standard == 0);
+      EXPECT_LE(parameter.range.least, parameter.standard) << info.name << " " << parameter.name;
+      EXPECT_GE(parameter.range.most, parameter.standard) << info.name << " " << parameter.name;
+      EXPECT_TRUE(!parameter.range.lateral || parameter.standard == 0);
     }
   }
   EXPECT_EQ(find_skill("fly"), kNoSkill);

@@ -50,7 +50,7 @@ TEST(Strategy, WhatItIsBasedOnHoldsWhereItSaysNothing) {
   EXPECT_EQ(tree->settings.roles.defenders, 1);
   EXPECT_EQ(tree->settings.roles.hysteresis, load_strategy("baseline").value()->tree().settings.roles.hysteresis);
   int stands = 0;
-  for (const agent::Leaf& leaf : tree->leaves) stands += leaf.skill == Skill::stand;
+  for (const agent::Leaf& leaf : tree->leaves) stands += leaf.skill == agent::find_skill("stand");
   EXPECT_EQ(stands, 1);
 }
 
@@ -79,10 +79,10 @@ TEST(Strategy, ListsGoOnToTheNextRuleAndElseEndsThem) {
   const auto& nodes = good->nodes;
   ASSERT_EQ(nodes.size(), 4u);
   const agent::Node& root = nodes[good->root];
-  EXPECT_EQ(root.feature, agent::Feature::our_kick);
+  EXPECT_EQ(root.feature, agent::find_feature("our_kick"));
   EXPECT_EQ(nodes[root.yes].no, root.no);
-  EXPECT_EQ(good->leaves[nodes[root.yes].yes & ~agent::kLeafBit].skill, Skill::block);
-  EXPECT_EQ(nodes[root.no].feature, agent::Feature::y);
+  EXPECT_EQ(good->leaves[nodes[root.yes].yes & ~agent::kLeafBit].skill, agent::find_skill("block"));
+  EXPECT_EQ(nodes[root.no].feature, agent::find_feature("y"));
   EXPECT_EQ(nodes[nodes[root.no].no].yes, nodes[root.no].yes);
 }
 
