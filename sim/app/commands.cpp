@@ -59,15 +59,16 @@ class ListCommand final : public Command {
   }
 
   int print_variation() {
+    io::Sources sources;
     if (kind_ == "rules") {
-      const auto rules = io::load_rules(show_);
+      const auto rules = io::load_rules(show_, &sources);
       if (!rules) return fail(rules.error());
-      std::fputs(io::print_rules(*rules, show_).c_str(), stdout);
+      std::fputs(io::print_rules(*rules, show_, sources).c_str(), stdout);
       return kDone;
     }
-    const auto models = io::load_models(show_);
+    const auto models = io::load_models(show_, &sources);
     if (!models) return fail(models.error());
-    std::fputs(io::print_models(*models).c_str(), stdout);
+    std::fputs(io::print_models(*models, sources).c_str(), stdout);
     return kDone;
   }
 

@@ -45,6 +45,8 @@ std::string Reader::range(int least, int most, std::string_view unit) {
 std::string Reader::range(bool, bool, std::string_view) { return "true or false"; }
 
 const Json* Reader::value_of(const Json& entry, const std::string& path, std::string_view unit) {
+  // the source of a value that is replaced does not hold for the new value
+  if (sources_) sources_->erase(path);
   if (!entry.is_object()) return &entry;
   refuse_unknown(entry, path, {"value", "unit", "source"});
   const auto value = entry.find("value");
@@ -58,6 +60,8 @@ const Json* Reader::value_of(const Json& entry, const std::string& path, std::st
            (given != entry.end() ? shown(*given) : "none"));
   if (const auto source = entry.find("source"); source != entry.end() && !source->is_string())
     refuse(path + ".source must be a text, got " + shown(*source));
+  else if (sources_ && source != entry.end())
+    (*sources_)[path] = source->get<std::string>();
   return &*value;
 }
 
@@ -92,17 +96,23 @@ void Reader::read_value(const Json& entry, const std::string& path, const char* 
   into = value->get<bool>();
 }
 
-Json entry_of(float value, std::string_view unit) {
-  Json number = short_number(value);
-  if (unit.empty()) return number;
-  return {{"value", std::move(number)}, {"unit", unit}};
+namespace {
+
+Json entry(Json value, std::string_view unit, std::string_view source) {
+  if (unit.empty() && source.empty()) return value;
+  Json object = {{"value", std::move(value)}, {"unit", unit}};
+  if (!source.empty()) object["source"] = source;
+  return object;
 }
 
-Json entry_of(int value, std::string_view unit) {
-  if (unit.empty()) return value;
-  return {{"value", value}, {"unit", unit}};
+}  // namespace
+
+Json entry_of(float value, std::string_view unit, std::string_view source) {
+  return entry(short_number(value), unit, source);
 }
 
-Json entry_of(bool value, std::string_view) { return value; }
+Json entry_of(int value, std::string_view unit, std::string_view source) { return entry(value, unit, source); }
+
+Json entry_of(bool value, std::string_view, std::string_view source) { return entry(value, "", source); }
 
 }  // namespace sim::io

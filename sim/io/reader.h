@@ -5,6 +5,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,11 +17,14 @@ namespace sim::io {
 /// Whether all fields must be there, or only those that change something.
 enum class Fields { all, some };
 
+/// The texts of "source", by the path of their entry: "walk.forward" → "HULKs 2025".
+using Sources = std::map<std::string, std::string>;
+
 /// Reads from one description and keeps the first thing that is wrong with it.
 class Reader {
  public:
-  /// `called` opens the sentence: "models 'match'".
-  explicit Reader(std::string called) : called_(std::move(called)) {}
+  /// `called` opens the sentence: "models 'match'". `sources` receives the source of each entry that is read.
+  explicit Reader(std::string called, Sources* sources = nullptr) : called_(std::move(called)), sources_(sources) {}
 
   bool good() const { return problem_.empty(); }
   robot::Error error() const { return {called_ + ": " + problem_}; }
@@ -67,19 +71,21 @@ class Reader {
   void read_value(const Json& entry, const std::string& path, const char* unit, bool least, bool most, bool& into);
 
   const std::string called_;
+  Sources* const sources_;
   std::string problem_;
 };
 
-Json entry_of(float value, std::string_view unit);
-Json entry_of(int value, std::string_view unit);
-Json entry_of(bool value, std::string_view unit);
+Json entry_of(float value, std::string_view unit, std::string_view source);
+Json entry_of(int value, std::string_view unit, std::string_view source);
+Json entry_of(bool value, std::string_view unit, std::string_view source);
 
-/// What `read` reads back.
+/// Returns the object at `path` that `read` reads back, with its sources.
 template <class Struct>
-Json written(const Struct& from) {
+Json written(const Struct& from, const std::string& path, const Sources& sources) {
   Json object = Json::object();
   Struct::visit(from, [&](const char* name, const auto& value, const char* unit, auto, auto) {
-    object[name] = entry_of(value, unit);
+    const auto source = sources.find(Reader::below(path, name));
+    object[name] = entry_of(value, unit, source == sources.end() ? "" : source->second);
   });
   return object;
 }

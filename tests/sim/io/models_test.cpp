@@ -66,6 +66,24 @@ TEST(Models, WhatIsPrintedReadsBackIdentically) {
   }
 }
 
+TEST(Models, PrintedModelsKeepTheirSources) {
+  for (const char* name : {"friendly", "match", "perfect"}) {
+    Sources sources, again;
+    const Models models = load_models(name, &sources).value();
+    EXPECT_GT(sources.size(), 20u) << name;
+    ASSERT_TRUE(parse_models(print_models(models, sources), "again", &again));
+    EXPECT_EQ(again, sources) << name;
+  }
+}
+
+TEST(Models, AChangedValueHasNoSource) {
+  Sources plain, varied;
+  ASSERT_TRUE(load_models("match", &plain));
+  ASSERT_TRUE(load_models("match,walk.forward=0.2", &varied));
+  EXPECT_EQ(plain.erase("walk.forward"), 1u);
+  EXPECT_EQ(varied, plain);
+}
+
 TEST(Models, VariationsChangeWhatTheyNameAndNothingElse) {
   Models varied = loaded("match,falls=on,walk.forward=0.2,kicks.long.range=4");
   EXPECT_EQ(varied.name, "match,falls=on,walk.forward=0.2,kicks.long.range=4");

@@ -70,6 +70,13 @@ TEST(Rules, WhatIsPrintedReadsBackIdentically) {
   }
 }
 
+TEST(Rules, PrintedRulesKeepTheirSources) {
+  Sources sources, again;
+  const field::Rules rules = load_rules("spl2025", &sources).value();
+  ASSERT_TRUE(parse_rules(print_rules(rules, "mine", sources), "again", &again));
+  EXPECT_EQ(again, sources);
+}
+
 TEST(Embedded, EveryTruncationOfRulesIsRefused) {
   for (const Embedded& file : embedded_files()) {
     if (file.kind != "rules") continue;
