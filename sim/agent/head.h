@@ -1,4 +1,4 @@
-// Where the head looks while the body does something else.
+// The direction of the head while the body does something else.
 #pragma once
 
 #include "sim/agent/skills.h"
@@ -6,7 +6,7 @@
 
 namespace sim::agent {
 
-/// Follows the ball, and looks away for marks now and then, to one side after the other; scans when the ball is
+/// Follows the ball and looks away for marks now and then, to alternate sides. Scans when the ball is
 /// unknown. Each player has its own rhythm.
 void look_at_ball(const View& view, motion::Command& command);
 /// Follows the ball without looking away.

@@ -8,7 +8,7 @@
 namespace sim::agent {
 namespace {
 
-constexpr float kWatched = 0.5f;     // [s] unseen after which the goalkeeper's head searches
+constexpr float kWatched = 0.5f;     // [s] the goalkeeper's head searches a ball unseen for longer
 constexpr float kWatchAngle = 1.1f;  // [rad] to each side
 
 constexpr float kSideStepReach =
@@ -21,7 +21,7 @@ constexpr float kOffEndLine = 0.2f;    // [m] places stay this far from the oppo
 constexpr float kReadyMargin = 0.25f;  // [m] from the halfway line and the circle at a kick-off: half a robot, and more
 constexpr float kReadyScan = 0.7f;     // [rad] the head's swing on the way to the kick-off place
 
-/// [m, team_field] where the ball is, or was last, or the middle.
+/// Returns the place of the ball [m, team_field]: believed, last remembered, or the middle.
 Vec2 supposed_ball(const View& view) {
   if (view.ball_known) return view.ball_in_team;
   return view.mind.ball_seen == kNever ? Vec2{} : view.mind.ball;
@@ -36,13 +36,13 @@ motion::Command hold(const View& view, Vec2 place, Vec2 ball, float gain) {
   return command;
 }
 
-/// `place` moved away from the ball to `distance`.
+/// Returns `place`, moved away from the ball to `distance`.
 Vec2 away_from(Vec2 place, Vec2 ball, float distance) {
   const Vec2 offset = place - ball;
   return squared_length(offset) >= distance * distance ? place : ball + distance * unit(offset);
 }
 
-/// A goalkeeper does not look away from a ball in its half, and looks for one that is not where it was.
+/// Keeps the goalkeeper's eyes on a ball in its half, and searches a ball that is not where it was.
 void watch(const View& view, motion::Command& command) {
   const bool danger = view.ball_in_team.x < 0;
   if (!view.ball_known || !danger) return look_at_ball(view, command);
@@ -112,7 +112,7 @@ Vec2 ready_place(const View& view) {
   const Vec2 share = ours ? formation.ours[index] : formation.theirs[index];
   Vec2 place{share.x * view.half_length, share.y * view.half_width};
 
-  // inside the own half; nobody in the circle but who kicks off
+  // inside the own half; only the robot that kicks off may be in the circle
   place.x = clamp(place.x, -view.half_length, -kReadyMargin);
   const float circle = view.around.field->centre_circle_radius + kReadyMargin;
   const bool kicks_off = ours && index == 1;

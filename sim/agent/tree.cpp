@@ -12,7 +12,7 @@
 namespace sim::agent {
 namespace {
 
-/// What it takes the ball to be, for when nobody sees it any more; and to which side it went.
+/// Remembers the ball for the time when nobody sees it, and the side to which it went.
 void remember_ball(const View& view, Mind& mind) {
   if (!view.ball_known) return;
   mind.ball = view.ball_in_team;
@@ -44,7 +44,7 @@ void explain_leaf(const Leaf& leaf, const Words& words, const Mind& mind, Trace&
   trace.role = name_of(mind.role);
 }
 
-/// Down the tree from `at` to the leaf whose number is returned; see(node, its number, value, result) at each node.
+/// Walks from `at` to a leaf and returns its number. Calls see(node, its number, value, result) at each node.
 template <class See>
 std::uint16_t walk_down(const Tree& tree, std::uint16_t at, const View& view, See&& see) {
   const Node* nodes = tree.nodes.data();
@@ -58,7 +58,7 @@ std::uint16_t walk_down(const Tree& tree, std::uint16_t at, const View& view, Se
   return static_cast<std::uint16_t>(at & ~kLeafBit);
 }
 
-/// The same from the root, explaining each step.
+/// Walks from the root and explains each step.
 std::uint16_t walk_down_explaining(const Tree& tree, const View& view, Trace& trace) {
   return walk_down(tree, tree.root, view, [&](const Node& node, std::uint16_t at, float value, bool result) {
     trace.visited.push_back(explained(node, tree.node_words[at], value, result));

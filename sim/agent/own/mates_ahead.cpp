@@ -1,4 +1,4 @@
-// An example of a feature: how many teammates are nearer to the opponents' goal than the ball.
+// Example of a feature: the number of teammates are nearer to the opponents' goal than the ball.
 #include "sim/agent/own.h"
 
 namespace sim::agent::own {

@@ -1,4 +1,4 @@
-// An example of a skill: stays between the ball and the own goal, out of a kick's way, and looks at the ball.
+// Example of a skill: stays between the ball and the own goal, out of a kick's way, and looks at the ball.
 #include "sim/agent/head.h"
 #include "sim/agent/own.h"
 
