@@ -12,21 +12,21 @@ namespace {
 
 constexpr int kDraws = 1000;  // for P(best): 0.016 of standard error at most
 
-constexpr double kAlike = 0.005;      // [unit] gains below are written as 0.00
-constexpr double kAside = 0.5 * 0.5;  // [unit²] of the one more rollout that errors reckon with
+constexpr double kAlike = 0.005;      // [unit] smaller gains are written as 0.00
+constexpr double kAside = 0.5 * 0.5;  // [unit²] of the additional rollout that errors assume
 
-/// The normal distribution's, within 0.00045 (Abramowitz and Stegun, 26.2.23).
+/// Returns the quantile of the normal distribution, within 0.00045 (Abramowitz and Stegun, 26.2.23).
 double normal_quantile(double sure) {
   const auto t = static_cast<double>(std::sqrt(-2 * log(static_cast<float>(1 - sure))));
   return t - (2.515517 + t * (0.802853 + t * 0.010328)) / (1 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
 }
 
-/// The stripes that both played: who leaves the race does not come back.
+/// Returns the number of stripes that both played. A strategy that leaves the race does not come back.
 int common(const RolloutStatistics& statistics, int i, int j) {
   return std::min(statistics.by_strategy[i].rollouts, statistics.by_strategy[j].rollouts);
 }
 
-/// Between the gains of two strategies in the same stripe.
+/// Returns the covariance between the gains of two strategies in the same stripe.
 double covariance(const RolloutStatistics& statistics, int i, int j) {
   const int count = common(statistics, i, j);
   if (count < 2) return 0;
@@ -37,7 +37,7 @@ double mean_gain(const RolloutStatistics& statistics, int i) {
   return statistics.by_strategy[i].rollouts == 0 ? 0 : statistics.gains[i][i] / statistics.by_strategy[i].rollouts;
 }
 
-/// Of a mean of `count` values with this variance.
+/// Returns the standard error of a mean of `count` values with this variance.
 double error_of(double variance, int count) {
   return count < 2 ? 0 : std::sqrt((std::max(variance, 0.) + kAside / count) / count);
 }
@@ -65,7 +65,7 @@ struct Triangle {
   }
 };
 
-/// How likely each strategy is the best: the mean gains are drawn from the normal distribution that the statistics tells.
+/// Sets the probability that each strategy is best: draws mean gains from their normal distribution.
 void count_best(const RolloutStatistics& statistics, RandomKey key, Standing* standings) {
   const Triangle triangle(statistics);
   for (int n = 0; n < kDraws; ++n) {

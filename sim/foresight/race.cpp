@@ -13,7 +13,7 @@ constexpr Tick kLongestPath = ticks(120);
 
 int index_of(Side side) { return static_cast<int>(side); }
 
-/// A point of `now` as the sides stood at `start`, also after half time. [m, field of the start]
+/// Returns a point of `now` in the field of `start` [m], also after half time.
 Vec2 unturned(const State& now, const State& start, Vec2 point) {
   return now.world.home_attacks == start.world.home_attacks ? point : -point;
 }
@@ -34,10 +34,10 @@ void add(Path& path, const State& now, const State& start, Side own) {
   ++path.points;
 }
 
-/// What one continuation came to.
+/// The result of one rollout.
 struct Outcome {
   double value = 0;  // by the measure
-  int next = 0;      // whose the next goal was: 1 one's own, -1 the others', 0 nobody's
+  int next = 0;      // next goal: 1 own, -1 the opponents', 0 none
 };
 
 /// One run of all strategies over the stripes.
@@ -60,7 +60,7 @@ class Runner {
   }
 
  private:
-  /// When a rollout ends at the latest; halves and games end by themselves.
+  /// Returns the latest end of a rollout. Halves and games end by themselves.
   static Tick end_of(const Task& task) {
     const Question& question = task.question;
     const bool limited = question.until == Until::horizon || question.until == Until::next_goal;
@@ -68,7 +68,7 @@ class Runner {
     return task.situation->state.world.tick + question.horizon;
   }
 
-  /// False: the budget is spent, and the stripe does not count.
+  /// Plays one stripe. Returns false when the budget is spent: the stripe does not count.
   bool play_stripe() {
     const RandomKey key{task_.key.seed + static_cast<std::uint64_t>(statistics_.stripes)};
     const State start = sample(*task_.params[0], *task_.situation, key);
@@ -88,7 +88,7 @@ class Runner {
 
   double look() { return statistics_.spent = spent_(rollouts_); }
 
-  /// False: there was not enough budget for it.
+  /// Plays one rollout. Returns false when the budget ended before it.
   bool play(const State& start, const Params& params, StrategyStatistics& strategy, Outcome& outcome) {
     const Question& question = task_.question;
     const Tick began = start.world.tick;
@@ -120,7 +120,7 @@ class Runner {
 
   bool is_over(const State& now, const State& start, const Outcome& outcome) const {
     if (now.world.tick >= end_) return true;
-    // whose the next goal is, is all that these ask
+    // these measures need only the next goal
     if (outcome.next != 0 && (task_.question.until == Until::next_goal || !counts_goals())) return true;
     return task_.question.until == Until::half && now.book.half != start.book.half;
   }
@@ -155,8 +155,8 @@ class Runner {
     }
   }
 
-  /// The worse half of those who race; never the incumbent, and never the last who challenges it. All have played the
-  /// same stripes, so that the better sum is the better mean.
+  /// Drops the worse half of the racing strategies, but never the incumbent and never its last challenger. All have
+  /// played the same stripes, so that the better sum is the better mean.
   void leave_behind() {
     int racing = 0;
     for (int i = 0; i < task_.strategies; ++i) racing += statistics_.by_strategy[i].racing ? 1 : 0;
