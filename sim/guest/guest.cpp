@@ -26,7 +26,7 @@ motion::Command GuestBehaviour::decide(const agent::Surroundings& surroundings, 
                                        const agent::Beliefs& beliefs, Tick now, agent::Mind& mind,
                                        agent::Trace* trace) const {
   if (trace) trace->clear(), trace->strategy = trace->skill = name_.c_str();
-  // the memory of a guest is its own, not the state's: of all behaviours only guests change by deciding
+  // a guest keeps its memory itself, not in the state: only guests change when they decide
   auto& self = const_cast<GuestBehaviour&>(*this);
   if (problem_.empty()) {
     ForesightPlayer& player = self.players_[game.player];

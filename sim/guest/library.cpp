@@ -76,7 +76,7 @@ class LibraryGuest final : public GuestBehaviour {
   std::array<std::unique_ptr<Player>, kMaxPlayers + 1> players_;  // by number
 };
 
-/// Stays loaded to the end of the program: players may still be around.
+/// A loaded library. It stays loaded to the end of the program, because players may still exist.
 class Library final : public GuestFactory {
  public:
   Library(std::string path, const ForesightBehaviour& behaviour) : path_(std::move(path)), behaviour_(behaviour) {}
@@ -101,7 +101,7 @@ std::string numbers(std::initializer_list<std::uint64_t> values) {
 
 Result<std::shared_ptr<const GuestFactory>> open_library(const std::string& path) {
   const std::string called = "behaviour '" + path + "': ";
-  // a name without a folder would be looked for among the system's libraries
+  // a name without a folder would be searched among the system's libraries
   const std::string place = path.find('/') == path.npos ? "./" + path : path;
   void* const library = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library) return Error{called + "cannot be loaded: " + dlerror()};

@@ -9,9 +9,9 @@ namespace {
 using robot::Error;
 using robot::Result;
 
-constexpr double kFirstPatience = 30, kPatience = 5;  // [s] for an answer: libraries are loaded before the first
+constexpr double kFirstPatience = 30, kPatience = 5;  // [s] timeouts; libraries are loaded before the first answer
 
-/// What is wrong with its answer to the greeting.
+/// Returns the error in its answer to the greeting.
 std::string greet(Process& process, const ForesightPlayer& player) {
   const auto answer = process.ask(greeting_of(player), kFirstPatience);
   return answer ? check_greeting(*answer) : answer.error();
@@ -35,7 +35,7 @@ class PipeGuest final : public GuestBehaviour {
   }
 
   const std::string command_;
-  std::unique_ptr<Process> process_;  // a game's own: what one game leaves behind never reaches another
+  std::unique_ptr<Process> process_;  // one per game: games do not influence each other
 };
 
 class Pipe final : public GuestFactory {

@@ -1,4 +1,4 @@
-// All that a game needs, by name: rules, two strategies, two models.
+// The names that define a game, and the game prepared from them.
 #pragma once
 
 #include <memory>
@@ -9,21 +9,22 @@
 
 namespace sim::io {
 
-/// As one types it; each may be a name, a path, and where that is allowed a variation.
+/// Rules, strategies and models of a game, as typed: each is a name or a path, with changes where they are allowed.
 struct Matchup {
   std::string rules = "spl2012";
   std::string strategies[2] = {"baseline", "baseline"};  // by Side
   std::string models[2] = {"match", "match"};            // by Side
-  int players = 0;                                       // a side; 0: as the rules say
+  int players = 0;                                       // per side; 0: by the rules
   Pace pace = Pace::thinned;
 };
 
-/// The parameters, and the behaviours that they point to.
+/// The parameters of a game, with the behaviours that they point to.
 struct PreparedGame {
   Params params;
   std::shared_ptr<const agent::Behaviour> behaviours[2];  // by Side
 };
 
+/// Loads everything that the matchup names.
 robot::Result<PreparedGame> prepare(const Matchup& matchup);
 
 }  // namespace sim::io

@@ -22,7 +22,7 @@ Result<Playbook> prepare_playbook(const PlaybookChoice& choice) {
       return Error{"strategies must differ, '" + *name + "' is there twice"};
 
   const auto own = static_cast<std::size_t>(choice.own), others = 1 - own;
-  // the others play a tree: whoever would choose too, would have to think of us thinking of them
+  // the opponents play a tree: an opponent that chooses too would have to simulate our choice
   if (const auto opponent = load_strategy(choice.opponent); !opponent) return Error{opponent.error()};
   Matchup game{.rules = choice.rules, .players = choice.players, .pace = choice.pace};
   game.strategies[own] = choice.strategies.front();

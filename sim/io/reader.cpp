@@ -45,7 +45,7 @@ std::string Reader::range(int least, int most, std::string_view unit) {
 std::string Reader::range(bool, bool, std::string_view) { return "true or false"; }
 
 const Json* Reader::value_of(const Json& entry, const std::string& path, std::string_view unit) {
-  // the source of a value that is replaced does not hold for the new value
+  // the source of the old value does not hold for the new one
   if (sources_) sources_->erase(path);
   if (!entry.is_object()) return &entry;
   refuse_unknown(entry, path, {"value", "unit", "source"});
@@ -69,7 +69,7 @@ void Reader::read_value(const Json& entry, const std::string& path, const char* 
                         float& into) {
   const Json* value = value_of(entry, path, unit);
   if (!value) return;
-  // compared as float: "at most 0.7" holds for 0.7, which as double is more than the nearest float
+  // compared as float, because 0.7 as double exceeds the float 0.7
   const double exact = value->is_number() ? value->get<double>() : 0;
   const float number = std::abs(exact) < 1e30 ? static_cast<float>(exact) : 1e30f;
   if (!value->is_number() || !(number >= least && number <= most))
@@ -80,7 +80,7 @@ void Reader::read_value(const Json& entry, const std::string& path, const char* 
 void Reader::read_value(const Json& entry, const std::string& path, const char* unit, int least, int most, int& into) {
   const Json* value = value_of(entry, path, unit);
   if (!value) return;
-  // a number beyond 64 bits is no integer to the parser
+  // the parser takes a number beyond 64 bits as not an integer
   const bool whole = value->is_number_integer();
   const std::int64_t number = whole ? value->get<std::int64_t>() : 0;
   if (!whole || number < least || number > most)

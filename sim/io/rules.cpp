@@ -28,7 +28,7 @@ void read_rules(Reader& reader, const Json& json, Fields fields, field::Rules& r
   reader.read(json, "", fields, rules, {"name", "about", "field", "ball_out"});
 }
 
-/// A field that a ball and robots can play on: what stands on it is inside it.
+/// Checks that goals, areas, marks and circle fit on the field.
 void check(Reader& reader, const field::Field& field) {
   const auto at_most = [&](const char* name, float value, float limit) {
     if (value > limit)

@@ -1,7 +1,7 @@
 // The rules of a year as JSON: sim/data/rules/*.json and what users make of them.
 //
-// A file has a name, the field, what happens to a ball that is out ("placed_back" or "set_play"), and an entry for each
-// other field of field::Rules.
+// A file has a name, the field, "ball_out" ("placed_back" or "set_play": the rule for a ball that is out), and an entry
+// for each other field of field::Rules.
 #pragma once
 
 #include <string>
