@@ -34,7 +34,7 @@ class Charge final : public Behaviour {
   std::string name_ = "charge";
 };
 
-TEST(Behaviour, MayBeWrittenInCpp) {
+TEST(Behaviour, CanBeWrittenInCpp) {
   const Charge charge;
   Scene scene;
   scene.see_ball({2, 1});

@@ -21,7 +21,7 @@ void expect_same(float a, float b, const char* name) {
     EXPECT_EQ(a, b) << name;
 }
 
-TEST(Features, AreFoundByTheirNameAndHaveOneEach) {
+TEST(Features, AreFoundByTheirUniqueNames) {
   std::set<std::string> names;
   for (int i = 0; i < feature_count(); ++i) {
     const auto feature = static_cast<Feature>(i);
@@ -33,7 +33,7 @@ TEST(Features, AreFoundByTheirNameAndHaveOneEach) {
   EXPECT_EQ(find_feature("ball"), kNoFeature);
 }
 
-TEST(Features, LazyIsEagerWhateverIsAskedFirst) {
+TEST(Features, ValuesDoNotDependOnTheOrderOfQuestions) {
   std::mt19937 random(1);
   for (int n = 0; n < 1000; ++n) {
     const Scene scene = random_scene(random);
@@ -49,7 +49,7 @@ TEST(Features, LazyIsEagerWhateverIsAskedFirst) {
   }
 }
 
-TEST(Features, YesOrNoIsOneOrZeroAndNamesAreNumbersOfNames) {
+TEST(Features, YesOrNoIsOneOrZeroAndNamesAreNumbers) {
   std::mt19937 random(2);
   for (int n = 0; n < 1000; ++n) {
     const Scene scene = random_scene(random);
@@ -63,7 +63,7 @@ TEST(Features, YesOrNoIsOneOrZeroAndNamesAreNumbersOfNames) {
   }
 }
 
-TEST(Features, AreUnknownWithTheBallUnknown) {
+TEST(Features, OfTheBallAreUnknownWhileTheBallIs) {
   Scene scene;
   scene.beliefs.ball.seen = kNever;
   const View view = scene.view();
@@ -74,7 +74,7 @@ TEST(Features, AreUnknownWithTheBallUnknown) {
     EXPECT_TRUE(std::isnan(value_of(feature, view))) << info_of(feature).name;
 }
 
-TEST(Features, TheFreshestReportTellsWhereTheBallIsOnceTheOwnSightIsOld) {
+TEST(Features, TheNewestReportGivesTheBallWhenTheOwnSightIsOld) {
   Scene scene;
   scene.hear(3, {2, 1}, 3, Role::chaser, 1).ball = {1.5f, 0.5f};
   scene.beliefs.mates[1].ball_age = 0;
@@ -142,7 +142,7 @@ TEST(Features, ABallThatRollsIntoTheOwnGoalIsSeenComing) {
   EXPECT_EQ(value_of(find_feature("ball_in_goal_soon"), scene.view()), 1);
   EXPECT_NEAR(value_of(find_feature("crossing_left"), scene.view()), 0.2f, 1e-5);
   EXPECT_GT(value_of(find_feature("crossing_time"), scene.view()), 1);
-  // one that seems a little too slow, or to pass a hand beside the post, counts: a belief lags behind a kick
+  // a ball that seems a little too slow, or passes just beside the post, counts: beliefs lag behind a kick
   scene.beliefs.ball.velocity = {-1, 0.2f};
   EXPECT_EQ(value_of(find_feature("ball_in_goal_soon"), scene.view()), 1);
   // far too slow to get there, and far past the post

@@ -11,7 +11,7 @@
 namespace sim::compare {
 namespace {
 
-/// A pair in which B gains so much in either game.
+/// Makes a pair with these gains of B in its two games.
 Pair pair_of(int first, int second) {
   Pair pair;
   pair.games[0] = {.gain = first, .goals = {1, 1 + first}, .conceded = {1 + first, 1}};
@@ -25,7 +25,7 @@ PairStatistics statistics_of(const std::vector<Pair>& pairs) {
   return statistics;
 }
 
-TEST(PairStatistics, IsTheSameInAnyOrderAndInAnyParts) {
+TEST(PairStatistics, AreEqualInAnyOrderAndAnyParts) {
   std::vector<Pair> pairs;
   for (int i = 0; i < 100; ++i) pairs.push_back(pair_of(i * 7 % 5 - 2, i * 11 % 7 - 3));
   const PairStatistics whole = statistics_of(pairs);
@@ -51,12 +51,12 @@ TEST(Gain, IsTheMeanPerGameWithStudentsInterval) {
   EXPECT_DOUBLE_EQ(gain_per_game(statistics, 1000).mean, 0.015);
 }
 
-TEST(Gain, OfNoPairsIsNotKnown) {
+TEST(Gain, IsUnknownWithoutPairs) {
   EXPECT_EQ(gain_per_game({}).high, HUGE_VAL);
   EXPECT_EQ(gain_per_game(statistics_of({pair_of(1, 0)})).low, -HUGE_VAL);
 }
 
-TEST(HomeAdvantage, IsWhatBothGainAtHome) {
+TEST(HomeAdvantage, IsTheGainOfBothAtHome) {
   // B wins by one at home and loses by one away, again and again: no gain, and an advantage of one goal
   const PairStatistics statistics = statistics_of(std::vector(60, pair_of(-1, 1)));
   EXPECT_DOUBLE_EQ(gain_per_game(statistics).mean, 0);
@@ -64,7 +64,7 @@ TEST(HomeAdvantage, IsWhatBothGainAtHome) {
   EXPECT_DOUBLE_EQ(home_advantage(statistics).low, 1);
 }
 
-TEST(PairingGain, IsHowMuchOfTheVarianceThePairsTakeAway) {
+TEST(PairingGain, IsTheShareOfTheVarianceThatPairsRemove) {
   // independent games of variance 1: all four combinations equally often
   EXPECT_NEAR(pairing_gain(statistics_of({pair_of(1, 1), pair_of(1, -1), pair_of(-1, 1), pair_of(-1, -1)})), 1, 1e-12);
   // luck of +-3 that favours an end, and +-1 of the game's own: var 10 a game, of the pair's mean 0.5
@@ -76,7 +76,7 @@ TEST(PairingGain, IsHowMuchOfTheVarianceThePairsTakeAway) {
   EXPECT_EQ(pairing_gain(statistics_of(std::vector(9, pair_of(-1, 1)))), 0);
 }
 
-TEST(Llr, IsThatOfEqualVariances) {
+TEST(Llr, IsTheRatioForEqualVariances) {
   // N = 100, mean 0.05 in the middle of the two: neither is likelier
   std::vector<Pair> pairs(55, pair_of(1, 1));
   pairs.insert(pairs.end(), 45, pair_of(-1, -1));
@@ -94,12 +94,12 @@ TEST(Decide, ABehaviourAgainstItselfIsIdentical) {
   EXPECT_EQ(decide(statistics_of(std::vector(50, pair_of(-2, 2))), {}), Verdict::identical);
   EXPECT_EQ(decide(statistics_of(std::vector(49, pair_of(-2, 2))), {}), Verdict::undecided);
   EXPECT_EQ(judge(statistics_of(std::vector(50, pair_of(-2, 2))), {}), Verdict::identical);
-  // always the same gain has no variance either, and is one
+  // a constant gain has no variance either, but is a gain
   EXPECT_EQ(decide(statistics_of(std::vector(50, pair_of(1, 1))), {}), Verdict::better);
   EXPECT_EQ(decide(statistics_of(std::vector(50, pair_of(-1, -1))), {}), Verdict::not_better);
 }
 
-TEST(Judge, GoesByTheInterval) {
+TEST(Judge, UsesTheInterval) {
   std::vector<Pair> pairs(300, pair_of(1, 0));
   pairs.insert(pairs.end(), 300, pair_of(0, -1));
   EXPECT_EQ(judge(statistics_of(pairs), {}), Verdict::not_better);  // 0 +- 0.04 does not reach 0.1
@@ -110,8 +110,8 @@ TEST(Judge, GoesByTheInterval) {
   EXPECT_EQ(judge(statistics_of(pairs), {}), Verdict::undecided);
 }
 
-// the table of sample sizes that the comparison's figures come from: variance 4 a game, 0.1 goals
-TEST(Plan, TellsHowManyAreNeeded) {
+// the table of sample sizes behind the figures of comparisons: variance 4 a game, 0.1 goals
+TEST(Plan, GivesTheNumberOfPairs) {
   const Plan four = plan(4, 0.1);
   EXPECT_NEAR(four.fixed_80, 3140, 1);
   EXPECT_NEAR(four.fixed_95, 5198, 1);
@@ -119,7 +119,7 @@ TEST(Plan, TellsHowManyAreNeeded) {
   EXPECT_NEAR(four.sequential_worst, 3468, 2);
 }
 
-/// How often a sequential test says "better", of `tests` with pairs whose gain per game has the mean `gain` and a
+/// Returns how often a sequential test says "better" in `tests` tests with pairs whose gain per game has the mean `gain` and a
 /// standard deviation of about 1.2 goals, looked at every `block` pairs.
 double part_better(double gain, int tests, int block) {
   int better = 0;
@@ -138,14 +138,14 @@ double part_better(double gain, int tests, int block) {
   return static_cast<double>(better) / tests;
 }
 
-TEST(Decide, ErrsAsOftenAsItSays) {
+TEST(Decide, ErrsAsOftenAsStated) {
   constexpr int kBlock = 25;  // as the games are played
   EXPECT_LE(part_better(0, 3000, kBlock), 0.05);
   EXPECT_NEAR(part_better(0.1, 3000, kBlock), 0.95, 0.02);
   EXPECT_GE(part_better(0.2, 500, kBlock), 0.99);
 }
 
-// 1000 pairs of align_first against baseline, spl2012, models match, seeds 1 .. 1000: how many gained -7, -6, ..
+// 1000 pairs of align_first against baseline, spl2012, models match, seeds 1 .. 1000: number of pairs that gained -7, -6, ..
 constexpr int kLeastGain = -7;
 constexpr int kPlayed[] = {3, 4, 29, 68, 101, 140, 174, 166, 140, 101, 44, 23, 5, 0, 2};
 
@@ -161,7 +161,7 @@ std::vector<int> played_pairs(double gain) {
   return sums;
 }
 
-/// A sequential test of pairs drawn from these again and again; what was known when it had its answer.
+/// Runs a sequential test on pairs drawn from these with replacement. Returns its statistics at the verdict.
 PairStatistics resampled(const std::vector<int>& sums, std::uint64_t test, Verdict& verdict) {
   PairStatistics statistics;
   verdict = Verdict::undecided;
@@ -173,7 +173,7 @@ PairStatistics resampled(const std::vector<int>& sums, std::uint64_t test, Verdi
   return statistics;
 }
 
-TEST(Decide, ErrsAsOftenAsItSaysOnPairsThatWerePlayed) {
+TEST(Decide, ErrsAsOftenAsStatedOnPlayedPairs) {
   const auto part_of = [](double gain) {
     const std::vector<int> sums = played_pairs(gain);
     int better = 0;

@@ -55,8 +55,8 @@ TEST(Chooser, WakesUpATeamThatStandsIdle) {
   EXPECT_EQ(state.robots[robot_of(Side::away, 2)].mind.choice.strategy, kNoStrategy) << "the others choose nothing";
 }
 
-/// A ball that nobody is near: no strategy gains anything in 1 s that a few rollouts could prove.
-TEST(Chooser, GoesBackToTheDefaultWhenNothingIsBetterForSure) {
+/// A ball far from all robots: no strategy gains anything in 1 s that a few rollouts could prove.
+TEST(Chooser, ReturnsToTheDefaultWhenNoneIsBetterWithCertainty) {
   const io::PreparedGame setup = game_of("foresight,rollouts=64,horizon=1", "match", 120);
   State state = test::after(setup.params, test::begun(setup.params, 3), ticks(60));
   for (int player = 2; player <= 4; ++player) choose(2, state.robots[robot_of(Side::home, player)].mind.choice);
@@ -65,7 +65,7 @@ TEST(Chooser, GoesBackToTheDefaultWhenNothingIsBetterForSure) {
     EXPECT_EQ(state.robots[robot_of(Side::home, player)].mind.choice.played(), 0) << "player " << player;
 }
 
-TEST(Chooser, OnlyTheCaptainAsksWhereMessagesArrive) {
+TEST(Chooser, OnlyTheCaptainAsksWhenMessagesArrive) {
   const Files files;
   const io::PreparedGame setup = game_of(files.write("sleepy.json", kSleepy), "perfect", 60);
   State state = test::begun(setup.params, 3);
@@ -90,7 +90,7 @@ TEST(Chooser, AGameIsAFunctionOfItsSeedFromAnyMoment) {
   EXPECT_EQ(hash_of(end), hash_of(test::after(setup.params, test::begun(setup.params, 9), ticks(70))));
 }
 
-TEST(Chooser, WhoHearsNobodyForLongPlaysTheDefault) {
+TEST(Chooser, ARobotThatHearsNobodyForLongPlaysTheDefault) {
   const auto chooser = io::load_behaviour("foresight,stale=5", {}, Side::home);
   ASSERT_TRUE(chooser) << chooser.error();
   const io::PreparedGame setup = game_of("baseline", "match", 60);
@@ -114,7 +114,7 @@ TEST(Chooser, WhoHearsNobodyForLongPlaysTheDefault) {
   EXPECT_EQ(mind.choice.strategy, kNoStrategy) << "a strategy that this robot does not have";
 }
 
-TEST(Chooser, RefusesWhatItCannotChooseFrom) {
+TEST(Chooser, RefusesStrategiesThatItCannotChooseFrom) {
   const Files files;
   EXPECT_NE(files.sentence(R"({"name": "x", "choose": ["baseline"]})").find("choose must be a list of 2 .. 8"),
             std::string::npos);

@@ -34,7 +34,7 @@ RolloutStatistics statistics_of(const std::vector<std::vector<double>>& stripes)
   return statistics;
 }
 
-/// Stripes whose values are drawn round `means`, with luck that all strategies share.
+/// Draws stripes with values round `means`. All strategies share the luck of a stripe.
 std::vector<std::vector<double>> drawn(const std::vector<double>& means, int stripes, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
@@ -47,7 +47,7 @@ std::vector<std::vector<double>> drawn(const std::vector<double>& means, int str
   return values;
 }
 
-TEST(Forecast, MeansAndErrorsAreThoseOfTheStripes) {
+TEST(Forecast, MeansAndErrorsComeFromTheStripes) {
   const Forecast told = forecast(statistics_of({{0, 1}, {1, 1}, {0, 0}, {1, 2}}), {}, kKey);
   EXPECT_EQ(told.standings[0].rollouts, 4);
   EXPECT_DOUBLE_EQ(told.standings[0].mean, 0.5);
@@ -60,7 +60,7 @@ TEST(Forecast, MeansAndErrorsAreThoseOfTheStripes) {
   EXPECT_NEAR(told.standings[1].gain_low + told.standings[1].gain_high, 1, 1e-12);
 }
 
-TEST(Forecast, StudentsQuantilesAreThoseOfTheTables) {
+TEST(Forecast, StudentsQuantilesEqualTheTables) {
   EXPECT_NEAR(student(0.975, 3), 3.182, 0.032);
   EXPECT_NEAR(student(0.975, 7), 2.365, 0.003);
   EXPECT_NEAR(student(0.975, 30), 2.042, 0.001);
@@ -80,7 +80,7 @@ TEST(Forecast, ChangesWhenTheGainIsSure) {
   EXPECT_EQ(why.find("changes from baseline to passing: that gains 0.3"), 0u) << why;
 }
 
-TEST(Forecast, KeepsWhatIsPlayedWhereChanceMayExplainTheGain) {
+TEST(Forecast, KeepsTheIncumbentWhenChanceMayExplainTheGain) {
   const Forecast told = forecast(statistics_of(drawn({0, 0}, 100, 2)), {}, kKey);
   EXPECT_EQ(told.advice, Forecast::Advice::keep);
   EXPECT_EQ(told.choice, 0);
@@ -98,7 +98,7 @@ TEST(Forecast, AChangeHasToPayForItself) {
             std::string::npos);
 }
 
-TEST(Forecast, ATieIsToldAsATie) {
+TEST(Forecast, ATieIsReportedAsATie) {
   // the same in each stripe: no reason to change, but chance may have been quiet
   const Forecast told = forecast(statistics_of(std::vector<std::vector<double>>(50, {1, 1})), {}, kKey);
   EXPECT_EQ(told.advice, Forecast::Advice::keep);
@@ -107,7 +107,7 @@ TEST(Forecast, ATieIsToldAsATie) {
   EXPECT_NEAR(told.standings[0].best, 0.5, 0.05);
 }
 
-TEST(Forecast, WhatNeverHappenedInAFewFuturesIsNotSureNeverToHappen) {
+TEST(Forecast, AnEventAbsentFromAFewRolloutsIsNotImpossible) {
   // of 20 futures without an event, the 95 % interval of its rate reaches 0.12 at most (Jeffreys)
   const Question question{.measure = Measure::concede};
   const Forecast told = forecast(statistics_of(std::vector<std::vector<double>>(20, {0, 0})), question, kKey);
@@ -116,8 +116,8 @@ TEST(Forecast, WhatNeverHappenedInAFewFuturesIsNotSureNeverToHappen) {
   EXPECT_LT(told.standings[1].gain_high, 0.12);
 }
 
-TEST(Forecast, WhoAsksSaysHowSureItMustBe) {
-  // a gain of one standard error is likely by 0.84: enough for some, not for others
+TEST(Forecast, TheQuestionSetsTheCertainty) {
+  // a gain of one standard error has a probability of 0.84: enough for some questions only
   RolloutStatistics statistics = statistics_of(drawn({0, 0}, 50, 6));
   const double error = forecast(statistics, {}, kKey).standings[1].gain_high / student(0.975, 49) -
                        forecast(statistics, {}, kKey).standings[1].gain / student(0.975, 49);
@@ -128,7 +128,7 @@ TEST(Forecast, WhoAsksSaysHowSureItMustBe) {
   EXPECT_EQ(forecast(statistics, {.switching_cost = 0, .sure = 0.9f}, kKey).advice, Forecast::Advice::keep);
 }
 
-TEST(Forecast, TooFewFuturesAreNoAdvice) {
+TEST(Forecast, TooFewRolloutsGiveNoAdvice) {
   const Forecast told = forecast(statistics_of(drawn({0, 5}, kFewestStripes - 1, 3)), {}, kKey);
   EXPECT_EQ(told.advice, Forecast::Advice::none);
   EXPECT_EQ(reason(told, {}, kNames), "no advice: 7 of at least 8 futures were played in the time given");
@@ -163,8 +163,8 @@ TEST(Forecast, TheChanceOfBeingTheBestIsThatOfTheNormalDistribution) {
   EXPECT_NEAR(forecast(statistics, {}, kKey).standings[1].best, 0.841, 0.035);
 }
 
-TEST(Forecast, HowSureItIsHoldsInTheLongRun) {
-  // where nothing is better, another is chosen in at most 10 % of all cases, and about so often without a cost
+TEST(Forecast, TheCertaintyHoldsInTheLongRun) {
+  // when none is better, another is chosen in at most 10 % of cases, and in about 10 % without a cost
   int changed = 0, covered = 0;
   constexpr int kCases = 1000;
   for (unsigned n = 0; n < kCases; ++n) {
@@ -176,7 +176,7 @@ TEST(Forecast, HowSureItIsHoldsInTheLongRun) {
   EXPECT_NEAR(covered / 1000., 0.95, 0.02);
 }
 
-TEST(Forecast, WhoWasLeftBehindIsNotChosen) {
+TEST(Forecast, ADroppedStrategyIsNotChosen) {
   RolloutStatistics statistics = statistics_of(drawn({0, 0.1, 0.5}, 40, 8));
   statistics.by_strategy[2].racing = false;
   const Forecast told = forecast(statistics, {}, kKey);

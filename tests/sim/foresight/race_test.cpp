@@ -44,7 +44,7 @@ RolloutStatistics run(const Task& task, double budget) {
   return statistics;
 }
 
-TEST(Race, TheSameBudgetIsTheSameTally) {
+TEST(Race, TheSameBudgetGivesTheSameStatistics) {
   const Fixture fixture({"baseline", "kick_now", "passing"});
   const RolloutStatistics one = run(fixture.task(), 60), other = run(fixture.task(), 60);
   EXPECT_EQ(std::memcmp(&one.gains, &other.gains, sizeof one.gains), 0);
@@ -63,7 +63,7 @@ TEST(Race, AStrategyGainsNothingOverItself) {
   EXPECT_EQ(statistics.by_strategy[0].sum, statistics.by_strategy[1].sum);
 }
 
-TEST(Race, EachRolloutIsPaidFor) {
+TEST(Race, EachRolloutCountsAgainstTheBudget) {
   const Fixture fixture({"baseline", "kick_now", "passing", "align_first", "idle"});
   for (const double budget : {1., 7., 45., 200.}) {
     const RolloutStatistics statistics = run(fixture.task(), budget);
@@ -74,7 +74,7 @@ TEST(Race, EachRolloutIsPaidFor) {
   }
 }
 
-TEST(Race, TheWorseHalfIsLeftBehindAndTheIncumbentNever) {
+TEST(Race, TheWorseHalfIsDroppedButNeverTheIncumbent) {
   const Fixture fixture({"idle", "baseline", "kick_now", "passing", "align_first"});
   const RolloutStatistics statistics = run(fixture.task({.horizon = ticks(20)}), 300);
   EXPECT_TRUE(statistics.by_strategy[0].racing);
@@ -89,7 +89,7 @@ TEST(Race, TheWorseHalfIsLeftBehindAndTheIncumbentNever) {
 
 TEST(Race, AStripeThatIsCutDoesNotCount) {
   const Fixture fixture({"baseline", "kick_now"});
-  // the budget ends in the middle of a rollout: after so many looks
+  // the budget ends within a rollout, after this many looks
   for (int looks = 1; looks < 40; looks += 3) {
     RolloutStatistics statistics, heard;
     int left = looks;
@@ -103,7 +103,7 @@ TEST(Race, AStripeThatIsCutDoesNotCount) {
   }
 }
 
-TEST(Race, TellsAfterEachStripe) {
+TEST(Race, ReportsAfterEachStripe) {
   const Fixture fixture({"baseline", "kick_now"});
   int told = 0;
   RolloutStatistics statistics;
@@ -141,7 +141,7 @@ TEST(Race, MeasuresAgree) {
   }
 }
 
-TEST(Race, LooksAsFarAsItIsAsked) {
+TEST(Race, LooksToTheRequestedHorizon) {
   const Fixture fixture({"baseline"});
   const RolloutStatistics five = run(fixture.task({.horizon = ticks(5)}), 10);
   EXPECT_EQ(five.ticks, 10 * ticks(5));

@@ -29,7 +29,7 @@ TEST(GuestBehaviour, IsKnownByItsName) {
   EXPECT_FALSE(is_guest("baseline") || is_guest("mine.json") || is_guest("baseline,near_ball=0.3"));
 }
 
-TEST(GuestBehaviour, ALibraryThatIsNoneOfOursIsToldInASentence) {
+TEST(GuestBehaviour, AForeignLibraryIsRefusedWithASentence) {
   const auto says = [](const std::string& name, const std::string& what) {
     EXPECT_EQ(refusal(library(name)).find("behaviour '" + library(name) + "': " + what), 0u) << refusal(library(name));
   };
@@ -41,14 +41,14 @@ TEST(GuestBehaviour, ALibraryThatIsNoneOfOursIsToldInASentence) {
   says("save_alone", "expected save and load, or neither, got one of them");
 }
 
-TEST(GuestBehaviour, ACommandThatDoesNotAnswerIsToldInASentence) {
+TEST(GuestBehaviour, AProcessThatDoesNotAnswerIsRefusedWithASentence) {
   EXPECT_EQ(refusal("pipe: "), "behaviour 'pipe: ': expected a command behind pipe:");
   EXPECT_EQ(refusal("pipe:sh -c 'exit 3'"),
             "behaviour 'pipe:sh -c 'exit 3'': the process ended with status 3 instead of answering");
   EXPECT_NE(refusal("pipe:echo hello").find("expected a JSON object as answer, got 'hello'"), std::string::npos);
 }
 
-/// The moments that a behaviour is asked about, one after the other, and what it says.
+/// Asks a behaviour about moments in turn, and returns its commands.
 std::vector<motion::Command> decisions_of(GuestBehaviour& guest, int count) {
   std::mt19937 random(5);
   std::vector<motion::Command> commands;
@@ -74,14 +74,14 @@ TEST(GuestBehaviour, TheSameExampleInCAndInPythonDecidesTheSame) {
   }
 }
 
-TEST(GuestBehaviour, IsAFunctionOfWhatItWasTold) {
+TEST(GuestBehaviour, IsAFunctionOfItsInput) {
   for (const std::string& name : {std::string(FORESIGHT_CHARGE), charge_in_python()}) {
     const auto source = opened(name);
     EXPECT_EQ(decisions_of(*source->begin(7), 100), decisions_of(*source->begin(7), 100)) << name;
   }
 }
 
-TEST(GuestBehaviour, WhatWasSavedIsLoaded) {
+TEST(GuestBehaviour, ASavedMemoryIsLoaded) {
   const auto source = opened(FORESIGHT_CHARGE);
   ASSERT_TRUE(source->saves());
   const auto guest = source->begin(1);
@@ -96,8 +96,8 @@ TEST(GuestBehaviour, WhatWasSavedIsLoaded) {
   EXPECT_FALSE(opened(charge_in_python())->begin(1)->save());
 }
 
-TEST(GuestBehaviour, ThatFailedStandsAndSaysWhatWasWrong) {
-  // greets well and then answers nonsense
+TEST(GuestBehaviour, StandsAfterAnErrorAndReportsIt) {
+  // a correct greeting, then wrong answers
   const std::string name = R"(pipe:sh -c 'read x; echo "{\"version\": 1}"; read x; echo "{\"body\": \"fly\"}"')";
   const auto guest = opened(name)->begin(1);
   agent::Scene scene;
@@ -110,7 +110,7 @@ TEST(GuestBehaviour, ThatFailedStandsAndSaysWhatWasWrong) {
   EXPECT_EQ(scene.decide(*guest).body, motion::Command::Body::stand);
 }
 
-TEST(GuestBehaviour, ItsContentIsThatOfTheFilesItsNameNames) {
+TEST(GuestBehaviour, ItsContentIsThatOfTheNamedFiles) {
   EXPECT_NE(content_of(FORESIGHT_CHARGE), content_of(library("no_entry")));
   EXPECT_EQ(content_of(charge_in_python()), content_of(charge_in_python()));
   EXPECT_NE(content_of(charge_in_python()), content_of("pipe:" + std::string(FORESIGHT_PYTHON)));

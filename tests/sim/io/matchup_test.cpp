@@ -8,7 +8,7 @@
 namespace sim::io {
 namespace {
 
-TEST(PreparedGame, HoldsWhatWasChosen) {
+TEST(PreparedGame, HoldsTheNamedParts) {
   const auto setup = prepare({.rules = "spl2025",
                               .strategies = {"baseline", "idle"},
                               .models = {"perfect", "match,falls=on"},
@@ -26,7 +26,7 @@ TEST(PreparedGame, HoldsWhatWasChosen) {
   EXPECT_EQ(params.pace, Pace::every_tick);
 }
 
-TEST(PreparedGame, SaysWhatThereIsNot) {
+TEST(PreparedGame, NamesUnknownParts) {
   const auto error = [](const Matchup& choice) {
     const auto setup = prepare(choice);
     return setup ? "" : setup.error();
@@ -38,7 +38,7 @@ TEST(PreparedGame, SaysWhatThereIsNot) {
   EXPECT_EQ(error({.players = 8}), "players must be 1 .. 7 a side, got 8");
 }
 
-TEST(Ingredients, AreEverythingEmbedded) {
+TEST(Ingredients, AreAllEmbeddedFiles) {
   const auto all = embedded_ingredients();
   ASSERT_TRUE(all) << all.error();
   EXPECT_EQ(all->lists.rules.size(), names_of("rules").size());

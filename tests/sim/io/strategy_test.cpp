@@ -16,10 +16,10 @@ std::string refusal(const std::string& text) {
   const auto tree = parse_strategy(text, "strategy 'mine'");
   return tree ? "accepted" : tree.error();
 }
-/// Of a strategy that has nothing but a tree.
+/// Returns the error of a strategy that has only a tree.
 std::string refusal_of_tree(const std::string& tree) { return refusal(R"({"name": "mine", "tree": )" + tree + "}"); }
 
-TEST(Strategy, EveryShippedOneLoadsUnderItsName) {
+TEST(Strategy, EachShippedStrategyLoadsByItsName) {
   const auto names = names_of("strategies");
   EXPECT_EQ(listed(names), "align_first, baseline, high_line, idle, kick_now, passing");
   for (const std::string_view name : names) {
@@ -42,7 +42,7 @@ TEST(Strategy, MayVaryParameters) {
             "strategy 'baseline,near_bal=0.6': parameters.near_bal: is used nowhere");
 }
 
-TEST(Strategy, WhatItIsBasedOnHoldsWhereItSaysNothing) {
+TEST(Strategy, MissingEntriesComeFromTheBase) {
   const auto tree = parse_strategy(
       R"({"name": "mine", "based_on": "baseline", "roles": {"defenders": 1}, "subtrees": {"keeper": {"do": "stand"}}})",
       "strategy 'mine'");
@@ -62,7 +62,7 @@ TEST(Strategy, ValuesMayHaveUnits) {
   EXPECT_EQ(tree ? "" : tree.error(), "strategy 'm': tree[1].with.tolerance: must be 0.01 .. 3 [rad], got \"180 deg\"");
 }
 
-TEST(Strategy, ListsGoOnToTheNextRuleAndElseEndsThem) {
+TEST(Strategy, AFailedConditionLeadsToTheNextRuleOrToElse) {
   const auto tree = parse_strategy(R"({"name": "m", "tree": [
     {"if": "our_kick", "then": [{"if": "x < 0", "do": "block"}]},
     {"if": "half is 2", "do": "stand"},
@@ -75,7 +75,7 @@ TEST(Strategy, ListsGoOnToTheNextRuleAndElseEndsThem) {
     {"do": "look_round"}]})",
                                    "strategy 'm'");
   ASSERT_TRUE(good) << good.error();
-  // where "x < 0" fails the decision goes where "our_kick" failing leads
+  // "x < 0" and "our_kick" lead to the same place when they fail
   const auto& nodes = good->nodes;
   ASSERT_EQ(nodes.size(), 4u);
   const agent::Node& root = nodes[good->root];
@@ -132,7 +132,7 @@ TEST(Strategy, BadTreesAreRefusedWithPlaceAndReason) {
   EXPECT_EQ(refusal_of_tree(R"({"use": "chaser"})"), "strategy 'mine': tree.use: no subtree 'chaser'; there are none");
 }
 
-TEST(Strategy, CirclesAndWhatIsUsedNowhereAreRefused) {
+TEST(Strategy, CyclesAndUnusedEntriesAreRefused) {
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"use": "a"}, "subtrees": {"a": {"use": "b"}, "b": [{"use": "a"}]}})"),
             "strategy 'mine': subtrees.b[0].use: the subtree 'a' leads back to itself");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "stand"}, "subtrees": {"a": {"do": "stand"}}})"),
