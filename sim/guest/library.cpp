@@ -52,12 +52,12 @@ class LibraryGuest final : public GuestBehaviour {
   Result<void> load(std::string_view bytes) override {
     for (const auto& player : players_) {
       std::uint32_t length = 0;
-      if (bytes.size() < sizeof length) return Error{name() + ": what was saved is not whole"};
+      if (bytes.size() < sizeof length) return Error{name() + ": the saved memory is truncated"};
       std::memcpy(&length, bytes.data(), sizeof length);
       bytes.remove_prefix(sizeof length);
-      if (length > bytes.size()) return Error{name() + ": what was saved is not whole"};
+      if (length > bytes.size()) return Error{name() + ": the saved memory is truncated"};
       if (player && length > 0 && behaviour_.load(player->self(), bytes.data(), length) == 0)
-        return Error{"behaviour '" + name() + "': load does not know what save made"};
+        return Error{"behaviour '" + name() + "': load refused the bytes of save"};
       bytes.remove_prefix(length);
     }
     return {};
@@ -120,7 +120,7 @@ Result<std::shared_ptr<const GuestFactory>> open_library(const std::string& path
                  numbers({behaviour->player_bytes, behaviour->moment_bytes, behaviour->command_bytes}) +
                  "; build it anew with this sim/guest/foresight_behaviour.h"};
   if (!behaviour->create || !behaviour->destroy || !behaviour->decide)
-    return Error{called + "create, destroy and decide must be there"};
+    return Error{called + "expected create, destroy and decide, got a null pointer"};
   if (!behaviour->save != !behaviour->load)
     return Error{called + "expected save and load, or neither, got one of them"};
   return std::shared_ptr<const GuestFactory>(std::make_shared<Library>(path, *behaviour));

@@ -75,7 +75,7 @@ Result<Term> parse_term(std::string_view text, Values& values) {
                    ", got " + quoted(text)};
     const Result<float> threshold =
         values.read(trimmed(text.substr(at + each.text.size())), {info.unit, info.least, info.most, info.names});
-    if (!threshold) return Error{"what " + std::string(info.name) + " is compared with " + threshold.error()};
+    if (!threshold) return Error{"the value for " + std::string(info.name) + " " + threshold.error()};
     return Term{*feature, each.comparison, *threshold, std::string(text)};
   }
   return parse_yes_no(text);

@@ -19,7 +19,7 @@ Result<Playbook> prepare_playbook(const PlaybookChoice& choice) {
                  std::to_string(count)};
   for (auto name = choice.strategies.begin(); name != choice.strategies.end(); ++name)
     if (std::find(choice.strategies.begin(), name, *name) != name)
-      return Error{"strategies must differ, '" + *name + "' is there twice"};
+      return Error{"strategies must differ, '" + *name + "' occurs twice"};
 
   const auto own = static_cast<std::size_t>(choice.own), others = 1 - own;
   // the opponents play a tree: an opponent that chooses too would have to simulate our choice

@@ -17,7 +17,7 @@ std::string Reader::below(const std::string& path, std::string_view name) {
 }
 
 bool Reader::is_object(const Json& json, const std::string& path) {
-  if (!json.is_object()) refuse((path.empty() ? "the whole" : path) + " must be an object, got " + shown(json));
+  if (!json.is_object()) refuse((path.empty() ? "the description" : path) + " must be an object, got " + shown(json));
   return json.is_object();
 }
 

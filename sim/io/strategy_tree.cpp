@@ -105,7 +105,7 @@ class Compiler {
     if (otherwise != json.end())
       no = rules(*otherwise, place.at(".else"), next);
     else if (!next.exists)
-      refuse(place, "has no 'else', and no rule behind it says what to do where '" + text + "' fails");
+      refuse(place, "has no 'else', and no later rule applies when '" + text + "' fails");
     else
       next.used = true;
     if (!problem_.empty()) return 0;
@@ -217,9 +217,9 @@ class Compiler {
 
   void refuse_unused(const Json& own) {
     for (const auto& [key, value] : object_at(own, "subtrees").items())
-      if (!used_.contains(key)) refuse({"subtrees." + key, ""}, "is used nowhere");
+      if (!used_.contains(key)) refuse({"subtrees." + key, ""}, "is not used");
     for (const auto& [key, value] : object_at(own, "parameters").items())
-      if (!values_.used().contains(key)) refuse({"parameters." + key, ""}, "is used nowhere");
+      if (!values_.used().contains(key)) refuse({"parameters." + key, ""}, "is not used");
   }
 
   agent::Tree& tree_;

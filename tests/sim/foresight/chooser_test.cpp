@@ -120,7 +120,7 @@ TEST(Chooser, RefusesStrategiesThatItCannotChooseFrom) {
             std::string::npos);
   EXPECT_NE(files.sentence(R"({"name": "x", "choose": ["baseline", "tiki"]})").find("no strategy 'tiki'"),
             std::string::npos);
-  EXPECT_NE(files.sentence(R"({"name": "x", "choose": ["baseline", "baseline"]})").find("is there twice"),
+  EXPECT_NE(files.sentence(R"({"name": "x", "choose": ["baseline", "baseline"]})").find("occurs twice"),
             std::string::npos);
   EXPECT_NE(files.sentence(R"({"name": "x", "choose": ["baseline", "idle"], "rollout": 3})").find("rollout is unknown"),
             std::string::npos);

@@ -37,7 +37,7 @@ TEST(GuestBehaviour, AForeignLibraryIsRefusedWithASentence) {
   says("no_entry", "exports no foresight_behaviour, see sim/guest/foresight_behaviour.h");
   says("old_version", "expected version 1 of the interface, got 0; build it anew");
   says("other_size", "expected structs of ");
-  says("no_decide", "create, destroy and decide must be there");
+  says("no_decide", "expected create, destroy and decide, got a null pointer");
   says("save_alone", "expected save and load, or neither, got one of them");
 }
 

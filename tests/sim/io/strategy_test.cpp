@@ -39,7 +39,7 @@ TEST(Strategy, MayVaryParameters) {
     differences += (*plain)->tree().nodes[i].threshold != (*varied)->tree().nodes[i].threshold;
   EXPECT_EQ(differences, 1);
   EXPECT_EQ(load_strategy("baseline,near_bal=0.6").error(),
-            "strategy 'baseline,near_bal=0.6': parameters.near_bal: is used nowhere");
+            "strategy 'baseline,near_bal=0.6': parameters.near_bal: is not used");
 }
 
 TEST(Strategy, MissingEntriesComeFromTheBase) {
@@ -109,22 +109,22 @@ TEST(Strategy, BadTreesAreRefusedWithPlaceAndReason) {
   EXPECT_EQ(refusal_of_tree(R"({"if": "bal_age < 3", "do": "stand"})"),
             "strategy 'mine': tree.if: no feature \"bal_age\"; did you mean 'ball_age'?");
   EXPECT_EQ(refusal_of_tree(R"({"if": "ball_age < 3", "do": "stand"})"),
-            "strategy 'mine': tree: has no 'else', and no rule behind it says what to do where 'ball_age < 3' fails");
+            "strategy 'mine': tree: has no 'else', and no later rule applies when 'ball_age < 3' fails");
   EXPECT_EQ(refusal_of_tree(R"({"if": "ball_age < -3 s", "do": "stand"})"),
-            "strategy 'mine': tree.if: what ball_age is compared with must be 0 .. 1000 [s], got \"-3 s\"");
+            "strategy 'mine': tree.if: the value for ball_age must be 0 .. 1000 [s], got \"-3 s\"");
   EXPECT_EQ(refusal_of_tree(R"({"if": "ball_age", "do": "stand"})"),
             "strategy 'mine': tree.if: ball_age must be compared with something, got \"ball_age\"");
   EXPECT_EQ(refusal_of_tree(R"({"if": "ball_known > 0", "do": "stand"})"),
             "strategy 'mine': tree.if: ball_known is yes or no and compared with nothing, got \"ball_known > 0\"");
   EXPECT_EQ(refusal_of_tree(R"({"if": "role is striker", "do": "stand"})"),
-            "strategy 'mine': tree.if: what role is compared with must be one of keeper, chaser, supporter, defender, "
+            "strategy 'mine': tree.if: the value for role must be one of keeper, chaser, supporter, defender, "
             "got \"striker\"");
   EXPECT_EQ(refusal_of_tree(R"({"if": "role < 2", "do": "stand"})"),
             "strategy 'mine': tree.if: role is compared by is, is not, got \"role < 2\"");
   EXPECT_EQ(refusal_of_tree(R"({"if": "x > 0 and  and y > 0", "do": "stand"})"),
             "strategy 'mine': tree.if: a comparison is missing");
   EXPECT_EQ(refusal_of_tree(R"({"if": "x > $far", "do": "stand"})"),
-            "strategy 'mine': tree.if: what x is compared with names no parameter: \"far\"; there are none");
+            "strategy 'mine': tree.if: the value for x names no parameter: \"far\"; there are none");
   EXPECT_EQ(refusal_of_tree(R"({"if": "x > 0", "do": "stand", "then": {}})"),
             "strategy 'mine': tree: must have one of 'do', 'use' and 'then'");
   EXPECT_EQ(refusal_of_tree(R"([{"do": "stand"}, {"do": "kick"}])"),
@@ -136,9 +136,9 @@ TEST(Strategy, CyclesAndUnusedEntriesAreRefused) {
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"use": "a"}, "subtrees": {"a": {"use": "b"}, "b": [{"use": "a"}]}})"),
             "strategy 'mine': subtrees.b[0].use: the subtree 'a' leads back to itself");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "stand"}, "subtrees": {"a": {"do": "stand"}}})"),
-            "strategy 'mine': subtrees.a: is used nowhere");
+            "strategy 'mine': subtrees.a: is not used");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "stand"}, "parameters": {"a": 1}})"),
-            "strategy 'mine': parameters.a: is used nowhere");
+            "strategy 'mine': parameters.a: is not used");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "kick", "with": {"range": "$a"}}, "parameters": {"a": "$a"}})"),
             "strategy 'mine': tree.with.range: is the parameter \"a\", which must be a value, got \"$a\"");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "kick", "with": {"range": "$a"}}, "parameters": {"a": 99}})"),
