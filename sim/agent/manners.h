@@ -1,4 +1,4 @@
-// The rules that every robot keeps, whatever its tree decides.
+// The rules that every robot keeps, independent of its tree.
 #pragma once
 
 #include "sim/agent/view.h"

@@ -34,8 +34,8 @@ struct RobotGuess {
   float deviation_heading = 0;  // [rad]
 };
 
-/// Guesses a robot: itself by its localisation, a teammate by its message, an opponent by its last sight. A robot of
-/// which nothing is known is where its side usually stands while the ball is at `ball`.
+/// Guesses a robot: itself by its localisation, a teammate by its message, an opponent by its last sight. An unknown
+/// robot is where its side usually stands while the ball is at `ball`.
 RobotGuess guess_robot(const Params& params, const Knowledge& knowledge, Vec2 ball, int robot);
 
 }  // namespace sim::foresight

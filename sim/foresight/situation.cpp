@@ -22,8 +22,8 @@ using Doing = Body::Doing;
 
 constexpr float kBorder = 0.3f;      // [m] beyond the lines where a robot may still be
 constexpr std::uint32_t kTries = 8;  // tries for a place of the ball on the field near the believed one
-// Of 500 balls that lay elsewhere than a robot believed, in games in which a ball that is out is placed back, so many lay
-// where that happens.
+// Share of balls at the place for balls that were out. Source: 500 balls that lay elsewhere than a robot believed, in
+// games in which such a ball is placed back.
 constexpr float kPlacedBack = 0.65f;
 
 std::string sentence(const char* format, double value) {
@@ -211,7 +211,7 @@ Vec2 placed_back(const field::Rules& rules, Vec2 believed, float along, float ac
   return {x, std::copysign(field.width / 2 - rules.out_inset, line)};
 }
 
-/// Draws a lying ball that is not near the believed place. `words`: random numbers, of which the first is not used.
+/// Draws a lying ball that is not near the believed place. `words`: random numbers; the first is not used.
 Ball ball_elsewhere(const field::Rules& rules, const Ball& believed, const std::array<std::uint32_t, 4>& words) {
   const field::Field& field = rules.field;
   const float along = uniform(words[1]) - 0.5f, across = uniform(words[2]) - 0.5f;

@@ -119,8 +119,8 @@ TEST(Plan, GivesTheNumberOfPairs) {
   EXPECT_NEAR(four.sequential_worst, 3468, 2);
 }
 
-/// Returns how often a sequential test says "better" in `tests` tests with pairs whose gain per game has the mean `gain` and a
-/// standard deviation of about 1.2 goals, looked at every `block` pairs.
+/// Returns how often `tests` sequential tests say "better". The gain per game has the mean `gain` and a standard deviation
+/// of about 1.2 goals. A test looks after every `block` pairs.
 double part_better(double gain, int tests, int block) {
   int better = 0;
   for (int test = 0; test < tests; ++test) {
