@@ -8,7 +8,7 @@
 #include "robot/core/clock.h"
 #include "robot/logging/sessions/session.h"
 #include "robot/logging/sessions/session_provider.h"
-#include "sim/foresight/tally.h"
+#include "sim/foresight/rollout_statistics.h"
 #include "sim/io/source.h"
 
 namespace robot::app {

@@ -12,7 +12,7 @@
 #include "robot/core/report.h"
 #include "robot/foresight/following.h"
 #include "sim/agent/follower.h"
-#include "sim/io/setup.h"
+#include "sim/io/matchup.h"
 #include "sim/io/strategy.h"
 
 namespace robot::app {
@@ -37,7 +37,7 @@ Result<body::Setup> setup_of(const RobotOptions& options, sim::Side side) {
 
 /// Lets the own side play what its captain chooses of `strategies`, where it plays the first of them.
 Result<void> follow_captain(const std::vector<std::string>& strategies, const RobotOptions& options, sim::Side side,
-                            sim::io::Setup& game) {
+                            sim::io::PreparedGame& game) {
   const std::string& own = own_strategy_of(options);
   if (own != strategies.front()) {
     report(Level::warning, "foresight",

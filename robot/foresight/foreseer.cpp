@@ -22,7 +22,7 @@ constexpr std::size_t kMostJobs = 2;       // one runs, one waits
 constexpr std::size_t kMostPlaybooks = 8;  // kept ready
 constexpr std::uint64_t kMillion = 1'000'000;
 
-void add_paths(const pf::Account& account, const Lineup& lineup, pb::Forecast::StrategyForecast& told) {
+void add_paths(const pf::StrategyStatistics& account, const Lineup& lineup, pb::Forecast::StrategyForecast& told) {
   for (const pf::Path& path : account.paths) {
     if (path.points == 0) continue;
     pb::Forecast::Path& shown = *told.add_paths();
@@ -43,7 +43,7 @@ void add_paths(const pf::Account& account, const Lineup& lineup, pb::Forecast::S
     for (const std::uint32_t count : row) told.add_heat(count);
 }
 
-void fill(const pf::Standing& standing, const pf::Account& account, const Lineup& lineup,
+void fill(const pf::Standing& standing, const pf::StrategyStatistics& account, const Lineup& lineup,
           pb::Forecast::StrategyForecast& told) {
   told.set_rollouts(static_cast<std::uint32_t>(standing.rollouts));
   told.set_mean(static_cast<float>(standing.mean));
@@ -275,7 +275,7 @@ pb::Forecast Foreseer::forecast_of(const Job& job, const Progress& progress) {
   for (int i = 0; i < known.strategies; ++i) {
     pb::Forecast::StrategyForecast& strategy = *forecast.add_strategies();
     strategy.set_strategy(names[static_cast<std::size_t>(i)]);
-    fill(known.standings[i], progress.tally.accounts[i], job.lineups.own, strategy);
+    fill(known.standings[i], progress.tally.by_strategy[i], job.lineups.own, strategy);
   }
   forecast.set_answered_ms(static_cast<float>(monotonic_ns() - job.arrived_ns) / 1e6f);
   forecast.set_computed_ms(static_cast<float>(progress.computed_ns) / 1e6f);

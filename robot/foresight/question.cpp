@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "robot/foresight/shown.h"
-#include "sim/foresight/tally.h"
+#include "sim/foresight/rollout_statistics.h"
 
 namespace robot::foreseeing {
 namespace {

@@ -75,7 +75,7 @@ void Rollouts::play(const Race& race) {
     if (race.over) return 1.;
     return static_cast<double>(monotonic_ns() - race.began_ns) / static_cast<double>(race.deadline_ns - race.began_ns);
   };
-  const auto told = [&](const sim::foresight::Tally& tally) {
+  const auto told = [&](const sim::foresight::RolloutStatistics& tally) {
     Progress& draft = mailbox_.draft();
     draft.race = race.number;
     draft.tally = tally;
@@ -84,7 +84,7 @@ void Rollouts::play(const Race& race) {
   };
   const auto task =
       sim::io::task_of(*futures.playbook, futures.strategies, futures.situation, futures.question, futures.key);
-  sim::foresight::Tally tally;
+  sim::foresight::RolloutStatistics tally;
   sim::foresight::race(task, spent, told, tally);
 }
 

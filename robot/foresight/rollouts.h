@@ -31,7 +31,7 @@ enum class Share : std::uint8_t {
 /// What they have come to.
 struct Progress {
   std::uint64_t race = 0;  // which `begin` they are of
-  sim::foresight::Tally tally;
+  sim::foresight::RolloutStatistics tally;
   std::uint64_t computed_ns = 0;  // of processor time
 };
 

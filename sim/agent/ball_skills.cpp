@@ -7,14 +7,14 @@
 namespace sim::agent {
 namespace {
 
-constexpr float kEyesOnBall = 0.7f;      // [m] nearer than this the head does not look away
+constexpr float kEyesOnBall = 0.7f;      // [m] the head does not look away from a nearer ball
 constexpr float kNextToBall = 0.35f;     // [m]
 constexpr float kStillBall = 0.35f;      // [m/s] a faster ball is not kicked
 constexpr float kFreshBall = 0.7f;       // [s] a ball seen longer ago is not kicked
-constexpr float kUseOfTolerance = 0.7f;  // the approach aims so far inside the tolerance that noise leaves it there
-constexpr float kOtherLeg = 0.03f;       // [m] the ball must lie so far on the other side for the other leg
+constexpr float kUseOfTolerance = 0.7f;  // share of the tolerance that the approach uses; noise needs the rest
+constexpr float kOtherLeg = 0.03f;       // [m] the ball must lie this far on the other side to change the leg
 
-/// Where the ball shall go: a point, and how far beside it is still good.
+/// The target of the ball: a point, and the tolerated distance beside it.
 struct Target {
   Vec2 point;       // [m, team_field]
   float slack = 0;  // [m] to each side
@@ -30,22 +30,23 @@ Target target_of(const View& view, Aim aim, float lead) {
     }
     case Aim::away: return {ball + (ball - view.own_goal())};
     case Aim::mate:
-      if (const int mate = pass_mate(view); mate >= 0) return {view.beliefs.mates[mate].pose.position + Vec2{lead, 0}};
+      if (const int mate = pass_target(view).mate; mate >= 0)
+        return {view.beliefs.mates[mate].pose.position + Vec2{lead, 0}};
       break;
     case Aim::ahead: break;
   }
   return {ball + Vec2{1, 0}};
 }
 
-/// The direction in which to send the ball: at the target, but within the tolerance as near to the way in which the
-/// robot comes as can be.
+/// The direction in which to send the ball: within the tolerance of the target, and as near as possible to the direction
+/// from which the robot comes.
 struct Direction {
   Vec2 way;       // [robot] unit vector
-  Vec2 straight;  // [robot] unit vector at the target itself
-  float allowed;  // cosine of the angle that the ball may be off
+  Vec2 straight;  // [robot] unit vector to the target itself
+  float allowed;  // cosine of the allowed angle
 };
 
-/// The unit vector at an angle >= 0, nearly: 0.5 % off at 1 rad. Quicker than exact, and exactly 1 long.
+/// Returns about the unit vector at an angle >= 0: 0.5 % off at 1 rad, quicker than the exact one, length exactly 1.
 Vec2 about(float angle) {
   const float tangent = 0.5f * angle * (1 + angle * angle / 12);
   const float square = tangent * tangent;
@@ -57,13 +58,13 @@ Direction direction_of(const View& view, const Target& target, float tolerance) 
   const Vec2 to_target = target.point - view.ball_in_team;
   const float far = length(to_target);
   const Vec2 straight = far > 1e-3f ? turned_back((1 / far) * to_target, view.facing) : Vec2{1, 0};
-  // the angle of the slack, near enough: how obliquely the goal is seen counts
+  // the angle of the slack, approximated for a goal seen obliquely
   const float slack = far > 0.1f ? target.slack * std::abs(to_target.x) / (far * far) : 0;
   const float allowed = slack > tolerance ? (slack < 1.2f ? slack : 1.2f) : tolerance;
 
   const Vec2 use = about(kUseOfTolerance * allowed);
   const float limit = about(allowed).x;
-  // next to the ball the heading counts, farther away the way there, on which it will face it
+  // next to the ball the heading counts, farther away the direction to the ball, which the robot will face
   const Vec2 coming = view.ball_distance > kNextToBall ? (1 / view.ball_distance) * view.ball : Vec2{1, 0};
   if (dot(coming, straight) >= use.x) return {coming, straight, limit};
   const float across = cross(straight, coming);
@@ -71,7 +72,7 @@ Direction direction_of(const View& view, const Target& target, float tolerance) 
   return {turned(straight, {use.x, side * use.y}), straight, limit};
 }
 
-/// The quickest kick to the front that carries `range`; the longest where none does.
+/// Returns the quickest kick to the front that carries `range`, or the longest when none does.
 std::uint8_t choose_kick(const motion::Model& model, float range) {
   int best = -1;
   for (int i = 0; i < model.kick_count; ++i) {
@@ -89,7 +90,7 @@ std::uint8_t choose_kick(const motion::Model& model, float range) {
   return static_cast<std::uint8_t>(best < 0 ? 0 : best);
 }
 
-/// Remembers what the body is about, and which leg is to do it. Returns the heading for it [rad, robot].
+/// Remembers the direction of the kick and the leg. Returns the heading for it [rad, robot].
 float intend(const View& view, Mind& mind, Vec2 way) {
   const float heading = angle_of(way);
   float in_team = view.beliefs.pose.pose.heading + heading;
@@ -101,20 +102,20 @@ float intend(const View& view, Mind& mind, Vec2 way) {
   return heading;
 }
 
-/// To where the ball lies `ahead` [m] in front and `beside` [m] to the left of a robot that faces `way`, at `heading`.
+/// Walks to where the ball lies `ahead` [m] in front and `beside` [m] to the left of a robot that faces `way`.
 motion::Command approach(const View& view, const Mind& mind, Vec2 way, float heading, float ahead, float beside,
                          float gain) {
   const Vec2 target = view.ball - ahead * way - beside * left_of(way);
   const float room = ahead + 0.07f < 0.3f ? ahead + 0.07f : 0.3f;
   const Vec2 step = round_circle(view.ball, room, target, mind.search_side);
-  // near the ball one fights for it, farther away one goes round whoever is there
+  // near the ball the robot fights for it, farther away it goes round other robots
   motion::Command command =
       view.ball_distance > 0.6f ? walk_in_robot(view, step, heading, gain) : walk_straight(step, heading, gain);
   view.ball_distance < kEyesOnBall ? keep_eye_on_ball(view, command) : look_at_ball(view, command);
   return command;
 }
 
-/// What align, kick and pass have in common.
+/// Aligns for a kick, and kicks when `kicks` and the ball lies right. Shared by align, kick and pass.
 motion::Command shoot(const View& view, Mind& mind, const Target& target, const Kick& with, bool kicks) {
   mind.kick = choose_kick(*view.around.motion, with.range);
   const motion::Kick& kick = view.around.motion->kicks[mind.kick];
@@ -122,7 +123,7 @@ motion::Command shoot(const View& view, Mind& mind, const Target& target, const 
   const float heading = intend(view, mind, direction.way);
   const bool left = mind.search_side > 0;
 
-  // does the ball lie right, and does the robot face where it may go?
+  // does the ball lie right, and does the robot face an allowed direction?
   const bool faces = direction.straight.x >= direction.allowed;
   const bool lies = faces && in_gate(kick, view.ball, left, with.care);
   mind.aligned = lies ? static_cast<std::uint8_t>(mind.aligned < 255 ? mind.aligned + 1 : 255) : std::uint8_t{0};
@@ -148,7 +149,8 @@ motion::Command walk_to_ball(const View& view, Mind& mind, const WalkToBall& wit
 }
 
 motion::Command align(const View& view, Mind& mind, const Align& with) {
-  return shoot(view, mind, target_of(view, with.aim, 0), {with.aim, with.tolerance, with.range, 1, 1}, false);
+  return shoot(view, mind, target_of(view, with.aim, 0),
+               {.aim = with.aim, .tolerance = with.tolerance, .range = with.range}, false);
 }
 
 motion::Command kick(const View& view, Mind& mind, const Kick& with) {
@@ -169,7 +171,9 @@ motion::Command dribble(const View& view, Mind& mind, const Dribble& with) {
 motion::Command pass(const View& view, Mind& mind, const Pass& with) {
   const Target target = target_of(view, Aim::mate, with.lead);
   const float range = distance(target.point, view.ball_in_team);
-  return shoot(view, mind, target, {Aim::mate, with.tolerance, range, with.care, with.frames}, true);
+  return shoot(
+      view, mind, target,
+      {.aim = Aim::mate, .tolerance = with.tolerance, .range = range, .care = with.care, .frames = with.frames}, true);
 }
 
 }  // namespace sim::agent

@@ -11,21 +11,21 @@
 
 namespace sim::agent {
 
-/// What does not change during a game and the agent knows.
+/// The agent's knowledge that does not change during a game.
 struct Surroundings {
   const field::Field* field;
-  const motion::Model* motion;  // what the own body can do
+  const motion::Model* motion;  // of the own body
 };
 
-struct Trace;  // why it decided so: sim/agent/trace.h
+struct Trace;  // the reasons of a decision: sim/agent/trace.h
 
-/// Something that decides for a robot. Immutable: shared by all robots and threads that play it.
+/// The decision function of a robot. Immutable: all robots and threads that play it share it.
 class Behaviour {
  public:
   virtual ~Behaviour() = default;
   virtual const std::string& name() const = 0;
-  /// One decision at time `now`. A function of its arguments only; remembers through `mind`, explains into `trace`
-  /// (nullptr: nobody asks, and then nothing is allocated).
+  /// Decides at time `now`. The result depends on the arguments only. `mind` is the memory between decisions. `trace`
+  /// receives the reasons; with nullptr nothing is allocated.
   virtual motion::Command decide(const Surroundings& surroundings, const Game& game, const Beliefs& beliefs, Tick now,
                                  Mind& mind, Trace* trace) const = 0;
 };

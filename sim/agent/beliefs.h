@@ -1,6 +1,6 @@
-// What a robot believes: all that an agent may know.
+// The beliefs of a robot: everything that an agent may know.
 //
-// In the simulator the cognitive controller writes it, on the robot its memory does. Frames: `robot` is on the ground
+// The cognitive controller writes them in the simulator; the memory does on the robot. Frames: `robot` is on the ground
 // between the feet, +x forward, +y left; `team_field` has its origin at the centre, +x towards the opponents' goal.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace sim::agent {
 
 inline constexpr int kMaxMates = kMaxPlayers - 1;
 
-/// Where the ball is believed to be, by one's own eyes.
+/// The ball as the robot's own eyes saw it.
 struct Ball {
   Vec2 position;                // [m, robot]
   Vec2 velocity;                // [m/s, robot's axes] over ground
@@ -23,55 +23,55 @@ struct Ball {
   float covariance = 0;         // [m²/s] between position and velocity along each axis
   float velocity_variance = 0;  // [m²/s²]
   float heat = 0;               // [0..1] how likely an opponent is to kick it soon
-  Tick seen = kNever;           // when an image last showed it; kNever: not once
+  Tick seen = kNever;           // time of the last image that showed it; kNever: none
   bool visible = false;         // the newest image shows it
-  std::uint8_t frames = 0;      // images in a row that did (visible) or did not, at most 255
+  std::uint8_t frames = 0;      // images in a row that showed it (visible) or did not, at most 255
 };
 
-/// Where the robot believes it is.
+/// The pose that the robot believes it has.
 struct Pose {
   Pose2 pose;                   // [team_field]
   float deviation = 0;          // [m] standard deviation of the position along each axis
   float deviation_heading = 0;  // [rad]
 };
 
-/// What a teammate last told.
+/// The last message of a teammate.
 struct Mate {
   Pose2 pose;                         // [team_field]
-  Vec2 ball;                          // [m, team_field] where it believed the ball
-  Tick sent = kNever;                 // when it told; kNever: never heard
-  std::uint16_t ball_age = 0xffff;    // [ticks] since it had seen the ball when it told; 0xffff: never
-  std::uint16_t time_to_ball_cs = 0;  // [10 ms] that it said it needs, at most 0xffff
+  Vec2 ball;                          // [m, team_field] the ball as it believed
+  Tick sent = kNever;                 // time of the message; kNever: none yet
+  std::uint16_t ball_age = 0xffff;    // [ticks] age of its sight of the ball at that time; 0xffff: never seen
+  std::uint16_t time_to_ball_cs = 0;  // [10 ms] its own estimate, at most 0xffff
   std::uint8_t role = 0;              // agent::Role
-  bool active = false;                // was not penalised when it told
-  Choice choice;                      // that it followed
+  bool active = false;                // not penalised at that time
+  Choice choice;                      // the choice that it followed
 
   float time_to_ball() const { return 0.01f * static_cast<float>(time_to_ball_cs); }  // [s]
 };
-/// Of a time [s] >= 0, as a teammate tells it, and what is left of it.
+/// Converts a time [s] >= 0 to the unit of a message [10 ms]; as_told() is that time after its transport.
 constexpr std::uint16_t centiseconds(float seconds) {
   return seconds < 655 ? static_cast<std::uint16_t>(0.5f * (200 * seconds + 1)) : std::uint16_t{0xffff};
 }
 constexpr float as_told(float seconds) { return 0.01f * static_cast<float>(centiseconds(seconds)); }
 
-/// [1..7] whom beliefs.mates[index] of `player` is about.
+/// Returns the number [1..7] of the teammate in beliefs.mates[index] of `player`.
 constexpr int player_of_mate(int player, int index) { return index + 1 < player ? index + 1 : index + 2; }
 
-/// Where an opponent was last seen.
+/// The place where an opponent was last seen.
 struct Opponent {
   Vec2 position;       // [m, team_field]
   Tick seen = kNever;  // kNever: not yet
 };
 
-/// One robot's beliefs. `mates` are the teammates by number, itself left out: of player 3, mates[2] is player 4.
+/// One robot's beliefs. `mates` are the teammates by number without the robot itself: for player 3, mates[2] is player 4.
 struct Beliefs {
   Ball ball;
   Pose pose;
   Mate mates[kMaxMates];
-  Opponent opponents[kMaxPlayers];  // by number: that a robot tells its opponents apart is an idealisation
+  Opponent opponents[kMaxPlayers];  // by number; to recognise each opponent is an idealisation
 };
 
-/// What the GameController tells a robot, and who the robot is.
+/// The GameController's state as a robot hears it, and the robot's own number.
 struct Game {
   enum class Phase : std::uint8_t { initial, ready, set, playing, finished };
   enum class SetPlay : std::uint8_t { none, kick_off, kick_in, goal_kick, corner_kick };

@@ -1,5 +1,6 @@
 #include "sim/agent/features.h"
 
+#include <cassert>
 #include <iterator>
 #include <limits>
 
@@ -10,158 +11,49 @@ namespace sim::agent {
 namespace {
 
 using Kind = FeatureInfo::Kind;
-
-constexpr const char* kRoleNames[] = {"keeper", "chaser", "supporter", "defender", nullptr};
-constexpr const char* kSetPlayNames[] = {"none", "kick_off", "kick_in", "goal_kick", "corner_kick", nullptr};
-
-constexpr FeatureInfo number(const char* name, const char* unit, float least, float most, const char* about) {
-  return {name, Kind::number, unit, least, most, false, nullptr, about};
-}
-constexpr FeatureInfo lateral(const char* name, const char* unit, float most, const char* about) {
-  return {name, Kind::number, unit, -most, most, true, nullptr, about};
-}
-constexpr FeatureInfo yes_no(const char* name, const char* about) {
-  return {name, Kind::yes_no, "", 0, 1, false, nullptr, about};
-}
-constexpr FeatureInfo one_of(const char* name, const char* const* names, float most, const char* about) {
-  return {name, Kind::name, "", 0, most, false, names, about};
-}
-
-// in the order of the enumeration
-constexpr FeatureInfo kTable[] = {
-    yes_no("ball_known", "own eyes or a teammate's report tell where the ball is"),
-    yes_no("ball_visible", "the newest image shows it"),
-    number("ball_age", "s", 0, 1000, "since the own eyes saw it"),
-    number("team_ball_age", "s", 0, 1000, "since anybody of the team saw it"),
-    number("ball_deviation", "m", 0, 30, "standard deviation of the own estimate along each axis"),
-    number("ball_distance", "m", 0, 30, "from the own feet"),
-    lateral("ball_bearing", "rad", 3.15f, "> 0: to the left"),
-    number("ball_ahead", "m", -30, 30, "in front of the feet"),
-    lateral("ball_left", "m", 30, "to the left of the feet"),
-    number("ball_speed", "m/s", 0, 10, "over ground"),
-    number("ball_x", "m", -15, 15, "in team_field: > 0 in the opponents' half"),
-    lateral("ball_y", "m", 10, "in team_field: > 0 left of the middle"),
-    number("ball_off_centre", "m", 0, 10, "from the long axis of the field"),
-    yes_no("ball_in_own_half", "ball_x < 0"),
-    number("ball_goal_distance", "m", 0, 30, "from the middle of the opponents' goal"),
-    number("ball_own_goal_distance", "m", 0, 30, "from the middle of the own goal"),
-    number("ball_heat", "", 0, 1, "how likely an opponent is to kick it soon"),
-    number("ball_approach", "m/s", -10, 10, "speed towards oneself"),
-    yes_no("ball_in_goal_soon", "it rolls towards the own goal and may get there"),
-    number("crossing_time", "s", 0, 60, "until the rolling ball passes the line through both own feet"),
-    lateral("crossing_left", "m", 10, "where it passes that line, > 0 to the left"),
-    number("crossing_off", "m", 0, 10, "how far from the feet it passes that line"),
-    lateral("goal_bearing", "rad", 3.15f, "of the opponents' goal, > 0: to the left"),
-    number("goal_opening", "rad", 0, 3.15f, "the widest gap in the opponents' goal as seen from the ball"),
-    number("shot_clearance", "m", 0, 10, "from the nearest opponent to the line between ball and goal"),
-    number("line_error", "rad", 0, 3.15f, "between the way to the ball and the way from the ball to the goal"),
-    yes_no("aligned", "the ball lies where the chosen kick wants it"),
-    number("aligned_for", "decisions", 0, 255, "in a row in which it did"),
-    number("kick_error", "rad", 0, 3.15f, "between the own heading and where the ball shall go"),
-    number("time_to_ball", "s", 0, 1000, "until one stands behind it"),
-    number("mates_time_to_ball", "s", 0, 1000, "of the quickest teammate, as last told"),
-    number("mates_active", "robots", 0, 6, "teammates on the field heard of of late"),
-    number("mate_distance", "m", 0, 30, "of the nearest teammate, as last told"),
-    number("opponents_known", "robots", 0, 7, "seen in the last seconds"),
-    number("opponent_distance", "m", 0, 30, "of the nearest one from oneself"),
-    number("opponent_ball_distance", "m", 0, 30, "of the nearest one from the ball"),
-    number("pass_gain", "m", -30, 30, "how much nearer to the goal the best free teammate is than the ball"),
-    one_of("role", kRoleNames, 3, "keeper, chaser, supporter or defender"),
-    {"lane", Kind::number, "", -3, 3, true, nullptr, "among those of the same role: 0 in the middle, > 0 to the left"},
-    number("player", "", 1, 7, "the own number"),
-    number("x", "m", -15, 15, "own, in team_field"),
-    lateral("y", "m", 10, "own, in team_field"),
-    number("off_centre", "m", 0, 10, "oneself from the long axis of the field"),
-    lateral("heading", "rad", 3.15f, "own, 0 towards the opponents' goal"),
-    number("pose_deviation", "m", 0, 15, "standard deviation of the own position along each axis"),
-    number("own_goal_distance", "m", 0, 30, "from oneself to the middle of the own goal"),
-    number("role_age", "s", 0, 1000, "since the own role last changed"),
-    number("leaf_age", "s", 0, 1000, "since another leaf was decided for"),
-    yes_no("our_kick", "a kick-off or set play of ours"),
-    yes_no("their_kick", "a kick-off or set play of theirs"),
-    one_of("set_play", kSetPlayNames, 4, "none, kick_off, kick_in, goal_kick or corner_kick"),
-    number("phase_age", "s", 0, 1000, "since phase or set play last changed"),
-    number("seconds_left", "s", 0, 36000, "of the half"),
-    number("half", "", 1, 4, "which half it is"),
-    number("score_difference", "goals", -100, 100, "own goals less theirs"),
-    number("players", "", 1, 7, "a side"),
-};
-static_assert(std::size(kTable) == kFeatureCount);
+using Compute = float (*)(const View&);
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
-/// Where the ball passes the robot's own y axis, and when, turf slowing it by what is usual.
-struct Crossing {
-  float time = kUnknown;
-  float left = kUnknown;
-};
-constexpr float kDeceleration = 0.3f;  // [m/s²] B-Human's ballSpecification.cfg
+constexpr float kDeceleration = 0.3f;  // [m/s²] usual on turf; B-Human's ballSpecification.cfg
+constexpr float kRolls = 0.05f;        // [m/s] a slower ball does not come nearer
+constexpr float kBeside = 0.4f;        // [m] a ball seen to pass a post at this distance may still go in
+constexpr float kShort = 0.3f;         // share of the way to the line: a fast ball seems slow at first
+constexpr float kFar = 1e6f;           // [m², s] more than any distance or age that counts
 
-/// [s] until something of that speed has rolled so far; NaN when it stops before.
+constexpr float kFarthestClearance = 10;  // [m]
+constexpr float kShadow = 0.25f;          // [m] half of the width that a robot and the ball cover
+constexpr float kBallRadius = 0.1f;       // [m] room between the middle of the ball and a post
+constexpr float kInFront = 0.05f;         // [m] an opponent nearer than this in front of the ball hides nothing
+constexpr float kBehindLine = 0.1f;       // [m] an opponent farther behind the goal line hides nothing
+
+constexpr float kShortestPass = 0.8f;   // [m]
+constexpr float kLongestPass = 4.5f;    // [m] about as far as the long kick carries
+constexpr float kPassClearance = 0.4f;  // [m] from the line of the pass to the nearest opponent
+
+/// Returns the time [s] in which a ball of that speed rolls `way` [m], or NaN when it stops before.
 float rolling_time(float speed, float way) {
   const float left = speed * speed - 2 * kDeceleration * way;
   return left < 0 ? kUnknown : (speed - std::sqrt(left)) / kDeceleration;
 }
 
-Crossing crossing(const View& view) {
-  const Vec2 velocity = turned_back(view.ball_velocity, view.facing);
-  if (view.ball.x <= 0 || velocity.x > -0.05f) return {};
-  const float ratio = view.ball.x / -velocity.x;
-  const Vec2 way = ratio * velocity;
-  const float time = rolling_time(length(velocity), length(way));
-  return std::isnan(time) ? Crossing{} : Crossing{time, view.ball.y + way.y};
-}
-
-// a ball that is seen to roll beside the goal, or not quite so far, may still roll into it
-constexpr float kBeside = 0.4f;  // [m] of a post
-constexpr float kShort = 0.3f;   // of the way to the line: a fast ball seems slow at first
-
-bool in_goal_soon(const View& view) {
-  const Vec2 velocity = view.ball_velocity;
-  const float to_line = view.ball_in_team.x + view.half_length;
-  if (velocity.x > -0.05f || to_line <= 0) return false;
-  const Vec2 way = (to_line / -velocity.x) * velocity;
-  const float y = view.ball_in_team.y + way.y;
-  if (std::abs(y) > 0.5f * view.around.field->goal_width + kBeside) return false;
-  return !std::isnan(rolling_time(length(velocity), kShort * length(way)));
-}
-
-/// [m] from `from` to the nearest opponent; NaN when none is known.
+/// Returns the distance [m] from `from` to the nearest opponent, or NaN when none is known.
 float nearest_opponent(const View& view, Vec2 from) {
-  float nearest = 1e6f;
+  float nearest = kFar;
   view.for_each_opponent([&](Vec2 opponent) {
     const float squared = squared_length(opponent - from);
     if (squared < nearest) nearest = squared;
   });
-  return nearest < 1e6f ? std::sqrt(nearest) : kUnknown;
+  return nearest < kFar ? std::sqrt(nearest) : kUnknown;
 }
 
 float nearest_mate(const View& view) {
-  float nearest = 1e6f;
+  float nearest = kFar;
   view.for_each_mate([&](const Mate& mate, int) {
     const float squared = squared_length(mate.pose.position - view.position);
     if (squared < nearest) nearest = squared;
   });
-  return nearest < 1e6f ? std::sqrt(nearest) : kUnknown;
-}
-
-/// [rad] without sign between two directions of any length.
-float angle_between(Vec2 a, Vec2 b) { return atan2(std::abs(cross(a, b)), dot(a, b)); }
-
-/// [rad] the angle under which the gap is seen from the ball.
-float opening(const View& view) {
-  const Gap gap = widest_gap(view);
-  if (gap.left <= gap.right || view.ball_in_team.x >= view.half_length) return 0;
-  const Vec2 right = Vec2{view.half_length, gap.right} - view.ball_in_team;
-  const Vec2 left = Vec2{view.half_length, gap.left} - view.ball_in_team;
-  return angle_between(right, left);
-}
-
-bool aligned(const View& view) {
-  const motion::Model& model = *view.around.motion;
-  if (view.mind.kick >= model.kick_count) return false;
-  const motion::Kick& kick = model.kicks[view.mind.kick];
-  return in_gate(kick, view.ball, true, 1) || in_gate(kick, view.ball, false, 1);
+  return nearest < kFar ? std::sqrt(nearest) : kUnknown;
 }
 
 float quickest_mate(const View& view) {
@@ -173,105 +65,216 @@ float quickest_mate(const View& view) {
   return quickest;
 }
 
+float count_mates(const View& view) {
+  float count = 0;
+  view.for_each_mate([&](const Mate&, int) { count += 1; });
+  return count;
+}
+
+float count_opponents(const View& view) {
+  float count = 0;
+  view.for_each_opponent([&](Vec2) { count += 1; });
+  return count;
+}
+
+/// Returns the unsigned angle [rad] between two directions of any length.
+float angle_between(Vec2 a, Vec2 b) { return atan2(std::abs(cross(a, b)), dot(a, b)); }
+
+/// Returns the angle [rad] that the widest gap in the goal spans as seen from the ball.
+float opening(const View& view) {
+  const Gap gap = widest_gap(view);
+  if (gap.left <= gap.right || view.ball_in_team.x >= view.half_length) return 0;
+  const Vec2 right = Vec2{view.half_length, gap.right} - view.ball_in_team;
+  const Vec2 left = Vec2{view.half_length, gap.left} - view.ball_in_team;
+  return angle_between(right, left);
+}
+
+float bearing(Vec2 in_robot) { return atan2(in_robot.y, in_robot.x); }
+
+bool aligned(const View& view) {
+  const motion::Model& model = *view.around.motion;
+  if (view.mind.kick >= model.kick_count) return false;
+  const motion::Kick& kick = model.kicks[view.mind.kick];
+  return in_gate(kick, view.ball, true, 1) || in_gate(kick, view.ball, false, 1);
+}
+
+float kick_error(const View& view) {
+  const Vec2 wanted = turned_back(direction(view.mind.kick_direction), view.facing);
+  return atan2(std::abs(wanted.y), wanted.x);
+}
+
+float pass_gain(const View& view) {
+  const PassTarget target = pass_target(view);
+  return target.mate < 0 ? kUnknown : target.gain;
+}
+
+/// Returns the seconds from `then` to `now`, or NaN when `then` never was.
 float seconds_since(Tick now, Tick then) {
   const float value = age(now, then);
-  return value < 1e6f ? value : kUnknown;
+  return value < kFar ? value : kUnknown;
 }
 
-/// What is about the ball, where it is known.
-float ball_value(Feature feature, const View& view) {
-  switch (feature) {
-    case Feature::ball_distance: return view.ball_distance;
-    case Feature::ball_bearing: return atan2(view.ball.y, view.ball.x);
-    case Feature::ball_ahead: return view.ball.x;
-    case Feature::ball_left: return view.ball.y;
-    case Feature::ball_speed: return length(view.ball_velocity);
-    case Feature::ball_x: return view.ball_in_team.x;
-    case Feature::ball_y: return view.ball_in_team.y;
-    case Feature::ball_off_centre: return std::abs(view.ball_in_team.y);
-    case Feature::ball_in_own_half: return view.ball_in_team.x < 0 ? 1 : 0;
-    case Feature::ball_goal_distance: return distance(view.ball_in_team, view.goal());
-    case Feature::ball_own_goal_distance: return distance(view.ball_in_team, view.own_goal());
-    case Feature::ball_approach: return dot(view.ball_velocity, unit(view.position - view.ball_in_team));
-    case Feature::ball_in_goal_soon: return in_goal_soon(view) ? 1 : 0;
-    case Feature::crossing_time: return crossing(view).time;
-    case Feature::crossing_left: return crossing(view).left;
-    case Feature::crossing_off: return std::abs(crossing(view).left);
-    case Feature::goal_opening: return opening(view);
-    case Feature::shot_clearance: return clearance(view, view.ball_in_team, view.goal());
-    case Feature::line_error: return angle_between(view.ball_in_team - view.position, view.goal() - view.ball_in_team);
-    case Feature::aligned: return aligned(view) ? 1 : 0;
-    case Feature::time_to_ball: return view.mind.time_to_ball;
-    case Feature::opponent_ball_distance: return nearest_opponent(view, view.ball_in_team);
-    case Feature::pass_gain: return pass_mate(view) < 0 ? kUnknown : view.pass_gain;
-    default: return kUnknown;
-  }
+bool is_set_play(const View& view) { return view.game.set_play != Game::SetPlay::none; }
+
+constexpr const char* kRoleNames[] = {"keeper", "chaser", "supporter", "defender", nullptr};
+constexpr const char* kSetPlayNames[] = {"none", "kick_off", "kick_in", "goal_kick", "corner_kick", nullptr};
+
+// makers of rows
+constexpr FeatureInfo number(const char* name, const char* unit, float least, float most, const char* about,
+                             Compute compute) {
+  return {compute, false, false, Kind::number, name, unit, least, most, nullptr, about};
+}
+constexpr FeatureInfo lateral(const char* name, const char* unit, float most, const char* about, Compute compute) {
+  return {compute, false, true, Kind::number, name, unit, -most, most, nullptr, about};
+}
+constexpr FeatureInfo yes_no(const char* name, const char* about, Compute compute) {
+  return {compute, false, false, Kind::yes_no, name, "", 0, 1, nullptr, about};
+}
+constexpr FeatureInfo one_of(const char* name, const char* const* names, float most, const char* about,
+                             Compute compute) {
+  return {compute, false, false, Kind::name, name, "", 0, most, names, about};
+}
+/// Makes a row whose value is unknown while the ball is.
+constexpr FeatureInfo with_ball(FeatureInfo row) {
+  row.needs_ball = true;
+  return row;
 }
 
-const OwnFeature& own(Feature feature) { return own_features()[static_cast<std::size_t>(feature) - kFeatureCount]; }
+// the table of features: name, unit, range, text and function
+constexpr FeatureInfo kTable[] = {
+    // the ball
+    yes_no("ball_known", "the own eyes or a teammate report where the ball is",
+           [](const View& view) { return view.ball_known ? 1.f : 0.f; }),
+    yes_no("ball_visible", "the newest image shows the ball",
+           [](const View& view) { return view.beliefs.ball.visible ? 1.f : 0.f; }),
+    number("ball_age", "s", 0, 1000, "time since the own eyes saw the ball",
+           [](const View& view) { return age(view.now, view.beliefs.ball.seen); }),
+    number("team_ball_age", "s", 0, 1000, "time since anybody of the team saw the ball",
+           [](const View& view) { return age(view.now, view.ball_seen); }),
+    number("ball_deviation", "m", 0, 30, "standard deviation of the own estimate along each axis",
+           [](const View& view) { return std::sqrt(view.beliefs.ball.variance); }),
+    with_ball(number("ball_distance", "m", 0, 30, "distance from the own feet",
+                     [](const View& view) { return view.ball_distance; })),
+    with_ball(lateral("ball_bearing", "rad", 3.15f, "direction of the ball, > 0 to the left",
+                      [](const View& view) { return bearing(view.ball); })),
+    with_ball(number("ball_ahead", "m", -30, 30, "distance in front of the feet",
+                     [](const View& view) { return view.ball.x; })),
+    with_ball(lateral("ball_left", "m", 30, "distance to the left of the feet",
+                      [](const View& view) { return view.ball.y; })),
+    with_ball(number("ball_speed", "m/s", 0, 10, "speed over ground",
+                     [](const View& view) { return length(view.ball_velocity); })),
+    with_ball(number("ball_x", "m", -15, 15, "x in team_field, > 0 in the opponents' half",
+                     [](const View& view) { return view.ball_in_team.x; })),
+    with_ball(lateral("ball_y", "m", 10, "y in team_field, > 0 left of the middle",
+                      [](const View& view) { return view.ball_in_team.y; })),
+    with_ball(number("ball_off_centre", "m", 0, 10, "distance from the long axis of the field",
+                     [](const View& view) { return std::abs(view.ball_in_team.y); })),
+    with_ball(
+        yes_no("ball_in_own_half", "ball_x < 0", [](const View& view) { return view.ball_in_team.x < 0 ? 1.f : 0.f; })),
+    with_ball(number("ball_goal_distance", "m", 0, 30, "distance from the middle of the opponents' goal",
+                     [](const View& view) { return distance(view.ball_in_team, view.goal()); })),
+    with_ball(number("ball_own_goal_distance", "m", 0, 30, "distance from the middle of the own goal",
+                     [](const View& view) { return distance(view.ball_in_team, view.own_goal()); })),
+    number("ball_heat", "", 0, 1, "how likely an opponent is to kick the ball soon",
+           [](const View& view) { return view.beliefs.ball.heat; }),
+    with_ball(
+        number("ball_approach", "m/s", -10, 10, "speed towards the robot",
+               [](const View& view) { return dot(view.ball_velocity, unit(view.position - view.ball_in_team)); })),
+    with_ball(yes_no("ball_in_goal_soon", "the ball rolls towards the own goal and may get there",
+                     [](const View& view) { return rolls_into_own_goal(view) ? 1.f : 0.f; })),
+    with_ball(number("crossing_time", "s", 0, 60, "time until the rolling ball passes the line through both own feet",
+                     [](const View& view) { return crossing(view).time; })),
+    with_ball(lateral("crossing_left", "m", 10, "point where it passes that line, > 0 to the left",
+                      [](const View& view) { return crossing(view).left; })),
+    with_ball(number("crossing_off", "m", 0, 10, "distance from the feet at which it passes that line",
+                     [](const View& view) { return std::abs(crossing(view).left); })),
+    // the way to the goal
+    lateral("goal_bearing", "rad", 3.15f, "direction of the opponents' goal, > 0 to the left",
+            [](const View& view) { return bearing(view.to_robot(view.goal())); }),
+    with_ball(number("goal_opening", "rad", 0, 3.15f,
+                     "angle of the widest gap in the opponents' goal as seen from the ball", &opening)),
+    with_ball(number("shot_clearance", "m", 0, 10,
+                     "distance of the nearest opponent from the line between ball and goal",
+                     [](const View& view) { return clearance(view, view.ball_in_team, view.goal()); })),
+    with_ball(
+        number("line_error", "rad", 0, 3.15f, "angle between the way to the ball and the way from the ball to the goal",
+               [](const View& view) {
+                 return angle_between(view.ball_in_team - view.position, view.goal() - view.ball_in_team);
+               })),
+    with_ball(yes_no("aligned", "the ball lies in the gate of the chosen kick",
+                     [](const View& view) { return aligned(view) ? 1.f : 0.f; })),
+    number("aligned_for", "decisions", 0, 255, "number of decisions in a row in which it did",
+           [](const View& view) { return static_cast<float>(view.mind.aligned); }),
+    number("kick_error", "rad", 0, 3.15f, "angle between the own heading and the direction of the kick", &kick_error),
+    // the others
+    with_ball(number("time_to_ball", "s", 0, 1000, "time until the robot stands behind the ball",
+                     [](const View& view) { return view.mind.time_to_ball; })),
+    number("mates_time_to_ball", "s", 0, 1000, "the same of the quickest teammate, from its last message",
+           &quickest_mate),
+    number("mates_active", "robots", 0, 6, "number of teammates on the field that were heard recently", &count_mates),
+    number("mate_distance", "m", 0, 30, "distance of the nearest teammate, from its last message", &nearest_mate),
+    number("opponents_known", "robots", 0, 7, "number of opponents seen in the last seconds", &count_opponents),
+    number("opponent_distance", "m", 0, 30, "distance of the nearest opponent from the robot",
+           [](const View& view) { return nearest_opponent(view, view.position); }),
+    with_ball(number("opponent_ball_distance", "m", 0, 30, "distance of the nearest opponent from the ball",
+                     [](const View& view) { return nearest_opponent(view, view.ball_in_team); })),
+    with_ball(number("pass_gain", "m", -30, 30, "how much nearer to the goal the best free teammate is than the ball",
+                     &pass_gain)),
+    // the robot itself
+    one_of("role", kRoleNames, 3, "keeper, chaser, supporter or defender",
+           [](const View& view) { return static_cast<float>(view.mind.role); }),
+    lateral("lane", "", 3, "place among the robots of the same role, 0 in the middle, > 0 to the left",
+            [](const View& view) { return lane_of(view.mind); }),
+    number("player", "", 1, 7, "the own number", [](const View& view) { return static_cast<float>(view.game.player); }),
+    number("x", "m", -15, 15, "own x in team_field", [](const View& view) { return view.position.x; }),
+    lateral("y", "m", 10, "own y in team_field", [](const View& view) { return view.position.y; }),
+    number("off_centre", "m", 0, 10, "own distance from the long axis of the field",
+           [](const View& view) { return std::abs(view.position.y); }),
+    lateral("heading", "rad", 3.15f, "own heading, 0 towards the opponents' goal",
+            [](const View& view) { return view.beliefs.pose.pose.heading; }),
+    number("pose_deviation", "m", 0, 15, "standard deviation of the own position along each axis",
+           [](const View& view) { return view.beliefs.pose.deviation; }),
+    number("own_goal_distance", "m", 0, 30, "own distance from the middle of the own goal",
+           [](const View& view) { return distance(view.position, view.own_goal()); }),
+    number("role_age", "s", 0, 1000, "time since the own role last changed",
+           [](const View& view) { return seconds_since(view.now, view.mind.role_since); }),
+    number("leaf_age", "s", 0, 1000, "time since the decision last reached another leaf",
+           [](const View& view) { return seconds_since(view.now, view.mind.leaf_since); }),
+    // the game
+    yes_no("our_kick", "a kick-off or set play of the own team",
+           [](const View& view) { return is_set_play(view) && view.game.own_kick ? 1.f : 0.f; }),
+    yes_no("their_kick", "a kick-off or set play of the opponents",
+           [](const View& view) { return is_set_play(view) && !view.game.own_kick ? 1.f : 0.f; }),
+    one_of("set_play", kSetPlayNames, 4, "none, kick_off, kick_in, goal_kick or corner_kick",
+           [](const View& view) { return static_cast<float>(view.game.set_play); }),
+    number("phase_age", "s", 0, 1000, "time since phase or set play last changed",
+           [](const View& view) { return view.game.since_phase; }),
+    number("seconds_left", "s", 0, 36000, "time left in the half",
+           [](const View& view) { return view.game.remaining; }),
+    number("half", "", 1, 4, "number of the half", [](const View& view) { return static_cast<float>(view.game.half); }),
+    number(
+        "score_difference", "goals", -100, 100, "own goals minus theirs",
+        [](const View& view) { return static_cast<float>(int{view.game.own_score} - int{view.game.opponent_score}); }),
+    number("players", "", 1, 7, "players on a side",
+           [](const View& view) { return static_cast<float>(view.game.players); }),
+};
+constexpr int kBuiltIn = static_cast<int>(std::size(kTable));
+static_assert(kBuiltIn + kMaxOwnFeatures <= kMaxFeatures);
 
 }  // namespace
 
-int feature_count() { return kFeatureCount + static_cast<int>(own_features().size()); }
+int built_in_feature_count() { return kBuiltIn; }
+
+int feature_count() { return kBuiltIn + static_cast<int>(own_features().size()); }
 
 const FeatureInfo& info_of(Feature feature) {
-  return feature < Feature::count ? kTable[static_cast<int>(feature)] : own(feature).info;
+  const auto index = static_cast<std::size_t>(feature);
+  return index < kBuiltIn ? kTable[index] : own_features()[index - kBuiltIn];
 }
 
 float compute(Feature feature, const View& view) {
-  const bool kick_on = view.game.set_play != Game::SetPlay::none;
-  switch (feature) {
-    case Feature::ball_known: return view.ball_known ? 1 : 0;
-    case Feature::ball_visible: return view.beliefs.ball.visible ? 1 : 0;
-    case Feature::ball_age: return age(view.now, view.beliefs.ball.seen);
-    case Feature::team_ball_age: return age(view.now, view.ball_seen);
-    case Feature::ball_deviation: return std::sqrt(view.beliefs.ball.variance);
-    case Feature::ball_heat: return view.beliefs.ball.heat;
-    case Feature::goal_bearing: {
-      const Vec2 goal = view.to_robot(view.goal());
-      return atan2(goal.y, goal.x);
-    }
-    case Feature::aligned_for: return static_cast<float>(view.mind.aligned);
-    case Feature::kick_error: {
-      const Vec2 wanted = turned_back(direction(view.mind.kick_direction), view.facing);
-      return atan2(std::abs(wanted.y), wanted.x);
-    }
-    case Feature::mates_time_to_ball: return quickest_mate(view);
-    case Feature::mates_active: {
-      float count = 0;
-      view.for_each_mate([&](const Mate&, int) { count += 1; });
-      return count;
-    }
-    case Feature::mate_distance: return nearest_mate(view);
-    case Feature::opponents_known: {
-      float count = 0;
-      view.for_each_opponent([&](Vec2) { count += 1; });
-      return count;
-    }
-    case Feature::opponent_distance: return nearest_opponent(view, view.position);
-    case Feature::role: return static_cast<float>(view.mind.role);
-    case Feature::lane: return lane_of(view.mind);
-    case Feature::player: return static_cast<float>(view.game.player);
-    case Feature::x: return view.position.x;
-    case Feature::y: return view.position.y;
-    case Feature::off_centre: return std::abs(view.position.y);
-    case Feature::heading: return view.beliefs.pose.pose.heading;
-    case Feature::pose_deviation: return view.beliefs.pose.deviation;
-    case Feature::own_goal_distance: return distance(view.position, view.own_goal());
-    case Feature::role_age: return seconds_since(view.now, view.mind.role_since);
-    case Feature::leaf_age: return seconds_since(view.now, view.mind.leaf_since);
-    case Feature::our_kick: return kick_on && view.game.own_kick ? 1 : 0;
-    case Feature::their_kick: return kick_on && !view.game.own_kick ? 1 : 0;
-    case Feature::set_play: return static_cast<float>(view.game.set_play);
-    case Feature::phase_age: return view.game.since_phase;
-    case Feature::seconds_left: return view.game.remaining;
-    case Feature::half: return static_cast<float>(view.game.half);
-    case Feature::score_difference: return static_cast<float>(int{view.game.own_score} - int{view.game.opponent_score});
-    case Feature::players: return static_cast<float>(view.game.players);
-    default:
-      if (feature >= Feature::count) return own(feature).value(view);
-      return view.ball_known ? ball_value(feature, view) : kUnknown;
-  }
+  const FeatureInfo& row = info_of(feature);
+  return row.needs_ball && !view.ball_known ? kUnknown : row.compute(view);
 }
 
 Feature find_feature(std::string_view name) {
@@ -280,10 +283,29 @@ Feature find_feature(std::string_view name) {
   return kNoFeature;
 }
 
+bool rolls_into_own_goal(const View& view) {
+  const Vec2 velocity = view.ball_velocity;
+  const float to_line = view.ball_in_team.x + view.half_length;
+  if (velocity.x > -kRolls || to_line <= 0) return false;
+  const Vec2 way = (to_line / -velocity.x) * velocity;
+  const float y = view.ball_in_team.y + way.y;
+  if (std::abs(y) > 0.5f * view.around.field->goal_width + kBeside) return false;
+  return !std::isnan(rolling_time(length(velocity), kShort * length(way)));
+}
+
+Crossing crossing(const View& view) {
+  const Vec2 velocity = turned_back(view.ball_velocity, view.facing);
+  if (view.ball.x <= 0 || velocity.x > -kRolls) return {kUnknown, kUnknown};
+  const float ratio = view.ball.x / -velocity.x;
+  const Vec2 way = ratio * velocity;
+  const float time = rolling_time(length(velocity), length(way));
+  return std::isnan(time) ? Crossing{kUnknown, kUnknown} : Crossing{time, view.ball.y + way.y};
+}
+
 float clearance(const View& view, Vec2 from, Vec2 to) {
   const Vec2 way = unit(to - from);
   const float end = dot(to - from, way);
-  float nearest = 100;  // [m²]
+  float nearest = kFarthestClearance * kFarthestClearance;  // [m²]
   view.for_each_opponent([&](Vec2 opponent) {
     const Vec2 offset = opponent - from;
     const float along = clamp(dot(offset, way), 0, end);
@@ -294,16 +316,15 @@ float clearance(const View& view, Vec2 from, Vec2 to) {
 }
 
 Gap widest_gap(const View& view) {
-  constexpr float kShadow = 0.25f;  // [m] half of what a robot and the ball's own width take away
-  const float post = 0.5f * view.around.field->goal_width - 0.1f;
+  const float post = 0.5f * view.around.field->goal_width - kBallRadius;
   const Vec2 ball = view.ball_in_team;
 
-  // what each opponent in front of the ball hides of the goal line
+  // the part of the goal line that each opponent in front of the ball hides
   Gap hidden[kMaxPlayers];
   int count = 0;
   view.for_each_opponent([&](Vec2 opponent) {
     const float ahead = opponent.x - ball.x;
-    if (ahead < 0.05f || opponent.x > view.half_length + 0.1f) return;
+    if (ahead < kInFront || opponent.x > view.half_length + kBehindLine) return;
     const float scale = (view.half_length - ball.x) / ahead;
     const float y = ball.y + (opponent.y - ball.y) * scale;
     const float half = kShadow * scale;
@@ -322,27 +343,26 @@ Gap widest_gap(const View& view) {
       if (hidden[k].right > right && hidden[k].right < left) left = hidden[k].right;
     }
     if (!open) continue;
-    // equal gaps: the one on the side that the robot has to do with anyway
+    // of equal gaps the one on the side of the ball, as Mind.search_side has it
     const float wider = (left - right) - (best.left - best.right);
     if (wider > 0 || (wider == 0 && (left + right) * view.mind.search_side > 0)) best = {right, left};
   }
   return best;
 }
 
-int pass_mate(const View& view) {
-  if (view.pass_mate != -2) return view.pass_mate;
-  view.pass_mate = -1;
+PassTarget pass_target(const View& view) {
+  PassTarget best;
   const float ball_to_goal = distance(view.ball_in_team, view.goal());
   view.for_each_mate([&](const Mate& mate, int index) {
     if (view.player_of_mate(index) == 1) return;
     const float gain = ball_to_goal - distance(mate.pose.position, view.goal());
     const float way = squared_length(mate.pose.position - view.ball_in_team);
-    if (way < 0.8f * 0.8f || way > 4.5f * 4.5f) return;
-    if (view.pass_mate >= 0 && gain <= view.pass_gain) return;
-    if (clearance(view, view.ball_in_team, mate.pose.position) < 0.4f) return;
-    view.pass_mate = index, view.pass_gain = gain;
+    if (way < kShortestPass * kShortestPass || way > kLongestPass * kLongestPass) return;
+    if (best.mate >= 0 && gain <= best.gain) return;
+    if (clearance(view, view.ball_in_team, mate.pose.position) < kPassClearance) return;
+    best = {index, gain};
   });
-  return view.pass_mate;
+  return best;
 }
 
 bool in_gate(const motion::Kick& kick, Vec2 ball, bool left, float care) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kKeeper = 1;
 
-/// Another strategy is played than before.
+/// Sets the choice; another strategy starts without a leaf.
 void change(const Choice& choice, Mind& mind) {
   if (choice.played() != mind.choice.played()) mind.leaf = kNoLeaf;
   mind.choice = choice;

@@ -7,7 +7,7 @@ constexpr float kScanAngle = 1.3f;  // [rad] HULKs look_around
 constexpr float kScanPitch = 0.3f;  // [rad] down
 constexpr Tick kScanPeriod = 66;    // [ticks] there and back
 
-/// -1..1..-1, 0 and rising at 0: the way of a head that swings evenly.
+/// Returns the position -1..1 of a head that swings evenly; 0 and rising at tick 0.
 float swing(Tick tick, Tick period) {
   const float share = static_cast<float>(tick % period) / static_cast<float>(period);
   return share < 0.25f ? 4 * share : share < 0.75f ? 2 - 4 * share : 4 * share - 4;
@@ -36,7 +36,7 @@ void look_at_ball(const View& view, motion::Command& command) {
   const Tick follow = ticks(habits.look_at_ball), away = ticks(habits.look_away);
   if (!view.ball_known || follow + away == 0) return keep_eye_on_ball(view, command);
 
-  // players out of step, so that a team never looks away as one
+  // players are out of step, so that a team never looks away all at once
   const Tick time = view.now + 17u * view.game.player;
   const Tick cycle = time / (follow + away);
   if (time - cycle * (follow + away) < follow) return keep_eye_on_ball(view, command);
@@ -50,9 +50,9 @@ motion::Command stand(const View& view) {
   return command;
 }
 
-motion::Command look_round(const View& view, float angle) {
+motion::Command look_round(const View& view, Mind&, const LookRound& with) {
   motion::Command command;
-  scan(view, command, angle);
+  scan(view, command, with.angle);
   return command;
 }
 

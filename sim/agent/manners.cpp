@@ -7,26 +7,26 @@ namespace {
 
 using Body = motion::Command::Body;
 
-constexpr float kMargin = 0.05f;  // [m] that a robot may be nearer than it keeps
+constexpr float kMargin = 0.05f;  // [m] tolerance of keep_clear
 
-/// Walks to `place` instead [team_field]; the heading stays as commanded.
+/// Changes the command to walk to `place` [team_field]. The heading stays as commanded.
 void divert(const View& view, motion::Command& command, Vec2 place) {
   if (command.body != Body::walk_to) command.turn = 0, command.gain = 1;
   command.body = Body::walk_to;
   command.walk = view.to_robot(place);
 }
 
-/// At the opponents' kick.
+/// Returns whether the robot is too near to the ball of the opponents' kick.
 bool too_near(const View& view) { return view.ball_distance < view.settings.habits.keep_clear - kMargin; }
 
 void keep_clear(const View& view, motion::Command& command) {
   const float clear = view.settings.habits.keep_clear;
   if (command.body == Body::kick) command.body = Body::stand;
 
-  // whoever is too near goes straight away from the ball
+  // a robot that is too near goes straight away from the ball
   if (too_near(view)) return divert(view, command, view.ball_in_team + clear * unit(view.position - view.ball_in_team));
 
-  // others go to no place too near, and round the circle
+  // other robots avoid places that are too near, and walk round the circle
   const Vec2 wanted = command.body == Body::walk_to ? view.to_team(command.walk) : view.position;
   const Vec2 from_ball = wanted - view.ball_in_team;
   const bool inside = squared_length(from_ball) < clear * clear;
@@ -50,7 +50,7 @@ void leave_goal_area(const View& view, motion::Command& command) {
 void mind_manners(const View& view, motion::Command& command) {
   const bool theirs = view.game.set_play != Game::SetPlay::none && !view.game.own_kick && view.ball_known;
   if (theirs) keep_clear(view, command);
-  // away from the ball comes first
+  // getting away from the ball comes first
   if (theirs && too_near(view)) return;
   if (view.game.player != 1 && command.body == Body::walk_to) leave_goal_area(view, command);
 }

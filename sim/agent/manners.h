@@ -1,4 +1,4 @@
-// What the rules ask of every robot, whatever its tree says.
+// The rules that every robot keeps, independent of its tree.
 #pragma once
 
 #include "sim/agent/view.h"
@@ -6,9 +6,9 @@
 
 namespace sim::agent {
 
-/// Changes the command where it would break a rule: at the opponents' kick-off or set play nobody kicks or comes
-/// nearer to the ball than Habits.keep_clear, and at their kick-off nobody leaves the own half; nobody but the keeper
-/// walks into the own goal area, unless it must get away from the ball.
+/// Changes a command that would break a rule. At the opponents' kick-off or set play the robot does not kick and keeps
+/// Habits.keep_clear away from the ball. At their kick-off it stays in the own half. Only the keeper walks into the own
+/// goal area, except to get away from the ball.
 void mind_manners(const View& view, motion::Command& command);
 
 }  // namespace sim::agent

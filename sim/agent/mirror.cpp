@@ -57,7 +57,7 @@ Tree mirrored(Tree tree) {
   }
   for (Leaf& leaf : tree.leaves)
     for (int i = 0; i < info_of(leaf.skill).count; ++i)
-      if (info_of(leaf.skill).parameters[i].lateral) leaf.arguments[i] = -leaf.arguments[i];
+      if (info_of(leaf.skill).parameters[i].range.lateral) leaf.arguments[i] = -leaf.arguments[i];
   for (Vec2& place : tree.settings.formation.ours) place = across(place);
   for (Vec2& place : tree.settings.formation.theirs) place = across(place);
   return tree;

@@ -1,6 +1,6 @@
 // Left and right exchanged.
 //
-// The law: what a mirrored behaviour decides in a mirrored situation is the mirrored command, to the bit.
+// The law: a mirrored behaviour in a mirrored situation decides the mirrored command, to the bit.
 #pragma once
 
 #include "sim/agent/beliefs.h"
@@ -13,7 +13,7 @@ namespace sim::agent {
 Beliefs mirrored(Beliefs beliefs);
 Mind mirrored(Mind mind);
 motion::Command mirrored(motion::Command command);
-/// Lateral features are compared the other way round, lateral arguments and the places of the kick-off change sign.
+/// Reverses the comparisons of lateral features; negates lateral arguments and the y of the kick-off places.
 Tree mirrored(Tree tree);
 
 }  // namespace sim::agent

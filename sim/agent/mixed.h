@@ -1,4 +1,4 @@
-// A team of which some players decide differently from the others: what a change to one robot's behaviour is worth.
+// A team with two behaviours: for measuring the value of a change to some of its robots.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace sim::agent {
 
-/// Players 1 .. `changed` play `first`, the others `rest`; both outlive it.
+/// The behaviour of players 1 .. `changed` is `first`, of the others `rest`. Both outlive this object.
 class Mixed final : public Behaviour {
  public:
   Mixed(const Behaviour& first, int changed, const Behaviour& rest);

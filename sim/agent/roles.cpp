@@ -3,20 +3,20 @@
 namespace sim::agent {
 namespace {
 
-/// A robot as candidate for the roles.
+/// A candidate for the roles.
 struct Candidate {
-  float time;  // [s] to the ball; less what it has in hand as the chaser
-  float x;     // [m, team_field]; less what it has in hand as a defender
+  float time;  // [s] to the ball, minus the hysteresis of the chaser
+  float x;     // [m, team_field]; minus order_keep of a defender
   float y;     // [m, team_field]
   int player;
 };
 
-/// Which of two comes first; the number settles what a mirrored game leaves the same.
+/// Returns whether `a` comes before `b`. The number breaks ties, also in a mirrored game.
 bool quicker(const Candidate& a, const Candidate& b) {
   return a.time < b.time || (a.time == b.time && a.player < b.player);
 }
 bool farther_back(const Candidate& a, const Candidate& b) {
-  // no branch to be mispredicted
+  // without branches, which would be mispredicted
   return (a.x < b.x) | ((a.x == b.x) & (a.player < b.player));
 }
 
@@ -52,7 +52,7 @@ float time_to_ball(const View& view) {
 void assign_role(const View& view, Mind& mind) {
   const Roles& roles = view.settings.roles;
   mind.settled = static_cast<std::uint8_t>(view.now);
-  // as the others hear it, or they would not agree
+  // rounded as the others hear it; otherwise they would not agree
   mind.time_to_ball = as_told(view.ball_known ? time_to_ball(view) : 1e6f);
   if (view.game.player == 1) {
     set_role(mind, Role::keeper, view.now);
@@ -60,14 +60,14 @@ void assign_role(const View& view, Mind& mind) {
     return;
   }
 
-  // everybody in the field, oneself first
+  // all field players, this robot first
   Candidate all[kMaxPlayers];
   all[0] = candidate(roles, mind.role, mind.time_to_ball, view.position, view.game.player);
   int count = 1, chaser = 0;
   view.for_each_mate([&](const Mate& mate, int index) {
     const int player = view.player_of_mate(index);
     if (player == 1) return;
-    // who told that it chases has come nearer since
+    // a chaser has come nearer since its message
     const auto role = static_cast<Role>(mate.role);
     const float since = static_cast<float>(view.now - mate.sent) * kTickDuration;
     const float left =

@@ -1,4 +1,4 @@
-// Who does what in the team: each robot decides for itself, from what it believes of the others.
+// The roles in a team: each robot decides for itself, from its beliefs about the others.
 #pragma once
 
 #include "sim/agent/view.h"
@@ -9,17 +9,17 @@ inline constexpr int kRoleCount = 4;
 /// "keeper", "chaser", "supporter", "defender".
 const char* name_of(Role role);
 
-/// [s] the robot needs until it stands behind the ball; smooth and quick to compute, for comparing robots: the way,
-/// half a turn where it looks away, half a circle round the ball where it stands on the wrong side.
+/// Estimates the time [s] until the robot stands behind the ball: the way, half a turn when it faces away, half a circle
+/// round the ball when it is on the wrong side. Smooth and quick to compute, for comparing robots.
 float time_to_ball(const View& view);
 
-/// Player 1 keeps the goal. Who is at the ball first chases it, and stays the chaser until another is quicker by the
-/// hysteresis; of the rest, those farthest back defend and the others support. Robots that believe the same agree.
+/// Assigns the own role. Player 1 keeps the goal. The quickest robot chases the ball until another is quicker by the
+/// hysteresis. Of the rest, those farthest back defend and the others support. Robots with equal beliefs agree.
 ///
-/// Mind.slot tells the lane among the robots of the same role, from right to left: `kMiddleLane` in the middle, two
+/// Mind.slot is the lane among the robots of the same role, from right to left: `kMiddleLane` in the middle, two
 /// apart from the next; `lane_of` gives it as a number that is 0 in the middle and 1 apart.
 void assign_role(const View& view, Mind& mind);
-inline constexpr Tick kSettle = 6;  // [ticks] from one such look at the team to the next
+inline constexpr Tick kSettle = 6;  // [ticks] from one assignment to the next
 inline constexpr int kMiddleLane = 8;
 constexpr float lane_of(const Mind& mind) { return 0.5f * static_cast<float>(int{mind.slot} - kMiddleLane); }
 

@@ -11,9 +11,9 @@ constexpr float kScanAngle = 1.3f;  // [rad] HULKs look_around
 constexpr float kTurnScan = 0.5f;   // [rad] of the head while the body turns
 constexpr Tick kScanning = 66;      // [ticks] with the head alone
 constexpr Tick kTurning = 150;      // then turning
-constexpr Tick kWalking = 240;      // then walking, and from the beginning
+constexpr Tick kWalking = 240;      // then walking, then from the beginning
 
-/// [m, team_field] The place to walk to: one's own part of the field, other sides in turn.
+/// Returns the place to walk to [m, team_field]: the own part of the field, alternate sides.
 Vec2 patrol(const View& view, Tick round) {
   const float side = round % 2 == 0 ? view.mind.search_side : -view.mind.search_side;
   const float y = 0.35f * side * view.half_width;
@@ -28,11 +28,12 @@ Vec2 patrol(const View& view, Tick round) {
 
 }  // namespace
 
-motion::Command search_ball(const View& view, Mind& mind, float gain) {
+motion::Command search_ball(const View& view, Mind& mind, const SearchBall& with) {
+  const float gain = with.gain;
   if (mind.search_since == kNever) mind.search_since = view.now;
   motion::Command command;
 
-  // somebody else sees it: look there, and near enough to see it too
+  // a teammate sees the ball: look there, and go near enough to see it
   const Tick own = view.beliefs.ball.seen;
   if (view.ball_known && (own == kNever || view.ball_seen > own)) {
     const Vec2 way = unit(view.ball);

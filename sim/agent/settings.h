@@ -1,4 +1,4 @@
-// What a strategy sets beside its tree: roles, habits of the head and the legs, the places at a kick-off.
+// The settings of a strategy beside its tree: roles, habits of head and legs, places at a kick-off.
 #pragma once
 
 #include "sim/field/rules.h"
@@ -6,12 +6,12 @@
 
 namespace sim::agent {
 
-/// Who chases the ball and who stays back.
+/// The rule for who chases the ball and who stays back.
 struct Roles {
-  float hysteresis = 1.f;   // [s] by which another must be nearer to the ball to take it over
-  float stale = 12.f;       // [s] a teammate not heard of for longer is left out
-  float defenders = 0.5f;   // [0..1] share of those who neither chase nor keep the goal that stay back, rounded
-  float order_keep = 0.6f;  // [m] by which another must stand farther back to become the defender instead
+  float hysteresis = 1.f;   // [s] lead that another robot needs to take over the ball
+  float stale = 12.f;       // [s] a teammate silent for longer is ignored
+  float defenders = 0.5f;   // [0..1] share of defenders among those without ball and goal, rounded
+  float order_keep = 0.6f;  // [m] distance farther back that another robot needs to become the defender
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
@@ -22,13 +22,13 @@ struct Roles {
   }
 };
 
-/// What every skill does on the way.
+/// Habits that all skills share.
 struct Habits {
-  float trust_eyes = 2.f;        // [s] the own sight of the ball counts for so long, whatever others report
-  float forget_ball = 12.f;      // [s] after which a ball that nobody saw is unknown
+  float trust_eyes = 2.f;        // [s] the own sight of the ball beats reports for this time
+  float forget_ball = 12.f;      // [s] a ball that nobody saw for longer is unknown
   float look_at_ball = 1.2f;     // [s] the head follows the ball ...
   float look_away = 0.7f;        // [s] ... and then looks for marks
-  float look_angle = 0.7f;       // [rad] as far to the side as it looks away, HULKs' scan has 1.3, their glance 0.25
+  float look_angle = 0.7f;       // [rad] yaw of that look; HULKs' scan has 1.3, their glance 0.25
   float keep_clear = 0.9f;       // [m] from the ball of the opponents' kick; the rules ask for 0.75
   float avoid_radius = 0.45f;    // [m] from a robot in the way
   float walk_tolerance = 0.12f;  // [m] near enough to a place to stand there
@@ -46,8 +46,8 @@ struct Habits {
   }
 };
 
-/// Where players 1.. stand when the ball is kicked off, as shares of half the field's length and width:
-/// {-1, 0} is the own goal, {0, 1} the touch line to the left. The rules are kept whatever stands here.
+/// The places of players 1.. at a kick-off, as shares of half the field's length and width: {-1, 0} is the own goal,
+/// {0, 1} the left touch line. A place against the rules is corrected.
 struct Formation {
   Vec2 ours[kMaxPlayers] = {{-0.95f, 0},    {-0.09f, 0},     {-0.45f, -0.4f}, {-0.3f, 0.45f},
                             {-0.6f, 0.35f}, {-0.15f, -0.6f}, {-0.7f, -0.1f}};

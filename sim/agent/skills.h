@@ -1,59 +1,89 @@
-// What a leaf of a tree can do: each skill turns a view and a few parameters into a command.
+// The skills that a leaf of a tree can name: each turns a view and a few arguments into a command.
+//
+// The table of skills is in skills.cpp, one row per skill. A skill's arguments are a struct that lists its parameters
+// once: visit(self, see(name, member, range, about)). A member's initialiser is the value when the tree gives none.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 
 #include "sim/agent/view.h"
 #include "sim/motion/command.h"
 
 namespace sim::agent {
 
-enum class Skill : std::uint8_t {
-  stand,
-  search_ball,
-  look_round,
-  walk_to_ball,
-  align,
-  kick,
-  dribble,
-  pass,
-  position,
-  block,
-  keep_goal,
-  get_ready,
-  count,
-};
-inline constexpr int kSkillCount = static_cast<int>(Skill::count);
-/// What find_skill says of a name that it does not know.
-inline constexpr Skill kNoSkill{255};
 inline constexpr int kMaxArguments = 8;
+
+/// The values that a parameter may have.
+struct Range {
+  const char* unit;  // "" without a unit
+  float least;       // in `unit`
+  float most;
+  bool lateral = false;                // the value changes its sign when left and right are exchanged
+  const char* const* names = nullptr;  // the words for the values 0, 1, …, ended by nullptr; nullptr: a number
+};
+constexpr Range lateral_range(const char* unit, float most) { return {unit, -most, most, true}; }
+inline constexpr Range kGainRange{"", 0.1f, 1};  // share of the greatest speed
 
 /// One parameter of a skill.
 struct ParameterInfo {
   const char* name;
-  const char* unit;  // "" where there is none
-  float least;       // in `unit`
-  float most;
-  float standard;            // where the tree says nothing
-  bool lateral;              // changes its sign when left and right are exchanged
-  const char* const* names;  // what the values 0.. are called, ended by nullptr; nullptr: it is a number
+  Range range;
+  float standard;  // when the tree gives no value
   const char* about;
 };
 
+/// One row of the table of skills. The arguments of a leaf are in the order of `parameters`.
 struct SkillInfo {
   const char* name;
   const char* about;
-  int count;  // of its parameters
-  ParameterInfo parameters[kMaxArguments];
+  motion::Command (*run)(const float* arguments, const View& view, Mind& mind);
+  bool searches = false;  // a search goes on while a leaf has this skill; every other skill ends it (Mind.search_since)
+  int count = 0;          // of its parameters
+  ParameterInfo parameters[kMaxArguments] = {};
 };
-/// How many there are with those of a team's own (sim/agent/own.h), which follow ours: static_cast<Skill>(0 ..).
-int skill_count();
-const SkillInfo& info_of(Skill skill);
-/// kNoSkill if there is none of that name.
-Skill find_skill(std::string_view name);
 
-/// What the skill does now. `arguments` are as many as the skill has parameters, in their order.
-motion::Command run(Skill skill, const float* arguments, const View& view, Mind& mind);
+/// The arguments of a skill without parameters.
+struct NoArguments {
+  template <class Self, class See>
+  static constexpr void visit(Self&, See&&) {}
+};
+
+/// Makes the row of a skill from its arguments' list of parameters and its function.
+template <class Arguments, motion::Command (*function)(const View&, Mind&, const Arguments&)>
+constexpr SkillInfo skill(const char* name, const char* about) {
+  SkillInfo row{.name = name, .about = about, .run = [](const float* values, const View& view, Mind& mind) {
+                  Arguments arguments;
+                  Arguments::visit(arguments, [&](const char*, auto& member, const Range&, const char*) {
+                    // a number, or an enumeration by its number
+                    using Member = std::remove_reference_t<decltype(member)>;
+                    if constexpr (std::is_same_v<Member, float>)
+                      member = *values;
+                    else
+                      member = static_cast<Member>(static_cast<int>(*values));
+                    ++values;
+                  });
+                  return function(view, mind, arguments);
+                }};
+  const Arguments standard;
+  Arguments::visit(standard, [&](const char* parameter, const auto& member, const Range& range, const char* text) {
+    row.parameters[row.count++] = {parameter, range, static_cast<float>(member), text};
+  });
+  return row;
+}
+
+/// The number of a skill: its row in the table, ours first, then the team's own (sim/agent/own.h).
+enum class Skill : std::uint8_t {};
+/// The answer of find_skill to an unknown name.
+inline constexpr Skill kNoSkill{255};
+
+/// Returns the number of skills, the team's own included: they are 0 .. skill_count() - 1.
+int skill_count();
+/// Returns the number of skills without the team's own.
+int built_in_skill_count();
+const SkillInfo& info_of(Skill skill);
+/// Returns the skill of that name, or kNoSkill.
+Skill find_skill(std::string_view name);
 
 }  // namespace sim::agent

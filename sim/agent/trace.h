@@ -1,11 +1,11 @@
-// Why an agent decided so: the way through its tree with the values compared.
+// The reasons of a decision: the path through the tree with the compared values.
 #pragma once
 
 #include <vector>
 
 namespace sim::agent {
 
-/// Filled by Behaviour::decide for whoever asks; the strings belong to the behaviour.
+/// The trace of one decision, filled by Behaviour::decide. The behaviour owns the strings.
 struct Trace {
   struct Node {
     const char* path;  // names from the root, joined by "/"
@@ -14,14 +14,14 @@ struct Trace {
     const char* feature;    // empty for a leaf
     float value = 0;        // [SI] of the feature
     float threshold = 0;
-    bool known = true;  // false: the robot did not know the value, which makes the result false
+    bool known = true;  // false: the robot does not know the value, and the result is false
     bool result = true;
   };
   struct Argument {
     const char* name;
     float value;  // [SI]
   };
-  const char* strategy = "";  // whose tree it is
+  const char* strategy = "";  // name of the tree
   std::vector<Node> visited;  // from the root to the leaf
   const char* skill = "";
   std::vector<Argument> arguments;

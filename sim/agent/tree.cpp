@@ -1,5 +1,6 @@
 #include "sim/agent/tree.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "sim/agent/head.h"
@@ -11,7 +12,7 @@
 namespace sim::agent {
 namespace {
 
-/// What it takes the ball to be, for when nobody sees it any more; and to which side it went.
+/// Remembers the ball for the time when nobody sees it, and the side to which it went.
 void remember_ball(const View& view, Mind& mind) {
   if (!view.ball_known) return;
   mind.ball = view.ball_in_team;
@@ -43,7 +44,7 @@ void explain_leaf(const Leaf& leaf, const Words& words, const Mind& mind, Trace&
   trace.role = name_of(mind.role);
 }
 
-/// Down the tree from `at` to the leaf whose number is returned; see(node, its number, value, result) at each node.
+/// Walks from `at` to a leaf and returns its number. Calls see(node, its number, value, result) at each node.
 template <class See>
 std::uint16_t walk_down(const Tree& tree, std::uint16_t at, const View& view, See&& see) {
   const Node* nodes = tree.nodes.data();
@@ -57,7 +58,7 @@ std::uint16_t walk_down(const Tree& tree, std::uint16_t at, const View& view, Se
   return static_cast<std::uint16_t>(at & ~kLeafBit);
 }
 
-/// The same from the root, explaining each step.
+/// Walks from the root and explains each step.
 std::uint16_t walk_down_explaining(const Tree& tree, const View& view, Trace& trace) {
   return walk_down(tree, tree.root, view, [&](const Node& node, std::uint16_t at, float value, bool result) {
     trace.visited.push_back(explained(node, tree.node_words[at], value, result));
@@ -77,14 +78,16 @@ motion::Command wait(const View& view, Mind& mind, Trace* trace) {
 }
 
 TreeBehaviour::TreeBehaviour(Tree tree) : tree_(std::move(tree)) {
+  const Feature ball_known = find_feature("ball_known"), own_role = find_feature("role");
+  assert(ball_known != kNoFeature && own_role != kNoFeature);
   for (int known = 0; known < 2; ++known)
     for (int role = 0; role < kRoleCount; ++role) {
       std::uint16_t at = tree_.root;
       while (!(at & kLeafBit)) {
         const Node& node = tree_.nodes[at];
-        const bool settled = node.feature == Feature::ball_known || node.feature == Feature::role;
+        const bool settled = node.feature == ball_known || node.feature == own_role;
         if (!settled) break;
-        const int value = node.feature == Feature::role ? role : known;
+        const int value = node.feature == own_role ? role : known;
         at = holds(node.comparison, static_cast<float>(value), node.threshold) ? node.yes : node.no;
       }
       entries_[known][role] = at;
@@ -106,8 +109,9 @@ motion::Command TreeBehaviour::decide(const Surroundings& surroundings, const Ga
   remember_leaf(mind, number, now);
   const Leaf& leaf = tree_.leaves[number];
   if (trace) explain_leaf(leaf, tree_.leaf_words[number], mind, *trace);
-  if (leaf.skill != Skill::search_ball) mind.search_since = kNever;
-  motion::Command command = run(leaf.skill, leaf.arguments, view, mind);
+  const SkillInfo& skill = info_of(leaf.skill);
+  if (!skill.searches) mind.search_since = kNever;
+  motion::Command command = skill.run(leaf.arguments, view, mind);
   mind_manners(view, command);
   return command;
 }

@@ -1,4 +1,4 @@
-// A decision tree, compiled: a flat array of comparisons and the leaves they lead to.
+// A compiled decision tree: flat arrays of comparisons and leaves.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@
 
 namespace sim::agent {
 
-/// Which of "less", "greater" and "equal" pass, a bit each.
+/// A comparison: one bit each for "less", "greater" and "equal" to pass.
 enum class Comparison : std::uint8_t { less = 1, greater = 2, unequal = 3, equal = 4, at_most = 5, at_least = 6 };
 
-/// Where a comparison leads: a node, or with this bit a leaf. Nodes lead to earlier ones only: a tree cannot be a circle.
+/// Marks the target of a comparison as a leaf. A target without it is a node with a lower number: a tree has no cycles.
 inline constexpr std::uint16_t kLeafBit = 0x8000;
 inline constexpr int kMaxNodes = 4096;
 inline constexpr int kMaxLeaves = 4096;
@@ -29,11 +29,11 @@ struct Node {
 };
 
 struct Leaf {
-  Skill skill = Skill::stand;
+  Skill skill{};  // the first of the table: stand
   float arguments[kMaxArguments] = {};
 };
 
-/// The words of a node or leaf, for the trace.
+/// The texts of a node or leaf, for the trace.
 struct Words {
   std::string path;
   std::string name;
@@ -51,14 +51,14 @@ struct Tree {
   std::uint16_t root = kLeafBit;
 };
 
-/// Whether a value passes; an unknown one (NaN) never does.
+/// Returns whether a value passes. An unknown value (NaN) never passes.
 inline bool holds(Comparison comparison, float value, float threshold) {
-  // no branch to be mispredicted
+  // without branches, which would be mispredicted
   const int is = (value < threshold) | (value > threshold) << 1 | (value == threshold) << 2;
   return (is & static_cast<int>(comparison)) != 0;
 }
 
-/// Plays a tree. In the phases before, between and after play it stands or goes to its place.
+/// The behaviour of a tree. Outside play the robot stands or goes to its place.
 class TreeBehaviour final : public Behaviour {
  public:
   explicit TreeBehaviour(Tree tree);
@@ -70,13 +70,13 @@ class TreeBehaviour final : public Behaviour {
 
  private:
   Tree tree_;
-  // where a decision begins that knows the ball or not, in each role: past the comparisons that this settles
+  // first node of a decision, by ball known or not and by role: comparisons that these decide are skipped
   std::uint16_t entries_[2][4];
 };
 
-/// What is done outside play: stand; in the phase ready, go to one's place. nullptr trace as in Behaviour::decide.
+/// Decides outside play: the robot stands, or goes to its place in the phase ready. `trace` may be nullptr.
 motion::Command wait(const View& view, Mind& mind, Trace* trace);
-/// The robot may play now.
+/// Returns whether the robot may play now.
 constexpr bool plays(const Game& game) { return game.phase == Game::Phase::playing && !game.penalised; }
 
 }  // namespace sim::agent

@@ -3,7 +3,7 @@
 namespace sim::agent {
 namespace {
 
-/// The own sight while it is fresh, else the newest of all reports.
+/// Takes the own sight while it is fresh, otherwise the newest report.
 void find_ball(View& view) {
   const Ball& own = view.beliefs.ball;
   view.ball_seen = own.seen;

@@ -1,4 +1,4 @@
-// A robot's beliefs at one decision, put into the shape that conditions and skills ask for.
+// A robot's beliefs at one decision, in the form that features and skills use.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,12 @@
 
 namespace sim::agent {
 
-/// [s] an opponent that was not seen for longer is nowhere.
+/// [s] An opponent unseen for longer is ignored.
 inline constexpr float kOpponentMemory = 3;
-inline constexpr int kMaxFeatures = 64;
+inline constexpr int kMaxFeatures = 256;  // ours and the team's own; a multiple of 64
+inline constexpr int kMaxOwnFeatures = 128;
 
-/// Lives for one decision. What is costly is computed when somebody asks for it, once (features.h).
+/// The view of one decision. Features are computed on demand and once (features.h).
 struct View {
   View(const Surroundings& surroundings, const Settings& settings, const Game& game, const Beliefs& beliefs, Tick now,
        const Mind& mind);
@@ -29,59 +30,58 @@ struct View {
   Vec2 position;      // [m, team_field] own
   Vec2 facing;        // [team_field] unit vector at the own heading
 
-  bool ball_known;      // by the own eyes or by a teammate's report, and not forgotten
-  Tick ball_seen;       // when whoever it is from saw it; kNever: nobody did
+  bool ball_known;      // seen or reported, and not forgotten
+  Tick ball_seen;       // time of that sight; kNever: none
   Vec2 ball;            // [m, robot]
   Vec2 ball_in_team;    // [m, team_field]
-  Vec2 ball_velocity;   // [m/s, team_field]; 0 of a reported ball
+  Vec2 ball_velocity;   // [m/s, team_field]; 0 for a reported ball
   float ball_distance;  // [m]
 
-  mutable std::uint64_t asked = 0;     // bit per feature: its value is below
-  mutable float values[kMaxFeatures];  // [SI] NaN: not known
-  mutable int pass_mate = -2;          // index into beliefs.mates of who a pass would go to; -1: nobody; -2: not asked
-  mutable float pass_gain = 0;         // [m]
+  // values that features.h has computed for this decision
+  mutable std::uint64_t computed[kMaxFeatures / 64] = {};  // one bit per feature
+  mutable float values[kMaxFeatures];                      // [SI] NaN: not known
 
-  /// A point of the field seen from the robot, and back; directions likewise without the position.
+  /// Transform a point of the field into the frame of the robot, and back.
   Vec2 to_robot(Vec2 in_team) const { return turned_back(in_team - position, facing); }
   Vec2 to_team(Vec2 in_robot) const { return position + turned(in_robot, facing); }
   Vec2 goal() const { return {half_length, 0}; }
   Vec2 own_goal() const { return {-half_length, 0}; }
-  /// Seen of late.
+  /// Returns whether the opponent was seen recently.
   bool believes(const Opponent& opponent) const {
     return (opponent.seen != kNever) & (now - opponent.seen < ticks(kOpponentMemory));
   }
-  /// On the field, and heard of in the last `memory` [ticks].
+  /// Returns whether the teammate is on the field and was heard in the last `memory` [ticks].
   bool believes(const Mate& mate, Tick memory) const {
     return mate.active & (mate.sent != kNever) & (now - mate.sent < memory);
   }
-  /// Calls see(position) [m, team_field] for each opponent seen of late.
+  /// Calls see(position) [m, team_field] for each opponent seen recently.
   template <class See>
   void for_each_opponent(See&& see) const {
     for (int i = 0; i < game.players; ++i)
       if (believes(beliefs.opponents[i])) see(beliefs.opponents[i].position);
   }
-  /// Calls see(mate, index) for each teammate on the field that was heard of of late.
+  /// Calls see(mate, index) for each teammate on the field that was heard recently.
   template <class See>
   void for_each_mate(See&& see) const {
     const Tick stale = ticks(settings.roles.stale);
     for (int i = 0; i + 1 < game.players; ++i)
       if (believes(beliefs.mates[i], stale)) see(beliefs.mates[i], i);
   }
-  /// [1..7] of beliefs.mates[index].
+  /// Returns the number [1..7] of beliefs.mates[index].
   int player_of_mate(int index) const { return agent::player_of_mate(game.player, index); }
 };
 
-/// -1, 0 or +1.
+/// Returns -1, 0 or +1.
 constexpr float sign(float value) { return static_cast<float>((value > 0) - (value < 0)); }
 constexpr float clamp(float value, float least, float most) {
   return value < least ? least : value > most ? most : value;
 }
-/// `a` made 1 long; {1, 0} of the zero vector.
+/// Returns `a` with length 1, or {1, 0} for the zero vector.
 inline Vec2 unit(Vec2 a) {
   const float size = length(a);
   return size > 1e-6f ? (1 / size) * a : Vec2{1, 0};
 }
-/// Turned by a right angle to the left.
+/// Returns `a` turned left by a right angle.
 constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
 
 }  // namespace sim::agent

@@ -3,11 +3,11 @@
 namespace sim::agent {
 namespace {
 
-constexpr float kLookAhead = 1.5f;     // [m] robots farther away are not yet in the way
-constexpr float kMateMemory = 5;       // [s] a teammate's place is one to avoid
-constexpr float kNearlyThere = 0.36f;  // tangent of what the heading may be off on standing still
+constexpr float kLookAhead = 1.5f;     // [m] robots farther away are ignored
+constexpr float kMateMemory = 5;       // [s] a teammate's place is avoided for this time
+constexpr float kNearlyThere = 0.36f;  // tangent of the heading error at which it stands still
 
-/// Whether the straight way to `target` comes nearer to `centre` than `radius` before it ends.
+/// Returns whether the straight way to `target` comes nearer to `centre` than `radius`.
 bool in_the_way(Vec2 centre, float radius, Vec2 target) {
   const float along = dot(centre, target);
   const float squared = squared_length(target);
@@ -24,7 +24,7 @@ Vec2 round_circle(Vec2 centre, float radius, Vec2 target, float side_if_even) {
   const float offset = cross(centre, target);
   const float side = offset != 0 ? sign(offset) : side_if_even;
 
-  // along the tangent; on the circle along it, and outwards where it stands inside
+  // along the tangent; from inside the circle also outwards
   const float sine = radius < far ? radius / far : 1;
   const float cosine = std::sqrt(1 - sine * sine);
   const Vec2 tangent = cosine * to_centre + (side * sine) * left_of(to_centre);
@@ -38,11 +38,11 @@ Vec2 round_robots(const View& view, Vec2 target) {
   const float squared = squared_length(target);
   if (squared < 0.15f * 0.15f) return target;
 
-  // who is farther away than this, squared, is not in the way; a little is added for rounding
+  // robots farther away than this (squared) are not in the way; the factor allows for rounding
   const float reach = 1.001f * (squared + radius * radius);
   float least = reach < kLookAhead * kLookAhead ? reach : kLookAhead * kLookAhead;
 
-  // the nearest of those in the way; most are too far away, and of them no more is read
+  // find the nearest robot in the way; most are too far away, and nothing else of them is read
   const Vec2 here = view.position, way = turned(target, view.facing);
   const float width = radius * radius * squared;
   const int players = view.game.players;

@@ -1,4 +1,4 @@
-// Walking to places, round whoever stands in the way.
+// Walking to places, round robots in the way.
 #pragma once
 
 #include "sim/agent/view.h"
@@ -6,23 +6,23 @@
 
 namespace sim::agent {
 
-/// walk_to a place and heading in the frame robot, as it is.
+/// Walks straight to a place and heading [robot].
 inline motion::Command walk_straight(Vec2 target, float heading, float gain) {
   motion::Command command;
   command.body = motion::Command::Body::walk_to;
   command.walk = target, command.turn = heading, command.gain = gain;
   return command;
 }
-/// Likewise, but round robots on the way.
+/// Walks to a place and heading [robot], round robots in the way.
 motion::Command walk_in_robot(const View& view, Vec2 target, float heading, float gain);
-/// Turns on the spot until it faces `way` [robot]; stands when it nearly does.
+/// Turns on the spot to face `way` [robot]. Stands when it nearly faces it.
 motion::Command turn_to(const View& view, Vec2 way);
-/// To a place and facing [team_field], round robots on the way; stands once it is there.
+/// Walks to a place and facing [team_field], round robots in the way. Stands when it is there.
 motion::Command walk_to_place(const View& view, Vec2 place, Vec2 face, float gain);
 
-/// A step aside for what stands between here and `target` [robot]; `target` where nothing does.
+/// Returns a point beside the nearest robot between here and `target` [robot], or `target` when the way is free.
 Vec2 round_robots(const View& view, Vec2 target);
-/// The next point on the way to `target` that stays `radius` from `centre`; all [m, robot].
+/// Returns the next point of a way to `target` that stays `radius` from `centre` [m, robot].
 Vec2 round_circle(Vec2 centre, float radius, Vec2 target, float side_if_even);
 
 }  // namespace sim::agent

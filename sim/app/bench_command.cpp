@@ -80,7 +80,7 @@ class BenchCommand final : public Command {
     const auto cycles =
         values_of(costs, [](const Cost& cost) { return cost.ns * cost.cycles_per_ns / cost.robot_ticks; });
     const auto clock = values_of(costs, [](const Cost& cost) { return cost.cycles_per_ns; });
-    const io::Choice choice = choice_.choice();
+    const io::Matchup choice = choice_.choice();
     const report::Json json = {
         {"rules", choice.rules},
         {"players", params.rules.players},

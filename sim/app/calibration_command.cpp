@@ -91,7 +91,7 @@ class CalibrationCommand final : public Command {
   }
 
   int run() override {
-    const io::Choice choice = choice_.choice();
+    const io::Matchup choice = choice_.choice();
     const auto setup = io::prepare(choice);
     if (!setup) return fail(setup.error());
     const auto playbook = choice_.playbook({choice.strategies[0]});
@@ -126,7 +126,7 @@ class CalibrationCommand final : public Command {
         ++cases.untold;
         return;
       }
-      foresight::Tally tally;
+      foresight::RolloutStatistics tally;
       const foresight::Question question{.until = foresight::Until::next_goal, .horizon = horizon};
       foresight::race(
           io::task_of(playbook, {0}, believed.situation, question, {.seed = seed * 1'000'000 + state.world.tick}),
@@ -139,9 +139,9 @@ class CalibrationCommand final : public Command {
           [&](const referee::Event& event) {
             if (event.kind == referee::Event::Kind::goal && next < 0) next = static_cast<int>(event.side);
           });
-      const double futures = tally.accounts[0].rollouts;
-      cases.score.push_back({tally.accounts[0].scored / futures, next == 0});
-      cases.concede.push_back({tally.accounts[0].conceded / futures, next == 1});
+      const double futures = tally.by_strategy[0].rollouts;
+      cases.score.push_back({tally.by_strategy[0].scored / futures, next == 0});
+      cases.concede.push_back({tally.by_strategy[0].conceded / futures, next == 1});
     });
     return cases;
   }

@@ -183,7 +183,7 @@ class ChoosingCommand final : public Command {
     foresight::tell(state.world, side_of(kCaptain), insight, believed.situation);
     const foresight::Question question{
         .horizon = ticks(terms_.horizon), .switching_cost = terms_.switching_cost, .sure = terms_.sure};
-    foresight::Tally tally;
+    foresight::RolloutStatistics tally;
     foresight::race(
         io::task_of(playbook, believed.situation, question, key),
         [&](std::int64_t rollouts) { return static_cast<double>(rollouts) / terms_.rollouts; }, {}, tally);

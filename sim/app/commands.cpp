@@ -59,15 +59,16 @@ class ListCommand final : public Command {
   }
 
   int print_variation() {
+    io::Sources sources;
     if (kind_ == "rules") {
-      const auto rules = io::load_rules(show_);
+      const auto rules = io::load_rules(show_, &sources);
       if (!rules) return fail(rules.error());
-      std::fputs(io::print_rules(*rules, show_).c_str(), stdout);
+      std::fputs(io::print_rules(*rules, show_, sources).c_str(), stdout);
       return kDone;
     }
-    const auto models = io::load_models(show_);
+    const auto models = io::load_models(show_, &sources);
     if (!models) return fail(models.error());
-    std::fputs(io::print_models(*models).c_str(), stdout);
+    std::fputs(io::print_models(*models, sources).c_str(), stdout);
     return kDone;
   }
 
@@ -103,8 +104,8 @@ void ChoiceOptions::add_to(CLI::App& command) {
   command.add_flag("--every-tick", every_tick_, "everybody decides 30 times a second, also far from the ball");
 }
 
-io::Choice ChoiceOptions::choice() const {
-  io::Choice choice = choice_;
+io::Matchup ChoiceOptions::choice() const {
+  io::Matchup choice = choice_;
   choice.models[0] = home_models_.empty() ? models_ : home_models_;
   choice.models[1] = away_models_.empty() ? models_ : away_models_;
   choice.pace = every_tick_ ? Pace::every_tick : Pace::thinned;
@@ -116,7 +117,7 @@ robot::Result<contest::Lineup> ChoiceOptions::line_up() const {
 }
 
 robot::Result<io::Playbook> ChoiceOptions::playbook(const std::vector<std::string>& strategies) const {
-  const io::Choice game = choice();
+  const io::Matchup game = choice();
   return io::prepare_playbook({.strategies = strategies,
                                .opponent = game.strategies[1],
                                .rules = game.rules,

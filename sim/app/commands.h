@@ -36,14 +36,14 @@ class ChoiceOptions {
  public:
   void add_to(CLI::App& command);
   /// As they were typed.
-  io::Choice choice() const;
+  io::Matchup choice() const;
   /// Who that is.
   robot::Result<contest::Lineup> line_up() const;
   /// What the home side may choose between, the first of it the incumbent, against what the away side plays.
   robot::Result<io::Playbook> playbook(const std::vector<std::string>& strategies) const;
 
  private:
-  io::Choice choice_;
+  io::Matchup choice_;
   std::string rest_[2];
   int changed_ = kMaxPlayers;
   std::string models_ = "match", home_models_, away_models_;

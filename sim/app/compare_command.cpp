@@ -169,7 +169,7 @@ class CompareCommand final : public Command {
       return "--robust and --aa are several runs: --out, --html and --engine slurm are of one";
     if (task_.delta > 0 && !plan_) return "--delta is for --plan; a test is asked by --sprt";
     choice_.pace = every_tick_ ? Pace::every_tick : Pace::thinned;
-    compare::Question& question = contest_.question;
+    compare::Hypothesis& question = contest_.question;
     int used = 0;
     if (std::sscanf(question_.c_str(), "%lf,%lf%n", &question.h0, &question.h1, &used) != 2 ||
         used != static_cast<int>(question_.size()) || !(question.h0 < question.h1) || !std::isfinite(question.h1))

@@ -113,7 +113,7 @@ int run_itself(CompareTask task) {
   contest::ContestOptions paired = task.contest, unpaired = task.contest;
   paired.pairs = kPairedPairs;
   unpaired.pairs = task.pairs > 0 ? task.pairs : kUnpairedPairs;
-  compare::Tally tallies[2];
+  compare::PairStatistics tallies[2];
   for (const bool is_unpaired : {false, true}) {
     task.choice.unpaired = is_unpaired;
     const auto comparison = contest::Comparison::prepare(task.choice);

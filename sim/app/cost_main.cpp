@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/app/cycles.h"
-#include "sim/io/setup.h"
+#include "sim/io/matchup.h"
 #include "sim/match/play.h"
 
 namespace {

@@ -95,7 +95,7 @@ class OutlookCommand final : public Command {
   }
 
   int run() override {
-    const io::Choice choice = choice_.choice();
+    const io::Matchup choice = choice_.choice();
     const auto setup = io::prepare(choice);
     if (!setup) return fail(setup.error());
     std::vector<Moments> games(static_cast<std::size_t>(games_));

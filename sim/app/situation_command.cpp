@@ -219,12 +219,13 @@ class SituationCommand final : public Command {
         .horizon = ticks(static_cast<float>(seconds_))};
     const foresight::Task task = io::task_of(*playbook, situation, question, situation.state.world.key);
     const double budget = static_cast<double>(rollouts_) * static_cast<double>(strategies_.size());
-    foresight::Tally tally;
+    foresight::RolloutStatistics tally;
     {
       Progress progress("rolling out", static_cast<std::uint64_t>(budget));
       foresight::race(
           task, [&](std::int64_t rollouts) { return static_cast<double>(rollouts) / budget; },
-          [&](const foresight::Tally& now) { progress.at(static_cast<std::uint64_t>(now.spent * budget)); }, tally);
+          [&](const foresight::RolloutStatistics& now) { progress.at(static_cast<std::uint64_t>(now.spent * budget)); },
+          tally);
     }
     const foresight::Forecast forecast = foresight::forecast(tally, task.question, task.key);
     if (json_)

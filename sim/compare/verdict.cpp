@@ -9,7 +9,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNormal975 = 1.959963984540054, kNormal95 = 1.644853626951473, kNormal80 = 0.841621233572914;
 
-/// The 97.5 % quantile of Student's t (Cornish and Fisher's expansion; off by less than 0.2 % from 5 degrees on).
+/// Returns the 97.5 % quantile of Student's t (Cornish and Fisher's expansion; error < 0.2 % from 5 degrees on).
 double student_975(double degrees) {
   const double z = kNormal975, z2 = z * z;
   const double first = z * (z2 + 1) / 4;
@@ -18,7 +18,7 @@ double student_975(double degrees) {
   return z + (first + (second + third / degrees) / degrees) / degrees;
 }
 
-/// Unbiased; 0 of fewer than two values.
+/// Returns the unbiased variance, or 0 for fewer than two values.
 double variance_of(std::int64_t count, std::int64_t sum, std::int64_t squares) {
   if (count < 2) return 0;
   const auto n = static_cast<double>(count), total = static_cast<double>(sum);
@@ -36,41 +36,42 @@ Interval interval_of(std::int64_t count, std::int64_t sum, std::int64_t squares,
 
 }  // namespace
 
-// a pair's sum is of two games
-Interval gain_per_game(const Tally& tally, double unit) {
-  return interval_of(tally.pairs, tally.gain, tally.gain_squares, 0.5 / unit);
+// a pair has two games
+Interval gain_per_game(const PairStatistics& statistics, double unit) {
+  return interval_of(statistics.pairs, statistics.gain, statistics.gain_squares, 0.5 / unit);
 }
 
-// at home B gains, away A does: half the difference of the two games of a pair
-Interval home_advantage(const Tally& tally, double unit) {
-  const std::int64_t sum = tally.game_gain[1] - tally.game_gain[0];
-  const std::int64_t squares = 2 * (tally.game_gain_squares[0] + tally.game_gain_squares[1]) -
-                               tally.gain_squares;  // (b-a)^2 = 2a^2+2b^2-(a+b)^2
-  return interval_of(tally.pairs, sum, squares, 0.5 / unit);
+// half the difference between B's home game and its away game
+Interval home_advantage(const PairStatistics& statistics, double unit) {
+  const std::int64_t sum = statistics.game_gain[1] - statistics.game_gain[0];
+  const std::int64_t squares = 2 * (statistics.game_gain_squares[0] + statistics.game_gain_squares[1]) -
+                               statistics.gain_squares;  // (b-a)^2 = 2a^2+2b^2-(a+b)^2
+  return interval_of(statistics.pairs, sum, squares, 0.5 / unit);
 }
 
-double pair_variance(const Tally& tally, double unit) {
-  return variance_of(tally.pairs, tally.gain, tally.gain_squares) / (4 * unit * unit);
+double pair_variance(const PairStatistics& statistics, double unit) {
+  return variance_of(statistics.pairs, statistics.gain, statistics.gain_squares) / (4 * unit * unit);
 }
 
-double pairing_gain(const Tally& tally) {
-  const double paired = pair_variance(tally);
+double pairing_gain(const PairStatistics& statistics) {
+  const double paired = pair_variance(statistics);
   if (paired <= 0) return 0;
   double of_a_game = 0;
   for (const int place : {0, 1})
-    of_a_game += variance_of(tally.pairs, tally.game_gain[place], tally.game_gain_squares[place]) / 2;
-  return of_a_game / 2 / paired;  // two games without a bond have half the variance of one
+    of_a_game += variance_of(statistics.pairs, statistics.game_gain[place], statistics.game_gain_squares[place]) / 2;
+  return of_a_game / 2 / paired;  // two independent games have half the variance of one
 }
 
-Bounds bounds_of(const Question& question) {
-  return {.h0 = std::log(question.beta / (1 - question.alpha)), .h1 = std::log((1 - question.beta) / question.alpha)};
+Bounds bounds_of(const Hypothesis& hypothesis) {
+  return {.h0 = std::log(hypothesis.beta / (1 - hypothesis.alpha)),
+          .h1 = std::log((1 - hypothesis.beta) / hypothesis.alpha)};
 }
 
-double llr(const Tally& tally, const Question& question, double unit) {
-  const double variance = pair_variance(tally, unit);
-  const double mean = gain_per_game(tally, unit).mean;
-  const double towards_h1 =
-      static_cast<double>(tally.pairs) * (question.h1 - question.h0) * (2 * mean - question.h0 - question.h1) / 2;
+double llr(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit) {
+  const double variance = pair_variance(statistics, unit);
+  const double mean = gain_per_game(statistics, unit).mean;
+  const double towards_h1 = static_cast<double>(statistics.pairs) * (hypothesis.h1 - hypothesis.h0) *
+                            (2 * mean - hypothesis.h0 - hypothesis.h1) / 2;
   if (variance > 0) return towards_h1 / variance;
   return towards_h1 == 0 ? 0 : std::copysign(kInfinity, towards_h1);
 }
@@ -85,21 +86,21 @@ std::string_view name(Verdict verdict) {
   return "";
 }
 
-Verdict decide(const Tally& tally, const Question& question, double unit) {
-  if (tally.pairs < question.fewest_pairs) return Verdict::undecided;
-  if (tally.gain_squares == 0) return Verdict::identical;
-  const double ratio = llr(tally, question, unit);
-  const Bounds bounds = bounds_of(question);
+Verdict decide(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit) {
+  if (statistics.pairs < hypothesis.fewest_pairs) return Verdict::undecided;
+  if (statistics.gain_squares == 0) return Verdict::identical;
+  const double ratio = llr(statistics, hypothesis, unit);
+  const Bounds bounds = bounds_of(hypothesis);
   if (ratio >= bounds.h1) return Verdict::better;
   return ratio <= bounds.h0 ? Verdict::not_better : Verdict::undecided;
 }
 
-Verdict judge(const Tally& tally, const Question& question, double unit) {
-  if (tally.pairs < 2) return Verdict::undecided;
-  if (tally.gain_squares == 0) return Verdict::identical;
-  const Interval gain = gain_per_game(tally, unit);
-  if (gain.low > question.h0) return Verdict::better;
-  return gain.high < question.h1 ? Verdict::not_better : Verdict::undecided;
+Verdict judge(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit) {
+  if (statistics.pairs < 2) return Verdict::undecided;
+  if (statistics.gain_squares == 0) return Verdict::identical;
+  const Interval gain = gain_per_game(statistics, unit);
+  if (gain.low > hypothesis.h0) return Verdict::better;
+  return gain.high < hypothesis.h1 ? Verdict::not_better : Verdict::undecided;
 }
 
 namespace {
@@ -108,7 +109,7 @@ namespace {
 struct Walk {
   double start, width;
 
-  /// The probability that it has left at the upper bound by `time`, drifting by `drift` per unit of time.
+  /// Returns the probability that it has left at the upper bound by `time`, with `drift` per unit of time.
   double up_by(double drift, double time) const {
     const double way = width - start;
     if (way * way > kSoon * time) return up_soon(drift, way, time);
@@ -116,7 +117,7 @@ struct Walk {
     const double ever = std::abs(drift * width) < 1e-9
                             ? start / width
                             : std::expm1(-2 * drift * start) / std::expm1(-2 * drift * width);
-    // what is yet to leave there: eigenfunctions of the strip
+    // the part that leaves there later: eigenfunctions of the strip
     double later = 0;
     for (int n = 1; n <= kTerms; ++n) {
       const double rate = drift * drift / 2 + n * n * pi * pi / (2 * width * width);
@@ -126,8 +127,8 @@ struct Walk {
     return ever - pi / (width * width) * later;
   }
 
-  /// The probability of an outcome that speaks more for a large drift than leaving above (or below) at `time` does:
-  /// above sooner; or above at all, or below later.
+  /// Returns the probability of an outcome that indicates a larger drift than leaving above (or below) at `time`:
+  /// leaving above sooner; or leaving above at all, or below later.
   double more_than(bool above, double time, double drift) const {
     const double up = up_by(drift, above ? time : kInfinity);
     if (above) return up;
@@ -135,10 +136,10 @@ struct Walk {
     return 1 - mirrored.up_by(-drift, time);
   }
 
-  /// The same where it has left so soon that the other bound does not matter: above all by one bound (inverse Gaussian).
+  /// Returns the same for a time so short that the other bound does not matter (inverse Gaussian).
   static double up_soon(double drift, double way, double time) {
     const double root = std::sqrt(time), z = (way + drift * time) / root, off = (way - drift * time) / root;
-    const double reflected =  // exp(2 drift way) Phi(-z), by what the tail is far out where it would overflow
+    const double reflected =  // exp(2 drift way) Phi(-z), by the asymptotic tail where it would overflow
         z > 5 ? std::exp(-off * off / 2) * (1 - 1 / (z * z)) / (z * std::sqrt(2 * std::acos(-1.0)))
               : std::exp(2 * drift * way) * 0.5 * std::erfc(z / std::sqrt(2.0));
     return 0.5 * std::erfc(off / std::sqrt(2.0)) + reflected;
@@ -150,24 +151,24 @@ struct Walk {
 
 }  // namespace
 
-// the log-likelihood ratio is the motion: per pair it drifts by (h1-h0)(2 gain-h0-h1)/(2 variance), and varies by
+// the motion is the log-likelihood ratio: per pair it drifts by (h1-h0)(2 gain-h0-h1)/(2 variance), and varies by
 // (h1-h0)^2/variance
-Interval unbiased_gain(const Tally& tally, const Question& question, double unit) {
-  const double variance = pair_variance(tally, unit);
-  const double step = question.h1 - question.h0;
-  const double ratio = llr(tally, question, unit);
-  const Bounds bounds = bounds_of(question);
+Interval unbiased_gain(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit) {
+  const double variance = pair_variance(statistics, unit);
+  const double step = hypothesis.h1 - hypothesis.h0;
+  const double ratio = llr(statistics, hypothesis, unit);
+  const Bounds bounds = bounds_of(hypothesis);
   const bool above = ratio > 0;
-  // where it stopped is beyond the bound by what one look brings
+  // the ratio stops beyond the bound by the step of one look
   const double lower = above ? bounds.h0 : std::min(bounds.h0, ratio);
   const double upper = above ? std::max(bounds.h1, ratio) : bounds.h1;
-  const double scale = step / std::sqrt(variance);  // of the ratio, per root of a pair
+  const double scale = step / std::sqrt(variance);  // [ratio per root of a pair]
   const Walk walk{-lower / scale, (upper - lower) / scale};
-  const auto time = static_cast<double>(tally.pairs);
-  const auto drift_of = [&](double gain) { return (gain - (question.h0 + question.h1) / 2) / std::sqrt(variance); };
+  const auto time = static_cast<double>(statistics.pairs);
+  const auto drift_of = [&](double gain) { return (gain - (hypothesis.h0 + hypothesis.h1) / 2) / std::sqrt(variance); };
 
-  // the gain for which an outcome that says more is so likely; the likelihood rises with the gain
-  const double mean = gain_per_game(tally, unit).mean, off = 12 * std::sqrt(variance / time);
+  // find the gain at which a more extreme outcome has this probability, which rises with the gain
+  const double mean = gain_per_game(statistics, unit).mean, off = 12 * std::sqrt(variance / time);
   const auto gain_at = [&](double probability) {
     double low = mean - off, high = mean + off;
     for (int i = 0; i < 60; ++i) {

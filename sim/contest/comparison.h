@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robot/core/result.h"
-#include "sim/compare/tally.h"
+#include "sim/compare/pair_statistics.h"
 #include "sim/contest/conditions.h"
 #include "sim/contest/lineup.h"
 #include "sim/contest/openings.h"

@@ -58,7 +58,7 @@ class Judge {
     const std::int64_t wanted = options_.pairs.value_or(options_.most_pairs);
     for (std::int64_t i = 0; i < kPerBlock && block * kPerBlock + i < wanted; ++i)
       take_pair(block * kPerBlock + i, pairs[static_cast<std::size_t>(i)]);
-    const compare::Tally& tally = outcome_.tally;
+    const compare::PairStatistics& tally = outcome_.tally;
     add_mark(outcome_.marks, {.pairs = tally.pairs,
                               .gain = compare::gain_per_game(tally, unit_),
                               .llr = compare::llr(tally, options_.question, unit_)});

@@ -15,7 +15,7 @@
 namespace sim::contest {
 
 struct ContestOptions {
-  compare::Question question;
+  compare::Hypothesis question;
   std::optional<std::int64_t> pairs;  // a run of this length; nothing: until the sequential test has an answer
   double seconds = 0;                 // stop then in any case [s]; 0: no limit
   std::int64_t most_pairs = 200'000;  // of the sequential test
@@ -40,7 +40,7 @@ struct DecisivePair {
 };
 
 struct Outcome {
-  compare::Tally tally;
+  compare::PairStatistics tally;
   compare::Verdict verdict = compare::Verdict::undecided;
   bool sequential = false;             // the test itself has answered
   std::vector<Mark> marks;             // one per block, thinned to at most some hundred

@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t kSampled = 17;  // of a tree every so many-th decision is timed; no multiple of a team
 
-Result<Named> find(const std::string& name, const io::Choice& game, Side side) {
+Result<Named> find(const std::string& name, const io::Matchup& game, Side side) {
   if (guest::is_guest(name)) {
     auto source = guest::open(name);
     if (!source) return Error{source.error()};
@@ -33,7 +33,7 @@ Result<Lineup> Lineup::prepare(const LineupChoice& choice) {
   Lineup lineup;
   lineup.changed_ = choice.changed;
   // whoever is no tree takes a seat that is kept warm
-  io::Choice warm = choice.game;
+  io::Matchup warm = choice.game;
   for (const int side : {0, 1}) {
     const std::string& rest = choice.rest[side];
     for (const std::string* name : {&choice.game.strategies[side], &rest}) {
@@ -69,7 +69,7 @@ class Cast::Player final : public agent::Behaviour {
     return command;
   }
 
-  guest::Guest* guest() const { return guest_.get(); }
+  guest::GuestBehaviour* guest() const { return guest_.get(); }
   Side side() const { return side_; }
   const DecisionCost& cost() const { return cost_; }
 
@@ -77,7 +77,7 @@ class Cast::Player final : public agent::Behaviour {
   const agent::Behaviour& behaviour() const { return guest_ ? *guest_ : *tree_; }
 
   const std::shared_ptr<const agent::Behaviour> tree_;
-  const std::unique_ptr<guest::Guest> guest_;
+  const std::unique_ptr<guest::GuestBehaviour> guest_;
   const Side side_;
   // of the one thread that plays this game
   mutable std::uint64_t decisions_ = 0;
@@ -101,16 +101,16 @@ Cast::~Cast() = default;
 
 const agent::Behaviour* Cast::seat(const Named& named, std::uint64_t seed, Side side) {
   players_.push_back(std::make_unique<Player>(named, 2 * seed + static_cast<std::uint64_t>(side), side));
-  if (guest::Guest* guest = players_.back()->guest()) guests_.push_back(guest);
+  if (guest::GuestBehaviour* guest = players_.back()->guest()) guests_.push_back(guest);
   return players_.back().get();
 }
 
 bool Cast::failed() const {
-  return std::ranges::any_of(guests_, [](const guest::Guest* guest) { return !guest->problem().empty(); });
+  return std::ranges::any_of(guests_, [](const guest::GuestBehaviour* guest) { return !guest->problem().empty(); });
 }
 
 std::string Cast::problem() const {
-  for (const guest::Guest* guest : guests_)
+  for (const guest::GuestBehaviour* guest : guests_)
     if (!guest->problem().empty()) return guest->problem();
   return {};
 }
@@ -124,7 +124,7 @@ DecisionCost Cast::cost(Side side) const {
 
 std::optional<std::string> Cast::save() const {
   std::string all;
-  for (const guest::Guest* guest : guests_) {
+  for (const guest::GuestBehaviour* guest : guests_) {
     const auto bytes = guest->save();
     if (!bytes) return {};
     const std::uint64_t length = bytes->size();
@@ -134,7 +134,7 @@ std::optional<std::string> Cast::save() const {
 }
 
 Result<void> Cast::load(std::string_view bytes) {
-  for (guest::Guest* guest : guests_) {
+  for (guest::GuestBehaviour* guest : guests_) {
     std::uint64_t length = 0;
     std::memcpy(&length, bytes.data(), sizeof length);
     bytes.remove_prefix(sizeof length);

@@ -12,7 +12,7 @@
 #include "robot/core/result.h"
 #include "sim/agent/mixed.h"
 #include "sim/guest/guest.h"
-#include "sim/io/setup.h"
+#include "sim/io/matchup.h"
 #include "sim/match/state.h"
 
 namespace sim::contest {
@@ -29,12 +29,12 @@ struct DecisionCost {
 /// A behaviour as it was named: a tree, or where its players come from.
 struct Named {
   std::shared_ptr<const agent::Behaviour> tree;
-  std::shared_ptr<const guest::Source> guest;
+  std::shared_ptr<const guest::GuestFactory> guest;
 };
 
 /// Of a side's players the first few may play another behaviour.
 struct LineupChoice {
-  io::Choice game;
+  io::Matchup game;
   std::string rest[2];        // by Side: what players changed + 1 .. play; empty: as the others
   int changed = kMaxPlayers;  // so many play game.strategies
 };
@@ -53,7 +53,7 @@ class Lineup {
  private:
   friend class Cast;
 
-  io::Setup setup_;
+  io::PreparedGame setup_;
   Named first_[2], rest_[2];  // by Side
   int changed_ = kMaxPlayers;
   bool has_guest_[2] = {false, false};
@@ -86,7 +86,7 @@ class Cast {
 
   Params params_;
   std::vector<std::unique_ptr<Player>> players_;
-  std::vector<guest::Guest*> guests_;  // among these
+  std::vector<guest::GuestBehaviour*> guests_;  // among these
   std::unique_ptr<agent::Mixed> mixed_[2];
 };
 

@@ -28,7 +28,7 @@ std::string hash_of_text(const std::string& text) {
 
 Json to_json(const compare::Pair& pair) {
   Json json = Json::array();
-  for (const compare::Game& game : pair.games)
+  for (const compare::GameResult& game : pair.games)
     json.push_back({game.gain, game.goals[0], game.goals[1], game.conceded[0], game.conceded[1]});
   return json;
 }

@@ -8,7 +8,7 @@
 
 #include "robot/core/files.h"
 #include "robot/core/result.h"
-#include "sim/compare/tally.h"
+#include "sim/compare/pair_statistics.h"
 
 namespace sim::contest {
 

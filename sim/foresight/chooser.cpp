@@ -13,10 +13,10 @@ namespace {
 
 using Phase = agent::Game::Phase;
 
-constexpr float kLeastApart = 2;   // [s] strategies do not flutter
+constexpr float kLeastApart = 2;   // [s] least time between questions: strategies do not flutter
 constexpr float kBallLostFor = 4;  // [s] unseen: a reason to ask
 
-/// When something happened that is a reason to ask, whatever the period: a stoppage, or the ball is lost.
+/// Returns the time of the last event that is a reason to ask before the period ends: a stoppage, or a lost ball.
 Tick last_event(const agent::Game& game, const agent::Beliefs& beliefs, Tick now) {
   const Tick since_phase = std::min(ticks(std::clamp(game.since_phase, 0.f, 3600.f)), now);
   Tick event = now - since_phase;
@@ -27,7 +27,7 @@ Tick last_event(const agent::Game& game, const agent::Beliefs& beliefs, Tick now
   return event;
 }
 
-/// Other beliefs, other luck.
+/// Returns a random key that depends on the beliefs.
 RandomKey key_of(const agent::Beliefs& beliefs, Tick now) {
   const auto bits = [](float value) { return std::uint64_t{std::bit_cast<std::uint32_t>(value)}; };
   return {(bits(beliefs.pose.pose.position.x) << 32 | bits(beliefs.ball.position.x)) ^ std::uint64_t{now} << 20};
@@ -79,10 +79,10 @@ void Chooser::ask(const agent::Game& game, const agent::Beliefs& beliefs, Tick n
             .outlook = &plans_.outlook,
             .key = key_of(beliefs, now)};
   for (int i = 0; i < count; ++i) task.params[i] = &plans_.params[static_cast<std::size_t>(i)];
-  Tally tally;
+  RolloutStatistics statistics;
   race(
-      task, [this](std::int64_t rollouts) { return static_cast<double>(rollouts) / terms_.rollouts; }, {}, tally);
-  const Forecast told = forecast(tally, question, task.key);
+      task, [this](std::int64_t rollouts) { return static_cast<double>(rollouts) / terms_.rollouts; }, {}, statistics);
+  const Forecast told = forecast(statistics, question, task.key);
   if (told.advice == Forecast::Advice::none) return;
   agent::Choice choice = mind.choice;
   choose(static_cast<std::uint8_t>(told.choice), choice);

@@ -13,24 +13,24 @@
 
 namespace sim::foresight {
 
-/// What it chooses from, and what it takes the others to be.
+/// The strategies to choose from, and the assumed opponents.
 struct Plans {
   std::vector<Params> params;  // by strategy, its own side at home; the first is the default
   Outlook outlook;
   std::vector<std::shared_ptr<const agent::Behaviour>>
-      behaviours;  // by strategy, then what else the parameters point to
+      behaviours;  // by strategy, then others that the parameters point to
 };
 
-/// When it asks, and how.
+/// The times and the size of its questions.
 struct Terms {
-  int rollouts = 64;   // for a question, all strategies together
-  float horizon = 20;  // [s] of game time that each looks ahead
-  float period = 10;   // [s] from one question to the next, at most
-  float stale = 20;    // [s] a choice that was not confirmed for longer is not followed
-  // Most changes matter little, and a strategy that is worse in most moments is worse in those that luck made look good:
-  // of 1000 moments of a team whose default is the best of its three, with 54 futures each, what is better for 70 %, 80 %,
-  // 90 % sure cost 0.11, cost 0.08 and won 0.02 goals a game, with standard errors of 0.05, 0.04 and 0.02
-  // (foresight-sim choosing --strategies high_line,baseline,kick_now). A change back is free.
+  int rollouts = 64;   // per question, over all strategies
+  float horizon = 20;  // [s] game time of a rollout
+  float period = 10;   // [s] longest time between questions
+  float stale = 20;    // [s] a choice unconfirmed for longer is not followed
+  // Most changes matter little. A strategy that is usually worse is also worse in the moments where luck favours it.
+  // Measured in 1000 moments of a team whose default is the best of its three, with 54 rollouts each: changing at 70 %,
+  // 80 % and 90 % certainty cost 0.11, cost 0.08 and won 0.02 goals a game (standard errors 0.05, 0.04, 0.02);
+  // foresight-sim choosing --strategies high_line,baseline,kick_now. A change back is free.
   float switching_cost = 0;  // [goals] Question::switching_cost
   float sure = 0.9f;         // Question::sure
 
@@ -45,15 +45,14 @@ struct Terms {
   }
 };
 
-/// A team of followers, of whom the captain, as it believes that it is, asks what its strategies would come to, from its
-/// own beliefs, and chooses. All are compared with the default, whatever is played now: another one is played only as
-/// long as each question finds it better for sure. What a question can tell apart is coarse, and a wrong choice would
-/// stay if it had to be proved wrong.
+/// A team of followers whose captain chooses by rollouts from its own beliefs. A robot is the captain if it believes so.
+/// All strategies are compared with the default, whichever is played now. Another strategy is played only as long as each
+/// question finds it better with certainty. Questions are coarse: a wrong choice that had to be disproved would stay.
 ///
-/// Remembers in the mind alone, and asks with a random key made of its beliefs: a game stays a function of its seed.
+/// The mind is its only memory. The random key of a question comes from the beliefs: a game stays a function of its seed.
 class Chooser final : public agent::Behaviour {
  public:
-  /// 2 .. kMaxStrategies strategies.
+  /// The playbook has 2 .. kMaxStrategies strategies.
   Chooser(std::string name, Plans plans, const Terms& terms);
 
   const std::string& name() const override { return name_; }

@@ -12,47 +12,50 @@ namespace {
 
 constexpr int kDraws = 1000;  // for P(best): 0.016 of standard error at most
 
-constexpr double kAlike = 0.005;      // [unit] gains below are written as 0.00
-constexpr double kAside = 0.5 * 0.5;  // [unit²] of the one more rollout that errors reckon with
+constexpr double kAlike = 0.005;      // [unit] smaller gains are written as 0.00
+constexpr double kAside = 0.5 * 0.5;  // [unit²] of the additional rollout that errors assume
 
-/// The normal distribution's, within 0.00045 (Abramowitz and Stegun, 26.2.23).
+/// Returns the quantile of the normal distribution, within 0.00045 (Abramowitz and Stegun, 26.2.23).
 double normal_quantile(double sure) {
   const auto t = static_cast<double>(std::sqrt(-2 * log(static_cast<float>(1 - sure))));
   return t - (2.515517 + t * (0.802853 + t * 0.010328)) / (1 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
 }
 
-/// The stripes that both played: who leaves the race does not come back.
-int common(const Tally& tally, int i, int j) {
-  return std::min(tally.accounts[i].rollouts, tally.accounts[j].rollouts);
+/// Returns the number of stripes that both played. A strategy that leaves the race does not come back.
+int common(const RolloutStatistics& statistics, int i, int j) {
+  return std::min(statistics.by_strategy[i].rollouts, statistics.by_strategy[j].rollouts);
 }
 
-/// Between the gains of two strategies in the same stripe.
-double covariance(const Tally& tally, int i, int j) {
-  const int count = common(tally, i, j);
+/// Returns the covariance between the gains of two strategies in the same stripe.
+double covariance(const RolloutStatistics& statistics, int i, int j) {
+  const int count = common(statistics, i, j);
   if (count < 2) return 0;
-  return (tally.products[i][j] - tally.gains[i][j] * tally.gains[j][i] / count) / (count - 1);
+  return (statistics.products[i][j] - statistics.gains[i][j] * statistics.gains[j][i] / count) / (count - 1);
 }
 
-double mean_gain(const Tally& tally, int i) {
-  return tally.accounts[i].rollouts == 0 ? 0 : tally.gains[i][i] / tally.accounts[i].rollouts;
+double mean_gain(const RolloutStatistics& statistics, int i) {
+  return statistics.by_strategy[i].rollouts == 0 ? 0 : statistics.gains[i][i] / statistics.by_strategy[i].rollouts;
 }
 
-/// Of a mean of `count` values with this variance.
+/// Returns the standard error of a mean of `count` values with this variance.
 double error_of(double variance, int count) {
   return count < 2 ? 0 : std::sqrt((std::max(variance, 0.) + kAside / count) / count);
 }
 
-double gain_error(const Tally& tally, int i) { return error_of(covariance(tally, i, i), tally.accounts[i].rollouts); }
+double gain_error(const RolloutStatistics& statistics, int i) {
+  return error_of(covariance(statistics, i, i), statistics.by_strategy[i].rollouts);
+}
 
 /// The lower triangle whose product with its transpose is the covariance of the mean gains.
 struct Triangle {
   double at[kMaxStrategies][kMaxStrategies] = {};
 
-  explicit Triangle(const Tally& tally) {
-    for (int i = 1; i < tally.strategies; ++i)
+  explicit Triangle(const RolloutStatistics& statistics) {
+    for (int i = 1; i < statistics.strategies; ++i)
       for (int j = 1; j <= i; ++j) {
-        const int count = std::max({tally.accounts[i].rollouts, tally.accounts[j].rollouts, 1});
-        double rest = i == j ? gain_error(tally, i) * gain_error(tally, i) : covariance(tally, i, j) / count;
+        const int count = std::max({statistics.by_strategy[i].rollouts, statistics.by_strategy[j].rollouts, 1});
+        double rest =
+            i == j ? gain_error(statistics, i) * gain_error(statistics, i) : covariance(statistics, i, j) / count;
         for (int k = 1; k < j; ++k) rest -= at[i][k] * at[j][k];
         if (i == j)
           at[i][i] = std::sqrt(std::max(rest, 0.));
@@ -62,9 +65,9 @@ struct Triangle {
   }
 };
 
-/// How likely each strategy is the best: the mean gains are drawn from the normal distribution that the tally tells.
-void count_best(const Tally& tally, RandomKey key, Standing* standings) {
-  const Triangle triangle(tally);
+/// Sets the probability that each strategy is best: draws mean gains from their normal distribution.
+void count_best(const RolloutStatistics& statistics, RandomKey key, Standing* standings) {
+  const Triangle triangle(statistics);
   for (int n = 0; n < kDraws; ++n) {
     float drawn[kMaxStrategies];
     for (std::uint32_t pair = 0; pair < kMaxStrategies / 2; ++pair) {
@@ -75,8 +78,8 @@ void count_best(const Tally& tally, RandomKey key, Standing* standings) {
     }
     int best = 0;
     double most = 0;  // the incumbent's
-    for (int i = 1; i < tally.strategies; ++i) {
-      double gain = mean_gain(tally, i);
+    for (int i = 1; i < statistics.strategies; ++i) {
+      double gain = mean_gain(statistics, i);
       for (int j = 1; j <= i; ++j) gain += triangle.at[i][j] * static_cast<double>(drawn[j]);
       if (gain > most) most = gain, best = i;
     }
@@ -84,19 +87,19 @@ void count_best(const Tally& tally, RandomKey key, Standing* standings) {
   }
 }
 
-Standing standing_of(const Tally& tally, int i) {
-  const Account& account = tally.accounts[i];
-  const int n = account.rollouts;
-  Standing standing{.rollouts = n, .raced_on = account.racing};
+Standing standing_of(const RolloutStatistics& statistics, int i) {
+  const StrategyStatistics& strategy = statistics.by_strategy[i];
+  const int n = strategy.rollouts;
+  Standing standing{.rollouts = n, .raced_on = strategy.racing};
   if (n == 0) return standing;
-  standing.mean = account.sum / n;
-  standing.score = static_cast<double>(account.scored) / n;
-  standing.concede = static_cast<double>(account.conceded) / n;
+  standing.mean = strategy.sum / n;
+  standing.score = static_cast<double>(strategy.scored) / n;
+  standing.concede = static_cast<double>(strategy.conceded) / n;
   if (n < 2) return standing;
-  standing.error = error_of((account.squares - account.sum * account.sum / n) / (n - 1), n);
+  standing.error = error_of((strategy.squares - strategy.sum * strategy.sum / n) / (n - 1), n);
   if (i == 0) return standing;
-  const double reach = student(0.975, n - 1) * gain_error(tally, i);
-  standing.gain = mean_gain(tally, i);
+  const double reach = student(0.975, n - 1) * gain_error(statistics, i);
+  standing.gain = mean_gain(statistics, i);
   standing.gain_low = standing.gain - reach;
   standing.gain_high = standing.gain + reach;
   return standing;
@@ -120,23 +123,23 @@ double student(double sure, double freedom) {
          (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * freedom * freedom * freedom);
 }
 
-Forecast forecast(const Tally& tally, const Question& question, RandomKey key) {
-  Forecast forecast{.strategies = tally.strategies};
-  for (int i = 0; i < tally.strategies; ++i) forecast.standings[i] = standing_of(tally, i);
-  if (tally.stripes > 0) count_best(tally, key, forecast.standings);
-  for (int i = 1; i < tally.strategies; ++i) {
+Forecast forecast(const RolloutStatistics& statistics, const Question& question, RandomKey key) {
+  Forecast forecast{.strategies = statistics.strategies};
+  for (int i = 0; i < statistics.strategies; ++i) forecast.standings[i] = standing_of(statistics, i);
+  if (statistics.stripes > 0) count_best(statistics, key, forecast.standings);
+  for (int i = 1; i < statistics.strategies; ++i) {
     const Standing& standing = forecast.standings[i];
     if (!standing.raced_on) continue;
     const int so_far = forecast.challenger;
     if (so_far == 0 || standing.gain > forecast.standings[so_far].gain) forecast.challenger = i;
   }
-  if (tally.stripes < kFewestStripes) return forecast;
+  if (statistics.stripes < kFewestStripes) return forecast;
 
   forecast.advice = Forecast::Advice::keep;
   const int challenger = forecast.challenger;
   if (challenger == 0) return forecast;
-  const double reach = student(static_cast<double>(question.sure), tally.accounts[challenger].rollouts - 1);
-  const double least = forecast.standings[challenger].gain - reach * gain_error(tally, challenger);
+  const double reach = student(static_cast<double>(question.sure), statistics.by_strategy[challenger].rollouts - 1);
+  const double least = forecast.standings[challenger].gain - reach * gain_error(statistics, challenger);
   if (least <= static_cast<double>(question.switching_cost)) return forecast;
   forecast.advice = Forecast::Advice::change;
   forecast.choice = challenger;

@@ -7,39 +7,38 @@
 namespace sim::foresight {
 namespace {
 
-// Of 16 000 balls that a robot believed in at moments of `baseline` against itself, spl2012, those that were less than
-// 1 m off were off by 0.14 m along each axis when just seen, and by 0.2 to 0.3 m however old the belief; the others had
-// been kicked, or put somewhere by the referee. True velocities were 0.82 of the believed ones where these were sure to
-// 0.15 m/s, 0.67 at 0.35, 0.44 at 0.6, as when balls in general have 0.5 m/s; of those believed to lie, nearly all lay.
-constexpr float kFreshEyes = 2;      // [s] one's own sight counts for so long, as agent::Habits::trust_eyes
+// Source: 16 000 balls that a robot believed in, at moments of `baseline` against itself, spl2012. Beliefs with an error
+// under 1 m had 0.14 m along each axis when just seen, and 0.2 to 0.3 m at any greater age. The other balls had been kicked
+// or placed by the referee. True velocities were 0.82 of the believed ones at a deviation of 0.15 m/s, 0.67 at 0.35, 0.44
+// at 0.6, as if balls in general had 0.5 m/s. Nearly all balls believed to lie did lie.
+constexpr float kFreshEyes = 2;      // [s] the own sight counts for this time, as agent::Habits::trust_eyes
 constexpr float kLeastBall = 0.1f;   // [m]
 constexpr float kMostBall = 0.3f;    // [m]
 constexpr float kToldBall = 0.2f;    // [m] of a teammate's report: its eyes and its pose
 constexpr float kUsualSpeed = 0.5f;  // [m/s] of a ball along each axis
-constexpr float kLying = 0.3f;       // [m/s] what seems slower lies
+constexpr float kLying = 0.3f;       // [m/s] a slower ball is taken to lie
 constexpr float kLyingMoves = 0.3f;  // of the deviation of its velocity
 
-// How many of them were more than 1 m off, by how long ago somebody had seen them, that robot or who told it: after
-// 0.75 s 6 %, 1.25 s 20 %, 1.75 s 40 %, 2.5 s 61 %, 4 s 83 %, 6 s and later 95 %. Of those believed to be out: at once 20 %,
-// after 0.35 s 29 %, 0.75 s 48 %, 1.25 s 64 %, 1.75 s and later 90 %.
+// Share of them with an error over 1 m, by the time since anybody of the team had seen them: 0.75 s 6 %, 1.25 s 20 %,
+// 1.75 s 40 %, 2.5 s 61 %, 4 s 83 %, from 6 s on 95 %. Of balls believed to be out: at once 20 %, after 0.35 s 29 %,
+// 0.75 s 48 %, 1.25 s 64 %, from 1.75 s on 90 %.
 constexpr float kBallLeaves = 0.1f;  // [1/s³] the odds that it is elsewhere grow with the third power of the time
-constexpr float kOutIsTaken = 0.7f;  // [s] after which the referee has put half of those back that are out
+constexpr float kOutIsTaken = 0.7f;  // [s] after this time the referee has placed half of the balls that are out
 
-// Of robots: how far off is what was told or seen of them, and how far they have gone since. Errors along each axis in
-// 15 000 sightings of opponents at moments of `baseline` against itself, spl2012: 0.45 m at once, 0.69 m after 5 to 10 s,
-// 0.93 m after 10 to 20, 1.21 m after 20 to 40, so that the variance grows evenly.
+// Errors of reported or seen robots, and their way since then. Source: errors along each axis in 15 000 sightings of opponents at moments of `baseline` against itself, spl2012: 0.45 m at once, 0.69 m after 5 to 10 s,
+// 0.93 m after 10 to 20, 1.21 m after 20 to 40: the variance grows evenly.
 constexpr float kToldRobot = 0.15f;    // [m] a teammate's own localisation
-constexpr float kSeenRobot = 0.45f;    // [m] an opponent by one's own eyes, from where one takes oneself to be
+constexpr float kSeenRobot = 0.45f;    // [m] an opponent seen by the own eyes, relative to the believed own pose
 constexpr float kRobotStrays = 0.04f;  // [m²/s] along each axis
-// A side keeps together: were each one's error its own, it would leave gaps that there are not.
-constexpr float kOwnShare = 0.5f;     // of a robot's deviation, with which forecasts came true best
-constexpr float kForgotten = 60;      // [s] after which it is as if it never had been told or seen
+// A side keeps together: independent errors would open gaps in it that do not exist.
+constexpr float kOwnShare = 0.5f;     // independent share of a robot's deviation: the value with the best forecasts
+constexpr float kForgotten = 60;      // [s] after this time a message or sight is ignored
 constexpr float kTurns = 0.3f;        // [rad/s]
 constexpr float kMostHeading = 1.2f;  // [rad]
-constexpr float kTowardsBall = 0.6f;  // [rad] how far off the ball somebody faces of whom that is not known
+constexpr float kTowardsBall = 0.6f;  // [rad] deviation from facing the ball, for an unknown heading
 
-// Where a side stands while it plays, by 16 000 moments of such games by spl2012 and spl2025: the keeper in front of its
-// goal, the others on the way from there to the ball, one of them near the ball.
+// Usual places of a side in play. Source: 16 000 moments of such games by spl2012 and spl2025. The keeper is in front of
+// its goal, the others on the way from there to the ball, one of them near the ball.
 constexpr float kKeeperOut = 0.54f;             // [m] from the goal line
 constexpr Vec2 kKeeperDrawn{0.04f, 0.21f};      // of the ball's place
 constexpr float kKeeperRoams = 0.2f;            // [m]
@@ -48,11 +47,11 @@ constexpr float kChaserRoams[] = {0.3f, 0.1f};  // [m], and of the ball's distan
 constexpr float kOthersOut = 0.6f;              // of the way to the ball, but at most ...
 constexpr float kOthersBack = 0.27f;            // of the field's length
 constexpr float kOthersRoam = 0.7f;             // [m]
-constexpr float kUnknownChaser = 1.5f;  // [m] from the ball: who is known to be nearer chases rather than who is not
+constexpr float kUnknownChaser = 1.5f;          // [m] from the ball: a robot known to be nearer is preferred as chaser
 
 float grown(float at_first, float rate, float seconds, float most) { return std::min(at_first + rate * seconds, most); }
 
-/// [0..1] that a ball is not where it was seen so long ago.
+/// Returns the probability that a ball is not where it was seen that time ago.
 float elsewhere(const field::Field& field, Vec2 position, float seconds) {
   if (!(seconds < kForgotten)) return 1;
   const float odds = kBallLeaves * seconds * seconds * seconds;
@@ -66,7 +65,7 @@ struct Place {
   float deviation;  // [m] along each axis
 };
 
-/// Where a player is taken to be as long as nothing else is known. Frame: team_field of its side.
+/// The assumed place of a player without other knowledge. Frame: team_field of its side.
 Place usual_place(const field::Field& field, int player, bool chases, Vec2 ball) {
   const Vec2 goal{-field.length / 2, 0};
   if (player == 1) return {goal + Vec2{kKeeperOut + kKeeperDrawn.x * ball.x, kKeeperDrawn.y * ball.y}, kKeeperRoams};
@@ -77,14 +76,14 @@ Place usual_place(const field::Field& field, int player, bool chases, Vec2 ball)
   return {goal + share * to_ball, kOthersRoam};
 }
 
-/// What was told or seen of a robot, and how long ago. Frame: team_field of who knows it.
+/// The last message or sight of a robot, and its age. Frame: team_field of the robot that knows it.
 struct Sighting {
   Pose2 pose;
   float deviation;  // [m] along each axis
   float seconds;    // [s] at most kForgotten
 };
 
-/// Of any robot but oneself; nothing when it was forgotten or never known. Of an opponent's heading nothing is known.
+/// Returns it for any other robot, or nothing when it is forgotten or never known. An opponent's heading is unknown.
 std::optional<Sighting> sighting_of(const Knowledge& knowledge, int robot) {
   const int player = player_of(robot), own = knowledge.game.player;
   const auto unless_forgotten = [](const Sighting& sighting) {
@@ -98,7 +97,7 @@ std::optional<Sighting> sighting_of(const Knowledge& knowledge, int robot) {
   return unless_forgotten({mate.pose, kToldRobot, age(knowledge.now, mate.sent)});
 }
 
-/// Whether a robot is taken to be the field player of its side that is nearest to the ball.
+/// Returns whether a robot is assumed to be the field player of its side that is nearest to the ball.
 bool chases(const Params& params, const Knowledge& knowledge, Vec2 ball, int robot) {
   const Side side = side_of(robot);
   int chaser = kNobody;
@@ -116,7 +115,7 @@ bool chases(const Params& params, const Knowledge& knowledge, Vec2 ball, int rob
   return chaser == robot;
 }
 
-/// What was told or seen of a robot, and where it would be anyway, each by how sure it is.
+/// Combines the last message or sight of a robot with its usual place, each weighted by its certainty.
 Place weighed(const Place& usual, const Sighting& sighting) {
   const float known_variance = sighting.deviation * sighting.deviation + kRobotStrays * sighting.seconds;
   const float usual_variance = usual.deviation * usual.deviation;
@@ -135,7 +134,7 @@ BallGuess guess_ball(const field::Field& field, const Knowledge& knowledge) {
     const Vec2 facing = direction(pose.heading);
     guess.position = pose.position + turned(own.position, facing);
     guess.deviation = std::min(std::sqrt(own.variance + kLeastBall * kLeastBall), kMostBall);
-    // the filter knows nothing of robots that stop a ball
+    // the filter does not know of robots that stop a ball
     const float share = kUsualSpeed * kUsualSpeed / (kUsualSpeed * kUsualSpeed + own.velocity_variance);
     const bool lies = squared_length(own.velocity) < kLying * kLying;
     guess.velocity = share * turned(own.velocity, facing);
@@ -146,7 +145,7 @@ BallGuess guess_ball(const field::Field& field, const Knowledge& knowledge) {
   }
   if (own_age <= kFreshEyes) return guess;
 
-  // somebody may have seen it since
+  // somebody may have seen the ball since then
   for (const agent::Mate& mate : knowledge.beliefs.mates) {
     if (mate.sent == kNever || mate.ball_age == 0xffff) continue;
     const Tick seen = mate.sent - std::min<Tick>(mate.ball_age, mate.sent);
@@ -154,7 +153,7 @@ BallGuess guess_ball(const field::Field& field, const Knowledge& knowledge) {
     guess = {.position = mate.ball, .seen = seen};
   }
   if (guess.seen == kNever) return guess;
-  // it has come to rest since, wherever that is
+  // the ball has come to rest since then, at an unknown place
   guess.velocity = {};
   guess.velocity_deviation = 0;
   guess.deviation = kToldBall;

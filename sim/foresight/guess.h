@@ -1,4 +1,4 @@
-// Where ball and robots most likely are, and how sure that is, by what one robot knows.
+// The most likely places of ball and robots, with their deviations, from the knowledge of one robot.
 #pragma once
 
 #include <cmath>
@@ -13,18 +13,18 @@ struct BallGuess {
   Vec2 velocity;                 // [m/s]
   float deviation = 0;           // [m] along each axis
   float velocity_deviation = 0;  // [m/s]
-  float elsewhere = 0;           // [0..1] how likely it is not there at all: somebody kicked it, or the referee put it
-  Tick seen = kNever;            // kNever: by nobody
-  bool by_own_eyes = false;      // then the own pose's error comes on top
+  float elsewhere = 0;           // [0..1] probability that it is not there: kicked away, or placed by the referee
+  Tick seen = kNever;            // kNever: not seen
+  bool by_own_eyes = false;      // true: the error of the own pose comes on top
 };
 
-/// Beyond the middle of a line. Frame: field or team_field.
+/// Returns whether a place is beyond the middle of a line. Frame: field or team_field.
 inline bool beyond_lines(const field::Field& field, Vec2 point) {
   return std::abs(point.x) > field.length / 2 || std::abs(point.y) > field.width / 2;
 }
 
-/// By its own eyes while they are fresh, else by the newest report. Who knows it less surely the longer ago it was, and
-/// where it seems to be out.
+/// Guesses the ball: from the own sight while it is fresh, otherwise from the newest report. The guess is less certain
+/// for an older sight, and for a ball that seems to be out.
 BallGuess guess_ball(const field::Field& field, const Knowledge& knowledge);
 
 /// Frame: team_field.
@@ -34,8 +34,8 @@ struct RobotGuess {
   float deviation_heading = 0;  // [rad]
 };
 
-/// The robot itself by its localisation, a teammate by what it told, an opponent by when it was seen; of whom nothing
-/// is known, by where its side stands while the ball is at `ball`.
+/// Guesses a robot: itself by its localisation, a teammate by its message, an opponent by its last sight. An unknown
+/// robot is where its side usually stands while the ball is at `ball`.
 RobotGuess guess_robot(const Params& params, const Knowledge& knowledge, Vec2 ball, int robot);
 
 }  // namespace sim::foresight

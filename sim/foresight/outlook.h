@@ -1,4 +1,4 @@
-// What the moment at which a rollout ends is worth for what comes after.
+// The value of the last moment of a rollout for the time after it.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,19 @@
 
 namespace sim::foresight {
 
-/// Fitted from whole games of equal teams (foresight-sim outlook), and symmetric: what is good for one side is as bad for
-/// the other.
+/// The table of values, fitted from whole games of equal teams (foresight-sim outlook). Symmetric: an advantage of one
+/// side is the same disadvantage of the other.
 struct Outlook {
-  static constexpr int kZones = 8;  // of equal length along the field, from the own goal line to the others'
+  static constexpr int kZones = 8;  // of equal length, from the own goal line to the opponents'
 
-  float reach = 60;  // [s] the goals of so long are counted; later ones do not depend on this moment
-  float worth[kZones][2] =
-      {};  // [goals] own less others', by the ball's zone and whose touch was the last: own, others'
+  float reach = 60;             // [s] goals within this time count; later ones do not depend on the moment
+  float worth[kZones][2] = {};  // [goals] own minus opponents', by zone of the ball and by last touch: own, opponents'
 };
 
-/// [goals] that `side` will score more than the others from this moment on; less where the half ends within `reach`.
+/// Returns the expected goal difference [goals] of `side` from this moment on; less when the half ends within `reach`.
 float worth(const Outlook& outlook, const Params& params, const State& state, Side side);
 
-/// The zone of the ball, as `side` counts them, and whose touch was the last: indices of Outlook::worth.
+/// Returns the indices of Outlook::worth: the zone of the ball as `side` counts it, and the side of the last touch.
 struct Place {
   int zone;
   int touch;

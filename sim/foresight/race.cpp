@@ -13,7 +13,7 @@ constexpr Tick kLongestPath = ticks(120);
 
 int index_of(Side side) { return static_cast<int>(side); }
 
-/// A point of `now` as the sides stood at `start`, also after half time. [m, field of the start]
+/// Returns a point of `now` in the field of `start` [m], also after half time.
 Vec2 unturned(const State& now, const State& start, Vec2 point) {
   return now.world.home_attacks == start.world.home_attacks ? point : -point;
 }
@@ -34,33 +34,33 @@ void add(Path& path, const State& now, const State& start, Side own) {
   ++path.points;
 }
 
-/// What one continuation came to.
+/// The result of one rollout.
 struct Outcome {
   double value = 0;  // by the measure
-  int next = 0;      // whose the next goal was: 1 one's own, -1 the others', 0 nobody's
+  int next = 0;      // next goal: 1 own, -1 the opponents', 0 none
 };
 
 /// One run of all strategies over the stripes.
 class Runner {
  public:
-  Runner(const Task& task, const Spent& spent, const Told& told, Tally& tally)
-      : task_(task), spent_(spent), told_(told), tally_(tally), end_(end_of(task)) {}
+  Runner(const Task& task, const Spent& spent, const Told& told, RolloutStatistics& statistics)
+      : task_(task), spent_(spent), told_(told), statistics_(statistics), end_(end_of(task)) {}
 
   void run() {
-    tally_ = {};
-    tally_.strategies = task_.strategies;
+    statistics_ = {};
+    statistics_.strategies = task_.strategies;
     int rounds = 1;
     while (1 << rounds < task_.strategies) ++rounds;
     for (int round = 1; round <= rounds; ++round) {
       const double until = static_cast<double>(round) / rounds;
-      while (tally_.spent < until)
+      while (statistics_.spent < until)
         if (!play_stripe()) return;
-      if (tally_.stripes >= kFewestStripes) leave_behind();
+      if (statistics_.stripes >= kFewestStripes) leave_behind();
     }
   }
 
  private:
-  /// When a rollout ends at the latest; halves and games end by themselves.
+  /// Returns the latest end of a rollout. Halves and games end by themselves.
   static Tick end_of(const Task& task) {
     const Question& question = task.question;
     const bool limited = question.until == Until::horizon || question.until == Until::next_goal;
@@ -68,32 +68,32 @@ class Runner {
     return task.situation->state.world.tick + question.horizon;
   }
 
-  /// False: the budget is spent, and the stripe does not count.
+  /// Plays one stripe. Returns false when the budget is spent: the stripe does not count.
   bool play_stripe() {
-    const RandomKey key{task_.key.seed + static_cast<std::uint64_t>(tally_.stripes)};
+    const RandomKey key{task_.key.seed + static_cast<std::uint64_t>(statistics_.stripes)};
     const State start = sample(*task_.params[0], *task_.situation, key);
     Outcome outcomes[kMaxStrategies];
     for (int i = 0; i < task_.strategies; ++i) {
-      if (!tally_.accounts[i].racing) continue;
-      if (look() >= 1 || !play(start, *task_.params[i], tally_.accounts[i], outcomes[i])) return false;
+      if (!statistics_.by_strategy[i].racing) continue;
+      if (look() >= 1 || !play(start, *task_.params[i], statistics_.by_strategy[i], outcomes[i])) return false;
       ++rollouts_;
     }
     for (int i = 0; i < task_.strategies; ++i)
-      if (tally_.accounts[i].racing) enter(i, outcomes);
-    ++tally_.stripes;
+      if (statistics_.by_strategy[i].racing) enter(i, outcomes);
+    ++statistics_.stripes;
     look();
-    if (told_) told_(tally_);
+    if (told_) told_(statistics_);
     return true;
   }
 
-  double look() { return tally_.spent = spent_(rollouts_); }
+  double look() { return statistics_.spent = spent_(rollouts_); }
 
-  /// False: there was not enough budget for it.
-  bool play(const State& start, const Params& params, Account& account, Outcome& outcome) {
+  /// Plays one rollout. Returns false when the budget ended before it.
+  bool play(const State& start, const Params& params, StrategyStatistics& strategy, Outcome& outcome) {
     const Question& question = task_.question;
     const Tick began = start.world.tick;
-    const bool is_path = tally_.stripes < Account::kPaths;
-    Path& path = account.paths[std::min(tally_.stripes, Account::kPaths - 1)];
+    const bool is_path = statistics_.stripes < StrategyStatistics::kPaths;
+    Path& path = strategy.paths[std::min(statistics_.stripes, StrategyStatistics::kPaths - 1)];
     const Tick length = std::min(end_ == kNever ? kLongestPath : end_ - began, kLongestPath);
     const Tick spacing = std::max<Tick>(length / (Path::kPoints - 1), 1);
     if (is_path) path = {.spacing = static_cast<float>(spacing) * kTickDuration};
@@ -104,7 +104,7 @@ class Runner {
         params, state,
         [&](const State& now) {
           const Tick since = now.world.tick - began;
-          if (since % kHeat == 0) add(account.heat, params.rules.field, unturned(now, start, now.world.ball.position));
+          if (since % kHeat == 0) add(strategy.heat, params.rules.field, unturned(now, start, now.world.ball.position));
           if (is_path && since % spacing == 0) add(path, now, start, question.own);
           if (since % kLook == kLook - 1 && look() >= 1) return cut = true;
           return is_over(now, start, outcome);
@@ -113,14 +113,14 @@ class Runner {
           if (event.kind != referee::Event::Kind::goal || outcome.next != 0) return;
           outcome.next = event.side == question.own ? 1 : -1;
         });
-    tally_.ticks += state.world.tick - began;
+    statistics_.ticks += state.world.tick - began;
     if (!cut) outcome.value = value_of(params, start, state, outcome);
     return !cut;
   }
 
   bool is_over(const State& now, const State& start, const Outcome& outcome) const {
     if (now.world.tick >= end_) return true;
-    // whose the next goal is, is all that these ask
+    // these measures need only the next goal
     if (outcome.next != 0 && (task_.question.until == Until::next_goal || !counts_goals())) return true;
     return task_.question.until == Until::half && now.book.half != start.book.half;
   }
@@ -140,48 +140,48 @@ class Runner {
   }
 
   void enter(int i, const Outcome (&outcomes)[kMaxStrategies]) {
-    Account& account = tally_.accounts[i];
+    StrategyStatistics& strategy = statistics_.by_strategy[i];
     const Outcome& outcome = outcomes[i];
-    ++account.rollouts;
-    account.sum += outcome.value;
-    account.squares += outcome.value * outcome.value;
-    account.scored += outcome.next > 0 ? 1 : 0;
-    account.conceded += outcome.next < 0 ? 1 : 0;
+    ++strategy.rollouts;
+    strategy.sum += outcome.value;
+    strategy.squares += outcome.value * outcome.value;
+    strategy.scored += outcome.next > 0 ? 1 : 0;
+    strategy.conceded += outcome.next < 0 ? 1 : 0;
     for (int j = 0; j < task_.strategies; ++j) {
-      if (!tally_.accounts[j].racing) continue;
+      if (!statistics_.by_strategy[j].racing) continue;
       const double gain = outcome.value - outcomes[0].value;
-      tally_.gains[i][j] += gain;
-      tally_.products[i][j] += gain * (outcomes[j].value - outcomes[0].value);
+      statistics_.gains[i][j] += gain;
+      statistics_.products[i][j] += gain * (outcomes[j].value - outcomes[0].value);
     }
   }
 
-  /// The worse half of those who race; never the incumbent, and never the last who challenges it. All have played the
-  /// same stripes, so that the better sum is the better mean.
+  /// Drops the worse half of the racing strategies, but never the incumbent and never its last challenger. All have
+  /// played the same stripes, so that the better sum is the better mean.
   void leave_behind() {
     int racing = 0;
-    for (int i = 0; i < task_.strategies; ++i) racing += tally_.accounts[i].racing ? 1 : 0;
+    for (int i = 0; i < task_.strategies; ++i) racing += statistics_.by_strategy[i].racing ? 1 : 0;
     for (int rest = std::max((racing + 1) / 2, 2); racing > rest; --racing) {
       int worst = 0;
       for (int i = 1; i < task_.strategies; ++i) {
-        if (!tally_.accounts[i].racing) continue;
-        if (worst == 0 || tally_.accounts[i].sum < tally_.accounts[worst].sum) worst = i;
+        if (!statistics_.by_strategy[i].racing) continue;
+        if (worst == 0 || statistics_.by_strategy[i].sum < statistics_.by_strategy[worst].sum) worst = i;
       }
-      tally_.accounts[worst].racing = false;
+      statistics_.by_strategy[worst].racing = false;
     }
   }
 
   const Task& task_;
   const Spent& spent_;
   const Told& told_;
-  Tally& tally_;
+  RolloutStatistics& statistics_;
   const Tick end_;
   std::int64_t rollouts_ = 0;
 };
 
 }  // namespace
 
-void race(const Task& task, const Spent& spent, const Told& told, Tally& tally) {
-  Runner(task, spent, told, tally).run();
+void race(const Task& task, const Spent& spent, const Told& told, RolloutStatistics& statistics) {
+  Runner(task, spent, told, statistics).run();
 }
 
 }  // namespace sim::foresight

@@ -1,4 +1,4 @@
-// Do things come as often as they are foretold? Counts of one kind of event.
+// Reliability of forecasts: counts of one kind of event.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 
 namespace sim::foresight {
 
-/// Plain sums: adding the same cases in the same order gives the same bits.
+/// The sums. Adding the same cases in the same order gives the same bits.
 struct Reliability {
-  static constexpr int kBins = 10;  // by what was foretold: 0 .. 0.1, …, 0.9 .. 1
+  static constexpr int kBins = 10;  // by forecast probability: 0 .. 0.1, …, 0.9 .. 1
 
   struct Bin {
     std::uint32_t cases = 0, came = 0;
@@ -17,7 +17,7 @@ struct Reliability {
   };
 
   std::uint32_t cases = 0, came = 0;
-  double squares = 0;  // sum of (what was foretold - what came)²
+  double squares = 0;  // sum of (forecast - outcome)²
   std::array<Bin, kBins> bins{};
 
   /// `foretold` [0..1].
@@ -32,11 +32,11 @@ struct Reliability {
     bin.foretold += foretold;
   }
 
-  /// [0..1] how often it came; 0 without cases, likewise the following.
+  /// Returns the frequency [0..1] of the event; 0 without cases, as the following.
   double rate() const { return cases == 0 ? 0 : static_cast<double>(came) / cases; }
-  /// [0..1] small is good.
+  /// Returns the Brier score [0..1]; small is good.
   double brier() const { return cases == 0 ? 0 : squares / cases; }
-  /// [0..1] of always foretelling the rate: what is to be beaten.
+  /// Returns the Brier score [0..1] of always forecasting the frequency: the score to beat.
   double brier_of_rate() const { return rate() * (1 - rate()); }
 };
 

@@ -21,9 +21,9 @@ using SetPlay = agent::Game::SetPlay;
 using Doing = Body::Doing;
 
 constexpr float kBorder = 0.3f;      // [m] beyond the lines where a robot may still be
-constexpr std::uint32_t kTries = 8;  // to find a place for the ball on the field near where it is believed
-// Of 500 balls that lay elsewhere than a robot believed, in games in which a ball that is out is placed back, so many lay
-// where that happens.
+constexpr std::uint32_t kTries = 8;  // tries for a place of the ball on the field near the believed one
+// Share of balls at the place for balls that were out. Source: 500 balls that lay elsewhere than a robot believed, in
+// games in which such a ball is placed back.
 constexpr float kPlacedBack = 0.65f;
 
 std::string sentence(const char* format, double value) {
@@ -37,14 +37,14 @@ const char* why_no_game(Phase phase) {
   return phase == Phase::finished ? "the game is over" : nullptr;
 }
 
-/// Puts a body where it is taken to be, with what it does.
+/// Sets a body to its believed place and action.
 void put(Body& body, const Pose2& pose) {
   body.position = pose.position;
   body.heading = normalized(pose.heading);
   body.facing = direction(body.heading);
 }
 
-/// Makes the most likely state, and notes how unsure each part of it is.
+/// Makes the most likely state and the uncertainty of each part.
 class Guesswork {
  public:
   Guesswork(const Params& params, const Knowledge& knowledge)
@@ -105,7 +105,7 @@ class Guesswork {
     doubt_.position[robot] = guess.deviation;
     doubt_.heading[robot] = guess.deviation_heading;
     if (away == 0) {
-      // a body that the game has just put back on the field stands
+      // a body that has just returned to the field stands
       if (body.doing == Doing::removed) body.doing = Doing::standing;
       state_.book.penalised_until[robot] = 0;
       return;
@@ -114,7 +114,7 @@ class Guesswork {
     state_.book.penalised_until[robot] = away == kNever ? kNever : knowledge_.now + away;
   }
 
-  /// Stands, or lies where that is so fresh that it cannot be up again.
+  /// Lets a robot stand, or lie when that was reported too recently for it to be up again.
   Body body_of_other(int robot) const {
     const auto side = static_cast<int>(side_of(robot));
     const Tick down = knowledge_.down[side][player_of(robot) - 1];
@@ -140,7 +140,7 @@ class Guesswork {
     book.phase_since = book.told_phase_since = knowledge_.now - since;
   }
 
-  /// The robot itself goes on with what it knows; so the others believe what they told.
+  /// Gives the robot its own knowledge, and the others the beliefs that they reported.
   void take_over_mind() {
     for_each_robot(state_.world.players, [&](int robot) {
       state_.robots[robot].beliefs.pose.pose = perception::true_pose(state_.world, robot);
@@ -158,7 +158,7 @@ class Guesswork {
   Doubt doubt_;
 };
 
-/// Four draws of the standard normal distribution.
+/// Returns four draws of the standard normal distribution.
 struct Normals {
   float values[4];
 };
@@ -168,14 +168,14 @@ Normals normals_of(RandomKey key, int who, std::uint32_t number = 0) {
   return {{first[0], first[1], second[0], second[1]}};
 }
 
-/// The nearest point where a robot may be.
+/// Returns the nearest point where a robot may be.
 Vec2 within_border(const field::Field& field, Vec2 point) {
   const Vec2 reach{field.length / 2 + kBorder, field.width / 2 + kBorder};
   return {std::clamp(point.x, -reach.x, reach.x), std::clamp(point.y, -reach.y, reach.y)};
 }
 
-/// A ball in play, where it may be near where it is believed. What the eyes of the robot that believes it told moves with
-/// that robot, which was taken to be at `seen_from`. Nothing where it would be out: then the referee has put it elsewhere.
+/// Draws a ball near the believed place. A ball seen by the own eyes moves with the drawn pose of the robot, which was
+/// believed at `seen_from`. Returns nothing when the ball would be out: the referee has then placed it elsewhere.
 std::optional<Ball> ball_nearby(const field::Field& field, const World& world, const Doubt& doubt,
                                 const Pose2& seen_from, RandomKey key) {
   Ball ball = world.ball;
@@ -197,13 +197,13 @@ std::optional<Ball> ball_nearby(const field::Field& field, const World& world, c
   return {};
 }
 
-/// Where an assistant may have put a ball that was believed at `believed`. `along`, `across`: uniform in [-0.5, 0.5).
+/// Returns a place where an assistant may have put a ball that was believed at `believed`. `along`, `across`: uniform in [-0.5, 0.5).
 Vec2 placed_back(const field::Rules& rules, Vec2 believed, float along, float across) {
   const field::Field& field = rules.field;
   const float corner = field.length / 2 - referee::placed_back::kEnd;
   const bool over_goal_line = std::abs(believed.x) > field.length / 2;
   const bool over_touch_line = !over_goal_line && std::abs(believed.y) > field.width / 2;
-  // nobody knows whose touch was the last
+  // the side of the last touch is unknown
   float x = 2 * along * corner;
   if (over_goal_line) x = along < 0 ? std::copysign(corner, believed.x) : 0;
   if (over_touch_line) x = std::clamp(believed.x + std::copysign(rules.out_set_back, along), -corner, corner);
@@ -211,7 +211,7 @@ Vec2 placed_back(const field::Rules& rules, Vec2 believed, float along, float ac
   return {x, std::copysign(field.width / 2 - rules.out_inset, line)};
 }
 
-/// A ball that is not near where it was believed, and lies. `words`: of chance, the first is not looked at.
+/// Draws a lying ball that is not near the believed place. `words`: random numbers; the first is not used.
 Ball ball_elsewhere(const field::Rules& rules, const Ball& believed, const std::array<std::uint32_t, 4>& words) {
   const field::Field& field = rules.field;
   const float along = uniform(words[1]) - 0.5f, across = uniform(words[2]) - 0.5f;
@@ -224,7 +224,7 @@ Ball ball_elsewhere(const field::Rules& rules, const Ball& believed, const std::
   return ball;
 }
 
-/// Everybody but `whose` knows where it is; the ball is where the team takes it to be, or for its opponents where it is.
+/// Gives everybody but `whose` its true place. The team keeps its belief about the ball; the opponents get the true one.
 void let_others_know(Vec2 supposed_ball, int whose, State& state) {
   const World& world = state.world;
   for_each_robot(world.players, [&](int robot) {
@@ -270,7 +270,7 @@ void tell(const World& truth, Side own, Insight insight, Situation& situation) {
     doubt.ball_by_own_eyes = false;
   }
   for_each_robot(world.players, [&](int robot) {
-    const bool is_own = side_of(robot) == Side::home;  // in a situation one's own side is home
+    const bool is_own = side_of(robot) == Side::home;  // in a situation the own side is home
     const Body& body = truth.bodies[robot_of(is_own ? own : other(own), player_of(robot))];
     if (!(is_own ? insight.own_side : insight.opponents)) return;
     if (body.doing == Doing::removed || world.bodies[robot].doing == Doing::removed) return;
@@ -285,7 +285,7 @@ State sample(const Params& params, const Situation& situation, RandomKey key) {
   State state = situation.state;
   World& world = state.world;
   world.key = key;
-  Pose2 seen_from;  // where the robot that saw the ball is taken to stand
+  Pose2 seen_from;  // believed pose of the robot that saw the ball
   if (doubt.ball_by_own_eyes) {
     const Body& body = world.bodies[doubt.whose];
     seen_from = {body.position, body.heading};
@@ -301,7 +301,7 @@ State sample(const Params& params, const Situation& situation, RandomKey key) {
   });
 
   const field::Field& field = params.rules.field;
-  const auto words = draw(key, kNobody, Draw::belief, kTries);  // the numbers before are those of the tries
+  const auto words = draw(key, kNobody, Draw::belief, kTries);  // the numbers before it belong to the tries
   const bool stays = uniform(words[0]) >= doubt.ball_elsewhere;
   const auto near = stays ? ball_nearby(field, world, doubt, seen_from, key) : std::nullopt;
   world.ball = near ? *near : ball_elsewhere(params.rules, world.ball, words);

@@ -22,11 +22,12 @@ void add(std::uint64_t& hash, std::string_view bytes) {
 
 }  // namespace
 
-motion::Command Guest::decide(const agent::Surroundings& surroundings, const agent::Game& game,
-                              const agent::Beliefs& beliefs, Tick now, agent::Mind& mind, agent::Trace* trace) const {
+motion::Command GuestBehaviour::decide(const agent::Surroundings& surroundings, const agent::Game& game,
+                                       const agent::Beliefs& beliefs, Tick now, agent::Mind& mind,
+                                       agent::Trace* trace) const {
   if (trace) trace->clear(), trace->strategy = trace->skill = name_.c_str();
-  // the memory of a guest is its own, not the state's: of all behaviours only guests change by deciding
-  auto& self = const_cast<Guest&>(*this);
+  // a guest keeps its memory itself, not in the state: only guests change when they decide
+  auto& self = const_cast<GuestBehaviour&>(*this);
   if (problem_.empty()) {
     ForesightPlayer& player = self.players_[game.player];
     if (player.player == 0) player = player_of(surroundings, game, seed_ * kMaxPlayers + game.player);
@@ -45,7 +46,7 @@ motion::Command Guest::decide(const agent::Surroundings& surroundings, const age
 
 bool is_guest(const std::string& name) { return name.starts_with(kPipe) || name.ends_with(".so"); }
 
-robot::Result<std::shared_ptr<const Source>> open(const std::string& name) {
+robot::Result<std::shared_ptr<const GuestFactory>> open(const std::string& name) {
   return name.starts_with(kPipe) ? open_pipe(name, name.substr(kPipe.size())) : open_library(name);
 }
 

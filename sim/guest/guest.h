@@ -1,4 +1,4 @@
-// Behaviours from outside: what a team brings, other than a tree.
+// Behaviours of a team that are not trees: shared libraries and processes.
 #pragma once
 
 #include <array>
@@ -13,53 +13,53 @@
 
 namespace sim::guest {
 
-/// The players of one side in one game. They remember: made for each game, used by one thread, its state played forwards
-/// only unless it is loaded.
-class Guest : public agent::Behaviour {
+/// The players of one side in one game. They have a memory: one object per game, used by one thread. The game runs only
+/// forwards, unless a saved memory is loaded.
+class GuestBehaviour : public agent::Behaviour {
  public:
   const std::string& name() const final { return name_; }
-  /// As any behaviour, until something goes wrong; from then on everybody stands, and problem() says what it was.
+  /// Decides as any behaviour. After an error all robots stand, and problem() returns the error.
   motion::Command decide(const agent::Surroundings& surroundings, const agent::Game& game,
                          const agent::Beliefs& beliefs, Tick now, agent::Mind& mind, agent::Trace* trace) const final;
 
-  /// One sentence; empty: nothing is wrong.
+  /// Returns the error as a sentence, or an empty text.
   const std::string& problem() const { return problem_; }
 
-  /// What the players remember, as bytes; nothing where they cannot save it.
+  /// Returns the memory of the players as bytes, or nothing when they cannot save it.
   virtual std::optional<std::string> save() const { return {}; }
-  /// Puts it back: what save() of the same game made.
+  /// Restores the memory from the bytes of save() in the same game.
   virtual robot::Result<void> load(std::string_view) { return robot::Error{name_ + " cannot load"}; }
 
  protected:
-  Guest(std::string name, std::uint64_t seed) : name_(std::move(name)), seed_(seed) {}
+  GuestBehaviour(std::string name, std::uint64_t seed) : name_(std::move(name)), seed_(seed) {}
 
-  /// Fills the command; empty, or what is wrong.
+  /// Fills the command. Returns an error sentence, or an empty text.
   virtual std::string ask(const ForesightPlayer& player, const ForesightMoment& moment, ForesightCommand& command) = 0;
 
  private:
   const std::string name_;
   const std::uint64_t seed_;
-  std::array<ForesightPlayer, kMaxPlayers + 1> players_{};  // by number; number 0: not known yet
+  std::array<ForesightPlayer, kMaxPlayers + 1> players_{};  // by number; number 0: not yet known
   std::string problem_;
 };
 
-/// Where guests come from; any thread.
-class Source {
+/// The maker of guests. Thread-safe.
+class GuestFactory {
  public:
-  virtual ~Source() = default;
-  /// The players of one side for a new game. `seed`: of chance of their own.
-  virtual std::unique_ptr<Guest> begin(std::uint64_t seed) const = 0;
-  /// A game can be taken back to a moment of it without playing it again.
+  virtual ~GuestFactory() = default;
+  /// Makes the players of one side for a new game. `seed` starts their own random numbers.
+  virtual std::unique_ptr<GuestBehaviour> begin(std::uint64_t seed) const = 0;
+  /// Returns whether the guest can save and load: a game can then be set back without playing it again.
   virtual bool saves() const = 0;
 };
 
-/// "./my_behaviour.so" and "pipe:python3 my_behaviour.py" are guests; other names are those of trees.
+/// Returns whether `name` is a guest: "./my_behaviour.so" and "pipe:python3 my_behaviour.py" are guests; other names are those of trees.
 bool is_guest(const std::string& name);
 
-/// `name` is such a one; what is wrong with it is told before any game begins.
-robot::Result<std::shared_ptr<const Source>> open(const std::string& name);
+/// Opens the guest `name`. Errors are found before any game begins.
+robot::Result<std::shared_ptr<const GuestFactory>> open(const std::string& name);
 
-/// A number for what is behind the name: the bytes of the library, the command and the files it names.
+/// Returns a hash of the content: the bytes of the library, or the command and the files that it names.
 std::uint64_t content_of(const std::string& name);
 
 }  // namespace sim::guest

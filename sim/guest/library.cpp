@@ -30,10 +30,10 @@ class Player {
   void* const self_;
 };
 
-class LibraryGuest final : public Guest {
+class LibraryGuest final : public GuestBehaviour {
  public:
   LibraryGuest(std::string name, std::uint64_t seed, const ForesightBehaviour& behaviour)
-      : Guest(std::move(name), seed), behaviour_(behaviour) {}
+      : GuestBehaviour(std::move(name), seed), behaviour_(behaviour) {}
 
   std::optional<std::string> save() const override {
     if (!behaviour_.save) return {};
@@ -52,12 +52,12 @@ class LibraryGuest final : public Guest {
   Result<void> load(std::string_view bytes) override {
     for (const auto& player : players_) {
       std::uint32_t length = 0;
-      if (bytes.size() < sizeof length) return Error{name() + ": what was saved is not whole"};
+      if (bytes.size() < sizeof length) return Error{name() + ": the saved memory is truncated"};
       std::memcpy(&length, bytes.data(), sizeof length);
       bytes.remove_prefix(sizeof length);
-      if (length > bytes.size()) return Error{name() + ": what was saved is not whole"};
+      if (length > bytes.size()) return Error{name() + ": the saved memory is truncated"};
       if (player && length > 0 && behaviour_.load(player->self(), bytes.data(), length) == 0)
-        return Error{"behaviour '" + name() + "': load does not know what save made"};
+        return Error{"behaviour '" + name() + "': load refused the bytes of save"};
       bytes.remove_prefix(length);
     }
     return {};
@@ -76,12 +76,12 @@ class LibraryGuest final : public Guest {
   std::array<std::unique_ptr<Player>, kMaxPlayers + 1> players_;  // by number
 };
 
-/// Stays loaded to the end of the program: players may still be around.
-class Library final : public Source {
+/// A loaded library. It stays loaded to the end of the program, because players may still exist.
+class Library final : public GuestFactory {
  public:
   Library(std::string path, const ForesightBehaviour& behaviour) : path_(std::move(path)), behaviour_(behaviour) {}
 
-  std::unique_ptr<Guest> begin(std::uint64_t seed) const override {
+  std::unique_ptr<GuestBehaviour> begin(std::uint64_t seed) const override {
     return std::make_unique<LibraryGuest>(path_, seed, behaviour_);
   }
   bool saves() const override { return behaviour_.save != nullptr; }
@@ -99,9 +99,9 @@ std::string numbers(std::initializer_list<std::uint64_t> values) {
 
 }  // namespace
 
-Result<std::shared_ptr<const Source>> open_library(const std::string& path) {
+Result<std::shared_ptr<const GuestFactory>> open_library(const std::string& path) {
   const std::string called = "behaviour '" + path + "': ";
-  // a name without a folder would be looked for among the system's libraries
+  // a name without a folder would be searched among the system's libraries
   const std::string place = path.find('/') == path.npos ? "./" + path : path;
   void* const library = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library) return Error{called + "cannot be loaded: " + dlerror()};
@@ -120,10 +120,10 @@ Result<std::shared_ptr<const Source>> open_library(const std::string& path) {
                  numbers({behaviour->player_bytes, behaviour->moment_bytes, behaviour->command_bytes}) +
                  "; build it anew with this sim/guest/foresight_behaviour.h"};
   if (!behaviour->create || !behaviour->destroy || !behaviour->decide)
-    return Error{called + "create, destroy and decide must be there"};
+    return Error{called + "expected create, destroy and decide, got a null pointer"};
   if (!behaviour->save != !behaviour->load)
     return Error{called + "expected save and load, or neither, got one of them"};
-  return std::shared_ptr<const Source>(std::make_shared<Library>(path, *behaviour));
+  return std::shared_ptr<const GuestFactory>(std::make_shared<Library>(path, *behaviour));
 }
 
 }  // namespace sim::guest

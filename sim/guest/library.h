@@ -8,7 +8,7 @@
 
 namespace sim::guest {
 
-/// Loads the library at that path, and looks whether it is one of ours, of this version, and whole.
-robot::Result<std::shared_ptr<const Source>> open_library(const std::string& path);
+/// Loads the library at that path, and checks its interface and version.
+robot::Result<std::shared_ptr<const GuestFactory>> open_library(const std::string& path);
 
 }  // namespace sim::guest

@@ -105,7 +105,7 @@ ForesightCommand usual_command(const agent::Mind& mind) {
 
 std::string problem_of(const ForesightCommand& command, int kicks) {
   const auto check = [](const char* name, double value, double least, double most) {
-    // so that what is not a number is outside, too
+    // written so that NaN is outside, too
     return value >= least && value <= most ? std::string() : outside(name, least, most, value);
   };
   const auto first = [](std::initializer_list<std::string> problems) {
@@ -129,7 +129,7 @@ motion::Command command_of(const ForesightCommand& told, const agent::Surroundin
                            const agent::Game& game, const agent::Beliefs& beliefs, Tick now, agent::Mind& mind) {
   const agent::Settings settings;
   const agent::View view(surroundings, settings, game, beliefs, now, mind);
-  // the head looks first where the ball was last
+  // the head looks first to the side of the last ball
   if (view.ball_known && view.ball_distance > 0.6f) mind.search_side = agent::left_or_right(view.ball.y);
 
   motion::Command command = agent::wait(view, mind, nullptr);

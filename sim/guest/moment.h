@@ -1,4 +1,4 @@
-// Between our beliefs and commands and those of the C interface.
+// Conversion between our beliefs and commands and those of the C interface.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ ForesightPlayer player_of(const agent::Surroundings& surroundings, const agent::
 
 ForesightMoment moment_of(const agent::Game& game, const agent::Beliefs& beliefs, Tick now, bool entered);
 
-/// What a guest is handed in: what is not changed stays so.
+/// Returns the default command that a guest may change.
 ForesightCommand usual_command(const agent::Mind& mind);
 
-/// What is wrong with it: "body must be 0 .. 5, got 9"; empty where nothing is. `kicks`: how many there are.
+/// Returns an error such as "body must be 0 .. 5, got 9", or an empty text. `kicks` is the number of kicks.
 std::string problem_of(const ForesightCommand& command, int kicks);
 
-/// Our command, and what it says into the mind; of one without a problem.
+/// Converts a command without errors to ours, and updates the mind.
 motion::Command command_of(const ForesightCommand& command, const agent::Surroundings& surroundings,
                            const agent::Game& game, const agent::Beliefs& beliefs, Tick now, agent::Mind& mind);
 

@@ -9,18 +9,18 @@ namespace {
 using robot::Error;
 using robot::Result;
 
-constexpr double kFirstPatience = 30, kPatience = 5;  // [s] for an answer: libraries are loaded before the first
+constexpr double kFirstPatience = 30, kPatience = 5;  // [s] timeouts; libraries are loaded before the first answer
 
-/// What is wrong with its answer to the greeting.
+/// Returns the error in its answer to the greeting.
 std::string greet(Process& process, const ForesightPlayer& player) {
   const auto answer = process.ask(greeting_of(player), kFirstPatience);
   return answer ? check_greeting(*answer) : answer.error();
 }
 
-class PipeGuest final : public Guest {
+class PipeGuest final : public GuestBehaviour {
  public:
   PipeGuest(std::string name, std::uint64_t seed, std::string command)
-      : Guest(std::move(name), seed), command_(std::move(command)) {}
+      : GuestBehaviour(std::move(name), seed), command_(std::move(command)) {}
 
  private:
   std::string ask(const ForesightPlayer& player, const ForesightMoment& moment, ForesightCommand& command) override {
@@ -35,14 +35,14 @@ class PipeGuest final : public Guest {
   }
 
   const std::string command_;
-  std::unique_ptr<Process> process_;  // a game's own: what one game leaves behind never reaches another
+  std::unique_ptr<Process> process_;  // one per game: games do not influence each other
 };
 
-class Pipe final : public Source {
+class Pipe final : public GuestFactory {
  public:
   Pipe(std::string name, std::string command) : name_(std::move(name)), command_(std::move(command)) {}
 
-  std::unique_ptr<Guest> begin(std::uint64_t seed) const override {
+  std::unique_ptr<GuestBehaviour> begin(std::uint64_t seed) const override {
     return std::make_unique<PipeGuest>(name_, seed, command_);
   }
   bool saves() const override { return false; }
@@ -53,13 +53,13 @@ class Pipe final : public Source {
 
 }  // namespace
 
-Result<std::shared_ptr<const Source>> open_pipe(const std::string& name, const std::string& command) {
+Result<std::shared_ptr<const GuestFactory>> open_pipe(const std::string& name, const std::string& command) {
   const std::string called = "behaviour '" + name + "': ";
   if (command.find_first_not_of(' ') == command.npos) return Error{called + "expected a command behind pipe:"};
   auto process = Process::start(command);
   if (!process) return Error{called + process.error()};
   if (const std::string wrong = greet(*process, ForesightPlayer{}); !wrong.empty()) return Error{called + wrong};
-  return std::shared_ptr<const Source>(std::make_shared<Pipe>(name, command));
+  return std::shared_ptr<const GuestFactory>(std::make_shared<Pipe>(name, command));
 }
 
 }  // namespace sim::guest

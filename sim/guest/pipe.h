@@ -1,4 +1,4 @@
-// A behaviour in a process of its own, in lock step: it is asked, and the game waits for the answer (sim/guest/wire.h).
+// A behaviour in a process of its own, in lock step: the game waits for each answer (sim/guest/wire.h).
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace sim::guest {
 
-/// `command` is the shell's; it is started once to see whether it answers.
-robot::Result<std::shared_ptr<const Source>> open_pipe(const std::string& name, const std::string& command);
+/// Opens the shell command `command`. Starts it once to check its greeting.
+robot::Result<std::shared_ptr<const GuestFactory>> open_pipe(const std::string& name, const std::string& command);
 
 }  // namespace sim::guest

@@ -23,11 +23,11 @@ using Clock = std::chrono::steady_clock;
 using robot::Error;
 using robot::Result;
 
-constexpr auto kGrace = std::chrono::milliseconds(500);  // to end by itself once its input has ended
+constexpr auto kGrace = std::chrono::milliseconds(500);  // to end by itself after its input has ended
 
 double left_until(Clock::time_point deadline) { return std::chrono::duration<double>(deadline - Clock::now()).count(); }
 
-/// In the new process: between fork and exec nothing but system calls.
+/// Runs in the new process: only system calls between fork and exec.
 [[noreturn]] void become(const char* command, int socket) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -40,7 +40,7 @@ double left_until(Clock::time_point deadline) { return std::chrono::duration<dou
 }  // namespace
 
 Result<Process> Process::start(const std::string& command) {
-  // a socket, since writing to it does not raise a signal when nobody reads
+  // a socket, because writing to it raises no signal when the reader is gone
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     return Error{std::string("cannot be started: ") + std::strerror(errno)};
@@ -70,7 +70,7 @@ Process::~Process() {
 }
 
 Error Process::how_it_ended() {
-  // it closed its output; it has a moment to end
+  // it closed its output: wait a moment for its end
   int status = 0;
   pid_t ended = 0;
   for (int i = 0; i < 50 && (ended = waitpid(pid_, &status, WNOHANG)) == 0; ++i)
@@ -88,7 +88,7 @@ Error Process::more_than_one_line() const {
 }
 
 Result<std::string> Process::ask(std::string_view line, double patience_seconds) {
-  // what it said unasked, after the answer before, is no answer to this
+  // drop output after the previous answer: it is not an answer to this line
   char unasked[80];
   if (const ssize_t got = recv(socket_.get(), unasked, sizeof unasked, MSG_DONTWAIT); got > 0) {
     read_.append(unasked, static_cast<std::size_t>(got));

@@ -1,4 +1,4 @@
-// A process that is asked a line and answers a line.
+// A process that answers one line with one line.
 #pragma once
 
 #include <sys/types.h>
@@ -11,7 +11,7 @@
 
 namespace sim::guest {
 
-/// Ends with this object: its input ends, and if it stays it is killed. Its errors go where ours go.
+/// The process. The destructor closes its input and kills it if it does not end. Its stderr is ours.
 class Process {
  public:
   static constexpr std::size_t kLongestLine = 1 << 16;
@@ -23,7 +23,7 @@ class Process {
   Process& operator=(Process&&) = delete;
   ~Process();
 
-  /// Its answer to `line`, without the line's end; what it said unasked is none. The Error is the end of a sentence:
+  /// Returns its answer to `line`, without the line's end. Earlier output is not an answer. The Error is the end of a sentence:
   /// "the process ended with status 1".
   robot::Result<std::string> ask(std::string_view line, double patience_seconds);
 
@@ -34,7 +34,7 @@ class Process {
 
   pid_t pid_;
   robot::FileDescriptor socket_;
-  std::string read_;  // behind the line that was answered last
+  std::string read_;  // behind the last answer
 };
 
 }  // namespace sim::guest

@@ -20,9 +20,9 @@ constexpr const char* kRoles[] = {"keeper", "chaser", "supporter", "defender"};
 constexpr const char* kBodies[] = {"usual", "stand", "walk_speed", "walk_to", "kick", "squat"};
 constexpr const char* kHeads[] = {"usual", "angles", "look_to"};
 
-constexpr std::size_t kShown = 120;  // bytes of a wrong answer that are told
+constexpr std::size_t kShown = 120;  // bytes of a wrong answer in its error
 
-/// Writes JSON: a document object would take longer than the decision.
+/// A writer of JSON. A document object would take longer than the decision.
 class Line {
  public:
   Line& open(std::string_view name = {}) { return key(name), text_ += '{', first_ = true, *this; }
@@ -66,7 +66,7 @@ std::string shown(const std::string& answer) {
 
 std::string not_ours(const std::string& answer) { return "expected a JSON object as answer, got " + shown(answer); }
 
-/// Reads one answer and keeps the first thing that is wrong with it.
+/// A reader of one answer. It keeps the first error.
 class Answer {
  public:
   explicit Answer(const Json& json) : json_(json) {}
@@ -105,7 +105,7 @@ class Answer {
   void refuse(const std::string& name, const std::string& expected, const Json& got) {
     if (problem_.empty()) problem_ = name + " must be " + expected + ", got " + got.dump().substr(0, kShown);
   }
-  /// Also where something was told that nobody asked for: a typing mistake would go unseen.
+  /// Returns the first error. An unknown entry is one, because it may be a typing mistake.
   std::string problem() {
     if (problem_.empty() && known_ != json_.size())
       return "expected body, head, x, y, turn, gain, kick, kick_left, look, role and time_to_ball in an answer, got "

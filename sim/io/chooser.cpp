@@ -20,7 +20,7 @@ struct Description {
   std::string name;
   std::vector<std::string> strategies;
   std::string opponent = "baseline";
-  std::string opponent_models;  // empty: as they are
+  std::string opponent_models;  // empty: the true ones
   foresight::Terms terms;
 };
 
@@ -58,7 +58,7 @@ bool is_embedded(std::string_view kind, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// The text of a description that chooses; empty: what is called so does not.
+/// Returns the text of the playbook of that name, or an empty text when there is none.
 Result<std::string> find_chooser(const std::string& name, const std::string& called) {
   if (is_embedded("playbooks", name)) return find_source("playbooks", "playbook", name)->text;
   if (!is_path(name)) return std::string();
@@ -71,7 +71,8 @@ Result<std::string> find_chooser(const std::string& name, const std::string& cal
 
 }  // namespace
 
-Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string& name, const Choice& game, Side side) {
+Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string& name, const Matchup& game,
+                                                               Side side) {
   using Behaviour = std::shared_ptr<const agent::Behaviour>;
   const std::string called = "strategy '" + name + "'";
   const Result<Variation> variation = parse_variation(name, called);
@@ -80,7 +81,7 @@ Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string
   if (!chooser) return Error{chooser.error()};
   if (chooser->empty()) {
     auto tree = load_strategy(name);
-    // where names are told, those of teams that choose belong to them
+    // the names of playbooks belong to the list of names
     const bool unknown = !is_path(variation->name) && !is_embedded("strategies", variation->name);
     if (!tree) return Error{tree.error() + (unknown ? ", " + listed(names_of("playbooks")) : "")};
     return Behaviour(std::move(*tree));

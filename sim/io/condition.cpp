@@ -38,7 +38,7 @@ Result<Feature> feature_named(std::string_view name) {
   return Error{"no feature " + quoted(name) + hint(name, known)};
 }
 
-/// A comparison as it is written; those that begin with another one come before it.
+/// A comparison operator as written. An operator comes before any that is its beginning.
 struct Operator {
   std::string_view text;
   Comparison comparison;
@@ -49,7 +49,7 @@ constexpr Operator kOperators[] = {
     {">", Comparison::greater, false},  {" is not ", Comparison::unequal, true}, {" is ", Comparison::equal, true},
 };
 
-/// Of yes-or-no features: "our_kick", "not our_kick".
+/// Parses the term of a yes-or-no feature: "our_kick", "not our_kick".
 Result<Term> parse_yes_no(std::string_view text) {
   const bool negated = text.starts_with("not ");
   const Result<Feature> feature = feature_named(negated ? trimmed(text.substr(4)) : text);
@@ -75,7 +75,7 @@ Result<Term> parse_term(std::string_view text, Values& values) {
                    ", got " + quoted(text)};
     const Result<float> threshold =
         values.read(trimmed(text.substr(at + each.text.size())), {info.unit, info.least, info.most, info.names});
-    if (!threshold) return Error{"what " + std::string(info.name) + " is compared with " + threshold.error()};
+    if (!threshold) return Error{"the value for " + std::string(info.name) + " " + threshold.error()};
     return Term{*feature, each.comparison, *threshold, std::string(text)};
   }
   return parse_yes_no(text);

@@ -19,14 +19,14 @@ struct Term {
   std::string text;  // as written
 };
 
-/// Holds if all terms of one of the alternatives hold; none of them is empty.
+/// A condition: it holds if all terms of one alternative hold. No alternative is empty.
 struct Condition {
   std::vector<std::vector<Term>> alternatives;
 };
 
 inline constexpr std::size_t kMaxConditionBytes = 1000;
 
-/// The Error is the end of a sentence that begins with the place of the condition.
+/// Parses a condition. The Error is the end of a sentence that begins with the place of the condition.
 robot::Result<Condition> parse_condition(std::string_view text, Values& values);
 
 }  // namespace sim::io

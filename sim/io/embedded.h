@@ -1,4 +1,4 @@
-// The files below sim/data as part of the program, so that it needs none.
+// The files below sim/data, embedded in the program.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ struct Embedded {
   std::string_view text;
 };
 
-/// By kind and name, ascending. Made by embed.cmake.
+/// Returns the files by kind and name, ascending. embed.cmake generates the function.
 std::span<const Embedded> embedded_files();
 
 }  // namespace sim::io

@@ -1,4 +1,4 @@
-// What the signature's scenarios are made of: everything that is embedded.
+// The ingredients of the signature's scenarios: everything that is embedded.
 #pragma once
 
 #include <memory>
@@ -11,10 +11,10 @@ namespace sim::io {
 
 struct AllIngredients {
   Ingredients lists;
-  std::vector<std::shared_ptr<const agent::Behaviour>> behaviours;  // that the list points to
+  std::vector<std::shared_ptr<const agent::Behaviour>> behaviours;  // to which the list points
 };
 
-/// Rules, models and strategies by name, ascending.
+/// Loads rules, models and strategies by name, ascending.
 robot::Result<AllIngredients> embedded_ingredients();
 
 }  // namespace sim::io

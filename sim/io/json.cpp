@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMaxDepth = 64;
 
-/// Watches a text being parsed for what is valid JSON and yet wrong.
+/// A check during parsing for faults that valid JSON may have.
 class Watch {
  public:
   using Event = Json::parse_event_t;
@@ -28,11 +28,11 @@ class Watch {
   const std::string& wrong() const { return wrong_; }
 
  private:
-  std::vector<std::set<std::string>> keys_;  // of the objects that are open
+  std::vector<std::set<std::string>> keys_;  // of the open objects
   std::string wrong_;
 };
 
-/// What a parser complains of, without the number of its complaint.
+/// Returns the parser's message without its number.
 std::string complaint(std::string_view what) {
   const std::size_t end = what.find("] ");
   return std::string(end == what.npos ? what : what.substr(end + 2));

@@ -1,4 +1,4 @@
-// JSON as descriptions are written in: objects keep the order of their keys, and no key stands twice.
+// The JSON of descriptions: objects keep the order of their keys, and no key occurs twice.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,16 +11,16 @@ namespace sim::io {
 
 using Json = nlohmann::ordered_json;
 
-/// The object in `text`. `called` opens the sentence of an Error, which tells line and column.
+/// Parses the object in `text`. `called` opens the sentence of an Error, which has line and column.
 robot::Result<Json> parse_object(std::string_view text, const std::string& called);
 
-/// As text for people: two spaces deep.
+/// Returns the JSON as text, indented by two spaces.
 std::string printed(const Json& json);
 
-/// A value in the sentence of an Error, cut where it is long.
+/// Returns a value for the sentence of an Error, shortened when long.
 std::string shown(const Json& json);
 
-/// The number that is printed with as few digits as tell `value` from every other float.
+/// Returns the number with the fewest digits that distinguish `value` from every other float.
 double short_number(float value);
 std::string short_text(float value);
 

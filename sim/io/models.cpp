@@ -14,7 +14,7 @@ using robot::Result;
 
 namespace {
 
-constexpr int kMostBases = 8;  // one upon the other
+constexpr int kMostBases = 8;  // files in a chain of "based_on"
 constexpr std::string_view kHead[] = {"name", "about", "based_on"};
 
 /// Calls see(name, struct) for each section but the kicks.
@@ -36,7 +36,7 @@ void visit_sections(AnyModels& models, See&& see) {
   see("radio", models.perception.radio);
 }
 
-/// Those that are there already change, others come behind them.
+/// Changes the known kicks and appends the others.
 void read_kicks(Reader& reader, const Json& kicks, motion::Model& model) {
   if (!reader.is_object(kicks, "kicks")) return;
   for (const auto& [name, kick] : kicks.items()) {
@@ -56,7 +56,7 @@ void read_kicks(Reader& reader, const Json& kicks, motion::Model& model) {
   }
 }
 
-/// Over `models`, which hold what the description is based on; `fields` are all when that is nothing.
+/// Reads over `models`, which hold the base of the description. Without a base all fields must be present.
 void read_models(Reader& reader, const Json& json, Fields fields, Models& models) {
   std::vector<std::string_view> known(std::begin(kHead), std::end(kHead));
   visit_sections(models, [&](const char* name, auto& section) {
@@ -68,7 +68,7 @@ void read_models(Reader& reader, const Json& json, Fields fields, Models& models
   reader.refuse_unknown(json, "", known);
 }
 
-/// The text at `key`; empty if there is none.
+/// Returns the text at `key`, or an empty text.
 std::string text_at(Reader& reader, const Json& json, const char* key) {
   const auto found = json.find(key);
   if (found == json.end()) return {};
@@ -76,17 +76,18 @@ std::string text_at(Reader& reader, const Json& json, const char* key) {
   return found->is_string() ? found->get<std::string>() : "";
 }
 
-Result<Models> parse_upon(std::string_view text, const std::string& called, int bases) {
+Result<Models> parse_upon(std::string_view text, const std::string& called, Sources* sources, int bases) {
   Result<Json> json = parse_object(text, called);
   if (!json) return Error{json.error()};
-  Reader reader(called);
+  Reader reader(called, sources);
   Models models{};
   const std::string based_on = text_at(reader, *json, "based_on");
   if (!based_on.empty()) {
-    if (bases == kMostBases) return Error{called + ": based_on goes round, or on for ever"};
+    if (bases == kMostBases)
+      return Error{called + ": based_on leads through more than 8 files, or back to the same file"};
     const Result<Source> source = find_source("models", "models", based_on);
     if (!source) return Error{called + ": based_on: " + source.error()};
-    Result<Models> base = parse_upon(source->text, source->called, bases + 1);
+    Result<Models> base = parse_upon(source->text, source->called, sources, bases + 1);
     if (!base) return base;
     models = std::move(*base);
   }
@@ -98,7 +99,7 @@ Result<Models> parse_upon(std::string_view text, const std::string& called, int 
   return models;
 }
 
-/// An effect needs no section in front of it.
+/// Moves entries without a section to the section "effects".
 Json with_effects_below(const Json& changes) {
   Json sorted = Json::object();
   for (const auto& [name, value] : changes.items())
@@ -111,31 +112,35 @@ Json with_effects_below(const Json& changes) {
 
 }  // namespace
 
-Result<Models> parse_models(std::string_view text, const std::string& called) { return parse_upon(text, called, 0); }
+Result<Models> parse_models(std::string_view text, const std::string& called, Sources* sources) {
+  return parse_upon(text, called, sources, 0);
+}
 
-Result<Models> load_models(const std::string& name) {
+Result<Models> load_models(const std::string& name, Sources* sources) {
   const std::string called = "models '" + name + "'";
   const Result<Variation> variation = parse_variation(name, called);
   if (!variation) return Error{variation.error()};
   if (!variation->number.is_null()) return Error{called + ": models take no number behind a colon"};
   const Result<Source> source = find_source("models", "models", variation->name);
   if (!source) return Error{source.error()};
-  Result<Models> models = parse_models(source->text, source->called);
+  Result<Models> models = parse_models(source->text, source->called, sources);
   if (!models || variation->changes.empty()) return models;
 
-  Reader reader(called);
+  Reader reader(called, sources);
   read_models(reader, with_effects_below(variation->changes), Fields::some, *models);
   if (!reader.good()) return reader.error();
   models->name += name.substr(variation->name.size());
   return models;
 }
 
-std::string print_models(const Models& models) {
+std::string print_models(const Models& models, const Sources& sources) {
   Json json = {{"name", models.name}};
-  visit_sections(models, [&](const char* name, const auto& section) { json[name] = written(section); });
+  visit_sections(models, [&](const char* name, const auto& section) { json[name] = written(section, name, sources); });
   Json& kicks = json["kicks"] = Json::object();
-  for (int i = 0; i < models.motion.kick_count; ++i)
-    kicks[models.motion.kicks[i].name] = written(models.motion.kicks[i]);
+  for (int i = 0; i < models.motion.kick_count; ++i) {
+    const motion::Kick& kick = models.motion.kicks[i];
+    kicks[kick.name] = written(kick, "kicks." + std::string(kick.name), sources);
+  }
   return printed(json);
 }
 

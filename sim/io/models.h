@@ -1,25 +1,27 @@
 // Models of reality as JSON: sim/data/models/*.json and what users make of them.
 //
 // A file has a name and one section per struct of sim::Models; an entry is a value or {"value", "unit", "source"}.
-// With "based_on" it says only what differs from that one; a kick is known by its name there.
+// With "based_on" a file has only the entries that differ from that file. A kick is identified by its name.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 #include "robot/core/result.h"
+#include "sim/io/reader.h"
 #include "sim/match/params.h"
 
 namespace sim::io {
 
-/// By the name of an embedded file, or by path; then what shall differ, an effect or any field:
-/// "match,falls=on,walk.forward=0.2". The models are called what the file calls itself, and what differs.
-robot::Result<Models> load_models(const std::string& name);
+/// Loads models by the name of an embedded file, or by path. Behind it may follow changes of effects or of any field:
+/// "match,falls=on,walk.forward=0.2". The models have the name in the file, plus the changes. `sources` receives the
+/// source of each value; a changed value has none.
+robot::Result<Models> load_models(const std::string& name, Sources* sources = nullptr);
 
-/// The models described in `text`; `called` opens the sentence of an Error ("models 'match'").
-robot::Result<Models> parse_models(std::string_view text, const std::string& called);
+/// Parses the models described in `text`; `called` opens the sentence of an Error ("models 'match'").
+robot::Result<Models> parse_models(std::string_view text, const std::string& called, Sources* sources = nullptr);
 
-/// A description without sources that reads back identically.
-std::string print_models(const Models& models);
+/// Returns a description that reads back identically, with the sources that loading found.
+std::string print_models(const Models& models, const Sources& sources = {});
 
 }  // namespace sim::io

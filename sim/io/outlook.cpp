@@ -65,7 +65,7 @@ Result<Outlook> load_outlook(const std::string& rules) {
 }
 
 std::string print_outlook(const Outlook& outlook, const std::string& name, const std::string& about) {
-  Json json = {{"name", name}, {"about", about}, {"reach", entry_of(outlook.reach, "s")}, {"worth", Json::array()}};
+  Json json = {{"name", name}, {"about", about}, {"reach", entry_of(outlook.reach, "s", "")}, {"worth", Json::array()}};
   for (const auto& pair : outlook.worth) json["worth"].push_back({short_number(pair[0]), short_number(pair[1])});
   return printed(json);
 }

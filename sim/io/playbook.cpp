@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "sim/io/matchup.h"
 #include "sim/io/outlook.h"
-#include "sim/io/setup.h"
 #include "sim/io/strategy.h"
 
 namespace sim::io {
@@ -19,17 +19,17 @@ Result<Playbook> prepare_playbook(const PlaybookChoice& choice) {
                  std::to_string(count)};
   for (auto name = choice.strategies.begin(); name != choice.strategies.end(); ++name)
     if (std::find(choice.strategies.begin(), name, *name) != name)
-      return Error{"strategies must differ, '" + *name + "' is there twice"};
+      return Error{"strategies must differ, '" + *name + "' occurs twice"};
 
   const auto own = static_cast<std::size_t>(choice.own), others = 1 - own;
-  // the others play a tree: whoever would choose too, would have to think of us thinking of them
+  // the opponents play a tree: an opponent that chooses too would have to simulate our choice
   if (const auto opponent = load_strategy(choice.opponent); !opponent) return Error{opponent.error()};
-  Choice game{.rules = choice.rules, .players = choice.players, .pace = choice.pace};
+  Matchup game{.rules = choice.rules, .players = choice.players, .pace = choice.pace};
   game.strategies[own] = choice.strategies.front();
   game.strategies[others] = choice.opponent;
   game.models[own] = choice.models;
   game.models[others] = choice.opponent_models;
-  const Result<Setup> setup = prepare(game);
+  const Result<PreparedGame> setup = prepare(game);
   if (!setup) return Error{setup.error()};
   const Result<foresight::Outlook> outlook = load_outlook(choice.rules);
   if (!outlook) return Error{outlook.error()};

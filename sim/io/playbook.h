@@ -1,4 +1,4 @@
-// What foresight chooses from, by name: the strategies of one side, against what the other is taken to play.
+// The strategies from which foresight chooses, by name, and the assumed opponents.
 #pragma once
 
 #include <memory>
@@ -11,35 +11,36 @@
 
 namespace sim::io {
 
-/// As one types it.
+/// A playbook as typed.
 struct PlaybookChoice {
   std::vector<std::string> strategies;  // 1 .. foresight::kMaxStrategies different ones; the first is the incumbent
-  std::string opponent = "baseline";    // what the others are taken to play
+  std::string opponent = "baseline";    // assumed strategy of the opponents
   std::string rules = "spl2012";
-  std::string models = "match";           // of one's own robots
-  std::string opponent_models = "match";  // of the others'
-  int players = 0;                        // a side; 0: as the rules say
+  std::string models = "match";           // of the own robots
+  std::string opponent_models = "match";  // of the opponents' robots
+  int players = 0;                        // per side; 0: by the rules
   Side own = Side::home;
   Pace pace = Pace::thinned;
 };
 
-/// Does not change; any number of races may use it at once.
+/// The loaded playbook. Immutable: any number of races may share it.
 struct Playbook {
   PlaybookChoice choice;
   std::vector<Params> params;  // by strategy
   foresight::Outlook outlook;
   std::vector<std::shared_ptr<const agent::Behaviour>>
-      behaviours;  // that the parameters point to; the last is the others'
+      behaviours;  // to which the parameters point; the last is the opponents'
 
   const std::vector<std::string>& names() const { return choice.strategies; }
 };
 
 robot::Result<Playbook> prepare_playbook(const PlaybookChoice& choice);
 
-/// A task that races these strategies of the playbook, by index, the first the incumbent; both outlive it.
+/// Makes a task that races these strategies of the playbook, by index; the first is the incumbent. Playbook and situation
+/// outlive the task.
 foresight::Task task_of(const Playbook& playbook, const std::vector<int>& strategies,
                         const foresight::Situation& situation, const foresight::Question& question, RandomKey key);
-/// The same for all of them.
+/// Makes the task for all strategies.
 foresight::Task task_of(const Playbook& playbook, const foresight::Situation& situation,
                         const foresight::Question& question, RandomKey key);
 

@@ -17,7 +17,7 @@ std::string Reader::below(const std::string& path, std::string_view name) {
 }
 
 bool Reader::is_object(const Json& json, const std::string& path) {
-  if (!json.is_object()) refuse((path.empty() ? "the whole" : path) + " must be an object, got " + shown(json));
+  if (!json.is_object()) refuse((path.empty() ? "the description" : path) + " must be an object, got " + shown(json));
   return json.is_object();
 }
 
@@ -45,6 +45,8 @@ std::string Reader::range(int least, int most, std::string_view unit) {
 std::string Reader::range(bool, bool, std::string_view) { return "true or false"; }
 
 const Json* Reader::value_of(const Json& entry, const std::string& path, std::string_view unit) {
+  // the source of the old value does not hold for the new one
+  if (sources_) sources_->erase(path);
   if (!entry.is_object()) return &entry;
   refuse_unknown(entry, path, {"value", "unit", "source"});
   const auto value = entry.find("value");
@@ -58,6 +60,8 @@ const Json* Reader::value_of(const Json& entry, const std::string& path, std::st
            (given != entry.end() ? shown(*given) : "none"));
   if (const auto source = entry.find("source"); source != entry.end() && !source->is_string())
     refuse(path + ".source must be a text, got " + shown(*source));
+  else if (sources_ && source != entry.end())
+    (*sources_)[path] = source->get<std::string>();
   return &*value;
 }
 
@@ -65,7 +69,7 @@ void Reader::read_value(const Json& entry, const std::string& path, const char* 
                         float& into) {
   const Json* value = value_of(entry, path, unit);
   if (!value) return;
-  // compared as float: "at most 0.7" holds for 0.7, which as double is more than the nearest float
+  // compared as float, because 0.7 as double exceeds the float 0.7
   const double exact = value->is_number() ? value->get<double>() : 0;
   const float number = std::abs(exact) < 1e30 ? static_cast<float>(exact) : 1e30f;
   if (!value->is_number() || !(number >= least && number <= most))
@@ -76,7 +80,7 @@ void Reader::read_value(const Json& entry, const std::string& path, const char* 
 void Reader::read_value(const Json& entry, const std::string& path, const char* unit, int least, int most, int& into) {
   const Json* value = value_of(entry, path, unit);
   if (!value) return;
-  // a number beyond 64 bits is no integer to the parser
+  // the parser takes a number beyond 64 bits as not an integer
   const bool whole = value->is_number_integer();
   const std::int64_t number = whole ? value->get<std::int64_t>() : 0;
   if (!whole || number < least || number > most)
@@ -92,17 +96,23 @@ void Reader::read_value(const Json& entry, const std::string& path, const char* 
   into = value->get<bool>();
 }
 
-Json entry_of(float value, std::string_view unit) {
-  Json number = short_number(value);
-  if (unit.empty()) return number;
-  return {{"value", std::move(number)}, {"unit", unit}};
+namespace {
+
+Json entry(Json value, std::string_view unit, std::string_view source) {
+  if (unit.empty() && source.empty()) return value;
+  Json object = {{"value", std::move(value)}, {"unit", unit}};
+  if (!source.empty()) object["source"] = source;
+  return object;
 }
 
-Json entry_of(int value, std::string_view unit) {
-  if (unit.empty()) return value;
-  return {{"value", value}, {"unit", unit}};
+}  // namespace
+
+Json entry_of(float value, std::string_view unit, std::string_view source) {
+  return entry(short_number(value), unit, source);
 }
 
-Json entry_of(bool value, std::string_view) { return value; }
+Json entry_of(int value, std::string_view unit, std::string_view source) { return entry(value, unit, source); }
+
+Json entry_of(bool value, std::string_view, std::string_view source) { return entry(value, "", source); }
 
 }  // namespace sim::io

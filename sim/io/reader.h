@@ -1,10 +1,11 @@
-// Structs from JSON and back, by their own list of fields: visit(self, see(name, value, unit, least, most)).
+// Structs from JSON and back, by the list of fields in each struct: visit(self, see(name, value, unit, least, most)).
 //
-// An entry is a plain value, or {"value": …, "unit": "m/s", "source": "who measured it"}; whoever gives a unit gives
-// the right one.
+// An entry is a plain value, or {"value": …, "unit": "m/s", "source": "who measured it"}. A given unit
+// must be the right one.
 #pragma once
 
 #include <initializer_list>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,24 +14,27 @@
 
 namespace sim::io {
 
-/// Whether all fields must be there, or only those that change something.
+/// The fields that must be present: all, or only the changed ones.
 enum class Fields { all, some };
 
-/// Reads from one description and keeps the first thing that is wrong with it.
+/// The texts of "source", by the path of their entry: "walk.forward" → "HULKs 2025".
+using Sources = std::map<std::string, std::string>;
+
+/// A reader of one description. It keeps the first error.
 class Reader {
  public:
-  /// `called` opens the sentence: "models 'match'".
-  explicit Reader(std::string called) : called_(std::move(called)) {}
+  /// `called` opens the sentence: "models 'match'". `sources` receives the source of each entry that is read.
+  explicit Reader(std::string called, Sources* sources = nullptr) : called_(std::move(called)), sources_(sources) {}
 
   bool good() const { return problem_.empty(); }
   robot::Error error() const { return {called_ + ": " + problem_}; }
-  /// Says that something is wrong, unless something was before.
+  /// Records an error, unless there is one already.
   void refuse(const std::string& problem) {
     if (good()) problem_ = problem;
   }
 
-  /// The fields of `into` from `object`, which stands at `path` ("" is the top). Keys that are neither fields nor
-  /// among `others` are refused.
+  /// Reads the fields of `into` from `object`, which is at `path` ("" is the top). Refuses keys that are neither fields
+  /// nor among `others`.
   template <class Struct>
   void read(const Json& object, const std::string& path, Fields fields, Struct& into,
             std::initializer_list<std::string_view> others = {}) {
@@ -46,13 +50,13 @@ class Reader {
     refuse_unknown(object, path, known);
   }
 
-  /// The object at `name` of `parent`; nullptr, and then refused if `fields` are all: there is none.
+  /// Returns the entry `name` of `parent`, or nullptr. A missing entry is an error if `fields` is all.
   const Json* find(const Json& parent, const char* name, Fields fields);
 
   bool is_object(const Json& json, const std::string& path);
   void refuse_unknown(const Json& object, const std::string& path, const std::vector<std::string_view>& known);
 
-  /// "walk" and "forward" are "walk.forward".
+  /// Joins "walk" and "forward" to "walk.forward".
   static std::string below(const std::string& path, std::string_view name);
 
  private:
@@ -60,26 +64,28 @@ class Reader {
   static std::string range(int least, int most, std::string_view unit);
   static std::string range(bool least, bool most, std::string_view unit);
 
-  /// The value itself of an entry, or nullptr.
+  /// Returns the value of an entry, or nullptr. Records its source.
   const Json* value_of(const Json& entry, const std::string& path, std::string_view unit);
   void read_value(const Json& entry, const std::string& path, const char* unit, float least, float most, float& into);
   void read_value(const Json& entry, const std::string& path, const char* unit, int least, int most, int& into);
   void read_value(const Json& entry, const std::string& path, const char* unit, bool least, bool most, bool& into);
 
   const std::string called_;
+  Sources* const sources_;
   std::string problem_;
 };
 
-Json entry_of(float value, std::string_view unit);
-Json entry_of(int value, std::string_view unit);
-Json entry_of(bool value, std::string_view unit);
+Json entry_of(float value, std::string_view unit, std::string_view source);
+Json entry_of(int value, std::string_view unit, std::string_view source);
+Json entry_of(bool value, std::string_view unit, std::string_view source);
 
-/// What `read` reads back.
+/// Returns the object at `path` that `read` reads back, with its sources.
 template <class Struct>
-Json written(const Struct& from) {
+Json written(const Struct& from, const std::string& path, const Sources& sources) {
   Json object = Json::object();
   Struct::visit(from, [&](const char* name, const auto& value, const char* unit, auto, auto) {
-    object[name] = entry_of(value, unit);
+    const auto source = sources.find(Reader::below(path, name));
+    object[name] = entry_of(value, unit, source == sources.end() ? "" : source->second);
   });
   return object;
 }

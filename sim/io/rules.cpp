@@ -28,7 +28,7 @@ void read_rules(Reader& reader, const Json& json, Fields fields, field::Rules& r
   reader.read(json, "", fields, rules, {"name", "about", "field", "ball_out"});
 }
 
-/// A field that a ball and robots can play on: what stands on it is inside it.
+/// Checks that goals, areas, marks and circle fit on the field.
 void check(Reader& reader, const field::Field& field) {
   const auto at_most = [&](const char* name, float value, float limit) {
     if (value > limit)
@@ -46,10 +46,10 @@ void check(Reader& reader, const field::Field& field) {
 
 }  // namespace
 
-Result<field::Rules> parse_rules(std::string_view text, const std::string& called) {
+Result<field::Rules> parse_rules(std::string_view text, const std::string& called, Sources* sources) {
   const Result<Json> json = parse_object(text, called);
   if (!json) return Error{json.error()};
-  Reader reader(called);
+  Reader reader(called, sources);
   field::Rules rules{};
   for (const char* key : {"name", "about"})
     if (const auto found = json->find(key); found != json->end() && !found->is_string())
@@ -60,28 +60,28 @@ Result<field::Rules> parse_rules(std::string_view text, const std::string& calle
   return rules;
 }
 
-Result<field::Rules> load_rules(const std::string& name) {
+Result<field::Rules> load_rules(const std::string& name, Sources* sources) {
   const std::string called = "rules '" + name + "'";
   Result<Variation> variation = parse_variation(name, called);
   if (!variation) return Error{variation.error()};
   const Result<Source> source = find_source("rules", "rules", variation->name);
   if (!source) return Error{source.error()};
-  Result<field::Rules> rules = parse_rules(source->text, source->called);
+  Result<field::Rules> rules = parse_rules(source->text, source->called, sources);
   if (!rules) return rules;
 
   if (!variation->number.is_null()) variation->changes["players"] = variation->number;
-  Reader reader(called);
+  Reader reader(called, sources);
   read_rules(reader, variation->changes, Fields::some, *rules);
   check(reader, rules->field);
   if (!reader.good()) return reader.error();
   return rules;
 }
 
-std::string print_rules(const field::Rules& rules, const std::string& name) {
+std::string print_rules(const field::Rules& rules, const std::string& name, const Sources& sources) {
   Json json = {{"name", name}};
-  json["field"] = written(rules.field);
+  json["field"] = written(rules.field, "field", sources);
   json["ball_out"] = kBallOut[static_cast<int>(rules.ball_out)];
-  json.update(written(rules));
+  json.update(written(rules, "", sources));
   return printed(json);
 }
 

@@ -23,14 +23,14 @@ constexpr std::array kPhases = {"initial", "ready", "set", "playing", "finished"
 constexpr std::array kSetPlays = {"none", "kick_off", "kick_in", "goal_kick", "corner_kick"};
 constexpr std::array kSides = {"home", "away"};
 
-constexpr float kKnownDeviation = 0.1f;  // [m] and [m/s] of what was just seen
+constexpr float kKnownDeviation = 0.1f;  // [m] and [m/s] of a ball or robot just seen
 
-// of a situation that is shaken
+// limits of shaking
 constexpr float kShaken = 0.3f;                           // [m]
 constexpr float kTurned = 0.35f;                          // [rad]
 constexpr float kRoomToBall = 0.2f, kRoomToRobot = 0.4f;  // [m] between middles
 constexpr std::uint32_t kTries = 20;
-constexpr std::uint32_t kShakes = 1000;  // numbers of the event from here on
+constexpr std::uint32_t kShakes = 1000;  // first number of the event
 
 struct Clock {
   int half = 1;
@@ -85,7 +85,7 @@ struct Standing {
   }
 };
 
-/// The enumerator called by the text at `key`; `otherwise` if there is none.
+/// Returns the enumerator named by the text at `key`, or `otherwise`.
 template <class Enum, std::size_t Count>
 Enum name_at(Reader& reader, const Json& object, const std::string& path, const char* key,
              const std::array<const char*, Count>& names, Enum otherwise) {
@@ -98,7 +98,7 @@ Enum name_at(Reader& reader, const Json& object, const std::string& path, const 
   return otherwise;
 }
 
-/// Makes a state step by step from what a description says.
+/// The builder of a state from a description.
 class Scene {
  public:
   Scene(Reader& reader, const Params& params, const RandomKey* shaken)
@@ -116,7 +116,7 @@ class Scene {
     if (shaken_) shake();
     start_play(params_, state_);
     set_phase(json);
-    // everybody sees the ball and hears what its team sees
+    // all robots see the ball and hear their teammates
     know_ball(state_, state_.world.tick, kKnownDeviation);
     return state_;
   }
@@ -159,7 +159,7 @@ class Scene {
     book.ball_free = book.set_play == SetPlay::none;
   }
 
-  /// Those of `into`'s fields that are there, from an object that holds others as well.
+  /// Reads the present fields of `into` from an object that may have others.
   template <class Struct>
   void read_some(const Json& object, const std::string& path, Struct& into, const std::vector<const char*>& keys,
                  Fields fields = Fields::some) {
@@ -220,7 +220,7 @@ class Scene {
     state_.book.penalised_until[robot] = until;
   }
 
-  /// Each to the first place drawn near its own that is free.
+  /// Moves each to the first free place drawn near its own.
   void shake() {
     World& world = state_.world;
     const auto offset = [&](int robot, std::uint32_t number) {

@@ -1,4 +1,4 @@
-// A moment of a game as JSON: who stands where, what the ball does, score and clock.
+// A moment of a game as JSON: robots, ball, score and clock.
 //
 // {
 //   "about": "two against the keeper", "seed": 7,
@@ -9,29 +9,29 @@
 // }
 //
 // Frame: field, which never flips: in the second half the home side attacks towards -x. Metres, seconds, radians.
-// Only the ball's x and y and each robot's side, player, x and y must be there. `clock` is how much of the half has run,
-// `penalised` for how much longer a robot is kept off the field. A robot that is not named does not play at all.
+// Required are the ball's x and y and each robot's side, player, x and y. `clock` is the time since the half began.
+// `penalised` is the remaining time of a robot off the field. A robot that is not listed does not play.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 #include "robot/core/result.h"
-#include "sim/io/setup.h"
+#include "sim/io/matchup.h"
 #include "sim/match/state.h"
 
 namespace sim::io {
 
-/// The state in which that moment is played on. Everybody has just seen the ball and told the others, and stands still.
-/// `shaken`: everybody and the ball stand a little elsewhere, up to 0.3 m along each axis and 20 degrees, as that game's
-/// luck has it; nobody on top of another.
+/// Makes the state of that moment, to be played on. All robots have just seen and reported the ball, and stand still.
+/// `shaken` moves robots and ball by random amounts of that game, up to 0.3 m along each axis and 20 degrees, without
+/// overlaps.
 robot::Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params,
                                      const RandomKey* shaken = nullptr);
 
-/// An embedded situation by name, or the file at a path.
+/// Loads an embedded situation by name, or a file by path.
 robot::Result<State> load_situation(const std::string& name, const Params& params);
 
-/// A description that parse_situation makes the same moment of, beliefs and motion of the robots apart.
+/// Returns a description of the moment for parse_situation, without beliefs and motion of the robots.
 std::string save_situation(const State& state);
 
 }  // namespace sim::io

@@ -1,4 +1,4 @@
-// Where a description comes from: by name out of the program, or by path from a file.
+// The source of a description: embedded in the program by name, or a file by path.
 #pragma once
 
 #include <string>
@@ -11,23 +11,23 @@ namespace sim::io {
 
 inline constexpr std::size_t kMaxFileBytes = 1 << 20;  // of a description
 
-/// A description as text, and what errors call it.
+/// A description as text, with its name in errors.
 struct Source {
   std::string text;
   std::string called;  // "models 'match'"
 };
 
-/// The names of the embedded files of that kind ("models", "outlooks", "rules", "strategies"), ascending.
+/// Returns the names of the embedded files of that kind ("models", "outlooks", "rules", "strategies"), ascending.
 std::vector<std::string_view> names_of(std::string_view kind);
 
-/// What contains a '/' or ends in ".json" is the path of a file, anything else the name of an embedded one.
+/// Returns whether `name` is a path: it contains '/' or ends in ".json". Otherwise it is an embedded name.
 bool is_path(std::string_view name);
 
-/// Finds it. An unknown name is answered with those there are: "no models 'mach'; there are: friendly, match, perfect".
-/// `noun` is how a sentence calls one of that kind.
+/// Finds the description. The Error for an unknown name lists the known ones: "no models 'mach'; there are: friendly, match, perfect".
+/// `noun` is the word for the kind in that sentence.
 robot::Result<Source> find_source(std::string_view kind, std::string_view noun, const std::string& name);
 
-/// "a, b, c"
+/// Returns "a, b, c".
 std::string listed(const std::vector<std::string_view>& names);
 
 }  // namespace sim::io

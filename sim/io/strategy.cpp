@@ -12,11 +12,11 @@ using robot::Result;
 
 namespace {
 
-constexpr int kMostBases = 8;  // one upon the other
+constexpr int kMostBases = 8;  // files in a chain of "based_on"
 constexpr std::size_t kLongestName = 60;
 constexpr const char* kMerged[] = {"parameters", "roles", "habits", "formation", "subtrees"};
 
-/// The text at `key`; empty if there is none.
+/// Returns the text at `key`, or an empty text.
 std::string text_at(Reader& reader, const Json& json, const char* key) {
   const auto found = json.find(key);
   if (found == json.end()) return {};
@@ -24,7 +24,7 @@ std::string text_at(Reader& reader, const Json& json, const char* key) {
   return found->is_string() ? found->get<std::string>() : "";
 }
 
-/// The places of players 1..: pairs of shares.
+/// Reads the places of players 1..: pairs of shares.
 void read_places(Reader& reader, const Json& formation, const char* key, Vec2 (&places)[kMaxPlayers]) {
   const auto list = formation.find(key);
   if (list == formation.end()) return;
@@ -42,7 +42,7 @@ void read_places(Reader& reader, const Json& formation, const char* key, Vec2 (&
   }
 }
 
-/// `json` over `base`, section by section.
+/// Merges `json` over `base`, section by section.
 Json merged(Json base, const Json& json) {
   for (const auto& [key, value] : json.items()) {
     const bool section = std::find(std::begin(kMerged), std::end(kMerged), key) != std::end(kMerged);
@@ -54,7 +54,7 @@ Json merged(Json base, const Json& json) {
   return base;
 }
 
-/// `whole` with what it is based on; `own` is the part in its own file.
+/// The description with its bases (`whole`), and the part in its own file (`own`).
 Result<agent::Tree> compiled(const Json& whole, const Json& own, const std::string& called) {
   Reader reader(called);
   agent::Tree tree;
@@ -81,12 +81,12 @@ Result<agent::Tree> compiled(const Json& whole, const Json& own, const std::stri
   return tree;
 }
 
-/// The description with all it is based on, whose own mistakes are told with their own file.
+/// Reads the description with all its bases. An error in a base names the file of that base.
 Result<Json> whole_of(const Json& own, const std::string& called, int bases) {
   const auto based_on = own.find("based_on");
   if (based_on == own.end()) return own;
   if (!based_on->is_string()) return Error{called + ": based_on must be a text, got " + shown(*based_on)};
-  if (bases == kMostBases) return Error{called + ": based_on goes round, or on for ever"};
+  if (bases == kMostBases) return Error{called + ": based_on leads through more than 8 files, or back to the same file"};
   const Result<Source> source = find_source("strategies", "strategy", based_on->get<std::string>());
   if (!source) return Error{called + ": based_on: " + source.error()};
   const Result<Json> json = parse_object(source->text, source->called);
@@ -104,7 +104,7 @@ Result<agent::Tree> parse_upon(std::string_view text, const std::string& called,
                  std::to_string(text.size())};
   Result<Json> own = parse_object(text, called);
   if (!own) return Error{own.error()};
-  // what is varied is there already, or a typing mistake would go unseen
+  // a changed parameter must exist; otherwise a typing mistake would pass
   if (!parameters.empty()) own = merged(std::move(*own), Json{{"parameters", parameters}});
   const Result<Json> whole = whole_of(*own, called, 0);
   if (!whole) return Error{whole.error()};

@@ -1,13 +1,13 @@
-// Strategies as JSON: a decision tree, its parameters, and how the team shares the work.
+// Strategies as JSON: a decision tree, its parameters, and the roles of the team.
 //
 //   {
 //     "name": "careful",
 //     "about": "waits for a good look",
-//     "based_on": "baseline",                      // optional: what is not said here is as there
+//     "based_on": "baseline",                      // optional: the source of all missing entries
 //     "parameters": { "near": "0.35 m", "aim": "goal" },
 //     "roles": { "hysteresis": 1 },                // sim/agent/settings.h, likewise "habits"
 //     "formation": { "ours": [[-0.95, 0], …], "theirs": [[-0.95, 0], …] },
-//     "tree": [                                    // the first whose condition holds
+//     "tree": [                                    // the first rule whose condition holds
 //       { "if": "not ball_known", "do": "search_ball" },
 //       { "if": "role is keeper and ball_distance < $near", "use": "clear" },
 //       { "if": "ball_bearing > 20 deg or ball_bearing < -20 deg", "then": { … }, "else": { … } },
@@ -17,7 +17,7 @@
 //   }
 //
 // A rule is a list of rules, or an object: "if" (optional) with "then", "do" (a skill, "with" its arguments) or "use" (a
-// subtree). Where the condition fails, "else" is next, and without one the next rule of the list around it. Conditions
+// subtree). If the condition fails, "else" is next; without "else" the next rule of the list. Conditions
 // compare a feature by < <= > >= is, is not; a yes-or-no feature stands alone or behind "not"; "and" binds closer than
 // "or". Values are numbers in SI, or with deg, cm or min. Every rule may have a "name" for the trace, and an "about".
 //
@@ -33,11 +33,11 @@
 
 namespace sim::io {
 
-/// The tree in `text`. `called` opens the sentence of an Error, which tells where in the description what is wrong:
+/// Parses the tree in `text`. `called` opens the sentence of an Error, which names the place:
 /// "strategy 'mine': tree[2].if: no feature 'bal_age'; did you mean 'ball_age'?"
 robot::Result<agent::Tree> parse_strategy(std::string_view text, const std::string& called);
 
-/// An embedded strategy by name, or a file by path; behind commas parameters that differ: "baseline,near=0.3".
+/// Loads an embedded strategy by name, or a file by path; changed parameters follow behind commas: "baseline,near=0.3".
 robot::Result<std::unique_ptr<agent::TreeBehaviour>> load_strategy(const std::string& name);
 
 }  // namespace sim::io

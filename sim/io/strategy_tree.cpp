@@ -14,19 +14,19 @@ using agent::Skill;
 using agent::SkillInfo;
 using robot::Result;
 
-constexpr int kMaxDepth = 48;  // of rules within rules, subtrees followed
+constexpr int kMaxDepth = 48;  // nested rules, subtrees included
 constexpr std::string_view kKeys[] = {"name", "about", "if", "then", "else", "do", "with", "use"};
 
-/// What comes where a condition fails and the rule has no "else".
+/// The target when a condition fails and the rule has no "else".
 struct Next {
   std::uint16_t target = 0;
   bool exists = false;
   bool used = false;
 };
 
-/// Where a rule stands.
+/// The place of a rule.
 struct Place {
-  std::string json;   // "tree[2].then": for whoever must mend it
+  std::string json;   // "tree[2].then": for error sentences
   std::string names;  // "baseline/ball known": for the trace
   int depth = 0;
 
@@ -60,7 +60,7 @@ class Compiler {
     if (problem_.empty()) problem_ = place.json + ": " + what;
   }
 
-  /// A rule or a list of them. Returns where a decision enters it.
+  /// Compiles a rule or a list of rules. Returns its entry.
   std::uint16_t rules(const Json& json, const Place& place, Next& next) {
     if (!problem_.empty()) return 0;
     if (place.depth > kMaxDepth) return refuse(place, "rules are nested too deeply"), std::uint16_t{0};
@@ -69,7 +69,7 @@ class Compiler {
     return refuse(place, "must be a rule or a list of rules, got " + shown(json)), std::uint16_t{0};
   }
 
-  /// From the last rule to the first, since each must know what comes behind it.
+  /// Compiles a list from the last rule to the first, because each needs the entry of the next.
   std::uint16_t list(const Json& json, const Place& place, Next& next) {
     if (json.empty()) return refuse(place, "must have at least one rule"), std::uint16_t{0};
     Next behind = next;
@@ -105,7 +105,7 @@ class Compiler {
     if (otherwise != json.end())
       no = rules(*otherwise, place.at(".else"), next);
     else if (!next.exists)
-      refuse(place, "has no 'else', and no rule behind it says what to do where '" + text + "' fails");
+      refuse(place, "has no 'else', and no later rule applies when '" + text + "' fails");
     else
       next.used = true;
     if (!problem_.empty()) return 0;
@@ -132,7 +132,7 @@ class Compiler {
     return json.contains("name") ? place.named(json["name"].get_ref<const std::string&>()) : place;
   }
 
-  /// What a rule does where its condition holds.
+  /// Compiles the part of a rule for a condition that holds.
   std::uint16_t body(const Json& json, const Place& place, Next& next) {
     if (!problem_.empty()) return 0;
     if (json.contains("then")) return rules(json["then"], place.at(".then"), next);
@@ -189,7 +189,8 @@ class Compiler {
       leaf.arguments[i] = info.standard;
       const auto given = with.find(info.name);
       if (given == with.end()) continue;
-      const Result<float> value = values_.read(*given, {info.unit, info.least, info.most, info.names});
+      const Result<float> value =
+          values_.read(*given, {info.range.unit, info.range.least, info.range.most, info.range.names});
       if (!value) return refuse(place.at("." + std::string(info.name)), value.error());
       leaf.arguments[i] = *value;
     }
@@ -198,7 +199,7 @@ class Compiler {
         return refuse(place, std::string(skill.name) + " takes no '" + key + "'" + hint(key, known));
   }
 
-  /// Each alternative in turn, each of its terms in turn; from the last to the first.
+  /// Compiles all alternatives and their terms, from the last to the first.
   std::uint16_t comparisons(const Condition& condition, const Place& place, std::uint16_t yes, std::uint16_t no) {
     std::uint16_t entry = no;
     for (auto terms = condition.alternatives.rbegin(); terms != condition.alternatives.rend(); ++terms) {
@@ -216,9 +217,9 @@ class Compiler {
 
   void refuse_unused(const Json& own) {
     for (const auto& [key, value] : object_at(own, "subtrees").items())
-      if (!used_.contains(key)) refuse({"subtrees." + key, ""}, "is used nowhere");
+      if (!used_.contains(key)) refuse({"subtrees." + key, ""}, "is not used");
     for (const auto& [key, value] : object_at(own, "parameters").items())
-      if (!values_.used().contains(key)) refuse({"parameters." + key, ""}, "is used nowhere");
+      if (!values_.used().contains(key)) refuse({"parameters." + key, ""}, "is not used");
   }
 
   agent::Tree& tree_;

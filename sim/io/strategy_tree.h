@@ -1,4 +1,4 @@
-// From rules as written to a compiled tree.
+// The compiler from written rules to a tree.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace sim::io {
 
-/// Fills nodes, leaves, words and root of `tree` from "tree", "subtrees" and "parameters" of `strategy`. Returns what
-/// is wrong: a sentence that begins with the place, empty if nothing is. Of `own`, the part that the strategy does not
-/// have from others, each parameter and subtree must be used.
+/// Fills nodes, leaves, words and root of `tree` from "tree", "subtrees" and "parameters" of `strategy`. Returns an
+/// error sentence that begins with the place, or an empty text. Each parameter and subtree of `own`, the part in the
+/// strategy's own file, must be used.
 std::string compile_tree(const Json& strategy, const Json& own, agent::Tree& tree);
 
 }  // namespace sim::io

@@ -35,7 +35,7 @@ Result<float> in_range(double value, const Expected& expected, const std::string
   return rounded;
 }
 
-/// How many of `unit` one of the `given` unit is; 0: another quantity.
+/// Returns the factor from the `given` unit to `unit`, or 0 for another quantity.
 double factor_to(std::string_view given, std::string_view unit) {
   if (given.empty() || given == unit) return 1;
   if (given == "deg" && unit == "rad") return kDegree;
@@ -64,7 +64,7 @@ Result<float> Values::read(std::string_view text, const Expected& expected) {
       return Error{"names no parameter: " + quoted(name) + hint(name, known)};
     }
     used_.emplace(name);
-    // a parameter that names another would let them go round in circles
+    // a parameter must not name another: this prevents cycles
     if (found->is_string() && found->get_ref<const std::string&>().starts_with('$'))
       return Error{"is the parameter " + quoted(name) + ", which must be a value, got " + shown(*found)};
     Result<float> value = read(*found, expected);

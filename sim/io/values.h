@@ -1,4 +1,4 @@
-// The values that conditions and arguments of a strategy are written with.
+// The values in conditions and arguments of a strategy.
 #pragma once
 
 #include <set>
@@ -10,21 +10,21 @@
 
 namespace sim::io {
 
-/// What a value must be.
+/// The expected value.
 struct Expected {
-  const char* unit;  // "" where there is none
+  const char* unit;  // "" without a unit
   float least;
   float most;
-  const char* const* names;  // the words for 0.., ended by nullptr; nullptr: it is a number
+  const char* const* names;  // the words for 0, 1, …, ended by nullptr; nullptr: a number
 };
 
-/// Reads values, following "$name" to the parameters, and notes which of these were used.
+/// A reader of values. It resolves "$name" to the parameters and records the used ones.
 class Values {
  public:
   /// `parameters` outlives it.
   explicit Values(const Json& parameters) : parameters_(parameters) {}
 
-  /// 0.35, "0.35 m", "20 deg", "goal", "$near". The Error is the end of a sentence: "must be 0 .. 3 [m], got 7".
+  /// Reads a value: 0.35, "0.35 m", "20 deg", "goal", "$near". The Error is the end of a sentence: "must be 0 .. 3 [m], got 7".
   robot::Result<float> read(const Json& value, const Expected& expected);
   robot::Result<float> read(std::string_view text, const Expected& expected);
 

@@ -25,7 +25,7 @@ Json value_of(std::string_view text) {
   return std::string(text);
 }
 
-/// "walk.forward" leads to changes["walk"]["forward"]; nullptr where something else stands in the way.
+/// "walk.forward" leads to changes["walk"]["forward"]; nullptr when another entry is in the way.
 Json* entry_at(Json& changes, std::string_view path) {
   Json* at = &changes;
   for (const std::string_view name : split(path, '.')) {

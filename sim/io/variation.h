@@ -1,4 +1,4 @@
-// A description by name with what shall differ from it, as one types it: "match,falls=on,walk.forward=0.2".
+// The name of a description with changes, as typed: "match,falls=on,walk.forward=0.2".
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace sim::io {
 struct Variation {
   std::string name;  // of the description, or its path
   Json number;       // behind a colon: 7 of "spl2025:7"; null: none
-  Json changes;      // as a description would say them: {"falls": true, "walk": {"forward": 0.2}}
+  Json changes;      // in the form of a description: {"falls": true, "walk": {"forward": 0.2}}
 };
 
-/// Takes `text` apart. Values are numbers, texts, on or true, off or false. An Error if there is none of these.
+/// Parses `text`. Values are numbers, texts, on or true, off or false; otherwise it returns an Error.
 robot::Result<Variation> parse_variation(const std::string& text, const std::string& called);
 
 }  // namespace sim::io

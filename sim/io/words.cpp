@@ -8,7 +8,7 @@
 namespace sim::io {
 namespace {
 
-/// How many letters must be put in, taken out or exchanged.
+/// Returns the number of letters to insert, remove or exchange.
 std::size_t edits_between(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

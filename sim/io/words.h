@@ -1,4 +1,4 @@
-// Helping whoever mistyped a word.
+// Hints for mistyped words.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace sim::io {
 
-/// "; did you mean 'ball_age'?" if one of `known` is near to `word`, else "; there are: …" of few or "" of many.
+/// Returns "; did you mean 'ball_age'?" if one of `known` is similar, otherwise "; there are: …" for few or "" for many.
 std::string hint(std::string_view word, const std::vector<std::string_view>& known);
 
 }  // namespace sim::io

@@ -116,7 +116,7 @@ std::string sentence_of(const ContestReport& report) {
 
 Json to_json(const ContestReport& report) {
   const auto& [comparison, options, outcome] = report;
-  const compare::Tally& tally = outcome.tally;
+  const compare::PairStatistics& tally = outcome.tally;
   const double unit = comparison.unit();
   const double ratio = compare::llr(tally, options.question, unit);
   const compare::Bounds bounds = compare::bounds_of(options.question);
@@ -161,7 +161,7 @@ Json to_whole_json(const ContestReport& report) {
 
 std::string to_text(const ContestReport& report, bool explain) {
   const auto& [comparison, options, outcome] = report;
-  const compare::Tally& tally = outcome.tally;
+  const compare::PairStatistics& tally = outcome.tally;
   const contest::ComparisonChoice& choice = comparison.choice();
   std::string out = sentence_of(report) + "\n\n";
   out += text("%-22s%12s%12s\n", "", "A", "B");

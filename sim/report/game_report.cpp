@@ -64,7 +64,7 @@ bool is_news(Kind kind) { return kind >= Kind::goal && kind != Kind::placed; }
 
 double goals(const GameReport& report) { return report.result.score[0] + report.result.score[1]; }
 
-std::string heading(const io::Choice& choice, const Params& params) {
+std::string heading(const io::Matchup& choice, const Params& params) {
   const field::Rules& rules = params.rules;
   std::string line = text("%s: %d a side, %d x %s", choice.rules.c_str(), rules.players, rules.halves,
                           clock_text(rules.half_duration).c_str());
@@ -111,7 +111,7 @@ Json to_json(const GameReport& report, int players) {
   return json;
 }
 
-std::string to_text(const GameReport& report, const io::Choice& choice, const Params& params) {
+std::string to_text(const GameReport& report, const io::Matchup& choice, const Params& params) {
   const Result& result = report.result;
   std::string all = heading(choice, params) + text("  seed  %llu\n\n", static_cast<unsigned long long>(report.seed));
   all += text("%-14s%10s%10s\n", "", "home", "away");
@@ -143,7 +143,7 @@ Json to_json(const std::vector<GameReport>& reports, int players) {
   return json;
 }
 
-std::string to_text(const std::vector<GameReport>& reports, const io::Choice& choice, const Params& params) {
+std::string to_text(const std::vector<GameReport>& reports, const io::Matchup& choice, const Params& params) {
   std::string all =
       heading(choice, params) + text("  seeds %llu .. %llu\n\n", static_cast<unsigned long long>(reports.front().seed),
                                      static_cast<unsigned long long>(reports.back().seed));

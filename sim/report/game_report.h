@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/contest/series.h"
-#include "sim/io/setup.h"
+#include "sim/io/matchup.h"
 #include "sim/match/play.h"
 
 namespace sim::report {
@@ -34,10 +34,10 @@ std::string clock_text(float seconds);
 
 Json to_json(const GameReport& report, int players);
 /// The score, a table of both sides, and what happened when.
-std::string to_text(const GameReport& report, const io::Choice& choice, const Params& params);
+std::string to_text(const GameReport& report, const io::Matchup& choice, const Params& params);
 
 /// Several games: means with standard errors.
 Json to_json(const std::vector<GameReport>& reports, int players);
-std::string to_text(const std::vector<GameReport>& reports, const io::Choice& choice, const Params& params);
+std::string to_text(const std::vector<GameReport>& reports, const io::Matchup& choice, const Params& params);
 
 }  // namespace sim::report

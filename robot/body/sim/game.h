@@ -8,7 +8,7 @@
 #include "robot/agent/convert.h"
 #include "sim/agent/choice.h"
 #include "sim/agent/trace.h"
-#include "sim/io/setup.h"
+#include "sim/io/matchup.h"
 #include "sim/match/params.h"
 #include "sim/match/state.h"
 #include "sim/math/vec2.h"
@@ -18,7 +18,7 @@ namespace robot::body {
 
 /// What games are played with; the same for all games of one run.
 struct Setup {
-  sim::io::Setup game;
+  sim::io::PreparedGame game;
   std::string rules;  // as they were named, e.g. "spl2012"
   agent::TeamNumbers teams;
 

@@ -1,13 +1,10 @@
-// An example of a feature: how many teammates are nearer to the opponents' goal than the ball.
-#include <limits>
-
+// Example of a feature: the number of teammates are nearer to the opponents' goal than the ball.
 #include "sim/agent/own.h"
 
 namespace sim::agent::own {
 namespace {
 
-float value(const View& view) {
-  if (!view.ball_known) return std::numeric_limits<float>::quiet_NaN();
+float compute(const View& view) {
   const float of_ball = squared_length(view.goal() - view.ball_in_team);
   float count = 0;
   view.for_each_mate([&](const Mate& mate, int) {
@@ -18,10 +15,17 @@ float value(const View& view) {
 
 }  // namespace
 
-OwnFeature mates_ahead() {
-  return {{"mates_ahead", FeatureInfo::Kind::number, "robots", 0, 6, false, nullptr,
-           "teammates nearer to the opponents' goal than the ball"},
-          value};
+FeatureInfo mates_ahead() {
+  return {.compute = compute,
+          .needs_ball = true,
+          .lateral = false,
+          .kind = FeatureInfo::Kind::number,
+          .name = "mates_ahead",
+          .unit = "robots",
+          .least = 0,
+          .most = 6,
+          .names = nullptr,
+          .about = "teammates nearer to the opponents' goal than the ball"};
 }
 
 }  // namespace sim::agent::own

@@ -1,4 +1,4 @@
-// A whole behaviour as a shared library: who is nearest to the ball goes behind it and kicks it towards the goal, one
+// A complete behaviour as a shared library. The robot nearest to the ball goes behind it and kicks it towards the goal, one
 // waits behind, the goalkeeper stays between ball and goal. charge.py is the same in Python.
 //
 //   cc -std=c99 -O2 -ffp-contract=off -fPIC -shared -I sim/guest sim/guest/examples/charge.c -lm -o charge.so
@@ -8,17 +8,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-// What a player remembers; plain data, so that it can be saved as it is.
+// The memory of a player. Plain data: it is saved byte by byte.
 typedef struct {
   ForesightPlayer facts;
-  uint32_t lost_since;  // [tick] since when it does not know where the ball is; FORESIGHT_NEVER: it knows
+  uint32_t lost_since;  // [tick] time when it lost the ball; FORESIGHT_NEVER: not lost
 } Player;
 
-static const uint32_t kForgotten = 5 * 30;  // [ticks] a ball that was not seen for so long is lost
+static const uint32_t kForgotten = 5 * 30;  // [ticks] a ball unseen for longer is lost
 static const float kSearchTurn = 0.8f;      // [rad/s]
-static const float kBehind = 0.3f;          // [m] from where it turns to the goal
-static const float kStraight = 0.35f;       // [rad] a kick may go so far off the middle of the goal
-static const float kAhead = 0.5f;           // [m] that a teammate must be nearer to the ball, to be left alone
+static const float kBehind = 0.3f;          // [m] behind the ball, where it turns to the goal
+static const float kStraight = 0.35f;       // [rad] allowed error of a kick
+static const float kAhead = 0.5f;           // [m] lead of a teammate that gets the ball
 
 static void* create(const ForesightPlayer* facts) {
   Player* self = calloc(1, sizeof *self);
@@ -28,7 +28,7 @@ static void* create(const ForesightPlayer* facts) {
 
 static void destroy(void* self) { free(self); }
 
-// A point of the field, seen from the robot.
+// Returns a point of the field in the frame of the robot.
 static void to_robot(const ForesightMoment* moment, float x, float y, float* out_x, float* out_y) {
   const float c = cosf(moment->heading), s = sinf(moment->heading);
   const float dx = x - moment->x, dy = y - moment->y;
@@ -40,7 +40,7 @@ static void walk_to(ForesightCommand* command, float x, float y, float turn) {
   command->x = x, command->y = y, command->turn = turn;
 }
 
-// Another one of the field players is nearer to the ball.
+// Returns whether another field player is nearer to the ball.
 static int is_left_to_a_mate(const Player* self, const ForesightMoment* moment, float distance) {
   for (int i = 1; i < self->facts.players; ++i) {
     const ForesightMate* mate = &moment->mates[i];
@@ -89,7 +89,7 @@ static void decide(void* memory, const ForesightMoment* moment, ForesightCommand
   const int keeper = self->facts.player == 1;
   command->role = keeper ? FORESIGHT_KEEPER : FORESIGHT_SUPPORTER;
   command->time_to_ball = 1e6f;
-  // outside play, and at the others' kick, the usual
+  // outside play and at the opponents' kick: the default
   if (moment->phase != FORESIGHT_PLAYING || moment->penalised) return;
   if (moment->ball_seen == FORESIGHT_NEVER || moment->now - moment->ball_seen > kForgotten) {
     search(self, moment, command);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A whole behaviour in a process of its own, Python 3.6 or newer, standard library only; charge.c is the same in C.
+"""A complete behaviour in its own process, Python 3.6 or newer, standard library only; charge.c is the same in C.
 
     foresight-sim match --home 'pipe:python3 sim/guest/examples/charge.py'
 
@@ -50,13 +50,13 @@ class Player:
         return self.attack(moment, ball, distance, answer)
 
     def to_robot(self, moment, x, y):
-        """A point of the field, seen from the robot."""
+        """Returns a point of the field in the frame of the robot."""
         c, s = math.cos(moment["heading"]), math.sin(moment["heading"])
         dx, dy = x - moment["x"], y - moment["y"]
         return c * dx + s * dy, c * dy - s * dx
 
     def is_left_to_a_mate(self, moment, distance):
-        """Another one of the field players is nearer to the ball."""
+        """Returns whether another field player is nearer to the ball."""
         for mate in moment["mates"]:
             if mate["player"] == 1 or not mate["active"] or moment["now"] - mate["sent"] > 300:
                 continue

@@ -9,14 +9,14 @@
 #include "robot/foresight/knowledge.h"
 #include "robot/memory/channels.h"
 #include "robot/memory/memory.h"
-#include "sim/io/setup.h"
+#include "sim/io/matchup.h"
 #include "sim/match/step.h"
 
 namespace robot::foreseeing::test {
 
 /// 14/2 in a game of `models`, so many seconds after it was opened.
 struct Played {
-  sim::io::Setup setup;
+  sim::io::PreparedGame setup;
   sim::State state;
   SessionClock clock;
   std::shared_ptr<memory::Memory> memory = std::make_shared<memory::Memory>("14/2", clock);

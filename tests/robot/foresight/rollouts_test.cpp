@@ -64,7 +64,7 @@ TEST(Rollouts, PlayStripesUntilTheyAreEnded) {
   rollouts.begin(futures(2), monotonic_ns() + kMinute);
   const Progress progress = when_there_is_some(rollouts);
   EXPECT_EQ(progress.tally.strategies, 2);
-  EXPECT_EQ(progress.tally.accounts[0].rollouts, progress.tally.stripes);
+  EXPECT_EQ(progress.tally.by_strategy[0].rollouts, progress.tally.stripes);
   EXPECT_GT(progress.computed_ns, 0u);
   rollouts.end();
   EXPECT_GE(rollouts.progress().tally.stripes, progress.tally.stripes);

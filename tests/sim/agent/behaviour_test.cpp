@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/agent/search.h"
 #include "sim/agent/trace.h"
 #include "sim/agent/tree.h"
 #include "tests/sim/agent/scene.h"
@@ -19,7 +20,7 @@ class Charge final : public Behaviour {
     if (trace) trace->clear();
     const View view(around, settings_, game, beliefs, now, mind);
     if (!plays(game)) return wait(view, mind, trace);
-    if (!view.ball_known) return run(Skill::search_ball, &kFullSpeed, view, mind);
+    if (!view.ball_known) return search_ball(view, mind, {});
     if (trace) trace->skill = "charge";
     motion::Command command;
     command.body = motion::Command::Body::walk_to;
@@ -29,12 +30,11 @@ class Charge final : public Behaviour {
   }
 
  private:
-  static constexpr float kFullSpeed = 1;
   Settings settings_;
   std::string name_ = "charge";
 };
 
-TEST(Behaviour, MayBeWrittenInCpp) {
+TEST(Behaviour, CanBeWrittenInCpp) {
   const Charge charge;
   Scene scene;
   scene.see_ball({2, 1});

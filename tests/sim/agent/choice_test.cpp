@@ -20,7 +20,7 @@ TEST(Choice, EpochsAreOrderedAcrossTheirEnd) {
   EXPECT_FALSE(is_newer(135, 7)) << "128 apart, neither";
 }
 
-TEST(Choice, WhoHasNoneTakesTheFirstItHears) {
+TEST(Choice, ARobotWithoutAChoiceTakesTheFirstItHears) {
   Choice own;
   EXPECT_EQ(own.played(), 0);
   EXPECT_FALSE(follow({}, true, own)) << "who follows nobody tells nothing";
@@ -28,7 +28,7 @@ TEST(Choice, WhoHasNoneTakesTheFirstItHears) {
   EXPECT_EQ(own.played(), 2);
 }
 
-TEST(Choice, FollowsTheNewerAndTheCaptainsWordOnTheSame) {
+TEST(Choice, FollowsTheNewerEpochAndTheCaptainOnTheSame) {
   Choice own{1, 5};
   EXPECT_FALSE(follow({2, 4}, true, own)) << "older";
   EXPECT_FALSE(follow({2, 5}, false, own)) << "of the same choice a follower knows no better";
@@ -39,7 +39,7 @@ TEST(Choice, FollowsTheNewerAndTheCaptainsWordOnTheSame) {
   EXPECT_EQ(own.strategy, 3);
 }
 
-TEST(Choice, WhatWasLetGoOnlyTheCaptainOrANewerEpochBringsBack) {
+TEST(Choice, ADroppedChoiceReturnsOnlyByTheCaptainOrANewerEpoch) {
   Choice own{1, 5};
   let_go(own);
   EXPECT_EQ(own.played(), 0);
@@ -53,7 +53,7 @@ TEST(Choice, WhatWasLetGoOnlyTheCaptainOrANewerEpochBringsBack) {
   EXPECT_EQ(own.epoch, 6) << "its own choice is a newer one";
 }
 
-TEST(Choice, OnlyAnotherStrategyIsANewEpoch) {
+TEST(Choice, OnlyAnotherStrategyBeginsANewEpoch) {
   Choice own{1, 255};
   choose(1, own);
   EXPECT_EQ(own.epoch, 255);
@@ -62,8 +62,8 @@ TEST(Choice, OnlyAnotherStrategyIsANewEpoch) {
   EXPECT_EQ(own.epoch, 0);
 }
 
-/// Once the captain has made up its mind and everybody has heard everybody once, the team agrees, whatever came before
-/// in whatever order, also when others took themselves for the captain.
+/// After the captain has chosen and each robot has heard all others once, the team agrees, regardless of earlier messages
+/// and of other robots that believed to be the captain.
 TEST(Choice, TheTeamAgreesAfterOneRoundOfMessages) {
   std::mt19937 random(1);
   const auto any = [&](int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); };

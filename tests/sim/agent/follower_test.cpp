@@ -5,7 +5,7 @@
 namespace sim::agent {
 namespace {
 
-/// Walks at a speed that tells which strategy it is.
+/// A strategy identified by its walking speed.
 class Walker final : public Behaviour {
  public:
   explicit Walker(float speed) : speed_(speed) {}
@@ -32,7 +32,7 @@ struct Team {
   Mind mind;
   Beliefs beliefs;
 
-  /// How fast player 4 walks.
+  /// Returns the speed of player 4.
   float speed(Tick now) {
     const Game game{.phase = Game::Phase::playing, .player = 4};
     return follower.decide({}, game, beliefs, now, mind, nullptr).walk.x;
@@ -40,7 +40,7 @@ struct Team {
   void captain_tells(Choice choice, Tick sent) { beliefs.mates[1] = {.sent = sent, .active = true, .choice = choice}; }
 };
 
-TEST(Follower, PlaysTheFirstUntilTheCaptainTellsAndAgainWhenItIsSilent) {
+TEST(Follower, PlaysTheFirstUntilTheCaptainChoosesAndAgainWhenItIsSilent) {
   Team team;
   EXPECT_EQ(team.speed(100), 1);
   EXPECT_EQ(team.slow->leaf_before, kNoLeaf);
@@ -55,14 +55,14 @@ TEST(Follower, PlaysTheFirstUntilTheCaptainTellsAndAgainWhenItIsSilent) {
   EXPECT_EQ(team.speed(301), 2) << "heard again";
 }
 
-TEST(Follower, WhatItDoesNotHaveItDoesNotFollow) {
+TEST(Follower, IgnoresAStrategyThatItDoesNotHave) {
   Team team;
   team.captain_tells({2, 1}, 110);
   EXPECT_EQ(team.speed(111), 1);
   EXPECT_EQ(team.mind.choice.strategy, kNoStrategy);
 }
 
-TEST(Follower, TakesOverWhatItIsTold) {
+TEST(Follower, TakesOverAChoice) {
   Team team;
   team.speed(100);
   take_over({1, 7}, 101, team.mind);
@@ -73,7 +73,7 @@ TEST(Follower, TakesOverWhatItIsTold) {
   EXPECT_EQ(team.speed(2 * kStale), 2) << "confirmed";
 }
 
-TEST(Follower, TheCaptainIsTheFirstFieldPlayerThatIsHeard) {
+TEST(Follower, TheCaptainIsTheHeardFieldPlayerWithTheLowestNumber) {
   const Game third{.player = 3};
   Beliefs beliefs;
   EXPECT_EQ(captain_of(third, beliefs, 100, 50), 3) << "who hears nobody leads";

@@ -10,7 +10,7 @@ namespace {
 
 using Body = motion::Command::Body;
 
-TEST(Manners, AtTheOpponentsKickNobodyKicksOrGoesNearTheBall) {
+TEST(Manners, AtTheOpponentsKickNoRobotKicksOrGoesNearTheBall) {
   for (const char* name : kShipped) {
     const TreeBehaviour behaviour(shipped(name));
     std::mt19937 random(1);
@@ -22,7 +22,7 @@ TEST(Manners, AtTheOpponentsKickNobodyKicksOrGoesNearTheBall) {
       if (!view.ball_known) continue;
       const motion::Command command = scene.decide(behaviour);
       EXPECT_NE(command.body, Body::kick);
-      // whoever is inside leaves, whoever is outside does not cut through
+      // a robot inside leaves, a robot outside does not cut through
       if (command.body != Body::walk_to) {
         EXPECT_GE(view.ball_distance, 0.75f) << n;
         continue;
@@ -34,7 +34,7 @@ TEST(Manners, AtTheOpponentsKickNobodyKicksOrGoesNearTheBall) {
   }
 }
 
-TEST(Manners, NobodyButTheKeeperWalksIntoTheOwnGoalArea) {
+TEST(Manners, OnlyTheKeeperWalksIntoTheOwnGoalArea) {
   const TreeBehaviour behaviour(shipped("baseline"));
   std::mt19937 random(2);
   int diverted = 0;

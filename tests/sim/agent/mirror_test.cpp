@@ -13,7 +13,7 @@ Scene image_of(Scene scene) {
   return scene;
 }
 
-/// What -0 and 0 tell apart is no difference.
+/// Treats -0 and 0 as equal.
 void expect_same(const motion::Command& a, const motion::Command& b, int number) {
   EXPECT_TRUE(a == b) << "situation " << number << ": body " << int(a.body) << " " << int(b.body) << ", walk "
                       << a.walk.x << " " << a.walk.y << " / " << b.walk.x << " " << b.walk.y << ", turn " << a.turn
@@ -27,7 +27,7 @@ void expect_mirrored_decisions(const Tree& tree, int situations, bool mirror_the
   std::mt19937 random(11);
   for (int i = 0; i < situations; ++i) {
     Scene scene = random_scene(random);
-    // going to the places of the kick-off is lateral whatever the tree is
+    // going to the places of the kick-off is lateral for every tree
     if (mirror_the_tree && i % 10 == 0) scene.game.phase = Game::Phase::ready;
     Scene image = image_of(scene);
     const motion::Command command = scene.decide(behaviour), image_command = image.decide(other);
@@ -73,7 +73,7 @@ TEST(Mirror, AllSkillsAreMirrored) {
   }
 }
 
-TEST(Mirror, TwiceIsOnce) {
+TEST(Mirror, MirroringTwiceChangesNothing) {
   std::mt19937 random(2);
   const TreeBehaviour behaviour(tree_of(kLateral)), twice(mirrored(mirrored(behaviour.tree())));
   for (int i = 0; i < 1000; ++i) {

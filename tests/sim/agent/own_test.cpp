@@ -11,8 +11,8 @@ namespace {
 
 // the two examples in sim/agent/own: one file each, and a name in a list
 TEST(Own, SkillsAndFeaturesFollowOurs) {
-  EXPECT_GE(static_cast<int>(find_skill("shadow")), kSkillCount);
-  EXPECT_GE(static_cast<int>(find_feature("mates_ahead")), kFeatureCount);
+  EXPECT_GE(static_cast<int>(find_skill("shadow")), built_in_skill_count());
+  EXPECT_GE(static_cast<int>(find_feature("mates_ahead")), built_in_feature_count());
   EXPECT_LE(feature_count(), kMaxFeatures);
 }
 

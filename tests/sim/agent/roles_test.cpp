@@ -30,7 +30,7 @@ struct Team {
   void look() {
     for (Scene& robot : robots) robot.see_ball(robot.view().to_robot(ball));
   }
-  /// Everybody tells everybody.
+  /// Sends all messages to all.
   void talk() {
     for (Scene& receiver : robots)
       for (Scene& sender : robots)
@@ -112,7 +112,7 @@ TEST(Roles, LanesOfARoleAreInOrderFromRightToLeftAndCentred) {
   }
 }
 
-TEST(Roles, NoiseDoesNotMakeThemFlap) {
+TEST(Roles, NoiseDoesNotMakeThemAlternate) {
   const auto changes_per_minute = [](float hysteresis) {
     std::mt19937 random(4);
     std::uniform_real_distribution<float> noise(-0.12f, 0.12f);
@@ -138,7 +138,7 @@ TEST(Roles, NoiseDoesNotMakeThemFlap) {
   EXPECT_GT(changes_per_minute(0), 5);
 }
 
-TEST(Roles, WhoIsStaleOrRemovedIsLeftOut) {
+TEST(Roles, StaleOrRemovedRobotsAreIgnored) {
   Scene scene;
   scene.hear(3, {1, 0}, 0.5f, Role::supporter);
   assign_role(scene.view(), scene.mind);
@@ -151,7 +151,7 @@ TEST(Roles, WhoIsStaleOrRemovedIsLeftOut) {
   EXPECT_EQ(scene.mind.role, Role::chaser);
 }
 
-TEST(Roles, TimeToBallGrowsWithTheWayAndWithLookingAway) {
+TEST(Roles, TimeToBallGrowsWithTheWayAndWithFacingAway) {
   std::mt19937 random(5);
   for (int n = 0; n < 1000; ++n) {
     Scene scene = random_scene(random);

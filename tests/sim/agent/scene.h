@@ -1,4 +1,4 @@
-// Situations for the tests of the agent: what a robot believes, made by hand or at random.
+// Scenes for the tests of the agent: beliefs of a robot, made by hand or at random.
 #pragma once
 
 #include <random>
@@ -28,19 +28,19 @@ struct Scene {
     return behaviour.decide(surroundings(), game, beliefs, now, mind, trace);
   }
 
-  /// The ball in sight and at rest [m, robot].
+  /// Puts the ball in sight and at rest [m, robot].
   void see_ball(Vec2 in_robot);
-  /// What the robot is told by a teammate, by its number, `ago` [s].
+  /// Adds a message of a teammate, by its number, `ago` [s].
   Mate& hear(int player, Vec2 position, float time_to_ball, Role role, float ago = 0);
   void see_opponent(int number, Vec2 position) { beliefs.opponents[number - 1] = {position, now}; }
 };
 
-/// Anything that a robot may believe in play, in a game of 1 to 7 players.
+/// Makes random beliefs in play, in a game of 1 to 7 players.
 Scene random_scene(std::mt19937& random);
 
-/// The tree that `text` describes; the test fails where there is none.
+/// Parses a tree. The test fails if that is impossible.
 Tree tree_of(std::string_view text);
-/// A shipped strategy.
+/// Loads a shipped strategy.
 Tree shipped(const char* name);
 inline constexpr const char* kShipped[] = {"align_first", "baseline", "idle", "kick_now", "passing"};
 

@@ -16,7 +16,7 @@ namespace {
 
 using Command = motion::Command;
 
-/// One robot that believes what is so, alone with a ball; without noise.
+/// One robot with true beliefs, alone with a ball, without noise.
 struct Practice {
   explicit Practice(const char* strategy, Pose2 pose, Vec2 ball) : behaviour(shipped(strategy)) {
     world.ball.position = ball;
@@ -28,7 +28,7 @@ struct Practice {
   }
   Body& body() { return world.bodies[1]; }
 
-  /// One tick; true once the foot met the ball.
+  /// Plays one tick. Returns true when the foot meets the ball.
   bool step() {
     scene.now = world.tick;
     scene.beliefs.pose.pose = {body().position, body().heading};
@@ -47,7 +47,7 @@ struct Practice {
   Effects effects{};
   BallModel ball_model{.radius = 0.05f, .deceleration = 0.3f};
   Command command;
-  float nearest = 100;  // [m] that it came to the ball
+  float nearest = 100;  // [m] nearest distance to the ball
 };
 
 TEST(Skills, AreFoundByTheirNameAndHaveParametersWithinTheirRange) {
@@ -58,9 +58,9 @@ TEST(Skills, AreFoundByTheirNameAndHaveParametersWithinTheirRange) {
     for (int k = 0; k < info.count; ++k) {
       const ParameterInfo& parameter = info.parameters[k];
       EXPECT_TRUE(names.insert(parameter.name).second);
-      EXPECT_LE(parameter.least, parameter.standard) << info.name << " " << parameter.name;
-      EXPECT_GE(parameter.most, parameter.standard) << info.name << " " << parameter.name;
-      EXPECT_TRUE(!parameter.lateral || parameter.standard == 0);
+      EXPECT_LE(parameter.range.least, parameter.standard) << info.name << " " << parameter.name;
+      EXPECT_GE(parameter.range.most, parameter.standard) << info.name << " " << parameter.name;
+      EXPECT_TRUE(!parameter.range.lateral || parameter.standard == 0);
     }
   }
   EXPECT_EQ(find_skill("fly"), kNoSkill);
@@ -100,7 +100,7 @@ TEST(Skills, KickingAtOnceIsQuickerThanAligning) {
   EXPECT_LT(baseline, aligned);
 }
 
-TEST(Skills, KicksWithTheLegTheBallIsNearerTo) {
+TEST(Skills, KicksWithTheLegNearerToTheBall) {
   const TreeBehaviour behaviour(tree_of(R"({"name": "k", "tree": {"do": "kick", "with": {"aim": "ahead"}}})"));
   for (const float side : {1.f, -1.f}) {
     Scene scene;
@@ -108,7 +108,7 @@ TEST(Skills, KicksWithTheLegTheBallIsNearerTo) {
     const Command command = scene.decide(behaviour);
     EXPECT_EQ(command.body, Command::Body::kick);
     EXPECT_EQ(command.kick_left, side > 0);
-    // not a ball that rolls, nor one that was not seen of late
+    // not a ball that rolls, nor one that was not seen recently
     scene.beliefs.ball.velocity = {0.6f, 0};
     EXPECT_NE(scene.decide(behaviour).body, Command::Body::kick);
     scene.see_ball({0.19f, side * 0.05f});
@@ -117,7 +117,7 @@ TEST(Skills, KicksWithTheLegTheBallIsNearerTo) {
   }
 }
 
-TEST(Skills, KicksOnlyOnceTheBallLayRightForSoManyFrames) {
+TEST(Skills, KicksOnlyAfterTheBallLayRightForThisManyFrames) {
   const TreeBehaviour behaviour(
       tree_of(R"({"name": "k", "tree": {"do": "kick", "with": {"aim": "ahead", "frames": 3}}})"));
   Scene scene;
@@ -132,7 +132,7 @@ TEST(Skills, APassGoesAheadOfTheMate) {
   Scene scene;
   scene.hear(3, {1.5f, 1}, 4, Role::supporter);
   scene.decide(behaviour);
-  // the ball lies at (1, 0): towards (2, 1), as near to the way in which it comes as the tolerance lets
+  // the ball lies at (1, 0): towards (2, 1), as near to its own direction as the tolerance allows
   EXPECT_GT(scene.mind.kick_direction, 0.6f);
   EXPECT_LT(scene.mind.kick_direction, kPi / 4);
 }

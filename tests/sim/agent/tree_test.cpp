@@ -11,7 +11,7 @@
 namespace sim::agent {
 namespace {
 
-TEST(Tree, TheTraceTellsTheWayWithTheValuesCompared) {
+TEST(Tree, TheTraceHasThePathAndTheComparedValues) {
   const TreeBehaviour behaviour(tree_of(R"({
     "name": "traced",
     "parameters": { "near": "0.5 m" },
@@ -50,7 +50,7 @@ TEST(Tree, TheTraceTellsTheWayWithTheValuesCompared) {
   EXPECT_STREQ(trace.visited.back().path, "traced/close/strike/kick");
 }
 
-TEST(Tree, ValuesInTheTraceAreThoseOfTheFeaturesAndLeadWhereTheySay) {
+TEST(Tree, ValuesInTheTraceEqualTheFeaturesAndLeadToTheTracedLeaf) {
   const TreeBehaviour behaviour(shipped("passing"));
   std::mt19937 random(1);
   for (int n = 0; n < 2000; ++n) {
@@ -58,7 +58,7 @@ TEST(Tree, ValuesInTheTraceAreThoseOfTheFeaturesAndLeadWhereTheySay) {
     const Scene before = scene;
     Trace trace;
     scene.decide(behaviour, &trace);
-    // what the decision itself changed is what it decided upon
+    // the decision used the values that it changed itself
     Scene after = before;
     after.mind.role = scene.mind.role, after.mind.time_to_ball = scene.mind.time_to_ball;
     const View view = after.view();
@@ -81,7 +81,7 @@ TEST(Tree, UnknownValuesNeverPass) {
     EXPECT_FALSE(holds(comparison, unknown, 0));
 }
 
-TEST(Tree, ComparisonsAreWhatTheyAreCalled) {
+TEST(Tree, ComparisonsDoWhatTheirNamesSay) {
   for (const float a : {-1.f, 0.f, 2.f})
     for (const float b : {-1.f, 0.f, 2.f}) {
       EXPECT_EQ(holds(Comparison::less, a, b), a < b);

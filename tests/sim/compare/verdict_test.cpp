@@ -11,7 +11,7 @@
 namespace sim::compare {
 namespace {
 
-/// A pair in which B gains so much in either game.
+/// Makes a pair with these gains of B in its two games.
 Pair pair_of(int first, int second) {
   Pair pair;
   pair.games[0] = {.gain = first, .goals = {1, 1 + first}, .conceded = {1 + first, 1}};
@@ -19,71 +19,71 @@ Pair pair_of(int first, int second) {
   return pair;
 }
 
-Tally tally_of(const std::vector<Pair>& pairs) {
-  Tally tally;
-  for (const Pair& pair : pairs) tally.add(pair);
-  return tally;
+PairStatistics statistics_of(const std::vector<Pair>& pairs) {
+  PairStatistics statistics;
+  for (const Pair& pair : pairs) statistics.add(pair);
+  return statistics;
 }
 
-TEST(Tally, IsTheSameInAnyOrderAndInAnyParts) {
+TEST(PairStatistics, AreEqualInAnyOrderAndAnyParts) {
   std::vector<Pair> pairs;
   for (int i = 0; i < 100; ++i) pairs.push_back(pair_of(i * 7 % 5 - 2, i * 11 % 7 - 3));
-  const Tally whole = tally_of(pairs);
-  Tally parts;
-  parts.add(tally_of({pairs.begin() + 63, pairs.end()}));
-  parts.add(tally_of({pairs.begin(), pairs.begin() + 63}));
+  const PairStatistics whole = statistics_of(pairs);
+  PairStatistics parts;
+  parts.add(statistics_of({pairs.begin() + 63, pairs.end()}));
+  parts.add(statistics_of({pairs.begin(), pairs.begin() + 63}));
   EXPECT_EQ(parts, whole);
-  EXPECT_EQ(tally_of({pairs.rbegin(), pairs.rend()}), whole);
+  EXPECT_EQ(statistics_of({pairs.rbegin(), pairs.rend()}), whole);
   EXPECT_EQ(whole.won + whole.drawn + whole.lost, 200);
   EXPECT_EQ(whole.points[0] + whole.points[1] + whole.points[2] + whole.points[3] + whole.points[4], 100);
   // a pair won and drawn is 3 points
-  EXPECT_EQ(tally_of({pair_of(1, 0)}).points[3], 1);
+  EXPECT_EQ(statistics_of({pair_of(1, 0)}).points[3], 1);
 }
 
 TEST(Gain, IsTheMeanPerGameWithStudentsInterval) {
   // 31 pairs whose sums are 0, 2, .. 60: mean 30, variance 4 * 31 * 32 / 12; t of 30 degrees is 2.0423
-  Tally tally;
-  for (int i = 0; i < 31; ++i) tally.add(pair_of(i, i));
-  const Interval gain = gain_per_game(tally);
+  PairStatistics statistics;
+  for (int i = 0; i < 31; ++i) statistics.add(pair_of(i, i));
+  const Interval gain = gain_per_game(statistics);
   EXPECT_DOUBLE_EQ(gain.mean, 15);
   EXPECT_NEAR(gain.high - gain.mean, 2.0423 * std::sqrt(4 * 31 * 32 / 12.0 / 31) / 2, 1e-3);
   EXPECT_NEAR(gain.mean - gain.low, gain.high - gain.mean, 1e-12);
-  EXPECT_DOUBLE_EQ(gain_per_game(tally, 1000).mean, 0.015);
+  EXPECT_DOUBLE_EQ(gain_per_game(statistics, 1000).mean, 0.015);
 }
 
-TEST(Gain, OfNoPairsIsNotKnown) {
+TEST(Gain, IsUnknownWithoutPairs) {
   EXPECT_EQ(gain_per_game({}).high, HUGE_VAL);
-  EXPECT_EQ(gain_per_game(tally_of({pair_of(1, 0)})).low, -HUGE_VAL);
+  EXPECT_EQ(gain_per_game(statistics_of({pair_of(1, 0)})).low, -HUGE_VAL);
 }
 
-TEST(HomeAdvantage, IsWhatBothGainAtHome) {
+TEST(HomeAdvantage, IsTheGainOfBothAtHome) {
   // B wins by one at home and loses by one away, again and again: no gain, and an advantage of one goal
-  const Tally tally = tally_of(std::vector(60, pair_of(-1, 1)));
-  EXPECT_DOUBLE_EQ(gain_per_game(tally).mean, 0);
-  EXPECT_DOUBLE_EQ(home_advantage(tally).mean, 1);
-  EXPECT_DOUBLE_EQ(home_advantage(tally).low, 1);
+  const PairStatistics statistics = statistics_of(std::vector(60, pair_of(-1, 1)));
+  EXPECT_DOUBLE_EQ(gain_per_game(statistics).mean, 0);
+  EXPECT_DOUBLE_EQ(home_advantage(statistics).mean, 1);
+  EXPECT_DOUBLE_EQ(home_advantage(statistics).low, 1);
 }
 
-TEST(PairingGain, IsHowMuchOfTheVarianceThePairsTakeAway) {
+TEST(PairingGain, IsTheShareOfTheVarianceThatPairsRemove) {
   // independent games of variance 1: all four combinations equally often
-  EXPECT_NEAR(pairing_gain(tally_of({pair_of(1, 1), pair_of(1, -1), pair_of(-1, 1), pair_of(-1, -1)})), 1, 1e-12);
+  EXPECT_NEAR(pairing_gain(statistics_of({pair_of(1, 1), pair_of(1, -1), pair_of(-1, 1), pair_of(-1, -1)})), 1, 1e-12);
   // luck of +-3 that favours an end, and +-1 of the game's own: var 10 a game, of the pair's mean 0.5
   std::vector<Pair> pairs;
   for (const int luck : {-3, 3})
     for (const int first : {-1, 1})
       for (const int second : {-1, 1}) pairs.push_back(pair_of(luck + first, -luck + second));
-  EXPECT_NEAR(pairing_gain(tally_of(pairs)), 10, 1e-12);
-  EXPECT_EQ(pairing_gain(tally_of(std::vector(9, pair_of(-1, 1)))), 0);
+  EXPECT_NEAR(pairing_gain(statistics_of(pairs)), 10, 1e-12);
+  EXPECT_EQ(pairing_gain(statistics_of(std::vector(9, pair_of(-1, 1)))), 0);
 }
 
-TEST(Llr, IsThatOfEqualVariances) {
+TEST(Llr, IsTheRatioForEqualVariances) {
   // N = 100, mean 0.05 in the middle of the two: neither is likelier
   std::vector<Pair> pairs(55, pair_of(1, 1));
   pairs.insert(pairs.end(), 45, pair_of(-1, -1));
   pairs.insert(pairs.end(), 100, pair_of(0, 0));
-  EXPECT_NEAR(llr(tally_of(pairs), {}), 0, 1e-12);
+  EXPECT_NEAR(llr(statistics_of(pairs), {}), 0, 1e-12);
   // and twice as good: N (h1 - h0) (2 mean - h0 - h1) / (2 variance)
-  const Tally better = tally_of({pair_of(1, 0), pair_of(0, 0), pair_of(1, 1), pair_of(-1, 0)});
+  const PairStatistics better = statistics_of({pair_of(1, 0), pair_of(0, 0), pair_of(1, 1), pair_of(-1, 0)});
   const double variance = pair_variance(better);
   EXPECT_NEAR(llr(better, {}), 4 * 0.1 * (2 * 0.25 - 0.1) / (2 * variance), 1e-12);
   EXPECT_NEAR(bounds_of({}).h1, 2.944, 1e-3);
@@ -91,27 +91,27 @@ TEST(Llr, IsThatOfEqualVariances) {
 }
 
 TEST(Decide, ABehaviourAgainstItselfIsIdentical) {
-  EXPECT_EQ(decide(tally_of(std::vector(50, pair_of(-2, 2))), {}), Verdict::identical);
-  EXPECT_EQ(decide(tally_of(std::vector(49, pair_of(-2, 2))), {}), Verdict::undecided);
-  EXPECT_EQ(judge(tally_of(std::vector(50, pair_of(-2, 2))), {}), Verdict::identical);
-  // always the same gain has no variance either, and is one
-  EXPECT_EQ(decide(tally_of(std::vector(50, pair_of(1, 1))), {}), Verdict::better);
-  EXPECT_EQ(decide(tally_of(std::vector(50, pair_of(-1, -1))), {}), Verdict::not_better);
+  EXPECT_EQ(decide(statistics_of(std::vector(50, pair_of(-2, 2))), {}), Verdict::identical);
+  EXPECT_EQ(decide(statistics_of(std::vector(49, pair_of(-2, 2))), {}), Verdict::undecided);
+  EXPECT_EQ(judge(statistics_of(std::vector(50, pair_of(-2, 2))), {}), Verdict::identical);
+  // a constant gain has no variance either, but is a gain
+  EXPECT_EQ(decide(statistics_of(std::vector(50, pair_of(1, 1))), {}), Verdict::better);
+  EXPECT_EQ(decide(statistics_of(std::vector(50, pair_of(-1, -1))), {}), Verdict::not_better);
 }
 
-TEST(Judge, GoesByTheInterval) {
+TEST(Judge, UsesTheInterval) {
   std::vector<Pair> pairs(300, pair_of(1, 0));
   pairs.insert(pairs.end(), 300, pair_of(0, -1));
-  EXPECT_EQ(judge(tally_of(pairs), {}), Verdict::not_better);  // 0 +- 0.04 does not reach 0.1
+  EXPECT_EQ(judge(statistics_of(pairs), {}), Verdict::not_better);  // 0 +- 0.04 does not reach 0.1
   pairs.insert(pairs.end(), 300, pair_of(1, 0));
-  EXPECT_EQ(judge(tally_of(pairs), {}), Verdict::better);
+  EXPECT_EQ(judge(statistics_of(pairs), {}), Verdict::better);
   pairs.resize(20);
   pairs.insert(pairs.end(), 21, pair_of(0, -1));
-  EXPECT_EQ(judge(tally_of(pairs), {}), Verdict::undecided);
+  EXPECT_EQ(judge(statistics_of(pairs), {}), Verdict::undecided);
 }
 
-// the table of sample sizes that the comparison's figures come from: variance 4 a game, 0.1 goals
-TEST(Plan, TellsHowManyAreNeeded) {
+// the table of sample sizes behind the figures of comparisons: variance 4 a game, 0.1 goals
+TEST(Plan, GivesTheNumberOfPairs) {
   const Plan four = plan(4, 0.1);
   EXPECT_NEAR(four.fixed_80, 3140, 1);
   EXPECT_NEAR(four.fixed_95, 5198, 1);
@@ -119,33 +119,33 @@ TEST(Plan, TellsHowManyAreNeeded) {
   EXPECT_NEAR(four.sequential_worst, 3468, 2);
 }
 
-/// How often a sequential test says "better", of `tests` with pairs whose gain per game has the mean `gain` and a
-/// standard deviation of about 1.2 goals, looked at every `block` pairs.
+/// Returns how often `tests` sequential tests say "better". The gain per game has the mean `gain` and a standard deviation
+/// of about 1.2 goals. A test looks after every `block` pairs.
 double part_better(double gain, int tests, int block) {
   int better = 0;
   for (int test = 0; test < tests; ++test) {
-    Tally tally;
+    PairStatistics statistics;
     Verdict verdict = Verdict::undecided;
     for (std::uint32_t i = 0; verdict == Verdict::undecided && i < 100'000; ++i) {
       const auto words = draw({.seed = static_cast<std::uint64_t>(test)}, kNobody, Draw::situation, i);
       const int noise = static_cast<int>(words[0] % 5) - 2 + static_cast<int>(words[1] % 5) - 2;
       const int shift = static_cast<double>(uniform(words[2])) < 2 * gain ? 1 : 0;
-      tally.add(pair_of(noise, shift));
-      if (tally.pairs % block == 0) verdict = decide(tally, {});
+      statistics.add(pair_of(noise, shift));
+      if (statistics.pairs % block == 0) verdict = decide(statistics, {});
     }
     if (verdict == Verdict::better) ++better;
   }
   return static_cast<double>(better) / tests;
 }
 
-TEST(Decide, ErrsAsOftenAsItSays) {
+TEST(Decide, ErrsAsOftenAsStated) {
   constexpr int kBlock = 25;  // as the games are played
   EXPECT_LE(part_better(0, 3000, kBlock), 0.05);
   EXPECT_NEAR(part_better(0.1, 3000, kBlock), 0.95, 0.02);
   EXPECT_GE(part_better(0.2, 500, kBlock), 0.99);
 }
 
-// 1000 pairs of align_first against baseline, spl2012, models match, seeds 1 .. 1000: how many gained -7, -6, ..
+// 1000 pairs of align_first against baseline, spl2012, models match, seeds 1 .. 1000: number of pairs that gained -7, -6, ..
 constexpr int kLeastGain = -7;
 constexpr int kPlayed[] = {3, 4, 29, 68, 101, 140, 174, 166, 140, 101, 44, 23, 5, 0, 2};
 
@@ -161,19 +161,19 @@ std::vector<int> played_pairs(double gain) {
   return sums;
 }
 
-/// A sequential test of pairs drawn from these again and again; what was known when it had its answer.
-Tally resampled(const std::vector<int>& sums, std::uint64_t test, Verdict& verdict) {
-  Tally tally;
+/// Runs a sequential test on pairs drawn from these with replacement. Returns its statistics at the verdict.
+PairStatistics resampled(const std::vector<int>& sums, std::uint64_t test, Verdict& verdict) {
+  PairStatistics statistics;
   verdict = Verdict::undecided;
   for (std::uint32_t i = 0; verdict == Verdict::undecided; ++i) {
     const auto words = draw({.seed = test}, kNobody, Draw::situation, i);
-    tally.add(pair_of(sums[words[0] % sums.size()], 0));
-    if (tally.pairs % 25 == 0) verdict = decide(tally, {}, 1000);
+    statistics.add(pair_of(sums[words[0] % sums.size()], 0));
+    if (statistics.pairs % 25 == 0) verdict = decide(statistics, {}, 1000);
   }
-  return tally;
+  return statistics;
 }
 
-TEST(Decide, ErrsAsOftenAsItSaysOnPairsThatWerePlayed) {
+TEST(Decide, ErrsAsOftenAsStatedOnPlayedPairs) {
   const auto part_of = [](double gain) {
     const std::vector<int> sums = played_pairs(gain);
     int better = 0;
@@ -195,12 +195,12 @@ TEST(UnbiasedGain, IsAsOftenTooHighAsTooLowAndCoversTheTruth) {
     int above = 0, plainly_above = 0, covered = 0;
     for (std::uint64_t test = 0; test < kTests; ++test) {
       Verdict verdict;
-      const Tally tally = resampled(sums, test, verdict);
-      const Interval found = unbiased_gain(tally, {}, 1000);
+      const PairStatistics statistics = resampled(sums, test, verdict);
+      const Interval found = unbiased_gain(statistics, {}, 1000);
       EXPECT_LT(found.low, found.mean);
       EXPECT_LT(found.mean, found.high);
       above += found.mean > gain;
-      plainly_above += gain_per_game(tally, 1000).mean > gain;
+      plainly_above += gain_per_game(statistics, 1000).mean > gain;
       covered += found.low <= gain && gain <= found.high;
     }
     // the plain mean is off by up to 10 % more

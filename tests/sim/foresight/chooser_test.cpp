@@ -33,15 +33,15 @@ struct Files {
 constexpr const char* kSleepy = R"({"name": "sleepy", "choose": ["idle", "baseline"], "opponent": "idle",
                                     "rollouts": 32, "horizon": {"value": 30, "unit": "s"}})";
 
-io::Setup game_of(const std::string& home, const std::string& models, float half) {
-  io::Choice choice = test::choice_of("spl2012", "idle", models);
+io::PreparedGame game_of(const std::string& home, const std::string& models, float half) {
+  io::Matchup choice = test::choice_of("spl2012", "idle", models);
   choice.strategies[0] = home;
   return test::setup_of(choice, half);
 }
 
 TEST(Chooser, WakesUpATeamThatStandsIdle) {
   const Files files;
-  const io::Setup setup = game_of(files.write("sleepy.json", kSleepy), "match", 120);
+  const io::PreparedGame setup = game_of(files.write("sleepy.json", kSleepy), "match", 120);
   State state = test::begun(setup.params, 3);
   const auto all_play = [&](int strategy) {
     for (int player = 2; player <= 4; ++player)
@@ -55,9 +55,9 @@ TEST(Chooser, WakesUpATeamThatStandsIdle) {
   EXPECT_EQ(state.robots[robot_of(Side::away, 2)].mind.choice.strategy, kNoStrategy) << "the others choose nothing";
 }
 
-/// A ball that nobody is near: no strategy gains anything in 1 s that a few rollouts could prove.
-TEST(Chooser, GoesBackToTheDefaultWhenNothingIsBetterForSure) {
-  const io::Setup setup = game_of("foresight,rollouts=64,horizon=1", "match", 120);
+/// A ball far from all robots: no strategy gains anything in 1 s that a few rollouts could prove.
+TEST(Chooser, ReturnsToTheDefaultWhenNoneIsBetterWithCertainty) {
+  const io::PreparedGame setup = game_of("foresight,rollouts=64,horizon=1", "match", 120);
   State state = test::after(setup.params, test::begun(setup.params, 3), ticks(60));
   for (int player = 2; player <= 4; ++player) choose(2, state.robots[robot_of(Side::home, player)].mind.choice);
   state = test::after(setup.params, state, ticks(15));
@@ -65,9 +65,9 @@ TEST(Chooser, GoesBackToTheDefaultWhenNothingIsBetterForSure) {
     EXPECT_EQ(state.robots[robot_of(Side::home, player)].mind.choice.played(), 0) << "player " << player;
 }
 
-TEST(Chooser, OnlyTheCaptainAsksWhereMessagesArrive) {
+TEST(Chooser, OnlyTheCaptainAsksWhenMessagesArrive) {
   const Files files;
-  const io::Setup setup = game_of(files.write("sleepy.json", kSleepy), "perfect", 60);
+  const io::PreparedGame setup = game_of(files.write("sleepy.json", kSleepy), "perfect", 60);
   State state = test::begun(setup.params, 3);
   while (state.robots[1].mind.choice.played() == 0) state = test::after(setup.params, state, 1);
   EXPECT_EQ(state.robots[1].mind.told, static_cast<std::uint16_t>(state.world.tick - 1)) << "just now";
@@ -79,9 +79,9 @@ TEST(Chooser, OnlyTheCaptainAsksWhereMessagesArrive) {
 }
 
 TEST(Chooser, AGameIsAFunctionOfItsSeedFromAnyMoment) {
-  io::Choice choice = test::choice_of("spl2012", "baseline", "match", Pace::thinned);
+  io::Matchup choice = test::choice_of("spl2012", "baseline", "match", Pace::thinned);
   choice.strategies[1] = "foresight,rollouts=16,horizon=5";
-  const io::Setup setup = test::setup_of(choice, 20);
+  const io::PreparedGame setup = test::setup_of(choice, 20);
   const State middle = test::after(setup.params, test::begun(setup.params, 9), ticks(30));
   const auto read = restore(snapshot_of(middle));
   ASSERT_TRUE(read.state) << read.refusal;
@@ -90,10 +90,10 @@ TEST(Chooser, AGameIsAFunctionOfItsSeedFromAnyMoment) {
   EXPECT_EQ(hash_of(end), hash_of(test::after(setup.params, test::begun(setup.params, 9), ticks(70))));
 }
 
-TEST(Chooser, WhoHearsNobodyForLongPlaysTheDefault) {
+TEST(Chooser, ARobotThatHearsNobodyForLongPlaysTheDefault) {
   const auto chooser = io::load_behaviour("foresight,stale=5", {}, Side::home);
   ASSERT_TRUE(chooser) << chooser.error();
-  const io::Setup setup = game_of("baseline", "match", 60);
+  const io::PreparedGame setup = game_of("baseline", "match", 60);
   const agent::Surroundings around{&setup.params.rules.field, &setup.params.teams[0].models.motion};
   agent::Game game{.phase = agent::Game::Phase::playing, .player = 1};  // the keeper never chooses
   agent::Beliefs beliefs;
@@ -114,13 +114,13 @@ TEST(Chooser, WhoHearsNobodyForLongPlaysTheDefault) {
   EXPECT_EQ(mind.choice.strategy, kNoStrategy) << "a strategy that this robot does not have";
 }
 
-TEST(Chooser, RefusesWhatItCannotChooseFrom) {
+TEST(Chooser, RefusesStrategiesThatItCannotChooseFrom) {
   const Files files;
   EXPECT_NE(files.sentence(R"({"name": "x", "choose": ["baseline"]})").find("choose must be a list of 2 .. 8"),
             std::string::npos);
   EXPECT_NE(files.sentence(R"({"name": "x", "choose": ["baseline", "tiki"]})").find("no strategy 'tiki'"),
             std::string::npos);
-  EXPECT_NE(files.sentence(R"({"name": "x", "choose": ["baseline", "baseline"]})").find("is there twice"),
+  EXPECT_NE(files.sentence(R"({"name": "x", "choose": ["baseline", "baseline"]})").find("occurs twice"),
             std::string::npos);
   EXPECT_NE(files.sentence(R"({"name": "x", "choose": ["baseline", "idle"], "rollout": 3})").find("rollout is unknown"),
             std::string::npos);

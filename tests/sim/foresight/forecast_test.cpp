@@ -14,27 +14,27 @@ namespace {
 constexpr RandomKey kKey{.seed = 7};
 const std::string kNames[] = {"baseline", "passing", "kick_now", "idle"};
 
-/// The tally of values by stripe and strategy; all race to the end.
-Tally tally_of(const std::vector<std::vector<double>>& stripes) {
-  Tally tally;
-  tally.strategies = static_cast<int>(stripes.front().size());
+/// The statistics of values by stripe and strategy; all race to the end.
+RolloutStatistics statistics_of(const std::vector<std::vector<double>>& stripes) {
+  RolloutStatistics statistics;
+  statistics.strategies = static_cast<int>(stripes.front().size());
   for (const std::vector<double>& values : stripes) {
-    ++tally.stripes;
+    ++statistics.stripes;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      Account& account = tally.accounts[i];
-      ++account.rollouts;
-      account.sum += values[i];
-      account.squares += values[i] * values[i];
+      StrategyStatistics& strategy = statistics.by_strategy[i];
+      ++strategy.rollouts;
+      strategy.sum += values[i];
+      strategy.squares += values[i] * values[i];
       for (std::size_t j = 0; j < values.size(); ++j) {
-        tally.gains[i][j] += values[i] - values[0];
-        tally.products[i][j] += (values[i] - values[0]) * (values[j] - values[0]);
+        statistics.gains[i][j] += values[i] - values[0];
+        statistics.products[i][j] += (values[i] - values[0]) * (values[j] - values[0]);
       }
     }
   }
-  return tally;
+  return statistics;
 }
 
-/// Stripes whose values are drawn round `means`, with luck that all strategies share.
+/// Draws stripes with values round `means`. All strategies share the luck of a stripe.
 std::vector<std::vector<double>> drawn(const std::vector<double>& means, int stripes, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
@@ -47,8 +47,8 @@ std::vector<std::vector<double>> drawn(const std::vector<double>& means, int str
   return values;
 }
 
-TEST(Forecast, MeansAndErrorsAreThoseOfTheStripes) {
-  const Forecast told = forecast(tally_of({{0, 1}, {1, 1}, {0, 0}, {1, 2}}), {}, kKey);
+TEST(Forecast, MeansAndErrorsComeFromTheStripes) {
+  const Forecast told = forecast(statistics_of({{0, 1}, {1, 1}, {0, 0}, {1, 2}}), {}, kKey);
   EXPECT_EQ(told.standings[0].rollouts, 4);
   EXPECT_DOUBLE_EQ(told.standings[0].mean, 0.5);
   EXPECT_DOUBLE_EQ(told.standings[1].mean, 1);
@@ -60,7 +60,7 @@ TEST(Forecast, MeansAndErrorsAreThoseOfTheStripes) {
   EXPECT_NEAR(told.standings[1].gain_low + told.standings[1].gain_high, 1, 1e-12);
 }
 
-TEST(Forecast, StudentsQuantilesAreThoseOfTheTables) {
+TEST(Forecast, StudentsQuantilesEqualTheTables) {
   EXPECT_NEAR(student(0.975, 3), 3.182, 0.032);
   EXPECT_NEAR(student(0.975, 7), 2.365, 0.003);
   EXPECT_NEAR(student(0.975, 30), 2.042, 0.001);
@@ -72,7 +72,7 @@ TEST(Forecast, StudentsQuantilesAreThoseOfTheTables) {
 }
 
 TEST(Forecast, ChangesWhenTheGainIsSure) {
-  const Forecast told = forecast(tally_of(drawn({0, 0.3}, 100, 1)), {}, kKey);
+  const Forecast told = forecast(statistics_of(drawn({0, 0.3}, 100, 1)), {}, kKey);
   EXPECT_EQ(told.advice, Forecast::Advice::change);
   EXPECT_EQ(told.choice, 1);
   EXPECT_GT(told.standings[1].best, 0.99);
@@ -80,8 +80,8 @@ TEST(Forecast, ChangesWhenTheGainIsSure) {
   EXPECT_EQ(why.find("changes from baseline to passing: that gains 0.3"), 0u) << why;
 }
 
-TEST(Forecast, KeepsWhatIsPlayedWhereChanceMayExplainTheGain) {
-  const Forecast told = forecast(tally_of(drawn({0, 0}, 100, 2)), {}, kKey);
+TEST(Forecast, KeepsTheIncumbentWhenChanceMayExplainTheGain) {
+  const Forecast told = forecast(statistics_of(drawn({0, 0}, 100, 2)), {}, kKey);
   EXPECT_EQ(told.advice, Forecast::Advice::keep);
   EXPECT_EQ(told.choice, 0);
   const std::string why = reason(told, {}, kNames);
@@ -91,59 +91,59 @@ TEST(Forecast, KeepsWhatIsPlayedWhereChanceMayExplainTheGain) {
 }
 
 TEST(Forecast, AChangeHasToPayForItself) {
-  const Tally tally = tally_of(drawn({0, 0.3}, 100, 1));
-  const Forecast told = forecast(tally, {.switching_cost = 0.4f}, kKey);
+  const RolloutStatistics statistics = statistics_of(drawn({0, 0.3}, 100, 1));
+  const Forecast told = forecast(statistics, {.switching_cost = 0.4f}, kKey);
   EXPECT_EQ(told.advice, Forecast::Advice::keep);
   EXPECT_NE(reason(told, {.switching_cost = 0.4f}, kNames).find("too little for a change, which costs 0.40"),
             std::string::npos);
 }
 
-TEST(Forecast, ATieIsToldAsATie) {
+TEST(Forecast, ATieIsReportedAsATie) {
   // the same in each stripe: no reason to change, but chance may have been quiet
-  const Forecast told = forecast(tally_of(std::vector<std::vector<double>>(50, {1, 1})), {}, kKey);
+  const Forecast told = forecast(statistics_of(std::vector<std::vector<double>>(50, {1, 1})), {}, kKey);
   EXPECT_EQ(told.advice, Forecast::Advice::keep);
   EXPECT_EQ(told.standings[1].gain, 0);
   EXPECT_EQ(reason(told, {}, kNames), "keeps baseline: passing comes to the same, within 0.02 goals (50 futures)");
   EXPECT_NEAR(told.standings[0].best, 0.5, 0.05);
 }
 
-TEST(Forecast, WhatNeverHappenedInAFewFuturesIsNotSureNeverToHappen) {
+TEST(Forecast, AnEventAbsentFromAFewRolloutsIsNotImpossible) {
   // of 20 futures without an event, the 95 % interval of its rate reaches 0.12 at most (Jeffreys)
   const Question question{.measure = Measure::concede};
-  const Forecast told = forecast(tally_of(std::vector<std::vector<double>>(20, {0, 0})), question, kKey);
+  const Forecast told = forecast(statistics_of(std::vector<std::vector<double>>(20, {0, 0})), question, kKey);
   EXPECT_NEAR(told.standings[1].gain_high, student(0.975, 19) * 0.5 / 20, 1e-9);
   EXPECT_GT(told.standings[0].error, 0);
   EXPECT_LT(told.standings[1].gain_high, 0.12);
 }
 
-TEST(Forecast, WhoAsksSaysHowSureItMustBe) {
-  // a gain of one standard error is likely by 0.84: enough for some, not for others
-  Tally tally = tally_of(drawn({0, 0}, 50, 6));
-  const double error = forecast(tally, {}, kKey).standings[1].gain_high / student(0.975, 49) -
-                       forecast(tally, {}, kKey).standings[1].gain / student(0.975, 49);
-  const double mean = tally.gains[1][1] / 50;
-  tally.products[1][1] += 50 * (error * error - mean * mean);
-  tally.gains[1][1] = 50 * error;
-  EXPECT_EQ(forecast(tally, {.switching_cost = 0, .sure = 0.8f}, kKey).advice, Forecast::Advice::change);
-  EXPECT_EQ(forecast(tally, {.switching_cost = 0, .sure = 0.9f}, kKey).advice, Forecast::Advice::keep);
+TEST(Forecast, TheQuestionSetsTheCertainty) {
+  // a gain of one standard error has a probability of 0.84: enough for some questions only
+  RolloutStatistics statistics = statistics_of(drawn({0, 0}, 50, 6));
+  const double error = forecast(statistics, {}, kKey).standings[1].gain_high / student(0.975, 49) -
+                       forecast(statistics, {}, kKey).standings[1].gain / student(0.975, 49);
+  const double mean = statistics.gains[1][1] / 50;
+  statistics.products[1][1] += 50 * (error * error - mean * mean);
+  statistics.gains[1][1] = 50 * error;
+  EXPECT_EQ(forecast(statistics, {.switching_cost = 0, .sure = 0.8f}, kKey).advice, Forecast::Advice::change);
+  EXPECT_EQ(forecast(statistics, {.switching_cost = 0, .sure = 0.9f}, kKey).advice, Forecast::Advice::keep);
 }
 
-TEST(Forecast, TooFewFuturesAreNoAdvice) {
-  const Forecast told = forecast(tally_of(drawn({0, 5}, kFewestStripes - 1, 3)), {}, kKey);
+TEST(Forecast, TooFewRolloutsGiveNoAdvice) {
+  const Forecast told = forecast(statistics_of(drawn({0, 5}, kFewestStripes - 1, 3)), {}, kKey);
   EXPECT_EQ(told.advice, Forecast::Advice::none);
   EXPECT_EQ(reason(told, {}, kNames), "no advice: 7 of at least 8 futures were played in the time given");
-  EXPECT_EQ(forecast(Tally{.strategies = 2}, {}, kKey).advice, Forecast::Advice::none);
-  EXPECT_EQ(forecast(tally_of(drawn({0, 5}, kFewestStripes, 3)), {}, kKey).advice, Forecast::Advice::change);
+  EXPECT_EQ(forecast(RolloutStatistics{.strategies = 2}, {}, kKey).advice, Forecast::Advice::none);
+  EXPECT_EQ(forecast(statistics_of(drawn({0, 5}, kFewestStripes, 3)), {}, kKey).advice, Forecast::Advice::change);
 }
 
 TEST(Forecast, OneStrategyIsKept) {
-  const Forecast told = forecast(tally_of(drawn({0.2}, 20, 4)), {}, kKey);
+  const Forecast told = forecast(statistics_of(drawn({0.2}, 20, 4)), {}, kKey);
   EXPECT_EQ(told.advice, Forecast::Advice::keep);
   EXPECT_EQ(reason(told, {}, kNames), "keeps baseline: there is nothing else to play");
 }
 
 TEST(Forecast, TheChancesOfBeingTheBestAddUp) {
-  const Forecast told = forecast(tally_of(drawn({0, 0.05, -0.05, 0}, 60, 5)), {}, kKey);
+  const Forecast told = forecast(statistics_of(drawn({0, 0.05, -0.05, 0}, 60, 5)), {}, kKey);
   double all = 0;
   for (int i = 0; i < 4; ++i) all += told.standings[i].best;
   EXPECT_NEAR(all, 1, 1e-9);
@@ -151,24 +151,24 @@ TEST(Forecast, TheChancesOfBeingTheBestAddUp) {
 
 TEST(Forecast, TheChanceOfBeingTheBestIsThatOfTheNormalDistribution) {
   // gain 1 standard error: better with probability 0.841
-  Tally tally = tally_of(drawn({0, 0}, 50, 6));
+  RolloutStatistics statistics = statistics_of(drawn({0, 0}, 50, 6));
   const double error = [&] {
-    const double mean = tally.gains[1][1] / 50;
-    return std::sqrt((tally.products[1][1] - 50 * mean * mean) / 49 / 50);
+    const double mean = statistics.gains[1][1] / 50;
+    return std::sqrt((statistics.products[1][1] - 50 * mean * mean) / 49 / 50);
   }();
-  const double mean = tally.gains[1][1] / 50;
+  const double mean = statistics.gains[1][1] / 50;
   // moved so that the mean gain is its error
-  tally.products[1][1] += 50 * (error * error - mean * mean);
-  tally.gains[1][1] = 50 * error;
-  EXPECT_NEAR(forecast(tally, {}, kKey).standings[1].best, 0.841, 0.035);
+  statistics.products[1][1] += 50 * (error * error - mean * mean);
+  statistics.gains[1][1] = 50 * error;
+  EXPECT_NEAR(forecast(statistics, {}, kKey).standings[1].best, 0.841, 0.035);
 }
 
-TEST(Forecast, HowSureItIsHoldsInTheLongRun) {
-  // where nothing is better, another is chosen in at most 10 % of all cases, and about so often without a cost
+TEST(Forecast, TheCertaintyHoldsInTheLongRun) {
+  // when none is better, another is chosen in at most 10 % of cases, and in about 10 % without a cost
   int changed = 0, covered = 0;
   constexpr int kCases = 1000;
   for (unsigned n = 0; n < kCases; ++n) {
-    const Forecast told = forecast(tally_of(drawn({0, 0}, 30, 100 + n)), {.switching_cost = 0}, kKey);
+    const Forecast told = forecast(statistics_of(drawn({0, 0}, 30, 100 + n)), {.switching_cost = 0}, kKey);
     changed += told.advice == Forecast::Advice::change ? 1 : 0;
     covered += told.standings[1].gain_low <= 0 && told.standings[1].gain_high >= 0 ? 1 : 0;
   }
@@ -176,10 +176,10 @@ TEST(Forecast, HowSureItIsHoldsInTheLongRun) {
   EXPECT_NEAR(covered / 1000., 0.95, 0.02);
 }
 
-TEST(Forecast, WhoWasLeftBehindIsNotChosen) {
-  Tally tally = tally_of(drawn({0, 0.1, 0.5}, 40, 8));
-  tally.accounts[2].racing = false;
-  const Forecast told = forecast(tally, {}, kKey);
+TEST(Forecast, ADroppedStrategyIsNotChosen) {
+  RolloutStatistics statistics = statistics_of(drawn({0, 0.1, 0.5}, 40, 8));
+  statistics.by_strategy[2].racing = false;
+  const Forecast told = forecast(statistics, {}, kKey);
   EXPECT_EQ(told.challenger, 1);
   EXPECT_FALSE(told.standings[2].raced_on);
 }

@@ -10,7 +10,7 @@ namespace sim::foresight {
 namespace {
 
 TEST(Outlook, ZonesCountFromTheOwnGoal) {
-  const io::Setup setup = test::setup_of(test::choice_of("spl2012", "baseline", "match"));
+  const io::PreparedGame setup = test::setup_of(test::choice_of("spl2012", "baseline", "match"));
   State state = random_situation(setup.params, {.seed = 1});
   const field::Field& field = setup.params.rules.field;
   state.book.last_touch = Side::home;
@@ -26,11 +26,11 @@ TEST(Outlook, ZonesCountFromTheOwnGoal) {
   EXPECT_EQ(place_of(field, state, Side::home).zone, 0);
 }
 
-TEST(Outlook, WhatIsGoodForOneSideIsAsBadForTheOther) {
+TEST(Outlook, AnAdvantageIsTheOtherSidesDisadvantage) {
   for (const char* rules : {"spl2012", "spl2025"}) {
     const auto outlook = io::load_outlook(rules);
     ASSERT_TRUE(outlook) << outlook.error();
-    const io::Setup setup = test::setup_of(test::choice_of(rules, "baseline", "match"));
+    const io::PreparedGame setup = test::setup_of(test::choice_of(rules, "baseline", "match"));
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
       State state = random_situation(setup.params, {.seed = seed});
       state.book.last_touch = seed % 2 == 0 ? Side::home : Side::away;
@@ -40,7 +40,7 @@ TEST(Outlook, WhatIsGoodForOneSideIsAsBadForTheOther) {
   }
 }
 
-TEST(Outlook, TheOthersGoalIsABetterPlaceThanOnesOwn) {
+TEST(Outlook, TheOpponentsGoalIsABetterPlaceThanTheOwn) {
   for (const char* rules : {"spl2012", "spl2025"}) {
     const auto outlook = io::load_outlook(rules);
     ASSERT_TRUE(outlook);
@@ -49,10 +49,10 @@ TEST(Outlook, TheOthersGoalIsABetterPlaceThanOnesOwn) {
   }
 }
 
-TEST(Outlook, NothingIsWorthAnythingWhenTheHalfIsOver) {
+TEST(Outlook, AllValuesAreZeroWhenTheHalfIsOver) {
   const auto outlook = io::load_outlook("spl2012");
   ASSERT_TRUE(outlook);
-  const io::Setup setup = test::setup_of(test::choice_of("spl2012", "baseline", "match"));
+  const io::PreparedGame setup = test::setup_of(test::choice_of("spl2012", "baseline", "match"));
   State state = random_situation(setup.params, {.seed = 1});
   state.world.ball.position = {2.9f, 0};
   const float at_first = worth(*outlook, setup.params, state, Side::home);
@@ -62,7 +62,7 @@ TEST(Outlook, NothingIsWorthAnythingWhenTheHalfIsOver) {
   EXPECT_EQ(worth(*outlook, setup.params, state, Side::home), 0);
 }
 
-TEST(Outlook, OfRulesFromAFileNothingIsKnown) {
+TEST(Outlook, RulesFromAFileHaveNoOutlook) {
   const auto outlook = io::load_outlook("./mine.json");
   ASSERT_TRUE(outlook);
   for (const auto& pair : outlook->worth) EXPECT_EQ(pair[0], 0);
@@ -77,7 +77,7 @@ TEST(Outlook, IsReadBackAsItWasWritten) {
     for (const int touch : {0, 1}) EXPECT_EQ(back->worth[zone][touch], outlook->worth[zone][touch]);
 }
 
-TEST(Outlook, SaysWhatIsWrong) {
+TEST(Outlook, NamesTheError) {
   const auto wrong = [](const char* text) {
     const auto parsed = io::parse_outlook(text, "outlook 'x'");
     return parsed ? "" : parsed.error();

@@ -38,77 +38,77 @@ Spent rollouts(double budget) {
   return [budget](std::int64_t so_far) { return static_cast<double>(so_far) / budget; };
 }
 
-Tally run(const Task& task, double budget) {
-  Tally tally;
-  race(task, rollouts(budget), {}, tally);
-  return tally;
+RolloutStatistics run(const Task& task, double budget) {
+  RolloutStatistics statistics;
+  race(task, rollouts(budget), {}, statistics);
+  return statistics;
 }
 
-TEST(Race, TheSameBudgetIsTheSameTally) {
+TEST(Race, TheSameBudgetGivesTheSameStatistics) {
   const Fixture fixture({"baseline", "kick_now", "passing"});
-  const Tally one = run(fixture.task(), 60), other = run(fixture.task(), 60);
+  const RolloutStatistics one = run(fixture.task(), 60), other = run(fixture.task(), 60);
   EXPECT_EQ(std::memcmp(&one.gains, &other.gains, sizeof one.gains), 0);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(one.accounts[i].rollouts, other.accounts[i].rollouts);
-    EXPECT_EQ(one.accounts[i].sum, other.accounts[i].sum);
+    EXPECT_EQ(one.by_strategy[i].rollouts, other.by_strategy[i].rollouts);
+    EXPECT_EQ(one.by_strategy[i].sum, other.by_strategy[i].sum);
   }
 }
 
 TEST(Race, AStrategyGainsNothingOverItself) {
   const Fixture fixture({"baseline", "baseline,keeper_radius=0.7"});
-  const Tally tally = run(fixture.task({.until = Until::horizon, .horizon = ticks(20)}), 40);
-  ASSERT_EQ(tally.stripes, 20);
-  EXPECT_EQ(tally.gains[1][1], 0);
-  EXPECT_EQ(tally.products[1][1], 0);
-  EXPECT_EQ(tally.accounts[0].sum, tally.accounts[1].sum);
+  const RolloutStatistics statistics = run(fixture.task({.until = Until::horizon, .horizon = ticks(20)}), 40);
+  ASSERT_EQ(statistics.stripes, 20);
+  EXPECT_EQ(statistics.gains[1][1], 0);
+  EXPECT_EQ(statistics.products[1][1], 0);
+  EXPECT_EQ(statistics.by_strategy[0].sum, statistics.by_strategy[1].sum);
 }
 
-TEST(Race, EachRolloutIsPaidFor) {
+TEST(Race, EachRolloutCountsAgainstTheBudget) {
   const Fixture fixture({"baseline", "kick_now", "passing", "align_first", "idle"});
   for (const double budget : {1., 7., 45., 200.}) {
-    const Tally tally = run(fixture.task(), budget);
+    const RolloutStatistics statistics = run(fixture.task(), budget);
     int played = 0;
-    for (int i = 0; i < tally.strategies; ++i) played += tally.accounts[i].rollouts;
+    for (int i = 0; i < statistics.strategies; ++i) played += statistics.by_strategy[i].rollouts;
     EXPECT_LE(played, budget);
     EXPECT_GT(played, budget - 5) << "only the last stripe may be cut";
   }
 }
 
-TEST(Race, TheWorseHalfIsLeftBehindAndTheIncumbentNever) {
+TEST(Race, TheWorseHalfIsDroppedButNeverTheIncumbent) {
   const Fixture fixture({"idle", "baseline", "kick_now", "passing", "align_first"});
-  const Tally tally = run(fixture.task({.horizon = ticks(20)}), 300);
-  EXPECT_TRUE(tally.accounts[0].racing);
+  const RolloutStatistics statistics = run(fixture.task({.horizon = ticks(20)}), 300);
+  EXPECT_TRUE(statistics.by_strategy[0].racing);
   int racing = 0;
-  for (int i = 0; i < tally.strategies; ++i) racing += tally.accounts[i].racing ? 1 : 0;
+  for (int i = 0; i < statistics.strategies; ++i) racing += statistics.by_strategy[i].racing ? 1 : 0;
   EXPECT_EQ(racing, 2);
-  for (int i = 0; i < tally.strategies; ++i) {
-    EXPECT_EQ(tally.accounts[i].racing, tally.accounts[i].rollouts == tally.stripes);
-    for (int j = 0; j < tally.strategies; ++j) EXPECT_EQ(tally.products[i][j], tally.products[j][i]);
+  for (int i = 0; i < statistics.strategies; ++i) {
+    EXPECT_EQ(statistics.by_strategy[i].racing, statistics.by_strategy[i].rollouts == statistics.stripes);
+    for (int j = 0; j < statistics.strategies; ++j) EXPECT_EQ(statistics.products[i][j], statistics.products[j][i]);
   }
 }
 
 TEST(Race, AStripeThatIsCutDoesNotCount) {
   const Fixture fixture({"baseline", "kick_now"});
-  // the budget ends in the middle of a rollout: after so many looks
+  // the budget ends within a rollout, after this many looks
   for (int looks = 1; looks < 40; looks += 3) {
-    Tally tally, heard;
+    RolloutStatistics statistics, heard;
     int left = looks;
     race(
         fixture.task({.horizon = ticks(20)}), [&](std::int64_t) { return --left < 0 ? 1. : 0.; },
-        [&](const Tally& now) { heard = now; }, tally);
-    EXPECT_EQ(tally.accounts[0].rollouts, tally.stripes);
-    EXPECT_EQ(tally.accounts[1].rollouts, tally.stripes);
-    EXPECT_EQ(heard.stripes, tally.stripes);
-    EXPECT_EQ(heard.accounts[1].sum, tally.accounts[1].sum);
+        [&](const RolloutStatistics& now) { heard = now; }, statistics);
+    EXPECT_EQ(statistics.by_strategy[0].rollouts, statistics.stripes);
+    EXPECT_EQ(statistics.by_strategy[1].rollouts, statistics.stripes);
+    EXPECT_EQ(heard.stripes, statistics.stripes);
+    EXPECT_EQ(heard.by_strategy[1].sum, statistics.by_strategy[1].sum);
   }
 }
 
-TEST(Race, TellsAfterEachStripe) {
+TEST(Race, ReportsAfterEachStripe) {
   const Fixture fixture({"baseline", "kick_now"});
   int told = 0;
-  Tally tally;
+  RolloutStatistics statistics;
   race(
-      fixture.task(), rollouts(30), [&](const Tally& now) { EXPECT_EQ(now.stripes, ++told); }, tally);
+      fixture.task(), rollouts(30), [&](const RolloutStatistics& now) { EXPECT_EQ(now.stripes, ++told); }, statistics);
   EXPECT_EQ(told, 15);
 }
 
@@ -116,10 +116,10 @@ TEST(Race, AllocatesNothing) {
   const Fixture fixture({"baseline", "kick_now", "passing"});
   const Task task = fixture.task();
   const Spent spent = rollouts(30);
-  const Told told = [](const Tally&) {};
-  Tally tally;
+  const Told told = [](const RolloutStatistics&) {};
+  RolloutStatistics statistics;
   const std::size_t before = test::allocations();
-  race(task, spent, told, tally);
+  race(task, spent, told, statistics);
   EXPECT_EQ(test::allocations(), before);
 }
 
@@ -128,59 +128,60 @@ TEST(Race, MeasuresAgree) {
   Fixture fixture({"baseline", "kick_now"});
   place(fixture.situation.state.world.ball, {2.6f, 0.2f});
   Question question{.until = Until::next_goal, .horizon = ticks(60)};
-  const Tally goals = run(fixture.task(question), 60);
+  const RolloutStatistics goals = run(fixture.task(question), 60);
   question.measure = Measure::score_next;
-  const Tally scored = run(fixture.task(question), 60);
+  const RolloutStatistics scored = run(fixture.task(question), 60);
   question.measure = Measure::concede;
-  const Tally conceded = run(fixture.task(question), 60);
+  const RolloutStatistics conceded = run(fixture.task(question), 60);
   for (const int i : {0, 1}) {
-    EXPECT_EQ(goals.accounts[i].sum, scored.accounts[i].sum + conceded.accounts[i].sum);
-    EXPECT_EQ(scored.accounts[i].sum, scored.accounts[i].scored);
-    EXPECT_EQ(conceded.accounts[i].sum, -conceded.accounts[i].conceded);
-    EXPECT_GT(goals.accounts[i].scored + goals.accounts[i].conceded, 0);
+    EXPECT_EQ(goals.by_strategy[i].sum, scored.by_strategy[i].sum + conceded.by_strategy[i].sum);
+    EXPECT_EQ(scored.by_strategy[i].sum, scored.by_strategy[i].scored);
+    EXPECT_EQ(conceded.by_strategy[i].sum, -conceded.by_strategy[i].conceded);
+    EXPECT_GT(goals.by_strategy[i].scored + goals.by_strategy[i].conceded, 0);
   }
 }
 
-TEST(Race, LooksAsFarAsItIsAsked) {
+TEST(Race, LooksToTheRequestedHorizon) {
   const Fixture fixture({"baseline"});
-  const Tally five = run(fixture.task({.horizon = ticks(5)}), 10);
+  const RolloutStatistics five = run(fixture.task({.horizon = ticks(5)}), 10);
   EXPECT_EQ(five.ticks, 10 * ticks(5));
 
   Fixture late({"baseline"});
   late.situation.state.book.clock = ticks(late.playbook.params.front().rules.half_duration - 4);
-  const Tally half = run(late.task({.until = Until::half}), 10);
+  const RolloutStatistics half = run(late.task({.until = Until::half}), 10);
   EXPECT_EQ(half.ticks, 10 * ticks(4)) << "the rest of the half";
   late.situation.state.book.half = 2;
-  const Tally game = run(late.task({.until = Until::game}), 10);
+  const RolloutStatistics game = run(late.task({.until = Until::game}), 10);
   EXPECT_EQ(game.ticks, 10 * ticks(4)) << "the rest of the game";
 }
 
 TEST(Race, ALostGameDoesNotLookLikeAWonOne) {
   const Fixture fixture({"idle", "baseline"});
-  const Tally tally = run(fixture.task({.horizon = ticks(60)}), 120);
-  EXPECT_GT(tally.gains[1][1], 0);
+  const RolloutStatistics statistics = run(fixture.task({.horizon = ticks(60)}), 120);
+  EXPECT_GT(statistics.gains[1][1], 0);
 }
 
 TEST(Race, TheAwaySideSeesItTheOtherWayRound) {
   const auto playbook = io::prepare_playbook({.strategies = {"baseline", "idle"}, .own = Side::away});
   ASSERT_TRUE(playbook);
   const Situation situation{.state = random_situation(playbook->params.front(), {.seed = 5}), .doubt = {}};
-  const Tally tally = run(io::task_of(*playbook, {0, 1}, situation, {.horizon = ticks(60)}, {.seed = 100}), 120);
-  EXPECT_LT(tally.gains[1][1], 0);
+  const RolloutStatistics statistics =
+      run(io::task_of(*playbook, {0, 1}, situation, {.horizon = ticks(60)}, {.seed = 100}), 120);
+  EXPECT_LT(statistics.gains[1][1], 0);
 }
 
 TEST(Race, KeepsPathsAndTheBallsHeat) {
   const Fixture fixture({"baseline", "kick_now"});
-  const Tally tally = run(fixture.task({.horizon = ticks(30)}), 20);
+  const RolloutStatistics statistics = run(fixture.task({.horizon = ticks(30)}), 20);
   for (const int i : {0, 1}) {
-    for (const Path& path : tally.accounts[i].paths) {
+    for (const Path& path : statistics.by_strategy[i].paths) {
       EXPECT_EQ(path.points, Path::kPoints);
       EXPECT_FLOAT_EQ(path.spacing, 1);
       EXPECT_EQ(path.ball[0], fixture.situation.state.world.ball.position);
       EXPECT_EQ(path.robots[0][1], fixture.situation.state.world.bodies[1].position);
     }
     std::uint32_t all = 0;
-    for (const auto& row : tally.accounts[i].heat.counts)
+    for (const auto& row : statistics.by_strategy[i].heat.counts)
       for (const std::uint32_t count : row) all += count;
     EXPECT_EQ(all, 10u * 31u) << "each second, the first and the last too";
   }
@@ -191,8 +192,8 @@ TEST(Race, HalfTimeDoesNotTurnPathsAndHeatRound) {
   State& state = fixture.situation.state;
   state.book.half = 1;
   state.book.clock = ticks(fixture.playbook.params.front().rules.half_duration - 4);
-  const Tally tally = run(fixture.task({.until = Until::game}), 8);
-  const Path& path = tally.accounts[0].paths[0];
+  const RolloutStatistics statistics = run(fixture.task({.until = Until::game}), 8);
+  const Path& path = statistics.by_strategy[0].paths[0];
   ASSERT_EQ(path.points, Path::kPoints) << "two minutes, of which 4 s are of the first half";
   for (int point = 0; point < path.points; ++point)
     EXPECT_LE(path.robots[point][0].x, 0) << "the keeper at " << point << " stays in its half";

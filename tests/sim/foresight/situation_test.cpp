@@ -22,7 +22,7 @@ constexpr int kOwn = 1;  // home 2
 
 /// A game with `models`, 20 s after its kick-off.
 struct Fixture {
-  io::Setup setup;
+  io::PreparedGame setup;
   State state;
 
   explicit Fixture(const std::string& models = "match", std::uint64_t seed = 3)
@@ -34,7 +34,7 @@ struct Fixture {
   Knowledge knowledge() const { return knowledge_of(setup.params, state, kOwn); }
 };
 
-TEST(Believe, WhoKnowsEverythingBelievesWhatIsSo) {
+TEST(Believe, WithFullKnowledgeBeliefEqualsTruth) {
   const Fixture game("perfect");
   const Believed believed = believe(game.params(), game.knowledge());
   ASSERT_EQ(believed.refusal, "");
@@ -44,7 +44,7 @@ TEST(Believe, WhoKnowsEverythingBelievesWhatIsSo) {
   EXPECT_LT(distance(thought.ball.position, is.ball.position), 0.05f);
   for (int player = 1; player <= is.players; ++player) {
     const int mate = robot_of(Side::home, player);
-    // what a teammate tells may be off, so that it is drawn a little to its usual place
+    // a report has an error, so the guess is shifted towards the usual place
     const float drawn = mate == kOwn ? 0.05f : 0.1f;
     EXPECT_LT(distance(thought.bodies[mate].position, is.home_attacks * is.bodies[mate].position), drawn) << player;
   }
@@ -64,7 +64,7 @@ TEST(Believe, TheSecondHalfLooksLikeTheFirstToTheRobot) {
   EXPECT_EQ(second.situation.state.world.ball.position, first.situation.state.world.ball.position);
 }
 
-TEST(Believe, SaysWhyItCannotTell) {
+TEST(Believe, GivesTheReasonForARefusal) {
   const Fixture game;
   const auto why = [&](auto&& change) {
     Knowledge knowledge = game.knowledge();
@@ -91,7 +91,7 @@ TEST(Believe, SaysWhyItCannotTell) {
             "nobody has seen the ball for 31 s");
 }
 
-TEST(Believe, WhatWasSeenLongAgoIsLessSure) {
+TEST(Believe, AnOldSightIsLessCertain) {
   const Fixture game;
   Knowledge knowledge = game.knowledge();
   const int mate = robot_of(Side::home, 3), opponent = robot_of(Side::away, 2);
@@ -123,7 +123,7 @@ TEST(Believe, TheNewestReportCountsWhenOwnEyesAreOld) {
   EXPECT_FALSE(guess.by_own_eyes);
 }
 
-TEST(Believe, AnUnsureVelocityIsMostlyTheFiltersFancy) {
+TEST(Believe, AnUncertainVelocityIsReduced) {
   const Fixture game;
   Knowledge knowledge = game.knowledge();
   knowledge.beliefs.ball.seen = knowledge.now;
@@ -134,15 +134,15 @@ TEST(Believe, AnUnsureVelocityIsMostlyTheFiltersFancy) {
   };
   EXPECT_FLOAT_EQ(length(guess_with(0).velocity), 1);
   EXPECT_EQ(guess_with(0).velocity_deviation, 0);
-  EXPECT_FLOAT_EQ(length(guess_with(0.25f).velocity), 0.5f);  // as unsure as balls in general
+  EXPECT_FLOAT_EQ(length(guess_with(0.25f).velocity), 0.5f);  // as uncertain as balls in general
   EXPECT_LT(length(guess_with(1).velocity), 0.25f);
-  EXPECT_LT(guess_with(1).velocity_deviation, 0.5f);  // never less sure than of balls in general
+  EXPECT_LT(guess_with(1).velocity_deviation, 0.5f);  // never less certain than balls in general
 
   knowledge.beliefs.ball.velocity = {};
   EXPECT_LT(guess_with(0.25f).velocity_deviation, 0.2f);
 }
 
-TEST(Believe, OfOpponentsNobodySawOneIsAtTheBallAndTheRestDefend) {
+TEST(Believe, OfUnseenOpponentsOneIsAtTheBallAndTheOthersDefend) {
   const Fixture game;
   Knowledge knowledge = game.knowledge();
   for (agent::Opponent& opponent : knowledge.beliefs.opponents) opponent = {};
@@ -160,7 +160,7 @@ TEST(Believe, OfOpponentsNobodySawOneIsAtTheBallAndTheRestDefend) {
   EXPECT_EQ(near, 1);
   EXPECT_LT(distance(place_of_player(1), goal), 0.8f);
 
-  // who is seen at the ball is the one
+  // the robot seen at the ball is the chaser
   knowledge.beliefs.opponents[3] = {.position = ball, .seen = knowledge.now};
   EXPECT_LT(distance(place_of_player(4), ball), 0.3f);
   EXPECT_GT(distance(place_of_player(2), ball), 0.3f);
@@ -180,7 +180,7 @@ TEST(Believe, APenalisedRobotComesBackWhenItsTimeIsUp) {
   EXPECT_EQ(later.world.bodies[mate].doing, Doing::removed);
 }
 
-TEST(Believe, WhoWasSeenToLieLiesUntilItMustBeUpAgain) {
+TEST(Believe, AFallenRobotLiesUntilItMustBeUpAgain) {
   const Fixture game;
   const motion::Falls& falls = game.params().teams[1].models.motion.falls;
   const int fallen = robot_of(Side::away, 3);
@@ -202,7 +202,7 @@ TEST(Believe, WhoWasSeenToLieLiesUntilItMustBeUpAgain) {
   EXPECT_FALSE(lies(test::after(game.params(), start, ticks(long_enough)).world.bodies[fallen]));
 }
 
-TEST(Believe, TheRobotGoesOnWithWhatItKnows) {
+TEST(Believe, TheRobotKeepsItsKnowledge) {
   const Fixture game;
   const Knowledge knowledge = game.knowledge();
   const State state = believe(game.params(), knowledge).situation.state;
@@ -224,7 +224,7 @@ TEST(KnowledgeOf, IsTheSameFromBothSides) {
   EXPECT_EQ(believed.situation.state.world.bodies[robot_of(Side::home, 2)].position, away.beliefs.pose.pose.position);
 }
 
-TEST(Tell, WhoIsToldAllKnowsTheOneWorldThereIs) {
+TEST(Tell, WithTheWholeTruthThereIsOneWorld) {
   const Fixture game;
   for (const Side own : {Side::home, Side::away}) {
     Situation situation = believe(game.params(), knowledge_of(game.params(), game.state, robot_of(own, 2))).situation;
@@ -247,7 +247,7 @@ TEST(Tell, WhoIsToldAllKnowsTheOneWorldThereIs) {
   }
 }
 
-TEST(Tell, ChangesNothingOfWhatIsNotTold) {
+TEST(Tell, ChangesOnlyTheRevealedPart) {
   Fixture game;
   const Situation believed = believe(game.params(), game.knowledge()).situation;
   Situation situation = believed;
@@ -266,7 +266,7 @@ TEST(Tell, ChangesNothingOfWhatIsNotTold) {
   }
 }
 
-TEST(Tell, WhoIsOffTheFieldStaysThere) {
+TEST(Tell, ARobotOffTheFieldStaysThere) {
   Fixture game;
   const int gone = robot_of(Side::away, 3);
   game.state.world.bodies[gone].doing = Doing::removed;
@@ -276,7 +276,7 @@ TEST(Tell, WhoIsOffTheFieldStaysThere) {
   EXPECT_EQ(situation.state.world.bodies[gone].position, believed);
 }
 
-TEST(Sample, WithoutDoubtThereIsOneWorld) {
+TEST(Sample, WithoutUncertaintyThereIsOneWorld) {
   const Fixture game;
   const Situation sure{.state = game.state, .doubt = {}};
   const State one = sample(game.params(), sure, {.seed = 1}), other = sample(game.params(), sure, {.seed = 2});
@@ -296,7 +296,7 @@ TEST(Sample, TheSameKeyIsTheSameWorld) {
             hash_of(sample(game.params(), situation, {.seed = 10})));
 }
 
-TEST(Sample, WorldsScatterAsMuchAsTheDoubtSays) {
+TEST(Sample, WorldsScatterAsTheUncertaintyStates) {
   const Fixture game;
   Situation situation{.state = game.state, .doubt = {}};
   situation.state.world.bodies[kOwn].position = {};
@@ -334,7 +334,7 @@ TEST(Sample, TheBallIsWhereTheRobotSeesIt) {
     EXPECT_LT(distance(seen(sample(game.params(), situation, {.seed = seed})), as_believed), 1e-4f);
 }
 
-TEST(Sample, TheBallIsElsewhereAsOftenAsTheDoubtSays) {
+TEST(Sample, TheBallIsElsewhereAsOftenAsTheUncertaintyStates) {
   const Fixture game;
   Situation situation{.state = game.state, .doubt = {}};
   situation.doubt.ball_elsewhere = 0.25f;
@@ -373,7 +373,7 @@ TEST(Believe, ABallBelievedOutIsSoonPutBack) {
   EXPECT_GT(elsewhere(inside, 10), 0.7f) << "told of, just as well";
 }
 
-/// A ball in play is on the field: the referee has put back the one that is believed beyond a line, also in the goal.
+/// A ball in play is on the field: the referee has placed back a ball believed beyond a line, also in the goal.
 TEST(Sample, ABallBelievedOutLiesWhereTheRefereePutsIt) {
   const Fixture game;
   const field::Rules& rules = game.params().rules;
@@ -407,9 +407,9 @@ TEST(Sample, ABallBelievedOutLiesWhereTheRefereePutsIt) {
   }
 }
 
-/// Since there are set plays nobody places a ball back inside the touch line.
+/// With set plays no ball is placed back inside the touch line.
 TEST(Sample, WithSetPlaysABallElsewhereIsAnywhere) {
-  const io::Setup setup = test::setup_of(test::choice_of("spl2025:5", "baseline", "match"), 60);
+  const io::PreparedGame setup = test::setup_of(test::choice_of("spl2025:5", "baseline", "match"), 60);
   Situation situation{.state = test::begun(setup.params, 1), .doubt = {}};
   situation.doubt.ball_elsewhere = 1;
   std::set<float> across;
@@ -432,8 +432,8 @@ TEST(Sample, ABallBelievedAtTheLineLiesThere) {
   }
 }
 
-/// What is in doubt for the robot is not for the others: where they stand they know, and the opponents see the ball.
-TEST(Sample, TheOthersKnowWhereTheyStand) {
+/// The others do not share the uncertainty of the robot: they know their places, and the opponents see the ball.
+TEST(Sample, TheOthersKnowTheirPlaces) {
   const Fixture game;
   const Situation situation = believe(game.params(), game.knowledge()).situation;
   const State one = sample(game.params(), situation, {.seed = 3});

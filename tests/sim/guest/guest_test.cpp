@@ -11,7 +11,7 @@ std::string charge_in_python() {
   return std::string("pipe:") + FORESIGHT_PYTHON + " " + FORESIGHT_EXAMPLES + "/charge.py";
 }
 
-std::shared_ptr<const Source> opened(const std::string& name) {
+std::shared_ptr<const GuestFactory> opened(const std::string& name) {
   auto source = open(name);
   EXPECT_TRUE(source) << source.error();
   return source ? *source : nullptr;
@@ -24,12 +24,12 @@ std::string refusal(const std::string& name) {
 
 std::string library(const std::string& name) { return std::string(FORESIGHT_LIBRARIES) + "/guest_" + name + ".so"; }
 
-TEST(Guest, IsKnownByItsName) {
+TEST(GuestBehaviour, IsKnownByItsName) {
   EXPECT_TRUE(is_guest("./mine.so") && is_guest("mine.so") && is_guest("pipe:python3 mine.py"));
   EXPECT_FALSE(is_guest("baseline") || is_guest("mine.json") || is_guest("baseline,near_ball=0.3"));
 }
 
-TEST(Guest, ALibraryThatIsNoneOfOursIsToldInASentence) {
+TEST(GuestBehaviour, AForeignLibraryIsRefusedWithASentence) {
   const auto says = [](const std::string& name, const std::string& what) {
     EXPECT_EQ(refusal(library(name)).find("behaviour '" + library(name) + "': " + what), 0u) << refusal(library(name));
   };
@@ -37,19 +37,19 @@ TEST(Guest, ALibraryThatIsNoneOfOursIsToldInASentence) {
   says("no_entry", "exports no foresight_behaviour, see sim/guest/foresight_behaviour.h");
   says("old_version", "expected version 1 of the interface, got 0; build it anew");
   says("other_size", "expected structs of ");
-  says("no_decide", "create, destroy and decide must be there");
+  says("no_decide", "expected create, destroy and decide, got a null pointer");
   says("save_alone", "expected save and load, or neither, got one of them");
 }
 
-TEST(Guest, ACommandThatDoesNotAnswerIsToldInASentence) {
+TEST(GuestBehaviour, AProcessThatDoesNotAnswerIsRefusedWithASentence) {
   EXPECT_EQ(refusal("pipe: "), "behaviour 'pipe: ': expected a command behind pipe:");
   EXPECT_EQ(refusal("pipe:sh -c 'exit 3'"),
             "behaviour 'pipe:sh -c 'exit 3'': the process ended with status 3 instead of answering");
   EXPECT_NE(refusal("pipe:echo hello").find("expected a JSON object as answer, got 'hello'"), std::string::npos);
 }
 
-/// The moments that a behaviour is asked about, one after the other, and what it says.
-std::vector<motion::Command> decisions_of(Guest& guest, int count) {
+/// Asks a behaviour about moments in turn, and returns its commands.
+std::vector<motion::Command> decisions_of(GuestBehaviour& guest, int count) {
   std::mt19937 random(5);
   std::vector<motion::Command> commands;
   agent::Mind minds[kMaxPlayers + 1];
@@ -62,7 +62,7 @@ std::vector<motion::Command> decisions_of(Guest& guest, int count) {
   return commands;
 }
 
-TEST(Guest, TheSameExampleInCAndInPythonDecidesTheSame) {
+TEST(GuestBehaviour, TheSameExampleInCAndInPythonDecidesTheSame) {
   const auto in_c = opened(FORESIGHT_CHARGE)->begin(1), in_python = opened(charge_in_python())->begin(1);
   const auto c = decisions_of(*in_c, 300), python = decisions_of(*in_python, 300);
   EXPECT_EQ(in_c->problem() + in_python->problem(), "");
@@ -74,14 +74,14 @@ TEST(Guest, TheSameExampleInCAndInPythonDecidesTheSame) {
   }
 }
 
-TEST(Guest, IsAFunctionOfWhatItWasTold) {
+TEST(GuestBehaviour, IsAFunctionOfItsInput) {
   for (const std::string& name : {std::string(FORESIGHT_CHARGE), charge_in_python()}) {
     const auto source = opened(name);
     EXPECT_EQ(decisions_of(*source->begin(7), 100), decisions_of(*source->begin(7), 100)) << name;
   }
 }
 
-TEST(Guest, WhatWasSavedIsLoaded) {
+TEST(GuestBehaviour, ASavedMemoryIsLoaded) {
   const auto source = opened(FORESIGHT_CHARGE);
   ASSERT_TRUE(source->saves());
   const auto guest = source->begin(1);
@@ -96,8 +96,8 @@ TEST(Guest, WhatWasSavedIsLoaded) {
   EXPECT_FALSE(opened(charge_in_python())->begin(1)->save());
 }
 
-TEST(Guest, ThatFailedStandsAndSaysWhatWasWrong) {
-  // greets well and then answers nonsense
+TEST(GuestBehaviour, StandsAfterAnErrorAndReportsIt) {
+  // a correct greeting, then wrong answers
   const std::string name = R"(pipe:sh -c 'read x; echo "{\"version\": 1}"; read x; echo "{\"body\": \"fly\"}"')";
   const auto guest = opened(name)->begin(1);
   agent::Scene scene;
@@ -110,7 +110,7 @@ TEST(Guest, ThatFailedStandsAndSaysWhatWasWrong) {
   EXPECT_EQ(scene.decide(*guest).body, motion::Command::Body::stand);
 }
 
-TEST(Guest, ItsContentIsThatOfTheFilesItsNameNames) {
+TEST(GuestBehaviour, ItsContentIsThatOfTheNamedFiles) {
   EXPECT_NE(content_of(FORESIGHT_CHARGE), content_of(library("no_entry")));
   EXPECT_EQ(content_of(charge_in_python()), content_of(charge_in_python()));
   EXPECT_NE(content_of(charge_in_python()), content_of("pipe:" + std::string(FORESIGHT_PYTHON)));

@@ -9,7 +9,7 @@
 namespace sim::guest {
 namespace {
 
-TEST(Moment, TellsWhatTheRobotBelieves) {
+TEST(Moment, HasTheRobotsBeliefs) {
   agent::Scene scene;  // of player 2
   scene.see_ball({1, 0.5f});
   scene.hear(3, {1.5f, -1}, 4, agent::Role::defender);
@@ -19,7 +19,7 @@ TEST(Moment, TellsWhatTheRobotBelieves) {
   EXPECT_TRUE(moment.entered);
   EXPECT_EQ(moment.ball_x, 1);
   EXPECT_EQ(moment.ball_y, 0.5f);
-  // by number: player 3 is the third, oneself is never heard
+  // by number: player 3 is the third, the own entry is never heard
   EXPECT_EQ(moment.mates[2].x, 1.5f);
   EXPECT_EQ(moment.mates[2].role, FORESIGHT_DEFENDER);
   EXPECT_EQ(moment.mates[1].sent, FORESIGHT_NEVER);
@@ -27,7 +27,7 @@ TEST(Moment, TellsWhatTheRobotBelieves) {
   EXPECT_EQ(moment.opponents[0].seen, FORESIGHT_NEVER);
 }
 
-TEST(Moment, TheUsualIsWhatTreesDoOutsidePlay) {
+TEST(Moment, TheUsualCommandIsThatOfTreesOutsidePlay) {
   for (const auto phase : {agent::Game::Phase::initial, agent::Game::Phase::ready, agent::Game::Phase::set}) {
     agent::Scene scene;
     scene.game.phase = phase;
@@ -40,7 +40,7 @@ TEST(Moment, TheUsualIsWhatTreesDoOutsidePlay) {
   }
 }
 
-TEST(Moment, ACommandIsOurs) {
+TEST(Moment, ACommandIsConverted) {
   agent::Scene scene;
   ForesightCommand told = usual_command(scene.mind);
   told.body = FORESIGHT_KICK, told.kick = 1, told.kick_left = 1, told.gain = 0.5f;
@@ -58,7 +58,7 @@ TEST(Moment, ACommandIsOurs) {
   EXPECT_EQ(scene.mind.time_to_ball, 2);
 }
 
-TEST(Moment, ACommandOutsideItsRangeIsToldInASentence) {
+TEST(Moment, ACommandOutsideItsRangeIsASentence) {
   const auto problem = [](auto&& change) {
     ForesightCommand command = usual_command({});
     change(command);

@@ -34,9 +34,7 @@ TEST(Process, SaysHowItEnded) {
             "the command was not found, or ended with status 127");
 }
 
-TEST(Process, IsNotWaitedForForEver) {
-  EXPECT_EQ(answer_of("sleep 60", 0.2).error(), "the process did not answer within 0.2 s");
-}
+TEST(Process, TimesOut) { EXPECT_EQ(answer_of("sleep 60", 0.2).error(), "the process did not answer within 0.2 s"); }
 
 TEST(Process, AnswersOneLineOfALimitedLength) {
   EXPECT_EQ(answer_of("sh -c 'read x; printf \"one\\ntwo\\n\"'").error(),
@@ -45,7 +43,7 @@ TEST(Process, AnswersOneLineOfALimitedLength) {
             "expected a line of at most 65536 bytes as answer, got more");
 }
 
-TEST(Process, WhatItSaysUnaskedIsNoAnswer) {
+TEST(Process, UnaskedOutputIsNoAnswer) {
   const tests::TemporaryFolder folder;
   const std::string said = folder / "said";
   auto process = Process::start("sh -c 'read x; echo one; echo two; >" + said + "; read x; echo three'");
@@ -58,7 +56,7 @@ TEST(Process, WhatItSaysUnaskedIsNoAnswer) {
   EXPECT_EQ(answer.error(), "expected one line as answer, got more: 'two'");
 }
 
-TEST(Process, IsGoneWhenItIsNoLongerNeeded) {
+TEST(Process, EndsWithItsObject) {
   std::string pid;
   {
     auto process = Process::start("sh -c 'read x; echo $$; sleep 60'");

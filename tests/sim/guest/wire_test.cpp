@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 
 ForesightPlayer player(const agent::Scene& scene) { return player_of(agent::surroundings(), scene.game, 7); }
 
-TEST(Wire, GreetsWithWhatStaysTheSame) {
+TEST(Wire, TheGreetingHasTheConstantsOfTheGame) {
   const agent::Scene scene;
   const Json json = Json::parse(greeting_of(player(scene)));
   EXPECT_EQ(json["version"], FORESIGHT_BEHAVIOUR_VERSION);
@@ -25,7 +25,7 @@ TEST(Wire, GreetsWithWhatStaysTheSame) {
   EXPECT_EQ(json["kicks"][0]["name"], agent::surroundings().motion->kicks[0].name);
 }
 
-TEST(Wire, AQuestionHasEveryBeliefToTheBit) {
+TEST(Wire, AQuestionHasAllBeliefsToTheBit) {
   std::mt19937 random(3);
   for (int i = 0; i < 500; ++i) {
     const agent::Scene scene = agent::random_scene(random);
@@ -64,7 +64,7 @@ TEST(Wire, AnAnswerIsACommand) {
   EXPECT_EQ(command.role, FORESIGHT_CHASER);
 }
 
-TEST(Wire, NonsenseIsToldInASentence) {
+TEST(Wire, AWrongAnswerIsASentence) {
   const agent::Scene scene;
   const auto problem = [&](const std::string& answer) {
     ForesightCommand command = usual_command(scene.mind);

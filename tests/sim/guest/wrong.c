@@ -1,4 +1,4 @@
-// Libraries that are none of ours, each in its own way.
+// Libraries that must be refused, each for its own reason.
 #include <foresight_behaviour.h>
 
 #ifndef NO_ENTRY

@@ -11,7 +11,7 @@
 namespace sim::io {
 namespace {
 
-/// The sentence of an Error; empty where there is none.
+/// Returns the sentence of an Error, or an empty text.
 std::string error_of(const std::string& name) {
   const auto models = load_models(name);
   return models ? "" : models.error();
@@ -29,7 +29,7 @@ std::vector<bool> effects_of(const Models& models) {
   return all;
 }
 
-TEST(Models, TheEmbeddedOnesAreAsTheyAreCalled) {
+TEST(Models, EmbeddedModelsHaveTheirFilesNames) {
   EXPECT_EQ(listed(names_of("models")), "friendly, match, perfect");
   for (const std::string_view name : names_of("models")) EXPECT_EQ(loaded(std::string(name)).name, name);
 }
@@ -42,7 +42,7 @@ TEST(Models, InNoPresetRobotsFall) {
   for (const char* name : {"friendly", "match", "perfect"}) EXPECT_FALSE(loaded(name).effects.falls);
 }
 
-TEST(Models, FriendlyIsMatchWithLessOfIt) {
+TEST(Models, FriendlyIsMatchWithSmallerErrors) {
   const Models match = loaded("match"), friendly = loaded("friendly");
   EXPECT_EQ(effects_of(friendly), effects_of(match));
   ASSERT_EQ(friendly.motion.kick_count, match.motion.kick_count);
@@ -56,7 +56,7 @@ TEST(Models, FriendlyIsMatchWithLessOfIt) {
   EXPECT_LT(friendly.perception.radio.loss, match.perception.radio.loss);
 }
 
-TEST(Models, WhatIsPrintedReadsBackIdentically) {
+TEST(Models, APrintedDescriptionReadsBackIdentically) {
   for (const char* name : {"friendly", "match", "perfect", "match,falls=on,walk.forward=0.1234567,radio.loss=0.7"}) {
     const std::string printed = print_models(loaded(name));
     const auto again = parse_models(printed, "again");
@@ -66,7 +66,25 @@ TEST(Models, WhatIsPrintedReadsBackIdentically) {
   }
 }
 
-TEST(Models, VariationsChangeWhatTheyNameAndNothingElse) {
+TEST(Models, PrintedModelsKeepTheirSources) {
+  for (const char* name : {"friendly", "match", "perfect"}) {
+    Sources sources, again;
+    const Models models = load_models(name, &sources).value();
+    EXPECT_GT(sources.size(), 20u) << name;
+    ASSERT_TRUE(parse_models(print_models(models, sources), "again", &again));
+    EXPECT_EQ(again, sources) << name;
+  }
+}
+
+TEST(Models, AChangedValueHasNoSource) {
+  Sources plain, varied;
+  ASSERT_TRUE(load_models("match", &plain));
+  ASSERT_TRUE(load_models("match,walk.forward=0.2", &varied));
+  EXPECT_EQ(plain.erase("walk.forward"), 1u);
+  EXPECT_EQ(varied, plain);
+}
+
+TEST(Models, VariationsChangeOnlyTheNamedEntries) {
   Models varied = loaded("match,falls=on,walk.forward=0.2,kicks.long.range=4");
   EXPECT_EQ(varied.name, "match,falls=on,walk.forward=0.2,kicks.long.range=4");
   EXPECT_TRUE(varied.effects.falls);
@@ -93,7 +111,7 @@ TEST(Models, EveryEffectCanBeSwitchedByItsName) {
   });
 }
 
-TEST(Models, SaysWhatIsWrongWithAVariation) {
+TEST(Models, NamesTheErrorInAVariation) {
   EXPECT_EQ(error_of("mach"), "no models 'mach'; there are: friendly, match, perfect");
   EXPECT_EQ(error_of("match,walk.forward=9"),
             "models 'match,walk.forward=9': walk.forward must be 0.01 .. 3 [m/s], got 9");
@@ -111,7 +129,7 @@ TEST(Models, SaysWhatIsWrongWithAVariation) {
             "models 'match,kicks.bicycle.range=3': kicks.bicycle.ball_x is missing");
 }
 
-TEST(Models, SaysWhatIsWrongWithADescription) {
+TEST(Models, NamesTheErrorInADescription) {
   const auto error = [](std::string_view text) {
     const auto models = parse_models(text, "models 'mine'");
     return models ? "" : models.error();
@@ -128,7 +146,7 @@ TEST(Models, SaysWhatIsWrongWithADescription) {
             "models 'mine': wings is unknown; there a");
 }
 
-TEST(Models, ManyKicksAreRefused) {
+TEST(Models, TooManyKicksAreRefused) {
   std::string text = print_models(loaded("match"));
   const std::string kick = text.substr(text.find("\"forward\": {", text.find("\"kicks\"")) + 11);
   const std::string one = kick.substr(0, kick.find("\n    }") + 6);
@@ -146,7 +164,7 @@ TEST(Models, AFileIsFoundByItsPath) {
   EXPECT_EQ(error_of("nothing.json").substr(0, 22), "models 'nothing.json':");
 }
 
-// of the longer texts not every size, for the test's own speed
+// not every size of the longer texts, to keep the test fast
 TEST(Embedded, TruncatedModelsAreRefused) {
   for (const Embedded& file : embedded_files()) {
     if (file.kind != "models") continue;

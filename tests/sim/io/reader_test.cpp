@@ -22,7 +22,7 @@ struct Wheels {
   }
 };
 
-/// What is wrong with `text` as wheels; empty if nothing is.
+/// Returns the error in `text` as wheels, or an empty text.
 std::string wrong_with(std::string_view text, Fields fields = Fields::some) {
   const auto json = parse_object(text, "car 'red'");
   if (!json) return json.error();
@@ -51,13 +51,13 @@ TEST(Reader, TakesPlainValuesAndThoseWithUnitAndSource) {
   }
 }
 
-TEST(Reader, LimitsBelongToTheRangeAsTheyAreWritten) {
+TEST(Reader, WrittenLimitsBelongToTheRange) {
   EXPECT_EQ(wrong_with(R"({"speed": 0.01})"), "");
   EXPECT_EQ(wrong_with(R"({"speed": 3})"), "");
   EXPECT_EQ(wrong_with(R"({"count": 7})"), "");
 }
 
-TEST(Reader, SaysWhatIsWrongWithAValue) {
+TEST(Reader, NamesTheErrorInAValue) {
   EXPECT_EQ(wrong_with(R"({"speed": 9})"), "car 'red': wheels.speed must be 0.01 .. 3 [m/s], got 9");
   EXPECT_EQ(wrong_with(R"({"speed": 1e300})"), "car 'red': wheels.speed must be 0.01 .. 3 [m/s], got 1e+300");
   EXPECT_EQ(wrong_with(R"({"speed": -1e300})"), "car 'red': wheels.speed must be 0.01 .. 3 [m/s], got -1e+300");
@@ -70,7 +70,7 @@ TEST(Reader, SaysWhatIsWrongWithAValue) {
   EXPECT_EQ(wrong_with(R"({"speed": {"value": 0}})", Fields::some).substr(0, 30), "car 'red': wheels.speed must h");
 }
 
-TEST(Reader, SaysWhatIsWrongWithAnEntry) {
+TEST(Reader, NamesTheErrorInAnEntry) {
   EXPECT_EQ(wrong_with(R"({"speed": {"value": 1, "unit": "km/h"}})"),
             "car 'red': wheels.speed must have the unit 'm/s', got \"km/h\"");
   EXPECT_EQ(wrong_with(R"({"speed": {"value": 1}})"), "car 'red': wheels.speed must have the unit 'm/s', got none");
@@ -81,13 +81,13 @@ TEST(Reader, SaysWhatIsWrongWithAnEntry) {
             "car 'red': wheels.speed.source must be a text, got 1");
 }
 
-TEST(Reader, SaysWhatIsMissingOrUnknown) {
+TEST(Reader, NamesMissingAndUnknownEntries) {
   EXPECT_EQ(wrong_with(R"({"speed": 1, "spinning": false})", Fields::all),
             "car 'red': wheels.count is missing, expected 1 .. 7");
   EXPECT_EQ(wrong_with(R"({"speeds": 1})"), "car 'red': wheels.speeds is unknown; there are: speed, count, spinning");
 }
 
-TEST(Reader, SaysWhatIsNoDescription) {
+TEST(Reader, RefusesTextThatIsNoDescription) {
   EXPECT_EQ(wrong_with("[1]"), "car 'red': expected a JSON object, got [1]");
   EXPECT_EQ(wrong_with(R"({"speed": 1, "speed": 2})"), "car 'red': 'speed' stands twice in one object");
   EXPECT_EQ(wrong_with("").substr(0, 21), "car 'red': not JSON: ");

@@ -19,7 +19,7 @@ field::Rules loaded(const std::string& name) {
   return *rules;
 }
 
-TEST(Rules, TheYearsAreThere) {
+TEST(Rules, BothYearsExist) {
   EXPECT_EQ(listed(names_of("rules")), "spl2012, spl2025");
   const field::Rules then = loaded("spl2012"), now = loaded("spl2025");
   EXPECT_EQ(then.field.length, 6);
@@ -34,13 +34,13 @@ TEST(Rules, TheYearsAreThere) {
   for (const field::Rules& rules : {then, now}) EXPECT_EQ(rules.half_duration * static_cast<float>(rules.halves), 1200);
 }
 
-TEST(Rules, ANumberBehindTheNameIsHowManyPlay) {
+TEST(Rules, ANumberBehindTheNameIsTheNumberOfPlayers) {
   EXPECT_EQ(loaded("spl2025:7").players, 7);
   EXPECT_EQ(error_of("spl2025:8"), "rules 'spl2025:8': players must be a whole number, 1 .. 7 [robots], got 8");
   EXPECT_EQ(error_of("spl2025:x"), "rules 'spl2025:x': players must be a whole number, 1 .. 7 [robots], got \"x\"");
 }
 
-TEST(Rules, VariationsChangeWhatTheyName) {
+TEST(Rules, VariationsChangeTheNamedEntries) {
   const field::Rules rules = loaded("spl2012:2,half_duration=60,field.length=8,ball_out=set_play");
   EXPECT_EQ(rules.players, 2);
   EXPECT_EQ(rules.half_duration, 60);
@@ -49,7 +49,7 @@ TEST(Rules, VariationsChangeWhatTheyName) {
   EXPECT_EQ(rules.ball_out, field::BallOut::set_play);
 }
 
-TEST(Rules, SaysWhatIsWrong) {
+TEST(Rules, NamesTheError) {
   EXPECT_EQ(error_of("spl2011"), "no rules 'spl2011'; there are: spl2012, spl2025");
   EXPECT_EQ(error_of("spl2012,halves=0"), "rules 'spl2012,halves=0': halves must be a whole number, 1 .. 4, got 0");
   EXPECT_EQ(error_of("spl2012,ball_out=gone"),
@@ -60,7 +60,7 @@ TEST(Rules, SaysWhatIsWrong) {
   EXPECT_EQ(parse_rules(R"({"name": "mine"})", "rules 'mine'").error(), "rules 'mine': field is missing");
 }
 
-TEST(Rules, WhatIsPrintedReadsBackIdentically) {
+TEST(Rules, APrintedDescriptionReadsBackIdentically) {
   for (const char* name : {"spl2012", "spl2025:7", "spl2012,half_duration=61.7,illegal_defender=off"}) {
     const std::string printed = print_rules(loaded(name), "mine");
     const auto again = parse_rules(printed, "again");
@@ -68,6 +68,13 @@ TEST(Rules, WhatIsPrintedReadsBackIdentically) {
     EXPECT_EQ(print_rules(*again, "mine"), printed);
     EXPECT_EQ(again->ball_out, loaded(name).ball_out);
   }
+}
+
+TEST(Rules, PrintedRulesKeepTheirSources) {
+  Sources sources, again;
+  const field::Rules rules = load_rules("spl2025", &sources).value();
+  ASSERT_TRUE(parse_rules(print_rules(rules, "mine", sources), "again", &again));
+  EXPECT_EQ(again, sources);
 }
 
 TEST(Embedded, EveryTruncationOfRulesIsRefused) {

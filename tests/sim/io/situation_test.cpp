@@ -9,8 +9,8 @@
 namespace sim::io {
 namespace {
 
-const Setup& setup() {
-  static const Setup made = prepare({}).value();
+const PreparedGame& setup() {
+  static const PreparedGame made = prepare({}).value();
   return made;
 }
 
@@ -33,7 +33,7 @@ constexpr std::string_view kDuel = R"({
              {"side": "home", "player": 4, "x": 0, "y": 3, "penalised": 12},
              {"side": "away", "player": 1, "x": 2.9, "y": 0, "heading": 3.1}]})";
 
-TEST(Situation, IsWhatWasDescribed) {
+TEST(Situation, EqualsItsDescription) {
   const State state = parsed(kDuel);
   const World& world = state.world;
   EXPECT_EQ(world.key.seed, 7u);
@@ -51,7 +51,7 @@ TEST(Situation, IsWhatWasDescribed) {
   EXPECT_EQ(state.book.kicking, Side::away);
 }
 
-TEST(Situation, WhoIsNotNamedDoesNotPlayAtAll) {
+TEST(Situation, ARobotThatIsNotListedDoesNotPlay) {
   State state = parsed(kDuel);
   referee::Events events;
   for (int i = 0; i < 300; ++i) step(setup().params, state, events);
@@ -61,7 +61,7 @@ TEST(Situation, WhoIsNotNamedDoesNotPlayAtAll) {
   }
 }
 
-TEST(Situation, APenaltyRunsOut) {
+TEST(Situation, APenaltyEnds) {
   State state = parsed(kDuel);
   const int robot = robot_of(Side::home, 4);
   EXPECT_EQ(state.world.bodies[robot].doing, Body::Doing::removed);
@@ -70,7 +70,7 @@ TEST(Situation, APenaltyRunsOut) {
   EXPECT_NE(state.world.bodies[robot].doing, Body::Doing::removed);
 }
 
-TEST(Situation, EverybodyHasJustSeenTheBallAndToldTheOthers) {
+TEST(Situation, AllRobotsHaveJustSeenAndReportedTheBall) {
   const State state = parsed(R"({"ball": {"x": 1, "y": 0.5},
     "robots": [{"side": "home", "player": 2, "x": 0, "y": 0.5}, {"side": "home", "player": 3, "x": 1, "y": 0,
                 "heading": 1.5707964}]})");
@@ -86,7 +86,7 @@ TEST(Situation, EverybodyHasJustSeenTheBallAndToldTheOthers) {
   EXPECT_EQ(second.mates[0].sent, kNever);            // player 1 does not play
 }
 
-TEST(Situation, WhatIsSavedReadsBackIdentically) {
+TEST(Situation, ASavedSituationReadsBackIdentically) {
   State state = parsed(kDuel);
   referee::Events events;
   for (int i = 0; i < 100; ++i) {
@@ -96,7 +96,7 @@ TEST(Situation, WhatIsSavedReadsBackIdentically) {
   }
 }
 
-TEST(Situation, SaysWhatIsWrong) {
+TEST(Situation, NamesTheError) {
   EXPECT_EQ(error_of("{}"), "situation 'duel': ball is missing");
   EXPECT_EQ(error_of(R"({"ball": {"x": 1}, "robots": []})"), "situation 'duel': ball.y is missing, expected -20 .. 20");
   EXPECT_EQ(error_of(R"({"ball": {"x": 0, "y": 0, "z": 0}, "robots": []})"),
@@ -128,7 +128,7 @@ TEST(Situation, EveryTruncationIsRefused) {
   for (std::size_t size = 0; size < kDuel.size(); ++size) EXPECT_NE(error_of(kDuel.substr(0, size)), "") << size;
 }
 
-TEST(Situation, ShakenEverybodyStandsALittleElsewhereAsTheGamesLuckHasIt) {
+TEST(Situation, ShakingMovesAllRobotsALittleByTheGamesRandomNumbers) {
   for (const std::string_view name : names_of("situations")) {
     const auto source = find_source("situations", "situation", std::string(name));
     const State plain = parse_situation(source->text, "situation", setup().params).value();
@@ -164,7 +164,7 @@ TEST(Situation, TheEmbeddedOnesAreFoundByName) {
   EXPECT_EQ(unknown.error().find("no situation 'blockd'; there are: blocked, close_free"), 0u) << unknown.error();
 }
 
-TEST(Situation, AFileThatIsNotThereIsNamed) {
+TEST(Situation, AMissingFileIsNamedInTheError) {
   const auto state = load_situation("no/such.json", setup().params);
   ASSERT_FALSE(state);
   EXPECT_EQ(state.error().substr(0, 26), "situation 'no/such.json': ");

@@ -16,10 +16,10 @@ std::string refusal(const std::string& text) {
   const auto tree = parse_strategy(text, "strategy 'mine'");
   return tree ? "accepted" : tree.error();
 }
-/// Of a strategy that has nothing but a tree.
+/// Returns the error of a strategy that has only a tree.
 std::string refusal_of_tree(const std::string& tree) { return refusal(R"({"name": "mine", "tree": )" + tree + "}"); }
 
-TEST(Strategy, EveryShippedOneLoadsUnderItsName) {
+TEST(Strategy, EachShippedStrategyLoadsByItsName) {
   const auto names = names_of("strategies");
   EXPECT_EQ(listed(names), "align_first, baseline, high_line, idle, kick_now, passing");
   for (const std::string_view name : names) {
@@ -39,10 +39,10 @@ TEST(Strategy, MayVaryParameters) {
     differences += (*plain)->tree().nodes[i].threshold != (*varied)->tree().nodes[i].threshold;
   EXPECT_EQ(differences, 1);
   EXPECT_EQ(load_strategy("baseline,near_bal=0.6").error(),
-            "strategy 'baseline,near_bal=0.6': parameters.near_bal: is used nowhere");
+            "strategy 'baseline,near_bal=0.6': parameters.near_bal: is not used");
 }
 
-TEST(Strategy, WhatItIsBasedOnHoldsWhereItSaysNothing) {
+TEST(Strategy, MissingEntriesComeFromTheBase) {
   const auto tree = parse_strategy(
       R"({"name": "mine", "based_on": "baseline", "roles": {"defenders": 1}, "subtrees": {"keeper": {"do": "stand"}}})",
       "strategy 'mine'");
@@ -50,7 +50,7 @@ TEST(Strategy, WhatItIsBasedOnHoldsWhereItSaysNothing) {
   EXPECT_EQ(tree->settings.roles.defenders, 1);
   EXPECT_EQ(tree->settings.roles.hysteresis, load_strategy("baseline").value()->tree().settings.roles.hysteresis);
   int stands = 0;
-  for (const agent::Leaf& leaf : tree->leaves) stands += leaf.skill == Skill::stand;
+  for (const agent::Leaf& leaf : tree->leaves) stands += leaf.skill == agent::find_skill("stand");
   EXPECT_EQ(stands, 1);
 }
 
@@ -62,7 +62,7 @@ TEST(Strategy, ValuesMayHaveUnits) {
   EXPECT_EQ(tree ? "" : tree.error(), "strategy 'm': tree[1].with.tolerance: must be 0.01 .. 3 [rad], got \"180 deg\"");
 }
 
-TEST(Strategy, ListsGoOnToTheNextRuleAndElseEndsThem) {
+TEST(Strategy, AFailedConditionLeadsToTheNextRuleOrToElse) {
   const auto tree = parse_strategy(R"({"name": "m", "tree": [
     {"if": "our_kick", "then": [{"if": "x < 0", "do": "block"}]},
     {"if": "half is 2", "do": "stand"},
@@ -75,14 +75,14 @@ TEST(Strategy, ListsGoOnToTheNextRuleAndElseEndsThem) {
     {"do": "look_round"}]})",
                                    "strategy 'm'");
   ASSERT_TRUE(good) << good.error();
-  // where "x < 0" fails the decision goes where "our_kick" failing leads
+  // "x < 0" and "our_kick" lead to the same place when they fail
   const auto& nodes = good->nodes;
   ASSERT_EQ(nodes.size(), 4u);
   const agent::Node& root = nodes[good->root];
-  EXPECT_EQ(root.feature, agent::Feature::our_kick);
+  EXPECT_EQ(root.feature, agent::find_feature("our_kick"));
   EXPECT_EQ(nodes[root.yes].no, root.no);
-  EXPECT_EQ(good->leaves[nodes[root.yes].yes & ~agent::kLeafBit].skill, Skill::block);
-  EXPECT_EQ(nodes[root.no].feature, agent::Feature::y);
+  EXPECT_EQ(good->leaves[nodes[root.yes].yes & ~agent::kLeafBit].skill, agent::find_skill("block"));
+  EXPECT_EQ(nodes[root.no].feature, agent::find_feature("y"));
   EXPECT_EQ(nodes[nodes[root.no].no].yes, nodes[root.no].yes);
 }
 
@@ -109,22 +109,22 @@ TEST(Strategy, BadTreesAreRefusedWithPlaceAndReason) {
   EXPECT_EQ(refusal_of_tree(R"({"if": "bal_age < 3", "do": "stand"})"),
             "strategy 'mine': tree.if: no feature \"bal_age\"; did you mean 'ball_age'?");
   EXPECT_EQ(refusal_of_tree(R"({"if": "ball_age < 3", "do": "stand"})"),
-            "strategy 'mine': tree: has no 'else', and no rule behind it says what to do where 'ball_age < 3' fails");
+            "strategy 'mine': tree: has no 'else', and no later rule applies when 'ball_age < 3' fails");
   EXPECT_EQ(refusal_of_tree(R"({"if": "ball_age < -3 s", "do": "stand"})"),
-            "strategy 'mine': tree.if: what ball_age is compared with must be 0 .. 1000 [s], got \"-3 s\"");
+            "strategy 'mine': tree.if: the value for ball_age must be 0 .. 1000 [s], got \"-3 s\"");
   EXPECT_EQ(refusal_of_tree(R"({"if": "ball_age", "do": "stand"})"),
             "strategy 'mine': tree.if: ball_age must be compared with something, got \"ball_age\"");
   EXPECT_EQ(refusal_of_tree(R"({"if": "ball_known > 0", "do": "stand"})"),
             "strategy 'mine': tree.if: ball_known is yes or no and compared with nothing, got \"ball_known > 0\"");
   EXPECT_EQ(refusal_of_tree(R"({"if": "role is striker", "do": "stand"})"),
-            "strategy 'mine': tree.if: what role is compared with must be one of keeper, chaser, supporter, defender, "
+            "strategy 'mine': tree.if: the value for role must be one of keeper, chaser, supporter, defender, "
             "got \"striker\"");
   EXPECT_EQ(refusal_of_tree(R"({"if": "role < 2", "do": "stand"})"),
             "strategy 'mine': tree.if: role is compared by is, is not, got \"role < 2\"");
   EXPECT_EQ(refusal_of_tree(R"({"if": "x > 0 and  and y > 0", "do": "stand"})"),
             "strategy 'mine': tree.if: a comparison is missing");
   EXPECT_EQ(refusal_of_tree(R"({"if": "x > $far", "do": "stand"})"),
-            "strategy 'mine': tree.if: what x is compared with names no parameter: \"far\"; there are none");
+            "strategy 'mine': tree.if: the value for x names no parameter: \"far\"; there are none");
   EXPECT_EQ(refusal_of_tree(R"({"if": "x > 0", "do": "stand", "then": {}})"),
             "strategy 'mine': tree: must have one of 'do', 'use' and 'then'");
   EXPECT_EQ(refusal_of_tree(R"([{"do": "stand"}, {"do": "kick"}])"),
@@ -132,13 +132,13 @@ TEST(Strategy, BadTreesAreRefusedWithPlaceAndReason) {
   EXPECT_EQ(refusal_of_tree(R"({"use": "chaser"})"), "strategy 'mine': tree.use: no subtree 'chaser'; there are none");
 }
 
-TEST(Strategy, CirclesAndWhatIsUsedNowhereAreRefused) {
+TEST(Strategy, CyclesAndUnusedEntriesAreRefused) {
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"use": "a"}, "subtrees": {"a": {"use": "b"}, "b": [{"use": "a"}]}})"),
             "strategy 'mine': subtrees.b[0].use: the subtree 'a' leads back to itself");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "stand"}, "subtrees": {"a": {"do": "stand"}}})"),
-            "strategy 'mine': subtrees.a: is used nowhere");
+            "strategy 'mine': subtrees.a: is not used");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "stand"}, "parameters": {"a": 1}})"),
-            "strategy 'mine': parameters.a: is used nowhere");
+            "strategy 'mine': parameters.a: is not used");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "kick", "with": {"range": "$a"}}, "parameters": {"a": "$a"}})"),
             "strategy 'mine': tree.with.range: is the parameter \"a\", which must be a value, got \"$a\"");
   EXPECT_EQ(refusal(R"({"name": "m", "tree": {"do": "kick", "with": {"range": "$a"}}, "parameters": {"a": 99}})"),

@@ -40,7 +40,7 @@ class Game : public testing::TestWithParam<std::tuple<const char*, const char*, 
   }
 
  private:
-  io::Setup setup_;
+  io::PreparedGame setup_;
 };
 
 TEST_P(Game, KeepsRobotsOutOfEachOtherAndOfPosts) {

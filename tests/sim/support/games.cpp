@@ -4,7 +4,7 @@
 
 namespace sim::test {
 
-io::Setup setup_of(const io::Choice& choice, float half) {
+io::PreparedGame setup_of(const io::Matchup& choice, float half) {
   auto setup = io::prepare(choice);
   EXPECT_TRUE(setup) << setup.error();
   if (!setup) return {};
@@ -12,8 +12,8 @@ io::Setup setup_of(const io::Choice& choice, float half) {
   return *std::move(setup);
 }
 
-io::Choice choice_of(const std::string& rules, const std::string& strategy, const std::string& models, Pace pace) {
-  io::Choice choice;
+io::Matchup choice_of(const std::string& rules, const std::string& strategy, const std::string& models, Pace pace) {
+  io::Matchup choice;
   choice.rules = rules;
   choice.strategies[0] = choice.strategies[1] = strategy;
   choice.models[0] = choice.models[1] = models;

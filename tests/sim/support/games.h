@@ -3,18 +3,18 @@
 
 #include <string>
 
-#include "sim/io/setup.h"
+#include "sim/io/matchup.h"
 #include "sim/match/play.h"
 
 namespace sim::test {
 
 /// What `choice` names, in halves of `half` [s]: every kind of thing that happens in a game happens in a minute or two
 /// too. A test fails when something is not there, and goes on with an empty setup.
-io::Setup setup_of(const io::Choice& choice, float half = 600);
+io::PreparedGame setup_of(const io::Matchup& choice, float half = 600);
 
 /// Both sides the same; at every tick, unless told otherwise.
-io::Choice choice_of(const std::string& rules, const std::string& strategy, const std::string& models,
-                     Pace pace = Pace::every_tick);
+io::Matchup choice_of(const std::string& rules, const std::string& strategy, const std::string& models,
+                      Pace pace = Pace::every_tick);
 
 /// The state `ticks` later, or at the end of the game.
 State after(const Params& params, State state, Tick ticks);

@@ -16,7 +16,7 @@
 #include "robot/body/sim/sim_body.h"
 #include "robot/core/clock.h"
 #include "robot/memory/channel.h"
-#include "sim/io/setup.h"
+#include "sim/io/matchup.h"
 
 namespace tests {
 

@@ -1,15 +1,15 @@
-#include "sim/compare/tally.h"
+#include "sim/compare/pair_statistics.h"
 
 #include <initializer_list>
 
 namespace sim::compare {
 
-void Tally::add(const Pair& pair) {
+void PairStatistics::add(const Pair& pair) {
   ++pairs;
   std::int64_t sum = 0;
   int got = 2;
   for (const int place : {0, 1}) {
-    const Game& game = pair.games[place];
+    const GameResult& game = pair.games[place];
     sum += game.gain;
     game_gain[place] += game.gain;
     game_gain_squares[place] += std::int64_t{game.gain} * game.gain;
@@ -26,7 +26,7 @@ void Tally::add(const Pair& pair) {
   gain_squares += sum * sum;
 }
 
-void Tally::add(const Tally& other) {
+void PairStatistics::add(const PairStatistics& other) {
   pairs += other.pairs;
   gain += other.gain;
   gain_squares += other.gain_squares;

@@ -1,4 +1,4 @@
-#include "sim/io/setup.h"
+#include "sim/io/matchup.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace sim::io {
 namespace {
 
-TEST(Setup, HoldsWhatWasChosen) {
+TEST(PreparedGame, HoldsTheNamedParts) {
   const auto setup = prepare({.rules = "spl2025",
                               .strategies = {"baseline", "idle"},
                               .models = {"perfect", "match,falls=on"},
@@ -26,8 +26,8 @@ TEST(Setup, HoldsWhatWasChosen) {
   EXPECT_EQ(params.pace, Pace::every_tick);
 }
 
-TEST(Setup, SaysWhatThereIsNot) {
-  const auto error = [](const Choice& choice) {
+TEST(PreparedGame, NamesUnknownParts) {
+  const auto error = [](const Matchup& choice) {
     const auto setup = prepare(choice);
     return setup ? "" : setup.error();
   };
@@ -38,7 +38,7 @@ TEST(Setup, SaysWhatThereIsNot) {
   EXPECT_EQ(error({.players = 8}), "players must be 1 .. 7 a side, got 8");
 }
 
-TEST(Ingredients, AreEverythingEmbedded) {
+TEST(Ingredients, AreAllEmbeddedFiles) {
   const auto all = embedded_ingredients();
   ASSERT_TRUE(all) << all.error();
   EXPECT_EQ(all->lists.rules.size(), names_of("rules").size());

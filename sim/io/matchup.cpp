@@ -1,0 +1,35 @@
+#include "sim/io/matchup.h"
+
+#include "sim/io/chooser.h"
+#include "sim/io/models.h"
+#include "sim/io/rules.h"
+
+namespace sim::io {
+
+using robot::Error;
+using robot::Result;
+
+Result<PreparedGame> prepare(const Matchup& matchup) {
+  PreparedGame game;
+  Result<field::Rules> rules = load_rules(matchup.rules);
+  if (!rules) return Error{rules.error()};
+  game.params.rules = *rules;
+  if (matchup.players < 0 || matchup.players > kMaxPlayers)
+    return Error{"players must be 1 .. " + std::to_string(kMaxPlayers) + " a side, got " +
+                 std::to_string(matchup.players)};
+  if (matchup.players > 0) game.params.rules.players = matchup.players;
+  game.params.marks = field::marks_of(rules->field);
+  game.params.pace = matchup.pace;
+
+  for (const int side : {0, 1}) {
+    Result<Models> models = load_models(matchup.models[side]);
+    if (!models) return Error{models.error()};
+    auto behaviour = load_behaviour(matchup.strategies[side], matchup, static_cast<Side>(side));
+    if (!behaviour) return Error{behaviour.error()};
+    game.behaviours[side] = std::move(*behaviour);
+    game.params.teams[side] = {.behaviour = game.behaviours[side].get(), .models = std::move(*models)};
+  }
+  return game;
+}
+
+}  // namespace sim::io
