@@ -2,7 +2,7 @@
 //
 //   node scripts/lib-totals.mjs FOLDER
 //
-// Prints each failure, why tests were skipped, and last `N passed, N failed, N skipped`. Status 1 if anything failed.
+// Prints the ten slowest tests, each failure, why tests were skipped, and last `N passed, N failed, N skipped`. Status 1 if anything failed.
 // With FORESIGHT_REQUIRE_DATA=1 a test that was skipped for want of recordings counts as failed: such a test says
 // FORESIGHT_DATA in its reason.
 import { existsSync, readFileSync } from "node:fs";
@@ -20,8 +20,9 @@ function* fromCtest(xml) {
     const attribute = (name) => unescape(new RegExp(`\\b${name}="([^"]*)"`).exec(attributes)?.[1] ?? "");
     const name = attribute("name");
     const status = attribute("status");
-    if (status === "run") yield { name, outcome: "passed" };
-    else if (status === "fail") yield { name, outcome: "failed" };
+    const seconds = Number(attribute("time"));
+    if (status === "run") yield { name, outcome: "passed", seconds };
+    else if (status === "fail") yield { name, outcome: "failed", seconds };
     else {
       // ctest calls it "not run" too when a program is missing: only what a test said itself is a skip
       const said = /<skipped message="SKIP_/.test(body) || status === "disabled";
@@ -38,7 +39,7 @@ function* fromVitest(json) {
     if (file.status === "failed" && file.assertionResults.length === 0) yield { name: file.name, outcome: "failed" };
     for (const test of file.assertionResults) {
       const outcome = test.status === "passed" || test.status === "failed" ? test.status : "skipped";
-      yield { name: test.fullName, outcome, reason: "no reason given" };
+      yield { name: test.fullName, outcome, reason: "no reason given", seconds: (test.duration ?? 0) / 1000 };
     }
   }
 }
@@ -46,12 +47,17 @@ function* fromVitest(json) {
 /** The tests of TAP as node writes it; those inside a suite or another test count, the one around them does not. */
 function* fromTap(tap) {
   const depthOf = (line) => line.length - line.trimStart().length;
-  const lines = tap.split("\n").filter((line) => /^ *(not )?ok \d+/.test(line));
+  const lines = [];
+  const durations = []; // [ms], from the block below each line
+  for (const line of tap.split("\n"))
+    if (/^ *(not )?ok \d+/.test(line)) lines.push(line);
+    else if (/^ *duration_ms: [\d.]+$/.test(line)) durations[lines.length - 1] ??= Number(line.split(":")[1]);
   for (const [index, line] of lines.entries()) {
-    // a line comes after those of what is inside it
+    // the line of a suite comes after the lines of the tests inside it
     if (index > 0 && depthOf(lines[index - 1]) > depthOf(line)) continue;
     const [, not, name, skip, reason] = /^ *(not )?ok \d+(?: - (.*?))?(?: # (SKIP|TODO)(?: (.*))?)?$/.exec(line);
-    yield { name, outcome: skip ? "skipped" : not ? "failed" : "passed", reason: reason ?? "no reason given" };
+    const outcome = skip ? "skipped" : not ? "failed" : "passed";
+    yield { name, outcome, reason: reason ?? "no reason given", seconds: (durations[index] ?? 0) / 1000 };
   }
 }
 
@@ -82,6 +88,9 @@ if (process.env.FORESIGHT_REQUIRE_DATA === "1")
 
 const having = (outcome) => all.filter((test) => test.outcome === outcome);
 console.log("");
+const slowest = all.filter(({ seconds }) => seconds >= 1).sort((a, b) => b.seconds - a.seconds);
+if (slowest.length) console.log("The slowest tests:");
+for (const { name, seconds } of slowest.slice(0, 10)) console.log(`${seconds.toFixed(1).padStart(7)} s  ${name}`);
 const reasons = new Map();
 for (const test of having("skipped")) reasons.set(test.reason, [...(reasons.get(test.reason) ?? []), test.name]);
 for (const [reason, names] of reasons)

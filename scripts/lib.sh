@@ -12,6 +12,30 @@ fi
 
 say() { printf '%s\n' "$*"; }
 
+# say_duration COMMAND: how long a first run takes, from scripts/durations.txt.
+say_duration() {
+  local wall processor
+  read -r wall processor < <(sed -n "s/^$1  *//p" "$root/scripts/durations.txt")
+  say "scripts/$1: a first run takes ${wall/../ to } min on two quiet cores (${processor/../ to } min of processor time)" \
+    "plus downloads; the next runs take less."
+}
+
+# Reads lines "[3/480] …" of ninja and " 3/480 Test …" of ctest. Prints "NAME: 3 of 480" once a minute, and all other lines.
+once_a_minute() {
+  local name=$1 every=${FORESIGHT_PROGRESS_SECONDS:-60} line
+  local next=$((SECONDS + every))
+  while IFS= read -r line; do
+    if [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\  || $line =~ ^\ *([0-9]+)/([0-9]+)\ Test\ .*\ Passed\ +[0-9.]+\ sec\ *$ ]]; then
+      if ((SECONDS >= next)); then
+        say "   $name: ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
+        next=$((SECONDS + every))
+      fi
+    else
+      printf '%s\n' "$line"
+    fi
+  done
+}
+
 # Bad usage or input: one sentence for the person who must fix it, exit status 2.
 die() {
   printf '%s: %s\n' "${0##*/}" "$*" >&2

@@ -31,7 +31,7 @@ test("the demo waits for its server, however long the build took", { timeout: 60
     "scripts/build": "#!/bin/sh\n",
     "build/release/bin/foresight-robot": server,
   });
-  for (const name of ["demo", "lib.sh"]) copyFileSync(join(scripts, name), join(root, "scripts", name));
+  for (const name of ["demo", "lib.sh", "durations.txt"]) copyFileSync(join(scripts, name), join(root, "scripts", name));
   for (const name of ["scripts/demo", "scripts/setup", "scripts/build", "build/release/bin/foresight-robot"]) chmodSync(join(root, name), 0o755);
 
   // bash counts SECONDS on from the environment: the build seems to have taken 2000 s
