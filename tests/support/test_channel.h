@@ -10,6 +10,7 @@
 
 #include "robot/logging/provider.h"
 #include "robot/memory/channel.h"
+#include "tests/support/eventually.h"
 
 namespace tests {
 
@@ -33,8 +34,12 @@ struct Arrivals {
 
   /// Waits until `count` records are there.
   void wait_for(std::size_t count) {
-    std::unique_lock guard(lock);
-    changed.wait(guard, [&] { return records.size() >= count; });
+    const auto arrived = [&] {
+      const std::lock_guard guard(lock);
+      return records.size();
+    };
+    ASSERT_TRUE(eventually([&] { return arrived() >= count; }, kLongestWait, arrived))
+        << "expected " << count << " records";
   }
   void set(bool Arrivals::*flag, bool value) {
     const std::lock_guard guard(lock);
