@@ -94,7 +94,7 @@ quietly() {
 }
 
 # Steps of scripts/test after the set-up, and of scripts/check before its own ones; how many these are.
-test_step_count=10
+test_step_count=11
 test_steps() {
   if step prepare 'build dev' "$root/scripts/build" dev; then
     step tests 'C++' run_ctest 'C++' dev || true
@@ -110,6 +110,8 @@ test_steps() {
   step tests 'checks' run_node_tests checks "$root"/tests/check/*.test.mjs "$root"/tests/bench/*.test.mjs || true
 
   export FORESIGHT_BIN=$root/build/dev/bin
+  step check 'commands in documents' node "$root/tests/check/run.mjs" commands || true
+
   step tests 'deploy' run_node_tests deploy "$root"/tests/deploy/*.test.mjs || true
 
   step tests 'guardian' run_node_tests guardian "$root"/tests/guardian/*.test.mjs || true
