@@ -1,5 +1,5 @@
-# The parts that scripts/test and scripts/check are made of; sourced, never run.
-# Every step runs, also after one has failed, and leaves a note in build/results; the totals are added up at the end.
+# The common parts of scripts/test and scripts/check; sourced, never run.
+# Every step runs, also after a failed one, and leaves a note in build/results. The totals are added up at the end.
 # shellcheck shell=bash
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
@@ -8,7 +8,7 @@ results=$root/build/results
 # step KIND NAME COMMAND…: says which step this is, runs the command, says how long it took and notes whether it failed.
 #   prepare   counts only when it fails (a build)
 #   check     counts as one test
-#   tests     its tests are counted from what it writes to build/results/NAME.*
+#   tests     its tests are counted from the files build/results/NAME.* that it writes
 step() {
   local kind=$1 name=$2 outcome=passed started=$SECONDS
   shift 2
@@ -30,7 +30,7 @@ begin_steps() {
 # Prints failures, skips and the totals; status 1 if anything failed.
 end_steps() { node "$root/scripts/lib-totals.mjs" "$results"; }
 
-# Options that scripts/test and scripts/check share, and the recordings they speak of.
+# Reads the common options of scripts/test and scripts/check, and FORESIGHT_DATA.
 # shellcheck disable=SC2034  # read by those who source this
 setup_options=()
 # shellcheck disable=SC2034
@@ -45,7 +45,7 @@ test_options() {
     esac
   done
   if [[ -n ${FORESIGHT_DATA:-} ]]; then
-    [[ -d $FORESIGHT_DATA ]] || die "FORESIGHT_DATA names the folder of real recordings, but '$FORESIGHT_DATA' is none"
+    [[ -d $FORESIGHT_DATA ]] || die "FORESIGHT_DATA names the folder of real recordings, but '$FORESIGHT_DATA' is no folder"
     FORESIGHT_DATA=$(cd "$FORESIGHT_DATA" && pwd)
     export FORESIGHT_DATA
   fi
@@ -87,7 +87,7 @@ run_vitest() {
     >"$results/viewer.txt" 2>&1 || { cat "$results/viewer.txt"; return 1; }
 }
 
-# Runs quietly; what it printed is shown only when it fails.
+# Runs a command; shows its output only when it fails.
 quietly() {
   local talk
   talk=$("$@" 2>&1) || { printf '%s\n' "$talk"; return 1; }
@@ -100,13 +100,13 @@ test_steps() {
     step tests 'C++' run_ctest 'C++' dev || true
   fi
 
-  # the viewer itself was built with the programs that serve it
+  # the viewer itself was built together with the programs
   if step prepare 'viewer packages' "$root/scripts/viewer-packages"; then
     step check 'viewer types' quietly npm --prefix "$root/viewer-web" run --silent check || true
     step tests 'viewer' run_vitest || true
   fi
 
-  # the checks have tests too, and the statistics of the benches; they need nothing but node
+  # tests of the checks and of the benches' statistics; they need only node
   step tests 'checks' run_node_tests checks "$root"/tests/check/*.test.mjs "$root"/tests/bench/*.test.mjs || true
 
   export FORESIGHT_BIN=$root/build/dev/bin
