@@ -111,7 +111,7 @@ async function removeGroups(folder) {
   }
 }
 
-/** What the first process of a robot does: the machine's own files are hidden by the robot's, then it serves ssh. */
+/** The first process of a robot: mounts the robot's files over the machine's, then serves ssh. */
 const bootScript = (folder, systemd) => `
 mount --bind ${folder}/home /home
 for name in passwd shadow group; do mount --bind ${folder}/run/$name /etc/$name; done

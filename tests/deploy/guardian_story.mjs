@@ -37,7 +37,7 @@ export function guardianStory() {
   }
 
   const kGuardian = "foresight/guardian/bin/foresight-guardian";
-  /** How the robot is, as its guardian tells, and whether it has no stiffness. */
+  /** The robot's state as its guardian reports it, and whether the robot has no stiffness. */
   const told = () => {
     const [text, status] = world.on(tim, `${kGuardian} --status 2>&1; echo "/$?"`).split("\n/");
     return { text, soft: status === "0" };

@@ -74,7 +74,7 @@ describe("the start script", { concurrency: true }, () => {
       assert.deepEqual(options_seen, ["--body=attached", "--field=$(touch broken) `x` 'A' \\", "--game-controller"]);
       assert.ok(!existsSync(join(service.home, "foresight/broken")));
 
-      // who starts it twice has one
+      // a second start has no effect
       const first = service.state("pid");
       assert.equal(service.run("start").status, 0);
       assert.equal(service.state("pid"), first);

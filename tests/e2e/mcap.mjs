@@ -91,7 +91,7 @@ export async function mcapOf(channels, messages, options = {}) {
   return Buffer.concat(pieces);
 }
 
-/** Writes a session with one stream, as a program that is none of ours would: `schema` is {name, data}. */
+/** Writes a session with one stream, as another program would: `schema` is {name, data}. */
 export async function writeSession(folder, { name, topic, schema, messages }) {
   mkdirSync(folder);
   const channel = { topic, encoding: "protobuf", schema: { encoding: "protobuf", ...schema } };

@@ -1,4 +1,4 @@
-// foresight-robot with the body nao: a robot that is none, the real guardian and the real runtime.
+// foresight-robot with the body nao: a stand-in for the robot, the real guardian and the real runtime.
 import assert from "node:assert/strict";
 import { createSocket } from "node:dgram";
 import { spawn } from "node:child_process";

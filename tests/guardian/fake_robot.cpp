@@ -2,18 +2,18 @@
 //
 //   fake_robot PATH [--busy N] [--seconds S]
 //
-// Listens at PATH and serves one program at a time. Each line on its standard input is something that happens; each line
-// on its standard output is JSON:
+// Listens at PATH and serves one program at a time. Each line on its standard input is an event. Each line on its standard
+// output is JSON:
 //
 //   chest | head | release | fall | upright | lift | down | heat N | cool | battery N | turn N    act on the body
-//   broken | short | huge | reordered | other     what the next frames look like: broken numbers, half a frame, one of
-//                                                 10 kB, another order of keys, as they should be
+//   broken | short | huge | reordered | other     form of the next frames: broken numbers, half a frame, one of
+//                                                 10 kB, another order of keys, correct
 //   vanish                                        the connection ends; the next one is served
 //   state                                         prints {"stiffness", "knee", "chest", "eye", "frames", "answers", …}
 //   end
 //
-// --seconds: ends by itself after so long and prints the state. --busy: so many threads that compute all the time; the robot
-// itself then has a real-time priority, where that is allowed, as LoLA has: what it waits for is the answer alone.
+// --seconds S: ends after S seconds and prints the state. --busy N: starts N threads that compute all the time. The robot
+// itself then has a real-time priority, if allowed, as LoLA has: then it waits only for the answer.
 #include <poll.h>
 #include <sched.h>
 #include <sys/socket.h>
@@ -48,7 +48,7 @@ using nlohmann::json;
 constexpr std::uint64_t kCycle_ns = 12 * kMillisecond;
 constexpr int kPriority = 45;  // above the guardian's
 
-/// The commands of an answer, by a reader of MessagePack that is none of ours; nothing if it is no answer.
+/// Returns the commands of an answer, read by another project's MessagePack reader, or nothing if it is no answer.
 std::optional<Actuators> read_answer(const std::string& bytes) {
   const json answer = json::from_msgpack(bytes, true, false);
   if (!answer.is_object()) return std::nullopt;

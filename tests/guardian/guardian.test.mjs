@@ -1,10 +1,10 @@
-// The guardian's program between a robot that is none and a runtime that lives, hangs and dies.
+// The guardian's program between a stand-in for a robot and a runtime that lives, hangs and dies.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { run } from "../e2e/support.mjs";
 import { World } from "./world.mjs";
 
-/** What becomes of the runtime while people and gravity act. */
+/** Fates of the runtime while people and gravity act. */
 const fates = {
   alive: () => {},
   hung: (world) => world.runtime.kill("SIGSTOP"),

@@ -1,10 +1,10 @@
-// A robot that is none, its guardian, and what stands for the runtime: three processes of a test.
+// Stand-ins for a robot and for the runtime, with the real guardian between them: three processes of a test.
 import { spawn } from "node:child_process";
 import { createInterface } from "node:readline";
 import { join } from "node:path";
 import { atEnd, bin, temporaryFolder, until, within } from "../e2e/support.mjs";
 
-/** A process of ours; what it prints is kept, line by line. It ends with the test. */
+/** Starts a program and keeps the lines that it prints. It ends with the test. */
 function launch(t, program, ...args) {
   const child = spawn(join(bin, program), args, { stdio: ["pipe", "pipe", "pipe"] });
   const process = { pid: child.pid, lines: [], errors: "", kill: (signal) => child.kill(signal), stdin: child.stdin };
@@ -76,7 +76,7 @@ export class World {
     return state;
   }
 
-  /** After so many more cycles of the robot's: time as it feels it, whatever else the machine does. */
+  /** Waits for `count` more cycles of the robot, which is its own time, independent of the load of the machine. */
   async cycles(count) {
     const { frames } = await this.state();
     return this.until((state) => state.frames >= frames + count, `${count} cycles`);

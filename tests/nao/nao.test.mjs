@@ -1,5 +1,5 @@
-// What was built for the Naos, on their processors under emulation, on kernels as old as theirs and in a system that has
-// nothing. FORESIGHT_NAO names the presets, "nao-v6" when it is unset; the other programs are those of FORESIGHT_BIN.
+// Programs for the Naos on emulated processors, on kernels as old as the robots' and in an empty system. FORESIGHT_NAO names
+// the presets, by default "nao-v6". FORESIGHT_BIN is the folder of the other programs.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync } from "node:fs";

@@ -23,7 +23,7 @@ export const needsMovbe = { skip: / movbe /.test(readFileSync("/proc/cpuinfo", "
 
 const kInterpreter = 3, kDynamic = 2, kSymbols = 2;
 
-/** What an ELF file says of itself: its word size, whether it needs anything shared, whether it has symbols. */
+/** Reads an ELF file: its word size, whether it needs shared libraries, whether it has symbols. */
 export function readElf(file) {
   const bytes = readFileSync(file);
   const bits = bytes[4] === 2 ? 64 : 32;

@@ -1,4 +1,4 @@
-// A channel for tests that need bytes on their way, and a provider that keeps what it is given.
+// A channel for tests of streams, and a provider that keeps its records.
 #pragma once
 
 #include <atomic>
@@ -23,7 +23,7 @@ inline std::shared_ptr<robot::memory::RawChannel> make_channel(const robot::Cloc
       clock);
 }
 
-/// What arrived at a `KeepingProvider`; outlives it. Any thread.
+/// The records of a `KeepingProvider`; outlives it. Any thread.
 struct Arrivals {
   std::mutex lock;
   std::condition_variable changed;
