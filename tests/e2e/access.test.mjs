@@ -1,4 +1,4 @@
-// Who may watch and who may control: Host, Origin and token, as DESIGN's rules on outsiders say, and how starting fails.
+// Rights to watch and to control: Host, Origin and token by DESIGN's rules on outsiders, and failures at the start.
 import assert from "node:assert/strict";
 import { readFileSync, statSync, writeFileSync } from "node:fs";
 import net from "node:net";

@@ -251,7 +251,7 @@ test("blocks of a run are played anywhere, and merged to the same result", async
   assert.equal(merged.status, whole.status);
   assert.ok(readFileSync(join(shared, "result.json")).equals(readFileSync(join(alone, "result.json"))));
 
-  // what is damaged or of another run is never merged
+  // blocks that are damaged or of another run are never merged
   const block = join(shared, "block-00000002.json");
   const sound = readFileSync(block, "utf8");
   for (const [text, sentence] of [

@@ -1,4 +1,4 @@
-// What goes wrong around a robot must stay around it: clients that hang, floods, nonsense, and the end of the process.
+// Faults around a robot do not harm it: clients that hang, floods, nonsense, and the end of the process.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
@@ -86,7 +86,7 @@ test("a thousand connections that say nothing cost little and keep nobody out", 
   const grown = residentBytes(server.pid) - before;
   assert.ok(grown < 20e6, `grew by ${grown / 1e6} MB`);
   assert.ok(readdirSync(`/proc/${server.pid}/fd`).length < 400, "the oldest make room");
-  await live.subscribe("/14/2/pose"); // who was there before is still served
+  await live.subscribe("/14/2/pose"); // an earlier client is still served
   await live.newest("/14/2/pose");
 });
 

@@ -14,7 +14,7 @@ const { FileDescriptorSetSchema } = require("@bufbuild/protobuf/wkt");
 const kStart = 1_700_000_000_000_000_000n, kCount = 300, kPeriod = 33_000_000n; // [ns]
 const kDouble = 1, kMessage = 11, kOptional = 1;
 
-/** theirs.Sighting {theirs.Spot spot {double ahead_mm, left_mm}}, as a team's own robot might tell of its ball. */
+/** `theirs.Sighting {theirs.Spot spot {double ahead_mm, left_mm}}`: a ball in the words of another team's robot. */
 function sightings() {
   const field = (name, number, type, typeName) => ({ name, number, type, typeName, label: kOptional });
   const set = create(FileDescriptorSetSchema, {

@@ -166,7 +166,7 @@ test("one question runs and one waits, whoever asked; the next is told so, and w
   const others = [await Live.open(t, server), await Live.open(t, server)];
   const began = performance.now();
   const first = live.call(kService, { budget_ms: 3000 });
-  await live.call("/sim/state"); // what came before is known by then
+  await live.call("/sim/state"); // earlier messages have arrived by then
   const gone = others[0].call(kService, { budget_ms: 10000 }).catch(() => "gone");
   await others[0].call("/sim/state");
   assert.equal((await others[1].call(kService, { budget_ms: 10000 })).error, `${kService}: another question is running and one more waits: ask again when they are answered`);
@@ -310,7 +310,7 @@ test("a recording is asked what would have been best, by the service and by the 
     }
   assert.equal(new Set([...situations.values()].map((situation) => JSON.stringify(situation))).size, moments.length);
 
-  // who ends it does not wait for what is asked
+  // ending the program does not wait for a question
   live.call(kService, { robot: "14/3", budget_ms: 10000 }).catch(() => {});
   await live.call("clock_sync", { sent_ns: "1" });
   await server.stop();

@@ -122,8 +122,8 @@ export class Live {
 }
 
 /**
- * A simulated game that stands a minute after its beginning, the same to the bit whatever the machine is doing: so its
- * captain chooses nothing of its own accord, since what it gets to foresee depends on the processor. It can be asked.
+ * A simulated game that is paused one minute after its beginning, the same to the bit on every run. Its captain chooses
+ * nothing by itself, because its number of rollouts depends on the processor. It answers questions.
  */
 export async function pausedGame(t) {
   const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--no-foresight");
@@ -157,7 +157,7 @@ export function playbackControl({ play, speed = 1, to_ns, id }) {
   return Buffer.concat([bytes, Buffer.from(id)]);
 }
 
-/** What a WebSocket upgrade is answered with when it is refused: {status, text}; fails if it is not. */
+/** Returns the answer {status, text} to a WebSocket upgrade that is refused; fails if it is accepted. */
 export function refusal(server, { path = "/", protocols = kSubprotocols, address = "127.0.0.1", ...options } = {}) {
   const socket = new WebSocket(`ws://${address}:${server.port}${path}`, protocols, options);
   return within(

@@ -1,4 +1,4 @@
-// What a person sees: the page as the programs serve it, in Chromium.
+// The page as the programs serve it, in Chromium.
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";

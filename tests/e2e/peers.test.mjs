@@ -331,7 +331,7 @@ test("bytes on the wire are those of the protocol's golden vectors", async (t) =
   const { raw } = await live.until(() => live.answers.get(12), "the answer");
   assert.equal(hex(raw), response(service, 12, JSON.stringify({ ok: true, received_ns: String(end_ns), sent_ns: "7" })));
 
-  // what clients send: ours written by hand here, Foxglove's by Foxglove
+  // messages of clients: ours written by hand here, Foxglove's by Foxglove
   const golden = "020a0000000c000000040000006a736f6e7b226b6579223a202276616c7565227d";
   assert.equal(hex(serviceCall(10, 12, '{"key": "value"}')), golden);
   const { ws, client, sent } = foxglove(t, server);

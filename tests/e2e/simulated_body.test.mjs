@@ -34,7 +34,7 @@ test("the Foxglove client sees every robot's objects, decisions 30 times a secon
   }
   await until(() => [...messages.values()].every((list) => list.length >= 60), "two seconds of them");
 
-  // of so many successive times most are a tick apart; a busy machine may give up some
+  // most of these successive times are a tick apart; a busy machine may skip some
   const times = messages.get("/truth/world").map(({ log_ns }) => log_ns);
   const even = times.slice(1).filter((time, i) => time - times[i] >= 33_333_000n && time - times[i] <= 33_334_000n);
   assert.ok(even.length > 0.8 * (times.length - 1), `${even.length} of ${times.length - 1} are 1/30 s apart`);
@@ -68,7 +68,7 @@ test("the services do what they say, and memory shows it", async (t) => {
   assert.equal(stepped.tick, paused.tick + 45);
   assert.equal((await live.call("/sim/state")).tick, stepped.tick, "nothing plays on its own");
 
-  // one seed, one game: the truth after so many steps is the same each time
+  // one seed, one game: the truth after this number of steps is the same each time
   const after = async (seed) => {
     await live.call("/sim/seed", { seed });
     const { tick } = await live.call("/sim/step", { ticks: 300 });

@@ -53,7 +53,7 @@ test("a line is a game's report, and what robots believed beside what was so", a
     for (const [key, value] of Object.entries(report[side])) assert.equal(second[side][key], value, key);
     assert.ok(second[side].ball_error > 0 && second[side].pose_error > 0);
     for (const key of ["moving_ball_error", "pose_error", "flipped", "down"]) assert.equal(perfect[side][key], 0, key);
-    assert.ok(perfect[side].shifting < 0.3 * second[side].shifting); // who stops finishes its step
+    assert.ok(perfect[side].shifting < 0.3 * second[side].shifting); // a stopping robot finishes its step
   }
   const goal = report.events.find((event) => event.kind === "goal");
   assert.equal(second.first_goal_seconds, goal ? goal.tick / 30 : null);

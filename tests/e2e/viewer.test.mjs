@@ -1,5 +1,5 @@
-// The viewer in use, in Chromium: going back while the robot goes on, several servers in one page, each view on a simulated
-// game and on a recorded one, keys, phone, and what it costs.
+// The viewer in use, in Chromium: going back while the robot goes on, several servers in one page, keys, phone, and its cost.
+// Each view is tried on a simulated game and on a recorded one.
 import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
 import { test } from "node:test";
@@ -24,7 +24,7 @@ async function playing(t, ...args) {
 const at = (page) => BigInt(/[?&]at=(\d+)/.exec(page.url())?.[1] ?? 0);
 const footer = (page) => page.locator("footer");
 const isLive = (page) => footer(page).getByText("● live").waitFor();
-/** What a canvas shows, as one number: the same picture has the same. */
+/** Returns a hash of the picture on a canvas. */
 const pictureOf = async (locator) => createHash("sha1").update(await locator.screenshot()).digest("hex");
 const field = (page) => page.getByLabel("The field from above");
 const paused = (page) => footer(page).getByRole("button", { name: "Go on" }).waitFor();
@@ -155,7 +155,7 @@ for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)
     await until(() => page.evaluate(() => document.title.includes("14/2")), "the robot");
     await seconds(page);
 
-    // the field: layers change it, hovering tells
+    // the field: layers change it, hovering shows details
     const empty = async () => (await page.getByText(/is at x|believes x/).count()) === 0;
     const layer = page.getByRole("group", { name: "Layers" }).getByRole("button", { name: "names" });
     await layer.click();

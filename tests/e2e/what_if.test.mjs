@@ -1,5 +1,5 @@
 // The What-if view in Chromium: questions to a simulated robot and to a recording, the situation edited, refusals shown.
-// What a forecast says depends on luck and on the processor's share; nothing here does.
+// A forecast depends on luck and on the processor's share; no test here depends on its figures.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { join } from "node:path";
@@ -164,7 +164,7 @@ test("before any answer the situation is what the robot believes by itself, and 
   const { x } = live.decoded("/14/2/pose", await live.newest("/14/2/pose"));
   assert.ok(Math.abs(Number(await page.getByLabel("x, m").inputValue()) - x) < 0.01, "where it believes to be");
 
-  // what is typed is not typed over by what the robot believes meanwhile, nor does it go to what the pointer comes over
+  // newer beliefs of the robot do not overwrite typed text, and hovering does not redirect it
   await page.getByLabel("x, m").fill("-2.5");
   await live.call("/sim/step", { ticks: 30 });
   await page.mouse.move(100, 300);
@@ -290,7 +290,7 @@ test("a recording is asked at the moment where the page stands: what would we ha
   await page.waitForURL(/at=\d+/);
   const answered = page.getByText("Your question");
   const refused = page.getByRole("alert").filter({ hasText: "cannot tell, because" });
-  // from one moment to the next, until the robot knows enough; what was asked at is told
+  // from one moment to the next, until the robot knows enough; the page shows the moment of the question
   let asked = 0;
   await until(async () => {
     await page.keyboard.press("Shift+ArrowRight");
