@@ -78,7 +78,7 @@ test("a step that fails without a failing test is a failure", (t) => {
   assert.deepEqual(lines, ["FAILED: browser", "1 passed, 1 failed, 0 skipped"]);
 });
 
-test("with FORESIGHT_REQUIRE_DATA=1 a skip for want of recordings is a failure, another skip is not", (t) => {
+test("with FORESIGHT_REQUIRE_DATA=1 a skip without recordings is a failure, another skip is not", (t) => {
   const files = { "steps.txt": "passed\ttests\tbrowser\n", "browser.tap": "ok 1 - a # SKIP set FORESIGHT_DATA\nok 2 - b # SKIP no tc\n" };
   assert.equal(totalsOf(t, files).status, 0);
   const { lines, status } = totalsOf(t, files, { FORESIGHT_REQUIRE_DATA: "1" });

@@ -64,7 +64,7 @@ describe("the start script", { concurrency: true }, () => {
     ["busybox", (t) => ({ shell: `${execFileSync("sh", ["-c", "command -v busybox"], { encoding: "utf8" }).trim()} sh`, tools: busyboxTools(t) }), { skip: has("busybox") ? false : "there is no busybox" }],
   ];
   for (const [name, options, skip] of shells) {
-    test(`${name}: it starts, tells, and stops; settings become options as they are`, skip, async (t) => {
+    test(`${name}: it starts, reports its status, and stops; settings become options without change`, skip, async (t) => {
       const service = installed(t, kLives, options(t));
       assert.deepEqual(service.run("status"), { status: 3, output: "is stopped" });
       assert.equal(service.run("start").status, 0);
@@ -84,7 +84,7 @@ describe("the start script", { concurrency: true }, () => {
       assert.equal(service.run("stop").status, 0);
     });
 
-    test(`${name}: a crash is mended, the third within a minute is not, and it says so`, skip, async (t) => {
+    test(`${name}: it restarts after a crash, but not after the third within a minute, and reports that`, skip, async (t) => {
       const service = installed(t, kLives, options(t));
       service.run("start");
       for (let crash = 1; crash <= 3; ++crash) {
@@ -150,7 +150,7 @@ describe("the start script", { concurrency: true }, () => {
     assert.ok(isGone(pid));
   });
 
-  test("what systemd says of an end is counted like a crash", (t) => {
+  test("a failure that systemd reports counts as a crash", (t) => {
     const service = installed(t, "exit 3");
     const crash = { SERVICE_RESULT: "exit-code", EXIT_CODE: "exited", EXIT_STATUS: "3" };
     for (let run = 1; run <= 3; ++run) {

@@ -76,7 +76,7 @@ test("every page comes with a strict Content-Security-Policy and no referrer", a
   }
 });
 
-test("only GET, HEAD, DELETE and OPTIONS; a second Host is no request", async (t) => {
+test("the server accepts only GET, HEAD, DELETE and OPTIONS, and refuses a second Host", async (t) => {
   const { server } = await served(t);
   for (const method of ["POST", "PUT", "PATCH"]) assert.equal((await request(server, "/api/status", { method })).status, 405);
   assert.equal((await request(server, "/api/status", { method: "DELETE" })).status, 404);
@@ -121,7 +121,7 @@ test("control from another machine needs the token; watching does not, unless re
   await local.call("stop_recording");
 });
 
-test("with protected reading nothing but the viewer itself is shown to another machine without the token", needsNetwork, async (t) => {
+test("with protected reading another machine without the token gets only the viewer itself", needsNetwork, async (t) => {
   const { folder, server } = await served(t, "--bind", "0.0.0.0", "--protect-reading");
   const token = readFileSync(join(folder, "state/token"), "utf8").trim();
   const ask = (path) => request(server, path, { address: own });
@@ -137,7 +137,7 @@ test("with protected reading nothing but the viewer itself is shown to another m
   await Live.open(t, server, { address: own, path: `/?token=${token}` });
 });
 
-test("the token is made once, for its owner's eyes only, and told to nobody", async (t) => {
+test("the token is made once, only its owner can read it, and no answer contains it", async (t) => {
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 1 });
   const server = await robot(t, folder, session);
@@ -170,7 +170,7 @@ async function refuses(sentence, program, ...args) {
   assert.equal(stderr.trim().split("\n").length, 1, stderr);
 }
 
-test("what cannot start says why in one sentence, with status 2", async (t) => {
+test("a program that cannot start gives the reason in one sentence, with status 2", async (t) => {
   const { folder, session, server } = await served(t);
   const state = ["--state-dir", join(folder, "state")];
   const again = (...args) => ["--session", session, "--log-dir", join(folder, "logs"), ...state, ...args];

@@ -54,7 +54,7 @@ async function twoRecordings(t) {
 
 const kSentence = "14/3's clock is 0.350 s ahead (± 2.0 ms) of 14/2's, by 10.0.14.7: its times are shifted";
 
-test("a session whose clock was off is played in the time of the first, and that is said", async (t) => {
+test("a session whose clock was off is played in the time of the first, and a sentence reports it", async (t) => {
   const { folder, first, second } = await twoRecordings(t);
   const server = await play(t, folder, first, second, "--speed", "1000");
   assert.ok(server.output.split("\n").includes(kSentence), server.output);
@@ -69,7 +69,7 @@ test("a session whose clock was off is played in the time of the first, and that
   assert.deepEqual(live.decoded("/14/3/spot", three), { seen_ns: String(three.log_ns), x: 89 }, "times within messages are shifted, too");
 });
 
-test("info tells how the clocks stand; beyond what is allowed both refuse with the offset", async (t) => {
+test("info reports the clock offsets; both commands refuse a larger offset than allowed, and name it", async (t) => {
   const { first, second } = await twoRecordings(t);
   const told = await run("foresight-lab", "info", first, second);
   assert.equal(told.status, 0);

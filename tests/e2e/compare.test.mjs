@@ -18,7 +18,7 @@ function found({ stdout }) {
   return rest;
 }
 
-test("a behaviour against itself is identical, exactly", async () => {
+test("a behaviour compared with itself is exactly identical", async () => {
   const { status, stdout } = await compare("baseline", "--pairs", "100", "--json");
   assert.equal(status, 1);
   const report = JSON.parse(stdout);
@@ -29,7 +29,7 @@ test("a behaviour against itself is identical, exactly", async () => {
   assert.deepEqual([sequential.verdict, sequential.pairs], ["identical", 50]);
 });
 
-test("who hardly plays is not better, and the other one is", async () => {
+test("a team that hardly plays is not better, and its opponent is", async () => {
   const worse = await compare("baseline", "idle", "--json");
   const better = await compare("idle", "baseline", "--json");
   assert.deepEqual([worse.status, better.status], [1, 0]);
@@ -41,7 +41,7 @@ test("who hardly plays is not better, and the other one is", async () => {
   assert.match(b.decisive[0].replay, /^foresight-sim match --home baseline --away idle .*--seed \d+ --mcap game\.mcap$/);
 });
 
-test("the number of processes, and being killed, change nothing", async (t) => {
+test("the number of processes and kills do not change the result", async (t) => {
   const folder = temporaryFolder(t);
   const words = ["baseline", "kick_now", "--pairs", "200", "--json"];
   const alone = await compare(...words, "--jobs", "1");
@@ -86,13 +86,13 @@ test("against a third behaviour both play the same games", async () => {
   assert.ok(Math.abs(report.gain.mean - (report.a.conceded - report.b.conceded)) < 1e-9);
 });
 
-test("a sequential test gives up when it is told to", async () => {
+test("a sequential test gives up at its limit", async () => {
   const { status, stdout } = await compare("baseline", "align_first", "--sprt", "0,0.01", "--most-pairs", "30", "--json");
   const { pairs, verdict } = JSON.parse(stdout);
   assert.deepEqual({ status, pairs, verdict }, { status: 3, pairs: 30, verdict: "undecided" });
 });
 
-test("a plan tells how many games an answer takes", async (t) => {
+test("a plan reports how many games an answer takes", async (t) => {
   const { status, stdout } = await compare("baseline", "kick_now", "--plan", "--sprt", "0,0.05", "--json");
   assert.equal(status, 0);
   const plan = JSON.parse(stdout);
@@ -108,7 +108,7 @@ test("a plan tells how many games an answer takes", async (t) => {
   assert.deepEqual([again.pilot_pairs, again.pair_variance, again.fixed_80.games], [200, plan.pair_variance, plan.fixed_80.games]);
 });
 
-test("what makes no sense is refused with a sentence", async () => {
+test("wrong input is refused with a sentence", async () => {
   for (const [words, sentence] of [
     [["baseline", "nobody"], /nobody/],
     [["baseline", "kick_now", "--sprt", "0.1,0"], /--sprt: expected two gains, the smaller one first, such as 0,0\.1, got '0\.1,0'/],
@@ -179,7 +179,7 @@ test("a process that dies, stalls or talks nonsense ends the run with a sentence
   assert.match(vetted.stdout, /the same each time {3}NO/);
 });
 
-test("only some players may change", async () => {
+test("a comparison can change only some players", async () => {
   const play = async (...words) => JSON.parse((await compare("baseline", "idle", "--pairs", "20", "--json", ...words)).stdout);
   const [keeper, all] = [await play("--changed", "1"), await play()];
   assert.equal(keeper.run.changed, 1);
@@ -189,7 +189,7 @@ test("only some players may change", async () => {
   assert.ok(keeper.b.goals > 0);
 });
 
-test("games begin in moments, in those of a folder evenly, and each pair may vary them", async (t) => {
+test("games begin in moments, evenly in all of a folder, and each pair can vary them", async (t) => {
   const play = async (...words) => JSON.parse((await run("foresight-sim", "compare", "align_first", "kick_now", "--metric", "score_within:30s", "--pairs", "40", "--json", ...words)).stdout);
   const [plain, again, fuzzed] = [await play("--from", "near_free"), await play("--from", "near_free"), await play("--from", "near_free", "--fuzz")];
   assert.deepEqual(found({ stdout: JSON.stringify(again) }), found({ stdout: JSON.stringify(plain) }));
@@ -208,7 +208,7 @@ test("games begin in moments, in those of a folder evenly, and each pair may var
   assert.ok(score[0] <= 1 && score[1] <= 1 && Math.abs(gain) >= 1, replay);
 });
 
-test("how far the ball gets is a metric", async () => {
+test("the advance of the ball is a metric", async () => {
   const { stdout } = await run("foresight-sim", "compare", "idle", "baseline", "--from", "far_free", "--metric", "ball_advance:30s", "--pairs", "50", "--json");
   const report = JSON.parse(stdout);
   assert.equal(report.verdict, "better");
@@ -226,7 +226,7 @@ test("a behaviour against itself gains nothing, and neither end of the field doe
   assert.match((await compare("--aa", "baseline", "--pairs", "50")).stdout, /50 pairs of the same luck {3}gain \+0\.000 ± 0\.000, 0 in each, as it must be/);
 });
 
-test("a verdict is asked again under other models", async () => {
+test("a robust verdict is repeated under other models", async () => {
   const { status, stdout } = await compare("baseline", "idle", "--robust", "--pairs", "25", "--metric", "first_goal", "--vs", "baseline", "--json");
   const report = JSON.parse(stdout);
   assert.equal(status, report.verdict === "undecided" ? 3 : 1);
@@ -267,7 +267,7 @@ test("blocks of a run are played anywhere, and merged to the same result", async
   }
 });
 
-test("workers that are killed again and again change nothing", async (t) => {
+test("workers that are killed repeatedly do not change the result", async (t) => {
   const folder = temporaryFolder(t);
   const [calm, torn] = [join(folder, "calm"), join(folder, "torn")];
   const words = ["baseline", "passing", "--pairs", "150", "--jobs", "2"];
@@ -305,7 +305,7 @@ test("one folder has one run at a time", async (t) => {
   assert.match(second.stderr, /another process is working on it/);
 });
 
-test("a full disk is said, and what was written is whole", { skip: process.getuid() === 0 ? false : "a small disk needs root" }, async (t) => {
+test("a full disk is reported, and the written blocks are complete", { skip: process.getuid() === 0 ? false : "a small disk needs root" }, async (t) => {
   const disk = join(temporaryFolder(t), "disk");
   mkdirSync(disk);
   const mounted = await new Promise((done) => spawn("mount", ["-t", "tmpfs", "-o", "size=24k", "tmpfs", disk]).on("close", done));

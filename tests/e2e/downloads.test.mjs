@@ -19,7 +19,7 @@ async function served(t) {
 
 const get = (server, path, headers, method = "GET") => request(server, path, { headers, method });
 
-test("a download says what it is: size, type, name, tag, and that ranges are taken", async (t) => {
+test("a download has size, type, name, tag, and accepts ranges", async (t) => {
   const { server, path, whole, headers, etag } = await served(t);
   assert.equal(headers["content-length"], String(whole.length));
   assert.equal(headers["accept-ranges"], "bytes");
@@ -37,7 +37,7 @@ test("a download says what it is: size, type, name, tag, and that ranges are tak
   assert.equal(stream.headers["content-disposition"], 'attachment; filename="synthetic.14.2.fsr.mcap"');
 });
 
-test("ranges: first, last, middle, past the end, and those that cannot be", async (t) => {
+test("ranges: first, last, middle, past the end, and invalid ones", async (t) => {
   const { server, path, whole } = await served(t);
   const size = whole.length;
   const cases = [
@@ -65,7 +65,7 @@ test("ranges: first, last, middle, past the end, and those that cannot be", asyn
   assert.ok([200, 206].includes(head.status) && head.body.length === 0);
 });
 
-test("any ranges one after the other are the whole", async (t) => {
+test("any consecutive ranges together are the whole file", async (t) => {
   const { server, path, whole } = await served(t);
   let seed = 1; // the same cuts each time
   const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
@@ -79,7 +79,7 @@ test("any ranges one after the other are the whole", async (t) => {
   assert.ok(Buffer.concat(pieces).equals(whole));
 });
 
-test("conditions: what is still the same is not sent twice, what has changed is sent whole", async (t) => {
+test("conditions: an unchanged file is not sent twice, a changed one is sent whole", async (t) => {
   const { server, path, whole, etag } = await served(t);
   for (const tags of [etag, `W/${etag}`, `"other", ${etag}`, "*"]) {
     const same = await get(server, path, { "if-none-match": tags });
@@ -204,7 +204,7 @@ test("no path leads out of the log folder", async (t) => {
   }
 });
 
-test("who goes away in the middle of a download harms nobody", async (t) => {
+test("a client that disconnects during a download harms no other", async (t) => {
   const { server, path, whole } = await served(t);
   const abort = () =>
     new Promise((resolve) => {
@@ -219,7 +219,7 @@ test("who goes away in the middle of a download harms nobody", async (t) => {
   assert.equal((await statusOf(server)).clients, 0);
 });
 
-test("many downloads at once are all whole", async (t) => {
+test("many downloads at the same time are all complete", async (t) => {
   const { server, path, whole } = await served(t);
   for (const body of await Promise.all(Array.from({ length: 12 }, () => download(server, path)))) assert.ok(body.equals(whole));
 });

@@ -63,7 +63,7 @@ test("a viewer that hangs loses its own messages only", async (t) => {
 
 const residentBytes = (pid) => 1024 * Number(/^VmRSS:\s+(\d+) kB$/m.exec(readFileSync(`/proc/${pid}/status`, "utf8"))[1]);
 
-test("a thousand connections that say nothing cost little and keep nobody out", async (t) => {
+test("a thousand silent connections cost little and keep no client out", async (t) => {
   const folder = temporaryFolder(t);
   const server = await play(t, folder, await synthesize(folder, { seconds: 1 }), "--speed", "1000");
   const live = await Live.open(t, server);
@@ -137,7 +137,7 @@ test("frames that are too large or break the protocol end their connection, clea
 });
 
 for (const signal of ["SIGTERM", "SIGINT"]) {
-  test(`${signal} ends the robot in good order, whoever watches and whatever it records`, async (t) => {
+  test(`${signal} ends the robot in good order while it is watched and records`, async (t) => {
     const folder = temporaryFolder(t);
     const session = await synthesize(folder, { seconds: 4 });
     const server = await robot(t, folder, session, "--record", "--profile", "full", "--loop", "--speed", "2");

@@ -83,7 +83,7 @@ for (const [what, options] of [["with chunks and an index", {}], ["without chunk
     assert.deepEqual([encoding, schemaName], ["json", ""]);
   });
 
-test("what nobody here has heard of shows in the tree and in plots", async (t) => {
+test("unknown objects show in the tree and in plots", async (t) => {
   const folder = temporaryFolder(t);
   const server = await play(t, folder, await recording(folder), "--loop");
   const { page, problems } = await open(t, `${server.http}/#//objects`);
@@ -130,7 +130,7 @@ test("mapped by a file, their topics are our objects too, on the field as well",
   assert.deepEqual(problems, []);
 });
 
-test("info tells what such a file holds, and counts no gaps in numbers that are none", async (t) => {
+test("info describes such a file, and counts no gaps where there are no numbers", async (t) => {
   const { status, stdout } = await run("foresight-lab", "info", await recording(temporaryFolder(t)), "--json");
   assert.equal(status, 0);
   const { streams, clock } = JSON.parse(stdout);

@@ -61,7 +61,7 @@ test("the Foxglove client asks and is answered, and memory holds the same", asyn
   assert.equal(String(log_ns), forecast.asked_ns, "it stands beside the moment it is about");
 });
 
-test("any robot may be asked about, and situations that were changed by hand", async (t) => {
+test("questions can be about any robot, and about edited situations", async (t) => {
   const { live } = await pausedGame(t);
   const other = await live.call(kService, { robot: "5/3", budget_ms: 50 });
   assert.equal(other.robot ?? other.error, "5/3");
@@ -74,7 +74,7 @@ test("any robot may be asked about, and situations that were changed by hand", a
   assert.deepEqual(forecast.situation.robots.find(({ side, player }) => side === "own" && player === 3), { side: "own", player: 3, x: 1, y: -1, heading: 0.5, deviation: 0 });
 });
 
-test("nonsense gets one sentence, and nothing else happens", async (t) => {
+test("nonsense gets one sentence and has no other effect", async (t) => {
   const { live } = await pausedGame(t);
   await live.subscribe("/14/2/forecast");
   const sentences = [
@@ -101,7 +101,7 @@ test("nonsense gets one sentence, and nothing else happens", async (t) => {
   assert.equal(live.messages.get("/14/2/forecast").length, 0, "no forecast came of it");
 });
 
-test("a question nested a hundred thousand deep gets one sentence, and so do all others who nest", async (t) => {
+test("a question nested a hundred thousand deep gets one sentence, in every service", async (t) => {
   const { server, live } = await pausedGame(t);
   const deep = (inner) => `{"horizon":${"[".repeat(100000)}${inner}${"]".repeat(100000)}}`;
   const sentence = "expected JSON nested at most 64 deep, got what is nested deeper";
@@ -114,7 +114,7 @@ test("a question nested a hundred thousand deep gets one sentence, and so do all
   assert.equal((await live.call(kService, { budget_ms: 50 })).ok, true, "it still answers");
 });
 
-test("the captain asks of its own accord, and foresight is switched on and off", async (t) => {
+test("the captain asks by itself, and foresight can be switched on and off", async (t) => {
   const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--speed", "10", "--player", "2");
   const live = await Live.open(t, server);
   await live.subscribe("/14/2/forecast");
@@ -128,7 +128,7 @@ test("the captain asks of its own accord, and foresight is switched on and off",
   await live.until(() => live.values.some(({ parameters }) => parameters?.some(({ name, value }) => name === "foresight" && value === false)), "that it is off");
 });
 
-test("what was foretold is scored live, and the recording tells the same", async (t) => {
+test("forecasts are scored live, and the recording gives the same scores", async (t) => {
   const folder = temporaryFolder(t);
   const server = await start(t, folder, "foresight-robot", "--body", "sim", "--strategies", "baseline,kick_now", "--record", "--name", "scored");
   const live = await Live.open(t, server);
@@ -161,7 +161,7 @@ test("orders do not wait for a question", async (t) => {
   assert.equal((await answer).ok, true);
 });
 
-test("one question runs and one waits, whoever asked; the next is told so, and who has gone is not waited for", async (t) => {
+test("one question runs and one waits; the next is refused, and a disconnected client is not waited for", async (t) => {
   const { server, live } = await pausedGame(t);
   const others = [await Live.open(t, server), await Live.open(t, server)];
   const began = performance.now();
@@ -183,7 +183,7 @@ test("one question runs and one waits, whoever asked; the next is told so, and w
   assert.ok(last.forecast.answered_ms < waited_ms);
 });
 
-test("during a game people are told so, and the team's own code is answered", async (t) => {
+test("during a game people are refused, and the team's own code is answered", async (t) => {
   const folder = temporaryFolder(t);
   const door = join(folder, "door");
   const server = await start(t, folder, "foresight-robot", "--body", "attached", "--team", "14", "--player", "2", "--door", door, "--game-controller", "--game-port", "0");
@@ -237,7 +237,7 @@ test("from another machine it needs the token", needsNetwork, async (t) => {
   assert.equal((await trusted.call(kService, { budget_ms: 1 })).error, `${kService}: 'budget_ms' must be 10 .. 10000 [ms], got 1`);
 });
 
-test("the commands of the lab and of the simulator tell the same by the same names, and print the same table", async (t) => {
+test("the commands of the lab and of the simulator use the same names and print the same table", async (t) => {
   const folder = temporaryFolder(t);
   const [game, moment] = [join(folder, "game.mcap"), join(folder, "moment.json")];
   await run("foresight-sim", "match", "--seed", "5", "--rules", "spl2012,halves=1,half_duration=60", "--mcap", game);
@@ -262,7 +262,7 @@ test("the commands of the lab and of the simulator tell the same by the same nam
   assert.deepEqual(labs.map((line) => line.length), sims.map((line) => line.length));
 });
 
-test("a recording is asked what would have been best, by the service and by the command", async (t) => {
+test("the service and the command find the best strategy for a moment of a recording", async (t) => {
   const folder = temporaryFolder(t);
   const game = join(folder, "game.mcap");
   await run("foresight-sim", "match", "--seed", "5", "--rules", "spl2012,halves=1,half_duration=120", "--mcap", game);

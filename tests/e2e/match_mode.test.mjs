@@ -115,7 +115,7 @@ function capture(t, host, file) {
   };
 }
 
-test("during a game nothing but what the rules allow leaves over the wireless network", { skip: whyNot() }, async (t) => {
+test("during a game only messages that the rules allow leave over the wireless network", { skip: whyNot() }, async (t) => {
   const folder = temporaryFolder(t);
   const { robot, field, lab } = network(t);
   await start(t, folder, [...robot, "foresight-robot"], "--body", "attached", "--team", "14", "--player", "2", "--bind", "0.0.0.0",

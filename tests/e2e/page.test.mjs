@@ -110,7 +110,7 @@ async function rates(page, object) {
   }, `the row of ${object}`);
 }
 
-test("rates tell what came and what the server of the recording counts", async (t) => {
+test("rates show the received messages and the counts of the recording's server", async (t) => {
   const { server, recorded } = await synthetic(t);
   const { page, problems } = await open(t, `${server.http}/#/health`);
   const count = recorded.get("/14/2/joints").messages.length;
@@ -157,7 +157,7 @@ test("recordings are listed, and downloaded whole through the page", async (t) =
   assert.deepEqual(problems, []);
 });
 
-test("streams that do not tell what they hold are listed by their files", async (t) => {
+test("streams without a description are listed by their files", async (t) => {
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 1 });
   for (const file of ["one.mcap", "two.mcap"]) writeFileSync(join(session, file), "");
@@ -247,7 +247,7 @@ const kStrangeSet = fromJson(FileDescriptorSetSchema, {
   ],
 });
 
-test("an object the page never heard of is shown field by field, and as text whatever it says", async (t) => {
+test("an unknown object is shown field by field, and always as text", async (t) => {
   const folder = temporaryFolder(t);
   const thing = createFileRegistry(kStrangeSet).getMessage("them.Thing");
   const data = toBinary(thing, create(thing, { words: kHostile, numbers: [0.5, 1e300] }));
@@ -276,7 +276,7 @@ test("an object the page never heard of is shown field by field, and as text wha
   assert.deepEqual(problems.filter((problem) => !problem.includes("404")), []);
 });
 
-test("on a phone everything is within reach", async (t) => {
+test("on a phone every control can be reached", async (t) => {
   const folder = temporaryFolder(t);
   const server = await robot(t, folder, await synthesize(folder, { seconds: 2 }), "--loop");
   const { page, problems } = await open(t, server.http, { viewport: kPhone, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });

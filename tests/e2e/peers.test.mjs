@@ -35,7 +35,7 @@ async function played(t, { seconds = 1 } = {}) {
 const hex = (bytes) => Buffer.from(bytes.buffer ?? bytes, bytes.byteOffset, bytes.byteLength).toString("hex");
 const derivedOf = (topic) => (/camera_(top|bottom)$/.test(topic) ? [`${topic}/raw`, `${topic}/jpeg`] : topic.endsWith("/log") ? [`${topic}/foxglove`] : []);
 
-test("both subprotocols introduce the server and offer every stream and what is derived from it", async (t) => {
+test("both subprotocols introduce the server and offer every stream and its derived streams", async (t) => {
   const { server, recorded, live } = await played(t);
   const own = ["/lab/1/runtime", "/lab/1/clock", "/lab/1/log"];
   const expected = [...recorded.keys(), ...own].flatMap((topic) => [topic, ...derivedOf(topic)]).sort();
@@ -66,7 +66,7 @@ test("both subprotocols introduce the server and offer every stream and what is 
   }
 });
 
-test("who subscribes gets the last value at once, as the recording holds it", async (t) => {
+test("a new subscriber gets the newest value at once, as the recording holds it", async (t) => {
   const { recorded, server, live } = await played(t);
   await live.subscribe(...recorded.keys());
   const { client, events } = foxglove(t, server);
@@ -104,7 +104,7 @@ test("decoded values make sense", async (t) => {
   assert.ok(Math.abs(inertial.accelerometer_z - 9.81) < 2);
 });
 
-test("time never goes back, and comes often", async (t) => {
+test("time messages never go back and come often", async (t) => {
   const folder = temporaryFolder(t);
   const server = await play(t, folder, await synthesize(folder, { seconds: 1 }));
   const live = await Live.open(t, server);
@@ -276,7 +276,7 @@ test("a recording is begun and ended by service or parameter, and all clients se
   assert.deepEqual({ state, kept, name }, { state: "complete", kept: true, name: "over <here>" });
 });
 
-test("what makes no sense is answered with a sentence, and the connection stays", async (t) => {
+test("nonsense is answered with a sentence, and the connection stays open", async (t) => {
   const { live } = await played(t);
   const cases = [
     ['{"op":"dance"}', "request: the op 'dance' is not known"],
@@ -304,7 +304,7 @@ test("what makes no sense is answered with a sentence, and the connection stays"
   await live.newest("/14/2/pose");
 });
 
-test("who offers no subprotocol of ours is refused", async (t) => {
+test("a client without a known subprotocol is refused", async (t) => {
   const { server } = await played(t);
   for (const protocols of [[], ["graphql-ws"]]) {
     const { status, text } = await refusal(server, { protocols });

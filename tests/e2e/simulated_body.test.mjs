@@ -99,7 +99,7 @@ test("the services do what they say, and memory shows it", async (t) => {
   assert.match(refused.error, /^\/sim\/reset: situation: .*y/);
 });
 
-test("a game stands at its end; in a loop the next seed follows", async (t) => {
+test("a game stays at its end; in a loop the next seed follows", async (t) => {
   const live = await Live.open(t, await simulated(t, "--rules", kShort, "--seed", "3", "--speed", "100"));
   const state = await until(async () => {
     const answer = await live.call("/sim/state");
@@ -122,7 +122,7 @@ test("a simulated game is recorded as any robot is", async (t) => {
   for (const topic of ["/truth/world", "/sim/state", "/14/2/decision", "/5/1/pose"]) assert.ok(topics.get(topic)?.messages.length > 20, topic);
 });
 
-test("what cannot be played is one sentence and status 2", async () => {
+test("an impossible game gives one sentence and status 2", async () => {
   const refused = async (...args) => {
     const { status, stderr } = await run("foresight-robot", "--body", "sim", "--port", "0", ...args);
     assert.equal(status, 2, args.join(" "));

@@ -31,7 +31,7 @@ const paused = (page) => footer(page).getByRole("button", { name: "Go on" }).wai
 const seconds = (page) => page.evaluate(() => new Promise((done) => setTimeout(done, 700)));
 const row = (page, name) => page.getByRole("treeitem").filter({ has: page.locator(".name", { hasText: new RegExp(`^\\s*[▾▸]?${name}\\s*$`) }) }).first();
 
-test("time stands still while the robot goes on; a moment is in the address and shows what was so then", async (t) => {
+test("the page can be paused while the robot goes on; the address holds the moment, and shows it again", async (t) => {
   const { server, live } = await playing(t);
   await live.subscribe("/truth/world", "/sim/state");
   const { page, problems } = await open(t, `${server.http}/#/14/4/field?layers=truth,belief,error,uncertainty,view,intent,trail,names`, { colorScheme: "dark" });
@@ -201,7 +201,7 @@ for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)
     assert.deepEqual(problems, []);
   });
 
-test("keys are told on ?, views are reached by number, and typing is only typing", async (t) => {
+test("? lists the keys, numbers open views, and typing in a field triggers no key", async (t) => {
   const { server } = await playing(t);
   const { page, problems } = await open(t, server.http);
   await isLive(page);
@@ -244,7 +244,7 @@ test("a phone shows field and health of a game, dark and light", async (t) => {
   }
 });
 
-test("first sight takes at most 150 kB, and a game of eight robots is drawn fluidly and fresh", async (t) => {
+test("the first load takes at most 150 kB, and a game of eight robots is drawn fluidly and fresh", async (t) => {
   const { server } = await playing(t);
   const { page, problems } = await open(t, "about:blank");
   const bodies = [];

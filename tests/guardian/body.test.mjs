@@ -68,7 +68,7 @@ const freePort = async () => {
 };
 
 describe("body nao", { concurrency: 4 }, () => {
-  test("what LoLA tells is in memory, with the robot's identity", async (t) => {
+  test("LoLA's values are in memory, with the robot's identity", async (t) => {
     const { world, live, newest } = await open(t, ["joints", "inertial", "fsr", "touch", "battery", "sonar", "body", "motion_status"]);
     for (const object of ["joints", "inertial", "fsr", "touch", "battery", "sonar", "body", "motion_status"])
       await live.until(() => newest(object), object);
@@ -111,7 +111,7 @@ describe("body nao", { concurrency: 4 }, () => {
     await live.until(() => newest("body").reason.includes("told to be soft"), "the reason");
   });
 
-  test("stopped on purpose it sits, and has not crashed", async (t) => {
+  test("a runtime that is stopped on purpose sits the robot down and does not count as crashed", async (t) => {
     const { world, server, live, newest } = await open(t, ["body"]);
     await live.until(() => newest("body"), "the body");
     await world.play();
@@ -140,7 +140,7 @@ describe("body nao", { concurrency: 4 }, () => {
     }, "it plays");
   });
 
-  test("LoLA that is somebody else's: the body is attached, and says whose", async (t) => {
+  test("LoLA's socket belongs to another program: the body is attached, and names that program", async (t) => {
     const world = new World(t);
     await world.startRobot();
     const first = await world.startGuardian();

@@ -157,7 +157,7 @@ describe("the guardian", { concurrency: 6 }, () => {
     await world.until((state) => state.answers > 20, "and even when all of LoLA was gone");
   });
 
-  test("LoLA that is somebody else's: says whose, and takes it once that is gone", async (t) => {
+  test("LoLA's socket belongs to another program: the guardian names it, and takes over when it has ended", async (t) => {
     const world = new World(t);
     await world.startRobot();
     const first = await world.startGuardian();
@@ -182,7 +182,7 @@ describe("the guardian", { concurrency: 6 }, () => {
     assert.equal(stderr, `foresight-guardian: guardian: expected nobody to listen at ${world.link}, another guardian does; end it, or choose another --link\n`);
   });
 
-  test("it sits the robot down before it ends, and tells whether it may be replaced", async (t) => {
+  test("it sits the robot down before it ends, and reports whether it may be replaced", async (t) => {
     const world = await playing(t, "alive");
     await world.untilDoing("playing", "standing");
     const standing = await run("foresight-guardian", "--link", world.link, "--status");
