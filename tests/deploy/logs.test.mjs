@@ -1,4 +1,4 @@
-// scripts/logs against a small server that speaks the robot's API: what comes, in which order, and what goes on the robot.
+// scripts/logs against a small server with the robot's API: the copied files, their order, and deletions on the robot.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -38,7 +38,7 @@ function arrived(folder, robot, id, out = "logs") {
 }
 const sorted = (files) => Object.fromEntries(Object.entries(files).sort(([a], [b]) => (a < b ? -1 : 1)));
 
-// each has a place of its own, and mostly waits
+// each has its own folder, and mostly waits
 describe("logs", { concurrency: true }, () => {
   test("all sessions arrive bit for bit; a second run reads nothing again", async (t) => {
     const sessions = { one: session(1), two: session(2) };

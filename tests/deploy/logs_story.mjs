@@ -37,7 +37,7 @@ export function logsStory() {
   });
   after(() => world?.field.end());
 
-  /** Where a session has come to, under whatever day. */
+  /** Returns the folder of a copied session, below any day. */
   function home(robot, session) {
     const logs = join(world.home, "logs");
     const folders = existsSync(logs) ? readdirSync(logs).map((day) => join(logs, day, robot.name, session)) : [];

@@ -1,4 +1,4 @@
-// The robots file: what it may say, and how it is told what it may not.
+// The robots file: allowed content, and the errors for other content.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -7,7 +7,7 @@ import { parseTeam, pick } from "../../robot/deploy/team.mjs";
 const tim = { name: "tim", address: "10.0.14.2", model: "nao-v6", player: 2 };
 const lea = { name: "lea", wired: "10.1.14.3", wireless: "10.0.14.3", model: "nao-v4", player: 3 };
 
-/** The file of these robots, read. */
+/** Reads a file of these robots. */
 const read = (robots, team = { team: 14 }) => parseTeam("robots.json", JSON.stringify({ ...team, robots }), "/home/me");
 
 test("the example is right", () => {

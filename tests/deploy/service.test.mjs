@@ -39,7 +39,7 @@ function installed(t, program, { shell = "/bin/sh", tools, what = kRuntime } = {
   return { home, run, state, log, running };
 }
 
-/** True when a process does nothing any more, whether or not somebody has asked what became of it. */
+/** Returns true if a process has ended, also when its parent has not waited for it yet. */
 function isGone(pid) {
   try {
     return readFileSync(`/proc/${pid}/cmdline`, "utf8") === "";
@@ -48,14 +48,14 @@ function isGone(pid) {
   }
 }
 
-/** A folder in which every command is busybox's. */
+/** Makes a folder with the commands of busybox. */
 function busyboxTools(t) {
   const folder = temporaryFolder(t);
   execFileSync("busybox", ["--install", "-s", folder]);
   return folder;
 }
 
-// each has a place of its own, and mostly waits
+// each has its own folder, and mostly waits
 describe("the start script", { concurrency: true }, () => {
   const kLives = 'echo "process $$"; printf "%s\\n" "$@"; trap "exit 0" TERM; while :; do sleep 0.05; done';
 
@@ -96,7 +96,7 @@ describe("the start script", { concurrency: true }, () => {
       assert.deepEqual(await until(() => service.run("status").status === 4 && service.run("status"), "it stays down"), { status: 4, output: down });
       assert.match(service.run("log").output, new RegExp(`foresight: ${down}$`));
 
-      // a person may start it again, with three crashes to go
+      // after a start by hand, three crashes are allowed again
       service.run("start");
       assert.deepEqual(service.run("status"), { status: 0, output: "runs" });
     });

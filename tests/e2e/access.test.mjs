@@ -8,7 +8,7 @@ import { test } from "node:test";
 import { Live, refusal } from "./live.mjs";
 import { play, request, robot, run, synthesize, temporaryFolder, within } from "./support.mjs";
 
-// this machine as others see it
+// an address of this machine that is not loopback
 const own = Object.values(networkInterfaces()).flat().find(({ family, internal }) => family === "IPv4" && !internal)?.address;
 const needsNetwork = { skip: own ? false : "this machine has no address but loopback" };
 
@@ -97,14 +97,14 @@ test("control from another machine needs the token; watching does not, unless re
 
   for (const path of ["/", "/?token=", "/?token=0123456789abcdef0123456789abcdef", `/?token=${token.slice(0, -1)}`, `/?token=${token}0`, `/?token=${token.toUpperCase()}x`]) {
     const guest = await from(path);
-    await guest.subscribe("/14/2/joints"); // watching is free
+    await guest.subscribe("/14/2/joints"); // watching needs no token
     await guest.newest("/14/2/joints");
     for (const service of ["start_recording", "stop_recording", "keep_session"]) {
       const { ok, error } = await guest.call(service, {});
       assert.equal(ok, false, path);
       assert.match(error, needed);
     }
-    assert.equal((await guest.call("clock_sync", { sent_ns: "1" })).ok, true); // everybody may ask the time
+    assert.equal((await guest.call("clock_sync", { sent_ns: "1" })).ok, true); // every client may ask for the time
     guest.send({ op: "setParameters", parameters: [{ name: "jpeg_quality", value: 10 }], id: "set" });
     const { parameters } = await guest.until(() => guest.values.find(({ id }) => id === "set"), "the values");
     assert.equal(parameters[0].value, 75);
@@ -116,7 +116,7 @@ test("control from another machine needs the token; watching does not, unless re
   const trusted = await from(`/?token=${token}`);
   assert.equal((await trusted.call("start_recording")).ok, true);
   assert.equal((await trusted.call("stop_recording")).ok, true);
-  const local = await Live.open(t, server); // this machine's own processes need none
+  const local = await Live.open(t, server); // processes of this machine need no token
   assert.equal((await local.call("start_recording")).ok, true);
   await local.call("stop_recording");
 });
@@ -152,7 +152,7 @@ test("the token is made once, only its owner can read it, and no answer contains
   const said = [server.output, JSON.stringify(live.infos), JSON.stringify(live.decoded("/14/2/runtime", runtime)), live.messages.get("/14/2/log").map(({ data }) => data.toString("latin1")).join()];
   for (const path of ["/", "/api/status", "/api/sessions", `/logs/?token=${token}`, `/api/status?token=${token}`, `/nothing?token=${token}`]) {
     const { body, headers } = await request(server, path);
-    // the list of recordings keeps the token in its links: a person who needed it to come needs it to go on
+    // the list of recordings keeps the token in its links, because the next page needs it too
     if (!path.startsWith("/logs/")) said.push(body.toString("latin1"), JSON.stringify(headers));
   }
   for (const text of said) assert.ok(!text.includes(token), text.slice(0, 200));
@@ -162,7 +162,7 @@ test("the token is made once, only its owner can read it, and no answer contains
   assert.equal(readFileSync(file, "utf8").trim(), token);
 });
 
-/** That a program refuses to start, with status 2 and one sentence. */
+/** Asserts that a program refuses to start, with status 2 and one sentence. */
 async function refuses(sentence, program, ...args) {
   const { status, stderr } = await run(program, ...args);
   assert.equal(status, 2, `${args}: ${stderr}`);

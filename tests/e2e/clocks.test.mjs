@@ -12,7 +12,7 @@ const { FileDescriptorSetSchema } = require("@bufbuild/protobuf/wkt");
 
 const kStart = 1_700_000_000_000_000_000n, kMs = 1_000_000n;
 
-/** Clock samples, with the fields that matter, and a message that nobody else has heard of. */
+/** Clock samples, with the fields that matter, and a message of an unknown type. */
 function kSchemas() {
   const [kDouble, kInt64, kUint64, kString, kEnum] = [1, 3, 4, 9, 14];
   const field = (name, number, type, typeName) => ({ name, number, type, typeName, jsonName: name, label: 1 });
@@ -25,7 +25,7 @@ function kSchemas() {
 
 /**
  * Two recordings of the same three seconds: the ball at the same places, and clock samples with a machine of the lab. The
- * clock of 14/3 is 350 ms ahead of that of 14/2, give or take the round trips.
+ * clock of 14/3 is 350 ms ahead of that of 14/2, within the round trips.
  */
 async function twoRecordings(t) {
   const folder = temporaryFolder(t);

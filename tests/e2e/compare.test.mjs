@@ -7,11 +7,11 @@ import { test } from "node:test";
 import { kDesktop, kPhone, open, shoot } from "./browser.mjs";
 import { atEnd, bin, root, run, temporaryFolder, until } from "./support.mjs";
 
-// short games: what is tested is the counting
+// short games, because the tests are about the counting
 const kShort = ["--seconds", "150"];
 const compare = (...words) => run("foresight-sim", "compare", ...words, ...kShort);
 
-/** All but what hangs on the machine. */
+/** Returns a result without the values that depend on the machine. */
 function found({ stdout }) {
   const { seconds, decision_us, ...rest } = JSON.parse(stdout);
   assert.ok(seconds > 0);
@@ -62,7 +62,7 @@ test("the number of processes and kills do not change the result", async (t) => 
   assert.deepEqual(found(resumed), found(alone));
   assert.equal(blocks(), 8);
 
-  // a block that was changed is played again, never believed
+  // a changed block is played again
   const damaged = join(out, "block-00000003.json");
   const sound = readFileSync(damaged, "utf8");
   writeFileSync(damaged, sound.replace(/"pairs":\[\[\[(-?\d+)/, (_, gain) => `"pairs":[[[${Number(gain) + 1}`));
@@ -101,7 +101,7 @@ test("a plan reports how many games an answer takes", async (t) => {
   assert.ok(Math.abs(plan.fixed_80.games - (2 * 7.849 * plan.pair_variance) / 0.0025) < 3, stdout);
   assert.ok(plan.sequential.games < plan.fixed_80.games && plan.fixed_80.games < plan.fixed_95.games);
 
-  // a run that was is a pilot, too
+  // an earlier run can be the pilot
   const run = join(temporaryFolder(t), "run");
   await compare("baseline", "kick_now", "--pairs", "200", "--out", run);
   const again = JSON.parse((await compare("baseline", "kick_now", "--plan", "--delta", "0.05", "--pilot", run, "--json")).stdout);
@@ -173,7 +173,7 @@ test("a process that dies, stalls or talks nonsense ends the run with a sentence
       assert.match(stderr, sentence);
       assert.equal(stderr.match(/foresight-sim: /g).length, 1, stderr);
     }
-  // one whose decisions hang on something else is found out
+  // vet detects a behaviour whose decisions depend on anything else
   const vetted = await run("foresight-sim", "vet", program("dice", "print(json.dumps({'body': 'walk_speed', 'x': os.getpid() % 97 / 97 - 0.5}), flush=True); continue"), "--seconds", "10");
   assert.equal(vetted.status, 1, vetted.stderr);
   assert.match(vetted.stdout, /the same each time {3}NO/);
@@ -184,7 +184,7 @@ test("a comparison can change only some players", async () => {
   const [keeper, all] = [await play("--changed", "1"), await play()];
   assert.equal(keeper.run.changed, 1);
   assert.match(keeper.sentence, /idle of players 1 \.\. 1/);
-  // a team that stands still scores nothing; one whose goalkeeper does so plays on
+  // a team that stands still scores no goal; a team whose goalkeeper stands still plays on
   assert.equal(all.b.goals, 0);
   assert.ok(keeper.b.goals > 0);
 });
@@ -280,11 +280,11 @@ test("workers that are killed repeatedly do not change the result", async (t) =>
       const children = readFileSync(`/proc/${child.pid}/task/${child.pid}/children`, "utf8").trim().split(" ").filter(Boolean);
       if (children.length > 0 && process.kill(Number(children[kills % children.length]), "SIGKILL")) ++kills;
     } catch (error) {
-      if (!["ENOENT", "ESRCH"].includes(error.code)) throw error; // it ended meanwhile
+      if (!["ENOENT", "ESRCH"].includes(error.code)) throw error; // it has ended already
     }
     return kills;
   };
-  await until(kill, "a worker"); // the first one at once: a fast machine is done within a second
+  await until(kill, "a worker"); // the first one at once, because a fast machine finishes within a second
   const killing = setInterval(kill, 1000);
   atEnd(t, () => clearInterval(killing));
   const status = await ended;
@@ -320,7 +320,7 @@ test("a full disk is reported, and the written blocks are complete", { skip: pro
 
 test("on a cluster an array of jobs plays and another one merges", async (t) => {
   const folder = temporaryFolder(t);
-  // a sbatch that plays the tasks here and now, one after the other, each of them killed once
+  // a stand-in for sbatch that plays the tasks here, one after the other, and kills each of them once
   writeFileSync(
     join(folder, "sbatch"),
     `#!/bin/bash

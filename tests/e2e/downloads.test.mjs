@@ -1,4 +1,4 @@
-// Recordings over HTTP, as browsers, download managers and other viewers ask for them.
+// Recordings over HTTP, as browsers, download managers and other viewers request them.
 import assert from "node:assert/strict";
 import http from "node:http";
 import net from "node:net";
@@ -7,7 +7,7 @@ import { Live } from "./live.mjs";
 import { readSession, readStreamed } from "./mcap.mjs";
 import { download, play, request, robot, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
-/** A server with one complete recording, and the whole of it. */
+/** Starts a server with one complete recording; returns both, the recording as bytes. */
 async function served(t) {
   const folder = temporaryFolder(t);
   const server = await play(t, folder, await synthesize(folder, { seconds: 1 }), "--speed", "1000");
@@ -117,7 +117,7 @@ test("a recording that grows is redirected to a part that does not, byte for byt
   const path = `/logs/${session}.mcap`;
   const redirected = () => request(server, path);
 
-  // early there may be nothing old enough; then until something is
+  // at first no part may be old enough; then wait until one is
   const location = await until(async () => {
     const { status, headers } = await redirected();
     assert.equal(status, 307);
@@ -136,7 +136,7 @@ test("a recording that grows is redirected to a part that does not, byte for byt
   assert.equal(second.headers.etag, first.headers.etag);
   assert.ok(second.body.equals(first.body));
 
-  // a download that is continued meanwhile stays whole, too
+  // a download that is resumed during recording is complete, too
   const tail = await get(server, location, { range: "bytes=1000-", "if-range": first.headers.etag });
   assert.equal(tail.status, 206);
   assert.ok(Buffer.concat([first.body.subarray(0, 1000), tail.body]).equals(first.body));
@@ -156,7 +156,7 @@ test("a recording whose robot was killed lacks less than its last second", async
   robotServer.kill("SIGKILL");
   await within(robotServer.ended, "the end");
 
-  // another robot finds it
+  // another runtime finds the session
   const server = await robot(t, folder, session, "--speed", "1000");
   const [found] = await sessionsOf(server);
   assert.deepEqual([found.session, found.state], [id, "recovered"]);
@@ -173,7 +173,7 @@ test("a recording whose robot was killed lacks less than its last second", async
   }
 });
 
-/** Sends `head` as it is and gives all that comes back: http.request would tidy it up. */
+/** Sends `head` unchanged and returns the whole answer; http.request would change it. */
 function raw(server, head) {
   const socket = net.connect(server.port, "127.0.0.1");
   let text = "";

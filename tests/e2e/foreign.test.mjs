@@ -1,4 +1,4 @@
-// Recordings that another program wrote, with messages that we have never heard of: played as they are, and in our words.
+// Recordings of another program with unknown messages: played as they are, and mapped to our objects.
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -112,7 +112,7 @@ test("mapped by a file, their topics are our objects too, on the field as well",
   assert.equal(live.channels.get("/21/4/ball").schemaName, "foresight.Ball");
   await live.subscribe("/21/4/pose", "/21/4/ball", "/21/4/game", "/vision/ball", "/estimate");
   for (const topic of ["/21/4/pose", "/21/4/ball", "/21/4/game", "/vision/ball"]) await live.newest(topic);
-  // each message of theirs is one of ours, of the same time
+  // each of their messages becomes one of ours at the same time
   const pair = (theirs, ours) => live.until(() => live.messages.get(theirs).flatMap((their) => live.messages.get(ours).filter(({ log_ns }) => log_ns === their.log_ns).map((our) => [their, our]))[0], `${theirs} and ${ours} of one time`);
   const [seen, ball] = await pair("/vision/ball", "/21/4/ball");
   const { spot } = live.decoded("/vision/ball", seen);

@@ -1,4 +1,4 @@
-// Foresight as others use it: the independent Foxglove client asks a robot, memory holds the answer, nonsense does nothing.
+// Foresight through the independent Foxglove client: it asks a robot, memory holds the answer, nonsense has no effect.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { createSocket } from "node:dgram";
@@ -136,7 +136,7 @@ test("forecasts are scored live, and the recording gives the same scores", async
   const wishes = { foresight_budget_ms: 100, foresight_horizon: 1, foresight_period: 2 };
   live.send({ op: "setParameters", parameters: Object.entries(wishes).map(([name, value]) => ({ name, value })) });
   const scored = () => live.messages.get("/14/2/forecast_score").length;
-  await until(() => scored() >= 3, "three forecasts whose time has passed", 120000); // a busy machine leaves few futures
+  await until(() => scored() >= 3, "three forecasts whose time has passed", 120000); // on a busy machine there are few rollouts
   await server.stop();
 
   const [session] = readdirSync(join(folder, "logs")).filter((name) => name.includes("scored"));
@@ -217,7 +217,7 @@ test("during a game people are refused, and the team's own code is answered", as
   assert.match(stdout, /^cannot tell, because the robot does not know where it is/);
   await answers(refused);
 
-  live.send({ op: "setParameters", parameters: [{ name: "match_mode", value: false }] }); // a test that is no match
+  live.send({ op: "setParameters", parameters: [{ name: "match_mode", value: false }] }); // a test game, which is no match
   await answers(unknown);
   live.send({ op: "setParameters", parameters: [{ name: "match_mode", value: true }] });
   await answers(refused);
@@ -291,7 +291,7 @@ test("the service and the command find the best strategy for a moment of a recor
   }, "an answer");
   assert.deepEqual(answer.forecast.strategies.map(({ strategy }) => strategy), kStrategies);
 
-  // the moment is the recording's, not what the streams that are played have got to by then
+  // the moment is that of the recording, not the position of the playing streams
   const end_ns = BigInt(live.infos[0].dataEndTime.sec) * 1000000000n + BigInt(live.infos[0].dataEndTime.nsec);
   const asked = async (to_ns) => {
     live.send(playbackControl({ play: false, to_ns, id: "there" }));

@@ -1,4 +1,4 @@
-// How fluidly a page is drawn.
+// The frame rate of a page.
 
 /** Returns the times [ms] between frames of the page over some seconds, the shortest first. */
 export const framesOf = (page, seconds) =>

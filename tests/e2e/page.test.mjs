@@ -28,7 +28,7 @@ async function synthetic(t) {
   return played(t, await synthesize(folder, { seconds: 1 }), folder);
 }
 
-/** That the visible picture has the colours of the recorded one; its lower end may be covered by a warning. */
+/** Asserts that the picture has the colours of the recorded one; a warning may cover its lower end. */
 async function assertPicture(context, page, image) {
   const [columns, rows, compared] = [8, 6, 4];
   const expected = coloursOfYuyv({ ...image, data: Buffer.from(image.data, "base64") }, columns, rows);
@@ -52,7 +52,7 @@ test("a picture appears with its colours, as JPEG and as it is in memory", async
   await page.getByRole("button", { name: "Full" }).click();
   await assertPicture(context, page, image);
   assert.equal(await page.title(), "14/2 · camera · Foresight");
-  await page.getByText("a recording", { exact: true }).waitFor(); // not to be taken for a live robot
+  await page.getByText("a recording", { exact: true }).waitFor(); // distinguishable from a live robot
   await shoot(page, "camera");
   assert.deepEqual(problems, []);
 });
@@ -116,7 +116,7 @@ test("rates show the received messages and the counts of the recording's server"
   const count = recorded.get("/14/2/joints").messages.length;
   const joints = await until(async () => {
     const row = await rates(page, "joints").catch(() => undefined);
-    // a busy page may hear of the server's count before the first joints
+    // a busy page may receive the server's count before the first joints
     return row?.Sequence === String(count) && Number(row.Received) >= 1 && row;
   }, "the server's count, and joints");
   assert.deepEqual([joints.Schema, joints.Dropped], ["foresight.Joints", "0"]);
@@ -225,7 +225,7 @@ test("a page survives the end of its server, and goes on when there is one again
   assert.deepEqual(problems, []);
 });
 
-// a team's own message, which this page was not built with; its author is no friend
+// a team's own message, unknown to the page and with hostile content
 const kHostile = "<img src=x onerror=document.title=1><script>document.title=2</script>";
 const kStrangeSet = fromJson(FileDescriptorSetSchema, {
   file: [

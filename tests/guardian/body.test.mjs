@@ -23,7 +23,7 @@ async function join(t, world, objects, ...args) {
   const live = await Live.open(t, server);
   await live.until(() => live.channels.has("/14/2/joints"), "the channels");
   await live.subscribe(...objects.map((object) => `/14/2/${object}`));
-  /** The newest version of an object, decoded; undefined before the first. */
+  /** Returns the newest version of an object, decoded, or undefined before the first. */
   const newest = (object) => {
     const message = live.messages.get(`/14/2/${object}`).at(-1);
     return message && live.decoded(`/14/2/${object}`, message);
@@ -58,7 +58,7 @@ const kSit = "2002"; // posture: SIT
 const kStand = "2001";
 const kHead = (yaw, pitch) => `320a0d${float(yaw)}15${float(pitch)}`; // head_angles
 
-/** A UDP port that nobody has. */
+/** Returns a free UDP port. */
 const freePort = async () => {
   const probe = createSocket("udp4");
   await new Promise((done) => probe.bind(0, "127.0.0.1", done));

@@ -1,4 +1,4 @@
-// fake_robot: a Nao V6 without a Nao. LoLA's socket, a frame every 12 ms, joints that follow, a torso that falls.
+// fake_robot: a stand-in for a Nao V6. LoLA's socket, a frame every 12 ms, joints that follow, a torso that falls.
 //
 //   fake_robot PATH [--busy N] [--seconds S]
 //
@@ -97,7 +97,7 @@ class FakeRobot {
 
   void take_in() {
     FileDescriptor connection(::accept4(listening_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-    // one program at a time, as LoLA has it: others are connected and hear nothing
+    // one program at a time, like LoLA: others are connected and receive nothing
     if (!connection_) {
       connection_ = std::move(connection);
       received_.clear();

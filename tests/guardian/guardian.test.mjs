@@ -11,7 +11,7 @@ const fates = {
   dead: (world) => world.runtime.kill("SIGKILL"),
 };
 
-/** Everybody's first steps: a robot that plays; then its runtime's fate. */
+/** Starts a robot that plays, and then applies the runtime's fate. */
 async function playing(t, fate) {
   const world = new World(t);
   await world.start();
@@ -20,7 +20,7 @@ async function playing(t, fate) {
   return world;
 }
 
-// they wait most of the time
+// these tests mostly wait
 describe("the guardian", { concurrency: 6 }, () => {
   for (const fate of Object.keys(fates)) {
     test(`runtime ${fate}: the head held takes the stiffness away`, async (t) => {
@@ -130,7 +130,7 @@ describe("the guardian", { concurrency: 6 }, () => {
     world.happen("other");
     await world.untilStanding();
 
-    // a half and the next one are no frame; more than a frame ever has is none either
+    // two halves make no frame, and a too large frame is refused as well
     for (const [kind, sentence] of [["short", /LoLA: expected|LoLA: \w+: expected/], ["huge", /LoLA: expected/]]) {
       const told = world.guardian.errors.length;
       world.happen(kind);
