@@ -165,12 +165,13 @@ test("one question runs and one waits; the next is refused, and a disconnected c
   const { server, live } = await pausedGame(t);
   const others = [await Live.open(t, server), await Live.open(t, server)];
   const began = performance.now();
-  const first = live.call(kService, { budget_ms: 3000 });
+  let answered = false;
+  const first = live.call(kService, { budget_ms: 6000 }).finally(() => (answered = true));
   await live.call("/sim/state"); // earlier messages have arrived by then
   const gone = others[0].call(kService, { budget_ms: 10000 }).catch(() => "gone");
   await others[0].call("/sim/state");
   assert.equal((await others[1].call(kService, { budget_ms: 10000 })).error, `${kService}: another question is running and one more waits: ask again when they are answered`);
-  assert.ok(performance.now() - began < 2900, "it is told at once");
+  assert.ok(!answered, "the refusal comes at once, before any answer");
   others[0].socket.terminate();
   assert.equal(await gone, "gone");
   const last = await until(async () => {
@@ -179,7 +180,8 @@ test("one question runs and one waits; the next is refused, and a disconnected c
   }, "that there is room");
   assert.equal((await first).ok, true);
   const waited_ms = performance.now() - began;
-  assert.ok(waited_ms < 9000, "the question of who has gone is not played");
+  // the first question takes 6 s; that of the disconnected client would take 10 s more
+  assert.ok(waited_ms < 14000, `the question of a disconnected client is not played, waited ${waited_ms} ms`);
   assert.ok(last.forecast.answered_ms < waited_ms);
 });
 
