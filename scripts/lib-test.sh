@@ -1,25 +1,28 @@
-# The parts that scripts/test and scripts/check are made of; sourced, never run.
-# Every step runs, also after one has failed, and leaves a note in build/results; the totals are added up at the end.
+# The common parts of scripts/test and scripts/check; sourced, never run.
+# Every step runs, also after a failed one, and leaves a note in build/results. The totals are added up at the end.
 # shellcheck shell=bash
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 results=$root/build/results
 
-# step KIND NAME COMMAND…: runs the command, says how long it took and notes whether it failed.
+# step KIND NAME COMMAND…: says which step this is, runs the command, says how long it took and notes whether it failed.
 #   prepare   counts only when it fails (a build)
 #   check     counts as one test
-#   tests     its tests are counted from what it writes to build/results/NAME.*
+#   tests     its tests are counted from the files build/results/NAME.* that it writes
 step() {
   local kind=$1 name=$2 outcome=passed started=$SECONDS
   shift 2
-  say "== $name"
+  steps_begun=$((steps_begun + 1))
+  say "== $steps_begun of $steps_expected: $name (after $(((SECONDS - steps_started) / 60)) min)"
   "$@" || outcome=failed
   say "   $outcome after $((SECONDS - started)) s"
   printf '%s\t%s\t%s\n' "$outcome" "$kind" "$name" >>"$results/steps.txt"
   [[ $outcome == passed ]]
 }
 
+# begin_steps COUNT: forgets the results of the last run. COUNT is how many steps will follow.
 begin_steps() {
+  steps_expected=$1 steps_begun=0 steps_started=$SECONDS
   rm -rf "$results"
   mkdir -p "$results"
 }
@@ -27,7 +30,7 @@ begin_steps() {
 # Prints failures, skips and the totals; status 1 if anything failed.
 end_steps() { node "$root/scripts/lib-totals.mjs" "$results"; }
 
-# Options that scripts/test and scripts/check share, and the recordings they speak of.
+# Reads the common options of scripts/test and scripts/check, and FORESIGHT_DATA.
 # shellcheck disable=SC2034  # read by those who source this
 setup_options=()
 # shellcheck disable=SC2034
@@ -42,7 +45,7 @@ test_options() {
     esac
   done
   if [[ -n ${FORESIGHT_DATA:-} ]]; then
-    [[ -d $FORESIGHT_DATA ]] || die "FORESIGHT_DATA names the folder of real recordings, but '$FORESIGHT_DATA' is none"
+    [[ -d $FORESIGHT_DATA ]] || die "FORESIGHT_DATA names the folder of real recordings, but '$FORESIGHT_DATA' is no folder"
     FORESIGHT_DATA=$(cd "$FORESIGHT_DATA" && pwd)
     export FORESIGHT_DATA
   fi
@@ -54,15 +57,28 @@ run_ctest() {
   shift 2
   on_fixed_addresses ctest --test-dir "$root/build/$preset" -j 2 --timeout 300 --no-tests=error --output-on-failure \
     --output-junit "$results/$name.junit.xml" "$@" 2>&1 |
-    sed -u -E '/^ *Start +[0-9]+: /d; / Passed +[0-9.]+ sec *$/d; /^Internal ctest changing/d'
+    once_a_minute "$name" | sed -u -E '/^ *Start +[0-9]+: /d; /^Internal ctest changing/d'
 }
 
 # run_node_tests NAME FILE…
 run_node_tests() {
   local name=$1
   shift
-  node --test --test-reporter=spec --test-reporter-destination="$results/$name.txt" \
+  while_counting "$name" "$results/$name.tap" \
+    node --test --test-reporter=spec --test-reporter-destination="$results/$name.txt" \
     --test-reporter=tap --test-reporter-destination="$results/$name.tap" "$@" || { cat "$results/$name.txt"; return 1; }
+}
+
+# while_counting NAME TAP COMMAND…: runs the command; says once a minute how many tests its TAP file holds.
+while_counting() {
+  local name=$1 tap=$2 counter status=0
+  shift 2
+  (while sleep 60 >/dev/null 2>&1 </dev/null; do say "   $name: $(grep -c '^ *\(not \)\?ok ' "$tap" || true) tests so far"; done) &
+  counter=$!
+  "$@" || status=$?
+  kill "$counter" 2>/dev/null || true
+  wait "$counter" 2>/dev/null || true
+  return "$status"
 }
 
 run_vitest() {
@@ -71,39 +87,42 @@ run_vitest() {
     >"$results/viewer.txt" 2>&1 || { cat "$results/viewer.txt"; return 1; }
 }
 
-# Runs quietly; what it printed is shown only when it fails.
+# Runs a command; shows its output only when it fails.
 quietly() {
   local talk
   talk=$("$@" 2>&1) || { printf '%s\n' "$talk"; return 1; }
 }
 
-# What scripts/test does after the set-up, and scripts/check before its own steps.
+# Steps of scripts/test after the set-up, and of scripts/check before its own ones; how many these are.
+test_step_count=11
 test_steps() {
   if step prepare 'build dev' "$root/scripts/build" dev; then
     step tests 'C++' run_ctest 'C++' dev || true
   fi
 
-  # the viewer itself was built with the programs that serve it
+  # the viewer itself was built together with the programs
   if step prepare 'viewer packages' "$root/scripts/viewer-packages"; then
     step check 'viewer types' quietly npm --prefix "$root/viewer-web" run --silent check || true
     step tests 'viewer' run_vitest || true
   fi
 
-  # the checks have tests too, and the statistics of the benches; they need nothing but node
+  # tests of the checks and of the benches' statistics; they need only node
   step tests 'checks' run_node_tests checks "$root"/tests/check/*.test.mjs "$root"/tests/bench/*.test.mjs || true
 
   export FORESIGHT_BIN=$root/build/dev/bin
+  step check 'commands in documents' node "$root/tests/check/run.mjs" commands || true
+
   step tests 'deploy' run_node_tests deploy "$root"/tests/deploy/*.test.mjs || true
 
   step tests 'guardian' run_node_tests guardian "$root"/tests/guardian/*.test.mjs || true
 
-  # a viewer that is none of ours, for one browser test; without it that is passed over
-  local other=$root/tests/e2e/independent
-  [[ -d $other/node_modules ]] ||
-    step prepare 'another viewer' quietly npm --prefix "$other" ci --no-fund --no-audit --loglevel=error || true
+  # the viewer of another project, for one browser test; without it that test is skipped
+  step prepare 'another viewer' another_viewer || true
 
-  local browser_tests=("$root"/tests/e2e/*.test.mjs)
-  if [[ -e ${browser_tests[0]} ]]; then
-    step tests 'browser' run_node_tests browser "${browser_tests[@]}" || true
-  fi
+  step tests 'browser' run_node_tests browser "$root"/tests/e2e/*.test.mjs || true
+}
+
+another_viewer() {
+  local folder=$root/tests/e2e/independent
+  [[ -d $folder/node_modules ]] || quietly npm --prefix "$folder" ci --no-fund --no-audit --loglevel=error
 }

@@ -1,10 +1,10 @@
-// Which files clang-tidy has not passed yet, for scripts/check.
+// Lists the files that clang-tidy has not passed yet, for scripts/check.
 //
 //   node scripts/lib-tidy.mjs BUILD_FOLDER TIDY_FOLDER
 //
-// Prints a line `MARK FILE` for each of our source files that must be looked at: if clang-tidy likes FILE, make the
-// empty file MARK, and it will not be printed again until the file, a header it includes, how it is compiled, the
-// configuration or clang-tidy itself changed. TIDY_FOLDER also receives the compile_commands.json to use.
+// Prints a line `MARK FILE` for each of our source files that must be checked. When clang-tidy passes FILE, make the empty
+// file MARK: then FILE is not printed again. It is printed again after a change of the file, a header that it includes, its
+// compile command, the configuration or clang-tidy itself. TIDY_FOLDER also receives the compile_commands.json to use.
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -14,20 +14,20 @@ const [buildFolder, tidyFolder] = process.argv.slice(2).map((path) => resolve(pa
 const root = resolve(".");
 mkdirSync(join(tidyFolder, "passed"), { recursive: true });
 
-// tests are left out: looking at them takes twice as long as all the rest, and what they get wrong is seen at once
+// tests are left out: checking them takes twice as long as all the rest, and their faults show when they run
 const isOurs = (path) => /^(robot|sim)\//.test(relative(root, path));
 const commands = JSON.parse(readFileSync(join(buildFolder, "compile_commands.json"), "utf8"))
   .filter(({ file }) => isOurs(file))
-  // a precompiled header of one compiler means nothing to another; the files include what they use anyway
+  // clang cannot read a precompiled header of another compiler, and the files include everything that they use
   .map((entry) => ({ ...entry, command: entry.command.replace(/ -Winvalid-pch| -include \S*cmake_pch\.hxx/g, "") }));
 writeFileSync(join(tidyFolder, "compile_commands.json"), JSON.stringify(commands, null, 1));
 
-/** What each object file was made from, as ninja recorded it: object → paths of headers. */
+/** Returns the headers of each object file as ninja recorded them: object → paths. */
 function headersOfObjects() {
   const headers = new Map();
   let object;
-  const told = execFileSync("ninja", ["-C", buildFolder, "-t", "deps"], { encoding: "utf8", maxBuffer: 1 << 30 });
-  for (const line of told.split("\n")) {
+  const printed = execFileSync("ninja", ["-C", buildFolder, "-t", "deps"], { encoding: "utf8", maxBuffer: 1 << 30 });
+  for (const line of printed.split("\n")) {
     const start = /^(\S.*): #deps /.exec(line);
     if (start) headers.set((object = start[1]), []);
     else if (line.startsWith("    ")) headers.get(object)?.push(resolve(buildFolder, line.trim()));
@@ -36,7 +36,7 @@ function headersOfObjects() {
 }
 
 const hashes = new Map();
-/** Of the file's content; "" if it is gone. */
+/** Returns the hash of the file's content, or "" if the file is gone. */
 function hashOf(path) {
   if (!hashes.has(path))
     hashes.set(path, existsSync(path) ? createHash("sha256").update(readFileSync(path)).digest("hex") : "");
@@ -48,7 +48,7 @@ const version = execFileSync("clang-tidy", ["--version"], { encoding: "utf8" });
 const configuration = readFileSync(join(root, ".clang-tidy"), "utf8");
 for (const { file, command, output } of commands) {
   const object = output ?? / -o (\S+)/.exec(command)?.[1];
-  // the system's headers change only with its packages; ours and the generated ones are within the repository
+  // only our own and generated headers count: those of the system change only with its packages
   const used = (headers.get(object) ?? []).filter((path) => path.startsWith(`${root}/`)).sort();
   const key = createHash("sha256").update(JSON.stringify([version, configuration, command, ...[file, ...used].map(hashOf)]));
   const mark = join(tidyFolder, "passed", key.digest("hex"));

@@ -1,10 +1,11 @@
-// Adds up what the steps of scripts/test and scripts/check left in build/results.
+// Adds up the results that the steps of scripts/test and scripts/check left in build/results.
 //
 //   node scripts/lib-totals.mjs FOLDER
 //
-// Prints each failure, why tests were skipped, and last `N passed, N failed, N skipped`. Status 1 if anything failed.
-// With FORESIGHT_REQUIRE_DATA=1 a test that was skipped for want of recordings counts as failed: such a test says
-// FORESIGHT_DATA in its reason.
+// Prints the ten slowest tests, the reasons of skips, each failure, and last `N passed, N failed, N skipped`. Status 1 if
+// anything failed.
+// With FORESIGHT_REQUIRE_DATA=1 a test that was skipped because it has no recordings counts as failed. The reason of such
+// a skip contains FORESIGHT_DATA.
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 
@@ -14,16 +15,17 @@ const read = (name) => (existsSync(join(folder, name)) ? readFileSync(join(folde
 const unescape = (text) =>
   text.replace(/&(lt|gt|quot|apos|amp|#10);/g, (_, name) => ({ lt: "<", gt: ">", quot: '"', apos: "'", amp: "&", "#10": "\n" })[name]);
 
-/** The tests of a JUnit file as ctest writes it. */
+/** Yields the tests of a JUnit file that ctest wrote. */
 function* fromCtest(xml) {
   for (const [, attributes, body = ""] of xml.matchAll(/<testcase ([^>]*?)(?:\/>|>([\s\S]*?)<\/testcase>)/g)) {
     const attribute = (name) => unescape(new RegExp(`\\b${name}="([^"]*)"`).exec(attributes)?.[1] ?? "");
     const name = attribute("name");
     const status = attribute("status");
-    if (status === "run") yield { name, outcome: "passed" };
-    else if (status === "fail") yield { name, outcome: "failed" };
+    const seconds = Number(attribute("time"));
+    if (status === "run") yield { name, outcome: "passed", seconds };
+    else if (status === "fail") yield { name, outcome: "failed", seconds };
     else {
-      // ctest calls it "not run" too when a program is missing: only what a test said itself is a skip
+      // ctest reports "not run" also for a missing program; only a message of the test itself is a skip
       const said = /<skipped message="SKIP_/.test(body) || status === "disabled";
       const output = unescape(/<system-out>([\s\S]*?)<\/system-out>/.exec(body)?.[1] ?? "");
       const reason = /: Skipped\n([\s\S]*?)\n+\[ {2}SKIPPED/.exec(output)?.[1].trim() ?? "no reason given";
@@ -32,30 +34,35 @@ function* fromCtest(xml) {
   }
 }
 
-/** The tests of Vitest's JSON. */
+/** Yields the tests of Vitest's JSON. */
 function* fromVitest(json) {
   for (const file of JSON.parse(json).testResults) {
     if (file.status === "failed" && file.assertionResults.length === 0) yield { name: file.name, outcome: "failed" };
     for (const test of file.assertionResults) {
       const outcome = test.status === "passed" || test.status === "failed" ? test.status : "skipped";
-      yield { name: test.fullName, outcome, reason: "no reason given" };
+      yield { name: test.fullName, outcome, reason: "no reason given", seconds: (test.duration ?? 0) / 1000 };
     }
   }
 }
 
-/** The tests of TAP as node writes it; those inside a suite or another test count, the one around them does not. */
+/** Yields the tests of TAP that node wrote. Tests inside a suite or another test count, the outer one does not. */
 function* fromTap(tap) {
   const depthOf = (line) => line.length - line.trimStart().length;
-  const lines = tap.split("\n").filter((line) => /^ *(not )?ok \d+/.test(line));
+  const lines = [];
+  const durations = []; // [ms], from the block below each line
+  for (const line of tap.split("\n"))
+    if (/^ *(not )?ok \d+/.test(line)) lines.push(line);
+    else if (/^ *duration_ms: [\d.]+$/.test(line)) durations[lines.length - 1] ??= Number(line.split(":")[1]);
   for (const [index, line] of lines.entries()) {
-    // a line comes after those of what is inside it
+    // the line of a suite comes after the lines of the tests inside it
     if (index > 0 && depthOf(lines[index - 1]) > depthOf(line)) continue;
     const [, not, name, skip, reason] = /^ *(not )?ok \d+(?: - (.*?))?(?: # (SKIP|TODO)(?: (.*))?)?$/.exec(line);
-    yield { name, outcome: skip ? "skipped" : not ? "failed" : "passed", reason: reason ?? "no reason given" };
+    const outcome = skip ? "skipped" : not ? "failed" : "passed";
+    yield { name, outcome, reason: reason ?? "no reason given", seconds: (durations[index] ?? 0) / 1000 };
   }
 }
 
-/** The tests of one step by whatever file it left; undefined if it left none. */
+/** Returns the tests of one step from the file that it left, or undefined if it left none. */
 function testsOf(name) {
   for (const [ending, parse] of [[".junit.xml", fromCtest], [".vitest.json", fromVitest], [".tap", fromTap]]) {
     const text = read(name + ending);
@@ -68,7 +75,7 @@ const all = [];
 for (const line of (read("steps.txt") ?? "").split("\n").filter(Boolean)) {
   const [outcome, kind, name] = line.split("\t");
   const tests = kind === "tests" ? (testsOf(name) ?? []) : kind === "check" || outcome === "failed" ? [{ name: "", outcome }] : [];
-  // a step may fail without any of its tests: it crashed, or found none
+  // a step may fail although none of its tests did: it crashed, or found no tests
   if (outcome === "failed" && !tests.some((test) => test.outcome === "failed")) tests.push({ name: "", outcome: "failed" });
   all.push(...tests.map((test) => ({ ...test, name: test.name ? `${name}: ${test.name}` : name })));
 }
@@ -77,11 +84,14 @@ if (process.env.FORESIGHT_REQUIRE_DATA === "1")
   for (const test of all)
     if (test.outcome === "skipped" && test.reason.includes("FORESIGHT_DATA")) {
       test.outcome = "failed";
-      test.name += " (skipped for want of recordings, which FORESIGHT_REQUIRE_DATA forbids)";
+      test.name += " (skipped without recordings, which FORESIGHT_REQUIRE_DATA forbids)";
     }
 
 const having = (outcome) => all.filter((test) => test.outcome === outcome);
 console.log("");
+const slowest = all.filter(({ seconds }) => seconds >= 1).sort((a, b) => b.seconds - a.seconds);
+if (slowest.length) console.log("The slowest tests:");
+for (const { name, seconds } of slowest.slice(0, 10)) console.log(`${seconds.toFixed(1).padStart(7)} s  ${name}`);
 const reasons = new Map();
 for (const test of having("skipped")) reasons.set(test.reason, [...(reasons.get(test.reason) ?? []), test.name]);
 for (const [reason, names] of reasons)

@@ -1,5 +1,5 @@
-# What the toolchains of all Naos share: the machine's own clang, and headers and libraries of the sysroot alone.
-# Whoever includes this has set CMAKE_SYSTEM_PROCESSOR, nao_architecture, nao_triple and nao_flags.
+# The common part of the toolchains of all Naos: this machine's clang, and headers and libraries only of the sysroot.
+# The including file sets CMAKE_SYSTEM_PROCESSOR, nao_architecture, nao_triple and nao_flags first.
 set(CMAKE_SYSTEM_NAME Linux)
 cmake_path(SET CMAKE_SYSROOT NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../build/sysroot/${nao_architecture})
 if(NOT EXISTS ${CMAKE_SYSROOT}.complete)
@@ -12,14 +12,14 @@ set(CMAKE_C_COMPILER_TARGET ${nao_triple})
 set(CMAKE_CXX_COMPILER_TARGET ${nao_triple})
 set(CMAKE_C_FLAGS_INIT "${nao_flags} -ffunction-sections -fdata-sections")
 set(CMAKE_CXX_FLAGS_INIT "${nao_flags} -ffunction-sections -fdata-sections")
-# static to the last byte: the robots' C libraries are of 2011 to 2022; without sections nobody calls, and stripped
+# fully static, because the robots' C libraries are of 2011 to 2022; unused sections and symbols are removed
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -Wl,--gc-sections -s")
 
-# the compiler looks into the sysroot's usr/include by itself, last; `-isystem` would put it first and break its order.
-# CMake notices, but not where a compiler cache rewrites the paths that the compiler tells it
+# The compiler searches the sysroot's usr/include last by itself. `-isystem` would put it first and break the order.
+# CMake notices this itself, except when a compiler cache rewrites the paths that the compiler prints.
 set(CMAKE_NO_SYSTEM_FROM_IMPORTED ON)
 
-# programs are the machine's (protoc, node), everything else the sysroot's
+# programs (protoc, node) come from this machine, everything else from the sysroot
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)

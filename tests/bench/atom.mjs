@@ -1,13 +1,13 @@
-// What work takes of a Nao's processor, as far as another machine can tell: its instructions.
+// The load of work on a Nao's processor, computed on another machine from its instructions.
 import { join } from "node:path";
 import { command, scratch, start } from "./programs.mjs";
 
-/** Instructions a second that one core of an Atom of 1.6 GHz is taken to carry out: 0.7 per cycle. */
+/** Assumed instructions a second of one Atom core of 1.6 GHz: 0.7 per cycle. */
 export const kAtomInstructions = 1.6e9 * 0.7;
 
 let runs = 0;
 
-/** Starts a program of ours that callgrind counts the instructions of; `count()` tells them, once it has ended. */
+/** Starts a program under callgrind; `count()` returns its instructions after its end. */
 export function startCounted(name, args, preset) {
   const counts = join(scratch, `callgrind-${++runs}`);
   const program = start(name, args, ["valgrind", "--quiet", "--tool=callgrind", `--callgrind-out-file=${counts}`], preset);

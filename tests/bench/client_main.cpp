@@ -91,7 +91,7 @@ class Seat {
     return connected;
   }
 
-  /// What it may read now [bytes]: those who are slow get a little every now and then.
+  /// Bytes that it may read now; slow clients get a few from time to time.
   std::size_t may_read(std::uint64_t now_ns) const {
     const double seconds = static_cast<double>(now_ns - since_ns_) * 1e-9;
     if (stalls_ || (options_.stall_after >= 0 && seconds >= options_.stall_after)) return 0;
@@ -106,7 +106,7 @@ class Seat {
 
   /// Leaves and comes again when it is time, or when it was sent away.
   void move_on(std::uint64_t now_ns) {
-    // who was sent away tries again after a moment
+    // a client that was disconnected tries again after a moment
     if (options_.lifetime <= 0 || now_ns < (gone_ ? since_ns_ + kSecond / 2 : leaves_ns_)) return;
     messages_ += client_->messages();
     gone_ = !sit(now_ns);

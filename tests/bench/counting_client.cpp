@@ -55,7 +55,7 @@ bool write_all(int socket, std::string_view bytes) {
   return true;
 }
 
-// so many bytes a frame header has, as far as its first two tell
+// length of a frame header [bytes], from its first two bytes
 std::size_t header_size(std::string_view header) {
   if (header.size() < 2) return 2;
   const auto length = static_cast<unsigned char>(header[1]);

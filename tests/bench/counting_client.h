@@ -18,7 +18,7 @@ namespace bench {
 /// Cuts a server's bytes into messages without keeping what they carry.
 class FrameCounter {
  public:
-  /// What a binary message begins with: opcode, subscription, log time.
+  /// Head of a binary message: opcode, subscription, log time.
   static constexpr std::size_t kHeadBytes = 13;
 
   struct Message {
@@ -48,15 +48,16 @@ class FrameCounter {
   std::string kept_;
 };
 
-/// What a client saw of one topic.
+/// Messages of one topic that a client received.
 struct TopicCount {
   std::uint64_t messages = 0, bytes = 0;
-  std::uint64_t missed = 0;  // messages between those it got, see counting_time(); 0 where they do not count
+  std::uint64_t missed =
+      0;  // messages missing between the received ones, see counting_time(); 0 for topics without numbers
   std::uint64_t first_ns = 0, last_ns = 0;  // capture times
   std::vector<std::uint32_t> ages_us;       // on arrival
 };
 
-/// What of a server's channels a client watches.
+/// Channels of a server that a client watches.
 struct Watch {
   bool objects = true;  // all memory objects but images
   bool images = false;  // camera_top, camera_bottom as they are
@@ -108,7 +109,7 @@ class CountingClient {
   std::string reason_;
   std::map<std::string, TopicCount> topics_;
   std::vector<TopicCount*> by_subscription_;
-  std::vector<std::string> statuses_;  // what the server said, warnings and errors
+  std::vector<std::string> statuses_;  // warnings and errors of the server
 };
 
 }  // namespace bench

@@ -11,12 +11,12 @@ import { Report } from "./report.mjs";
 const kRobots = ["tim", "lea", "kim", "ben", "eva"];
 const kRate = "100mbit";
 const kHalf_s = 600;
-const kRecordingSpeed = 20; // the load of a half, so many times as fast
+const kRecordingSpeed = 20; // speed at which the load of a half is recorded
 
 // one that costs as much as they get, and one that many a change is in
 const kChanged = ["robot/net/serve/server.cpp", "robot/app/robot_main.cpp"];
 
-/** Runs a script of the team's; how long it took [s]. What it says when it fails is the error. */
+/** Runs a script; returns its duration [s]. When it fails, its output is the error. */
 async function timed(world, script, ...words) {
   const began = performance.now();
   const { status, output } = await world.run(script, ...words);

@@ -1,5 +1,5 @@
-// A disk that is really slow: ext4 in a file, mounted `sync` (each write waits for the device), its device throttled by
-// the kernel, and frozen for a moment every now and then. Needs root; without, bench_runtime slows its own writes down.
+// A slow disk: ext4 in a file, mounted `sync`, so that each write waits for the device. The kernel throttles the device and
+// freezes it for a moment from time to time. Needs root; without root, bench_runtime slows its own writes down.
 import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { slowWrites } from "./control_group.mjs";
@@ -48,6 +48,6 @@ export function slowDisk({ sizeMb, bytesPerSecond, stallMs, stallEvery }) {
   }
 }
 
-/** What the kernel says of a process's memory [MB], by name, such as VmRSS. */
+/** Returns a process's memory [MB] from the kernel, by name, such as VmRSS. */
 export const memoryOf = (pid, name) =>
   Number(readFileSync(`/proc/${pid}/status`, "utf8").match(new RegExp(`${name}:\\s+(\\d+)`))[1]) / 1000;

@@ -67,7 +67,7 @@ async function killRuntimes(report, kills) {
     await sleep(Math.random() * 0.25); // a client tries again every 0.1 s
     runtime.kill();
     await runtime.ended;
-    // what the next one takes away itself; here it only tells when that one is there
+    // the next runtime removes this socket itself; here its absence only shows when that runtime is there
     rmSync(process.env.FORESIGHT_DOOR, { force: true });
   }
   peer.stop();

@@ -5,8 +5,8 @@
 //                                      until SIGTERM
 //   bench_door_peer watch TOPIC        only reads and looks at such messages, until SIGTERM
 //
-// Prints one line of JSON. A call waited when it gave the processor away of its own will; that it was pushed off the
-// processor by somebody else is no fault of the client's and is told apart.
+// Prints one line of JSON. A call counts as waiting if it gave up the processor itself. Preemption by another process is no
+// fault of the client and is counted apart.
 #define _GNU_SOURCE
 #include <foresight.h>
 #include <foresight_fields.h>

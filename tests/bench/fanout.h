@@ -8,14 +8,14 @@ namespace bench {
 
 inline constexpr std::size_t kMaxFanoutClients = 16;
 
-/// What the server and its clients, two processes, tell each other. In shared memory.
+/// Shared memory of the server and its clients, two processes.
 struct FanoutShared {
   std::atomic<std::uint16_t> port = 0;  // 0: the server is not ready yet
   std::atomic<bool> ended = false;
-  std::atomic<std::uint64_t> making_ns = 0;  // CPU time in which messages were made: it does not count
+  std::atomic<std::uint64_t> making_ns = 0;  // CPU time in which messages were made, which is subtracted
   std::atomic<std::uint64_t> received[kMaxFanoutClients] = {};  // [messages]
 
-  /// What the slowest of `clients` has, or all have together.
+  /// Count of the slowest of `clients`, or of all together.
   std::uint64_t least(std::size_t clients) const {
     std::uint64_t least = UINT64_MAX;
     for (std::size_t i = 0; i < clients; ++i) least = received[i] < least ? received[i].load() : least;

@@ -18,9 +18,9 @@ const kLate = 20; // [ms]
 const kThree = ["--strategies", "baseline", "passing", "kick_now"];
 const kChoice = ["high_line", "baseline", "kick_now"]; // of the playbook `foresight`: what compare found best is first
 const kShares = [0.05, 0.1, 0.25, 0.5]; // of a core
-const kRobot = { share: 0.25, seconds: 0.5 }; // what foresight has of a robot's core, and how long for a question
-const kFutures = 200; // of a forecast that is to be true: with fewer, those far from the mean are so by chance
-const kLikely = 0.8; // how sure a captain is who changes often enough for its gains to be told from chance
+const kRobot = { share: 0.25, seconds: 0.5 }; // foresight's share of a robot's core, and the time for a question [s]
+const kFutures = 200; // rollouts per forecast; with fewer, forecasts far from the mean are there by chance
+const kLikely = 0.8; // confidence of a captain that changes often enough to tell its gains from chance
 const kMostRollouts = 64; // of a question in a game, and each so long:
 const kGameHorizon = 20; // [s]
 // the others, as a team that is wrong about them takes them to be: twice as fast
@@ -42,8 +42,8 @@ const situation = async (preset, ...args) => {
 };
 
 /**
- * What a question takes on one core with so many rollouts of each strategy: the time of many less that of few, so that
- * the program's start does not count. Returns how many rollouts a second has.
+ * Measures a question on one core. Subtracts the time of few rollouts from that of many, so that the program's start does
+ * not count. Returns the number of rollouts a second.
  */
 async function speed(report) {
   const cost = async (preset, seconds, rollouts, ...more) => {
@@ -101,7 +101,7 @@ async function deadline(report, questions) {
   robot.stop();
 }
 
-/** What the program for the Nao V6 plays on, by the share of this machine's core that it is given. */
+/** Rollouts a second of the program for the Nao V6, by its share of this machine's core. */
 async function byShare(report) {
   for (const share of kShares) {
     const robot = await askable(shareOfCore(share), "nao-v6");
@@ -117,7 +117,7 @@ async function byShare(report) {
   }
 }
 
-/** How many rollouts of so many seconds, 4 a side, an Atom's core plays for a question, by the instructions they take. */
+/** Number of rollouts, 4 a side, that an Atom core plays for a question, computed from their instructions. */
 async function onAtom(report) {
   const [few, many] = [24, 72]; // of each strategy
   const instructions = async (rollouts, seconds) => {
@@ -168,7 +168,7 @@ async function calibration(report, situations) {
 const choose = async (moments, rollouts, strategies, ...words) =>
   JSON.parse(await start("foresight-sim", ["choosing", "--json", "--moments", moments, "--rollouts", rollouts, "--horizon", kGameHorizon, "--strategies", strategies.join(","), ...words]).output);
 
-/** What there is to be won by choosing, and what of it the captain's few futures win. */
+/** The gain of choosing with full knowledge, and the captain's gain with its few rollouts. */
 async function choosing(report, moments, rollouts) {
   const { knowing, captains } = await choose(moments, rollouts, kChoice);
   const [{ gain: captain, changes }] = captains;
@@ -180,7 +180,7 @@ async function choosing(report, moments, rollouts) {
   report.figure("moments in which the captain changes", 100 * changes, "%");
 }
 
-/** What keeps the captain from winning more: what it does not know of the game, or how few futures it has. */
+/** The reason for the captain's smaller gain: missing knowledge of the game, or too few rollouts. */
 async function whatKeeps(report, moments, rollouts) {
   for (const many of [rollouts, 8 * rollouts]) {
     const { captains } = await choose(moments, many, ["baseline", "kick_now"], "--insights", "--sure", kLikely);
@@ -192,7 +192,7 @@ async function whatKeeps(report, moments, rollouts) {
   }
 }
 
-/** Two teams, by words of compare. What was played is kept, and gone on with by the next bench of the same program. */
+/** Compares two teams. The played games are kept, and the next bench of the same program continues them. */
 async function play(name, ...words) {
   const program = createHash("sha256").update(readFileSync(join(root, "build/release/bin/foresight-sim"))).digest("hex").slice(0, 8);
   const kept = join(root, "build/bench", `${name}-${program}`);

@@ -1,4 +1,4 @@
-// Games of the simulator, each as one line that foresight-sim match --lines tells of it.
+// Games of the simulator, each as one line of foresight-sim match --lines.
 import { start } from "./programs.mjs";
 
 const kOptions = { rules: "--rules", home: "--home", away: "--away", models: "--models", homeModels: "--home-models", awayModels: "--away-models", players: "--players" };
@@ -39,5 +39,5 @@ export const both = (name) => (game) => (game.home[name] + game.away[name]) / 2;
 export const sum = (name) => (game) => game.home[name] + game.away[name];
 export const lead = (name) => (game) => game.home[name] - game.away[name];
 
-/** [s] until the first goal; a game without one tells how long nobody scored. */
+/** Time until the first goal [s]; in a goalless game its whole length. */
 export const firstGoal = (game) => game.first_goal_seconds ?? game.seconds;

@@ -21,7 +21,7 @@ export function lost(run, everyImage) {
 export async function half({ minutes = 20, speed = 1 }) {
   const report = new Report("half", "is a game of two halves recorded on a slow disk, and does it fit?");
   const half = minutes / 2; // [min] of the robot's time
-  // what takes robot's time takes less of ours
+  // at a higher speed the robot's time takes less of ours
   const disk = slowDisk({
     sizeMb: Math.ceil(40 * half + 200),
     bytesPerSecond: 2e6 * speed,
@@ -45,7 +45,7 @@ export async function half({ minutes = 20, speed = 1 }) {
     report.figure(`${name}: lost`, lost(run, 6), `of ${written}`, { exactly: 0 });
     report.figure(`${name}: dropped, as the recorder counts`, run.recorded.dropped, "", { exactly: 0 });
     report.figure(`${name}: damaged`, run.recorded.damaged, "", { exactly: 0 });
-    // what the files take beside their messages counts once per session, not per minute
+    // the files' size beyond their messages counts once per session, not per minute
     const perMinute = run.recorded.size_bytes / 1e6 / ((run.seconds * speed) / 60);
     report.figure(`${name}: size`, perMinute, "MB/min");
     report.figure(`${name}: size, part of what was announced`, perMinute / run.recorded.announced_mb_per_minute, "", asAnnounced);

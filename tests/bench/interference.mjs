@@ -1,4 +1,4 @@
-// Does recording and being watched slow the robot down, and does whoever writes ever wait?
+// Measures whether recording and viewers slow the robot down, and whether a writer ever waits.
 import { sleep, startClients, startRobot } from "./programs.mjs";
 import { median, otherLoad, pretty, Report } from "./report.mjs";
 
@@ -38,7 +38,7 @@ export async function interference({ seconds = 20 }) {
   report.figure("period p99, change", median(p99(company)) - median(p99(alone)), "ms", { atMost: 1 });
   console.log(`   p99 alone ${p99(alone).map(pretty)}; in company ${p99(company).map(pretty)} ms`);
 
-  // what a write costs, nobody there and ten of whom one sleeps
+  // the cost of a write without viewers, and with ten of which one sleeps
   const nobody = [];
   const ten = [];
   for (let round = 0; round < kRounds; ++round) {

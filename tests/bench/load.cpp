@@ -44,8 +44,8 @@ void sleep_until(std::uint64_t time_ns) {
   }
 }
 
-/// What `work` costs this thread. Its CPU time is no more than the time that passes, nor than the CPU time between two
-/// readings around it; the smaller is told: such a reading is a system call, which may take longer than the work.
+/// Returns the cost of `work` for this thread: the smaller one of the wall clock and of the CPU time between two readings.
+/// The CPU time of the work is below both. Reading CPU time is a system call, which may take longer than the work.
 template <class Work>
 WriteCost cost_of(Work&& work) {
   const std::uint64_t cpu_0 = thread_cpu_ns(), wall_0 = monotonic_ns();
@@ -87,7 +87,7 @@ Load::Load(robot::memory::Memory& memory, const robot::Clock& clock, Options opt
 
 Load::~Load() { stop(); }
 
-/// Calls step(time, count) so many times a second, on this thread, until stop().
+/// Calls step(time, count) at this rate, on this thread, until stop().
 template <class Step>
 void Load::run(const char* name, double rate_hz, Step&& step) {
   pthread_setname_np(pthread_self(), name);

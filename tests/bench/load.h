@@ -1,4 +1,4 @@
-// What a Nao writes while it plays: every memory object at its usual rate, one or two cameras at 30 Hz.
+// The writes of a Nao in a game: every memory object at its usual rate, one or two cameras at 30 Hz.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@
 
 namespace bench {
 
-/// What one call of MemoryObject::write cost its thread, beyond filling the message [ns].
+/// Cost of one call of MemoryObject::write for its thread, beyond filling the message [ns].
 struct WriteCost {
   std::uint32_t cpu_ns, wall_ns;
 };
@@ -19,8 +19,8 @@ struct WriteCost {
 /// The value below which the part `p` of all values lies, 0 <= p <= 1; 0 of none.
 std::uint32_t percentile(std::vector<std::uint32_t> values, double p);
 
-/// Capture times count: the last five digits of the `count`-th one captured at `now_ns` are those of `count`, so that
-/// whoever receives some of them knows how many it missed. The time is wrong by 0.1 ms at most.
+/// Capture times count: the last five digits of the `count`-th one captured at `now_ns` are those of `count`. So
+/// a receiver of some of them knows the number of missing ones. The time is wrong by 0.1 ms at most.
 inline constexpr std::uint64_t kCountedNs = 100'000;
 inline std::uint64_t counting_time(std::uint64_t now_ns, std::uint64_t count) {
   return now_ns - now_ns % kCountedNs + count % kCountedNs;
@@ -40,8 +40,8 @@ class Load {
     bool objects = true;  // everything but images and ground truth
     double truth_hz = 0;  // of ground truth
     double work = 0;      // [cores] that cognition computes beside writing, such as 0.7
-    double speed = 1;     // so many times the usual rates; the clock has to run as fast
-    bool measure = true;  // keep what each write cost, once the pools are filled
+    double speed = 1;     // factor on the usual rates; the clock has to run as fast
+    bool measure = true;  // keep the cost of each write, once the pools are filled
   };
 
   Load(robot::memory::Memory& memory, const robot::Clock& clock, Options options);

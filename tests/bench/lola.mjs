@@ -6,7 +6,7 @@ import { Report } from "./report.mjs";
 
 const kCycle = 0.012; // [s]
 
-/** A robot that is none, the guardian and a runtime that gives orders, while both cores compute something else. */
+/** A stand-in for a robot, the guardian and a runtime that gives orders, while both cores are busy. */
 async function answers(report, seconds) {
   console.log(`   a frame every 12 ms, both cores busy: ${seconds} s …`);
   const [lola, link] = [join(scratch, "lola"), join(scratch, "guardian")];

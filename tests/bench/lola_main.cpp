@@ -1,4 +1,4 @@
-// What the body `nao` costs, for `scripts/bench lola`.
+// Cost of the body `nao`, for `scripts/bench lola`.
 //
 //   bench_lola frames                 one frame read where its numbers lie, one looked through, one answer composed [us]
 //   bench_lola cameras SECONDS FILE   both cameras, 30 times a second each, from a stand-in fed with the picture in FILE

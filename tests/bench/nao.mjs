@@ -19,7 +19,7 @@ const freePort = () =>
     });
   });
 
-/** How many tests of tests/nao fail for that robot; what they say is shown then. */
+/** Returns the number of failed tests of tests/nao for that robot, and prints their output. */
 function failing(preset) {
   const env = { ...process.env, FORESIGHT_NAO: preset, FORESIGHT_BIN: join(root, "build/release/bin") };
   const { stdout } = spawnSync("node", ["--test", "--test-reporter=tap", join(root, "tests/nao/nao.test.mjs")], { env, encoding: "utf8" });

@@ -58,7 +58,7 @@ export function start(name, args, before = [], preset = "release") {
     if (found) done(found[0]);
   }));
   const report = output.then((all) => JSON.parse(all.split("\n").at(-1)));
-  for (const later of [output, report]) later.catch(() => {}); // whoever waits for it later gets the error then
+  for (const later of [output, report]) later.catch(() => {}); // an error is raised when somebody awaits the promise
   return { pid: child.pid, firstLine, address, output, report, stop: () => child.kill("SIGTERM") };
 }
 

@@ -1,4 +1,4 @@
-// What a bench found: figures beside their bars, on the screen and in tests/bench/results/<machine>.csv.
+// Figures of a bench beside their bars, on the screen and in tests/bench/results/<machine>.csv.
 import { execFileSync } from "node:child_process";
 import { appendFileSync, existsSync, mkdirSync, readFileSync } from "node:fs";
 import { cpus, release } from "node:os";
@@ -17,17 +17,17 @@ const build = () => {
   }
 };
 
-/** The value in the middle; of two the smaller one. */
+/** Returns the median; of two middle values the smaller one. */
 export const median = (values) => [...values].sort((a, b) => a - b)[Math.floor((values.length - 1) / 2)];
 
-/** 0.123 -> "0.12", 1234.5 -> "1234.5": three digits that count, never 1e3. */
+/** Formats 0.123 as "0.123" and 1234.5 as "1235": three significant digits, never 1e3. */
 export const pretty = (value) => {
   if (typeof value !== "number" || Number.isInteger(value)) return String(value);
   const digits = Math.max(0, Math.min(3, 2 - Math.floor(Math.log10(Math.abs(value) || 1))));
   return value.toFixed(digits);
 };
 
-/** Columns as wide as they need to be; numbers to the right. */
+/** Formats rows as columns, with numbers to the right. */
 export function table(rows) {
   const widths = rows[0].map((_, column) => Math.max(...rows.map((row) => String(row[column]).length)));
   const isNumber = (text) => /^[<>]?=?\s*[-\d.]/.test(text);
@@ -44,7 +44,7 @@ export function table(rows) {
     .join("\n");
 }
 
-/** The figures of one bench. A figure without a bar is told, not judged. */
+/** The figures of one bench. A figure without a bar is printed, not judged. */
 export class Report {
   #rows = [];
 
@@ -67,7 +67,7 @@ export class Report {
     this.#rows.push({ name, value, unit, bar: text, met });
   }
 
-  /** Prints the table, keeps the figures; true if every bar is met. */
+  /** Prints the table and appends the figures to the CSV file; returns true if every bar is met. */
   finish() {
     const verdict = { true: "met", false: "MISSED", undefined: "" };
     const rows = this.#rows.map((row) => [row.name, pretty(row.value), row.unit, row.bar, verdict[row.met]]);
@@ -76,7 +76,7 @@ export class Report {
     mkdirSync(`${here}results`, { recursive: true });
     if (!existsSync(file)) appendFileSync(file, "date,build,kernel,cores,bench,options,figure,value,unit,bar,met\n");
     const date = new Date().toISOString().slice(0, 19) + "Z";
-    // a quick look is no measurement: the options tell them apart
+    // a quick look is no full measurement: the options distinguish them
     const known = [date, build(), machine.kernel, machine.cores, this.bench, process.argv.slice(3).join(" ")];
     const cell = (text) => (/[",]/.test(text) ? `"${String(text).replaceAll('"', '""')}"` : text);
     for (const row of this.#rows)
@@ -90,7 +90,7 @@ export class Report {
   }
 }
 
-/** How busy other programs keep this machine: cores' worth of CPU time over a second. Not ours to judge, but to tell. */
+/** Returns the load of other programs on this machine, in cores, measured over a second. */
 export async function otherLoad() {
   const busy = () => {
     const [user, nice, system, , , irq, soft, steal] = readFileSync("/proc/stat", "utf8").split("\n")[0].split(/\s+/).slice(1).map(Number);

@@ -35,7 +35,7 @@ function plant(number) {
   };
 }
 
-/** What the challenger gains: {gain, error, advice}, goals in the next 30 s. */
+/** The challenger's gain: {gain, error, advice}, goals in the next 30 s. */
 async function ask(situation, challenger, rollouts, seed) {
   const file = join(scratch, `planted-${seed}.json`);
   writeFileSync(file, JSON.stringify({ ...situation, seed }));

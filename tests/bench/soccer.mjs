@@ -15,7 +15,7 @@ const rounded = (value) => Number(pretty(value));
 const meanBy = (games, value) => meanOf(games.map(value)).mean;
 const error = ({ error: value }) => `± ${pretty(rounded(value))}`;
 
-/** What real teams of equal strength score (shared/facts/models.md 2.9), and how often real robots see the ball. */
+/** Goals of real teams of equal strength (shared/facts/models.md 2.9), and how often real robots see the ball. */
 function tellEqual(report, name, games) {
   const goals = meanOf(games.map(sum("goals")));
   report.figure(`${name}: goals of a game`, goals.mean, error(goals), { between: [1.5, 4.5] });

@@ -1,8 +1,8 @@
-// What each effect of reality must change: the models match with it switched over, beside the models match.
+// The expected change by each effect of reality: the models match with this effect switched over, beside the models match.
 import { both, Series } from "./games.mjs";
 import { differenceOf, meanOf } from "./statistics.mjs";
 
-export const kSure = 4; // standard errors: looking again and again after more games does not make luck of that
+export const kSure = 4; // standard errors; repeated looks after more games do not reach this by luck
 const kFirst = 20; // games; then twice as many, again and again
 
 const of = (figure, scale = 1) => (game) => scale * both(figure)(game);

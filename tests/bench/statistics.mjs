@@ -12,7 +12,7 @@ export function meanOf(values) {
 /** Of a - b, game by game: what the same seed brings both is no difference. */
 export const differenceOf = (a, b) => meanOf(a.map((value, i) => value - b[i]));
 
-/** [from, to] that holds the true mean with so many percent. */
+/** Returns the confidence interval [from, to] of the mean. */
 export const interval = ({ mean, error }, percent) => [mean - kNormal[percent] * error, mean + kNormal[percent] * error];
 
 /**

@@ -40,14 +40,14 @@ test("95 % intervals hold the true mean in 95 of 100 samples, 90 % ones in 90", 
   near(holding[95] / 1000, 0.95, 0.02);
 });
 
-test("what the same seed brings both is no difference", () => {
+test("the same seed for both gives no difference", () => {
   const luck = take(30, numbers(4));
   const found = differenceOf(luck.map((value) => value + 0.25), luck);
   near(found.mean, 0.25, 1e-12);
   near(found.error, 0, 1e-12);
 });
 
-test("equivalent is what lies within the margin for sure: neither too far off nor too little known", () => {
+test("two means are equivalent only if the whole interval is within the margin", () => {
   assert.equal(equivalence({ mean: 0.05, error: 0.05 }, 0.15).equivalent, true);
   assert.equal(equivalence({ mean: 0.1, error: 0.05 }, 0.15).equivalent, false);
   assert.equal(equivalence({ mean: 0, error: 0.1 }, 0.15).equivalent, false);

@@ -1,5 +1,5 @@
-// The two questions of the thesis, which ten real games in five hours could not answer: does kicking at once beat aligning
-// first, and from where; does passing help where the way is blocked?
+// The two questions of the thesis, which ten real games in five hours could not answer. Does kicking at once beat aligning
+// first, and from where? Does passing help where the way is blocked?
 import { compare } from "./comparisons.mjs";
 import { pretty, Report, table } from "./report.mjs";
 
@@ -46,7 +46,7 @@ export async function thesis({ games = 4000 }) {
 
   for (const [name, { report: found }, scale, unit] of [...kicking.map((each) => ["kicks at once: " + each[0], ...each.slice(1)]), ...passing.map((each) => ["passes: " + each[0], ...each.slice(1)])])
     report.figure(name, scale * found.gain.mean, unit);
-  // an interval is 1.96 standard errors of the mean of so many pairs; without pairs it takes the pairing gain times as many
+  // an interval is 1.96 standard errors of the mean over the pairs; without pairs it takes the pairing gain times as many games
   const { report: found } = kicking[0][1];
   const of_a_game = ((found.gain.high - found.gain.mean) / 1.96) ** 2 * found.games * found.pairing_gain;
   report.figure("variance of the goal difference of a game", of_a_game, "goals^2");

@@ -1,6 +1,6 @@
-// What a person at the viewer waits for, in Chromium without a graphics card: another time of a long recording, a large
-// one that opens, now after the page was in the background; whether it is drawn fluidly, what it shows is right and its
-// memory stays.
+// Waiting times at the viewer, in Chromium without a graphics card: a seek in a long recording, opening a large
+// one, the return of a page from the background. Also measures frames a second, the age and correctness of the shown
+// data, and the growth of the page's memory.
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { framesOf } from "../e2e/frames.mjs";
@@ -14,7 +14,7 @@ const { chromium } = require("playwright-core");
 
 const kSeeks = 60;
 const kFourRobots = ["14/2", "14/3", "14/4", "14/5"];
-// what is looked at of four robots; all objects of the first come whatever it is
+// the views of four robots; all objects of the first robot come in every view
 const kViews = {
   camera: "camera",
   "8 plots": `plot?plot=${kFourRobots.flatMap((robot) => [`/${robot}/ball.x`, `/${robot}/pose.x`]).join("%20")}`,
@@ -89,7 +89,7 @@ async function seeks(report, browser, session) {
     await page.mouse.click(box.x + (0.02 + 0.96 * Math.random()) * box.width, box.y + 20);
     while (seen.sought === before && performance.now() - asked < 5000) await sleep(0.002);
     await sleep(0.6); // far longer than anything takes: all has come
-    // what the server says of itself comes once a second, whatever is sought
+    // the server's own objects come once a second, independent of the seek
     const recorded = [...seen.first].filter(([id]) => !seen.topics.get(seen.subscribed.get(id))?.startsWith("/lab/"));
     const last = Math.max(...recorded.map(([, time]) => time));
     const atScreen = performance.now();
@@ -137,7 +137,7 @@ async function opens(report, browser, length) {
   report.figure("of that until the server answers", (served - began) / 1000, "s");
 }
 
-/** What @mcap/core reads in a session, by topic. */
+/** Returns the messages of a session that @mcap/core reads, by topic. */
 function contentsOf(session) {
   return new Map(readdirSync(session).filter((name) => name.endsWith(".mcap")).flatMap((name) => [...readStreamed(readFileSync(join(session, name))).topics]));
 }
@@ -211,7 +211,7 @@ async function live(report, browser, { minutes, seconds }) {
   report.figure("age of a pose on the loopback, median", quantile(ages, 0.5), "ms");
   report.figure("age of a pose on the loopback, p95", quantile(ages, 0.95), "ms", { below: 150 });
 
-  // a tab in the background stands still; what waited must not be shown one after the other
+  // a tab in the background stands still; afterwards it must not show the waiting data one after the other
   const devtools = await page.context().newCDPSession(page);
   const clock = () => page.getByLabel("Moment", { exact: true }).textContent().then((text) => text.split(":").reduce((sum, part) => 60 * sum + Number(part), 0)); // [s] of the day
   const [slept, before] = [performance.now(), await clock()];
@@ -225,7 +225,7 @@ async function live(report, browser, { minutes, seconds }) {
   }
   report.figure("back to now after 20 s in the background", (performance.now() - woken) / 1000, "s", { below: 1 });
 
-  // what the scripts hold, without the past that is kept on purpose: that lies in buffers
+  // memory of the scripts, without the history that is kept on purpose, which is in buffers
   const heap = async () => {
     await devtools.send("HeapProfiler.collectGarbage");
     return (await devtools.send("Runtime.getHeapUsage")).usedSize / 1e6;
@@ -242,9 +242,9 @@ async function live(report, browser, { minutes, seconds }) {
 }
 
 /**
- * `minutes` of watching for the memory, `seconds` for the age and for each view of four robots, `probes` of the tree,
- * `length` [min] of the game to seek in, `large` [s] of a recording with pictures, of which 400 make more than 1 GB. What
- * is 0 is left out.
+ * Options: `minutes` of watching for the memory, `seconds` for the age and for each view of four robots, `probes` of the
+ * tree, `length` [min] of the game to seek in. `large` [s] is the length of a recording with pictures; 400 make more than
+ * 1 GB. A value of 0 leaves a part out.
  */
 export async function viewer({ minutes = 30, seconds = 30, probes = 1000, length = 20, large = 400 }) {
   const report = new Report("viewer", "what does a person at the viewer wait for, and is it right?");

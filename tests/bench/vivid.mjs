@@ -50,7 +50,7 @@ function kernel(busybox) {
   return { image: join(folder, "boot", `vmlinuz-${version}`), modules: order.map((path) => join(modules, path)) };
 }
 
-/** What the machine does from its start to its end; what the robot recorded goes to the console. */
+/** The script of the machine from start to end; the robot's recording goes to the console. */
 const init = (modules, seconds) => `#!/bin/busybox sh
 b=/bin/busybox
 $b mount -t proc p /proc

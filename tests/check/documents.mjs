@@ -1,4 +1,4 @@
-// What the documents call a file or folder of ours is there.
+// Files and folders of ours that the documents name exist.
 //
 //   node tests/check/run.mjs documents
 import { existsSync, readFileSync } from "node:fs";

@@ -1,4 +1,4 @@
-// The files a check looks at: what people wrote, not what was built or fetched.
+// The files that a check reads: written ones, not built or fetched ones.
 import { readdirSync } from "node:fs";
 import { join } from "node:path";
 

@@ -1,5 +1,5 @@
-// Who may include whom: reads every #include, every link of a CMake target and every import of the viewer, and says
-// in a sentence which of them crosses a border it must not cross.
+// The allowed includes between folders. Reads every #include, every link of a CMake target and every import of the viewer.
+// Each forbidden one gives one sentence.
 //
 //   node tests/check/run.mjs includes
 import { readFileSync } from "node:fs";
@@ -7,8 +7,8 @@ import { join, posix } from "node:path";
 import { filesBelow } from "./files.mjs";
 
 /**
- * The table. A folder may include itself, what is below it, and what its row lists; `everything` is for leaves, which
- * nobody else may include. A folder gets its row in the commit that brings its first file, and is in nobody's list before.
+ * The table. A folder may include itself, the folders below it, and the folders of its row. `everything` is for leaves,
+ * which no other folder may include. A folder gets its row in the commit that adds its first file.
  */
 export const rows = {
   proto: [],
@@ -62,21 +62,21 @@ export const rows = {
   tests: "everything",
 };
 
-/** Libraries that only these folders know: by the first part of an #include, by the first part of a CMake target. */
+/** Libraries that only these folders may use: by the first part of an #include, by the first part of a CMake target. */
 export const libraries = [
   { name: "Boost", include: "boost/", target: "Boost::", folders: ["robot/net/http", "robot/net/websocket", "robot/net/foxglove", "robot/net/serve", "tests"] },
   { name: "Eigen", include: "Eigen/", target: "Eigen3::", folders: ["robot/nao/model", "robot/nao/motion", "robot/body/nao", "tests"] },
   { name: "Random123", include: "Random123/", target: "Random123::", folders: ["sim/math"] },
 ];
 
-/** The row that rules over `path`, or undefined. */
+/** Returns the row for `path`, or undefined. */
 function rowOf(path, table) {
   let folder = path;
   while (folder !== "." && !(folder in table)) folder = posix.dirname(folder);
   return folder === "." ? undefined : folder;
 }
 
-/** Undefined if files of row `from` may use those of row `to`, else the reason why not. */
+/** Returns undefined if files of row `from` may use those of row `to`, otherwise the reason. */
 function reasonAgainst(from, to, table) {
   if (from === to || from === "tests") return undefined;
   if (table[to] === "everything") return `${to} is a leaf that nobody includes`;
@@ -143,7 +143,7 @@ function* checkLinks(path, text, { table, folderOfTarget }) {
   }
 }
 
-/** The viewer learns schemas from whoever it is connected to: it imports nothing from outside its folder. */
+/** Yields imports from outside of viewer-web. The viewer gets its schemas from the server, so it needs none. */
 function* checkImports(path, text) {
   for (const match of text.matchAll(/\b(?:from|import)\s*\(?\s*["']([^"']+)["']/g)) {
     const target = match[1];
@@ -153,7 +153,7 @@ function* checkImports(path, text) {
   }
 }
 
-/** One sentence per violation in the repository at `root`; none if everything is as `table` says. */
+/** Returns one sentence per violation of `table` in the repository at `root`. */
 export function violations(root, table = rows) {
   const files = filesBelow(root);
   const folders = new Set(files.map((path) => posix.dirname(path)));
@@ -173,7 +173,7 @@ export function violations(root, table = rows) {
   }
   for (const path of cmake) sentences.push(...checkLinks(path, read(path), repository));
 
-  // a rule about something that is not there cannot be kept or broken, and misleads whoever reads the table
+  // a rule about a folder that does not exist has no effect and misleads readers of the table
   const named = new Set([...Object.keys(table), ...Object.values(table).flatMap((row) => (row === "everything" ? [] : row))]);
   for (const folder of named)
     if (!files.some((path) => path.startsWith(`${folder}/`)))

@@ -1,11 +1,11 @@
-// A lock file names versions and checksums, not where somebody once downloaded them: everybody has a registry of their own.
+// Lock files hold versions and checksums but no download addresses, because every site may have its own registry.
 //
 //   node tests/check/run.mjs lock_files
 import { readFileSync } from "node:fs";
 import { join, posix } from "node:path";
 import { filesBelow } from "./files.mjs";
 
-/** One sentence per lock file below `root` that holds a download address. */
+/** Returns one sentence per lock file below `root` that holds a download address. */
 export function addresses(root) {
   const sentences = [];
   for (const path of filesBelow(root)) {

@@ -7,7 +7,7 @@ const lockOf = (entry) => JSON.stringify({ packages: { "": {}, "node_modules/thi
 
 test("a lock file of versions and checksums is no finding", (t) => {
   const lock = lockOf({ version: "1.0.0", integrity: "sha512-abc" });
-  // what others' packages bring along is not ours
+  // lock files inside fetched packages are not ours
   const fetched = lockOf({ version: "1.0.0", resolved: "https://example.org/thing.tgz" });
   const root = repositoryOf(t, { "web/package-lock.json": lock, "web/node_modules/thing/package-lock.json": fetched });
   assert.deepEqual(addresses(root), []);

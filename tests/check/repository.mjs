@@ -1,9 +1,9 @@
-// A repository of a few lines for the tests of the checks.
+// Small repositories for the tests of the checks.
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 
-/** Writes `files` ({path: text}) into an empty folder, which is gone when test `t` ends. Returns the folder. */
+/** Writes `files` ({path: text}) into an empty folder, which is removed when test `t` ends. Returns the folder. */
 export function repositoryOf(t, files) {
   const root = mkdtempSync(join(tmpdir(), "foresight-check-"));
   t.after(() => rmSync(root, { recursive: true }));

@@ -1,4 +1,4 @@
-// The last line of scripts/test and scripts/check tells the truth.
+// Tests of the totals that scripts/test and scripts/check print last.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { test } from "node:test";
@@ -7,7 +7,7 @@ import { repositoryOf } from "./repository.mjs";
 
 const program = fileURLToPath(new URL("../../scripts/lib-totals.mjs", import.meta.url));
 
-/** What the program prints, line by line, and its status, for the result files `files`. */
+/** Lines that the program prints for the result files `files`, and its exit status. */
 function totalsOf(t, files, environment = {}) {
   const folder = repositoryOf(t, files);
   const { stdout, status } = spawnSync(process.execPath, [program, folder], { encoding: "utf8", env: environment });
@@ -49,6 +49,24 @@ test("each kind of result is counted test by test", (t) => {
   assert.equal(status, 1);
 });
 
+test("the ten slowest tests are named, the slowest one first, unless they take less than a second", (t) => {
+  const junit = `<testsuite>${Array.from({ length: 9 }, (_, i) => `<testcase name="T.${i}" time="${i}.5" status="run"/>`).join("")}</testsuite>`;
+  const block = (ms) => `  ---\n  duration_ms: ${ms}\n  ...\n`;
+  const slow = `    ok 1 - inner\n    ${block(2000).replace(/\n(?=.)/g, "\n    ")}ok 1 - outer\n${block(9000)}ok 2 - page\n${block(61000)}`;
+  const json = JSON.stringify({ testResults: [{ assertionResults: [{ fullName: "draws", status: "passed", duration: 3000 }] }] });
+  const steps = "passed\ttests\tC++\npassed\ttests\tbrowser\npassed\ttests\tviewer\n";
+  const { lines } = totalsOf(t, { "steps.txt": steps, "C++.junit.xml": junit, "browser.tap": slow, "viewer.vitest.json": json });
+  assert.deepEqual(lines, [
+    "The slowest tests:",
+    "   61.0 s  browser: page",
+    ...[8, 7, 6, 5, 4, 3].map((i) => `    ${i}.5 s  C++: T.${i}`),
+    "    3.0 s  viewer: draws",
+    "    2.5 s  C++: T.2",
+    "    2.0 s  browser: inner",
+    "12 passed, 0 failed, 0 skipped",
+  ]);
+});
+
 test("a check counts once, a preparation only when it fails", (t) => {
   const { lines, status } = totalsOf(t, { "steps.txt": "passed\tcheck\tlints\npassed\tprepare\tbuild dev\nfailed\tprepare\tbuild asan\n" });
   assert.deepEqual(lines, ["FAILED: build asan", "1 passed, 1 failed, 0 skipped"]);
@@ -60,7 +78,7 @@ test("a step that fails without a failing test is a failure", (t) => {
   assert.deepEqual(lines, ["FAILED: browser", "1 passed, 1 failed, 0 skipped"]);
 });
 
-test("with FORESIGHT_REQUIRE_DATA=1 a skip for want of recordings is a failure, another skip is not", (t) => {
+test("with FORESIGHT_REQUIRE_DATA=1 a skip without recordings is a failure, another skip is not", (t) => {
   const files = { "steps.txt": "passed\ttests\tbrowser\n", "browser.tap": "ok 1 - a # SKIP set FORESIGHT_DATA\nok 2 - b # SKIP no tc\n" };
   assert.equal(totalsOf(t, files).status, 0);
   const { lines, status } = totalsOf(t, files, { FORESIGHT_REQUIRE_DATA: "1" });

@@ -31,7 +31,7 @@ export function deployStory() {
     assert.equal(world.listing(tim), untouched.get(tim));
   });
 
-  test("setup tells what the robot is, and brings our key, once", async () => {
+  test("setup describes the robot and installs our key once", async () => {
     const output = await deploy(0, "--setup", "tim", "lea");
     assert.match(output, /tim {2}image: B-Human's image \(Ubuntu 22.04.4 LTS\), neither systemd nor OpenRC/);
     assert.match(output, /tim {2}LoLA: no socket/);
@@ -42,7 +42,7 @@ export function deployStory() {
     assert.equal(world.on(tim, "tail -n 1 .ssh/authorized_keys"), "ssh-rsa AAAAold somebody");
   });
 
-  test("a rehearsal changes nothing", async () => {
+  test("a dry run changes nothing", async () => {
     const listing = world.listing(tim);
     assert.match(await deploy(0, ...send(programs.first, "tim", "--dry-run")), /would send everything; nothing runs now/);
     assert.equal(world.listing(tim), listing);
@@ -57,7 +57,7 @@ export function deployStory() {
     assert.ok(!existsSync(pathOn(tim, "previous")));
   });
 
-  test("two robots are updated side by side; the version before is kept, what the runtime wrote is not touched", async () => {
+  test("two robots are updated side by side; the version before is kept, the runtime's files are not touched", async () => {
     const token = readFileSync(pathOn(tim, "state/token"), "utf8");
     world.on(tim, "mkdir foresight/logs/a-session && echo x >foresight/logs/a-session/note");
     // a transfer that was cut off left something here
@@ -78,12 +78,12 @@ export function deployStory() {
     assert.doesNotMatch(world.programOn(tim), /--field/);
   });
 
-  test("a rehearsal of an update tells what differs", async () => {
+  test("a dry run of an update reports the differences", async () => {
     assert.match(await deploy(0, ...send(programs.second, "tim", "--dry-run")), /tim {2}would send nothing new; build 5ec0/);
     assert.match(await deploy(0, ...send(programs.second, "tim", "--dry-run", "--player", "4")), /tim {2}would send etc\/robot.json, etc\/settings;/);
   });
 
-  test("an update that crashes is rolled back, and its last words are told", async () => {
+  test("an update that crashes is rolled back, and its last log lines are printed", async () => {
     const output = await deploy(1, ...send(programs.crashing, "tim"));
     assert.match(output, /tim {2}the horizon is missing/);
     assert.match(output, /FAILED: build crashing1: it crashed three times within a minute and stays down: exit status 3; rolled back to build 5ec0.*, which runs/);
@@ -96,7 +96,7 @@ export function deployStory() {
     assert.equal(world.statusOf(tim).build, programs.second.build);
   });
 
-  test("a first version that crashes leaves nothing that runs", async () => {
+  test("after a first version that crashes nothing runs", async () => {
     await deploy(0, "--undo", "lea", "--yes");
     await deploy(0, "--setup", "lea");
     assert.match(await deploy(1, ...send(programs.crashing, "lea")), /FAILED: build crashing1: .*; there was no version before it, nothing runs now/);
@@ -118,7 +118,7 @@ export function deployStory() {
     await until(() => world.programOn(tim) !== "" && world.on(tim, "foresight/current/bin/foresight-robot --version") === programs.first.build, "the new one");
   });
 
-  test("a port that somebody else's runtime has is told, and nobody is stopped", async () => {
+  test("a port that another user's runtime has is reported, and no program is stopped", async () => {
     world.on(tim, "foresight/current/foresight stop");
     world.on(tim, "foresight/current/bin/foresight-robot --body sim --state-dir foresight/state --log-dir /tmp/other >/tmp/other.log 2>&1 &");
     await until(() => world.on(tim, "cat /tmp/other.log").includes("http://"), "the other one");
@@ -129,7 +129,7 @@ export function deployStory() {
     await deploy(0, ...send(programs.first, "tim"));
   });
 
-  test("during a game nothing is touched, unless somebody insists", async () => {
+  test("during a game nothing is touched without --force", async () => {
     for (const [state, name] of [[kReady, "READY"], [kPlaying, "PLAYING"]]) {
       world.sendState(tim, state);
       await until(() => world.statusOf(tim).game.state === name.toLowerCase(), name);
@@ -179,7 +179,7 @@ export function deployStory() {
     assert.equal(world.listing(lea), listing);
   });
 
-  test("wrong words are one sentence and exit status 2", async () => {
+  test("wrong arguments give one sentence and exit status 2", async () => {
     assert.equal(await deploy(2, "bob"), `deploy: expected one of tim, lea (${world.file}), got 'bob'\n`);
     assert.equal(await deploy(2, "tim", "lea", "--player", "3"), "deploy: --player: expected one robot to give number 3, got 2\n");
     assert.equal(await deploy(2, "tim", "--program", "/nothing"), "deploy: --program: expected a file, got '/nothing'\n");

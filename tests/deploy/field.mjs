@@ -13,7 +13,7 @@ export const kPassword = "nao";
 
 const kSshd = "/usr/sbin/sshd";
 
-/** Runs a command of the system to its end; its output, or an Error with what it said. */
+/** Runs a command of the system to its end; returns its output, or throws an Error with it. */
 const command = (name, ...args) => execFileSync(name, args.map(String), { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 
 const sleep_ms = (time) => Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, time);
@@ -46,7 +46,7 @@ const tbf = (rate) => ["tbf", "rate", rate, "burst", "64kbit", "latency", "100ms
 export const inNetwork = ({ pid }) => ["nsenter", "-t", String(pid), "--net"];
 const inside = ({ pid }) => ["nsenter", "-t", String(pid), "--net", "--mount", "--pid"];
 
-/** Why there can be no such robots here, or false. */
+/** Returns the reason why such robots cannot run here, or false. */
 export function whyNoField() {
   if (process.getuid() !== 0) return "robots in namespaces need root";
   for (const tool of [kSshd, "/usr/bin/ssh", "/usr/bin/rsync", "/usr/sbin/ip"])
@@ -84,7 +84,7 @@ function writeSystem(folder, { release }) {
 const kHierarchies = ["/sys/fs/cgroup", "/sys/fs/cgroup/systemd", "/sys/fs/cgroup/unified"];
 const groupName = (folder) => folder.split("/").slice(-2).join("-");
 
-/** The systemd of user nao, as where he lingers; and a sudo that notes what it is asked for instead of doing it. */
+/** The systemd of user nao, as where he lingers; and a sudo that only records its arguments. */
 const userSystemd = (folder) => `
 mount -t tmpfs tmpfs /usr/local/bin
 printf '#!/bin/sh\\necho "$*" >>/tmp/sudo.log\\n' >/usr/local/bin/sudo && chmod +x /usr/local/bin/sudo
@@ -111,7 +111,7 @@ async function removeGroups(folder) {
   }
 }
 
-/** What the first process of a robot does: the machine's own files are hidden by the robot's, then it serves ssh. */
+/** The first process of a robot: mounts the robot's files over the machine's, then serves ssh. */
 const bootScript = (folder, systemd) => `
 mount --bind ${folder}/home /home
 for name in passwd shadow group; do mount --bind ${folder}/run/$name /etc/$name; done
@@ -161,7 +161,7 @@ export class Field {
     this.#ip(place, "address", "add", `${address}/16`, "broadcast", "10.14.255.255", "dev", "eth0");
   }
 
-  /** How much the lab's cable, which all robots share, carries in both directions. */
+  /** Limits the rate of the lab's cable, which all robots share, in both directions. */
   shape(rate) {
     command(...inNetwork(this.#switch), "tc", "qdisc", "replace", "dev", "lab", "root", ...tbf(rate));
     command(...inNetwork(this.lab), "tc", "qdisc", "replace", "dev", "eth0", "root", ...tbf(rate));
@@ -186,7 +186,7 @@ export class Field {
     return robot;
   }
 
-  /** How much a robot's cable carries towards it, as tc has it. */
+  /** Limits the rate of a robot's cable towards it, in the words of tc. */
   slow({ name }, rate) {
     command(...inNetwork(this.#switch), "tc", "qdisc", "replace", "dev", name, "root", ...tbf(rate));
   }

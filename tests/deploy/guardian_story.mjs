@@ -37,7 +37,7 @@ export function guardianStory() {
   }
 
   const kGuardian = "foresight/guardian/bin/foresight-guardian";
-  /** How the robot is, as its guardian tells, and whether it has no stiffness. */
+  /** The robot's state as its guardian reports it, and whether the robot has no stiffness. */
   const told = () => {
     const [text, status] = world.on(tim, `${kGuardian} --status 2>&1; echo "/$?"`).split("\n/");
     return { text, soft: status === "0" };
@@ -66,7 +66,7 @@ export function guardianStory() {
     assert.equal(pid(), before);
   });
 
-  test("a robot that has stiffness keeps its guardian; all else is new", async () => {
+  test("a robot that has stiffness keeps its guardian; everything else is updated", async () => {
     world.on(tim, "mkfifo /tmp/happens; (sleep 1000 >/tmp/happens & ./fake_robot /tmp/robocup </tmp/happens >/tmp/fake.log 2>&1) >/dev/null 2>&1 &");
     await until(() => /soft/.test(told().text), "LoLA");
     await stand();
@@ -79,7 +79,7 @@ export function guardianStory() {
     assert.match(await deploy(1, "--undo", "tim", "--yes"), /FAILED: stopping: the robot has stiffness \(initial, .*\): it must sit first, by three fingers on its head/);
   });
 
-  test("once it is soft it gets the new one", async () => {
+  test("a soft robot gets the new guardian", async () => {
     world.on(tim, `${kGuardian} --sit-and-soft`);
     await until(() => told().soft, "it is soft");
     assert.match(await send(guardians.second), /tim {2}a new guardian owns LoLA/);
@@ -96,7 +96,7 @@ export function guardianStory() {
     assert.equal(world.programOn(tim), running);
   });
 
-  test("a robot whose body is not ours any more loses it", async () => {
+  test("a robot whose body changes to another one loses its guardian", async () => {
     assert.doesNotMatch(await deploy(0, "tim", "--robots", attached(), "--program", programs.first.path), /guardian/);
     assert.equal(world.statusOf(tim).body, "attached");
     assert.doesNotMatch(world.on(tim, "ls foresight; cat /proc/[0-9]*/comm"), /guardian/);

@@ -27,7 +27,7 @@ export function linksStory() {
   /** With the first program. */
   const deploy = (status, ...names) => world.deploy(status, ...names, "--program", programs.first.path);
 
-  test("a connection that is cut while sending leaves what runs alone; the next attempt finds its way", async () => {
+  test("a connection that is cut while sending does not disturb the running version; the next attempt succeeds", async () => {
     const running = world.programOn(tim);
     const staging = join(tim.home, "foresight/staging/bin");
     world.field.slow(tim, "2mbit");
@@ -44,13 +44,13 @@ export function linksStory() {
     assert.match(await deploy(0, "tim"), /runs build/);
   });
 
-  test("a robot that is off is told at once", async () => {
+  test("a robot that is off is reported at once", async () => {
     world.field.pull(tim);
     assert.match(await deploy(1, "tim"), /tim {2}FAILED: nobody answers at port 22 of 10.14.1.1/);
     world.field.plug(tim);
   });
 
-  test("who stops the command leaves nothing behind here, and what runs alone there", async () => {
+  test("a stopped command leaves no files here and does not disturb the running version there", async () => {
     await until(() => world.run("deploy", "tim", "--program", programs.first.path, "--dry-run").then(({ status }) => status === 0), "the network");
     const running = world.programOn(tim);
     world.field.slow(tim, "2mbit");

@@ -1,4 +1,4 @@
-// scripts/logs against a small server that speaks the robot's API: what comes, in which order, and what goes on the robot.
+// scripts/logs against a small server with the robot's API: the copied files, their order, and deletions on the robot.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -38,9 +38,9 @@ function arrived(folder, robot, id, out = "logs") {
 }
 const sorted = (files) => Object.fromEntries(Object.entries(files).sort(([a], [b]) => (a < b ? -1 : 1)));
 
-// each has a place of its own, and mostly waits
+// each has its own folder, and mostly waits
 describe("logs", { concurrency: true }, () => {
-  test("all sessions come, bit for bit; a second time nothing is read again", async (t) => {
+  test("all sessions arrive bit for bit; a second run reads nothing again", async (t) => {
     const sessions = { one: session(1), two: session(2) };
     const robot = await serveRecordings(t, sessions);
     const { folder, logs } = person(t, { tim: robot });
@@ -67,7 +67,7 @@ describe("logs", { concurrency: true }, () => {
     assert.deepEqual(isBig, [...Array(12).fill(false), ...Array(4).fill(true)]);
   });
 
-  test("without images they stay on the robot, and the session with them; later they come", async (t) => {
+  test("with --no-images the images stay on the robot, and so does the session; a later run fetches them", async (t) => {
     const sessions = { one: session(1) };
     const robot = await serveRecordings(t, sessions);
     const { folder, logs } = person(t, { tim: robot });
@@ -79,7 +79,7 @@ describe("logs", { concurrency: true }, () => {
     assert.deepEqual(arrived(folder, "tim", "one", "here"), sorted(sessions.one.files));
   });
 
-  test("what has arrived whole is deleted, and nothing else", async (t) => {
+  test("only complete sessions are deleted", async (t) => {
     const sessions = { one: session(1), kept: { ...session(2), kept: true }, now: { ...session(3), state: "recording" }, broken: session(4) };
     const whole = sorted(sessions.one.files);
     const robot = await serveRecordings(t, sessions);
@@ -98,7 +98,7 @@ describe("logs", { concurrency: true }, () => {
     assert.deepEqual(arrived(folder, "tim", "one"), whole);
   });
 
-  test("with a wrong token nothing is deleted, and it is told", async (t) => {
+  test("with a wrong token nothing is deleted, and a sentence reports it", async (t) => {
     const sessions = { one: session(1) };
     const { logs } = person(t, { tim: await serveRecordings(t, sessions) });
     const { output } = await logs("tim", "--delete", "--token", "87654321");
@@ -117,7 +117,7 @@ describe("logs", { concurrency: true }, () => {
     };
   }
 
-  test("a transfer that was cut goes on where it was, within one command", async (t) => {
+  test("a transfer that was cut continues within the same command", async (t) => {
     const sessions = { one: session(1) };
     const robot = await serveRecordings(t, sessions);
     const { folder, logs } = person(t, { tim: robot });
@@ -127,7 +127,7 @@ describe("logs", { concurrency: true }, () => {
     assert.match(robot.asked.at(-1), /joints.mcap bytes=[1-9]\d+-$/);
   });
 
-  test("a robot that stays away is given up, and the next command goes on where it was", async (t) => {
+  test("a robot that does not come back is given up, and the next command continues", async (t) => {
     const sessions = { one: session(1) };
     const big = sessions.one.files["14.2.joints.mcap"];
     const robot = await serveRecordings(t, sessions);
@@ -145,7 +145,7 @@ describe("logs", { concurrency: true }, () => {
     assert.deepEqual(arrived(folder, "tim", "one"), sorted(sessions.one.files));
   });
 
-  test("a part of another file is thrown away, and one that is too long", async (t) => {
+  test("a part of another file, or a part that is too long, is deleted", async (t) => {
     const sessions = { one: session(1) };
     const robot = await serveRecordings(t, sessions);
     const { folder, logs } = person(t, { tim: robot });
@@ -159,7 +159,7 @@ describe("logs", { concurrency: true }, () => {
     assert.deepEqual(arrived(folder, "tim", "one"), sorted(sessions.one.files));
   });
 
-  test("during a game a robot tells so; the others go on", async (t) => {
+  test("during a game a robot reports it; the others continue", async (t) => {
     const tim = await serveRecordings(t, { one: session(1) });
     const lea = await serveRecordings(t, { two: session(2) });
     tim.fail = (path, response) => (response.writeHead(503).end('{"error": "game in progress: come back after FINISHED"}'), true);
@@ -180,7 +180,7 @@ describe("logs", { concurrency: true }, () => {
     }
   });
 
-  test("answers that are none are one sentence", async (t) => {
+  test("invalid answers give one sentence", async (t) => {
     const robot = await serveRecordings(t, { one: session(1) });
     const { logs } = person(t, { tim: robot });
     for (const [body, says] of [["<html>", /api\/sessions: expected JSON, got '<html>'/], ["{}", /expected a list of sessions/], ['{"sessions": [{"session": "one"}]}', /expected a list of sessions/]]) {
@@ -191,7 +191,7 @@ describe("logs", { concurrency: true }, () => {
     assert.match((await logs("tim")).output, /expected a list of files/);
   });
 
-  test("a robot without a runtime is told", async (t) => {
+  test("a robot without a runtime is reported", async (t) => {
     const { logs } = person(t, { tim: { port: 1 } });
     assert.deepEqual(await logs("tim"), { status: 1, output: "tim  FAILED: no runtime answers at port 1 of 127.0.0.1: it is off, stopped, or silent because a game is in progress\n" });
   });

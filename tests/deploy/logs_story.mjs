@@ -37,14 +37,14 @@ export function logsStory() {
   });
   after(() => world?.field.end());
 
-  /** Where a session has come to, under whatever day. */
+  /** Returns the folder of a copied session, below any day. */
   function home(robot, session) {
     const logs = join(world.home, "logs");
     const folders = existsSync(logs) ? readdirSync(logs).map((day) => join(logs, day, robot.name, session)) : [];
     return folders.find((folder) => existsSync(folder));
   }
 
-  test("without images, from both robots, bit for bit", async () => {
+  test("recordings without images arrive from both robots bit for bit", async () => {
     const { status, output } = await world.run("logs", "tim", "lea", "--no-images");
     assert.equal(status, 0, output);
     assert.match(output, /tim {2}2 sessions, .* MB, in logs\/\d{4}-\d\d-\d\d\/tim\n/);
@@ -56,7 +56,7 @@ export function logsStory() {
     assert.equal((await run("foresight-lab", "info", home(lea, "other"))).status, 0);
   });
 
-  test("over a link that breaks, the rest comes with the next command", async () => {
+  test("after a broken link the next command fetches the rest", async () => {
     world.field.shape("20mbit");
     const started = world.start("logs", "tim");
     const parts = () => readdirSync(home(tim, "long")).filter((name) => name.endsWith(".part")).map((name) => join(home(tim, "long"), name));
@@ -76,7 +76,7 @@ export function logsStory() {
     for (const session of ["long", "short"]) assert.deepEqual(filesOf(home(tim, session)), recorded.get(session));
   });
 
-  test("a game that is in progress keeps them on the robot", async () => {
+  test("during a game recordings stay on the robot", async () => {
     rmSync(home(lea, "other"), { recursive: true });
     world.sendState(lea, kPlaying);
     await until(() => world.statusOf(lea).game.in_progress, "the game");
@@ -87,7 +87,7 @@ export function logsStory() {
     await until(() => !world.statusOf(lea).game.in_progress, "the end of the game");
   });
 
-  test("what has arrived whole is deleted, with the token that ssh brings", async () => {
+  test("complete sessions are deleted, with the token that ssh reads", async () => {
     const { status, output } = await world.run("logs", "tim", "lea", "--delete");
     assert.equal(status, 0, output);
     assert.match(output, /tim {2}2 sessions, .* 2 deleted on the robot/);
@@ -96,7 +96,7 @@ export function logsStory() {
     assert.deepEqual(await world.run("logs", "tim"), { status: 0, output: "tim  nothing new\n" });
   });
 
-  test("what came home plays", async (t) => {
+  test("copied sessions can be played", async (t) => {
     const server = await play(t, world.home, home(tim, "long"), "--speed", "100");
     const { sessions } = await getJson(server, "/api/sessions");
     assert.equal(sessions.find(({ session }) => session === "long").state, "complete");

@@ -34,7 +34,7 @@ test("settings are options of the program, one per line", () => {
   assert.deepEqual(JSON.parse(identityOf(robot)), { name: "tim", team: 14, player: 2, colour: "blue", model: "nao-v6" });
 });
 
-test("what a team chooses between goes to all of its robots, files of its own in the version", async (t) => {
+test("a team's strategies go to all of its robots, with its own files in the version", async (t) => {
   const folder = temporaryFolder(t);
   writeFileSync(join(folder, "press.json"), "{}");
   const file = join(folder, "robots.json");
@@ -48,7 +48,7 @@ test("what a team chooses between goes to all of its robots, files of its own in
     assert.throws(() => parseTeam(file, text(wrong)), /\$\.strategies: expected a list of 1 \.\. 8 names/);
 });
 
-test("options stand anywhere; wrong ones are one sentence", () => {
+test("options can be anywhere; wrong ones give one sentence", () => {
   const known = { yes: true, player: wholeNumber(1, 20), colour: oneOf(["red", "blue"]), field: anyText };
   const read = (...words) => readCommandLine("deploy", words, known);
   assert.deepEqual(read("tim", "--player", "3", "lea", "--yes", "--field=A=B"), { names: ["tim", "lea"], options: { player: 3, yes: true, field: "A=B" } });
@@ -166,7 +166,7 @@ test("a robot of B-Human's image is recognised", () => {
   assert.equal(whyNotModel("nao-v4", { ...probe, flags: ["ssse3"] }), "expected the processor of a nao-v4, got one without movbe");
 });
 
-test("other images are told by their release files and kernels", () => {
+test("other images are recognised by their release files and kernels", () => {
   const imageOf = (release, kernel = "Linux 5.4") => readProbe(`== release\n${release}\n\n== kernel\n${kernel}\n`, 0, 0).image;
   assert.equal(imageOf("opennao-atom release 2.1.4.13", "Linux 2.6.33.9-rt31-aldebaran-rt"), "stock NAOqi OS (opennao-atom release 2.1.4.13)");
   assert.equal(imageOf("", "Linux 2.6.33.9-rt31-aldebaran-rt"), "stock NAOqi OS (Linux 2.6.33.9-rt31-aldebaran-rt)");
@@ -175,11 +175,11 @@ test("other images are told by their release files and kernels", () => {
   assert.equal(imageOf("PRETTY_NAME=Debian"), "an unknown image (Debian)");
 });
 
-test("every truncation of what a robot says of itself is read without harm", () => {
+test("every truncation of a robot's description is read without harm", () => {
   for (let size = 0; size < b_human.length; ++size) described(readProbe(b_human.slice(0, size), 0, 0));
 });
 
-test("a robot that fails says why and keeps nobody", async () => {
+test("a robot that fails gives the reason and does not delay the others", async () => {
   let text = "";
   const lines = new Lines(["tim", "lena"], { write: (piece) => (text += piece) });
   const good = await sideBySide(lines, [{ name: "tim" }, { name: "lena" }], async ({ name }) => {

@@ -1,4 +1,4 @@
-// Programs to install: the one that was built, another "build" of it, and some that are no good.
+// Programs to install: the real one, another "build" of it, and some faulty ones.
 import { execFileSync } from "node:child_process";
 import { chmodSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -16,9 +16,9 @@ function executable(path, content) {
 let made;
 
 /**
- * {first, second}, each {path, build}, which differ in nothing but the build that they tell; and the paths `crashing` (says
- * its build, then ends with status 3), `lying` (answers as the version before) and `foreign` (for another processor). They
- * are made once, and gone when this process ends.
+ * Returns {first, second}, each {path, build}, which differ only in the build that they report. Also returns the paths
+ * `crashing` (prints its build, then ends with status 3), `lying` (answers as the version before) and `foreign` (for another
+ * processor). They are made once and removed when this process ends.
  */
 export function makePrograms() {
   if (!made) {

@@ -1,4 +1,4 @@
-// A robot's HTTP API for recordings in a few lines, which does as the real one and can be told to fail.
+// A small stand-in for a robot's HTTP API of recordings, which can fail on request.
 import http from "node:http";
 import { crc32 } from "../../robot/deploy/crc32.mjs";
 

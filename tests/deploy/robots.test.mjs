@@ -1,4 +1,4 @@
-// The commands against robots that are real but for their bodies: networks, ssh servers, homes and runtimes of their own.
+// The commands against virtual robots without bodies: each has its own network, ssh server, home and runtime.
 import { describe } from "node:test";
 import { deployStory } from "./deploy_story.mjs";
 import { whyNoField } from "./field.mjs";
@@ -7,7 +7,7 @@ import { linksStory } from "./links_story.mjs";
 import { logsStory } from "./logs_story.mjs";
 import { systemdStory } from "./systemd_story.mjs";
 
-// each is a story, told in its order; all mostly wait
+// the tests of each story run in order; all mostly wait
 describe("robots", { skip: whyNoField(), concurrency: true }, () => {
   describe("deploy", { concurrency: false }, deployStory);
   describe("deploy over links that break", { concurrency: false }, linksStory);

@@ -1,4 +1,4 @@
-// The robots file: what it may say, and how it is told what it may not.
+// The robots file: allowed content, and the errors for other content.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -7,7 +7,7 @@ import { parseTeam, pick } from "../../robot/deploy/team.mjs";
 const tim = { name: "tim", address: "10.0.14.2", model: "nao-v6", player: 2 };
 const lea = { name: "lea", wired: "10.1.14.3", wireless: "10.0.14.3", model: "nao-v4", player: 3 };
 
-/** The file of these robots, read. */
+/** Reads a file of these robots. */
 const read = (robots, team = { team: 14 }) => parseTeam("robots.json", JSON.stringify({ ...team, robots }), "/home/me");
 
 test("the example is right", () => {
@@ -15,7 +15,7 @@ test("the example is right", () => {
   assert.deepEqual(parseTeam("example", readFileSync(file, "utf8")).map(({ name }) => name), ["tim", "lea", "old"]);
 });
 
-test("what is not said of a robot is said of all, or usual; the cable comes first", () => {
+test("missing values of a robot come from the team or the defaults; the cable comes first", () => {
   const [one, other] = read([tim, { ...lea, team: 15, colour: "red", user: "robot", ssh_port: 2222 }], { team: 14, colour: "blue", key: "~/.ssh/nao" });
   assert.deepEqual(one, { name: "tim", model: "nao-v6", body: "attached", player: 2, team: 14, colour: "blue", key: "/home/me/.ssh/nao", user: "nao", ssh_port: 22, http_port: 8765, addresses: ["10.0.14.2"] });
   assert.deepEqual([other.team, other.colour, other.user, other.ssh_port, other.addresses], [15, "red", "robot", 2222, ["10.1.14.3", "10.0.14.3"]]);
@@ -61,7 +61,7 @@ test("no truncation of the file is taken for a team", () => {
   for (let size = 0; size < text.length; ++size) assert.throws(() => parseTeam("robots.json", text.slice(0, size)), /^BadInput|expected JSON/);
 });
 
-test("robots are picked by name, by number and by address; by address it is that one", () => {
+test("robots are picked by name, by number and by address; an address selects exactly that one", () => {
   const team = read([tim, lea]);
   const picked = (...words) => pick(team, words, "robots.json").map(({ name, addresses }) => [name, ...addresses]);
   assert.deepEqual(picked("lea"), [["lea", "10.1.14.3", "10.0.14.3"]]);
@@ -72,7 +72,7 @@ test("robots are picked by name, by number and by address; by address it is that
   assert.throws(() => picked("lea", "3"), { message: "expected each robot once, got lea twice" });
 });
 
-test("a number that two teams have names nobody", () => {
+test("a player number of two teams selects no robot", () => {
   const team = read([tim, { ...lea, player: 2, team: 15 }]);
   assert.throws(() => pick(team, ["2"], "robots.json"), { message: "expected the name of one robot, but '2' are tim and lea" });
 });

@@ -39,7 +39,7 @@ function installed(t, program, { shell = "/bin/sh", tools, what = kRuntime } = {
   return { home, run, state, log, running };
 }
 
-/** True when a process does nothing any more, whether or not somebody has asked what became of it. */
+/** Returns true if a process has ended, also when its parent has not waited for it yet. */
 function isGone(pid) {
   try {
     return readFileSync(`/proc/${pid}/cmdline`, "utf8") === "";
@@ -48,14 +48,14 @@ function isGone(pid) {
   }
 }
 
-/** A folder in which every command is busybox's. */
+/** Makes a folder with the commands of busybox. */
 function busyboxTools(t) {
   const folder = temporaryFolder(t);
   execFileSync("busybox", ["--install", "-s", folder]);
   return folder;
 }
 
-// each has a place of its own, and mostly waits
+// each has its own folder, and mostly waits
 describe("the start script", { concurrency: true }, () => {
   const kLives = 'echo "process $$"; printf "%s\\n" "$@"; trap "exit 0" TERM; while :; do sleep 0.05; done';
 
@@ -64,7 +64,7 @@ describe("the start script", { concurrency: true }, () => {
     ["busybox", (t) => ({ shell: `${execFileSync("sh", ["-c", "command -v busybox"], { encoding: "utf8" }).trim()} sh`, tools: busyboxTools(t) }), { skip: has("busybox") ? false : "there is no busybox" }],
   ];
   for (const [name, options, skip] of shells) {
-    test(`${name}: it starts, tells, and stops; settings become options as they are`, skip, async (t) => {
+    test(`${name}: it starts, reports its status, and stops; settings become options without change`, skip, async (t) => {
       const service = installed(t, kLives, options(t));
       assert.deepEqual(service.run("status"), { status: 3, output: "is stopped" });
       assert.equal(service.run("start").status, 0);
@@ -74,7 +74,7 @@ describe("the start script", { concurrency: true }, () => {
       assert.deepEqual(options_seen, ["--body=attached", "--field=$(touch broken) `x` 'A' \\", "--game-controller"]);
       assert.ok(!existsSync(join(service.home, "foresight/broken")));
 
-      // who starts it twice has one
+      // a second start has no effect
       const first = service.state("pid");
       assert.equal(service.run("start").status, 0);
       assert.equal(service.state("pid"), first);
@@ -84,7 +84,7 @@ describe("the start script", { concurrency: true }, () => {
       assert.equal(service.run("stop").status, 0);
     });
 
-    test(`${name}: a crash is mended, the third within a minute is not, and it says so`, skip, async (t) => {
+    test(`${name}: it restarts after a crash, but not after the third within a minute, and reports that`, skip, async (t) => {
       const service = installed(t, kLives, options(t));
       service.run("start");
       for (let crash = 1; crash <= 3; ++crash) {
@@ -96,7 +96,7 @@ describe("the start script", { concurrency: true }, () => {
       assert.deepEqual(await until(() => service.run("status").status === 4 && service.run("status"), "it stays down"), { status: 4, output: down });
       assert.match(service.run("log").output, new RegExp(`foresight: ${down}$`));
 
-      // a person may start it again, with three crashes to go
+      // after a start by hand, three crashes are allowed again
       service.run("start");
       assert.deepEqual(service.run("status"), { status: 0, output: "runs" });
     });
@@ -150,7 +150,7 @@ describe("the start script", { concurrency: true }, () => {
     assert.ok(isGone(pid));
   });
 
-  test("what systemd says of an end is counted like a crash", (t) => {
+  test("a failure that systemd reports counts as a crash", (t) => {
     const service = installed(t, "exit 3");
     const crash = { SERVICE_RESULT: "exit-code", EXIT_CODE: "exited", EXIT_STATUS: "3" };
     for (let run = 1; run <= 3; ++run) {

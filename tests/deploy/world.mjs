@@ -48,19 +48,19 @@ export class World {
     return this.start(script, ...words).ended;
   }
 
-  /** Runs scripts/deploy, which must end with `status`; what it said. */
+  /** Runs scripts/deploy, which must end with `status`; returns its output. */
   async deploy(status, ...words) {
     const { output, status: got } = await this.run("deploy", ...words);
     assert.equal(got, status, output);
     return output;
   }
 
-  /** A line of shell on a robot, as its user. */
+  /** Runs a line of shell on a robot, as its user. */
   on(robot, line) {
     return this.field.runOn(robot, line).trim();
   }
 
-  /** What the runtime on a robot says of itself. */
+  /** Returns the status that the runtime on a robot reports. */
   statusOf(robot) {
     return JSON.parse(this.on(robot, `bash -c "${kAskStatus}"`).split("\r\n\r\n")[1]);
   }

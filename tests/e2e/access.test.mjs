@@ -1,4 +1,4 @@
-// Who may watch and who may control: Host, Origin and token, as DESIGN's rules on outsiders say, and how starting fails.
+// Rights to watch and to control: Host, Origin and token by DESIGN's rules on outsiders, and failures at the start.
 import assert from "node:assert/strict";
 import { readFileSync, statSync, writeFileSync } from "node:fs";
 import net from "node:net";
@@ -8,7 +8,7 @@ import { test } from "node:test";
 import { Live, refusal } from "./live.mjs";
 import { play, request, robot, run, synthesize, temporaryFolder, within } from "./support.mjs";
 
-// this machine as others see it
+// an address of this machine that is not loopback
 const own = Object.values(networkInterfaces()).flat().find(({ family, internal }) => family === "IPv4" && !internal)?.address;
 const needsNetwork = { skip: own ? false : "this machine has no address but loopback" };
 
@@ -76,7 +76,7 @@ test("every page comes with a strict Content-Security-Policy and no referrer", a
   }
 });
 
-test("only GET, HEAD, DELETE and OPTIONS; a second Host is no request", async (t) => {
+test("the server accepts only GET, HEAD, DELETE and OPTIONS, and refuses a second Host", async (t) => {
   const { server } = await served(t);
   for (const method of ["POST", "PUT", "PATCH"]) assert.equal((await request(server, "/api/status", { method })).status, 405);
   assert.equal((await request(server, "/api/status", { method: "DELETE" })).status, 404);
@@ -97,14 +97,14 @@ test("control from another machine needs the token; watching does not, unless re
 
   for (const path of ["/", "/?token=", "/?token=0123456789abcdef0123456789abcdef", `/?token=${token.slice(0, -1)}`, `/?token=${token}0`, `/?token=${token.toUpperCase()}x`]) {
     const guest = await from(path);
-    await guest.subscribe("/14/2/joints"); // watching is free
+    await guest.subscribe("/14/2/joints"); // watching needs no token
     await guest.newest("/14/2/joints");
     for (const service of ["start_recording", "stop_recording", "keep_session"]) {
       const { ok, error } = await guest.call(service, {});
       assert.equal(ok, false, path);
       assert.match(error, needed);
     }
-    assert.equal((await guest.call("clock_sync", { sent_ns: "1" })).ok, true); // everybody may ask the time
+    assert.equal((await guest.call("clock_sync", { sent_ns: "1" })).ok, true); // every client may ask for the time
     guest.send({ op: "setParameters", parameters: [{ name: "jpeg_quality", value: 10 }], id: "set" });
     const { parameters } = await guest.until(() => guest.values.find(({ id }) => id === "set"), "the values");
     assert.equal(parameters[0].value, 75);
@@ -116,12 +116,12 @@ test("control from another machine needs the token; watching does not, unless re
   const trusted = await from(`/?token=${token}`);
   assert.equal((await trusted.call("start_recording")).ok, true);
   assert.equal((await trusted.call("stop_recording")).ok, true);
-  const local = await Live.open(t, server); // this machine's own processes need none
+  const local = await Live.open(t, server); // processes of this machine need no token
   assert.equal((await local.call("start_recording")).ok, true);
   await local.call("stop_recording");
 });
 
-test("with protected reading nothing but the viewer itself is shown to another machine without the token", needsNetwork, async (t) => {
+test("with protected reading another machine without the token gets only the viewer itself", needsNetwork, async (t) => {
   const { folder, server } = await served(t, "--bind", "0.0.0.0", "--protect-reading");
   const token = readFileSync(join(folder, "state/token"), "utf8").trim();
   const ask = (path) => request(server, path, { address: own });
@@ -137,7 +137,7 @@ test("with protected reading nothing but the viewer itself is shown to another m
   await Live.open(t, server, { address: own, path: `/?token=${token}` });
 });
 
-test("the token is made once, for its owner's eyes only, and told to nobody", async (t) => {
+test("the token is made once, only its owner can read it, and no answer contains it", async (t) => {
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 1 });
   const server = await robot(t, folder, session);
@@ -152,7 +152,7 @@ test("the token is made once, for its owner's eyes only, and told to nobody", as
   const said = [server.output, JSON.stringify(live.infos), JSON.stringify(live.decoded("/14/2/runtime", runtime)), live.messages.get("/14/2/log").map(({ data }) => data.toString("latin1")).join()];
   for (const path of ["/", "/api/status", "/api/sessions", `/logs/?token=${token}`, `/api/status?token=${token}`, `/nothing?token=${token}`]) {
     const { body, headers } = await request(server, path);
-    // the list of recordings keeps the token in its links: a person who needed it to come needs it to go on
+    // the list of recordings keeps the token in its links, because the next page needs it too
     if (!path.startsWith("/logs/")) said.push(body.toString("latin1"), JSON.stringify(headers));
   }
   for (const text of said) assert.ok(!text.includes(token), text.slice(0, 200));
@@ -162,7 +162,7 @@ test("the token is made once, for its owner's eyes only, and told to nobody", as
   assert.equal(readFileSync(file, "utf8").trim(), token);
 });
 
-/** That a program refuses to start, with status 2 and one sentence. */
+/** Asserts that a program refuses to start, with status 2 and one sentence. */
 async function refuses(sentence, program, ...args) {
   const { status, stderr } = await run(program, ...args);
   assert.equal(status, 2, `${args}: ${stderr}`);
@@ -170,7 +170,7 @@ async function refuses(sentence, program, ...args) {
   assert.equal(stderr.trim().split("\n").length, 1, stderr);
 }
 
-test("what cannot start says why in one sentence, with status 2", async (t) => {
+test("a program that cannot start gives the reason in one sentence, with status 2", async (t) => {
   const { folder, session, server } = await served(t);
   const state = ["--state-dir", join(folder, "state")];
   const again = (...args) => ["--session", session, "--log-dir", join(folder, "logs"), ...state, ...args];

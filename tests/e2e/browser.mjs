@@ -16,7 +16,7 @@ function isProgram(path) {
   }
 }
 
-// one browser of a kind for all tests of a file; each test has a profile of its own in it
+// one browser of a kind for all tests of a file; each test has its own profile in it
 const launched = new Map();
 function browser(kind) {
   const executablePath = found("chromium") ?? found("chromium-browser") ?? found("google-chrome");
@@ -32,7 +32,7 @@ export const kDesktop = { width: 1280, height: 800 };
 export const kPhone = { width: 390, height: 844 };
 
 /**
- * Opens a page. `problems` collects what a person never sees: errors on the console, exceptions, refusals by the
+ * Opens a page. `problems` collects errors that a person does not see: errors on the console, exceptions, refusals by the
  * Content-Security-Policy. A test that breaks connections on purpose says so, and so does one whose page needs a graphics
  * card's functions, at the pace of a processor (`software3d`).
  */
@@ -53,14 +53,14 @@ export async function open(t, url, { viewport = kDesktop, breaksConnections = fa
   return { page, problems, context };
 }
 
-/** For people to look at: into the folder that FORESIGHT_SHOTS names, else that of temporary files. */
+/** Saves a screenshot for people into the folder FORESIGHT_SHOTS, by default the one of temporary files. */
 export async function shoot(page, name) {
   const folder = process.env.FORESIGHT_SHOTS ?? join(tmpdir(), "foresight-shots");
   mkdirSync(folder, { recursive: true });
   await page.screenshot({ path: join(folder, `${name}.png`) });
 }
 
-/** Mean colours of the cells of a grid over what `locator` shows on the screen: rows of [r, g, b]. */
+/** Returns the mean colours of the cells of a grid over the picture of `locator`: rows of [r, g, b]. */
 export async function coloursOnScreen(context, locator, columns, rows) {
   const png = await locator.screenshot();
   const page = await context.newPage(); // a blank one may do what the viewer's policy forbids

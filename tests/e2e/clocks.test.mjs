@@ -12,7 +12,7 @@ const { FileDescriptorSetSchema } = require("@bufbuild/protobuf/wkt");
 
 const kStart = 1_700_000_000_000_000_000n, kMs = 1_000_000n;
 
-/** Clock samples, with the fields that matter, and a message that nobody else has heard of. */
+/** Clock samples, with the fields that matter, and a message of an unknown type. */
 function kSchemas() {
   const [kDouble, kInt64, kUint64, kString, kEnum] = [1, 3, 4, 9, 14];
   const field = (name, number, type, typeName) => ({ name, number, type, typeName, jsonName: name, label: 1 });
@@ -25,7 +25,7 @@ function kSchemas() {
 
 /**
  * Two recordings of the same three seconds: the ball at the same places, and clock samples with a machine of the lab. The
- * clock of 14/3 is 350 ms ahead of that of 14/2, give or take the round trips.
+ * clock of 14/3 is 350 ms ahead of that of 14/2, within the round trips.
  */
 async function twoRecordings(t) {
   const folder = temporaryFolder(t);
@@ -54,7 +54,7 @@ async function twoRecordings(t) {
 
 const kSentence = "14/3's clock is 0.350 s ahead (± 2.0 ms) of 14/2's, by 10.0.14.7: its times are shifted";
 
-test("a session whose clock was off is played in the time of the first, and that is said", async (t) => {
+test("a session whose clock was off is played in the time of the first, and a sentence reports it", async (t) => {
   const { folder, first, second } = await twoRecordings(t);
   const server = await play(t, folder, first, second, "--speed", "1000");
   assert.ok(server.output.split("\n").includes(kSentence), server.output);
@@ -69,7 +69,7 @@ test("a session whose clock was off is played in the time of the first, and that
   assert.deepEqual(live.decoded("/14/3/spot", three), { seen_ns: String(three.log_ns), x: 89 }, "times within messages are shifted, too");
 });
 
-test("info tells how the clocks stand; beyond what is allowed both refuse with the offset", async (t) => {
+test("info reports the clock offsets; both commands refuse a larger offset than allowed, and name it", async (t) => {
   const { first, second } = await twoRecordings(t);
   const told = await run("foresight-lab", "info", first, second);
   assert.equal(told.status, 0);

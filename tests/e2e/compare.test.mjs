@@ -7,18 +7,18 @@ import { test } from "node:test";
 import { kDesktop, kPhone, open, shoot } from "./browser.mjs";
 import { atEnd, bin, root, run, temporaryFolder, until } from "./support.mjs";
 
-// short games: what is tested is the counting
+// short games, because the tests are about the counting
 const kShort = ["--seconds", "150"];
 const compare = (...words) => run("foresight-sim", "compare", ...words, ...kShort);
 
-/** All but what hangs on the machine. */
+/** Returns a result without the values that depend on the machine. */
 function found({ stdout }) {
   const { seconds, decision_us, ...rest } = JSON.parse(stdout);
   assert.ok(seconds > 0);
   return rest;
 }
 
-test("a behaviour against itself is identical, exactly", async () => {
+test("a behaviour compared with itself is exactly identical", async () => {
   const { status, stdout } = await compare("baseline", "--pairs", "100", "--json");
   assert.equal(status, 1);
   const report = JSON.parse(stdout);
@@ -29,7 +29,7 @@ test("a behaviour against itself is identical, exactly", async () => {
   assert.deepEqual([sequential.verdict, sequential.pairs], ["identical", 50]);
 });
 
-test("who hardly plays is not better, and the other one is", async () => {
+test("a team that hardly plays is not better, and its opponent is", async () => {
   const worse = await compare("baseline", "idle", "--json");
   const better = await compare("idle", "baseline", "--json");
   assert.deepEqual([worse.status, better.status], [1, 0]);
@@ -41,7 +41,7 @@ test("who hardly plays is not better, and the other one is", async () => {
   assert.match(b.decisive[0].replay, /^foresight-sim match --home baseline --away idle .*--seed \d+ --mcap game\.mcap$/);
 });
 
-test("the number of processes, and being killed, change nothing", async (t) => {
+test("the number of processes and kills do not change the result", async (t) => {
   const folder = temporaryFolder(t);
   const words = ["baseline", "kick_now", "--pairs", "200", "--json"];
   const alone = await compare(...words, "--jobs", "1");
@@ -62,7 +62,7 @@ test("the number of processes, and being killed, change nothing", async (t) => {
   assert.deepEqual(found(resumed), found(alone));
   assert.equal(blocks(), 8);
 
-  // a block that was changed is played again, never believed
+  // a changed block is played again
   const damaged = join(out, "block-00000003.json");
   const sound = readFileSync(damaged, "utf8");
   writeFileSync(damaged, sound.replace(/"pairs":\[\[\[(-?\d+)/, (_, gain) => `"pairs":[[[${Number(gain) + 1}`));
@@ -86,13 +86,13 @@ test("against a third behaviour both play the same games", async () => {
   assert.ok(Math.abs(report.gain.mean - (report.a.conceded - report.b.conceded)) < 1e-9);
 });
 
-test("a sequential test gives up when it is told to", async () => {
+test("a sequential test gives up at its limit", async () => {
   const { status, stdout } = await compare("baseline", "align_first", "--sprt", "0,0.01", "--most-pairs", "30", "--json");
   const { pairs, verdict } = JSON.parse(stdout);
   assert.deepEqual({ status, pairs, verdict }, { status: 3, pairs: 30, verdict: "undecided" });
 });
 
-test("a plan tells how many games an answer takes", async (t) => {
+test("a plan reports how many games an answer takes", async (t) => {
   const { status, stdout } = await compare("baseline", "kick_now", "--plan", "--sprt", "0,0.05", "--json");
   assert.equal(status, 0);
   const plan = JSON.parse(stdout);
@@ -101,14 +101,14 @@ test("a plan tells how many games an answer takes", async (t) => {
   assert.ok(Math.abs(plan.fixed_80.games - (2 * 7.849 * plan.pair_variance) / 0.0025) < 3, stdout);
   assert.ok(plan.sequential.games < plan.fixed_80.games && plan.fixed_80.games < plan.fixed_95.games);
 
-  // a run that was is a pilot, too
+  // an earlier run can be the pilot
   const run = join(temporaryFolder(t), "run");
   await compare("baseline", "kick_now", "--pairs", "200", "--out", run);
   const again = JSON.parse((await compare("baseline", "kick_now", "--plan", "--delta", "0.05", "--pilot", run, "--json")).stdout);
   assert.deepEqual([again.pilot_pairs, again.pair_variance, again.fixed_80.games], [200, plan.pair_variance, plan.fixed_80.games]);
 });
 
-test("what makes no sense is refused with a sentence", async () => {
+test("wrong input is refused with a sentence", async () => {
   for (const [words, sentence] of [
     [["baseline", "nobody"], /nobody/],
     [["baseline", "kick_now", "--sprt", "0.1,0"], /--sprt: expected two gains, the smaller one first, such as 0,0\.1, got '0\.1,0'/],
@@ -173,23 +173,23 @@ test("a process that dies, stalls or talks nonsense ends the run with a sentence
       assert.match(stderr, sentence);
       assert.equal(stderr.match(/foresight-sim: /g).length, 1, stderr);
     }
-  // one whose decisions hang on something else is found out
+  // vet detects a behaviour whose decisions depend on anything else
   const vetted = await run("foresight-sim", "vet", program("dice", "print(json.dumps({'body': 'walk_speed', 'x': os.getpid() % 97 / 97 - 0.5}), flush=True); continue"), "--seconds", "10");
   assert.equal(vetted.status, 1, vetted.stderr);
   assert.match(vetted.stdout, /the same each time {3}NO/);
 });
 
-test("only some players may change", async () => {
+test("a comparison can change only some players", async () => {
   const play = async (...words) => JSON.parse((await compare("baseline", "idle", "--pairs", "20", "--json", ...words)).stdout);
   const [keeper, all] = [await play("--changed", "1"), await play()];
   assert.equal(keeper.run.changed, 1);
   assert.match(keeper.sentence, /idle of players 1 \.\. 1/);
-  // a team that stands still scores nothing; one whose goalkeeper does so plays on
+  // a team that stands still scores no goal; a team whose goalkeeper stands still plays on
   assert.equal(all.b.goals, 0);
   assert.ok(keeper.b.goals > 0);
 });
 
-test("games begin in moments, in those of a folder evenly, and each pair may vary them", async (t) => {
+test("games begin in moments, evenly in all of a folder, and each pair can vary them", async (t) => {
   const play = async (...words) => JSON.parse((await run("foresight-sim", "compare", "align_first", "kick_now", "--metric", "score_within:30s", "--pairs", "40", "--json", ...words)).stdout);
   const [plain, again, fuzzed] = [await play("--from", "near_free"), await play("--from", "near_free"), await play("--from", "near_free", "--fuzz")];
   assert.deepEqual(found({ stdout: JSON.stringify(again) }), found({ stdout: JSON.stringify(plain) }));
@@ -208,7 +208,7 @@ test("games begin in moments, in those of a folder evenly, and each pair may var
   assert.ok(score[0] <= 1 && score[1] <= 1 && Math.abs(gain) >= 1, replay);
 });
 
-test("how far the ball gets is a metric", async () => {
+test("the advance of the ball is a metric", async () => {
   const { stdout } = await run("foresight-sim", "compare", "idle", "baseline", "--from", "far_free", "--metric", "ball_advance:30s", "--pairs", "50", "--json");
   const report = JSON.parse(stdout);
   assert.equal(report.verdict, "better");
@@ -226,7 +226,7 @@ test("a behaviour against itself gains nothing, and neither end of the field doe
   assert.match((await compare("--aa", "baseline", "--pairs", "50")).stdout, /50 pairs of the same luck {3}gain \+0\.000 ± 0\.000, 0 in each, as it must be/);
 });
 
-test("a verdict is asked again under other models", async () => {
+test("a robust verdict is repeated under other models", async () => {
   const { status, stdout } = await compare("baseline", "idle", "--robust", "--pairs", "25", "--metric", "first_goal", "--vs", "baseline", "--json");
   const report = JSON.parse(stdout);
   assert.equal(status, report.verdict === "undecided" ? 3 : 1);
@@ -251,7 +251,7 @@ test("blocks of a run are played anywhere, and merged to the same result", async
   assert.equal(merged.status, whole.status);
   assert.ok(readFileSync(join(shared, "result.json")).equals(readFileSync(join(alone, "result.json"))));
 
-  // what is damaged or of another run is never merged
+  // blocks that are damaged or of another run are never merged
   const block = join(shared, "block-00000002.json");
   const sound = readFileSync(block, "utf8");
   for (const [text, sentence] of [
@@ -267,7 +267,7 @@ test("blocks of a run are played anywhere, and merged to the same result", async
   }
 });
 
-test("workers that are killed again and again change nothing", async (t) => {
+test("workers that are killed repeatedly do not change the result", async (t) => {
   const folder = temporaryFolder(t);
   const [calm, torn] = [join(folder, "calm"), join(folder, "torn")];
   const words = ["baseline", "passing", "--pairs", "150", "--jobs", "2"];
@@ -280,11 +280,11 @@ test("workers that are killed again and again change nothing", async (t) => {
       const children = readFileSync(`/proc/${child.pid}/task/${child.pid}/children`, "utf8").trim().split(" ").filter(Boolean);
       if (children.length > 0 && process.kill(Number(children[kills % children.length]), "SIGKILL")) ++kills;
     } catch (error) {
-      if (!["ENOENT", "ESRCH"].includes(error.code)) throw error; // it ended meanwhile
+      if (!["ENOENT", "ESRCH"].includes(error.code)) throw error; // it has ended already
     }
     return kills;
   };
-  await until(kill, "a worker"); // the first one at once: a fast machine is done within a second
+  await until(kill, "a worker"); // the first one at once, because a fast machine finishes within a second
   const killing = setInterval(kill, 1000);
   atEnd(t, () => clearInterval(killing));
   const status = await ended;
@@ -305,7 +305,7 @@ test("one folder has one run at a time", async (t) => {
   assert.match(second.stderr, /another process is working on it/);
 });
 
-test("a full disk is said, and what was written is whole", { skip: process.getuid() === 0 ? false : "a small disk needs root" }, async (t) => {
+test("a full disk is reported, and the written blocks are complete", { skip: process.getuid() === 0 ? false : "a small disk needs root" }, async (t) => {
   const disk = join(temporaryFolder(t), "disk");
   mkdirSync(disk);
   const mounted = await new Promise((done) => spawn("mount", ["-t", "tmpfs", "-o", "size=24k", "tmpfs", disk]).on("close", done));
@@ -320,7 +320,7 @@ test("a full disk is said, and what was written is whole", { skip: process.getui
 
 test("on a cluster an array of jobs plays and another one merges", async (t) => {
   const folder = temporaryFolder(t);
-  // a sbatch that plays the tasks here and now, one after the other, each of them killed once
+  // a stand-in for sbatch that plays the tasks here, one after the other, and kills each of them once
   writeFileSync(
     join(folder, "sbatch"),
     `#!/bin/bash

@@ -1,4 +1,4 @@
-// Recordings over HTTP, as browsers, download managers and other viewers ask for them.
+// Recordings over HTTP, as browsers, download managers and other viewers request them.
 import assert from "node:assert/strict";
 import http from "node:http";
 import net from "node:net";
@@ -7,7 +7,7 @@ import { Live } from "./live.mjs";
 import { readSession, readStreamed } from "./mcap.mjs";
 import { download, play, request, robot, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
-/** A server with one complete recording, and the whole of it. */
+/** Starts a server with one complete recording; returns both, the recording as bytes. */
 async function served(t) {
   const folder = temporaryFolder(t);
   const server = await play(t, folder, await synthesize(folder, { seconds: 1 }), "--speed", "1000");
@@ -19,7 +19,7 @@ async function served(t) {
 
 const get = (server, path, headers, method = "GET") => request(server, path, { headers, method });
 
-test("a download says what it is: size, type, name, tag, and that ranges are taken", async (t) => {
+test("a download has size, type, name, tag, and accepts ranges", async (t) => {
   const { server, path, whole, headers, etag } = await served(t);
   assert.equal(headers["content-length"], String(whole.length));
   assert.equal(headers["accept-ranges"], "bytes");
@@ -37,7 +37,7 @@ test("a download says what it is: size, type, name, tag, and that ranges are tak
   assert.equal(stream.headers["content-disposition"], 'attachment; filename="synthetic.14.2.fsr.mcap"');
 });
 
-test("ranges: first, last, middle, past the end, and those that cannot be", async (t) => {
+test("ranges: first, last, middle, past the end, and invalid ones", async (t) => {
   const { server, path, whole } = await served(t);
   const size = whole.length;
   const cases = [
@@ -58,14 +58,14 @@ test("ranges: first, last, middle, past the end, and those that cannot be", asyn
     const none = await get(server, path, { range });
     assert.deepEqual([none.status, none.headers["content-range"]], [416, `bytes */${size}`], range);
   }
-  // what is no range of bytes, or several, is answered with the whole, as RFC 9110 allows
+  // an invalid range or several ranges get the whole file as answer, as RFC 9110 allows
   for (const range of ["bytes=5-2", "bytes=a-b", "lines=1-2", "bytes=0-1,5-6", "bytes=-", "bytes=0-99999999999999999999999"])
     assert.equal((await get(server, path, { range })).status, 200, range);
   const head = await get(server, path, { range: "bytes=0-9" }, "HEAD");
   assert.ok([200, 206].includes(head.status) && head.body.length === 0);
 });
 
-test("any ranges one after the other are the whole", async (t) => {
+test("any consecutive ranges together are the whole file", async (t) => {
   const { server, path, whole } = await served(t);
   let seed = 1; // the same cuts each time
   const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
@@ -79,7 +79,7 @@ test("any ranges one after the other are the whole", async (t) => {
   assert.ok(Buffer.concat(pieces).equals(whole));
 });
 
-test("conditions: what is still the same is not sent twice, what has changed is sent whole", async (t) => {
+test("conditions: an unchanged file is not sent twice, a changed one is sent whole", async (t) => {
   const { server, path, whole, etag } = await served(t);
   for (const tags of [etag, `W/${etag}`, `"other", ${etag}`, "*"]) {
     const same = await get(server, path, { "if-none-match": tags });
@@ -117,7 +117,7 @@ test("a recording that grows is redirected to a part that does not, byte for byt
   const path = `/logs/${session}.mcap`;
   const redirected = () => request(server, path);
 
-  // early there may be nothing old enough; then until something is
+  // at first no part may be old enough; then wait until one is
   const location = await until(async () => {
     const { status, headers } = await redirected();
     assert.equal(status, 307);
@@ -136,7 +136,7 @@ test("a recording that grows is redirected to a part that does not, byte for byt
   assert.equal(second.headers.etag, first.headers.etag);
   assert.ok(second.body.equals(first.body));
 
-  // a download that is continued meanwhile stays whole, too
+  // a download that is resumed during recording is complete, too
   const tail = await get(server, location, { range: "bytes=1000-", "if-range": first.headers.etag });
   assert.equal(tail.status, 206);
   assert.ok(Buffer.concat([first.body.subarray(0, 1000), tail.body]).equals(first.body));
@@ -156,7 +156,7 @@ test("a recording whose robot was killed lacks less than its last second", async
   robotServer.kill("SIGKILL");
   await within(robotServer.ended, "the end");
 
-  // another robot finds it
+  // another runtime finds the session
   const server = await robot(t, folder, session, "--speed", "1000");
   const [found] = await sessionsOf(server);
   assert.deepEqual([found.session, found.state], [id, "recovered"]);
@@ -173,7 +173,7 @@ test("a recording whose robot was killed lacks less than its last second", async
   }
 });
 
-/** Sends `head` as it is and gives all that comes back: http.request would tidy it up. */
+/** Sends `head` unchanged and returns the whole answer; http.request would change it. */
 function raw(server, head) {
   const socket = net.connect(server.port, "127.0.0.1");
   let text = "";
@@ -204,7 +204,7 @@ test("no path leads out of the log folder", async (t) => {
   }
 });
 
-test("who goes away in the middle of a download harms nobody", async (t) => {
+test("a client that disconnects during a download harms no other", async (t) => {
   const { server, path, whole } = await served(t);
   const abort = () =>
     new Promise((resolve) => {
@@ -219,7 +219,7 @@ test("who goes away in the middle of a download harms nobody", async (t) => {
   assert.equal((await statusOf(server)).clients, 0);
 });
 
-test("many downloads at once are all whole", async (t) => {
+test("many downloads at the same time are all complete", async (t) => {
   const { server, path, whole } = await served(t);
   for (const body of await Promise.all(Array.from({ length: 12 }, () => download(server, path)))) assert.ok(body.equals(whole));
 });

@@ -1,4 +1,4 @@
-// What goes wrong around a robot must stay around it: clients that hang, floods, nonsense, and the end of the process.
+// Faults around a robot do not harm it: clients that hang, floods, nonsense, and the end of the process.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
@@ -9,7 +9,7 @@ import { kSubprotocols, Live } from "./live.mjs";
 import { readSession } from "./mcap.mjs";
 import { atEnd, play, request, require, robot, run, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
-/** A process that subscribes to everything and is then stopped, as a laptop that was closed. */
+/** Starts a process that subscribes to everything and is then stopped, like a closed laptop. */
 async function hangingViewer(t, server) {
   const code = `
     const WebSocket = require(${JSON.stringify(require.resolve("ws"))});
@@ -27,7 +27,7 @@ async function hangingViewer(t, server) {
   return viewer;
 }
 
-/** That what arrived of `topic` is the recording, round and round, with nothing left out. */
+/** Asserts that the messages of `topic` are those of the looped recording, without a gap. */
 function assertNothingMissing(topic, arrived, recorded) {
   const order = recorded.map(({ logTime }) => logTime);
   let at = order.indexOf(arrived[0].log_ns);
@@ -47,7 +47,7 @@ test("a viewer that hangs loses its own messages only", async (t) => {
   await live.subscribe(...recorded.keys());
   await live.subscribe("/lab/1/runtime");
 
-  // the robot knows who loses what
+  // the robot counts the losses of each client
   const losses = () => {
     const newest = live.messages.get("/lab/1/runtime").at(-1);
     const clients = newest ? live.decoded("/lab/1/runtime", newest).clients : [];
@@ -63,7 +63,7 @@ test("a viewer that hangs loses its own messages only", async (t) => {
 
 const residentBytes = (pid) => 1024 * Number(/^VmRSS:\s+(\d+) kB$/m.exec(readFileSync(`/proc/${pid}/status`, "utf8"))[1]);
 
-test("a thousand connections that say nothing cost little and keep nobody out", async (t) => {
+test("a thousand silent connections cost little and keep no client out", async (t) => {
   const folder = temporaryFolder(t);
   const server = await play(t, folder, await synthesize(folder, { seconds: 1 }), "--speed", "1000");
   const live = await Live.open(t, server);
@@ -75,7 +75,7 @@ test("a thousand connections that say nothing cost little and keep nobody out", 
   const connect = (begin) =>
     new Promise((resolve) => {
       const socket = net.connect(server.port, "127.0.0.1", () => resolve(socket.write(begin)));
-      socket.on("error", resolve); // turned away is fine, too
+      socket.on("error", resolve); // a refusal is fine, too
       sockets.push(socket);
     });
   const begins = ["", "G", "GET / HTTP/1.1\r\nHost: ", "GET / HTTP/1.1\r\nX: " + "x".repeat(4000)];
@@ -86,11 +86,11 @@ test("a thousand connections that say nothing cost little and keep nobody out", 
   const grown = residentBytes(server.pid) - before;
   assert.ok(grown < 20e6, `grew by ${grown / 1e6} MB`);
   assert.ok(readdirSync(`/proc/${server.pid}/fd`).length < 400, "the oldest make room");
-  await live.subscribe("/14/2/pose"); // who was there before is still served
+  await live.subscribe("/14/2/pose"); // an earlier client is still served
   await live.newest("/14/2/pose");
 });
 
-/** Upgrades by hand, then sends `bytes`: the code and reason of the close frame that follows. */
+/** Upgrades by hand, then sends `bytes`; returns the code and reason of the close frame. */
 function closeAfter(server, bytes) {
   const socket = net.connect(server.port, "127.0.0.1");
   const head = `GET / HTTP/1.1\r\nHost: localhost\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: ${Buffer.alloc(16).toString("base64")}\r\nSec-WebSocket-Protocol: foxglove.sdk.v1\r\n\r\n`;
@@ -117,7 +117,7 @@ test("frames that are too large or break the protocol end their connection, clea
   const server = await play(t, folder, await synthesize(folder, { seconds: 1 }), "--speed", "1000");
   const [witness, sender] = [await Live.open(t, server), await Live.open(t, server)];
 
-  sender.send(Buffer.alloc(1 << 20)); // as large as may be: answered
+  sender.send(Buffer.alloc(1 << 20)); // of the largest allowed size: answered
   await sender.until(() => sender.statuses.length > 0, "an answer");
   sender.send(Buffer.alloc((1 << 20) + 1));
   await sender.until(() => sender.closed, "the close");
@@ -137,14 +137,14 @@ test("frames that are too large or break the protocol end their connection, clea
 });
 
 for (const signal of ["SIGTERM", "SIGINT"]) {
-  test(`${signal} ends the robot in good order, whoever watches and whatever it records`, async (t) => {
+  test(`${signal} ends the robot in good order while it is watched and records`, async (t) => {
     const folder = temporaryFolder(t);
     const session = await synthesize(folder, { seconds: 4 });
     const server = await robot(t, folder, session, "--record", "--profile", "full", "--loop", "--speed", "2");
     const live = await Live.open(t, server);
     await live.subscribe("/14/2/joints", "/14/2/camera_top", "/14/2/camera_top/jpeg");
     await hangingViewer(t, server);
-    net.connect(server.port, "127.0.0.1").on("error", () => {}); // and one who says nothing
+    net.connect(server.port, "127.0.0.1").on("error", () => {}); // and a silent one
     await live.until(() => live.messages.get("/14/2/joints").length > 300, "some joints");
     const { session: id } = (await statusOf(server)).recording;
 

@@ -1,4 +1,4 @@
-// Recordings that another program wrote, with messages that we have never heard of: played as they are, and in our words.
+// Recordings of another program with unknown messages: played as they are, and mapped to our objects.
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -14,7 +14,7 @@ const { FileDescriptorSetSchema } = require("@bufbuild/protobuf/wkt");
 const kStart = 1_700_000_000_000_000_000n, kCount = 300, kPeriod = 33_000_000n; // [ns]
 const kDouble = 1, kMessage = 11, kOptional = 1;
 
-/** theirs.Sighting {theirs.Spot spot {double ahead_mm, left_mm}}, as a team's own robot might tell of its ball. */
+/** `theirs.Sighting {theirs.Spot spot {double ahead_mm, left_mm}}`: a ball in the words of another team's robot. */
 function sightings() {
   const field = (name, number, type, typeName) => ({ name, number, type, typeName, label: kOptional });
   const set = create(FileDescriptorSetSchema, {
@@ -83,7 +83,7 @@ for (const [what, options] of [["with chunks and an index", {}], ["without chunk
     assert.deepEqual([encoding, schemaName], ["json", ""]);
   });
 
-test("what nobody here has heard of shows in the tree and in plots", async (t) => {
+test("unknown objects show in the tree and in plots", async (t) => {
   const folder = temporaryFolder(t);
   const server = await play(t, folder, await recording(folder), "--loop");
   const { page, problems } = await open(t, `${server.http}/#//objects`);
@@ -112,7 +112,7 @@ test("mapped by a file, their topics are our objects too, on the field as well",
   assert.equal(live.channels.get("/21/4/ball").schemaName, "foresight.Ball");
   await live.subscribe("/21/4/pose", "/21/4/ball", "/21/4/game", "/vision/ball", "/estimate");
   for (const topic of ["/21/4/pose", "/21/4/ball", "/21/4/game", "/vision/ball"]) await live.newest(topic);
-  // each message of theirs is one of ours, of the same time
+  // each of their messages becomes one of ours at the same time
   const pair = (theirs, ours) => live.until(() => live.messages.get(theirs).flatMap((their) => live.messages.get(ours).filter(({ log_ns }) => log_ns === their.log_ns).map((our) => [their, our]))[0], `${theirs} and ${ours} of one time`);
   const [seen, ball] = await pair("/vision/ball", "/21/4/ball");
   const { spot } = live.decoded("/vision/ball", seen);
@@ -130,7 +130,7 @@ test("mapped by a file, their topics are our objects too, on the field as well",
   assert.deepEqual(problems, []);
 });
 
-test("info tells what such a file holds, and counts no gaps in numbers that are none", async (t) => {
+test("info describes such a file, and counts no gaps where there are no numbers", async (t) => {
   const { status, stdout } = await run("foresight-lab", "info", await recording(temporaryFolder(t)), "--json");
   assert.equal(status, 0);
   const { streams, clock } = JSON.parse(stdout);

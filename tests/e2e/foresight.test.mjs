@@ -1,4 +1,4 @@
-// Foresight as others use it: the independent Foxglove client asks a robot, memory holds the answer, nonsense does nothing.
+// Foresight through the independent Foxglove client: it asks a robot, memory holds the answer, nonsense has no effect.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { createSocket } from "node:dgram";
@@ -61,7 +61,7 @@ test("the Foxglove client asks and is answered, and memory holds the same", asyn
   assert.equal(String(log_ns), forecast.asked_ns, "it stands beside the moment it is about");
 });
 
-test("any robot may be asked about, and situations that were changed by hand", async (t) => {
+test("questions can be about any robot, and about edited situations", async (t) => {
   const { live } = await pausedGame(t);
   const other = await live.call(kService, { robot: "5/3", budget_ms: 50 });
   assert.equal(other.robot ?? other.error, "5/3");
@@ -74,7 +74,7 @@ test("any robot may be asked about, and situations that were changed by hand", a
   assert.deepEqual(forecast.situation.robots.find(({ side, player }) => side === "own" && player === 3), { side: "own", player: 3, x: 1, y: -1, heading: 0.5, deviation: 0 });
 });
 
-test("nonsense gets one sentence, and nothing else happens", async (t) => {
+test("nonsense gets one sentence and has no other effect", async (t) => {
   const { live } = await pausedGame(t);
   await live.subscribe("/14/2/forecast");
   const sentences = [
@@ -101,7 +101,7 @@ test("nonsense gets one sentence, and nothing else happens", async (t) => {
   assert.equal(live.messages.get("/14/2/forecast").length, 0, "no forecast came of it");
 });
 
-test("a question nested a hundred thousand deep gets one sentence, and so do all others who nest", async (t) => {
+test("a question nested a hundred thousand deep gets one sentence, in every service", async (t) => {
   const { server, live } = await pausedGame(t);
   const deep = (inner) => `{"horizon":${"[".repeat(100000)}${inner}${"]".repeat(100000)}}`;
   const sentence = "expected JSON nested at most 64 deep, got deeper nesting";
@@ -114,7 +114,7 @@ test("a question nested a hundred thousand deep gets one sentence, and so do all
   assert.equal((await live.call(kService, { budget_ms: 50 })).ok, true, "it still answers");
 });
 
-test("the captain asks of its own accord, and foresight is switched on and off", async (t) => {
+test("the captain asks by itself, and foresight can be switched on and off", async (t) => {
   const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--speed", "10", "--player", "2");
   const live = await Live.open(t, server);
   await live.subscribe("/14/2/forecast");
@@ -128,7 +128,7 @@ test("the captain asks of its own accord, and foresight is switched on and off",
   await live.until(() => live.values.some(({ parameters }) => parameters?.some(({ name, value }) => name === "foresight" && value === false)), "that it is off");
 });
 
-test("what was foretold is scored live, and the recording tells the same", async (t) => {
+test("forecasts are scored live, and the recording gives the same scores", async (t) => {
   const folder = temporaryFolder(t);
   const server = await start(t, folder, "foresight-robot", "--body", "sim", "--strategies", "baseline,kick_now", "--record", "--name", "scored");
   const live = await Live.open(t, server);
@@ -136,7 +136,7 @@ test("what was foretold is scored live, and the recording tells the same", async
   const wishes = { foresight_budget_ms: 100, foresight_horizon: 1, foresight_period: 2 };
   live.send({ op: "setParameters", parameters: Object.entries(wishes).map(([name, value]) => ({ name, value })) });
   const scored = () => live.messages.get("/14/2/forecast_score").length;
-  await until(() => scored() >= 3, "three forecasts whose time has passed", 120000); // a busy machine leaves few futures
+  await until(() => scored() >= 3, "three forecasts whose time has passed", 120000); // on a busy machine there are few rollouts
   await server.stop();
 
   const [session] = readdirSync(join(folder, "logs")).filter((name) => name.includes("scored"));
@@ -161,16 +161,17 @@ test("orders do not wait for a question", async (t) => {
   assert.equal((await answer).ok, true);
 });
 
-test("one question runs and one waits, whoever asked; the next is told so, and who has gone is not waited for", async (t) => {
+test("one question runs and one waits; the next is refused, and a disconnected client is not waited for", async (t) => {
   const { server, live } = await pausedGame(t);
   const others = [await Live.open(t, server), await Live.open(t, server)];
   const began = performance.now();
-  const first = live.call(kService, { budget_ms: 3000 });
-  await live.call("/sim/state"); // what came before is known by then
+  let answered = false;
+  const first = live.call(kService, { budget_ms: 6000 }).finally(() => (answered = true));
+  await live.call("/sim/state"); // earlier messages have arrived by then
   const gone = others[0].call(kService, { budget_ms: 10000 }).catch(() => "gone");
   await others[0].call("/sim/state");
   assert.equal((await others[1].call(kService, { budget_ms: 10000 })).error, `${kService}: another question is running and one more waits: ask again when they are answered`);
-  assert.ok(performance.now() - began < 2900, "it is told at once");
+  assert.ok(!answered, "the refusal comes at once, before any answer");
   others[0].socket.terminate();
   assert.equal(await gone, "gone");
   const last = await until(async () => {
@@ -179,11 +180,12 @@ test("one question runs and one waits, whoever asked; the next is told so, and w
   }, "that there is room");
   assert.equal((await first).ok, true);
   const waited_ms = performance.now() - began;
-  assert.ok(waited_ms < 9000, "the question of who has gone is not played");
+  // the first question takes 6 s; that of the disconnected client would take 10 s more
+  assert.ok(waited_ms < 14000, `the question of a disconnected client is not played, waited ${waited_ms} ms`);
   assert.ok(last.forecast.answered_ms < waited_ms);
 });
 
-test("during a game people are told so, and the team's own code is answered", async (t) => {
+test("during a game people are refused, and the team's own code is answered", async (t) => {
   const folder = temporaryFolder(t);
   const door = join(folder, "door");
   const server = await start(t, folder, "foresight-robot", "--body", "attached", "--team", "14", "--player", "2", "--door", door, "--game-controller", "--game-port", "0");
@@ -217,7 +219,7 @@ test("during a game people are told so, and the team's own code is answered", as
   assert.match(stdout, /^cannot tell, because the robot does not know where it is/);
   await answers(refused);
 
-  live.send({ op: "setParameters", parameters: [{ name: "match_mode", value: false }] }); // a test that is no match
+  live.send({ op: "setParameters", parameters: [{ name: "match_mode", value: false }] }); // a test game, which is no match
   await answers(unknown);
   live.send({ op: "setParameters", parameters: [{ name: "match_mode", value: true }] });
   await answers(refused);
@@ -237,7 +239,7 @@ test("from another machine it needs the token", needsNetwork, async (t) => {
   assert.equal((await trusted.call(kService, { budget_ms: 1 })).error, `${kService}: 'budget_ms' must be 10 .. 10000 [ms], got 1`);
 });
 
-test("the commands of the lab and of the simulator tell the same by the same names, and print the same table", async (t) => {
+test("the commands of the lab and of the simulator use the same names and print the same table", async (t) => {
   const folder = temporaryFolder(t);
   const [game, moment] = [join(folder, "game.mcap"), join(folder, "moment.json")];
   await run("foresight-sim", "match", "--seed", "5", "--rules", "spl2012,halves=1,half_duration=60", "--mcap", game);
@@ -262,7 +264,7 @@ test("the commands of the lab and of the simulator tell the same by the same nam
   assert.deepEqual(labs.map((line) => line.length), sims.map((line) => line.length));
 });
 
-test("a recording is asked what would have been best, by the service and by the command", async (t) => {
+test("the service and the command find the best strategy for a moment of a recording", async (t) => {
   const folder = temporaryFolder(t);
   const game = join(folder, "game.mcap");
   await run("foresight-sim", "match", "--seed", "5", "--rules", "spl2012,halves=1,half_duration=120", "--mcap", game);
@@ -291,7 +293,7 @@ test("a recording is asked what would have been best, by the service and by the 
   }, "an answer");
   assert.deepEqual(answer.forecast.strategies.map(({ strategy }) => strategy), kStrategies);
 
-  // the moment is the recording's, not what the streams that are played have got to by then
+  // the moment is that of the recording, not the position of the playing streams
   const end_ns = BigInt(live.infos[0].dataEndTime.sec) * 1000000000n + BigInt(live.infos[0].dataEndTime.nsec);
   const asked = async (to_ns) => {
     live.send(playbackControl({ play: false, to_ns, id: "there" }));
@@ -310,7 +312,7 @@ test("a recording is asked what would have been best, by the service and by the 
     }
   assert.equal(new Set([...situations.values()].map((situation) => JSON.stringify(situation))).size, moments.length);
 
-  // who ends it does not wait for what is asked
+  // ending the program does not wait for a question
   live.call(kService, { robot: "14/3", budget_ms: 10000 }).catch(() => {});
   await live.call("clock_sync", { sent_ns: "1" });
   await server.stop();

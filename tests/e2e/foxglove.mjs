@@ -1,10 +1,10 @@
-// Foxglove's own client, which nobody here wrote.
+// Foxglove's own client, independent of our code.
 import { atEnd, require } from "./support.mjs";
 
 const { FoxgloveClient } = require("@foxglove/ws-protocol");
 const WebSocket = require("ws");
 
-/** One that connects to a server and is cut off when the test ends, with the socket under it. */
+/** Connects a client to a server; it and its socket are closed when the test ends. */
 export function foxgloveClient(t, server) {
   const ws = new WebSocket(`ws://localhost:${server.port}`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]);
   atEnd(t, () => ws.terminate());

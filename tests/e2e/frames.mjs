@@ -1,6 +1,6 @@
-// How fluidly a page is drawn.
+// The frame rate of a page.
 
-/** [ms] from each frame of the page to the next, the shortest first; in so many seconds. */
+/** Returns the times [ms] between frames of the page over some seconds, the shortest first. */
 export const framesOf = (page, seconds) =>
   page.evaluate(
     (length) =>

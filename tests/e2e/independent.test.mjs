@@ -1,6 +1,6 @@
-// A session of ours in a viewer that none of us wrote: Rerun's, in Chromium, reads it from our server.
+// A session of ours in another project's viewer: Rerun in Chromium reads it from our server.
 //
-// It is large, and nothing else needs it: `npm ci` in tests/e2e/independent brings it, else the test is passed over.
+// It is large, and nothing else needs it: `npm ci` in tests/e2e/independent installs it; otherwise the test is skipped.
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import http from "node:http";
@@ -21,7 +21,7 @@ const kPage = `<!doctype html><title>Rerun</title><style>body { margin: 0 }</sty
   await viewer.start(new URLSearchParams(location.search).get("url"), document.body, { width: "1280px", height: "800px", hide_welcome_screen: true, render_backend: "webgl" });
 </script>`;
 
-/** The other viewer's own page and files: its address. */
+/** Serves the other viewer's page and files; returns the address. */
 async function serveRerun(t) {
   const server = http.createServer((request, response) => {
     const name = new URL(request.url, "http://localhost").pathname.slice(1);
@@ -54,7 +54,7 @@ test("Rerun opens a session by its address, with all of its time", needsRerun, a
   }, "the whole time of the session");
   assert.equal((await page.evaluate(() => window.opened)).length, 1);
 
-  // and something is seen of it: not one colour only
+  // the picture has more than one colour
   const unlike = async () => new Set((await coloursOnScreen(context, page.locator("canvas").first(), 16, 10)).flat().map((colour) => colour.map((value) => Math.round(value / 8)).join())).size;
   await until(async () => (await unlike()) > 8, "a picture with something in it");
   await shoot(page, "rerun");

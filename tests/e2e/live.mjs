@@ -1,4 +1,4 @@
-// A client of the Foxglove WebSocket protocol made of nothing but `ws`, and messages decoded by the schemas it is told.
+// A client of the Foxglove WebSocket protocol that uses only `ws`. It decodes messages by the announced schemas.
 import assert from "node:assert/strict";
 import { atEnd, require, start, temporaryFolder, within } from "./support.mjs";
 
@@ -8,7 +8,7 @@ const { FileDescriptorSetSchema } = require("@bufbuild/protobuf/wkt");
 
 export const kSubprotocols = ["foxglove.sdk.v1", "foxglove.websocket.v1"];
 
-/** Decodes by a serialised descriptor set, into protobuf JSON with the schema's field names. */
+/** Decodes a message by a serialised descriptor set into protobuf JSON with the schema's field names. */
 export function decode(schemaName, descriptorSet, data) {
   const registry = createFileRegistry(fromBinary(FileDescriptorSetSchema, descriptorSet));
   const schema = registry.getMessage(schemaName);
@@ -45,7 +45,7 @@ export class Live {
     socket.on("error", (error) => this.#changed((this.error = error)));
   }
 
-  /** The first true value of `condition`, asked whenever something came. */
+  /** Returns the first true value of `condition`, which is called after each message. */
   until(condition, what, patience_ms) {
     const come = new Promise((resolve, reject) => {
       const ask = () => {
@@ -73,7 +73,7 @@ export class Live {
     this.send({ op: "subscribe", subscriptions });
   }
 
-  /** The newest message of `topic`, waited for. */
+  /** Waits for a message of `topic` and returns the newest one. */
   async newest(topic) {
     await this.until(() => this.messages.get(topic).length > 0, `a message of ${topic}`);
     return this.messages.get(topic).at(-1);
@@ -84,7 +84,7 @@ export class Live {
     return decode(schemaName, Buffer.from(schema, "base64"), data);
   }
 
-  /** Calls a service; its answer, whether it says ok or not. */
+  /** Calls a service; returns its answer, ok or not. */
   async call(name, request = {}) {
     const id = ++this.#calls;
     this.send(serviceCall(this.services.get(name), id, JSON.stringify(request)));
@@ -122,8 +122,8 @@ export class Live {
 }
 
 /**
- * A simulated game that stands a minute after its beginning, the same to the bit whatever the machine is doing: so its
- * captain chooses nothing of its own accord, since what it gets to foresee depends on the processor. It can be asked.
+ * A simulated game that is paused one minute after its beginning, the same to the bit on every run. Its captain chooses
+ * nothing by itself, because its number of rollouts depends on the processor. It answers questions.
  */
 export async function pausedGame(t) {
   const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--no-foresight");
@@ -157,7 +157,7 @@ export function playbackControl({ play, speed = 1, to_ns, id }) {
   return Buffer.concat([bytes, Buffer.from(id)]);
 }
 
-/** What a WebSocket upgrade is answered with when it is refused: {status, text}; fails if it is not. */
+/** Returns the answer {status, text} to a WebSocket upgrade that is refused; fails if it is accepted. */
 export function refusal(server, { path = "/", protocols = kSubprotocols, address = "127.0.0.1", ...options } = {}) {
   const socket = new WebSocket(`ws://${address}:${server.port}${path}`, protocols, options);
   return within(

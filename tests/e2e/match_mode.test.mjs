@@ -1,4 +1,4 @@
-// Match mode on real network interfaces: what leaves over the wireless one during a game, as tcpdump sees it.
+// Match mode on real network interfaces: tcpdump captures the packets on the wireless one during a game.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { readFileSync } from "node:fs";
@@ -46,7 +46,7 @@ function network(t) {
   return Object.fromEntries(Object.entries(hosts).map(([name, host]) => [name, ["ip", "netns", "exec", host]]));
 }
 
-/** A program on a host, told and telling by lines of JSON. */
+/** Starts a program on a host; it reads and writes lines of JSON. */
 function peer(t, host, program) {
   const prelude = "const say = (what) => console.log(JSON.stringify(what));" +
     "const hear = (then) => require('readline').createInterface({ input: process.stdin }).on('line', (line) => then(JSON.parse(line)));";
@@ -57,7 +57,7 @@ function peer(t, host, program) {
   return { said, tell: (what) => child.stdin.write(`${JSON.stringify(what)}\n`) };
 }
 
-/** Broadcasts the newest state it is told ten times a second, as the GameController of 2024 does. */
+/** Broadcasts the newest state from its input ten times a second, as the GameController of 2024 does. */
 const gameController = (t, host) => peer(t, host, `
   const socket = require("dgram").createSocket("udp4");
   let state = 0, packet = 0;
@@ -78,7 +78,7 @@ const gameController = (t, host) => peer(t, host, `
   hear((told) => { state = told; });
 `);
 
-/** Asks for a path again and again: says the status of each answer, 0 for none within a second. */
+/** Requests a path repeatedly and prints the status of each answer, or 0 if none comes within a second. */
 const asker = (t, host, address, path) => peer(t, host, `
   const ask = async () => {
     const status = await fetch("http://${address}:8765${path}", { signal: AbortSignal.timeout(1000) }).then((answer) => answer.status, () => 0);
@@ -88,7 +88,7 @@ const asker = (t, host, address, path) => peer(t, host, `
   ask();
 `);
 
-/** A viewer: says each text message, and when the connection has ended. Sends what it is told. */
+/** A viewer: prints each text message and the end of the connection. Sends the lines of its input. */
 const viewer = (t, host, address, query) => peer(t, host, `
   const { WebSocket } = require(${JSON.stringify(require.resolve("ws"))});
   const socket = new WebSocket("ws://${address}:8765/${query}", ["foxglove.sdk.v1"]);
@@ -115,7 +115,7 @@ function capture(t, host, file) {
   };
 }
 
-test("during a game nothing but what the rules allow leaves over the wireless network", { skip: whyNot() }, async (t) => {
+test("during a game only messages that the rules allow leave over the wireless network", { skip: whyNot() }, async (t) => {
   const folder = temporaryFolder(t);
   const { robot, field, lab } = network(t);
   await start(t, folder, [...robot, "foresight-robot"], "--body", "attached", "--team", "14", "--player", "2", "--bind", "0.0.0.0",
@@ -136,7 +136,7 @@ test("during a game nothing but what the rules allow leaves over the wireless ne
   await until(() => statusByAir.said.at(-1) === 0, "no status by air");
   const silence = Date.now() / 1000;
 
-  // by cable one may look on
+  // over a cable viewers are served
   const statusByCable = asker(t, lab, kWired, "/api/status");
   const logByCable = asker(t, lab, kWired, `/logs/any.mcap?token=${token}`);
   await until(() => statusByCable.said.at(-1) === 200, "the status by cable");

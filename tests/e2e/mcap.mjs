@@ -1,4 +1,4 @@
-// Recordings as @mcap/core reads them, which knows nothing of ours.
+// Recordings as the independent library @mcap/core reads them.
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { require } from "./support.mjs";
@@ -36,7 +36,7 @@ class Contents {
 
 const plain = ({ sequence, logTime, publishTime, data }) => ({ sequence, logTime, publishTime, data: Buffer.from(data) });
 
-/** All of a file, from the front as if it came over a wire; every checksum is checked. */
+/** Reads a whole file from the front, as from a network, and checks every checksum. */
 export function readStreamed(bytes) {
   const reader = new McapStreamReader({ includeChunks: true, decompressHandlers, validateCrcs: true });
   const contents = new Contents();
@@ -46,7 +46,7 @@ export function readStreamed(bytes) {
   return contents;
 }
 
-/** All of a file by its index, as viewers seek in it: messages by topic, in the order of their log times. */
+/** Reads a whole file by its index, as viewers do: messages by topic, in the order of their log times. */
 export async function readIndexed(bytes) {
   const readable = {
     size: async () => BigInt(bytes.length),
@@ -58,7 +58,7 @@ export async function readIndexed(bytes) {
   return messages;
 }
 
-/** All streams of a session on the disk, by topic. */
+/** Reads all streams of a session on the disk, by topic. */
 export function readSession(folder) {
   const files = readdirSync(folder).filter((file) => file.endsWith(".mcap"));
   return new Map(files.flatMap((file) => [...readStreamed(readFileSync(join(folder, file))).topics]));
@@ -91,7 +91,7 @@ export async function mcapOf(channels, messages, options = {}) {
   return Buffer.concat(pieces);
 }
 
-/** Writes a session with one stream, as a program that is none of ours would: `schema` is {name, data}. */
+/** Writes a session with one stream, as another program would: `schema` is {name, data}. */
 export async function writeSession(folder, { name, topic, schema, messages }) {
   mkdirSync(folder);
   const channel = { topic, encoding: "protobuf", schema: { encoding: "protobuf", ...schema } };

@@ -1,4 +1,4 @@
-// What a person sees: the page as the programs serve it, in Chromium.
+// The page as the programs serve it, in Chromium.
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -28,7 +28,7 @@ async function synthetic(t) {
   return played(t, await synthesize(folder, { seconds: 1 }), folder);
 }
 
-/** That the visible picture has the colours of the recorded one; its lower end may be covered by a warning. */
+/** Asserts that the picture has the colours of the recorded one; a warning may cover its lower end. */
 async function assertPicture(context, page, image) {
   const [columns, rows, compared] = [8, 6, 4];
   const expected = coloursOfYuyv({ ...image, data: Buffer.from(image.data, "base64") }, columns, rows);
@@ -52,7 +52,7 @@ test("a picture appears with its colours, as JPEG and as it is in memory", async
   await page.getByRole("button", { name: "Full" }).click();
   await assertPicture(context, page, image);
   assert.equal(await page.title(), "14/2 · camera · Foresight");
-  await page.getByText("a recording", { exact: true }).waitFor(); // not to be taken for a live robot
+  await page.getByText("a recording", { exact: true }).waitFor(); // distinguishable from a live robot
   await shoot(page, "camera");
   assert.deepEqual(problems, []);
 });
@@ -110,13 +110,13 @@ async function rates(page, object) {
   }, `the row of ${object}`);
 }
 
-test("rates tell what came and what the server of the recording counts", async (t) => {
+test("rates show the received messages and the counts of the recording's server", async (t) => {
   const { server, recorded } = await synthetic(t);
   const { page, problems } = await open(t, `${server.http}/#/health`);
   const count = recorded.get("/14/2/joints").messages.length;
   const joints = await until(async () => {
     const row = await rates(page, "joints").catch(() => undefined);
-    // a busy page may hear of the server's count before the first joints
+    // a busy page may receive the server's count before the first joints
     return row?.Sequence === String(count) && Number(row.Received) >= 1 && row;
   }, "the server's count, and joints");
   assert.deepEqual([joints.Schema, joints.Dropped], ["foresight.Joints", "0"]);
@@ -157,7 +157,7 @@ test("recordings are listed, and downloaded whole through the page", async (t) =
   assert.deepEqual(problems, []);
 });
 
-test("streams that do not tell what they hold are listed by their files", async (t) => {
+test("streams without a description are listed by their files", async (t) => {
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 1 });
   for (const file of ["one.mcap", "two.mcap"]) writeFileSync(join(session, file), "");
@@ -225,7 +225,7 @@ test("a page survives the end of its server, and goes on when there is one again
   assert.deepEqual(problems, []);
 });
 
-// a team's own message, which this page was not built with; its author is no friend
+// a team's own message, unknown to the page and with hostile content
 const kHostile = "<img src=x onerror=document.title=1><script>document.title=2</script>";
 const kStrangeSet = fromJson(FileDescriptorSetSchema, {
   file: [
@@ -247,7 +247,7 @@ const kStrangeSet = fromJson(FileDescriptorSetSchema, {
   ],
 });
 
-test("an object the page never heard of is shown field by field, and as text whatever it says", async (t) => {
+test("an unknown object is shown field by field, and always as text", async (t) => {
   const folder = temporaryFolder(t);
   const thing = createFileRegistry(kStrangeSet).getMessage("them.Thing");
   const data = toBinary(thing, create(thing, { words: kHostile, numbers: [0.5, 1e300] }));
@@ -276,7 +276,7 @@ test("an object the page never heard of is shown field by field, and as text wha
   assert.deepEqual(problems.filter((problem) => !problem.includes("404")), []);
 });
 
-test("on a phone everything is within reach", async (t) => {
+test("on a phone every control can be reached", async (t) => {
   const folder = temporaryFolder(t);
   const server = await robot(t, folder, await synthesize(folder, { seconds: 2 }), "--loop");
   const { page, problems } = await open(t, server.http, { viewport: kPhone, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });

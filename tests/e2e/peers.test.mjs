@@ -1,4 +1,4 @@
-// The live protocol as others speak it: the Foxglove client from npm, and a client of nothing but frames.
+// The live protocol with independent clients: the Foxglove client from npm, and a client that writes plain frames.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { foxgloveClient } from "./foxglove.mjs";
@@ -6,7 +6,7 @@ import { decode, kSubprotocols, Live, refusal, serviceCall } from "./live.mjs";
 import { readSession } from "./mcap.mjs";
 import { play, robot, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
-/** The Foxglove client, and all it was told, by event. */
+/** Connects the Foxglove client; returns it with all its events. */
 function foxglove(t, server) {
   const { ws, client } = foxgloveClient(t, server);
   const sent = [];
@@ -35,7 +35,7 @@ async function played(t, { seconds = 1 } = {}) {
 const hex = (bytes) => Buffer.from(bytes.buffer ?? bytes, bytes.byteOffset, bytes.byteLength).toString("hex");
 const derivedOf = (topic) => (/camera_(top|bottom)$/.test(topic) ? [`${topic}/raw`, `${topic}/jpeg`] : topic.endsWith("/log") ? [`${topic}/foxglove`] : []);
 
-test("both subprotocols introduce the server and offer every stream and what is derived from it", async (t) => {
+test("both subprotocols introduce the server and offer every stream and its derived streams", async (t) => {
   const { server, recorded, live } = await played(t);
   const own = ["/lab/1/runtime", "/lab/1/clock", "/lab/1/log"];
   const expected = [...recorded.keys(), ...own].flatMap((topic) => [topic, ...derivedOf(topic)]).sort();
@@ -46,7 +46,7 @@ test("both subprotocols introduce the server and offer every stream and what is 
     await peer.until(() => peer.channels.size >= expected.length, "all channels");
     assert.deepEqual([...peer.channels.keys()].sort(), expected);
   }
-  assert.equal(live.socket.protocol, "foxglove.sdk.v1"); // offered both, this is preferred
+  assert.equal(live.socket.protocol, "foxglove.sdk.v1"); // of both subprotocols the server prefers this one
 
   const { name, capabilities, supportedEncodings, metadata, sessionId } = live.infos[0];
   assert.equal(name, "foresight-lab 14/2");
@@ -66,7 +66,7 @@ test("both subprotocols introduce the server and offer every stream and what is 
   }
 });
 
-test("who subscribes gets the last value at once, as the recording holds it", async (t) => {
+test("a new subscriber gets the newest value at once, as the recording holds it", async (t) => {
   const { recorded, server, live } = await played(t);
   await live.subscribe(...recorded.keys());
   const { client, events } = foxglove(t, server);
@@ -104,7 +104,7 @@ test("decoded values make sense", async (t) => {
   assert.ok(Math.abs(inertial.accelerometer_z - 9.81) < 2);
 });
 
-test("time never goes back, and comes often", async (t) => {
+test("time messages never go back and come often", async (t) => {
   const folder = temporaryFolder(t);
   const server = await play(t, folder, await synthesize(folder, { seconds: 1 }));
   const live = await Live.open(t, server);
@@ -119,7 +119,7 @@ test("a lossless client gets every message of a pass; when the recording begins 
   const recorded = readSession(session);
   const live = await Live.open(t, server, { path: "/?delivery=lossless" });
   await live.subscribe(...recorded.keys());
-  // time may go back only with a new session id, so each pass is looked at for itself
+  // time may go back only with a new session id, so each pass is checked separately
   const passes = [];
   live.onText = ({ op }) => op === "serverInfo" && passes.push({ from: live.times.length });
   await live.until(() => live.infos.length >= 3, "two new beginnings");
@@ -184,7 +184,7 @@ test("parameters are read, set within their ranges, and followed", async (t) => 
     { name: "jpeg_width", value: 640 },
   ]);
 
-  // somebody else follows one of them and hears of that one only
+  // another client follows one of them and receives only that one
   live.send({ op: "subscribeParameterUpdates", parameterNames: ["jpeg_width", "none of this name"] });
   live.send({ op: "getParameters", parameterNames: ["jpeg_width"], id: "asked" });
   await live.until(() => live.values.find(({ id }) => id === "asked"), "the answer");
@@ -203,7 +203,7 @@ test("parameters are read, set within their ranges, and followed", async (t) => 
   ];
   for (const [parameter, sentence] of refused) {
     client.setParameters([parameter], sentence);
-    const actual = await answer(sentence); // the values as they are, whatever was wished
+    const actual = await answer(sentence); // the actual values, not the requested ones
     assert.ok(actual.every(({ value }) => [40, 15, 320].includes(value)));
     await until(() => events.status.find(({ level, message }) => level === 2 && message === sentence), sentence);
   }
@@ -225,7 +225,7 @@ test("clock_sync answers as an NTP server would, and what a client measured beco
 
 test("a service that cannot do it says so within a normal answer; one that is not there is a failure", async (t) => {
   const { server, live } = await played(t);
-  assert.deepEqual([...live.services.keys()], ["clock_sync", "/foresight/what_if"]); // a player records nothing
+  assert.deepEqual([...live.services.keys()], ["clock_sync", "/foresight/what_if"]); // foresight-lab play does not record
   assert.deepEqual(await live.call("clock_sync", {}), { ok: false, error: "clock_sync: 'sent_ns' must be a text with a whole number" });
   live.send(serviceCall(live.services.get("clock_sync"), 77, "[1]"));
   assert.equal((await live.until(() => live.answers.get(77), "the answer")).json.error, "clock_sync: expected a JSON object, got something else");
@@ -276,7 +276,7 @@ test("a recording is begun and ended by service or parameter, and all clients se
   assert.deepEqual({ state, kept, name }, { state: "complete", kept: true, name: "over <here>" });
 });
 
-test("what makes no sense is answered with a sentence, and the connection stays", async (t) => {
+test("nonsense is answered with a sentence, and the connection stays open", async (t) => {
   const { live } = await played(t);
   const cases = [
     ['{"op":"dance"}', "request: the op 'dance' is not known"],
@@ -304,7 +304,7 @@ test("what makes no sense is answered with a sentence, and the connection stays"
   await live.newest("/14/2/pose");
 });
 
-test("who offers no subprotocol of ours is refused", async (t) => {
+test("a client without a known subprotocol is refused", async (t) => {
   const { server } = await played(t);
   for (const protocols of [[], ["graphql-ws"]]) {
     const { status, text } = await refusal(server, { protocols });
@@ -331,7 +331,7 @@ test("bytes on the wire are those of the protocol's golden vectors", async (t) =
   const { raw } = await live.until(() => live.answers.get(12), "the answer");
   assert.equal(hex(raw), response(service, 12, JSON.stringify({ ok: true, received_ns: String(end_ns), sent_ns: "7" })));
 
-  // what clients send: ours written by hand here, Foxglove's by Foxglove
+  // messages of clients: ours written by hand here, Foxglove's by Foxglove
   const golden = "020a0000000c000000040000006a736f6e7b226b6579223a202276616c7565227d";
   assert.equal(hex(serviceCall(10, 12, '{"key": "value"}')), golden);
   const { ws, client, sent } = foxglove(t, server);

@@ -47,7 +47,7 @@ async function twoRobots(t, ...options) {
   return { server, recorded, start_ns: times.reduce(least), end_ns: times.reduce(most) };
 }
 
-test("wherever a paused recording is moved to, every object of every robot is as it was then", async (t) => {
+test("after a seek in a paused recording, every object of every robot has its value of that moment", async (t) => {
   const { server, recorded, start_ns, end_ns } = await twoRobots(t);
   const { live, ask } = await viewer(t, server);
   assert.ok(live.infos[0].capabilities.includes("playbackControl"));
@@ -78,7 +78,7 @@ test("wherever a paused recording is moved to, every object of every robot is as
   }
 });
 
-test("a recording plays on from where it was moved to, to its end, and once more if somebody wants that", async (t) => {
+test("a recording plays on from a seek to its end, and once more on request", async (t) => {
   const { server, start_ns, end_ns } = await twoRobots(t);
   const { live, states, ask } = await viewer(t, server);
   const other = await viewer(t, server);
@@ -96,7 +96,7 @@ test("a recording plays on from where it was moved to, to its end, and once more
   assert.ok(again.time_ns < start_ns + 1_000_000_000n);
 });
 
-test("what cannot be is refused with a sentence", async (t) => {
+test("an impossible request is refused with a sentence", async (t) => {
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 1 });
   const { live } = await viewer(t, await play(t, folder, session));

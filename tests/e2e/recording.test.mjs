@@ -34,7 +34,7 @@ async function pressStrip(page, share) {
   await page.mouse.click(box.x + share * box.width, box.y + box.height / 2);
 }
 
-test("who stops time before anything has come looks at what comes first", async (t) => {
+test("a page paused before the first data shows the first data", async (t) => {
   const { server } = await game(t);
   const { page, problems } = await open(t, "about:blank");
   let release;
@@ -62,7 +62,7 @@ test("who stops time before anything has come looks at what comes first", async 
   assert.deepEqual(problems, []);
 });
 
-test("the strip spans the whole recording; wherever it is pressed, the tree shows what was so then", async (t) => {
+test("the strip spans the whole recording; a press anywhere shows the tree of that moment", async (t) => {
   const { server, topics, first_ns, last_ns } = await game(t);
   const { page, problems } = await open(t, `${server.http}/#/14/2/objects`);
   await goesOn(page);
@@ -110,7 +110,7 @@ test("the strip spans the whole recording; wherever it is pressed, the tree show
   assert.deepEqual([...problems, ...colleague.problems], []);
 });
 
-test("all who watch share what the server plays: pause, pace, place; backwards is for oneself", async (t) => {
+test("all viewers share the server's playback: pause, speed, position; playing backwards is local to a page", async (t) => {
   const { server, first_ns, last_ns } = await game(t);
   const [one, other] = [await open(t, `${server.http}/#/14/2/field`), await open(t, `${server.http}/#/14/3/plot?plot=/14/2/pose.x`)];
   await Promise.all([goesOn(one.page), goesOn(other.page)]);
@@ -165,7 +165,7 @@ test("all who watch share what the server plays: pause, pace, place; backwards i
   assert.deepEqual([...one.problems, ...other.problems], []);
 });
 
-test("over a picture stands what the vision found in that very picture, and a pixel tells what it is and where", async (t) => {
+test("a picture shows the vision's results for that very picture, and a pixel shows its value and place", async (t) => {
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 4 });
   const recorded = readSession(session);
@@ -207,7 +207,7 @@ test("over a picture stands what the vision found in that very picture, and a pi
   assert.deepEqual(problems, []);
 });
 
-test("a condition is found where it held in the whole recording, also where nobody has looked yet; moments get names", async (t) => {
+test("a search finds a condition in the whole recording, also where no page has been yet; moments get names", async (t) => {
   const { server, topics, first_ns, last_ns } = await game(t);
   const { schema, messages } = topics.get("/14/2/game");
   const states = messages.map(({ logTime, data }) => ({ logTime, state: decode(schema.name, schema.data, data).state }));
@@ -260,7 +260,7 @@ test("a condition is found where it held in the whole recording, also where nobo
   assert.deepEqual([...problems, ...colleague.problems], []);
 });
 
-test("a layout is saved as a file and shows the same again; what is none is refused with a sentence", async (t) => {
+test("a layout is saved as a file and restores the views; another file is refused with a sentence", async (t) => {
   const { server } = await game(t);
   const { page, problems } = await open(t, `${server.http}/#/14/2/plot?plot=/14/2/ball.x%20/14/2/pose.y&span=60&at=1`);
   await page.getByText("The moment of this link is not within this recording.").waitFor();

@@ -31,7 +31,7 @@ const newestLink = (live, name) => {
   return message && live.decoded("/lab/1/runtime", message).links.find((link) => link.robot === name);
 };
 
-test("two robots, each over one connection: others see all of both, and what is recorded is to the bit what the robots recorded", async (t) => {
+test("two robots, each over one connection: viewers see all of both, and the relay records bit for bit the same as the robots", async (t) => {
   const robots = [await simulated(t, 2, "--seed", "7", "--record"), await simulated(t, 3, "--seed", "8", "--record")];
   const lab = await relay(t, robots, "--record", "--lossless");
   const live = await Live.open(t, lab);
@@ -97,7 +97,7 @@ test("two robots, each over one connection: others see all of both, and what is 
   assert.ok(JSON.parse(stdout).streams.every(({ missing }) => missing === 0));
 });
 
-test("a robot that is killed and started again comes back, in the page as well, which is not loaded again", async (t) => {
+test("a robot that is killed and started again comes back, also in the page, without a reload", async (t) => {
   const first = await simulated(t, 2, "--seed", "7");
   const lab = await relay(t, [first]);
   const { page, problems } = await open(t, `${lab.http}/#/14/2/field`);
@@ -160,7 +160,7 @@ test("robots are found by their names in the robots file", async (t) => {
   assert.equal(stderr.trim(), `foresight-lab: relay: expected an address such as 10.0.14.22:8765, or one of tim (${file}), got 'tom'`);
 });
 
-test("what cannot be relayed is one sentence and status 2", async (t) => {
+test("an impossible relay gives one sentence and status 2", async (t) => {
   const folder = temporaryFolder(t);
   const refused = async (...args) => {
     const { status, stderr } = await run("foresight-lab", "relay", "--port", "0", "--state-dir", folder, ...args);

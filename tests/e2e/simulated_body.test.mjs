@@ -34,7 +34,7 @@ test("the Foxglove client sees every robot's objects, decisions 30 times a secon
   }
   await until(() => [...messages.values()].every((list) => list.length >= 60), "two seconds of them");
 
-  // of so many successive times most are a tick apart; a busy machine may give up some
+  // most of these successive times are a tick apart; a busy machine may skip some
   const times = messages.get("/truth/world").map(({ log_ns }) => log_ns);
   const even = times.slice(1).filter((time, i) => time - times[i] >= 33_333_000n && time - times[i] <= 33_334_000n);
   assert.ok(even.length > 0.8 * (times.length - 1), `${even.length} of ${times.length - 1} are 1/30 s apart`);
@@ -68,7 +68,7 @@ test("the services do what they say, and memory shows it", async (t) => {
   assert.equal(stepped.tick, paused.tick + 45);
   assert.equal((await live.call("/sim/state")).tick, stepped.tick, "nothing plays on its own");
 
-  // one seed, one game: the truth after so many steps is the same each time
+  // one seed, one game: the truth after this number of steps is the same each time
   const after = async (seed) => {
     await live.call("/sim/seed", { seed });
     const { tick } = await live.call("/sim/step", { ticks: 300 });
@@ -99,7 +99,7 @@ test("the services do what they say, and memory shows it", async (t) => {
   assert.match(refused.error, /^\/sim\/reset: situation: .*y/);
 });
 
-test("a game stands at its end; in a loop the next seed follows", async (t) => {
+test("a game stays at its end; in a loop the next seed follows", async (t) => {
   const live = await Live.open(t, await simulated(t, "--rules", kShort, "--seed", "3", "--speed", "100"));
   const state = await until(async () => {
     const answer = await live.call("/sim/state");
@@ -122,7 +122,7 @@ test("a simulated game is recorded as any robot is", async (t) => {
   for (const topic of ["/truth/world", "/sim/state", "/14/2/decision", "/5/1/pose"]) assert.ok(topics.get(topic)?.messages.length > 20, topic);
 });
 
-test("what cannot be played is one sentence and status 2", async () => {
+test("an impossible game gives one sentence and status 2", async () => {
   const refused = async (...args) => {
     const { status, stderr } = await run("foresight-robot", "--body", "sim", "--port", "0", ...args);
     assert.equal(status, 2, args.join(" "));

@@ -17,7 +17,7 @@ const json = async (...args) => {
 // a game of two half minutes: all that a whole one has, in a test's time
 const kShort = ["--rules", "spl2012:2,half_duration=30,ready_duration=10"];
 
-test("a game is told to people and to programs", async () => {
+test("a game is reported to people and as JSON", async () => {
   const { status, stdout } = await sim("match", ...kShort, "--seed", "7");
   assert.equal(status, 0);
   for (const word of ["home", "away", "goals", "shots", "possession", "ball seen", "walked", "packets", "half time", "end"])
@@ -33,14 +33,14 @@ test("a game is told to people and to programs", async () => {
   for (const side of [game.home, game.away]) assert.ok(side.ball_seen > 0 && side.ball_seen < 1 && side.walked > 0);
 });
 
-test("the same seed is the same game, another one another", async () => {
+test("the same seed gives the same game, another seed another game", async () => {
   const play = (seed) => json("match", ...kShort, "--seed", String(seed));
   const [one, again, other] = await Promise.all([play(7), play(7), play(8)]);
   assert.deepEqual(one, again);
   assert.notDeepEqual(one.events, other.events);
 });
 
-test("a line is a game's report, and what robots believed beside what was so", async () => {
+test("a line holds a game's report, and the robots' beliefs beside the truth", async () => {
   const lines = async (...args) => (await sim("match", ...kShort, "--lines", "--threads", "2", ...args)).stdout.trim().split("\n").map(JSON.parse);
   const [[first, second], [perfect], report] = await Promise.all([
     lines("--seed", "7", "--games", "2"),
@@ -53,13 +53,13 @@ test("a line is a game's report, and what robots believed beside what was so", a
     for (const [key, value] of Object.entries(report[side])) assert.equal(second[side][key], value, key);
     assert.ok(second[side].ball_error > 0 && second[side].pose_error > 0);
     for (const key of ["moving_ball_error", "pose_error", "flipped", "down"]) assert.equal(perfect[side][key], 0, key);
-    assert.ok(perfect[side].shifting < 0.3 * second[side].shifting); // who stops finishes its step
+    assert.ok(perfect[side].shifting < 0.3 * second[side].shifting); // a stopping robot finishes its step
   }
   const goal = report.events.find((event) => event.kind === "goal");
   assert.equal(second.first_goal_seconds, goal ? goal.tick / 30 : null);
 });
 
-test("a series is its games", async () => {
+test("a series equals its games", async () => {
   const [series, one] = await Promise.all([json("match", ...kShort, "--seed", "7", "--games", "3"), json("match", ...kShort, "--seed", "8")]);
   assert.deepEqual(series.scores.map(({ seed }) => seed), [7, 8, 9]);
   assert.deepEqual([series.scores[1].home, series.scores[1].away], one.score);
@@ -88,7 +88,7 @@ test("wrong usage and wrong input are one sentence and exit status 2", async (t)
   for (const args of [["--help"], ["match", "--help"], ["--version"]]) assert.equal((await sim(...args)).status, 0, args.join(" "));
 });
 
-test("what there is can be listed, shown and played from a file", async (t) => {
+test("rules, models and strategies can be listed, shown and played from a file", async (t) => {
   const folder = temporaryFolder(t);
   for (const [kind, option] of [["rules", "--rules"], ["models", "--models"], ["strategies", "--home"]]) {
     const names = await json(kind);
@@ -124,7 +124,7 @@ test("a situation is rolled out as often as asked, the same every time", async (
   assert.match(stdout, /5 rollouts of 60 s/);
 });
 
-test("forecasts are compared with how simulated games went on, the same every time", async () => {
+test("forecasts are compared with the course of simulated games, the same every time", async () => {
   const ask = () => json("calibration", ...kShort, "--situations", "24", "--rollouts", "8", "--seconds", "5");
   const [one, again] = await Promise.all([ask(), ask()]);
   assert.deepEqual(one, again);
@@ -138,7 +138,7 @@ test("forecasts are compared with how simulated games went on, the same every ti
   }
 });
 
-test("choosing between a strategy and its copy is worth nothing, and who knows all does not stand idle", async (t) => {
+test("choosing between a strategy and its copy gains nothing, and with full knowledge an idle strategy is not chosen", async (t) => {
   const copy = join(temporaryFolder(t), "copy.json");
   writeFileSync(copy, (await sim("strategies", "--show", "baseline")).stdout.replace('"name": "baseline"', '"name": "copy"'));
   const ask = (strategies, ...words) => json("choosing", "--moments", "20", "--futures", "8", "--rollouts", "16", "--horizon", "5", "--strategies", strategies, ...words);
@@ -166,7 +166,7 @@ test("choosing between a strategy and its copy is worth nothing, and who knows a
   }
 });
 
-test("bench and signature tell their figures", async () => {
+test("bench and signature print their figures", async () => {
   const bench = await json("bench", ...kShort, "--games", "3");
   assert.equal(bench.games, 3);
   assert.ok(bench.robot_tick_cycles > 1 && bench.clock_ghz > 0.1 && bench.clock_ghz < 10);
@@ -235,7 +235,7 @@ test("a recorded game plays, every robot's memory in its place", async (t) => {
   assert.equal(live.decoded("/5/2/decision", live.messages.get("/5/2/decision")[0]).strategy, "baseline");
 });
 
-test("what was recorded is never overwritten", async (t) => {
+test("a recorded game is never overwritten", async (t) => {
   const file = join(temporaryFolder(t), "game.mcap");
   writeFileSync(file, "precious");
   const { status, stderr } = await sim("match", ...kShort, "--mcap", file);

@@ -1,8 +1,8 @@
-// What the tests of the programs share: folders, recordings, running programs, waiting.
+// Helpers of the tests of the programs: folders, recordings, running programs, waiting.
 //
-// The programs are looked for in the folder that FORESIGHT_BIN names; FORESIGHT_VIEWER names the folder of a viewer
-// (npm run build: viewer-web/dist) to be shown instead of the one that was built into them. Nothing here sleeps for a fixed time and hopes:
-// a test waits for what it needs to become true, and a time limit only says when to give up.
+// FORESIGHT_BIN names the folder of the programs. FORESIGHT_VIEWER names the folder of a viewer (npm run build makes
+// viewer-web/dist); it is shown in place of the viewer inside the programs. Nothing here sleeps for a fixed time.
+// A test waits for a condition, and a time limit only says when to give up.
 import { execFile, spawn } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import http from "node:http";
@@ -19,13 +19,13 @@ export const bin = resolve(process.env.FORESIGHT_BIN ?? join(root, "build/dev/bi
 /** Packages are those of the viewer: there is no second list of them. */
 export const require = createRequire(join(root, "viewer-web/package.json"));
 
-/** Option of a test that needs real recordings. */
+/** The option of a test that needs real recordings. */
 export const needsData = { skip: process.env.FORESIGHT_DATA ? false : "FORESIGHT_DATA names no folder of real recordings" };
 export const dataFile = (path) => join(process.env.FORESIGHT_DATA, path);
 
 const endings = new WeakMap(); // test -> actions
 
-/** Does `action` when the test has ended, the last one first: a program ends before its folder goes. */
+/** Runs `action` after the test, the last one first: a program ends before its folder is removed. */
 export function atEnd(t, action) {
   if (!endings.has(t)) {
     endings.set(t, []);
@@ -38,27 +38,34 @@ export function atEnd(t, action) {
   endings.get(t).push(action);
 }
 
-/** A folder of the test's own, gone afterwards. */
+/** Makes a folder for this test and removes it afterwards. */
 export function temporaryFolder(t) {
   const folder = mkdtempSync(join(tmpdir(), "foresight-"));
   atEnd(t, () => rmSync(folder, { recursive: true, force: true }));
   return folder;
 }
 
-const kPatienceMs = 20000; // far more than anything takes; only a failure waits so long
+const kPatienceMs = 60000; // room for a busy machine; only a failure takes this long
 
-/** The first true value of `condition`, asked again and again. */
-export async function until(condition, what, patience_ms = kPatienceMs) {
+/** A value in an error sentence, cut to a readable length. */
+const seen = (value) => (typeof value === "string" ? value : (JSON.stringify(value) ?? String(value))).slice(0, 400);
+
+/**
+ * Returns the first true value of `condition`, which is called every 20 ms. `what` names the condition in the error.
+ * The error also shows what `saw` returns at the end, by default the last value of the condition.
+ */
+export async function until(condition, what, patience_ms = kPatienceMs, saw = (value) => value) {
   const end = performance.now() + patience_ms;
   for (;;) {
     const value = await condition();
     if (value) return value;
-    if (performance.now() > end) throw new Error(`waited ${patience_ms / 1000} s in vain: ${what}`);
+    if (performance.now() > end)
+      throw new Error(`waited ${patience_ms / 1000} s in vain: ${what}; last seen: ${seen(await saw(value))}`);
     await new Promise((done) => setTimeout(done, 20));
   }
 }
 
-/** Rejects if `promise` is not settled in time: a test that hangs says what it hung on. */
+/** Rejects with `what` if `promise` is not settled in time. */
 export function within(promise, what, patience_ms = kPatienceMs) {
   let timer;
   const late = new Promise((_, reject) => {
@@ -82,7 +89,7 @@ async function made(session, ...args) {
   return session;
 }
 
-/** A recording of the robot 14/2 that never was, in `folder`/`name`. Its first seconds: it stands, then walks. */
+/** Makes a recording of the synthetic robot 14/2 in `folder`/`name`. Its first seconds: it stands, then walks. */
 export const synthesize = (folder, { name = "synthetic", seconds = 2 } = {}) =>
   made(join(folder, name), "synthesize", join(folder, name), "--seconds", String(seconds));
 
@@ -92,7 +99,7 @@ export const importReal = (folder) =>
 
 /**
  * Starts a program that serves, on a free port unless `args` name one, and waits for its address. It is stopped with the
- * test; a program that then does not end well fails the test. `command` is the program, or a list of words that ends
+ * test, which fails if the program then ends with an error. `command` is the program, or a list of words that ends
  * with it: ["qemu-i386", "-cpu", "n270", path].
  */
 export async function start(t, folder, command, ...args) {
@@ -109,7 +116,7 @@ export async function start(t, folder, command, ...args) {
     child.kill("SIGCONT"); // a stopped one could not hear the rest
     child.kill("SIGTERM");
     try {
-      return await within(server.ended, `the end of ${program} after SIGTERM`, 5000);
+      return await within(server.ended, `the end of ${program} after SIGTERM`, 20000);
     } catch (error) {
       child.kill("SIGKILL");
       throw error;
@@ -125,7 +132,7 @@ export async function start(t, folder, command, ...args) {
     throw new Error(`${program} ended with status ${status}: ${server.output}`);
   });
   gone.catch(() => {});
-  const line = until(() => /^http:\/\/[\w.]+:(\d+)\/$/m.exec(server.output), `the address of ${program}`);
+  const line = until(() => /^http:\/\/[\w.]+:(\d+)\/$/m.exec(server.output), `the address of ${program}`, kPatienceMs, () => server.output);
   server.port = Number((await Promise.race([line, gone]))[1]);
   // the viewer inside the program, or a fresh build of it in front
   const viewer = process.env.FORESIGHT_VIEWER;
@@ -150,7 +157,7 @@ export async function playGame(t) {
 /** foresight-robot with the body of a recording; sessions go to `folder`/logs. */
 export const robot = (t, folder, session, ...args) => start(t, folder, "foresight-robot", "--body", "replay", "--session", session, ...args);
 
-/** One HTTP request with nothing added or followed: {status, headers, body}. `options` are those of http.request. */
+/** Sends one HTTP request as it is and follows no redirect: returns {status, headers, body}. `options` are those of http.request. */
 export function request(server, path, { address = "127.0.0.1", ...options } = {}) {
   return within(
     new Promise((resolve, reject) => {
@@ -171,7 +178,7 @@ export const getJson = async (server, path, options) => JSON.parse((await reques
 export const statusOf = (server) => getJson(server, "/api/status");
 export const sessionsOf = async (server) => (await getJson(server, "/api/sessions")).sessions;
 
-/** A download as a person gets it: redirects of live sessions are followed. */
+/** Downloads `path` as a browser does: it follows the redirects of live sessions. */
 export async function download(server, path) {
   const first = await request(server, path);
   const last = first.status === 307 ? await request(server, first.headers.location) : first;

@@ -1,5 +1,5 @@
-// The viewer in use, in Chromium: going back while the robot goes on, several servers in one page, each view on a simulated
-// game and on a recorded one, keys, phone, and what it costs.
+// The viewer in use, in Chromium: going back while the robot goes on, several servers in one page, keys, phone, and its cost.
+// Each view is tried on a simulated game and on a recorded one.
 import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
 import { test } from "node:test";
@@ -24,14 +24,14 @@ async function playing(t, ...args) {
 const at = (page) => BigInt(/[?&]at=(\d+)/.exec(page.url())?.[1] ?? 0);
 const footer = (page) => page.locator("footer");
 const isLive = (page) => footer(page).getByText("● live").waitFor();
-/** What a canvas shows, as one number: the same picture has the same. */
+/** Returns a hash of the picture on a canvas. */
 const pictureOf = async (locator) => createHash("sha1").update(await locator.screenshot()).digest("hex");
 const field = (page) => page.getByLabel("The field from above");
 const paused = (page) => footer(page).getByRole("button", { name: "Go on" }).waitFor();
 const seconds = (page) => page.evaluate(() => new Promise((done) => setTimeout(done, 700)));
 const row = (page, name) => page.getByRole("treeitem").filter({ has: page.locator(".name", { hasText: new RegExp(`^\\s*[▾▸]?${name}\\s*$`) }) }).first();
 
-test("time stands still while the robot goes on; a moment is in the address and shows what was so then", async (t) => {
+test("the page can be paused while the robot goes on; the address holds the moment, and shows it again", async (t) => {
   const { server, live } = await playing(t);
   await live.subscribe("/truth/world", "/sim/state");
   const { page, problems } = await open(t, `${server.http}/#/14/4/field?layers=truth,belief,error,uncertainty,view,intent,trail,names`, { colorScheme: "dark" });
@@ -155,7 +155,7 @@ for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)
     await until(() => page.evaluate(() => document.title.includes("14/2")), "the robot");
     await seconds(page);
 
-    // the field: layers change it, hovering tells
+    // the field: layers change it, hovering shows details
     const empty = async () => (await page.getByText(/is at x|believes x/).count()) === 0;
     const layer = page.getByRole("group", { name: "Layers" }).getByRole("button", { name: "names" });
     await layer.click();
@@ -201,7 +201,7 @@ for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)
     assert.deepEqual(problems, []);
   });
 
-test("keys are told on ?, views are reached by number, and typing is only typing", async (t) => {
+test("? lists the keys, numbers open views, and typing in a field triggers no key", async (t) => {
   const { server } = await playing(t);
   const { page, problems } = await open(t, server.http);
   await isLive(page);
@@ -244,7 +244,7 @@ test("a phone shows field and health of a game, dark and light", async (t) => {
   }
 });
 
-test("first sight takes at most 150 kB, and a game of eight robots is drawn fluidly and fresh", async (t) => {
+test("the first load takes at most 150 kB, and a game of eight robots is drawn fluidly and fresh", async (t) => {
   const { server } = await playing(t);
   const { page, problems } = await open(t, "about:blank");
   const bodies = [];

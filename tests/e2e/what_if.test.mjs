@@ -1,5 +1,5 @@
 // The What-if view in Chromium: questions to a simulated robot and to a recording, the situation edited, refusals shown.
-// What a forecast says depends on luck and on the processor's share; nothing here does.
+// A forecast depends on luck and on the processor's share; no test here depends on its figures.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { join } from "node:path";
@@ -84,7 +84,7 @@ async function tapToAsk(page, questions) {
 
 const near = (a, b, most = 0.12) => Math.hypot(a.x - b.x, a.y - b.y) < most;
 
-test("asked by Enter, answered with advice and a row for each strategy; arrow keys choose one, and the address keeps it", async (t) => {
+test("Enter asks; the answer has advice and a row for each strategy; arrow keys choose one, and the address keeps it", async (t) => {
   const { server, live } = await pausedGame(t);
   const { page, problems, questions } = await ask(t, server, undefined, { colorScheme: "dark" });
   await page.keyboard.press("Enter");
@@ -125,7 +125,7 @@ test("asked by Enter, answered with advice and a row for each strategy; arrow ke
   assert.deepEqual(problems, []);
 });
 
-test("what the team plays is told by its memory, whatever it is compared with; then advice compares", async (t) => {
+test("the memory reports the team's strategy, whatever the comparison; then the advice compares with it", async (t) => {
   const { server, live } = await pausedGame(t);
   await live.subscribe("/14/2/strategy");
   const { name: plays } = live.decoded("/14/2/strategy", await live.newest("/14/2/strategy"));
@@ -164,7 +164,7 @@ test("before any answer the situation is what the robot believes by itself, and 
   const { x } = live.decoded("/14/2/pose", await live.newest("/14/2/pose"));
   assert.ok(Math.abs(Number(await page.getByLabel("x, m").inputValue()) - x) < 0.01, "where it believes to be");
 
-  // what is typed is not typed over by what the robot believes meanwhile, nor does it go to what the pointer comes over
+  // newer beliefs of the robot do not overwrite typed text, and hovering does not redirect it
   await page.getByLabel("x, m").fill("-2.5");
   await live.call("/sim/step", { ticks: 30 });
   await page.mouse.move(100, 300);
@@ -182,7 +182,7 @@ test("before any answer the situation is what the robot believes by itself, and 
   assert.deepEqual(problems, []);
 });
 
-test("a robot that nobody told of the ball is refused, and told where it is", async (t) => {
+test("a robot that does not know the ball refuses, until the question says where the ball is", async (t) => {
   const folder = temporaryFolder(t);
   const door = join(folder, "door");
   const server = await start(t, folder, "foresight-robot", "--body", "attached", "--door", door);
@@ -212,7 +212,7 @@ test("a robot that nobody told of the ball is refused, and told where it is", as
   assert.deepEqual(problems, []);
 });
 
-test("ball and robots are dragged, turned and put back; what was moved goes along with the question and into the address", async (t) => {
+test("ball and robots can be dragged, turned and put back; changes go into the question and the address", async (t) => {
   const { server, live } = await pausedGame(t);
   const { page, problems, questions } = await ask(t, server);
   await page.keyboard.press("Enter");
@@ -268,7 +268,7 @@ test("ball and robots are dragged, turned and put back; what was moved goes alon
   assert.deepEqual([...problems, ...colleague.problems], []);
 });
 
-test("what the service refuses is said in its sentence, and strategies that it names can be chosen then", async (t) => {
+test("the page shows the service's refusal, and then offers the strategies that it names", async (t) => {
   const { server } = await pausedGame(t);
   const { page, problems } = await ask(t, server, "#/14/2/what-if?ask=play:%253Cimg%2520src%253Dx%253E,baseline/in:100");
   await page.keyboard.press("Enter");
@@ -282,7 +282,7 @@ test("what the service refuses is said in its sentence, and strategies that it n
   assert.deepEqual(problems, []);
 });
 
-test("a recording is asked at the moment where the page stands: what would we have done", async (t) => {
+test("a recording is asked at the moment that the page shows", async (t) => {
   const server = await playGame(t);
   const { page, problems, questions } = await ask(t, server, "#/14/2/what-if", { colorScheme: "light" });
   await page.locator("footer").getByRole("button", { name: "Freeze time" }).waitFor();
@@ -290,7 +290,7 @@ test("a recording is asked at the moment where the page stands: what would we ha
   await page.waitForURL(/at=\d+/);
   const answered = page.getByText("Your question");
   const refused = page.getByRole("alert").filter({ hasText: "cannot tell, because" });
-  // from one moment to the next, until the robot knows enough; what was asked at is told
+  // from one moment to the next, until the robot knows enough; the page shows the moment of the question
   let asked = 0;
   await until(async () => {
     await page.keyboard.press("Shift+ArrowRight");
@@ -316,7 +316,7 @@ test("a recording is asked at the moment where the page stands: what would we ha
   assert.deepEqual(problems, []);
 });
 
-test("what was foreseen is listed and follows the page's time; the field shows it as a layer when that is wanted", async (t) => {
+test("forecasts are listed and follow the page's time; the field can show them as a layer", async (t) => {
   const { server, live } = await pausedGame(t);
   const { page, problems } = await ask(t, server);
   await page.keyboard.press("Enter");
@@ -349,7 +349,7 @@ test("what was foreseen is listed and follows the page's time; the field shows i
   assert.deepEqual(problems, []);
 });
 
-test("on a phone the situation stands upright and is moved by finger; the page scrolls beside it", async (t) => {
+test("on a phone the situation is upright and can be moved by finger; the page scrolls beside it", async (t) => {
   const { server, live } = await pausedGame(t);
   for (const colorScheme of ["dark", "light"]) {
     const { page, problems, questions } = await ask(t, server, undefined, { viewport: kPhone, hasTouch: true, isMobile: true, deviceScaleFactor: 2, colorScheme });
@@ -369,7 +369,7 @@ test("on a phone the situation stands upright and is moved by finger; the page s
   }
 });
 
-test("a server that does not foresee says so", async (t) => {
+test("a server without foresight says so", async (t) => {
   const folder = temporaryFolder(t);
   const { status, stderr } = await run("foresight-lab", "synthesize", join(folder, "session"), "--seconds", "2");
   assert.equal(status, 0, stderr);

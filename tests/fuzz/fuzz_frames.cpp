@@ -1,4 +1,4 @@
-// Whatever bytes a WebSocket peer or an HTTP client sends: no crash, bounded memory, and the same meaning however cut.
+// Any bytes from a WebSocket peer or an HTTP client: no crash, bounded memory, the same meaning however they are cut.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

@@ -1,4 +1,4 @@
-// Whatever is broadcast at a field: every packet of the GameController and of teammates is read or refused.
+// Any broadcast at a field: every packet of the GameController and of teammates is read or refused.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -11,7 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   namespace game = robot::game;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   if (const auto message = game::parse_team_message(bytes, 1))
-    if (!game::parse_team_message(game::to_bytes(*message, 1), 1)) __builtin_trap();  // what was read can be told on
+    if (!game::parse_team_message(game::to_bytes(*message, 1), 1))
+      __builtin_trap();  // a message that was read can be sent again
   const auto packet = game::parse_control_packet(bytes);
   if (!packet) return 0;
   for (const auto& team : packet->teams) {

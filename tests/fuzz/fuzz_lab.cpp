@@ -1,5 +1,4 @@
-// What the lab's machine reads of others: mappings, messages that are mapped or shifted, addresses. The first byte
-// chooses.
+// Foreign input of the lab machine: mappings, messages that are mapped or shifted, addresses. The first byte chooses.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// Whatever comes from LoLA's socket is frames or is refused; who has read others says the same as who has not.
+// Any bytes from LoLA's socket are frames or are refused. A reader that has read other frames before gives the same result.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

@@ -1,4 +1,4 @@
-// Any bytes, read in every way we read a recording: nothing may crash, and what comes out stays within bounds.
+// Any bytes, read in every way we read a recording: no crash, and the output stays within bounds.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   read_all(source, 0);
   read_all(source, 20);
 
-  // what can be assembled is a file that can be read again
+  // an assembled file can be read again
   auto assembly = assemble({source});
   if (!assembly) return 0;
   const auto assembled = std::make_shared<Assembly>(std::move(*assembly));

@@ -1,4 +1,4 @@
-// Whatever a client or a server of the live protocol says, as text or in binary: no crash, no exception.
+// Any text or binary message of a client or a server of the live protocol: no crash, no exception.
 #include <cstdint>
 #include <string_view>
 
@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const net::Services services = [] {
     net::Services list;
     net::add_clock_sync(list, clock, {});
-    // of the services of others it is known that they copy what they get, and say it again where it is wrong
+    // services of other programs copy their input, and repeat it in an error
     list.add("echo", net::Services::For::everybody, [](nlohmann::json request, const net::ClientContext&) {
       return nlohmann::json{{"ok", false},
                             {"error", request.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace)}};

@@ -1,5 +1,4 @@
-// Whatever bytes are taken for a snapshot, damaged or with a hash that fits: a refusal, or a state that can be stored
-// and read again.
+// Any bytes as a snapshot, damaged or with a matching hash: a refusal, or a state that can be stored and read again.
 #include <cstdint>
 #include <cstdlib>
 #include <span>

@@ -1,4 +1,4 @@
-// Whatever a strategy's file says: a tree that leads every decision to a leaf, or a sentence.
+// Any strategy file: a tree that leads every decision to a leaf, or an error sentence.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

@@ -1,4 +1,4 @@
-// Whatever a process says at the door: no crash, bounded memory, the same meaning however cut; and whatever schema it
+// Any bytes of a process at the door: no crash, bounded memory, the same meaning however they are cut. Any schema that it
 // announces is accepted or refused.
 #include <cstdint>
 #include <cstdlib>
@@ -14,7 +14,7 @@ namespace {
 
 namespace logging = robot::logging;
 
-/// What a frame means, in a form that can be compared.
+/// Returns the meaning of a frame in a form that can be compared.
 struct Meaning {
   std::string operator()(const robot::memory::ChannelInfo& info) const { return "c" + logging::channel_frame(info); }
   std::string operator()(const logging::Record& record) const {

@@ -1,4 +1,4 @@
-// foresight-robot with the body nao: a robot that is none, the real guardian and the real runtime.
+// foresight-robot with the body nao: a stand-in for the robot, the real guardian and the real runtime.
 import assert from "node:assert/strict";
 import { createSocket } from "node:dgram";
 import { spawn } from "node:child_process";
@@ -23,7 +23,7 @@ async function join(t, world, objects, ...args) {
   const live = await Live.open(t, server);
   await live.until(() => live.channels.has("/14/2/joints"), "the channels");
   await live.subscribe(...objects.map((object) => `/14/2/${object}`));
-  /** The newest version of an object, decoded; undefined before the first. */
+  /** Returns the newest version of an object, decoded, or undefined before the first. */
   const newest = (object) => {
     const message = live.messages.get(`/14/2/${object}`).at(-1);
     return message && live.decoded(`/14/2/${object}`, message);
@@ -58,7 +58,7 @@ const kSit = "2002"; // posture: SIT
 const kStand = "2001";
 const kHead = (yaw, pitch) => `320a0d${float(yaw)}15${float(pitch)}`; // head_angles
 
-/** A UDP port that nobody has. */
+/** Returns a free UDP port. */
 const freePort = async () => {
   const probe = createSocket("udp4");
   await new Promise((done) => probe.bind(0, "127.0.0.1", done));
@@ -68,7 +68,7 @@ const freePort = async () => {
 };
 
 describe("body nao", { concurrency: 4 }, () => {
-  test("what LoLA tells is in memory, with the robot's identity", async (t) => {
+  test("LoLA's values are in memory, with the robot's identity", async (t) => {
     const { world, live, newest } = await open(t, ["joints", "inertial", "fsr", "touch", "battery", "sonar", "body", "motion_status"]);
     for (const object of ["joints", "inertial", "fsr", "touch", "battery", "sonar", "body", "motion_status"])
       await live.until(() => newest(object), object);
@@ -111,7 +111,7 @@ describe("body nao", { concurrency: 4 }, () => {
     await live.until(() => newest("body").reason.includes("told to be soft"), "the reason");
   });
 
-  test("stopped on purpose it sits, and has not crashed", async (t) => {
+  test("a runtime that is stopped on purpose sits the robot down and does not count as crashed", async (t) => {
     const { world, server, live, newest } = await open(t, ["body"]);
     await live.until(() => newest("body"), "the body");
     await world.play();
@@ -140,7 +140,7 @@ describe("body nao", { concurrency: 4 }, () => {
     }, "it plays");
   });
 
-  test("LoLA that is somebody else's: the body is attached, and says whose", async (t) => {
+  test("LoLA's socket belongs to another program: the body is attached, and names that program", async (t) => {
     const world = new World(t);
     await world.startRobot();
     const first = await world.startGuardian();

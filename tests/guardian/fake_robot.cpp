@@ -1,19 +1,19 @@
-// fake_robot: a Nao V6 without a Nao. LoLA's socket, a frame every 12 ms, joints that follow, a torso that falls.
+// fake_robot: a stand-in for a Nao V6. LoLA's socket, a frame every 12 ms, joints that follow, a torso that falls.
 //
 //   fake_robot PATH [--busy N] [--seconds S]
 //
-// Listens at PATH and serves one program at a time. Each line on its standard input is something that happens; each line
-// on its standard output is JSON:
+// Listens at PATH and serves one program at a time. Each line on its standard input is an event. Each line on its standard
+// output is JSON:
 //
 //   chest | head | release | fall | upright | lift | down | heat N | cool | battery N | turn N    act on the body
-//   broken | short | huge | reordered | other     what the next frames look like: broken numbers, half a frame, one of
-//                                                 10 kB, another order of keys, as they should be
+//   broken | short | huge | reordered | other     form of the next frames: broken numbers, half a frame, one of
+//                                                 10 kB, another order of keys, correct
 //   vanish                                        the connection ends; the next one is served
 //   state                                         prints {"stiffness", "knee", "chest", "eye", "frames", "answers", …}
 //   end
 //
-// --seconds: ends by itself after so long and prints the state. --busy: so many threads that compute all the time; the robot
-// itself then has a real-time priority, where that is allowed, as LoLA has: what it waits for is the answer alone.
+// --seconds S: ends after S seconds and prints the state. --busy N: starts N threads that compute all the time. The robot
+// itself then has a real-time priority, if allowed, as LoLA has: then it waits only for the answer.
 #include <poll.h>
 #include <sched.h>
 #include <sys/socket.h>
@@ -48,7 +48,7 @@ using nlohmann::json;
 constexpr std::uint64_t kCycle_ns = 12 * kMillisecond;
 constexpr int kPriority = 45;  // above the guardian's
 
-/// The commands of an answer, by a reader of MessagePack that is none of ours; nothing if it is no answer.
+/// Returns the commands of an answer, read by another project's MessagePack reader, or nothing if it is no answer.
 std::optional<Actuators> read_answer(const std::string& bytes) {
   const json answer = json::from_msgpack(bytes, true, false);
   if (!answer.is_object()) return std::nullopt;
@@ -97,7 +97,7 @@ class FakeRobot {
 
   void take_in() {
     FileDescriptor connection(::accept4(listening_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-    // one program at a time, as LoLA has it: others are connected and hear nothing
+    // one program at a time, like LoLA: others are connected and receive nothing
     if (!connection_) {
       connection_ = std::move(connection);
       received_.clear();

@@ -1,17 +1,17 @@
-// The guardian's program between a robot that is none and a runtime that lives, hangs and dies.
+// The guardian's program between a stand-in for a robot and a runtime that lives, hangs and dies.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { run } from "../e2e/support.mjs";
 import { World } from "./world.mjs";
 
-/** What becomes of the runtime while people and gravity act. */
+/** Fates of the runtime while people and gravity act. */
 const fates = {
   alive: () => {},
   hung: (world) => world.runtime.kill("SIGSTOP"),
   dead: (world) => world.runtime.kill("SIGKILL"),
 };
 
-/** Everybody's first steps: a robot that plays; then its runtime's fate. */
+/** Starts a robot that plays, and then applies the runtime's fate. */
 async function playing(t, fate) {
   const world = new World(t);
   await world.start();
@@ -20,7 +20,7 @@ async function playing(t, fate) {
   return world;
 }
 
-// they wait most of the time
+// these tests mostly wait
 describe("the guardian", { concurrency: 6 }, () => {
   for (const fate of Object.keys(fates)) {
     test(`runtime ${fate}: the head held takes the stiffness away`, async (t) => {
@@ -130,7 +130,7 @@ describe("the guardian", { concurrency: 6 }, () => {
     world.happen("other");
     await world.untilStanding();
 
-    // a half and the next one are no frame; more than a frame ever has is none either
+    // two halves make no frame, and a too large frame is refused as well
     for (const [kind, sentence] of [["short", /LoLA: expected|LoLA: \w+: expected/], ["huge", /LoLA: expected/]]) {
       const told = world.guardian.errors.length;
       world.happen(kind);
@@ -157,7 +157,7 @@ describe("the guardian", { concurrency: 6 }, () => {
     await world.until((state) => state.answers > 20, "and even when all of LoLA was gone");
   });
 
-  test("LoLA that is somebody else's: says whose, and takes it once that is gone", async (t) => {
+  test("LoLA's socket belongs to another program: the guardian names it, and takes over when it has ended", async (t) => {
     const world = new World(t);
     await world.startRobot();
     const first = await world.startGuardian();
@@ -182,7 +182,7 @@ describe("the guardian", { concurrency: 6 }, () => {
     assert.equal(stderr, `foresight-guardian: guardian: expected nobody to listen at ${world.link}, another guardian does; end it, or choose another --link\n`);
   });
 
-  test("it sits the robot down before it ends, and tells whether it may be replaced", async (t) => {
+  test("it sits the robot down before it ends, and reports whether it may be replaced", async (t) => {
     const world = await playing(t, "alive");
     await world.untilDoing("playing", "standing");
     const standing = await run("foresight-guardian", "--link", world.link, "--status");

@@ -1,14 +1,14 @@
-// A robot that is none, its guardian, and what stands for the runtime: three processes of a test.
+// Stand-ins for a robot and for the runtime, with the real guardian between them: three processes of a test.
 import { spawn } from "node:child_process";
 import { createInterface } from "node:readline";
 import { join } from "node:path";
 import { atEnd, bin, temporaryFolder, until, within } from "../e2e/support.mjs";
 
-/** A process of ours; what it prints is kept, line by line. It ends with the test. */
+/** Starts a program and keeps the lines that it prints. It ends with the test. */
 function launch(t, program, ...args) {
   const child = spawn(join(bin, program), args, { stdio: ["pipe", "pipe", "pipe"] });
   const process = { pid: child.pid, lines: [], errors: "", kill: (signal) => child.kill(signal), stdin: child.stdin };
-  child.stdin.on("error", () => {}); // it may have ended
+  child.stdin.on("error", () => {}); // it may have ended already
   createInterface({ input: child.stdout }).on("line", (line) => process.lines.push(line));
   child.stderr.on("data", (bytes) => (process.errors += bytes));
   process.ended = new Promise((done) => child.on("close", (status, signal) => done({ status, signal })));
@@ -39,7 +39,7 @@ export class World {
     return this.guardian;
   }
 
-  /** Stands for the runtime. */
+  /** A stand-in for the runtime. */
   async startRuntime(...args) {
     const runtime = launch(this.t, "fake_runtime", this.link, ...args);
     runtime.said = () => JSON.parse(runtime.lines.at(-1) ?? "{}");
@@ -54,12 +54,12 @@ export class World {
     return this.startRuntime(...args);
   }
 
-  /** Something happens to the robot. */
+  /** Sends an event to the robot. */
   happen(line) {
     this.robot.stdin.write(`${line}\n`);
   }
 
-  /** How the robot is. */
+  /** Returns the robot's state. */
   async state() {
     const before = this.robot.lines.length;
     this.happen("state");
@@ -67,7 +67,7 @@ export class World {
     return JSON.parse(this.robot.lines.at(-1));
   }
 
-  /** The first state that `is_so`. */
+  /** Waits for a state that fulfils `is_so`, and returns it. */
   async until(isSo, what) {
     let state;
     await until(async () => isSo((state = await this.state())), what).catch((error) => {
@@ -76,7 +76,7 @@ export class World {
     return state;
   }
 
-  /** After so many more cycles of the robot's: time as it feels it, whatever else the machine does. */
+  /** Waits for `count` more cycles of the robot, which is its own time, independent of the load of the machine. */
   async cycles(count) {
     const { frames } = await this.state();
     return this.until((state) => state.frames >= frames + count, `${count} cycles`);
@@ -89,7 +89,7 @@ export class World {
     await this.cycles(4);
   }
 
-  /** The robot stands and plays. A click while a busy machine keeps the runtime from speaking counts for nothing. */
+  /** The robot stands and plays. A click has no effect while a busy machine keeps the runtime silent. */
   async play() {
     const isGreen = ({ chest }) => chest.join() === "0,1,0";
     for (let i = 0; i < 20 && !isGreen(await this.state()); ++i) await this.click();
@@ -101,7 +101,7 @@ export class World {
   untilStanding = () => this.until((state) => state.stiffness > 0.8 && state.knee < 0.85, "it stands");
   untilSeated = () => this.until((state) => state.stiffness === 0 && state.knee > 2, "it sits and is soft");
 
-  /** The first sentence of the guardian's that has `part`. */
+  /** Waits for a sentence of the guardian with `part`, and returns it. */
   untilSaid = (part) => until(() => this.guardian.errors.includes(part), `the guardian says '${part}'; it said ${this.guardian.errors}`);
 
   ended = (process) => within(process.ended, "the end of a process");

@@ -1,5 +1,5 @@
-// What was built for the Naos, on their processors under emulation, on kernels as old as theirs and in a system that has
-// nothing. FORESIGHT_NAO names the presets, "nao-v6" when it is unset; the other programs are those of FORESIGHT_BIN.
+// Programs for the Naos on emulated processors, on kernels as old as the robots' and in an empty system. FORESIGHT_NAO names
+// the presets, by default "nao-v6". FORESIGHT_BIN is the folder of the other programs.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync } from "node:fs";
@@ -14,7 +14,7 @@ import { built, chosen, memoryOf, needsMovbe, readElf, robots } from "./robots.m
 const kMostProgram_mb = 8;
 const kMostMemory_mb = 48;
 
-/** Does what a runtime is for: a simulated game that a client sees, and that is recorded and downloaded. */
+/** Plays a simulated game that a client watches and that is recorded and downloaded. */
 async function serves(t, folder, command) {
   const server = await start(t, folder, command, "--body", "sim", "--seed", "7", "--record");
   assert.match((await request(server, "/")).headers["content-type"], /^text\/html/, "the viewer");
@@ -31,7 +31,7 @@ async function serves(t, folder, command) {
   assert.equal((await server.stop()).status, 0);
 }
 
-/** Words that run a program in an empty folder as if it were all there is. */
+/** Returns words that run a program with an empty folder as its root. */
 const inEmptyRoot = (folder) => (process.getuid() === 0 ? ["chroot", folder] : ["unshare", "--map-root-user", "chroot", folder]);
 
 const canEmptyRoot = () => {

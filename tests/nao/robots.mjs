@@ -10,12 +10,12 @@ const bonnell = { emulator: ["qemu-i386", "-cpu", "n270"], kernel: "2.6.33" };
 /** preset -> {emulator, kernel}: the words that run a program as on that robot, and how old its kernel is. */
 export const robots = { "nao-v6": silvermont, "nao-v5": bonnell, "nao-v4": bonnell };
 
-/** Those whose builds are to be looked at. */
+/** The robots whose builds are tested. */
 export const chosen = (process.env.FORESIGHT_NAO ?? "nao-v6").split(" ");
 for (const preset of chosen)
   if (!(preset in robots)) throw new Error(`FORESIGHT_NAO: expected ${Object.keys(robots).join(", ")}, got '${preset}'`);
 
-/** Where the build for that robot put the program. */
+/** Returns the path of the program that was built for that robot. */
 export const built = (preset, program = "foresight-robot") => join(root, "build", preset, "bin", program);
 
 /** Option of a test that runs what was built for a Nao on this machine, at full speed. */
@@ -23,7 +23,7 @@ export const needsMovbe = { skip: / movbe /.test(readFileSync("/proc/cpuinfo", "
 
 const kInterpreter = 3, kDynamic = 2, kSymbols = 2;
 
-/** What an ELF file says of itself: its word size, whether it needs anything shared, whether it has symbols. */
+/** Reads an ELF file: its word size, whether it needs shared libraries, whether it has symbols. */
 export function readElf(file) {
   const bytes = readFileSync(file);
   const bits = bytes[4] === 2 ? 64 : 32;
@@ -41,7 +41,7 @@ export function readElf(file) {
   };
 }
 
-/** The resident memory of a process, now and at most [MB]. */
+/** Returns the resident memory of a process, now and at most [MB]. */
 export function memoryOf(pid) {
   const status = readFileSync(`/proc/${pid}/status`, "utf8");
   const mb = (name) => (Number(new RegExp(`^${name}:\\s+(\\d+) kB$`, "m").exec(status)[1]) * 1024) / 1e6;

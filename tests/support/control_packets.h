@@ -1,5 +1,5 @@
-// Packets of the GameController for tests: written value by value as each year's RoboCupGameControlData.h orders them,
-// knowing nothing of the tables they test; and the captures of the real program.
+// Packets of the GameController for tests, written value by value in the order of each year's RoboCupGameControlData.h.
+// They do not use the tables that they test. Also reads captures of the real program.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct ControlTeam {
   int penalty = 0, seconds_till_unpenalised = 0;
 };
 
-/// What a packet is to say; what its format has no place for is left out.
+/// Values of a packet. Its format leaves out the values that it has no place for.
 struct ControlPacketText {
   int packet_number = 0, players_per_team = 5;
   int state = 0, set_play = 0, phase = 0;
@@ -34,8 +34,8 @@ struct CapturedPacket {
   std::string payload;
 };
 
-/// All packets of a capture: little endian a double with the seconds, two bytes with the length, the payload.
-/// Empty if the file does not end where a packet does.
+/// Returns all packets of a capture. Each is, in little endian, a double with the seconds, two bytes with the length, and the
+/// payload. Returns an empty list if the file ends within a packet.
 std::vector<CapturedPacket> read_capture(const std::filesystem::path& path);
 
 }  // namespace tests

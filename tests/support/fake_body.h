@@ -1,4 +1,4 @@
-// A Nao's body as far as LoLA shows it: joints that follow, a torso that falls when it is told to, hands that touch it.
+// A simple Nao body as LoLA shows it: joints that follow, a torso that falls on command, hands that touch it.
 #pragma once
 
 #include "robot/nao/lola/actuators.h"
@@ -11,12 +11,12 @@ class FakeBody {
   /// Seated, without stiffness, upright.
   FakeBody();
 
-  robot::nao::Sensors sensors;  // what LoLA tells next; tests may change any of it
+  robot::nao::Sensors sensors;  // LoLA's next values; tests may change any of them
 
-  /// Joints with stiffness follow as fast as they can, the others stay; the torso goes on falling.
+  /// Moves joints with stiffness at their full speed and leaves the others; the torso continues to fall.
   void obey(const robot::nao::Actuators& actuators, float dt);
 
-  /// The torso tips over, or stands upright again at once.
+  /// Lets the torso tip over, or puts it upright at once.
   void fall() { falls_ = true; }
   void put_upright();
 

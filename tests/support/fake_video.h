@@ -1,4 +1,4 @@
-// A Video4Linux camera without a camera: it delivers when it is told to, and may be pulled out.
+// A stand-in for a Video4Linux camera: it delivers on command and can be unplugged.
 #pragma once
 
 #include <linux/videodev2.h>
@@ -16,23 +16,23 @@
 
 namespace tests {
 
-/// What is at the other end of the cable. Any thread.
+/// The camera at the other end of the cable. Any thread.
 class FakeCamera {
  public:
   explicit FakeCamera(std::uint32_t columns = 640, std::uint32_t rows = 480, std::uint32_t padding = 0)
       : width(columns), height(rows), stride(2 * columns + padding) {}
 
-  /// Puts a picture into the next free buffer, stamped with that time; the oldest waiting is lost when there is none.
+  /// Puts a picture with this time into the next free buffer. Without a free buffer the oldest waiting picture is dropped.
   void deliver(const std::string& rows, std::uint64_t capture_ns, std::uint32_t flags = 0);
   void plug(bool in);
 
   const std::uint32_t width, height, stride;
-  std::uint32_t format = V4L2_PIX_FMT_YUYV;  // that it can
-  int busy = 0;                              // error number of its format: EBUSY while it is somebody else's
-  std::vector<std::pair<std::uint32_t, std::int32_t>> controls;  // that were set
+  std::uint32_t format = V4L2_PIX_FMT_YUYV;  // supported format
+  int busy = 0;                              // error number of setting the format: EBUSY while another program uses it
+  std::vector<std::pair<std::uint32_t, std::int32_t>> controls;  // controls that were set
   std::vector<std::uint32_t> known_controls;
 
-  /// Frames that no buffer was free for; how often it was opened.
+  /// Frames dropped without a free buffer, and number of times it was opened.
   std::uint64_t lost = 0;
   int opened = 0;
 

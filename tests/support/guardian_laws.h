@@ -1,4 +1,4 @@
-// What must hold of the guardian's answers whatever it is told: judged from outside, by what went in and what came out.
+// Laws of the guardian's answers under any input, judged from outside by its input and output.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,21 @@
 
 namespace tests {
 
-/// A guardian, a body that obeys it, and whatever people, gravity, heat and the runtime do, told by a stream of bytes.
+/// A guardian, a body that obeys it, and events of people, gravity, heat and the runtime, chosen by a stream of bytes.
 ///
-///   no joint beyond its range; the head clear of the shoulders; no joint with stiffness faster than its speed; stiffness
-///   within 0 .. 1 and never growing faster than its ramp; no stiffness
-///     before the chest button was pressed for the first time,
-///     from the third frame with the head held, or from sit_and_soft on, until the chest button is pressed,
-///     after 1.5 s of lying, and after 7 s of heat, an empty battery, no orders, or no readable frame
+/// - No joint is beyond its range, and the head stays clear of the shoulders.
+/// - No joint with stiffness is faster than its speed.
+/// - Stiffness is within 0 .. 1 and never grows faster than its ramp.
+/// - There is no stiffness before the first press of the chest button.
+/// - There is none from the third frame with the head held, or from sit_and_soft on, until the chest button is pressed.
+/// - There is none after 1.5 s of lying, or after 7 s of heat, an empty battery, no orders or no readable frame.
 class GuardianLaws {
  public:
-  /// What happens next, chosen by `byte`, its details by `details`; then one cycle. The first law that is broken, or an
-  /// empty text.
+  /// Applies the event that `byte` chooses, with details from `details`, and runs one cycle. Returns the first broken law, or
+  /// an empty text.
   std::string step(std::uint8_t byte, std::uint32_t details);
 
-  /// How often the robot was seen in the stand with stiffness: laws about a robot that never moves prove nothing.
+  /// Number of cycles in the stand with stiffness. Laws about a robot that never moves would prove nothing.
   int stood() const { return stood_; }
 
  private:
@@ -42,7 +43,7 @@ class GuardianLaws {
   bool gives_orders_ = true, readable_ = true;
   int stood_ = 0;
 
-  // what we have seen
+  // the state seen so far
   bool must_be_soft_ = true;  // until the chest button is pressed
   bool pressed_ = false;
   int held_ = 0;

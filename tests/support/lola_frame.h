@@ -1,4 +1,4 @@
-// Writes LoLA's sensor frames, as a robot does and as none should.
+// Writes LoLA's sensor frames, correct and broken ones.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace tests {
 
-/// Key by key; the bytes are a frame once frame() has put a map's head before them.
+/// Writes a frame key by key. frame() puts the head of a map before the bytes.
 class LolaFrame {
  public:
   LolaFrame& key(std::string_view name);
@@ -22,7 +22,7 @@ class LolaFrame {
   /// A key and its floats.
   LolaFrame& floats(std::string_view name, const std::vector<float>& numbers);
 
-  /// The four texts that a real robot tells of itself: 20 letters, "6.0.0", twice.
+  /// Writes the four identity texts of a real robot: 20 letters, "6.0.0", twice.
   LolaFrame& identity();
 
   std::string frame() const;
@@ -32,10 +32,10 @@ class LolaFrame {
   std::size_t keys_ = 0;
 };
 
-/// A frame of 896 bytes, in the order of keys of a real one; every status is a number of one byte, as robots send it.
+/// Returns a frame of 896 bytes in the key order of a real one. Every status is a number of one byte, as robots send it.
 std::string lola_frame(robot::nao::Sensors sensors);
 
-/// A robot that stands still and is well, in its stand.
+/// Returns the values of a healthy robot that stands still.
 robot::nao::Sensors standing_sensors();
 
 }  // namespace tests

@@ -1,4 +1,4 @@
-// A small language for MCAP files in tests: messages are words, and files can be hurt in known places.
+// A small language for MCAP files in tests: messages are words, and files can be damaged in known places.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,14 @@ namespace tests {
 
 namespace logging = robot::logging;
 
-/// A file in memory on a disk that gets full.
+/// A file in memory on a disk of limited size.
 struct Disk {
   std::string bytes;
-  std::uint64_t room = std::numeric_limits<std::uint64_t>::max();  // for so many bytes in all
+  std::uint64_t room = std::numeric_limits<std::uint64_t>::max();  // [bytes] size of the disk
   bool can_truncate = true;
 };
 
-/// Writes to a Disk; when it is full, as much as fits.
+/// Writes to a Disk as much as fits.
 class DiskSink final : public robot::ByteSink {
  public:
   explicit DiskSink(Disk& disk) : disk_(disk) {}
@@ -35,7 +35,7 @@ class DiskSink final : public robot::ByteSink {
   Disk& disk_;
 };
 
-/// The channel that the words are of.
+/// The channel of the words.
 robot::memory::ChannelInfo word_channel(const std::string& topic = "/14/2/word");
 
 /// A writer to `disk` of that channel; the test ends if the head cannot be written.
@@ -59,7 +59,7 @@ class McapText {
   /// Gives every chunk that is not compressed the checksum that its bytes have now.
   void fix_chunk_crcs();
 
-  /// Where the chunks begin, as they were written.
+  /// Offsets of the chunks, in the order of writing.
   const std::vector<std::uint64_t>& chunks() const { return chunks_; }
 
   std::shared_ptr<const robot::ByteSource> source() const;
@@ -70,7 +70,7 @@ class McapText {
   std::vector<std::uint64_t> chunks_;
 };
 
-/// The words of a file as McapReader delivers them, with a "!" wherever it told of a damage: "one ! three".
+/// The words of a file as McapReader delivers them, with a "!" for each reported damage: "one ! three".
 std::string words_of(std::shared_ptr<const robot::ByteSource> source, std::vector<std::string>* damages = nullptr);
 
 /// All bytes of a source.

@@ -10,7 +10,7 @@ namespace tests {
 
 class NblogWriter {
  public:
-  /// One block: `values` are what the header tells of it beyond type, time and size, such as "(width 4) (height 2)".
+  /// Adds one block. `values` are the fields of its header after type, time and size, such as "(width 4) (height 2)".
   void block(std::string_view type, std::string_view from, std::uint64_t when_us, std::string_view values,
              std::string_view bytes);
 

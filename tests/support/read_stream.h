@@ -10,7 +10,7 @@
 
 namespace tests {
 
-/// Those before the first damage.
+/// Returns the messages before the first damage.
 inline std::vector<robot::logging::Record> read_stream(const std::filesystem::path& path) {
   robot::logging::FileInProvider file(path);
   std::vector<robot::logging::Record> records;

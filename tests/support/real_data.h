@@ -1,4 +1,4 @@
-// Real recordings for tests: not in the repository, found by the environment variable FORESIGHT_DATA.
+// Real recordings for tests, in the folder that the environment variable FORESIGHT_DATA names; not in the repository.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace tests {
 
-/// The file `relative` in the folder $FORESIGHT_DATA; nothing if that is unset or has no such file.
+/// Returns the file `relative` in the folder $FORESIGHT_DATA, or nothing if that is unset or has no such file.
 inline std::optional<std::filesystem::path> real_data(std::string_view relative) {
   const char* folder = std::getenv("FORESIGHT_DATA");
   if (folder == nullptr) return std::nullopt;
@@ -20,7 +20,7 @@ inline std::optional<std::filesystem::path> real_data(std::string_view relative)
   return path;
 }
 
-/// True where a missing recording is a failure, not a reason to skip: FORESIGHT_REQUIRE_DATA=1.
+/// True if a missing recording is a failure and no skip: FORESIGHT_REQUIRE_DATA=1.
 inline bool real_data_required() {
   const char* required = std::getenv("FORESIGHT_REQUIRE_DATA");
   return required != nullptr && std::string_view(required) == "1";
@@ -28,7 +28,7 @@ inline bool real_data_required() {
 
 }  // namespace tests
 
-/// Defines `path` as the real recording `relative`, or leaves the test: skipped, or failed where data are required.
+/// Defines `path` as the real recording `relative`, or ends the test as skipped, or as failed if data are required.
 #define REAL_DATA_OR_SKIP(path, relative)                                                                        \
   const std::optional<std::filesystem::path> path##_found = tests::real_data(relative);                          \
   if (!path##_found && tests::real_data_required()) FAIL() << relative << " is not in $FORESIGHT_DATA";          \

@@ -1,4 +1,4 @@
-// Keeps what an importer hands over.
+// Keeps the messages of an importer.
 #pragma once
 
 #include <google/protobuf/message.h>

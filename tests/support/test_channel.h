@@ -1,4 +1,4 @@
-// A channel for tests that need bytes on their way, and a provider that keeps what it is given.
+// A channel for tests of streams, and a provider that keeps its records.
 #pragma once
 
 #include <atomic>
@@ -10,6 +10,7 @@
 
 #include "robot/logging/streams/provider.h"
 #include "robot/memory/channel.h"
+#include "tests/support/eventually.h"
 
 namespace tests {
 
@@ -22,7 +23,7 @@ inline std::shared_ptr<robot::memory::RawChannel> make_channel(const robot::Cloc
       clock);
 }
 
-/// What arrived at a `KeepingProvider`; outlives it. Any thread.
+/// The records of a `KeepingProvider`; outlives it. Any thread.
 struct Arrivals {
   std::mutex lock;
   std::condition_variable changed;
@@ -33,8 +34,12 @@ struct Arrivals {
 
   /// Waits until `count` records are there.
   void wait_for(std::size_t count) {
-    std::unique_lock guard(lock);
-    changed.wait(guard, [&] { return records.size() >= count; });
+    const auto arrived = [&] {
+      const std::lock_guard guard(lock);
+      return records.size();
+    };
+    ASSERT_TRUE(eventually([&] { return arrived() >= count; }, kLongestWait, arrived))
+        << "expected " << count << " records";
   }
   void set(bool Arrivals::*flag, bool value) {
     const std::lock_guard guard(lock);

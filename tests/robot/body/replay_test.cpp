@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <thread>
 
 #include "proto/foresight/ball.pb.h"
 #include "robot/logging/sessions/recorder.h"
 #include "robot/logging/sessions/session_writer.h"
 #include "robot/memory/memory.h"
+#include "tests/support/eventually.h"
 #include "tests/support/read_stream.h"
 #include "tests/support/temporary_folder.h"
 
@@ -49,7 +49,8 @@ struct Replaying : ::testing::Test {
   }
 
   static void wait_for_the_end(Replay& replay) {
-    while (replay.tick() == Replay::Tick::playing) std::this_thread::yield();
+    ASSERT_TRUE(tests::eventually([&] { return replay.tick() != Replay::Tick::playing; }, tests::kLongestWait,
+                                  [&] { return replay.messages(); }));
   }
 
   const tests::TemporaryFolder folder;
@@ -114,14 +115,13 @@ TEST_F(Replaying, ItsClockIsTheTimeOfTheRecording) {
 TEST_F(Replaying, BeginsAgainWhereItShould) {
   const auto replay = open({.speed = 1000, .loop = true});
   replay->start(channels, board);
-  Replay::Tick tick = Replay::Tick::playing;
-  while (tick == Replay::Tick::playing) tick = replay->tick();
-  EXPECT_EQ(tick, Replay::Tick::began_again);
+  EXPECT_TRUE(tests::eventually([&] { return replay->tick() == Replay::Tick::began_again; }));
 }
 
-/// The newest value, once it is the one of `x`.
+/// Waits until the newest ball is at `x`.
 void wait_for_ball(const memory::Memory& memory, float x) {
-  while (!memory.ball.read() || memory.ball.read()->value().x() != x) std::this_thread::yield();
+  const auto newest = [&] { return memory.ball.read() ? memory.ball.read()->value().x() : -1.0f; };
+  ASSERT_TRUE(tests::eventually_equal(newest, x));
 }
 
 TEST_F(Replaying, StandsWhereItIsPausedAndGoesOn) {
@@ -149,7 +149,7 @@ TEST_F(Replaying, AfterASeekEveryObjectIsAsItWasThen) {
     replay->clock().seek(kStart + i * 10 * kMillisecond + 5 * kMillisecond);
     wait_for_ball(*memory, static_cast<float>(i));
     const std::uint64_t third = i - i % 3;  // of the other stream the newest from before
-    while (newest_ns("/14/2/vortex") != kStart + third * 10 * kMillisecond) std::this_thread::yield();
+    ASSERT_TRUE(tests::eventually_equal([&] { return newest_ns("/14/2/vortex"); }, kStart + third * 10 * kMillisecond));
   }
   // beyond its ends it stays within the recording
   replay->clock().seek(0);
@@ -186,8 +186,8 @@ TEST_F(Replaying, SeveralRobotsAreMergedByTime) {
   (*replay)->start(channels, board);
   (*replay)->clock().set(false, 1);
   (*replay)->clock().seek(kStart + 2 * kSecond);
-  while (newest_ns("/14/3/vortex") != kStart + kSecond || newest_ns("/14/2/ball") != kStart + 2 * kSecond)
-    std::this_thread::yield();
+  ASSERT_TRUE(tests::eventually_equal([&] { return newest_ns("/14/3/vortex"); }, kStart + kSecond));
+  ASSERT_TRUE(tests::eventually_equal([&] { return newest_ns("/14/2/ball"); }, kStart + 2 * kSecond));
   EXPECT_EQ(Replay::open({recorded, recorded}, {}).error(), "replay: expected recordings of different robots, " +
                                                                 recorded.string() +
                                                                 " holds nothing but what those before it do");
@@ -254,9 +254,8 @@ TEST_F(Replaying, ARecordingWhoseClockIsOffIsPlayedInTheTimeOfTheOther) {
   // wherever it is moved to, both show the same moment
   (*replay)->clock().set(false, 1);
   (*replay)->clock().seek(kStart + 1000 * kMillisecond);
-  while (newest_ns("/14/2/ball") != kStart + 1000 * kMillisecond ||
-         newest_ns("/14/3/ball") != kStart + 1000 * kMillisecond)
-    std::this_thread::yield();
+  for (const char* topic : {"/14/2/ball", "/14/3/ball"})
+    ASSERT_TRUE(tests::eventually_equal([&] { return newest_ns(topic); }, kStart + 1000 * kMillisecond)) << topic;
   EXPECT_EQ(shown(), kStart + 1000 * kMillisecond);
 }
 

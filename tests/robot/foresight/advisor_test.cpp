@@ -11,6 +11,7 @@
 
 #include "robot/foresight/question.h"
 #include "tests/robot/foresight/memories.h"
+#include "tests/support/eventually.h"
 
 namespace robot::foreseeing {
 namespace {
@@ -41,29 +42,37 @@ struct Fixture {
 
   /// The forecast that answers `id`, waited for.
   std::shared_ptr<const memory::TypedVersion<pb::Forecast>> answer(std::uint64_t id) {
-    while (true) {
-      if (const auto version = game.memory->forecast.read(); version && version->value().question().id() == id)
-        return version;
-      std::this_thread::sleep_for(kAWhile);
-    }
+    std::shared_ptr<const memory::TypedVersion<pb::Forecast>> version;
+    const auto newest_id = [&] {
+      version = game.memory->forecast.read();
+      return version ? version->value().question().id() : 0;
+    };
+    EXPECT_TRUE(tests::eventually_equal(newest_id, id));
+    return version;
   }
 
   /// Waits for `done`. Where a busy machine played too few futures for an answer, the captain asks again a period later.
   template <class Done>
   void captain_until(Done done) {
-    while (!done()) {
-      std::this_thread::sleep_for(kAWhile);
+    const auto is_done = [&] {
+      if (done()) return true;
       const auto version = game.memory->forecast.read();
       const bool answered = version && version->value().question().id() == now_ns;
       if (answered && version->value().advice() == pb::Forecast::ADVICE_NONE) go_on();
-    }
+      return false;
+    };
+    ASSERT_TRUE(tests::eventually(is_done, 2 * tests::kLongestWait, [&] { return forecast_text(); }));
   }
 
  private:
   static constexpr double kPeriod = 10;  // [s]
-  static constexpr std::chrono::milliseconds kAWhile{2};
 
-  /// All is as it was, a period later.
+  std::string forecast_text() const {
+    const auto version = game.memory->forecast.read();
+    return version ? version->value().ShortDebugString() : "no forecast";
+  }
+
+  /// Everything as it was, a period later.
   void go_on() {
     game.timeline.epoch_ns += static_cast<std::uint64_t>(kPeriod * 1e9);
     game.write();
@@ -107,9 +116,10 @@ class Answers final : public memory::Listener {
     const std::lock_guard guard(lock_);
     return all_;
   }
-  /// Waits for so many, four seconds at most.
+  /// Waits for this many.
   std::vector<pb::Forecast> first(std::size_t count) const {
-    for (int i = 0; i < 800 && all().size() < count; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const auto number = [&] { return all().size(); };
+    EXPECT_TRUE(tests::eventually([&] { return number() >= count; }, tests::kLongestWait, number));
     return all();
   }
 
@@ -164,13 +174,16 @@ TEST(Advisor, TheCaptainGetsItsTurnHoweverMuchOthersAsk) {
       while (!ends) (void)fixture.advisor->ask(numbered(0, 40));
     });
     std::uint64_t id = 0;
-    for (int i = 0; i < 1000 && !has_captains(answers.all()); ++i) {
-      if (by_door) fixture.game.memory->what_if.write(numbered(++id, 40), fixture.game.now_ns());
-      std::this_thread::sleep_for(std::chrono::milliseconds(4));
-    }
+    EXPECT_TRUE(tests::eventually(
+        [&] {
+          if (has_captains(answers.all())) return true;
+          if (by_door) fixture.game.memory->what_if.write(numbered(++id, 40), fixture.game.now_ns());
+          return false;
+        },
+        tests::kLongestWait, [&] { return std::to_string(answers.all().size()) + " answers"; }))
+        << "by door: " << by_door;
     ends = true;
     people.join();
-    EXPECT_TRUE(has_captains(answers.all())) << "by door: " << by_door;
   }
 }
 
@@ -186,6 +199,7 @@ TEST(Advisor, ForecastsOfASimulationAreScoredAgainstGroundTruth) {
     fixture.game.write();
     fixture.game.memory->simulation.write(simulation, fixture.game.now_ns());
     fixture.now_ns = fixture.game.now_ns();
+    // the advisor sees each moment before the next one comes
     std::this_thread::sleep_for(std::chrono::milliseconds(250));
   };
   pb::WhatIf question = numbered(5, 300);
@@ -235,9 +249,8 @@ void play_second(test::Played& game) {
 TEST(Advisor, FollowsWhatTheCaptainTold) {
   Fixture fixture(false);
   play_second(fixture.game);
-  while (fixture.advisor->strategy() != "kick_now") std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  while (fixture.game.memory->strategy.read()->value().epoch() != 44)
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  ASSERT_TRUE(tests::eventually_equal([&] { return fixture.advisor->strategy(); }, "kick_now"));
+  ASSERT_TRUE(tests::eventually_equal([&] { return fixture.game.memory->strategy.read()->value().epoch(); }, 44u));
   EXPECT_TRUE(fixture.game.memory->strategy.read()->value().chosen());
 }
 
@@ -246,12 +259,14 @@ TEST(Advisor, FollowsTheCaptainWhateverIsAsked) {
   play_second(fixture.game);
   pb::WhatIf question;
   question.set_budget_ms(10);
-  for (std::uint64_t id = 1; id < 400 && fixture.advisor->strategy() != "kick_now"; ++id) {
-    question.set_id(id);
+  std::uint64_t id = 0;
+  const auto strategy = [&] {
+    question.set_id(++id);
     fixture.game.memory->what_if.write(question, fixture.game.now_ns());
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  EXPECT_EQ(fixture.advisor->strategy(), "kick_now");
+    return fixture.advisor->strategy();
+  };
+  EXPECT_TRUE(tests::eventually_equal(strategy, "kick_now"));
 }
 
 TEST(Advisor, TheCaptainGivesUpWhatIsNotBetterThanTheDefaultForSure) {
@@ -268,8 +283,8 @@ pb::Strategy played_after(const std::function<void(Fixture&)>& change, double ho
   Fixture fixture(false, 2000, play_second);
   fixture.horizon = horizon;
   fixture.on = true;
-  while (fixture.advisor->foreseer().idle()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  while (fixture.advisor->strategy() != "kick_now") std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  EXPECT_TRUE(tests::eventually([&] { return !fixture.advisor->foreseer().idle(); }));
+  EXPECT_TRUE(tests::eventually_equal([&] { return fixture.advisor->strategy(); }, "kick_now"));
   change(fixture);
   EXPECT_EQ(fixture.answer(fixture.now_ns)->value().refusal(), "");
   fixture.advisor.reset();

@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <thread>
 
 #include "robot/core/clock.h"
 #include "sim/foresight/situation.h"
 #include "sim/io/playbook.h"
 #include "sim/match/play.h"
+#include "tests/support/eventually.h"
 
 namespace robot::foreseeing {
 namespace {
@@ -40,7 +40,7 @@ Futures futures(int strategies = 1) {
 
 Progress when_there_is_some(Rollouts& rollouts) {
   Progress progress = rollouts.progress();
-  for (; progress.tally.stripes == 0; progress = rollouts.progress()) std::this_thread::yield();
+  EXPECT_TRUE(tests::eventually([&] { return (progress = rollouts.progress()).tally.stripes > 0; }));
   return progress;
 }
 
@@ -56,7 +56,7 @@ int scheduling_of(const std::string& name) {
 
 TEST(Rollouts, BesideARobotTakeWhatIsLeftOver) {
   Rollouts rollouts(Share::left_over);
-  while (scheduling_of("foresee") != SCHED_IDLE) std::this_thread::yield();
+  EXPECT_TRUE(tests::eventually_equal([] { return scheduling_of("foresee"); }, SCHED_IDLE));
 }
 
 TEST(Rollouts, PlayStripesUntilTheyAreEnded) {

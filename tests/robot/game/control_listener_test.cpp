@@ -9,6 +9,7 @@
 
 #include "robot/memory/memory.h"
 #include "tests/support/control_packets.h"
+#include "tests/support/eventually.h"
 
 namespace robot::game {
 namespace {
@@ -21,10 +22,11 @@ struct Listening : ::testing::Test {
   /// Sends until the listener has counted one more packet: UDP may lose packets, even on loopback.
   void send(const std::string& bytes) {
     const std::uint64_t before = all();
-    while (all() == before) {
-      ASSERT_TRUE(referee->send({kLoopback, listener->port()}, bytes));
+    ASSERT_TRUE(tests::eventually([&] {
+      EXPECT_TRUE(referee->send({kLoopback, listener->port()}, bytes));
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
+      return all() != before;
+    }));
   }
   std::uint64_t all() const {
     const ListenerCounts counts = listener->counts();

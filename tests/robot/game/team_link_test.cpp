@@ -6,6 +6,8 @@
 #include <chrono>
 #include <thread>
 
+#include "tests/support/eventually.h"
+
 namespace robot::game {
 namespace {
 
@@ -47,11 +49,11 @@ struct Link : ::testing::Test {
   /// Sends from a teammate until `done`, because UDP may lose packets.
   template <class Done>
   void say_until(const std::string& bytes, Done&& done) {
-    for (int i = 0; i < 100 && !done(); ++i) {
-      ASSERT_TRUE(mate->send({kEverybodyHere, mate->port()}, bytes));
+    EXPECT_TRUE(tests::eventually([&] {
+      EXPECT_TRUE(mate->send({kEverybodyHere, mate->port()}, bytes));
       std::this_thread::sleep_for(std::chrono::milliseconds(30));
-    }
-    EXPECT_TRUE(done());
+      return done();
+    }));
   }
 
   SessionClock clock;
@@ -156,7 +158,7 @@ TEST_F(Link, StopsWhenTheBudgetFallsTooFast) {
   open({.team_messages = true});
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   hear(pb::GameState::STATE_PLAYING, 1100);
-  for (int i = 0; i < 100 && link->stopped().empty(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  ASSERT_TRUE(tests::eventually([&] { return !link->stopped().empty(); }));
   EXPECT_NE(link->stopped().find("message budget fell by 100"), std::string::npos) << link->stopped();
 }
 

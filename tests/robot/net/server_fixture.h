@@ -20,6 +20,7 @@
 #include "robot/net/serve/server.h"
 #include "robot/net/websocket/web_socket_client.h"
 #include "tests/robot/net/net_support.h"
+#include "tests/support/eventually.h"
 
 namespace tests {
 
@@ -152,11 +153,11 @@ class ServerTest : public testing::Test {
   /// Waits until the statistics are as wanted. They are taken once a second.
   template <class Condition>
   void wait_statistics(Condition&& condition) {
-    const std::uint64_t deadline_ns = robot::monotonic_ns() + kPatience;
-    while (!condition(server->statistics())) {
-      ASSERT_LT(robot::monotonic_ns(), deadline_ns);
-      ::usleep(10'000);
-    }
+    ASSERT_TRUE(eventually([&] { return condition(server->statistics()); }, kLongestWait,
+                           [&] {
+                             const robot::net::ServerStatistics statistics = server->statistics();
+                             return std::to_string(statistics.clients.size()) + " clients";
+                           }));
   }
   static std::string get(std::string_view target, std::string_view headers = "") {
     return "GET " + std::string(target) + " HTTP/1.1\r\nHost: localhost\r\n" + std::string(headers) + "\r\n";

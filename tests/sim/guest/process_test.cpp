@@ -4,8 +4,8 @@
 
 #include <csignal>
 #include <filesystem>
-#include <thread>
 
+#include "tests/support/eventually.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sim::guest {
@@ -49,7 +49,7 @@ TEST(Process, UnaskedOutputIsNoAnswer) {
   auto process = Process::start("sh -c 'read x; echo one; echo two; >" + said + "; read x; echo three'");
   ASSERT_TRUE(process);
   const auto first = process->ask("hello\n", 5);
-  while (!std::filesystem::exists(said)) std::this_thread::yield();
+  ASSERT_TRUE(tests::eventually([&] { return std::filesystem::exists(said); }));
   // the second line came along with the first one, or is found before the next question
   const auto answer = first ? process->ask("hello\n", 5) : first;
   ASSERT_FALSE(answer);

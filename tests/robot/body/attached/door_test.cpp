@@ -14,13 +14,13 @@
 #include <functional>
 #include <random>
 #include <string>
-#include <thread>
 
 #include "robot/client/foresight.h"
 #include "robot/client/foresight_fields.h"
 #include "robot/client/foresight_what_if.h"
 #include "robot/memory/memory.h"
 #include "robot/memory/schema.h"
+#include "tests/support/eventually.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_channel.h"
 
@@ -29,10 +29,6 @@ namespace {
 
 using Writer = std::unique_ptr<ForesightWriter, decltype(&foresight_close)>;
 using Reader = std::unique_ptr<ForesightReader, decltype(&foresight_end)>;
-
-void until(const std::function<bool()>& condition) {
-  while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-}
 
 struct TheDoor : ::testing::Test {
   TheDoor() {
@@ -117,10 +113,10 @@ struct TheDoor : ::testing::Test {
     foresight::Ball message;
     message.set_x(++last_x);
     // again and again: at first the door may still be full of others
-    until([&] {
+    ASSERT_TRUE(tests::eventually([&] {
       write(ball, message.SerializeAsString());
       return memory->ball.read() && memory->ball.read()->value().x() == last_x;
-    });
+    }));
   }
 
   const tests::TemporaryFolder folder;
@@ -156,7 +152,7 @@ TEST_F(TheDoor, WhatAProcessWritesIsInMemoryWithItsCaptureTimeOfTheEpoch) {
   foresight_put_uint(&message, 7, 1);
   const std::uint64_t now_ns = foresight_now_ns();
   ASSERT_TRUE(foresight_write(ball.get(), now_ns, message.bytes, message.size));
-  until([&] { return memory->ball.read() != nullptr; });
+  ASSERT_TRUE(tests::eventually([&] { return memory->ball.read() != nullptr; }));
   EXPECT_EQ(memory->ball.read()->value().x(), 1.5f);
   EXPECT_TRUE(memory->ball.read()->value().visible());
   EXPECT_EQ(memory->ball.read()->capture_ns(), now_ns + 5 * kSecond);
@@ -168,7 +164,7 @@ TEST_F(TheDoor, WhatAProcessWritesIsInMemoryWithItsCaptureTimeOfTheEpoch) {
 TEST_F(TheDoor, ATypeUnknownToTheRuntimeIsWelcome) {
   const Writer vortex = announce("/debug/vortex", "team.Vortex", "", "json");
   ASSERT_TRUE(write(vortex, "{\"spin\": 3}"));
-  until([&] { return newest("/debug/vortex") != nullptr; });
+  ASSERT_TRUE(tests::eventually([&] { return newest("/debug/vortex") != nullptr; }));
   EXPECT_EQ(newest("/debug/vortex")->bytes(), "{\"spin\": 3}");
   const memory::ChannelInfo info = channels.find("/debug/vortex")->info();
   EXPECT_EQ(info.message_encoding, "json");
@@ -179,7 +175,7 @@ TEST_F(TheDoor, ATypeUnknownToTheRuntimeIsWelcome) {
 TEST_F(TheDoor, AMessageOfOursUnderAnotherNameGetsOurSchema) {
   const Writer other = announce("second_ball", "foresight.Ball");
   ASSERT_TRUE(write(other, ""));
-  until([&] { return newest("/14/2/second_ball") != nullptr; });
+  ASSERT_TRUE(tests::eventually([&] { return newest("/14/2/second_ball") != nullptr; }));
   EXPECT_EQ(channels.find("/14/2/second_ball")->info().schema, memory->ball.info().schema);
 }
 
@@ -193,10 +189,10 @@ TEST_F(TheDoor, ImagesComeThroughSharedMemoryWholeAndInOrder) {
   for (int i = 0; i < kImages; ++i) {
     pixels.assign(pixels.size(), static_cast<char>(i));
     // a place for it is free again when the runtime has taken one of those before
-    until([&] {
+    ASSERT_TRUE(tests::eventually([&] {
       return foresight_write_image(camera.get(), static_cast<std::uint64_t>(i + 1), FORESIGHT_YUYV, 640, 480,
                                    pixels.data(), pixels.size()) == 1;
-    });
+    }));
   }
   arrivals->wait_for(kImages);
   board.stop(kept);
@@ -216,9 +212,9 @@ TEST_F(TheDoor, WhatWasWrittenBeforeAProcessWentArrives) {
     Writer camera = announce("camera_top", "foresight.Image");
     ASSERT_TRUE(foresight_write_image(camera.get(), 1, FORESIGHT_YUYV, 640, 480, image.data(), image.size()));
     camera.reset();
-    until([&] {
+    ASSERT_TRUE(tests::eventually([&] {
       return memory->camera_top.read() && memory->camera_top.read()->sequence() == static_cast<std::uint64_t>(i);
-    });
+    }));
   }
 }
 
@@ -227,7 +223,7 @@ TEST_F(TheDoor, MessagesThatGrowFindALargerPlace) {
   for (const std::size_t size : {20'000u, 70'000u, 3'000'000u, 10u, 8u << 20}) {
     const std::string bytes(size, 'b');
     ASSERT_TRUE(write(blob, bytes)) << foresight_problem(blob.get());
-    until([&] { return newest("/14/2/blob") && newest("/14/2/blob")->size_bytes() == size; });
+    ASSERT_TRUE(tests::eventually([&] { return newest("/14/2/blob") && newest("/14/2/blob")->size_bytes() == size; }));
     EXPECT_EQ(newest("/14/2/blob")->bytes(), bytes);
   }
   EXPECT_FALSE(write(blob, std::string((8 << 20) + 1, 'b')));
@@ -284,7 +280,7 @@ TEST_F(TheDoor, WhoAsksIsAnsweredByTheForecastOfThatQuestionOrNotAtAll) {
   const char* const strategies[] = {"baseline", "passing"};
   ForesightAdvice advice;
   EXPECT_EQ(foresight_what_if(&adviser, strategies, 2, 30, 0, &advice), 0);
-  until([&] { return memory->what_if.read() != nullptr; });
+  ASSERT_TRUE(tests::eventually([&] { return memory->what_if.read() != nullptr; }));
   EXPECT_EQ(memory->what_if.read()->value().id(), adviser.asked);
 
   // by now somebody answers, and tells of another question before
@@ -295,7 +291,7 @@ TEST_F(TheDoor, WhoAsksIsAnsweredByTheForecastOfThatQuestionOrNotAtAll) {
   forecast.set_advice(foresight::Forecast::ADVICE_CHANGE);
   forecast.set_choice("passing");
   memory->forecast.write(forecast, 2);
-  until([&] { return foresight_answer(&adviser, &advice) == 1; });
+  ASSERT_TRUE(tests::eventually([&] { return foresight_answer(&adviser, &advice) == 1; }));
   EXPECT_TRUE(advice.known && advice.change);
   EXPECT_STREQ(advice.choice, "passing");
 }
@@ -325,7 +321,7 @@ TEST_F(TheDoor, ARenumberedFieldIsRefusedWithASentence) {
   ASSERT_TRUE(files.ParseFromString(memory->ball.info().schema.bytes));
   files.mutable_file(0)->mutable_message_type(0)->mutable_field(1)->set_number(99);
   const Writer ball = announce("ball", "foresight.Ball", files.SerializeAsString());
-  until([&] { return write(ball, "") == 0; });
+  ASSERT_TRUE(tests::eventually([&] { return write(ball, "") == 0; }));
   EXPECT_STREQ(foresight_problem(ball.get()),
                "the runtime refuses: /14/2/ball: field x of foresight.Ball: expected number 2, got number 99");
   EXPECT_EQ(memory->ball.read(), nullptr);
@@ -334,7 +330,7 @@ TEST_F(TheDoor, ARenumberedFieldIsRefusedWithASentence) {
 TEST_F(TheDoor, SaysWhatDoesNotFit) {
   const auto sentence = [&](const char* topic, const char* type, const std::string& schema, const char* encoding) {
     const Writer writer = announce(topic, type, schema, encoding);
-    until([&] { return write(writer, "") == 0; });
+    EXPECT_TRUE(tests::eventually([&] { return write(writer, "") == 0; }));
     return std::string(foresight_problem(writer.get())).substr(sizeof "the runtime refuses:");
   };
   EXPECT_EQ(sentence("ball", "foresight.Pose", "", "protobuf"),
@@ -351,7 +347,7 @@ TEST_F(TheDoor, SaysWhatDoesNotFit) {
       "without it");
   const Writer first = announce("thoughts", "team.Thoughts", "{}", "json");
   ASSERT_TRUE(write(first, "{}"));
-  until([&] { return newest("/14/2/thoughts") != nullptr; });
+  ASSERT_TRUE(tests::eventually([&] { return newest("/14/2/thoughts") != nullptr; }));
   EXPECT_EQ(
       sentence("thoughts", "team.Thoughts", "{\"type\": 1}", "json"),
       "/14/2/thoughts: expected the schema of 'team.Thoughts' that was announced first, got another one; a changed "
@@ -362,7 +358,7 @@ TEST_F(TheDoor, SaysWhatDoesNotFit) {
 TEST_F(TheDoor, ATimeOfAnotherClockIsRefused) {
   const Writer ball = announce("ball", "foresight.Ball");
   const std::uint64_t wrong_ns = system_ns();
-  until([&] { return write(ball, "", wrong_ns) == 0; });
+  ASSERT_TRUE(tests::eventually([&] { return write(ball, "", wrong_ns) == 0; }));
   EXPECT_EQ(std::string(foresight_problem(ball.get()))
                 .find("the runtime refuses: /14/2/ball: expected capture times of the "
                       "monotonic clock, now "),
@@ -374,7 +370,7 @@ TEST_F(TheDoor, ASecondWriterWaitsUntilTheFirstHasGone) {
   const auto arrivals = std::make_shared<tests::Arrivals>();
   Writer first = announce("steps", "team.Step", "", "json");
   ASSERT_TRUE(write(first, "first"));
-  until([&] { return newest("/14/2/steps") != nullptr; });
+  ASSERT_TRUE(tests::eventually([&] { return newest("/14/2/steps") != nullptr; }));
   const auto kept =
       board.start_logger(channels.find("/14/2/steps"), std::make_unique<tests::KeepingProvider>(arrivals));
   const Writer second = announce("steps", "team.Step", "", "json");
@@ -392,7 +388,7 @@ TEST_F(TheDoor, WhatWasLostOnTheWayIsCounted) {
   const std::string message =
       ball_channel() + frame(2, integer(1, 8) + integer(1, 16)) + frame(2, integer(5, 8) + integer(1, 16));
   const FileDescriptor process = stranger(message);
-  until([&] { return !board.statuses().empty() && board.statuses().front().messages == 2; });
+  ASSERT_TRUE(tests::eventually([&] { return !board.statuses().empty() && board.statuses().front().messages == 2; }));
   EXPECT_EQ(board.statuses().front().dropped, 3u);
   EXPECT_EQ(board.statuses().front().topic, "/14/2/ball");
 }
@@ -434,14 +430,14 @@ TEST_F(TheDoor, AWriterGoesOnWhenTheRuntimeIsThereAgain) {
   ASSERT_TRUE(write(ball, ""));
   read(reader, message);
   door.reset();
-  until([&] { return write(ball, "") == 0; });
+  ASSERT_TRUE(tests::eventually([&] { return write(ball, "") == 0; }));
   EXPECT_GE(foresight_lost(ball.get()), 1u);
   EXPECT_EQ(foresight_problem(ball.get()), "cannot connect to " + path.string() + ": No such file or directory");
   open();
   foresight::Ball there;
   there.set_x(42);
-  until([&] { return write(ball, there.SerializeAsString()) == 1; });
-  until([&] { return memory->ball.read()->value().x() == 42; });
+  ASSERT_TRUE(tests::eventually([&] { return write(ball, there.SerializeAsString()) == 1; }));
+  ASSERT_TRUE(tests::eventually([&] { return memory->ball.read()->value().x() == 42; }));
   while (read(reader, message) != there.SerializeAsString()) {
   }
 }
@@ -477,7 +473,7 @@ TEST_F(TheDoor, AWriterNeverWaitsForARuntimeThatDoesNotRead) {
 TEST_F(TheDoor, SurvivesEveryTruncation) {
   const std::string whole = ball_channel() + frame(2, integer(1, 8) + integer(1, 16));
   for (std::size_t size = 0; size <= whole.size(); ++size) stranger(std::string_view(whole).substr(0, size));
-  until([&] { return memory->ball.read() != nullptr; });  // the last one was whole
+  ASSERT_TRUE(tests::eventually([&] { return memory->ball.read() != nullptr; }));  // the last one was whole
   EXPECT_EQ(memory->ball.read()->sequence(), 1u);
   expect_all_well();
 }

@@ -14,11 +14,11 @@
 #include "sim/match/situation.h"
 #include "sim/match/step.h"
 #include "tests/robot/body/sim/support.h"
+#include "tests/support/eventually.h"
 
 namespace robot::body {
 namespace {
 
-using tests::becomes;
 using tests::kShortRules;
 using tests::Recording;
 using tests::setup;
@@ -66,7 +66,7 @@ TEST(SimBody, PlaysTheGameOfItsSeedTickByTick) {
 TEST(SimBody, SpeedChangesNothingOfTheGame) {
   const auto player = body({.seed = 7, .speed = 100});
   player->start();
-  ASSERT_TRUE(becomes([&] { return player->state().tick() >= 900; }));
+  ASSERT_TRUE(tests::eventually([&] { return player->state().tick() >= 900; }));
   player->pause();
   const int ticks = static_cast<int>(player->state().tick());
   EXPECT_EQ(player->memory()->truth.read()->bytes(), played_by_the_simulator(7, ticks).back());
@@ -96,7 +96,7 @@ TEST(SimBody, StepPausesAndResumeGoesOn) {
   const std::uint32_t tick = player->state().tick();
   ASSERT_TRUE(player->resume());
   EXPECT_FALSE(player->state().paused());
-  EXPECT_TRUE(becomes([&] { return player->state().tick() > tick + 2; }));
+  EXPECT_TRUE(tests::eventually([&] { return player->state().tick() > tick + 2; }));
 }
 
 TEST(SimBody, ResetBeginsTheGameOfASeedAgain) {
@@ -219,7 +219,7 @@ TEST(SimBody, CaptureTimesNeverGoBack) {
   for (const auto& channel : channels.all()) recordings.push_back(std::make_unique<Recording>(*channel));
   player->start();
   for (const double speed : {100.0, 0.1, 30.0, 1.0}) {
-    ASSERT_TRUE(becomes([&] { return player->memory()->truth.read()->sequence() % 7 == 0; }));
+    ASSERT_TRUE(tests::eventually([&] { return player->memory()->truth.read()->sequence() % 7 == 0; }));
     ASSERT_TRUE(player->set_speed(speed));
     ASSERT_TRUE(player->step(3));
     ASSERT_TRUE(player->reset(11));
@@ -241,7 +241,7 @@ TEST(SimBody, CaptureTimesNeverGoBack) {
 TEST(SimBody, StandsAtTheEndUntilAReset) {
   const auto player = body({.seed = 1, .speed = 100}, setup(kShortRules));
   player->start();
-  ASSERT_TRUE(becomes([&] { return player->state().finished(); }));
+  ASSERT_TRUE(tests::eventually([&] { return player->state().finished(); }));
   const std::uint32_t tick = player->state().tick();
   const std::string over = "simulation: the game is over; a reset begins another one";
   EXPECT_EQ(player->step(1).error(), over);
@@ -249,7 +249,7 @@ TEST(SimBody, StandsAtTheEndUntilAReset) {
   EXPECT_EQ(player->state().tick(), tick);
   ASSERT_TRUE(player->reset(2));
   EXPECT_FALSE(player->state().finished());
-  EXPECT_TRUE(becomes([&] { return player->state().finished(); }));
+  EXPECT_TRUE(tests::eventually([&] { return player->state().finished(); }));
 }
 
 TEST(SimBody, StepEndsWithTheGame) {
@@ -262,7 +262,7 @@ TEST(SimBody, StepEndsWithTheGame) {
 TEST(SimBody, ALoopPlaysTheNextSeed) {
   const auto player = body({.seed = 5, .speed = 100, .loop = true, .rest_ns = kMillisecond}, setup(kShortRules));
   player->start();
-  EXPECT_TRUE(becomes([&] { return player->state().seed() == 7; }));
+  EXPECT_TRUE(tests::eventually([&] { return player->state().seed() == 7; }));
 }
 
 /// An hour's rest between two games is not waited for.
@@ -270,7 +270,7 @@ TEST(SimBody, StopDoesNotWait) {
   for (const bool paused : {false, true}) {
     const auto player = body({.speed = 100, .loop = true, .rest_ns = 3600 * kSecond}, setup(kShortRules));
     player->start();
-    ASSERT_TRUE(becomes([&] { return player->state().finished(); }));
+    ASSERT_TRUE(tests::eventually([&] { return player->state().finished(); }));
     if (paused) player->pause();
     player->stop();
     const std::uint64_t written = player->memory()->truth.read()->sequence();

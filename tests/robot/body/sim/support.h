@@ -9,7 +9,6 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -53,15 +52,5 @@ class Recording final : public robot::memory::Listener {
   mutable std::mutex lock_;
   std::vector<Message> messages_;
 };
-
-/// Waits for what will become true; only a failure waits long.
-inline bool becomes(const std::function<bool()>& condition) {
-  const std::uint64_t end_ns = robot::monotonic_ns() + 60 * robot::kSecond;
-  while (!condition()) {
-    if (robot::monotonic_ns() > end_ns) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return true;
-}
 
 }  // namespace tests

@@ -16,23 +16,15 @@
 #include "robot/net/serve/board_streams.h"
 #include "robot/net/serve/server.h"
 #include "tests/robot/net/net_support.h"
+#include "tests/support/eventually.h"
 
 namespace robot::lab {
 namespace {
 
 using memory::Delivery;
 
-/// A bound for failures only.
+/// Longest wait for a name; only a failure takes this long.
 constexpr std::uint64_t kPatience = 60 * kSecond;
-
-template <class Condition>
-void wait_until(Condition&& condition, const char* what) {
-  const std::uint64_t deadline_ns = monotonic_ns() + kPatience;
-  while (!condition()) {
-    ASSERT_LT(monotonic_ns(), deadline_ns) << what;
-    ::usleep(5'000);
-  }
-}
 
 /// A clock that may be set right.
 class SettableClock final : public Clock {
@@ -132,13 +124,14 @@ struct Relaying : testing::Test {
                                          offsets.push_back(offset);
                                        });
   }
+  /// Waits until `topic` has a message of these bytes.
   void wait_for(const std::string& topic, std::string_view bytes) {
-    wait_until(
-        [&] {
-          const auto channel = channels.find(topic);
-          return channel && channel->newest() && channel->newest()->bytes() == bytes;
-        },
-        topic.c_str());
+    const auto newest = [&]() -> std::string {
+      const auto channel = channels.find(topic);
+      const auto version = channel ? channel->newest() : nullptr;
+      return version ? std::string(version->bytes()) : "no message";
+    };
+    ASSERT_TRUE(tests::eventually_equal(newest, bytes)) << topic;
   }
 };
 
@@ -192,7 +185,8 @@ TEST_F(Relaying, ARobotThatGoesComesBackAndWhatWasMissedIsCounted) {
   EXPECT_TRUE(channel->write_bytes("before", 1));
   wait_for("/14/2/x", "before");
   robot.reset();
-  wait_until([&] { return relayed->status().state == LinkStatus::State::connecting; }, "the end of the connection");
+  ASSERT_TRUE(tests::eventually([&] { return relayed->status().state == LinkStatus::State::connecting; }))
+      << "the end of the connection";
   EXPECT_FALSE(relayed->status().problem.empty());
 
   robot = std::make_unique<Robot>("14/2", 0, port);
@@ -200,7 +194,7 @@ TEST_F(Relaying, ARobotThatGoesComesBackAndWhatWasMissedIsCounted) {
   for (const char* text : {"missed", "missed, too", "after"}) EXPECT_TRUE(channel->write_bytes(text, 2));
   robot->start();
   wait_for("/14/2/x", "after");
-  wait_until([&] { return relayed->status().lost == 2; }, "what was missed");
+  ASSERT_TRUE(tests::eventually([&] { return relayed->status().lost == 2; })) << "what was missed";
   EXPECT_EQ(relayed->status().connections, 2u);
   EXPECT_EQ(channels.find("/14/2/x")->newest()->sequence(), 4u);
 }
@@ -210,7 +204,8 @@ TEST_F(Relaying, AClockThatIsOffIsSetRightAndBothSidesAreTold) {
   const auto ball = robot.add({.topic = "/14/2/ball", .schema = memory::schema_of(*foresight::Ball::descriptor())});
   robot.start();
   const auto relayed = link(robot);
-  wait_until([&] { return relayed->status().state == LinkStatus::State::connected; }, "the connection");
+  ASSERT_TRUE(tests::eventually([&] { return relayed->status().state == LinkStatus::State::connected; }))
+      << "the connection";
   const LinkStatus status = relayed->status();
   ASSERT_TRUE(status.clock);
   EXPECT_LE(std::abs(status.clock->offset_ns - 2'000'000'000),
@@ -240,9 +235,9 @@ TEST_F(Relaying, AClockThatIsTooFarOffIsRefusedWithTheOffset) {
   robot.start();
   EXPECT_TRUE(channel->write_bytes("{}", 1));
   const auto relayed = link(robot, {.most_offset_ns = kSecond});
-  wait_until(
-      [&] { return relayed->status().state == LinkStatus::State::refused && !relayed->status().problem.empty(); },
-      "the refusal");
+  ASSERT_TRUE(tests::eventually([&] {
+    return relayed->status().state == LinkStatus::State::refused && !relayed->status().problem.empty();
+  })) << "the refusal";
   EXPECT_EQ(relayed->status().problem.find("its clock is 5.000 s ahead (± "), 0u) << relayed->status().problem;
   EXPECT_EQ(channels.find("/14/2/x"), nullptr);
 }
@@ -261,7 +256,8 @@ TEST_F(Relaying, ARunThatWasRefusedAtFirstIsStillANewRun) {
   robot = std::make_unique<Robot>("14/2", 5'000'000'000, port);
   channel = robot->add(info);
   robot->start();
-  wait_until([&] { return relayed->status().state == LinkStatus::State::refused; }, "the refusal");
+  ASSERT_TRUE(tests::eventually([&] { return relayed->status().state == LinkStatus::State::refused; }))
+      << "the refusal";
   robot->clock.set_right();
   EXPECT_TRUE(channel->write_bytes("of the new run", 2));
   wait_for("/14/2/x", "of the new run");
@@ -282,8 +278,9 @@ TEST_F(Relaying, PicturesComeAsJpegUnderTheirOwnTopicOrRawOrNotAtAll) {
 
   {
     const auto relayed = link(robot);
-    wait_until([&] { return channels.find("/14/2/camera_top") && channels.find("/14/2/camera_top")->newest(); },
-               "a picture");
+    ASSERT_TRUE(tests::eventually([&] {
+      return channels.find("/14/2/camera_top") && channels.find("/14/2/camera_top")->newest();
+    })) << "a picture";
     EXPECT_EQ(channels.find("/14/2/camera_top")->info(), info);
     EXPECT_EQ(channels.all().size(), 1u) << "what is derived is derived here again";
     const auto newest = channels.find("/14/2/camera_top")->newest();
@@ -302,8 +299,9 @@ TEST_F(Relaying, PicturesComeAsJpegUnderTheirOwnTopicOrRawOrNotAtAll) {
     TopicClaims anew;
     const RobotLink raw(1, {.robot = robot.address(), .pictures = Pictures::raw}, others, anew, clock,
                         [](auto&&...) {});
-    wait_until([&] { return others.find("/14/2/camera_top") && others.find("/14/2/camera_top")->newest(); },
-               "a picture");
+    ASSERT_TRUE(tests::eventually([&] {
+      return others.find("/14/2/camera_top") && others.find("/14/2/camera_top")->newest();
+    })) << "a picture";
     EXPECT_EQ(others.find("/14/2/camera_top")->newest()->bytes(), image.SerializeAsString());
   }
   {
@@ -312,7 +310,7 @@ TEST_F(Relaying, PicturesComeAsJpegUnderTheirOwnTopicOrRawOrNotAtAll) {
     const auto last = robot.add({.topic = "/14/2/last", .message_encoding = "json", .schema = {}});
     const RobotLink none(1, {.robot = robot.address(), .pictures = Pictures::none}, others, anew, clock,
                          [](auto&&...) {});
-    wait_until([&] { return others.find("/14/2/last") != nullptr; }, "the other channel");
+    ASSERT_TRUE(tests::eventually([&] { return others.find("/14/2/last") != nullptr; })) << "the other channel";
     EXPECT_EQ(others.find("/14/2/camera_top"), nullptr);
   }
 }

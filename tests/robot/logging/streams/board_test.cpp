@@ -5,6 +5,7 @@
 
 #include <future>
 
+#include "tests/support/eventually.h"
 #include "tests/support/test_channel.h"
 
 namespace robot::logging {
@@ -73,7 +74,7 @@ TEST_F(Board, AFailingDeviceIsVisibleAndTriedAgain) {
   arrivals->refuse = true;
   const auto stream = log();
   write("lost");
-  while (!board.status(stream).failing) std::this_thread::yield();
+  ASSERT_TRUE(tests::eventually([&] { return board.status(stream).failing; }));
   EXPECT_EQ(board.status(stream).problem, "test device: expected to work, was told to fail");
   arrivals->set(&Arrivals::refuse, false);
   write("kept");
@@ -129,7 +130,7 @@ TEST_F(Board, ParserWithoutADestinationEndsWithTheReason) {
                             return Error{"no channel for it"};
                           },
                           .pace = nullptr});
-  while (!board.status(stream).ended) std::this_thread::yield();
+  ASSERT_TRUE(tests::eventually([&] { return board.status(stream).ended; }));
   EXPECT_EQ(board.stop(stream).problem, "no channel for it");
 }
 

@@ -8,6 +8,7 @@
 
 #include "robot/core/local_address.h"
 #include "robot/logging/streams/board.h"
+#include "tests/support/eventually.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_channel.h"
 
@@ -30,11 +31,12 @@ struct LocalSocket : ::testing::Test {
   /// Connects as soon as somebody listens: a socket has its path a moment before it listens.
   FileDescriptor connect_as_stranger() {
     const auto address = LocalAddress::of(path, "test");
-    while (true) {
-      FileDescriptor stranger(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
-      if (address->connect(stranger.get())) return stranger;
-      std::this_thread::yield();
-    }
+    FileDescriptor stranger;
+    EXPECT_TRUE(tests::eventually([&] {
+      stranger = FileDescriptor(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+      return static_cast<bool>(address->connect(stranger.get()));
+    }));
+    return stranger;
   }
   void wait_for_the_listener() { connect_as_stranger(); }
 
@@ -81,7 +83,7 @@ TEST_F(LocalSocket, AWriterThatComesAgainIsReadOn) {
 TEST_F(LocalSocket, WithoutAListenerTheWriterSaysSoAndGoesOn) {
   ASSERT_TRUE(near->write_bytes("lost", 1));
   const auto logger = connect();
-  while (!board.status(logger).failing) std::this_thread::yield();
+  ASSERT_TRUE(tests::eventually([&] { return board.status(logger).failing; }));
   const StreamStatus status = board.stop(logger);
   EXPECT_EQ(status.problem, "cannot connect to " + path.string() + ": No such file or directory");
 }
@@ -105,7 +107,7 @@ TEST_F(LocalSocket, NonsenseEndsTheStreamWithASentence) {
   const auto parser = listen();
   const FileDescriptor stranger = connect_as_stranger();
   ASSERT_EQ(::write(stranger.get(), "GET / HTTP/1.1\r\n", 16), 16);
-  while (!board.status(parser).ended) std::this_thread::yield();
+  ASSERT_TRUE(tests::eventually([&] { return board.status(parser).ended; }));
   EXPECT_NE(board.stop(parser).problem.find("stream: expected a frame"), std::string::npos);
 }
 

@@ -7,12 +7,12 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 #include "robot/core/files.h"
 #include "robot/core/report.h"
 #include "robot/memory/memory.h"
 #include "robot/nao/camera/camera_thread.h"
+#include "tests/support/eventually.h"
 #include "tests/support/fake_video.h"
 #include "tests/support/real_data.h"
 
@@ -141,20 +141,21 @@ struct NaoCameraThread : NaoCamera {
         [this](std::uint64_t) { ++images; },
         /*try_again_ns=*/kMillisecond);
   }
-  static void until(const std::function<bool()>& condition) {
-    while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
   bool has_said(const std::string& sentence) {
     const std::lock_guard guard(lock);
     return std::find(said.begin(), said.end(), sentence) != said.end();
   }
+  std::vector<std::string> all_said() {
+    const std::lock_guard guard(lock);
+    return said;
+  }
   /// Delivers until an image of `seed` is in memory.
   void deliver_until_seen(int seed) {
-    until([&] {
+    ASSERT_TRUE(tests::eventually([&] {
       camera.deliver(picture(8, 4, seed), monotonic_ns());
       const auto image = memory.camera_top.read();
       return image && image->value().data() == picture(8, 4, seed);
-    });
+    }));
   }
 
   SessionClock clock;
@@ -176,12 +177,12 @@ TEST_F(NaoCameraThread, WritesImagesWithTheDriversTime) {
   EXPECT_GE(images, 1);
   // the driver's own time, not that of the thread
   const std::uint64_t long_ago_ns = monotonic_ns() - 5 * kSecond;
-  until([&] {
+  ASSERT_TRUE(tests::eventually([&] {
     camera.deliver(picture(8, 4, 2), long_ago_ns);
     // the driver tells whole microseconds
     const std::uint64_t early_ns = long_ago_ns + clock.epoch_offset_ns() - memory.camera_top.read()->capture_ns();
     return early_ns < 1000;
-  });
+  }));
 }
 
 TEST_F(NaoCameraThread, IsUnpluggedAndComesBack) {
@@ -189,10 +190,12 @@ TEST_F(NaoCameraThread, IsUnpluggedAndComesBack) {
   deliver_until_seen(1);
   for (int round = 0; round < 3; ++round) {
     camera.plug(false);
-    until([&] { return has_said("camera /dev/video-test is gone: No such device"); });
+    ASSERT_TRUE(tests::eventually([&] { return has_said("camera /dev/video-test is gone: No such device"); },
+                                  tests::kLongestWait, [&] { return all_said(); }));
     camera.plug(true);
     deliver_until_seen(10 + round);
-    until([&] { return has_said("camera /dev/video-test is back"); });
+    ASSERT_TRUE(tests::eventually([&] { return has_said("camera /dev/video-test is back"); }, tests::kLongestWait,
+                                  [&] { return all_said(); }));
     const std::lock_guard guard(lock);
     said.clear();
   }
@@ -202,7 +205,9 @@ TEST_F(NaoCameraThread, IsUnpluggedAndComesBack) {
 TEST_F(NaoCameraThread, BeginsWhenThereIsACamera) {
   camera.plug(false);
   start();
-  until([&] { return has_said("camera /dev/video-test: expected a video device, got No such file or directory"); });
+  ASSERT_TRUE(tests::eventually(
+      [&] { return has_said("camera /dev/video-test: expected a video device, got No such file or directory"); },
+      tests::kLongestWait, [&] { return all_said(); }));
   camera.plug(true);
   deliver_until_seen(1);
 }

@@ -1,0 +1,48 @@
+// Tests of the progress that scripts/demo, scripts/build, scripts/test and scripts/check show.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const scripts = fileURLToPath(new URL("../../scripts", import.meta.url));
+const read = (name) => readFileSync(join(scripts, name), "utf8");
+const stepsIn = (text) => text.match(/\bstep (prepare|check|tests) '/g).length;
+
+/** Lines that a piece of bash prints once scripts/lib-test.sh is read. */
+function linesOf(code, environment = {}) {
+  const { stdout, stderr } = spawnSync("bash", ["-c", `. ${join(scripts, "lib-test.sh")}; ${code}`], {
+    encoding: "utf8",
+    env: { ...process.env, ...environment },
+  });
+  assert.equal(stderr, "");
+  return stdout.trimEnd().split("\n");
+}
+
+test("scripts/test and scripts/check announce as many steps as they have", () => {
+  assert.equal(Number(/^test_step_count=(\d+)$/m.exec(read("lib-test.sh"))[1]), stepsIn(read("lib-test.sh")));
+  assert.equal(Number(/^own_step_count=(\d+)$/m.exec(read("check"))[1]), stepsIn(read("check")));
+});
+
+for (const name of ["demo", "test", "check"])
+  test(`scripts/${name} says how long it takes before it does anything`, () => {
+    assert.match(linesOf(`say_duration ${name}`)[0], /^scripts\/\w+: a first run takes \d+( to \d+)? min on two quiet cores \(\d+( to \d+)? min of/);
+    assert.ok(read(name).indexOf(`say_duration ${name}`) < read(name).search(/scripts\/setup"? (demo|test|check) /));
+  });
+
+test("a step says its number, and how many there are", () => {
+  const lines = linesOf("results=$(mktemp -d); begin_steps 2; step check one true; step check two false || true; rm -r $results");
+  assert.deepEqual(lines, ["== 1 of 2: one (after 0 min)", "   passed after 0 s", "== 2 of 2: two (after 0 min)", "   failed after 0 s"]);
+});
+
+test("progress is one line a minute, and every other line is shown", () => {
+  const ninja = "printf '[1/9] a.o\\n[2/9] b.o\\nb.cpp:1: warning\\n 3/9 Test  #3: T.b ....   Passed    0.01 sec\\n'";
+  assert.deepEqual(linesOf(`${ninja} | once_a_minute 'build dev'`), ["b.cpp:1: warning"]);
+  assert.deepEqual(linesOf(`${ninja} | once_a_minute 'build dev'`, { FORESIGHT_PROGRESS_SECONDS: "0" }), [
+    "   build dev: 1 of 9",
+    "   build dev: 2 of 9",
+    "b.cpp:1: warning",
+    "   build dev: 3 of 9",
+  ]);
+});
