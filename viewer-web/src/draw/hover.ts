@@ -1,7 +1,7 @@
 // What is under the pointer on the field, in words.
 
 import type { Point } from "./field";
-import { duration } from "./format";
+import { duration } from "../present/format";
 import type { Robot, Scene } from "./scene";
 
 export interface Facts {
