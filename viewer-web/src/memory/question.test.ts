@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Situation } from "./forecast";
-import { believed, edited, isEdited, kNoEdit, kUsualQuestion, moved, movedIn, namesIn, putBack, questionOfText, requestOf, sameEdit, textOfQuestion, turned, type Question } from "./question";
+import { believed, edited, isEdited, kNoEdit, kUsualQuestion, moved, movedIn, putBack, questionOfText, requestOf, sameEdit, strategiesOf, textOfQuestion, turned, type Question } from "./question";
 
 const kSituation: Situation = {
   ball: { x: 1, y: 0.5, deviation: 0.2 },
@@ -78,7 +78,7 @@ test("an address that makes no sense asks the usual", () => {
   expect(questionOfText(`play:${Array.from({ length: 50 }, (_, i) => `s${i}`).join(",")}`).strategies).toHaveLength(8);
 });
 
-test("a refusal that names the strategies is heard", () => {
-  expect(namesIn('no strategy "x"; there are: baseline, passing')).toEqual(["baseline", "passing"]);
-  expect(namesIn("the ball at 90, 0 is not on the field")).toEqual([]);
+test("the offered strategies are the texts of the answer's list, each once", () => {
+  expect(strategiesOf({ ok: true, strategies: ["baseline", "a, b", "baseline", "", 7] })).toEqual(["baseline", "a, b"]);
+  for (const strategies of [undefined, "baseline", { 0: "baseline" }, null]) expect(strategiesOf({ ok: true, strategies })).toEqual([]);
 });

@@ -121,8 +121,11 @@ function requestOfEdit({ ball, robots, ownScore, opponentScore, secondsRemaining
   };
 }
 
-/** The strategies that a refusal names: "no strategy "x"; there are: baseline, passing". */
-export const namesIn = (sentence: string): string[] => /there are: (.+)$/.exec(sentence)?.[1]?.split(", ") ?? [];
+/** The names in an answer of /foresight/strategies: {"ok": true, "strategies": ["baseline", "passing"]}. */
+export function strategiesOf(answer: Record<string, unknown>): string[] {
+  const { strategies } = answer;
+  return Array.isArray(strategies) ? [...new Set(strategies.filter((name) => typeof name === "string" && name !== ""))] : [];
+}
 
 // in the address: "play:baseline,passing/until:half/for:60/ball:1.2,-0.5/own2:1,0,0.3/score:1,0/left:300"
 

@@ -2,13 +2,14 @@
 
 import { believedBy } from "../draw/believed";
 import { forecastOf, fieldsOfJson, type Forecast, type Situation } from "../memory/forecast";
-import { believed, kMostStrategies, kNoEdit, moved, namesIn, putBack, questionOfText, requestOf, textOfQuestion } from "../memory/question";
+import { believed, kMostStrategies, kNoEdit, moved, putBack, questionOfText, requestOf, strategiesOf, textOfQuestion } from "../memory/question";
 import type { Edit, Question, Standing, Thing } from "../memory/question";
 import { now } from "./frame.svelte";
 import type { Server } from "./server.svelte";
 import type { Viewer } from "./viewer.svelte";
 
 export const kService = "/foresight/what_if";
+export const kStrategiesService = "/foresight/strategies";
 
 const kPatienceMs = 15_000; // beyond the budget: another question may be before ours
 const kSettleMs = 3000; // until a recording stands where the page does
@@ -31,8 +32,10 @@ export class WhatIf {
   problem = $state("");
   /** [s] when it was asked, and how long it takes at least; undefined while nothing is on its way. */
   asking = $state.raw<{ since: number; lasts: number }>();
-  /** Strategies that the robot was heard to have. */
-  names = $state.raw<string[]>([]);
+  /** The strategies that the robot offers, in its order; empty until its answer has come. */
+  offeredNames = $state.raw<string[]>([]);
+  /** The strategies to choose from: first those that the robot offers, then others of the question, such as a link's. */
+  names: string[] = $derived([...new Set([...this.offeredNames, ...this.question.strategies])]);
   #noted: string | undefined;
   #note: ReturnType<typeof setTimeout> | undefined;
 
@@ -51,7 +54,6 @@ export class WhatIf {
     if (text === this.#noted) return;
     this.#noted = text;
     this.question = questionOfText(text);
-    this.hear(this.question.strategies);
   }
 
   change(to: Partial<Question>): void {
@@ -73,43 +75,44 @@ export class WhatIf {
     this.change({ edit: kNoEdit });
   }
 
-  /** New names come last: a list does not jump under the pointer. */
-  hear(names: string[]): void {
-    const fresh = names.filter((name) => name && !this.names.includes(name));
-    if (fresh.length > 0) this.names = [...this.names, ...new Set(fresh)];
+  /** Asks the robot for the names of its strategies. A robot without that service chooses the strategies by itself. */
+  async learnNames(): Promise<void> {
+    if (!this.server.serviceNames.includes(kStrategiesService)) return;
+    try {
+      this.offeredNames = strategiesOf(await this.server.client.call(kStrategiesService, {}));
+    } catch (error) {
+      this.problem = (error as Error).message;
+    }
   }
 
-  /** Asks, unless a question is on its way. `playing`: what is taken to be played now where nobody chose. */
+  /** The strategies to compare: those of the question, or all offered ones with `playing` first. */
+  compared(playing: string): string[] {
+    const { strategies } = this.question;
+    if (strategies.length > 0) return strategies;
+    return [...new Set([playing, ...this.offeredNames])].filter(Boolean).slice(0, kMostStrategies);
+  }
+
+  /** Asks, unless a question is on its way. `playing`: the strategy to compare with when the question names none. */
   async ask(playing: string): Promise<void> {
     if (this.asking) return;
     const { question } = this;
-    const all = [playing, ...this.names.filter((name) => name !== playing)].filter(Boolean).slice(0, kMostStrategies);
     this.problem = "";
     this.asking = { since: now(), lasts: question.budgetMs / 1000 };
     try {
       await this.#settled();
       const before = this.answered?.believed ?? this.believes();
       const at_ns = this.viewer.time.at_ns + this.viewer.time.shiftOf(this.server);
-      const strategies = question.strategies.length > 0 ? question.strategies : all;
-      const answer = await this.server.client.call(kService, requestOf({ ...question, strategies }, this.robot), question.budgetMs + kPatienceMs);
+      const request = requestOf({ ...question, strategies: this.compared(playing) }, this.robot);
+      const answer = await this.server.client.call(kService, request, question.budgetMs + kPatienceMs);
       this.#answered(forecastOf(fieldsOfJson(answer["forecast"])), question.edit, at_ns, before);
     } catch (error) {
       this.problem = (error as Error).message.replace(`${kService}: `, "");
-      this.#named(namesIn(this.problem));
     } finally {
       this.asking = undefined;
     }
   }
 
-  /** The robot said which strategies there are: there are no others. */
-  #named(names: string[]): void {
-    if (names.length === 0) return;
-    this.names = [...new Set(names)];
-    this.change({ strategies: this.question.strategies.filter((name) => names.includes(name)) });
-  }
-
   #answered(forecast: Forecast, edit: Edit, at_ns: bigint, before: Situation): void {
-    this.hear(forecast.strategies.map(({ name }) => name));
     this.answered = { forecast, edit, at_ns, believed: believed(forecast.situation, edit, before) };
   }
 
