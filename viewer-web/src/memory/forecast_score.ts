@@ -54,7 +54,7 @@ export function forecastScoresOf(fields: Fields): NamedScore[] {
   return [{ name: "all", score: all }, ...(each.length > 1 ? each : [])];
 }
 
-/** All of them together; undefined where none was scored. */
+/** Merges all entries into one score. Undefined if no forecast was scored. */
 function merge(entries: Fields[]): ForecastScore | undefined {
   const forecasts = entries.reduce((sum, entry) => sum + finite(entry, "forecasts"), 0);
   if (forecasts === 0) return undefined;
@@ -75,7 +75,7 @@ function merge(entries: Fields[]): ForecastScore | undefined {
   return { forecasts, score: merged("score"), concede: merged("concede") };
 }
 
-/** "passing", and since which choice; undefined where foresight does not say. */
+/** The strategy in use, such as "passing", and the choice behind it. Undefined if foresight does not report it. */
 export function strategyOf(fields: Fields): { name: string; chosen: boolean; captain: number } | undefined {
   const name = textOf(fields, "name");
   return name === "" ? undefined : { name, chosen: fields.get("chosen") === true, captain: finite(fields, "captain") };
