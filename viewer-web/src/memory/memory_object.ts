@@ -8,7 +8,7 @@ import { Rate } from "./rate";
 /** `""` for objects without a robot, such as /truth/world and the lab server's own. */
 export type RobotName = string;
 
-/** Returns the robot in the channel's metadata, else team and player from the topic: "14/2" from "/14/2/ball". */
+/** Returns the robot in the channel's metadata, else team and player from the topic: "14/2" in "/14/2/ball". */
 export function robotOf(channel: Pick<Channel, "topic" | "metadata">): RobotName {
   const name = channel.metadata["robot"] || /^\/(\d+\/\d+)\//.exec(channel.topic)?.[1] || "";
   return name.includes("/") ? name : "";
