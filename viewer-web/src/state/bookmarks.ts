@@ -1,4 +1,4 @@
-// Moments that somebody gave a name, as they stand in the page's address: "1700000000000000000~first kick;…".
+// Named moments, as the page's address holds them: "1700000000000000000~first kick;…".
 
 export interface Bookmark {
   /** [ns since the epoch] capture time of the reference. */
@@ -9,7 +9,7 @@ export interface Bookmark {
 const kMost = 50;
 const kLongest = 60; // [letters]
 
-/** Reads any text; what makes no sense is left out. In order of time. */
+/** Parses any text, in order of time. Invalid parts are left out. */
 export function bookmarksOf(text: string): Bookmark[] {
   const bookmarks = text.split(";").flatMap((part) => {
     const [, at, name] = /^(\d{1,19})~(.*)$/s.exec(part) ?? [];
@@ -20,7 +20,7 @@ export function bookmarksOf(text: string): Bookmark[] {
 
 export const textOfBookmarks = (bookmarks: Bookmark[]): string => bookmarks.map(({ at_ns, name }) => `${at_ns}~${name.replaceAll(";", ",").slice(0, kLongest)}`).join(";");
 
-/** With one more, which gets the first name that is free; the same moment stands once. */
+/** Adds a bookmark with the first free name. A moment has only one bookmark. */
 export function withBookmark(bookmarks: Bookmark[], at_ns: bigint): Bookmark[] {
   if (bookmarks.some((bookmark) => bookmark.at_ns === at_ns)) return bookmarks;
   const names = new Set(bookmarks.map(({ name }) => name));

@@ -1,4 +1,4 @@
-// What the page keeps in the browser, and the clipboard. Private windows may refuse storage; then nothing is kept.
+// The page's storage in the browser, and the clipboard. A private window may refuse storage; then nothing is stored.
 
 export type Theme = "light" | "dark";
 
@@ -14,11 +14,11 @@ export function keep(storage: "localStorage" | "sessionStorage", key: string, va
   try {
     window[storage].setItem(key, value);
   } catch {
-    // not kept
+    // not stored
   }
 }
 
-/** The theme in use: chosen once, else the system's. */
+/** The theme in use: the chosen one, else the system's. */
 export function theme(): Theme {
   const chosen = document.documentElement.dataset["theme"];
   if (chosen === "light" || chosen === "dark") return chosen;
@@ -35,7 +35,7 @@ export function restoreTheme(): void {
   if (chosen === "light" || chosen === "dark") chooseTheme(chosen);
 }
 
-/** Copies by way of a selection: http pages have no clipboard API. False when the browser refuses. */
+/** Copies through a selection, because http pages have no clipboard API. Returns false if the browser refuses. */
 export function copyText(text: string): boolean {
   const focused = document.activeElement;
   const field = document.createElement("textarea");

@@ -1,6 +1,6 @@
-// Time on the page: the network's rate never decides how often something is drawn.
+// Time on the page. The network's rate never decides how often the page draws.
 
-/** [s] our own steady clock. */
+/** [s] The page's steady clock. */
 export const now = (): number => performance.now() / 1000;
 
 /** Calls `draw` before each repaint while the page is visible, until the returned function is called. */
@@ -12,7 +12,7 @@ export function onFrame(draw: () => void): () => void {
   return () => cancelAnimationFrame(request);
 }
 
-/** The time [s], a few times a second while the page is visible: what reads it is drawn again. For use in a component. */
+/** The time [s], updated `hz` times a second while the page is visible. For use in a component. */
 export function ticker(hz: number): { readonly now: number } {
   let time = $state(now());
   $effect(() =>

@@ -1,20 +1,20 @@
-// What is looked at and how, as a file: the view and its settings, without a moment and without any token.
+// The arrangement of the page as a file: the view and its settings, without a moment and without any token.
 
 import { addressOf } from "../source/target";
 import { kViews, type Route, type View } from "./route";
 
 const kFormat = 1;
-/** Settings of the address that say how things are shown; the rest are moments. */
+/** Settings of the address that belong to the arrangement. The others are moments. */
 const kArrangement = ["with", "layers", "look", "follow", "field", "over", "plot", "span", "pin", "find", "ask", "pick"];
 const kLongest = 20_000; // [letters] of all settings
 
-/** As text, for people to read and keep. */
+/** Returns the file's text, which people can read. */
 export function textOfLayout({ robot, view, settings }: Route): string {
   const kept = Object.fromEntries([...settings].filter(([name]) => kArrangement.includes(name)));
   return `${JSON.stringify({ foresight_layout: kFormat, robot, view, settings: kept }, null, 2)}\n`;
 }
 
-/** Reads a file of any kind; one sentence where it is no layout. */
+/** Parses a file of any kind. Returns one sentence if it is no layout. */
 export function layoutOf(text: string): Route | { error: string } {
   const no = (why: string) => ({ error: `This is no layout: ${why}.` });
   let file: unknown;

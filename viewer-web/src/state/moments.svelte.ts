@@ -1,4 +1,4 @@
-// Moments worth going to: when a condition held, and those that somebody gave a name. Both are in the page's address.
+// Interesting moments: the matches of a condition, and bookmarks. Both are in the page's address.
 
 import { conditionOf, type Condition } from "../memory/condition";
 import { Finder, type Match } from "../memory/finder";
@@ -17,7 +17,7 @@ export class Moments {
     void server.offers;
     return this.query.trim() ? conditionOf(this.query, robot, [...server.memory.objects()].map(({ channel }) => channel.topic)) : undefined;
   });
-  /** Why the condition makes no sense; "" where it does, or there is none. */
+  /** The mistake in the condition, or "". */
   error: string = $derived(this.#parsed && "error" in this.#parsed ? this.#parsed.error : "");
   condition: Condition | undefined = $derived(this.#parsed && !("error" in this.#parsed) ? this.#parsed : undefined);
   #finder: Finder | undefined = $derived.by(() => {
@@ -25,11 +25,14 @@ export class Moments {
     const { condition } = this;
     return condition && new Finder(condition, new Map([...memory.objects()].map((object) => [object.channel.topic, object])), memory.played !== undefined);
   });
-  /** Of a recording all is looked through, if its server tells it; what was seen meanwhile, and otherwise. */
+  /**
+   * The search in the whole recording, if its server supports it. Until then, and otherwise, the seen part is
+   * searched.
+   */
   #whole: WholeFinder | undefined = $derived.by(() => {
     const { memory, target, played } = this.viewer.server;
     const { condition } = this;
-    // other servers' HTTP is out of reach of the page
+    // the page cannot reach the HTTP interface of other servers
     if (!condition || !played || !target.ownHost) return undefined;
     const fetch: FetchPart = async (...part) => (await import("../source/played_parts")).fetchPlayed(...part);
     const decoders = new Map([...memory.objects()].map((object) => [object.channel.topic, (data: Uint8Array) => object.decode(data)]));
@@ -41,7 +44,7 @@ export class Moments {
     this.open = viewer.get("find") !== "" || viewer.get("marks") !== "";
   }
 
-  /** Before each drawing. */
+  /** Called before each drawing. */
   update(): void {
     if (this.#searched) this.#searched.update(kBudget);
     else this.#finder?.update(kBudget);
@@ -51,24 +54,24 @@ export class Moments {
     return this.#whole?.problem ? undefined : this.#whole;
   }
 
-  /** By the chosen robot's clock. */
+  /** In the chosen robot's time. */
   get matches(): readonly Match[] {
     return (this.#searched ?? this.#finder)?.matches ?? [];
   }
 
-  /** Of what the matches are, for people: "in the whole recording". */
+  /** The searched range, for people: "in the whole recording". */
   get scope(): string {
     const whole = this.#searched;
     if (!whole) return "in what was seen";
     return whole.done ? "in the whole recording" : `in ${Math.floor(100 * whole.share)} % of the recording`;
   }
 
-  /** There are more matches than these. */
+  /** True if there are more matches than these. */
   get more(): boolean {
     return this.#searched?.full ?? false;
   }
 
-  /** Why only what was seen is searched; "" where there is no reason. */
+  /** The reason why only the seen part is searched, or "". */
   get problem(): string {
     return this.#whole?.problem ?? "";
   }
@@ -77,7 +80,7 @@ export class Moments {
     this.viewer.set("find", query);
   }
 
-  /** To the next moment at which the condition begins to hold, or the last one. */
+  /** Goes to the next or previous begin of a match. */
   jump(by: 1 | -1): void {
     const { time, server } = this.viewer;
     const shift_ns = time.shiftOf(server);

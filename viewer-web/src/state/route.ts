@@ -1,21 +1,21 @@
-// The part of the address after `#`: which robot, which view, and their settings. #/14/2/field?with=10.0.14.3:8765&at=…
+// The part of the address after `#`: robot, view and settings. #/14/2/field?with=10.0.14.3:8765&at=…
 
 export const kViews = ["field", "camera", "objects", "plot", "decision", "what-if", "health", "log", "sessions"] as const;
 export type View = (typeof kViews)[number];
 
-/** Views by the names they had before. */
+/** Former names of views. */
 const kFormer: Record<string, View> = { rates: "health" };
 
 export interface Route {
-  /** "" where no robot was chosen; "14/2@host:port" for one of another server than the page's. */
+  /** "" if no robot was chosen; "14/2@host:port" for a robot of another server. */
   robot: string;
-  /** "" where none was chosen. */
+  /** "" if none was chosen. */
   view: View | "";
-  /** By name: `with` (other servers), `at` (the moment), and what the views note. Never a token. */
+  /** By name: `with` (other servers), `at` (the moment), and the views' settings. Never a token. */
   settings: ReadonlyMap<string, string>;
 }
 
-/** Reads any hash; what makes no sense chooses nothing. */
+/** Parses any hash. Invalid parts choose nothing. */
 export function routeOf(hash: string): Route {
   const [path, query] = split(hash.replace(/^#?\/?/, ""));
   const parts = path.split("/").map(decoded);
@@ -36,7 +36,7 @@ function split(text: string): [string, string] {
   return at < 0 ? [text, ""] : [text.slice(0, at), text.slice(at + 1)];
 }
 
-/** Signs that are harmless after `#` stay as people write them. */
+/** Characters that are harmless after `#` stay readable. */
 const encoded = (part: string): string => encodeURIComponent(part).replace(/%(40|3A|2C|2F|5B|5D)/g, decodeURIComponent);
 
 function decoded(part: string): string {

@@ -1,4 +1,4 @@
-// One server the page watches: its connection and its memory. A robot, a recording being played, a simulated game.
+// One watched server with its connection and memory: a robot, a played recording or a simulated game.
 
 import type { RobotName } from "../memory/memory_object";
 import { Memory } from "../memory/memory";
@@ -13,20 +13,20 @@ import type { Channel, Level, ServerInfo } from "../source/texts";
 import { Wishes } from "../source/wishes";
 import { now } from "./frame.svelte";
 
-/** A body that is no robot in the world: what is shown must not be taken for live. */
+/** Bodies that are no real robot; the page names them, so that nobody takes them for live. */
 const kBodyWords: Record<string, string> = { recording: "a recording", replay: "a replay", sim: "a simulation" };
 
-const kOutdated = 0.3; // [s] after a place was sought: what has not come by then has no value there
-const kIntroduction = 1; // [s] in which a server that offers no services tells what it has
-const kSettled = 0.15; // [s] a moment stands before the server goes there, too
+const kOutdated = 0.3; // [s] after a seek: an object without a message by then has no value there
+const kIntroduction = 1; // [s] for the introduction of a server without services
+const kSettled = 0.15; // [s] the page waits at a moment before the server seeks it too
 
-/** Where a server's sentences go. */
+/** Receives a server's sentences. */
 export interface Speaker {
-  /** Whether there are more servers than one: then sentences tell whose they are. */
+  /** True if there are several servers. Then each sentence names its server. */
   readonly several: boolean;
   say(level: Level, text: string, key?: string): void;
   dismiss(keys: string[]): void;
-  /** Somebody else moved the recording that this server plays, or it cannot be moved. */
+  /** Called when somebody else moved the played recording, or when it cannot be moved. */
   follow(server: Server): void;
 }
 
@@ -35,28 +35,28 @@ export class Server implements Listener {
   readonly client: Client;
 
   connectionState = $state.raw<Connection>({ state: "connecting" });
-  /** Why there is no connection; "" while there is one, and before the first try failed. */
+  /** The reason why there is no connection. "" while connected, and before the first failed try. */
   lost = $state("");
   info = $state.raw<ServerInfo>();
-  /** Whether it has told all that it has; ours tell it in parts, and their services last. */
+  /** Whether the server has announced everything. Our servers announce in parts, services last. */
   toldAll = $state(false);
-  #introduced_s = 0; // when it began to
+  #introduced_s = 0; // begin of the introduction
   parameterValues = $state.raw<ReadonlyMap<string, unknown>>(new Map());
   serviceNames = $state.raw<string[]>([]);
   #clock = new ClockExchange((request) => this.client.call("clock_sync", request));
-  /** The recording that this server plays; undefined where it plays none. */
+  /** The recording that this server plays, or undefined. */
   played = $state.raw<Played>();
-  #told = $state(0); // grows when the playback is told to go otherwise
+  #told = $state(0); // counts changes of the playback
   #wishes = new Wishes((wish, request) => this.client.ask(wish, request));
-  #sought: number | undefined; // [s] when the playback last went elsewhere
-  #refused = false; // it did not do what was asked, and said why: then only what the page holds can be looked at
-  #left_ns: bigint | undefined; // the moment that was shown when something else was asked for
+  #sought: number | undefined; // [s] time of the last seek
+  #refused = false; // true after the server refused a wish: then only moments that the page holds can be shown
+  #left_ns: bigint | undefined; // the shown moment when the last wish was sent
   #settling = { at_ns: undefined as bigint | undefined, since: 0 };
-  #offers = $state(0); // grows when objects come or go
+  #offers = $state(0); // counts announced and withdrawn objects
   #alertKeys = new Set<string>();
 
   robots: RobotName[] = $derived.by(() => (this.#offers, this.memory.robots()));
-  /** "a simulation"; "" for a robot in the world. */
+  /** Such as "a simulation"; "" for a real robot. */
   body = $derived(kBodyWords[this.info?.metadata["body"] ?? ""] ?? "");
 
   constructor(
@@ -66,12 +66,12 @@ export class Server implements Listener {
   ) {
     this.memory = new Memory(past);
     const url = new URL(target.url);
-    url.searchParams.set("playback", "yes"); // we understand how it goes
+    url.searchParams.set("playback", "yes"); // asks for the playback state
     this.client = new Client(url.href, this, (url, subprotocols) => new WebSocket(url, subprotocols) as Socket);
     this.client.start();
   }
 
-  /** The end: nothing comes any more, and what was known is forgotten. */
+  /** Ends the connection and forgets everything. */
   stop(): void {
     this.client.stop();
     this.#clock.stop();
@@ -79,7 +79,7 @@ export class Server implements Listener {
     this.speaker.dismiss([...this.#alertKeys]);
   }
 
-  /** Counts up when objects come or go: to be read by what lists them. */
+  /** Counts announced and withdrawn objects; lists of objects read it. */
   get offers(): number {
     return this.#offers;
   }
@@ -88,9 +88,9 @@ export class Server implements Listener {
     return (this.#offers, this.memory.objectsOf(robot));
   }
 
-  // the recording that it plays
+  // the played recording
 
-  /** Whether it plays a recording that goes on; reactive. */
+  /** Whether the recording is playing; reactive. */
   get runs(): boolean {
     return (void this.#told, this.played?.runs === true);
   }
@@ -98,39 +98,39 @@ export class Server implements Listener {
   get ended(): boolean {
     return (void this.#told, this.played?.status === "ended");
   }
-  /** 1 is real time; as the server was told last, by whomever. */
+  /** 1 is real time; the last reported speed. */
   get speed(): number {
     return (void this.#told, this.played?.speed ?? 1);
   }
 
-  /** Where the recording is, or was asked to be. */
+  /** The playhead, or the place of a pending wish. */
   place(): bigint {
     return this.#wishes.pending?.seek_ns ?? this.played?.at(now()) ?? 0n;
   }
 
-  /** Whether it has not answered yet. */
+  /** Whether a wish is pending. */
   get asked(): boolean {
     return this.#wishes.pending !== undefined;
   }
-  /** Whether it plays on, or was asked to. */
+  /** Whether it plays, or a pending wish asks it to. */
   get goes(): boolean {
     return this.#wishes.pending?.play ?? this.runs;
   }
 
-  /** What is shown stays until the answer comes. */
+  /** Sends a wish. The shown moment stays until the answer arrives. */
   ask(wish: PlaybackWish): void {
     this.#left_ns = this.memory.moment_ns;
     this.#wishes.ask(wish, now());
   }
 
-  /** Stands at `at_ns`: at once out of what the page holds, else by asking for it. */
+  /** Pauses at `at_ns`: at once if the page holds the moment, else by a wish. */
   stand(at_ns: bigint): void {
     if (this.memory.holds(at_ns)) this.memory.show(at_ns);
     else if (this.#refused) this.speaker.follow(this);
     else this.ask({ play: false, speed: this.speed, seek_ns: at_ns });
   }
 
-  /** Before each drawing. */
+  /** Called before each drawing. */
   frame(): void {
     const time = now();
     this.memory.reached(time);
@@ -146,7 +146,7 @@ export class Server implements Listener {
     this.#settle(time);
   }
 
-  /** A moment that was found here is sought at the server, too: pictures are kept seldomer here, and what is opened now is not. */
+  /** Makes the server seek the shown moment too. The page stores fewer images, and no object that was opened later. */
   #settle(time: number): void {
     const at_ns = this.played && this.memory.moment_ns;
     if (at_ns !== this.#settling.at_ns) this.#settling = { at_ns, since: time };
@@ -154,7 +154,7 @@ export class Server implements Listener {
     this.#wishes.ask({ play: false, speed: this.speed, seek_ns: at_ns }, time);
   }
 
-  /** Calls a service; a failure becomes an alert. True when it was done. */
+  /** Calls a service and shows a failure as an alert. Returns true on success. */
   async do(service: string, request: object): Promise<boolean> {
     try {
       await this.client.call(service, request);
@@ -166,7 +166,7 @@ export class Server implements Listener {
     }
   }
 
-  /** The server's own count of its streams, by topic; empty until a `runtime` object came. */
+  /** The server's own statistics of its streams, by topic. Empty before the first `runtime` object. */
   statistics(): Map<string, StreamStatistics> {
     return allStreamStatistics(runtimesOf([...this.memory.objects()]));
   }
@@ -176,7 +176,7 @@ export class Server implements Listener {
     return runtime && recordingStatistics(runtime);
   }
 
-  // what the client tells
+  // events of the client
 
   connection(connection: Connection): void {
     this.connectionState = connection;
@@ -209,7 +209,7 @@ export class Server implements Listener {
     if (!played) return;
     const time = now();
     this.#wishes.answered(state.request, time);
-    const isOurs = state.request !== ""; // also when it comes late
+    const isOurs = state.request !== ""; // also if late
     if (isOurs) this.#refused = false;
     played.told(state, time);
     if (state.didSeek) {

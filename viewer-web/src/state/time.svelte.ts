@@ -1,6 +1,5 @@
-// The one time that all views show: now, or a moment of the last minutes, or any moment of a recording that a server
-// plays. Counted in capture time of the reference, the first server that tells any; the others are shown at the same
-// moment by their own clocks.
+// The one time that all views show: now, a moment of the last minutes, or any moment of a played recording. It is
+// capture time of the reference: the first server that sends data. The others show the same moment by their own clocks.
 
 import type { GameEvent } from "../memory/game_events";
 import type { MemoryObject } from "../memory/memory_object";
@@ -10,9 +9,9 @@ import type { Server } from "./server.svelte";
 /** 1 is real time, negative is backwards. */
 export const kSpeeds = [-20, -10, -5, -2, -1, -0.5, -0.1, 0.01, 0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20];
 
-/** Clocks that agree so well are taken as one: over wireless we measure no better than the robots themselves do. */
+/** Clocks that differ by less count as equal. Over wireless, the page measures no better than the robots do. */
 const kAgree_ns = 250_000_000n;
-const kLeastLoop_ns = 20_000_000n; // less is a click, not a range
+const kLeastLoop_ns = 20_000_000n; // a shorter one is a click, not a range
 
 export const seconds = (duration_ns: bigint): number => Number(duration_ns) / 1e9;
 const nanoseconds = (duration: number): bigint => BigInt(Math.round(duration * 1e9));
@@ -23,16 +22,16 @@ export interface TimeRange {
   last_ns: bigint;
 }
 
-/** From one message of an object to its next one, or its last one, of which nothing is here. */
+/** A step from one message of an object to the next or previous one, which is not on the page yet. */
 interface Step {
   object: MemoryObject;
   from_ns: bigint;
   by: 1 | -1;
-  /** Some message after it; the next one unless another one lies between. */
+  /** A later message: the next one, unless another lies between. */
   later_ns?: bigint;
 }
 
-/** What time needs of the viewer. */
+/** The part of the viewer that time uses. */
 interface Watched {
   readonly servers: Server[];
   readonly server: Server;
@@ -43,21 +42,21 @@ interface Watched {
 }
 
 export class Time {
-  /** What comes is shown as it comes: the newest of a robot, or a recording wherever its server plays it. */
+  /** New data are shown as they arrive: of a robot the newest, of a recording the server's playhead. */
   live = $state(true);
-  /** Time goes on from the moment looked at, by our own clock. */
+  /** Time advances from the chosen moment by the page's clock. */
   playing = $state(false);
-  /** Played over and over. */
+  /** The repeated range. */
   loop = $state.raw<TimeRange>();
   #speed = $state(1);
-  #early = $state(false); // paused before there was anything to stand at
+  #early = $state(false); // paused before the first data
   #at_ns = 0n;
   #frame = now();
-  #shifts = new Map<Server, bigint>(); // [ns] how far ahead of the reference each clock was when the page stopped following
-  #asked_ns: bigint | undefined; // by the address, until it is there
-  #noted = 0; // [s] when the address was set last
-  #stepping: Step | undefined; // by the server: what is looked for is to come
-  #steps = 0; // to be done when that has come
+  #shifts = new Map<Server, bigint>(); // [ns] offset of each clock to the reference when the page stopped following
+  #asked_ns: bigint | undefined; // requested by the address, until it is shown
+  #noted = 0; // [s] time of the last change of the address
+  #stepping: Step | undefined; // by the server: the message is on its way
+  #steps = 0; // steps to make after it has arrived
 
   constructor(readonly viewer: Watched) {
     const asked = viewer.get("at");
@@ -71,43 +70,43 @@ export class Time {
     return servers.find(({ memory }) => memory.range()) ?? servers[0]!;
   }
 
-  /** Whether the timeline is that of a recording, which servers play and everybody who watches them shares. */
+  /** Whether the timeline is a recording's, which all its viewers share. */
   get recorded(): boolean {
     return this.reference.played !== undefined;
   }
 
-  /** Capture times from the oldest value that is kept to now, or those of a whole recording; undefined before anything came. */
+  /** Capture times from the oldest kept value to now, or of a whole recording. Undefined without data. */
   range(): TimeRange | undefined {
     return this.reference.memory.range();
   }
 
-  /** Something has come, and where a recording is, is known. */
+  /** Whether there are data and the playhead of a recording is known. */
   get #isThere(): boolean {
     return this.range() !== undefined && (!this.recorded || this.reference.played!.known);
   }
 
-  /** The moment that is shown. */
+  /** The shown moment. */
   get at_ns(): bigint {
     if (!this.live) return this.#at_ns;
     return this.recorded ? this.reference.place() : (this.range()?.last_ns ?? 0n);
   }
 
-  /** What comes is shown, and more is coming: nobody looks at one moment. */
+  /** Whether new data are shown as they arrive and more are expected. */
   get moves(): boolean {
     return this.live && (!this.recorded || this.reference.runs);
   }
 
-  /** Time goes on, however. */
+  /** Whether time advances, in either way. */
   get runs(): boolean {
     return (this.moves || this.playing) && !this.#early;
   }
 
-  /** Now is shown, and nothing lies beyond it. */
+  /** Whether now is shown and nothing lies after it. */
   get atNow(): boolean {
     return this.live && !this.recorded;
   }
 
-  /** 1 is real time, negative is backwards; of a recording as its server has it. */
+  /** 1 is real time, negative is backwards. For a recording the server's speed. */
   get speed(): number {
     return this.recorded && this.#speed > 0 ? this.reference.speed : this.#speed;
   }
@@ -129,7 +128,7 @@ export class Time {
     return abs(other - own) < kAgree_ns ? 0n : other - own;
   }
 
-  /** Before each drawing. */
+  /** Called before each drawing. */
   frame(): void {
     const time = now();
     const passed = time - this.#frame;
@@ -142,7 +141,7 @@ export class Time {
     if (this.#early && this.#isThere) this.pause();
     if (this.playing) this.#advance(nanoseconds(passed * this.#speed), range);
     else if (this.moves) this.#repeat();
-    // what was looked at may have been given up since
+    // the shown moment may have been dropped from memory
     if (!this.live && this.#at_ns < range.first_ns) this.#at_ns = range.first_ns;
     if (!this.live) this.#show();
     if (!this.runs && !this.#early && !this.#stepping && (!this.live || this.recorded) && time - this.#noted > 0.3) this.#note(String(this.at_ns));
@@ -159,7 +158,7 @@ export class Time {
     this.playing = false;
   }
 
-  /** Back to the beginning of the loop, when what comes has reached its end. */
+  /** Returns to the loop's begin when its end is reached. */
   #repeat(): void {
     const { loop, reference, at_ns } = this;
     if (!loop || reference.asked || (at_ns < loop.last_ns && at_ns >= loop.first_ns)) return;
@@ -168,7 +167,7 @@ export class Time {
     this.playing = true;
   }
 
-  /** To now; of a recording: to its end. */
+  /** Goes to now, or to a recording's end. */
   now(): void {
     const range = this.range();
     if (this.recorded && range) return this.seek(range.last_ns);
@@ -179,7 +178,7 @@ export class Time {
     this.#note("");
   }
 
-  /** A recording is shown as its server plays it, which somebody else may have moved. */
+  /** Shows a recording where its server plays it; another viewer may have moved it. */
   follow(server: Server): void {
     if (server !== this.reference || this.live) return;
     this.live = true;
@@ -187,7 +186,7 @@ export class Time {
     for (const { memory } of this.viewer.servers) memory.show(undefined);
   }
 
-  /** Before anything came: as soon as something does. */
+  /** Before the first data: pauses as soon as they arrive. */
   pause(): void {
     this.#early = !this.#isThere;
     if (this.#early) return;
@@ -215,13 +214,13 @@ export class Time {
     else this.play();
   }
 
-  /** The next faster or slower pace. */
+  /** Chooses the next faster or slower speed. */
   pace(by: 1 | -1): void {
     const next = by > 0 ? kSpeeds.find((speed) => speed > this.speed * 1.001) : kSpeeds.findLast((speed) => speed < this.speed * 0.999);
     if (next !== undefined) this.speed = next;
   }
 
-  /** Looks at a moment and stands there; where none is kept, at the nearest one. */
+  /** Pauses at a moment, or at the nearest kept one. */
   seek(at_ns: bigint): void {
     const range = this.range();
     if (!range) return;
@@ -231,7 +230,7 @@ export class Time {
     this.#show();
   }
 
-  /** From now on the moment is ours. */
+  /** Stops following the newest data. */
   #begin(): void {
     if (!this.live) return;
     this.#shifts = new Map(this.viewer.servers.map((server) => [server, this.shiftOf(server)]));
@@ -249,7 +248,7 @@ export class Time {
     if (range) this.seek(range.first_ns);
   }
 
-  /** To the next or last frame of what the chosen robot, or its world, tells most evenly. */
+  /** Goes to the next or previous frame of the most even object of the chosen robot or its world. */
   step(by: 1 | -1): void {
     const { server } = this.viewer;
     if (!this.#stepping) this.pause();
@@ -266,7 +265,8 @@ export class Time {
     const next_ns = history.timeOf(by > 0 ? index + 1 : onIt ? index - 1 : index);
     if (next_ns !== undefined && (!server.played || server.memory.holds(next_ns))) return this.seek(next_ns - shift_ns);
     if (!server.played || !shown || (by > 0 && at_ns >= server.played.end_ns)) return;
-    // not here, but the server has it: just before this one was the last one, and the next comes when it goes on
+    // not on the page, but the server has it: the previous one is known, and the next one arrives when playback
+    // continues
     if (by < 0 && shown.log_ns < at_ns) return this.seek(shown.log_ns - shift_ns);
     if (by < 0) this.seek(shown.log_ns - 1n - shift_ns);
     else this.#ask(true, this.live ? undefined : this.#at_ns);
@@ -283,7 +283,7 @@ export class Time {
     this.step(by);
   }
 
-  /** Who plays on leaves messages out where a page cannot keep up: the last one before what came is asked for until it is known. */
+  /** A slow page misses messages while playing. Seeks back until the message directly before the known one is found. */
   #look(step: Step, server: Server): void {
     const newest_ns = step.object.newest?.log_ns;
     if (newest_ns === undefined) return;
@@ -310,13 +310,13 @@ export class Time {
     return servers.length === 1 ? all : all.sort((a, b) => Number(a.log_ns - b.log_ns));
   }
 
-  /** To the next event, or the one before; `others` are moments [ns] that count as such. */
+  /** Goes to the next or previous event. `others` are more moments [ns]. */
   jump(by: 1 | -1, others: bigint[]): void {
     const moments = [...this.events().map(({ log_ns }) => log_ns), ...others];
     this.jumpAmong(by, moments.sort((a, b) => (a < b ? -1 : 1)));
   }
 
-  /** To the next of these moments [ns], which are in order, or the one before. */
+  /** Goes to the next or previous of these sorted moments [ns]. */
   jumpAmong(by: 1 | -1, moments: bigint[]): void {
     const at_ns = this.at_ns;
     const range = this.range();
@@ -326,9 +326,9 @@ export class Time {
     this.playing = false;
   }
 
-  // a range that is played over and over
+  // the repeated range
 
-  /** Plays from one moment to another, in whatever order, again and again; a range of no length ends that. */
+  /** Repeats the range between two moments, in either order. An empty range ends the loop. */
   repeat(one_ns: bigint, other_ns: bigint): void {
     this.setLoop(one_ns, other_ns);
     if (!this.loop) return;
@@ -337,13 +337,13 @@ export class Time {
     this.play();
   }
 
-  /** As repeat(), but time goes on as it did. */
+  /** Like repeat(), but does not change how time advances. */
   setLoop(one_ns: bigint, other_ns: bigint): void {
     const [first_ns, last_ns] = one_ns < other_ns ? [one_ns, other_ns] : [other_ns, one_ns];
     this.#setLoop(last_ns - first_ns < kLeastLoop_ns ? undefined : { first_ns, last_ns });
   }
 
-  /** The loop begins, or ends, at the moment shown. */
+  /** Sets the loop's begin or end to the shown moment. */
   edge(which: "begin" | "end"): void {
     const range = this.range();
     if (!range) return;
@@ -370,7 +370,7 @@ export class Time {
     }
   }
 
-  /** Where it stands already, or goes, it need not be asked again. */
+  /** Pauses the server at `at_ns`, unless it is there or under way. */
   #stand(server: Server, at_ns: bigint): void {
     const { moment_ns } = server.memory;
     if (moment_ns === at_ns) return;
@@ -378,7 +378,7 @@ export class Time {
     if (!goesThere) server.stand(at_ns);
   }
 
-  /** Asks all servers that play recordings; from then on they are followed. */
+  /** Sends a wish to all servers that play recordings, and follows them from then on. */
   #ask(play: boolean, seek_ns?: bigint): void {
     this.live = true;
     this.playing = false;
@@ -390,7 +390,7 @@ export class Time {
     }
   }
 
-  /** What gives the frames: the picture, else the world, else what the robot decides or believes. */
+  /** The object that defines frames: the image, else the world, else the decision or a belief. */
   #beat(server: Server): MemoryObject | undefined {
     const objects = server.memory.objectsOf(this.viewer.robot).filter(({ newest }) => newest);
     const wanted = [({ isImage }: MemoryObject) => isImage, ...["truth/world", "decision", "pose", "joints"].map((name) => (object: MemoryObject) => object.name === name)];
@@ -401,7 +401,7 @@ export class Time {
     return objects.sort((a, b) => b.history.end - b.history.begin - (a.history.end - a.history.begin))[0];
   }
 
-  /** A link names a moment: it is shown when it is there; what is gone for good is said. */
+  /** Shows the moment of a link as soon as it is available, or reports that it is gone. */
   #obeyAddress(): void {
     const asked_ns = this.#asked_ns;
     const range = asked_ns === undefined ? undefined : this.range();
@@ -419,7 +419,7 @@ export class Time {
   }
 }
 
-/** [ns] between recordings of one game none, as their clocks agree; else what puts their beginnings side by side. */
+/** [ns] 0 between recordings of one game, whose clocks agree; otherwise the shift that aligns their begins. */
 function shiftBetween(one: { start_ns: bigint; end_ns: bigint }, other: { start_ns: bigint; end_ns: bigint }): bigint {
   const overlap = one.start_ns <= other.end_ns && other.start_ns <= one.end_ns;
   return overlap ? 0n : other.start_ns - one.start_ns;
