@@ -1,15 +1,15 @@
-// When what a row says changed last, to let the eye find what moves.
+// Time of each row's last change, to show the eye what moves.
 
-const kMostRows = 2000; // [rows] more than ever on screen; beyond it the oldest are forgotten
+const kMostRows = 2000; // [rows] more than are ever on screen; beyond it the oldest are dropped
 
 export class Changes {
   #rows = new Map<string, { text: string; changed: number }>();
 
-  /** Notes what the row at `path` says now. [s] since it last said something else; Infinity while it always said the same. */
+  /** Notes the row's text now. Returns the time [s] since it last changed, or Infinity if it never did. */
   sinceChange(path: string, text: string, now: number): number {
     const before = this.#rows.get(path);
     const changed = !before ? -Infinity : before.text === text ? before.changed : now;
-    this.#rows.delete(path); // to the end: what is looked at is kept longest
+    this.#rows.delete(path); // to the end: rows in use are kept longest
     this.#rows.set(path, { text, changed });
     if (this.#rows.size > kMostRows) this.#rows.delete(this.#rows.keys().next().value!);
     return now - changed;

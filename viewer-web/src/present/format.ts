@@ -1,8 +1,8 @@
-// Numbers as people read them. All widths are bounded, so columns do not jump.
+// Numbers as text. All widths are bounded, so columns do not jump.
 
 const kThinSpace = "\u2009";
 
-/** "33 ms", "1.25 s", "3 min", "2 h", "5 days"; "–" when not known. */
+/** "33 ms", "1.25 s", "3 min", "2 h", "5 days"; "–" if unknown. */
 export function duration(seconds: number | undefined): string {
   if (seconds === undefined || !Number.isFinite(seconds)) return "–";
   const amount = Math.abs(seconds);
@@ -42,7 +42,7 @@ export function bytes(count: number): string {
   return `${unit > 0 && count < 9.95 ? count.toFixed(1) : Math.round(count)} ${units[unit]}`;
 }
 
-/** "30.0", "0.5", "0"; "–" when not known. */
+/** "30.0", "0.5", "0"; "–" if unknown. */
 export function hertz(rate: number): string {
   if (!Number.isFinite(rate)) return "–";
   return rate === 0 ? "0" : rate < 99.95 ? rate.toFixed(1) : rate.toFixed(0);
@@ -54,7 +54,7 @@ export function count(value: number): string {
   return String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, kThinSpace);
 }
 
-/** Seven significant digits, all a float has: no 1.10000002384. Whole numbers stay whole. */
+/** Seven significant digits, the precision of a float: no 1.10000002384. Whole numbers stay whole. */
 export function number(value: number): string {
   if (!Number.isFinite(value)) return Number.isNaN(value) ? "not a number" : value > 0 ? "∞" : "−∞";
   if (Object.is(value, -0)) return "0";

@@ -1,4 +1,4 @@
-// Numbers of forecasts as bars, intervals and words: where they begin and end on an axis that shows zero.
+// Numbers of forecasts as bars, intervals and words, on an axis that contains zero.
 
 import { kUntils, type Forecast, type Measure } from "../memory/forecast";
 import { clockLength } from "./format";
@@ -10,7 +10,7 @@ export interface Axis {
 
 const kLeastSpan: Record<Measure, number> = { goal_difference: 0.1, score_next: 0.05, concede: 0.05 };
 
-/** Holds all values and zero, with a little room. */
+/** Returns an axis that contains all values and zero, with a margin. */
 export function axisOf(values: number[], least: number): Axis {
   const [low, high] = [Math.min(0, ...values), Math.max(0, ...values)];
   const span = Math.max(high - low, least);
@@ -18,10 +18,10 @@ export function axisOf(values: number[], least: number): Axis {
   return { low: low - spare, high: high + spare };
 }
 
-/** [%] from the axis' left end, never beyond its ends. */
+/** [%] from the axis' left end, clamped to its ends. */
 export const shareOf = ({ low, high }: Axis, value: number): number => 100 * Math.min(1, Math.max(0, (value - low) / (high - low)));
 
-/** One axis for all means, one for all gains. */
+/** Returns one axis for all means and one for all gains. */
 export function axesOf({ strategies, measure }: Forecast): { mean: Axis; gain: Axis } {
   const played = strategies.filter(({ rollouts }) => rollouts > 0);
   return {
@@ -35,16 +35,16 @@ const signed = (value: number, digits: number): string => {
   return Number(text) === 0 ? text : `${value < 0 ? "−" : "+"}${text}`;
 };
 
-/** What the numbers of a measure are, where they do not say it themselves. */
+/** The unit of a measure, unless the number already contains it. */
 export const unit = (measure: Measure): string => (measure === "goal_difference" ? " goals" : "");
 
-/** "+0.125" goals, "−3.4 %" of a chance. */
+/** "+0.125" goals, "−3.4 %" probability. */
 export const amount = (measure: Measure, value: number): string => (measure === "goal_difference" ? signed(value, 3) : `${signed(100 * value, 1)} %`);
 
 /** "0.052", "1.2 %" */
 export const size = (measure: Measure, value: number): string => amount(measure, Math.abs(value)).replace("+", "");
 
-/** "62 %"; nobody knows it to less than one in a hundred. */
+/** "62 %"; a forecast is not more precise than one per cent. */
 export const percent = (share: number): string => (share > 0 && share < 0.005 ? "< 1 %" : `${Math.round(100 * share)} %`);
 
 /** "30 s", "12.5 s", "9:02" */
@@ -56,7 +56,7 @@ export function reach({ until, horizon }: Pick<Forecast, "until" | "horizon">): 
   return `${kUntils[until]}, ${span(horizon)}${until === "next_goal" ? " at most" : ""}`;
 }
 
-/** The advice, as words that hold whatever is played: only what is played can be kept. `plays`: "" where nobody knows. */
+/** The advice in words that are true for any played strategy: only the played one can be kept. `plays`: "" if unknown. */
 export function headline({ advice, choice, strategies }: Pick<Forecast, "advice" | "choice" | "strategies">, plays: string): string {
   const first = strategies[0]?.name ?? choice;
   if (advice === "none") return "No advice";

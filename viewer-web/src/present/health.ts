@@ -1,4 +1,4 @@
-// How server, connection and page are, as figures; beside each that is wrong a sentence why.
+// State of server, connection and page as figures, each with a sentence if something is wrong.
 
 import type { ClientStatistics, ProcessStatistics, RecordingStatistics } from "../memory/statistics";
 import { bytes, duration } from "./format";
@@ -8,17 +8,17 @@ export interface Figure {
   value: string;
   /** "" while all is well. */
   wrong: string;
-  /** What it means, for those who wonder. */
+  /** The figure's meaning. */
   about: string;
 }
 
-const kBusy = 0.8; // [cores] more starves the robot's other threads
+const kBusy = 0.8; // [cores] above this the robot's other threads lack time
 const kLeastDisk = 200e6; // [bytes]
-const kLeastMinutes = 10; // of recording, a half
-const kClocks = 0.05; // [s] more than a frame apart: recordings of both do not fit
-const kQueue = 500e3; // [bytes] waiting for one viewer: half a second at 8 Mbit/s
+const kLeastMinutes = 10; // of recording: one half of a game
+const kClocks = 0.05; // [s] more than a frame: recordings of both clocks cannot be aligned
+const kQueue = 500e3; // [bytes] queued for one viewer: half a second at 8 Mbit/s
 const kRoundTrip = 0.2; // [s]
-const kFrames = 30; // [1/s] fewer look rough
+const kFrames = 30; // [1/s] a lower rate looks jerky
 
 export function processFigures(process: ProcessStatistics | undefined, recording: RecordingStatistics | undefined): Figure[] {
   if (!process) return [];
@@ -44,7 +44,7 @@ function diskSentence(free_bytes: number, minutes: number, recording: RecordingS
   return free_bytes < kLeastDisk ? `Only ${bytes(free_bytes)} are free: a recording will end early.` : "";
 }
 
-/** `offset` [s]: how far the server's clock is ahead of this computer's; undefined where it is not that of now. */
+/** `offset` [s]: lead of the server's clock over this computer's. Undefined if the server does not show the present. */
 export function clockFigure(offset: number | undefined): Figure {
   const about = "the server's clock against this computer's, less the travelling time";
   if (offset === undefined) return { name: "Clock", value: "–", wrong: "", about: "the time of a recording says nothing about clocks" };
@@ -53,7 +53,7 @@ export function clockFigure(offset: number | undefined): Figure {
   return { name: "Clock", value, wrong: apart > kClocks ? `The clocks differ by ${duration(apart)}: recordings of both machines lie apart by that. Set them by the same time server.` : "", about };
 }
 
-/** What this page itself does. */
+/** Figures of this page itself. */
 export function pageFigures({ framesPerSecond, kept_bytes, kept }: { framesPerSecond: number; kept_bytes: number; kept: number }): Figure[] {
   return [
     {
@@ -66,7 +66,7 @@ export function pageFigures({ framesPerSecond, kept_bytes, kept }: { framesPerSe
   ];
 }
 
-/** What is wrong with one who watches; "" while all is well. `dropping`: [messages/s] lately. */
+/** Returns the problem of one viewer, or "". `dropping`: [messages/s] recently. */
 export function clientSentence({ queued_bytes, round_trip, lossless }: ClientStatistics, dropping: number): string {
   if (queued_bytes > kQueue) return `${bytes(queued_bytes)} wait to be sent: its network is too slow for what it asks.`;
   if (round_trip > kRoundTrip) return `An answer takes ${duration(round_trip)}: a slow or crowded network.`;

@@ -3,20 +3,20 @@
 import type { Session } from "../source/http";
 import { clockLength } from "./format";
 
-/** When it began, in the reader's time zone and language: "21 Nov 2026, 14:02:11". */
+/** The recording's begin, in the reader's time zone and language: "21 Nov 2026, 14:02:11". */
 export function startOf({ start_ns }: Pick<Session, "start_ns">, locale?: string, timeZone?: string): string {
   if (start_ns === undefined) return "–";
   const format = new Intl.DateTimeFormat(locale, { dateStyle: "medium", timeStyle: "medium", ...(timeZone && { timeZone }) });
   return format.format(new Date(Number(start_ns / 1_000_000n)));
 }
 
-/** "10:00"; "–" for a recording that holds nothing. */
+/** "10:00"; "–" for an empty recording. */
 export function lengthOf({ start_ns, end_ns }: Pick<Session, "start_ns" | "end_ns">): string {
   if (start_ns === undefined || end_ns === undefined || end_ns < start_ns) return "–";
   return clockLength(Number(end_ns - start_ns) / 1e9);
 }
 
-/** What a state means for the person who wants the recording. */
+/** The meaning of each state. */
 export const kStateSentence: Record<Session["state"], string> = {
   recording: "Still being recorded; a download holds everything up to now.",
   complete: "",
@@ -32,8 +32,8 @@ export interface OtherViewer {
 }
 
 /**
- * Links that open `file_url` in other viewers. Their web pages come over https and may only load from this very
- * computer or over https; elsewhere the link goes to their desktop applications.
+ * Returns links that open `file_url` in other viewers. Their https pages may load only from this computer or over
+ * https; otherwise the link opens their desktop application.
  */
 export function otherViewers(file_url: string): OtherViewer[] {
   const { hostname, protocol } = new URL(file_url);
@@ -54,13 +54,13 @@ export function otherViewers(file_url: string): OtherViewer[] {
   ];
 }
 
-/** "1:05", "65", "1:05.5", "1:00:00" in seconds; undefined where it is none of these. */
+/** Parses "1:05", "65", "1:05.5", "1:00:00" to seconds. Returns undefined for other texts. */
 export function secondsOf(text: string): number | undefined {
   const found = /^(?:(?:(\d+):)?(\d+):)?(\d+(?:\.\d+)?)$/.exec(text.trim());
   return found ? 3600 * Number(found[1] ?? 0) + 60 * Number(found[2] ?? 0) + Number(found[3]) : undefined;
 }
 
-/** Where a part of a recording is to be had, from and to counted from its beginning; "" means its ends. */
+/** Returns the address of a part of a recording. `from` and `to` count from its begin; "" means its ends. */
 export function partOf({ url, start_ns, end_ns }: Pick<Session, "url" | "start_ns" | "end_ns">, from: string, to: string): { url: string } | { error: string } {
   const [first, last] = [from, to].map((text) => (text.trim() === "" ? null : secondsOf(text)));
   if (first === undefined || last === undefined) return { error: `Expected minutes and seconds such as 1:05, got '${(first === undefined ? from : to).trim()}'.` };

@@ -1,14 +1,14 @@
-// The object tree as the rows a person sees: which nodes are open, which match the search, what each line says.
+// The object tree as rows: which nodes are open, which match the search, and the text of each line.
 
 import { EnumValue, type Value } from "../memory/value";
 import { bytes, hex, number } from "./format";
 
-/** A list of more entries is closed until somebody opens it. */
+/** A longer list is closed until somebody opens it. */
 const kOpenUpTo = 8;
-/** Deeper or further a search does not look: it must not stop the page. */
+/** Maximum depth and size of a search, so that it does not block the page. */
 const kSearchDepth = 12;
 const kSearchEntries = 64;
-/** A single list shows no more rows than a person would scroll through. */
+/** Maximum rows of one list. */
 const kMostEntries = 10000;
 
 /** One memory object at the top of the tree. */
@@ -16,7 +16,7 @@ export interface Root {
   /** The topic: paths begin with it, as in Foxglove's message paths: /14/2/vision.robots[0].x */
   path: string;
   name: string;
-  /** Undefined: nothing came yet. A sentence: it cannot be decoded. */
+  /** Undefined: no message yet. A sentence: it cannot be decoded. */
   value: Value | { error: string };
 }
 
@@ -33,9 +33,9 @@ export interface Row {
 const isNode = (value: Value): value is Map<string, Value> | Value[] => value instanceof Map || Array.isArray(value);
 
 /**
- * The rows of the tree from top to bottom. `opened` holds what somebody opened (true) or closed (false) by path; the
- * rest is open unless it is a root or a long list. With `words`, only paths that contain all of them stay, and the
- * nodes on the way to them, open.
+ * The tree's rows from top to bottom. `opened` has the nodes that somebody opened (true) or closed (false), by path.
+ * Other nodes are open, except roots and long lists. With `words`, only paths that contain all words stay, with the
+ * open nodes above them.
  */
 export function rowsOf(roots: Root[], opened: ReadonlyMap<string, boolean>, words: string[]): Row[] {
   const rows: Row[] = [];
@@ -58,7 +58,7 @@ const matches = (path: string, words: string[]): boolean => {
   return words.every((word) => lower.includes(word));
 };
 
-/** The words of what was typed into the search box. */
+/** The words of the search text. */
 export const wordsOf = (search: string): string[] => search.toLowerCase().split(/\s+/).filter((word) => word !== "");
 
 function add(rows: Row[], row: Row, opened: ReadonlyMap<string, boolean>, words: string[]): void {
@@ -119,14 +119,14 @@ function* childrenOf(row: Row): Generator<Row> {
   if (Array.isArray(value)) for (const [index, inner] of value.entries()) yield child(`[${index}]`, `[${index}]`, inner);
 }
 
-/** What stands in the value column: the value itself, or a glimpse of what is inside. */
+/** Returns the text of the value column: the value, or a glimpse of the contents. */
 export function textOfRow(row: Row): string {
   if (row.kind === "note") return String(row.value);
   if (row.kind === "root" && row.value === undefined) return "";
   return textOfValue(row.value, row.open !== true);
 }
 
-/** A value as one line; of what holds more, with `glimpse`, the beginning. */
+/** Returns a value as one line. With `glimpse`, a message or list shows its beginning. */
 export function textOfValue(value: Value, glimpse: boolean): string {
   if (value === undefined) return "absent";
   if (typeof value === "number") return number(value);
@@ -143,11 +143,11 @@ export function textOfValue(value: Value, glimpse: boolean): string {
   return String(value);
 }
 
-/** The first few plain fields of a message, else the names of what it holds: a closed node already tells something. */
+/** Returns the first plain fields of a message, or the names of its contents, so that a closed node is informative. */
 function messageGlimpse(fields: Map<string, Value>): string {
   const shown: string[] = [];
   for (const [name, value] of fields) {
-    // times are long and tell little
+    // times are long and give little information
     if (value === undefined || typeof value === "bigint" || isNode(value) || value instanceof Uint8Array) continue;
     if (shown.length === 4) return glimpseOf(shown, true);
     shown.push(`${name} ${textOfValue(value, false)}`);

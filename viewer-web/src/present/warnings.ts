@@ -1,13 +1,13 @@
-// What is wrong with the flow of data, in sentences.
+// Sentences about problems in the data flow.
 
 import { duration, hertz } from "./format";
 import type { Memory } from "../memory/memory";
 import type { MemoryObject } from "../memory/memory_object";
 import type { StreamStatistics } from "../memory/statistics";
 
-const kLate = 1; // [s] a picture that old misleads
+const kLate = 1; // [s] an older image is misleading
 
-/** The sentence that names what is wrong with this object, undefined when nothing is. */
+/** Returns the sentence about this object's problem, or undefined. */
 export function warningOf(object: MemoryObject, statistics: StreamStatistics | undefined, memory: Memory, now: number): string | undefined {
   const overdue = object.overdue(now);
   if (overdue !== undefined)
@@ -17,7 +17,7 @@ export function warningOf(object: MemoryObject, statistics: StreamStatistics | u
   if (lost && lost.recording > 0) return `The recording lost ${messages(lost.recording)} of ${object.name}: the disk is too slow or full.`;
   if (lost && lost.inside > 0) return `The robot's own consumers missed ${messages(lost.inside)} of ${object.name}.`;
 
-  // one old value is the newest there is; a flow of old values is a slow network
+  // a single old value is simply the newest; a stream of old values is a slow network
   const age = memory.age(object, now);
   const late = age !== undefined && object.newest ? age - (now - object.newest.arrived) : 0;
   if (late > kLate && object.rate.hz(now) > 1) return `${object.name} arrives ${duration(late)} late: the network or this computer is too slow.`;
