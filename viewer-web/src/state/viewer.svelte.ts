@@ -1,5 +1,5 @@
-// What the page knows: the servers it watches, the robot and the view that were chosen, the time that is shown. Values of
-// memory objects are plain and read when drawn; only what changes rarely is reactive.
+// The state of the page: watched servers, chosen robot and view, shown time. Values of memory objects are plain and
+// read while drawing; only rarely changing values are reactive.
 
 import { kTruth } from "../draw/scene";
 import type { MemoryObject, RobotName } from "../memory/memory_object";
@@ -34,18 +34,20 @@ export class Viewer implements Speaker {
 
   /** All robots of all servers. */
   sources: Source[] = $derived(this.servers.flatMap((server) => server.robots.map((robot) => ({ server, robot, key: this.#keyOf(server, robot) }))));
-  /** The chosen robot while it is there, else, once all are known, the one that the own program is, else the first one. */
+  /**
+   * The chosen robot while it is available. Otherwise, once all are known, the server's own robot, else the first one.
+   */
   source: Source | undefined = $derived.by(() => {
     const named = (key: string | undefined) => this.sources.find((source) => source.key === key);
     const own = this.servers[0];
     return named(this.route.robot) ?? (own?.toldAll ? (named(own.info?.metadata["robots"]) ?? this.sources[0]) : undefined);
   });
-  /** Of the chosen robot; the page's own while there is no robot. */
+  /** The chosen robot's server, or the page's own without a robot. */
   server: Server = $derived(this.source?.server ?? this.servers[0]!);
   robot: RobotName = $derived(this.source?.robot ?? "");
   robotKey: string = $derived(this.source?.key ?? "");
   objects: MemoryObject[] = $derived(this.server.objectsOf(this.robot));
-  /** The chosen view; where none was chosen what the robot sees, or the game of one that has no camera. */
+  /** The chosen view. Without a choice: camera, or field for a game without a camera. */
   view: View = $derived(this.route.view || (this.#playsBlind() ? "field" : "camera"));
 
   constructor(readonly target: Target) {
@@ -75,13 +77,13 @@ export class Viewer implements Speaker {
     return this.objects.some(({ channel }) => channel.topic === kTruth) && !this.objects.some(({ isImage }) => isImage);
   }
 
-  // robots and views, all of them in the page's address
+  // robots and views; all of them are in the page's address
 
   go(to: Partial<Route>): void {
     location.hash = this.linkTo(to);
   }
 
-  /** The robot that was asked for stays the one that is meant while it is not there, or not yet. */
+  /** The address' parts. The requested robot stays chosen while it is not available. */
   get arrangement(): Route {
     return { ...this.route, robot: this.route.robot || this.robotKey, view: this.view };
   }
@@ -90,7 +92,10 @@ export class Viewer implements Speaker {
     return hashOf({ ...this.arrangement, ...to });
   }
 
-  /** Notes a view's setting in the address, so that a link shows the same; "" takes it out. Nothing to go back to. */
+  /**
+   * Stores a view's setting in the address, so that a link shows the same. "" removes it. Makes no entry in the
+   * browser's history.
+   */
   set(name: string, value: string): void {
     if (this.get(name) === value) return;
     const settings = new Map(this.route.settings);
@@ -100,7 +105,7 @@ export class Viewer implements Speaker {
     history.replaceState(null, "", hashOf({ ...this.route, robot: this.route.robot, view: this.route.view || this.view }));
   }
 
-  /** Shows another arrangement, at the moment that is shown now. */
+  /** Applies another arrangement at the shown moment. */
   arrange(layout: Route): void {
     const settings = new Map([...this.route.settings].filter(([name]) => ["at", "marks", "loop"].includes(name)));
     location.hash = hashOf({ ...layout, settings: new Map([...layout.settings, ...settings]) });
@@ -110,7 +115,7 @@ export class Viewer implements Speaker {
     return this.route.settings.get(name) ?? "";
   }
 
-  /** The next robot of all, or the one before. */
+  /** Chooses the next or previous robot of all. */
   chooseNeighbour(step: 1 | -1): void {
     const { sources } = this;
     if (sources.length === 0) return;
@@ -120,7 +125,7 @@ export class Viewer implements Speaker {
 
   // servers
 
-  /** Watches another server, "10.0.14.2" or "10.0.14.2:8765"; a sentence when the address makes no sense. */
+  /** Watches another server, "10.0.14.2" or "10.0.14.2:8765". Returns a sentence if the address is invalid. */
   add(typed: string): string {
     const address = addressOf(typed);
     if ("error" in address) return address.error;
@@ -140,7 +145,7 @@ export class Viewer implements Speaker {
     return this.get("with").split(",").filter(Boolean);
   }
 
-  /** The servers are the own one and those that the address names. */
+  /** Connects to the page's own server and those in the address. */
   #followRoute(): void {
     const hosts = [...new Set(this.#others())].filter((host) => host !== this.target.host);
     const [own, ...others] = this.servers;

@@ -1,4 +1,4 @@
-// A person's question to foresight: what is asked, what is edited, the answer, and what went wrong.
+// A person's question to foresight: the question, the edit, the answer and the problem.
 
 import { believedBy } from "../draw/believed";
 import { forecastOf, fieldsOfJson, type Forecast, type Situation } from "../memory/forecast";
@@ -11,15 +11,15 @@ import type { Viewer } from "./viewer.svelte";
 export const kService = "/foresight/what_if";
 export const kStrategiesService = "/foresight/strategies";
 
-const kPatienceMs = 15_000; // beyond the budget: another question may be before ours
-const kSettleMs = 3000; // until a recording stands where the page does
-const kNoteMs = 300; // the address follows so much later
+const kPatienceMs = 15_000; // beyond the budget: another question may run first
+const kSettleMs = 3000; // until a recording has reached the page's moment
+const kNoteMs = 300; // delay until the address is updated
 
 export interface Answered {
   forecast: Forecast;
-  /** With what it was asked. */
+  /** The edit of this question. */
   edit: Edit;
-  /** What the robot believes, without the edit. */
+  /** The robot's beliefs, without the edit. */
   believed: Situation;
   /** [ns] capture time on the server's clock. */
   at_ns: bigint;
@@ -30,7 +30,7 @@ export class WhatIf {
   answered = $state.raw<Answered>();
   /** One sentence; "" while all is well. */
   problem = $state("");
-  /** [s] when it was asked, and how long it takes at least; undefined while nothing is on its way. */
+  /** [s] Time of the question and its minimum duration. Undefined if no question is under way. */
   asking = $state.raw<{ since: number; lasts: number }>();
   /** The strategies that the robot offers, in its order; empty until its answer has come. */
   offeredNames = $state.raw<string[]>([]);
@@ -49,7 +49,7 @@ export class WhatIf {
     return this.server.serviceNames.includes(kService);
   }
 
-  /** The question of the page's address, unless it is there because of us. */
+  /** Takes the question from the page's address, unless this object wrote it there. */
   follow(text: string): void {
     if (text === this.#noted) return;
     this.#noted = text;
@@ -116,12 +116,12 @@ export class WhatIf {
     this.answered = { forecast, edit, at_ns, believed: believed(forecast.situation, edit, before) };
   }
 
-  /** What the robot believes at the moment that is shown, as it tells it without being asked. */
+  /** The robot's own beliefs at the shown moment. */
   believes(): Situation {
     return believedBy(this.server.memory, this.robot, now());
   }
 
-  /** A recording answers from where it stands: first it must stand where the page does. */
+  /** Waits until a played recording has reached the page's moment, from which it answers. */
   async #settled(): Promise<void> {
     const { memory, played } = this.server;
     const end = now() + kSettleMs / 1000;
@@ -129,7 +129,7 @@ export class WhatIf {
     while (played && !isThere() && now() < end) await new Promise((done) => setTimeout(done, 30));
   }
 
-  /** What the robot foresees by itself is shown again. */
+  /** Shows the robot's own forecast again. */
   close(): void {
     this.answered = undefined;
     this.problem = "";

@@ -1,8 +1,8 @@
-// Canvases that fit their place on the page and take its colours.
+// Canvases that fit their place on the page and use its colours.
 
 import type { Colours } from "../draw/timeline";
 
-/** Makes the canvas as fine as the screen, empties it, and counts places in the page's own pixels. */
+/** Sets the canvas to the screen's resolution, clears it, and uses the page's pixels as its unit. */
 export function fitted(canvas: HTMLCanvasElement, pen: CanvasRenderingContext2D): { width: number; height: number } {
   const ratio = window.devicePixelRatio;
   const { clientWidth: width, clientHeight: height } = canvas;
@@ -16,7 +16,7 @@ export function fitted(canvas: HTMLCanvasElement, pen: CanvasRenderingContext2D)
 
 let known: { key: string; colours: Colours } | undefined;
 
-/** The page's colours, as its theme has them now. */
+/** The page's colours in its current theme. */
 export function coloursOf(element: Element): Colours {
   const style = getComputedStyle(element);
   const key = style.color;
