@@ -19,7 +19,7 @@ const paths = (roots: Root[], opened = open(), search = "") => rowsOf(roots, ope
 const textAt = (root: Root, opened: ReturnType<typeof open>, path: string) =>
   textOfRow(rowsOf([root], opened, []).find((row) => row.path === path)!);
 
-test("objects are closed at first and tell a glimpse", () => {
+test("objects are closed at first and show a glimpse", () => {
   expect(paths([kBall, kJoints])).toEqual(["/14/2/ball", "/14/2/joints"]);
   expect(textAt(kBall, open(), "/14/2/ball")).toBe("x 1.5, side SIDE_OWN");
   expect(textAt(kJoints, open(), "/14/2/joints")).toBe("angles, robots");
@@ -58,14 +58,14 @@ test("every row found by a search is also a row of the whole tree", () => {
     for (const path of paths([kBall, kJoints], open("/14/2/joints.angles"), search)) expect(all).toContain(path);
 });
 
-test("what cannot be decoded is a sentence under its object, the others stand", () => {
+test("an object that cannot be decoded has a sentence below it, and the others stay", () => {
   const broken: Root = { path: "/14/2/odd", name: "odd", value: { error: "This message does not fit." } };
   const rows = rowsOf([broken, kBall], open(), []);
   expect(rows.map(({ kind }) => kind)).toEqual(["root", "note", "root"]);
   expect(textOfRow(rows[1]!)).toBe("This message does not fit.");
 });
 
-test("an object of which nothing came can be opened, which may be what makes it come", () => {
+test("an object without a message can be opened, which may subscribe it", () => {
   const silent: Root = { path: "/14/2/camera_top", name: "camera_top", value: undefined };
   expect(rowsOf([silent], open(), [])).toMatchObject([{ open: false }]);
   expect(rowsOf([silent], open("/14/2/camera_top"), []).map(textOfRow)).toEqual(["", "Nothing has come yet."]);
@@ -89,7 +89,7 @@ test("a list without end shows its beginning and how much is left", () => {
   expect(textOfRow(rows.at(-1)!)).toBe("2000 more");
 });
 
-test("a row has changed when it says something else than before", () => {
+test("a row has changed when its text differs from before", () => {
   const changes = new Changes();
   expect(changes.sinceChange("a", "1", 0)).toBe(Infinity);
   expect(changes.sinceChange("a", "1", 1)).toBe(Infinity);
