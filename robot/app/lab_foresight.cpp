@@ -68,10 +68,12 @@ LabForesight::Setting LabForesight::setting_of(const memory::Channels& channels,
   return setting;
 }
 
+std::vector<std::string> LabForesight::strategies() const { return with_default_strategies(options_.strategies); }
+
 Result<std::shared_ptr<foreseeing::Foreseer>> LabForesight::foreseer_for(const Setting& setting) {
   const std::lock_guard guard(lock_);
   if (foreseer_ && prepared_ == setting) return foreseer_;
-  auto made = foreseeing::Foreseer::open({.strategies = with_default_strategies(options_.strategies),
+  auto made = foreseeing::Foreseer::open({.strategies = strategies(),
                                           .rules = setting.rules,
                                           .models = setting.models,
                                           .opponent_models = setting.opponent_models,

@@ -31,6 +31,9 @@ class LabForesight {
  public:
   explicit LabForesight(LabForesightOptions options) : options_(std::move(options)) {}
 
+  /// The strategies that can be asked about: those of the options, then the usual ones, 8 at most.
+  std::vector<std::string> strategies() const;
+
   /// From what `robot` knew at `now_ns` [ns since the epoch]: each object as it was recorded last by then. That is read
   /// from the recording itself, since what plays it gets to another moment bit by bit, one stream before the other.
   Result<foresight::Forecast> ask(const StreamOf& stream_of, const std::string& robot,

@@ -69,7 +69,10 @@ export const libraries = [
   { name: "Random123", include: "Random123/", target: "Random123::", folders: ["sim/math"] },
 ];
 
-/** Returns the row for `path`, or undefined. */
+/** The folders of viewer-web/src, bottom to top: a file imports from its own folder and from those before it. */
+const viewerLayers = ["source", "memory", "present", "draw", "state", "widgets", "views", "app"];
+
+/** The row that rules over `path`, or undefined. */
 function rowOf(path, table) {
   let folder = path;
   while (folder !== "." && !(folder in table)) folder = posix.dirname(folder);
@@ -143,13 +146,17 @@ function* checkLinks(path, text, { table, folderOfTarget }) {
   }
 }
 
-/** Yields imports from outside of viewer-web. The viewer gets its schemas from the server, so it needs none. */
+/** The viewer imports nothing from outside its folder, because it learns all schemas from its server, and nothing from above. */
 function* checkImports(path, text) {
+  const layerOf = (file) => viewerLayers.indexOf(file.split("/")[2]); // -1: outside the layers, such as main.ts
   for (const match of text.matchAll(/\b(?:from|import)\s*\(?\s*["']([^"']+)["']/g)) {
     const target = match[1];
-    const outside = target.startsWith(".") && !posix.join(posix.dirname(path), target).startsWith("viewer-web/");
-    if (outside || target.startsWith("/"))
-      yield `${path}:${lineOf(text, match.index)}: imports "${target}", but viewer-web uses nothing outside its folder`;
+    const where = `${path}:${lineOf(text, match.index)}: imports "${target}"`;
+    const file = posix.join(posix.dirname(path), target);
+    if (target.startsWith("/") || (target.startsWith(".") && !file.startsWith("viewer-web/")))
+      yield `${where}, but viewer-web uses nothing outside its folder`;
+    else if (target.startsWith(".") && layerOf(path) >= 0 && layerOf(file) > layerOf(path))
+      yield `${where}, but ${viewerLayers[layerOf(path)]} is below ${viewerLayers[layerOf(file)]}`;
   }
 }
 

@@ -26,6 +26,8 @@ const lawful = {
   "robot/app/CMakeLists.txt": "add_library(robot_app a.cpp)\ntarget_link_libraries(robot_app robot_net robot_memory)\n",
   "tests/robot/app/main_test.cpp": '#include "robot/app/main.h"\n#include "tests/support/file.h"\n#include <boost/beast.hpp>\n',
   "viewer-web/src/a/b.ts": 'import { x } from "../c";\nimport "svelte";\n',
+  "viewer-web/src/views/Field.svelte": 'import { x } from "../draw/field";\nconst later = import("./Game.svelte");\n',
+  "viewer-web/src/main.ts": 'import App from "./app/App.svelte";\n',
 };
 
 const cases = [
@@ -75,6 +77,11 @@ const cases = [
     name: "an import that leaves the viewer",
     files: { "viewer-web/src/a/b.ts": '\nimport { Ball } from "../../../proto/ball";\n' },
     says: 'viewer-web/src/a/b.ts:2: imports "../../../proto/ball", but viewer-web uses nothing outside its folder',
+  },
+  {
+    name: "an import from a higher folder of the viewer",
+    files: { "viewer-web/src/draw/field.ts": 'import { Viewer } from "../state/viewer.svelte";\n' },
+    says: 'viewer-web/src/draw/field.ts:1: imports "../state/viewer.svelte", but draw is below state',
   },
   {
     name: "code in a folder without a row",

@@ -130,7 +130,7 @@ test("recordings are listed, and downloaded whole through the page", async (t) =
   const { server, recorded } = await synthetic(t);
   const { page, problems } = await open(t, `${server.http}/#/sessions`);
   await page.getByText("1 recording,").waitFor();
-  await page.getByLabel(/^What happened:/).waitFor();
+  await page.getByLabel(/^Events:/).waitFor();
   await page.getByText("A part of it").click();
   await page.getByLabel("From").fill("soon");
   await page.getByText("Expected minutes and seconds such as 1:05, got 'soon'.").waitFor();

@@ -225,7 +225,7 @@ test("clock_sync answers as an NTP server would, and what a client measured beco
 
 test("a service that cannot do it says so within a normal answer; one that is not there is a failure", async (t) => {
   const { server, live } = await played(t);
-  assert.deepEqual([...live.services.keys()], ["clock_sync", "/foresight/what_if"]); // foresight-lab play does not record
+  assert.deepEqual([...live.services.keys()], ["clock_sync", "/foresight/what_if", "/foresight/strategies"]); // a player records nothing
   assert.deepEqual(await live.call("clock_sync", {}), { ok: false, error: "clock_sync: 'sent_ns' must be a text with a whole number" });
   live.send(serviceCall(live.services.get("clock_sync"), 77, "[1]"));
   assert.equal((await live.until(() => live.answers.get(77), "the answer")).json.error, "clock_sync: expected a JSON object, got something else");

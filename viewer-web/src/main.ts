@@ -1,9 +1,9 @@
 import { mount } from "svelte";
-import "./ui/base.css";
-import App from "./ui/App.svelte";
-import Refusal from "./ui/Refusal.svelte";
-import { keep, kept, restoreTheme } from "./ui/browser";
-import { Viewer } from "./ui/viewer.svelte";
+import "./app/base.css";
+import App from "./app/App.svelte";
+import Refusal from "./widgets/Refusal.svelte";
+import { keep, kept, restoreTheme } from "./state/browser";
+import { Viewer } from "./state/viewer.svelte";
 import { targetOf } from "./source/target";
 
 restoreTheme();

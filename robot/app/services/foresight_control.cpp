@@ -41,7 +41,7 @@ ForesightControl::ForesightControl(std::unique_ptr<foreseeing::Foreseer> foresee
   declare(runtime.parameters(), on);
   advisor_ = std::make_unique<foreseeing::Advisor>(std::move(foreseer), memory, runtime.channels(), robot, now_ns,
                                                    [&parameters = runtime.parameters()] { return asking(parameters); });
-  add_what_if(runtime.services(), robot,
+  add_what_if(runtime.services(), robot, advisor_->foreseer().strategies(),
               [this, own = robot, now_ns, &channels = runtime.channels()](const std::string& asked,
                                                                           const foresight::WhatIf& question) {
                 if (asked == own) return advisor_->ask(question);

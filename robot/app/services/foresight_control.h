@@ -14,8 +14,8 @@
 namespace robot::app {
 
 /// Declares the parameters `foresight` (the captain asks of its own accord), `foresight_period`, `foresight_budget_ms` and
-/// `foresight_horizon`, and the service /foresight/what_if. Made before the runtime starts; its end stops the server, since nobody can be answered
-/// any more.
+/// `foresight_horizon`, and the services /foresight/what_if and /foresight/strategies. Made before the runtime starts; its
+/// end stops the server, since nobody can be answered any more.
 class ForesightControl {
  public:
   /// `on`: the first value of `foresight`. `now_ns`: the time of what memory holds [ns since the epoch]. An Error if a

@@ -11,6 +11,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kName = "/foresight/what_if";
+constexpr const char* kStrategiesName = "/foresight/strategies";
 
 json refused(const std::string& sentence) { return net::failure(std::string(kName) + ": " + sentence); }
 
@@ -35,10 +36,15 @@ json answer(const json& request, std::uint64_t asked_ns, const std::string& own,
 
 }  // namespace
 
-void add_what_if(net::Services& services, const std::string& robot, AskForesight ask) {
+void add_what_if(net::Services& services, const std::string& robot, std::vector<std::string> strategies,
+                 AskForesight ask) {
   services.add(kName, net::Services::For::questions,
                [robot, ask = std::move(ask)](const json& request, const net::ClientContext& asker) {
                  return answer(request, asker.asked_ns, robot, ask);
+               });
+  services.add(kStrategiesName, net::Services::For::everybody,
+               [strategies = std::move(strategies)](const json&, const net::ClientContext&) {
+                 return json{{"ok", true}, {"strategies", strategies}};
                });
 }
 

@@ -1,4 +1,4 @@
-// What one robot believes and intends, in the frame `field`.
+// One robot's beliefs and intentions, in the frame `field`.
 
 import type { Memory } from "../memory/memory";
 import type { MemoryObject, RobotName } from "../memory/memory_object";
@@ -6,17 +6,17 @@ import { fieldsOf, listOf, numberOf, textOf, type Fields, type Value } from "../
 import type { Ellipse, Point } from "./field";
 
 export interface Pose extends Point {
-  /** [rad] counter-clockwise from +x; NaN when not known. */
+  /** [rad] counter-clockwise from +x; NaN if unknown. */
   heading: number;
 }
 
-/** [s] since it was believed so. */
+/** [s] since the robot formed this belief. */
 interface Aged {
   age: number;
 }
 
 export interface PoseBelief extends Pose, Aged {
-  /** [m] one standard deviation, of the less certain direction. */
+  /** [m] One standard deviation, in the less certain direction. */
   deviation: number;
   uncertainty: Ellipse;
   /** [rad] */
@@ -24,7 +24,7 @@ export interface PoseBelief extends Pose, Aged {
 }
 
 export interface BallBelief extends Point, Aged {
-  /** [m] one standard deviation. */
+  /** [m] One standard deviation. */
   deviation: number;
   uncertainty: Ellipse;
   /** [m/s] */
@@ -36,23 +36,23 @@ export interface Teammate extends Pose, Aged {
 }
 
 export interface OpponentBelief extends Point, Aged {
-  /** Undefined where they are not told apart. */
+  /** Undefined if the robot does not distinguish the opponents. */
   player: number | undefined;
-  /** [m] one standard deviation; 0 where it is not estimated. */
+  /** [m] One standard deviation; 0 if not estimated. */
   deviation: number;
 }
 
 export interface Beliefs {
-  /** Where it believes to be; undefined when it believes nothing (any more). */
+  /** The robot's pose as it believes. Undefined without a recent belief. */
   pose: PoseBelief | undefined;
   ball: BallBelief | undefined;
   teammates: Teammate[];
   opponents: OpponentBelief[];
-  /** [rad] where the camera looks, and half of what it sees to both sides. */
+  /** [rad] Direction of the camera, and half of its field of view. */
   view: { angle: number; half: number } | undefined;
-  /** Where it walks to. */
+  /** The target of its walk. */
   target: Pose | undefined;
-  /** Where it is about to kick from and to. */
+  /** Start and end of the kick that it is about to make. */
   kick: { from: Point; to: Point } | undefined;
   role: string;
   skill: string;
@@ -61,9 +61,9 @@ export interface Beliefs {
 /** The objects that are read. */
 export const kBeliefs = ["pose", "ball", "game", "team", "opponents", "motion_command", "camera_top_matrix", "joints", "decision"];
 
-const kForgotten = 10; // [s] a belief so old is not shown any more
-const kHalfView = 0.53; // [rad] of the Nao's cameras, 61° in all (Aldebaran's documentation); the camera matrix knows better
-const kKickLength = 1; // [m] of an arrow where the command tells no distance
+const kForgotten = 10; // [s] an older belief is not shown
+const kHalfView = 0.53; // [rad] of the Nao's cameras, 61° in all (Aldebaran's documentation); a camera matrix has precedence
+const kKickLength = 1; // [m] of an arrow if the command has no distance
 
 export const valueOf = (object: MemoryObject | undefined): Fields => object?.decoded()?.fields ?? new Map();
 
@@ -94,7 +94,7 @@ export function beliefsOf(memory: Memory, name: RobotName, now: number): Beliefs
   };
 }
 
-/** `team_field` is `field`, or turned by π where the own team attacks towards -x. */
+/** Converts from `team_field`. It is `field`, turned by π if the own team attacks towards -x. */
 export function inField(fields: Fields, turned: boolean): Pose | undefined {
   const point = pointOf(fields);
   const sign = turned ? -1 : 1;
@@ -108,13 +108,13 @@ function poseOf(fields: Fields, age: number | undefined, turned: boolean): PoseB
   return { ...pose, age, deviation: Math.max(a, b), uncertainty: { a, b, angle: 0 }, headingDeviation: numberOf(fields, "deviation_heading") || 0 };
 }
 
-/** What is at `x`, `y` of the robot's own frame. */
+/** Converts a point from the robot's own frame. */
 const seenFrom = ({ x, y, heading }: Pose, seen: Point): Point => ({
   x: x + Math.cos(heading) * seen.x - Math.sin(heading) * seen.y,
   y: y + Math.sin(heading) * seen.x + Math.cos(heading) * seen.y,
 });
 
-/** Seen from where the robot believes to stand: its errors of both add up, as they do in its decisions. */
+/** Returns the ball relative to the robot's believed pose. The errors of both add up, as in its decisions. */
 function ballOf(object: MemoryObject | undefined, pose: Pose, writtenAge: number | undefined): BallBelief | undefined {
   const fields = valueOf(object);
   const seen = pointOf(fields);
@@ -133,7 +133,7 @@ function ballOf(object: MemoryObject | undefined, pose: Pose, writtenAge: number
   };
 }
 
-/** The half axes of a covariance, turned with the robot; a circle where only one deviation is told. */
+/** Returns the half axes of a covariance, turned with the robot. Without a covariance it is a circle of `deviation`. */
 export function ellipseOf(fields: Fields, deviation: number, heading: number): Ellipse {
   const [xx, xy, yy] = ["xx", "xy", "yy"].map((name) => numberOf(fields, `covariance_${name}`)) as [number, number, number];
   if (!(xx > 0 && yy > 0) || !Number.isFinite(xy)) return { a: deviation, b: deviation, angle: 0 };
@@ -164,7 +164,7 @@ function opponentsOf(object: MemoryObject | undefined, writtenAge: number | unde
   });
 }
 
-/** Where the camera was, else the head as measured, else as commanded. */
+/** Returns the camera's direction: from its matrix, else from the measured head joints, else from the commanded ones. */
 function viewOf(joints: Fields, command: Fields, camera: Fields, pose: Pose): Beliefs["view"] {
   const bearing = ({ x, y }: Point) => Math.atan2(y, x);
   const entry = (list: Value, index: number) => (Array.isArray(list) && typeof list[index] === "number" ? list[index] : NaN);
@@ -177,7 +177,7 @@ function viewOf(joints: Fields, command: Fields, camera: Fields, pose: Pose): Be
   ].find(Number.isFinite);
   if (yaw === undefined) return undefined;
   const [width, focal] = [numberOf(camera, "width"), numberOf(camera, "focal_x")];
-  // no head turns further than 119.5°
+  // the head turns at most 119.5°
   return { angle: pose.heading + Math.max(-2.09, Math.min(2.09, yaw)), half: width > 0 && focal > 0 ? Math.atan(width / (2 * focal)) : kHalfView };
 }
 

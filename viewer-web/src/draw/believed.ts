@@ -1,4 +1,4 @@
-// The moment as a robot believes it to be, told by itself, to begin an edit with before foresight has answered anything.
+// The robot's beliefs at the shown moment. An edit starts from them before foresight has answered.
 
 import type { Body, Place, Situation } from "../memory/forecast";
 import type { Memory } from "../memory/memory";
@@ -6,10 +6,13 @@ import type { RobotName } from "../memory/memory_object";
 import { fieldsOf } from "../memory/value";
 import { beliefsOf, pointOf, valueOf } from "./beliefs";
 
-/** In team_field. Opponents that are not told apart are left out: nobody could say which of them was moved. */
+/**
+ * Returns the situation in team_field. Opponents that are not distinguished are left out, because nobody could name
+ * the moved one.
+ */
 export function believedBy(memory: Memory, robot: RobotName, now: number): Situation {
   const { pose, ball, teammates, opponents } = beliefsOf(memory, robot, now);
-  // beliefs are told in `field`; the half turn back is the same as the one there
+  // the beliefs are in `field`; the half turn is its own inverse
   const turned = valueOf(memory.get(`/${robot}/game`)).get("attacks_positive_x") === false;
   const back = ({ x, y }: Place): Place => (turned ? { x: -x, y: -y } : { x, y });
   const body = (side: Body["side"], player: number, at: Place & { heading: number }, deviation: number): Body => ({ side, player, ...back(at), heading: at.heading - (turned ? Math.PI : 0), deviation });

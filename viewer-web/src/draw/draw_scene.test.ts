@@ -18,7 +18,7 @@ const drawn = (what: Scene, chosen = "", layers: Layer[] = kUsualLayers) => {
   return pen;
 };
 
-test("everybody stands where he is, with his number", () => {
+test("each robot is drawn at its place with its number", () => {
   const pen = drawn(scene(robot("14/2", -1), robot("5/3", 2)));
   expect(pen.texts).toEqual([
     { text: "2", ...toScreen(kCamera, { x: -1, y: 1 }) },
@@ -28,14 +28,14 @@ test("everybody stands where he is, with his number", () => {
   expect(home!.style).not.toBe(away!.style);
 });
 
-test("the ball is where it is; without one there is none", () => {
+test("the ball is drawn at its place, and not at all without a ball", () => {
   const place = toScreen(kCamera, { x: 0.5, y: -0.25 });
   const balls = (what: Scene) => drawn(what).circles.filter(({ x, y, filled }) => filled && x === place.x && y === place.y);
   expect(balls(scene())).toHaveLength(1);
   expect(balls({ ...scene(), ball: undefined })).toHaveLength(0);
 });
 
-test("a believed ball fades while it is not seen, and the chosen robot's shows its error", () => {
+test("a believed ball fades while unseen, and the chosen robot's ball shows its error", () => {
   const believed = (age: number): Robot =>
     robot("14/2", 0, { pose: kPose, ball: { x: 1.5, y: 1.5, deviation: 0.4, uncertainty: { a: 0.4, b: 0.4, angle: 0 }, velocity: { x: 0, y: 0 }, age } });
   const place = toScreen(kCamera, { x: 1.5, y: 1.5 });
@@ -48,13 +48,13 @@ test("a believed ball fades while it is not seen, and the chosen robot's shows i
   expect(at(0, "")).toHaveLength(1);
 });
 
-test("freshness falls from 1 and never quite to nothing", () => {
+test("freshness falls from 1 and never reaches 0", () => {
   expect([freshness(-0.1), freshness(0)]).toEqual([1, 1]);
   for (let age = 0; age < 20; age += 0.5) expect(freshness(age + 0.5)).toBeLessThanOrEqual(freshness(age));
   expect(freshness(1e6)).toBeGreaterThan(0.1);
 });
 
-test("the nearest robot is meant, if it is near", () => {
+test("the nearest robot is hit, if it is near enough", () => {
   const what = scene(robot("14/2", -1), robot("5/3", -0.8));
   expect(robotAt(what, { x: -0.85, y: 1 })?.name).toBe("5/3");
   expect(robotAt(what, { x: -1.1, y: 1 })?.name).toBe("14/2");
@@ -62,19 +62,19 @@ test("the nearest robot is meant, if it is near", () => {
   expect(robotAt(scene(), { x: 0, y: 0 })).toBeUndefined();
 });
 
-test("a layer that is off draws nothing, the field stays", () => {
+test("a hidden layer draws nothing, and the field stays", () => {
   const what = scene(robot("14/2", -1, { pose: kPose }));
   expect(drawn(what, "14/2", []).circles.filter(({ filled, radius }) => filled && radius > 10)).toEqual([]);
   expect(drawn(what, "14/2", []).points.length).toBeGreaterThan(20);
   for (const layer of ["truth", "belief", "uncertainty"] as const) expect(drawn(what, "14/2", [layer]).points.length).toBeGreaterThan(drawn(what, "14/2", []).points.length);
 });
 
-test("where nobody tells the truth the belief gets the disc", () => {
+test("without the truth, the belief gets the disc", () => {
   const pen = drawn({ field: undefined, ball: undefined, robots: [robot("14/2", 0, { truth: undefined, pose: kPose })] }, "14/2");
   expect(pen.texts).toEqual([{ text: "2", ...toScreen(kCamera, kPose) }]);
 });
 
-test("hovering tells what is there, what is believed and by how much it is wrong", () => {
+test("hovering shows the truth, the belief and its error", () => {
   const ball = { x: 0.5, y: 0, deviation: 0.4, uncertainty: { a: 0.4, b: 0.4, angle: 0 }, velocity: { x: 0.3, y: 0.4 }, age: 2 };
   const what = scene(robot("14/2", 0.3, { pose: kPose, ball, role: "chaser", skill: "walk_to_ball" }));
   expect(factsAt(what, { x: 0.3, y: 1 }, "")).toEqual({
@@ -86,7 +86,7 @@ test("hovering tells what is there, what is believed and by how much it is wrong
   expect(factsAt(what, { x: -2, y: -1 }, "")).toBeUndefined();
 });
 
-test("opponents stand where they are believed to be, fade while they are not seen, and are told on hovering", () => {
+test("opponents are drawn at their believed places, fade while unseen, and are described on hovering", () => {
   const believing = (age: number) => scene(robot("14/2", -2, { opponents: [{ x: 1.5, y: 1.5, player: 3, deviation: 0.4, age }] }));
   const place = toScreen(kCamera, { x: 1.5, y: 1.5 });
   const circle = (age: number, layers: Layer[] = ["opponents"]) => drawn(believing(age), "14/2", layers).circles.find(({ x, y }) => x === place.x && y === place.y);
@@ -96,7 +96,7 @@ test("opponents stand where they are believed to be, fade while they are not see
   expect(factsAt(believing(2), { x: 1.5, y: 1.5 }, "14/2")).toEqual({ title: "Opponent 3, as 14/2 believes", lines: ["x 1.50, y 1.50 m ± 0.40 m", "seen 2.00 s ago"] });
 });
 
-test("futures are drawn where they lead, and only when they are wanted", () => {
+test("rollouts are drawn along their paths, and only if the layer is on", () => {
   const foreseen = { home: true, paths: [{ spacing: 1, ball: [{ x: 0, y: 0 }, { x: 2.5, y: -1.5 }], robots: [] }] };
   const end = toScreen(kCamera, { x: 2.5, y: -1.5 });
   const leads = (layers: Layer[]) => {

@@ -1,5 +1,5 @@
-// Draws a game, layer by layer: what is true in full, what the chosen robot believes over it, what the others believe
-// faintly. A filled disc is where a robot is, an outline where it believes to be.
+// Draws a game, layer by layer: the truth in full, the chosen robot's beliefs over it, the others' beliefs faintly. A
+// filled disc is a robot's true place, an outline its believed one.
 
 import type { Path } from "../memory/forecast";
 import type { BallBelief, Beliefs, Pose, PoseBelief } from "./beliefs";
@@ -31,27 +31,27 @@ export interface Foreseen {
   home: boolean;
 }
 
-/** What a scene is drawn with. Trails go from old to new. */
+/** Everything that a scene is drawn from. Trails go from old to new. */
 export interface Drawing {
   chosen: string;
   layers: ReadonlySet<Layer>;
   trails: { key: string; points: Point[]; kind: "ball" | "truth" | "belief" }[];
-  /** Of the newest forecast, and in which colour its team plays. */
+  /** The newest forecast's rollouts, and its team's colour. */
   foreseen?: Foreseen | undefined;
 }
 
 const kRobotRadius = 0.15; // [m] of a Nao from above, arms included
-const kBallRadius = 0.05; // [m] a little larger than it is, to be seen
+const kBallRadius = 0.05; // [m] larger than the real ball, to be visible
 const kViewRange = 1.6; // [m] of the drawn cone
 export const kRobotColours = { home: "#5aa9f8", away: "#ff9f40" };
 const kInk = "#0d1712";
 const kBright = "#ffffff";
 
-/** 1 for what was seen just now, falling to 0.15 after five seconds. */
+/** 1 for a thing seen just now, falling to 0.15 after five seconds. */
 export const freshness = (age: number): number => Math.min(1, Math.max(0.15, 1 - age / 5));
 
 const colourOf = ({ home }: Robot): string => (home ? kRobotColours.home : kRobotColours.away);
-/** The chosen robot's beliefs are white, so that they stand out from the discs. */
+/** The chosen robot's beliefs are white, to contrast with the discs. */
 const inkOf = (robot: Robot, front: boolean): string => (front ? kBright : colourOf(robot));
 
 export function drawScene(pen: Pen, camera: Camera, scene: Scene, { chosen, layers, trails, foreseen }: Drawing): void {
@@ -141,7 +141,7 @@ function drawBeliefs(pen: Pen, camera: Camera, robot: Robot, front: boolean): vo
   if (ball) drawBelievedBall(pen, camera, robot, ball, 1);
 }
 
-/** Where nobody tells the truth, the belief is all there is: it gets the disc. */
+/** Draws a robot at its believed place. Without the truth, the belief gets the disc. */
 function drawBody(pen: Pen, camera: Camera, robot: Robot, pose: PoseBelief, strength: number): void {
   pen.globalAlpha = 0.8 * strength * freshness(pose.age);
   fillCircle(pen, camera, pose, kRobotRadius, colourOf(robot));
@@ -154,7 +154,7 @@ function drawBelievedBall(pen: Pen, camera: Camera, robot: Robot, ball: BallBeli
   if (strength < 1) return;
   style(pen, kInk, 1, pen.globalAlpha);
   strokeCircle(pen, camera, ball, 0.8 * kBallRadius);
-  // where it would be in a second
+  // its place in one second
   style(pen, colourOf(robot), 2, pen.globalAlpha);
   if (Math.hypot(ball.velocity.x, ball.velocity.y) > 0.05)
     strokeArrow(pen, camera, ball, { x: ball.x + ball.velocity.x, y: ball.y + ball.velocity.y });
@@ -185,7 +185,7 @@ function drawUncertainty(pen: Pen, camera: Camera, robot: Robot, front: boolean)
 function drawView(pen: Pen, camera: Camera, robot: Robot): void {
   const { pose, view, truth } = robot;
   if (!pose || !view) return;
-  // the head turns with the body as it is, not as it believes
+  // the head turns with the true body, not with the believed one
   const body = truth && Number.isFinite(truth.heading) ? truth : pose;
   const angle = view.angle - pose.heading + body.heading;
   pen.globalAlpha = 0.13 * freshness(pose.age);
@@ -219,7 +219,7 @@ function drawTeammates(pen: Pen, camera: Camera, robot: Robot): void {
   }
 }
 
-/** Crosses in the colour of the other team: they cannot be taken for what is so. */
+/** Draws crosses in the other team's colour, which differ clearly from true places. */
 function drawOpponents(pen: Pen, camera: Camera, robot: Robot): void {
   const colour = kRobotColours[robot.home ? "away" : "home"];
   for (const opponent of robot.opponents) {
@@ -234,7 +234,7 @@ function drawOpponents(pen: Pen, camera: Camera, robot: Robot): void {
 }
 
 function drawTrails(pen: Pen, camera: Camera, { robots }: Scene, trails: Drawing["trails"]): void {
-  const kParts = 4; // older parts are fainter
+  const kParts = 4; // number of parts; older ones are fainter
   for (const { key, points, kind } of trails) {
     const robot = robots.find((robot) => robot.key === key);
     const colour = kind === "truth" && robot ? colourOf(robot) : kBright;
@@ -257,7 +257,7 @@ function drawName(pen: Pen, camera: Camera, robot: Robot, front: boolean): void 
   pen.font = `${front ? 600 : 400} 12px system-ui, sans-serif`;
   pen.textAlign = "center";
   pen.textBaseline = "middle";
-  // dark below light: readable over lines, too
+  // dark below light: readable over lines too
   const below = y + camera.scale * kRobotRadius * 1.8 + 8;
   pen.fillStyle = kInk;
   for (const [dx, dy] of [[-1, 0], [1, 0], [0, 1]] as const) pen.fillText(words, x + dx, below + dy);

@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import { cameraFor, drawField, kFields, kUsualField, toField, toScreen } from "./field";
 import { boxOf, testPen } from "./test_pen";
 
-test("a place on the screen and back is the place", () => {
+test("a point converted to the screen and back is the same point", () => {
   const camera = cameraFor(kUsualField, 900, 600);
   for (const [x, y] of [[0, 0], [3, -2], [-3.7, 2.7], [0.1, 5]] as const) {
     const back = toField(camera, toScreen(camera, { x, y }));
@@ -12,7 +12,7 @@ test("a place on the screen and back is the place", () => {
   }
 });
 
-test("y is up, x to the right, and a metre as long in both directions", () => {
+test("y is up, x to the right, and a metre has one length in both directions", () => {
   const camera = cameraFor(kUsualField, 900, 600);
   const origin = toScreen(camera, { x: 0, y: 0 });
   expect(origin).toEqual({ x: 450, y: 300 });
@@ -30,7 +30,7 @@ test("the whole carpet is on the canvas, whatever its shape, and touches two of 
   }
 });
 
-test("the field is drawn the same on both halves and both sides", () => {
+test("the field is drawn symmetrically", () => {
   const pen = testPen();
   drawField(pen, { scale: 100, centreX: 0, centreY: 0 }, { ...kUsualField, penaltyAreaLength: 1.65, penaltyAreaWidth: 4 });
   const points = pen.points.map(({ x, y }) => [x, y].map((value) => value.toFixed(6).replace("-0.000000", "0.000000")).join());
@@ -40,7 +40,7 @@ test("the field is drawn the same on both halves and both sides", () => {
   }
 });
 
-test("the fields that can be chosen are those of the simulator's rules", () => {
+test("the fields to choose from are those of the simulator's rules", () => {
   for (const [name, field] of Object.entries(kFields)) {
     const rules = JSON.parse(readFileSync(new URL(`../../../sim/data/rules/${name}.json`, import.meta.url), "utf8"));
     for (const [key, value] of Object.entries(field))

@@ -1,6 +1,6 @@
-// The field from above, and what is on it. Metres of the frame `field`; plain drawing, no browser needed.
+// The field from above. In metres of the frame `field`; plain drawing that needs no browser.
 
-/** As /sim/state has it. [m] between the middles of lines. */
+/** The dimensions in /sim/state. [m] between the middles of lines. */
 export interface Field {
   length: number;
   width: number;
@@ -9,7 +9,7 @@ export interface Field {
   centreCircleRadius: number;
   goalAreaLength: number;
   goalAreaWidth: number;
-  /** 0: the field has none. */
+  /** 0 if the field has none. */
   penaltyAreaLength: number;
   penaltyAreaWidth: number;
   penaltyMark: number;
@@ -17,7 +17,7 @@ export interface Field {
   goalDepth: number;
 }
 
-/** As in sim/data/rules; a test compares. */
+/** Equal to sim/data/rules; a test compares them. */
 export const kFields: Record<string, Field> = {
   spl2012: {
     length: 6, width: 4, border: 0.71, lineWidth: 0.05, centreCircleRadius: 0.6, goalAreaLength: 0.6, goalAreaWidth: 2.2,
@@ -29,22 +29,22 @@ export const kFields: Record<string, Field> = {
   },
 };
 
-/** Where nobody tells. */
+/** The field if none is reported. */
 export const kUsualField = kFields["spl2012"]!;
 
-/** The part of a canvas' context that is used, so that tests can be the canvas. */
+/** The part of a canvas' context that the drawing uses, so that tests can replace it. */
 export type Pen = Pick<
   CanvasRenderingContext2D,
   | "fillStyle" | "strokeStyle" | "lineWidth" | "globalAlpha" | "font" | "textAlign" | "textBaseline"
   | "beginPath" | "moveTo" | "lineTo" | "closePath" | "arc" | "ellipse" | "fill" | "stroke" | "fillRect" | "strokeRect" | "fillText" | "setLineDash"
 >;
 
-/** How metres become pixels: x to the right, y up, then turned. */
+/** The conversion from metres to pixels: x to the right, y up, then turned. */
 export interface Camera {
   scale: number; // [px/m]
   centreX: number; // [px] of the field's centre
   centreY: number;
-  /** Quarter turns, counter-clockwise: 1 has +x pointing up, 2 looks from the other side. */
+  /** Quarter turns, counter-clockwise: 1 turns +x up, 2 is the view from the other side. */
   turns?: number;
 }
 
@@ -53,7 +53,7 @@ export interface Point {
   y: number;
 }
 
-/** The whole carpet fits into `width` x `height` pixels, in its middle. */
+/** Returns the camera that shows the whole carpet in the middle of `width` x `height` pixels. */
 export function cameraFor(field: Field, width: number, height: number): Camera {
   const scale = Math.min(width / (field.length + 2 * field.border), height / (field.width + 2 * field.border));
   return { scale, centreX: width / 2, centreY: height / 2 };
@@ -73,7 +73,7 @@ export function toField({ scale, centreX, centreY, turns = 0 }: Camera, { x, y }
   return { x: cos * right + sin * up, y: cos * up - sin * right };
 }
 
-/** A direction of the field as a canvas counts angles: clockwise from the right. */
+/** Converts a direction of the field to a canvas angle: clockwise from the right. */
 export const toCanvasAngle = ({ turns = 0 }: Camera, angle: number): number => -(angle + (turns * Math.PI) / 2);
 
 const kCarpet = "#23523a";
@@ -96,7 +96,7 @@ export function drawField(pen: Pen, camera: Camera, field: Field): void {
       [field.penaltyAreaLength, field.penaltyAreaWidth],
     ] as const)
       if (deep > 0) strokeBox(pen, camera, { x: side > 0 ? length / 2 - deep : -length / 2, y: wide / 2 }, deep, wide);
-    // a cross, as on the carpet: not to be taken for a ball
+    // a cross, as on the carpet, which differs from a ball
     const [at, arm] = [side * (length / 2 - field.penaltyMark), 0.05];
     strokeLine(pen, camera, { x: at - arm, y: 0 }, { x: at + arm, y: 0 });
     strokeLine(pen, camera, { x: at, y: -arm }, { x: at, y: arm });
@@ -126,7 +126,7 @@ export function strokePath(pen: Pen, camera: Camera, points: Point[]): void {
 
 export const strokeLine = (pen: Pen, camera: Camera, from: Point, to: Point): void => strokePath(pen, camera, [from, to]);
 
-/** `corner` is the one with the smallest x and the greatest y. */
+/** Draws a box. `corner` has the smallest x and the greatest y. */
 function strokeBox(pen: Pen, camera: Camera, corner: Point, length: number, width: number): void {
   const [one, other] = [toScreen(camera, corner), toScreen(camera, { x: corner.x + length, y: corner.y - width })];
   pen.strokeRect(Math.min(one.x, other.x), Math.min(one.y, other.y), Math.abs(other.x - one.x), Math.abs(other.y - one.y));
@@ -167,7 +167,7 @@ function ellipse(pen: Pen, camera: Camera, centre: Point, { a, b, angle }: Ellip
   pen.ellipse(x, y, Math.max(1, camera.scale * a), Math.max(1, camera.scale * b), toCanvasAngle(camera, angle), 0, 2 * Math.PI);
 }
 
-/** What lies within `half` [rad] of a direction, up to `radius` [m]. */
+/** Fills the sector within `half` [rad] of a direction, up to `radius` [m]. */
 export function fillSector(pen: Pen, camera: Camera, from: Point, angle: number, half: number, radius: number, style: string): void {
   const { x, y } = toScreen(camera, from);
   const middle = toCanvasAngle(camera, angle);
@@ -179,7 +179,7 @@ export function fillSector(pen: Pen, camera: Camera, from: Point, angle: number,
   pen.fill();
 }
 
-/** A line with a head of `head` [m] at its end. */
+/** Draws a line with an arrow head of `head` [m] at its end. */
 export function strokeArrow(pen: Pen, camera: Camera, from: Point, to: Point, head = 0.08): void {
   const [length, angle] = [Math.hypot(to.x - from.x, to.y - from.y), Math.atan2(to.y - from.y, to.x - from.x)];
   if (!(length > 0)) return;

@@ -21,7 +21,7 @@ const drawn = (more: Partial<Foreseen>) => {
   return pen;
 };
 
-test("deviations are circles of their size; what is certain has none", () => {
+test("deviations are circles of their size, and certain things have none", () => {
   const radii = (x: number, y: number) => drawn({}).circles.filter((circle) => !circle.filled && circle.x === x && circle.y === y).map(({ radius }) => Math.round(radius));
   const [ball, own, opponent] = [kSituation.ball!, ...kSituation.bodies].map((at) => toScreen(kCamera, at));
   expect(radii(ball!.x, ball!.y)).toContain(20);
@@ -29,7 +29,7 @@ test("deviations are circles of their size; what is certain has none", () => {
   expect(radii(opponent!.x, opponent!.y)).toEqual([15]);
 });
 
-test("what was moved is marked where it is, and shows where it was believed to be", () => {
+test("a moved thing is marked at its new place and shows its believed place", () => {
   const marks = (pen: ReturnType<typeof testPen>) => pen.circles.filter(({ style }) => style === kEditColour);
   expect(marks(drawn({}))).toHaveLength(0);
   const [was, is] = marks(drawn({ edit: moved(kNoEdit, "own 2", { x: 2, y: 1, heading: 0 }) }));
@@ -37,12 +37,12 @@ test("what was moved is marked where it is, and shows where it was believed to b
   expect(is).toMatchObject(toScreen(kCamera, { x: 2, y: 1 }));
 });
 
-test("a robot that was moved onto another is drawn on top of it", () => {
+test("a robot that was moved onto another one is drawn on top", () => {
   const { texts } = drawn({ believed: { ...kSituation, bodies: [{ ...kSituation.bodies[0]!, player: 7 }, { ...kSituation.bodies[0]!, player: 8 }] }, edit: moved(kNoEdit, "own 7", { x: -1, y: 0, heading: 0 }) });
   expect(texts.map(({ text }) => text)).toEqual(["8", "7"]);
 });
 
-test("a future goes from point to point, and stays where it ends", () => {
+test("a rollout's marker moves from point to point and stays at the end", () => {
   expect([0, 0.25, 0.5, 0.75, 1, 9].map((at) => placeAt(kPath.ball, 0.5, at))).toEqual([{ x: 0, y: 0 }, { x: 0.5, y: 0 }, { x: 1, y: 0 }, { x: 1, y: 1 }, { x: 1, y: 2 }, { x: 1, y: 2 }]);
   expect(placeAt([], 0.5, 1)).toBeUndefined();
   expect(placeAt(kPath.ball, 0, 1)).toEqual({ x: 0, y: 0 });
@@ -51,7 +51,7 @@ test("a future goes from point to point, and stays where it ends", () => {
   for (const place of [{ x: 1, y: 1 }, { x: -1, y: 1 }]) expect(then.some(({ x, y }) => x === toScreen(kCamera, place).x && y === toScreen(kCamera, place).y)).toBe(true);
 });
 
-test("of a long future only a part is drawn in full: what comes first, or what led to the time looked at", () => {
+test("only part of a long rollout is drawn in full: its beginning, or the part before the shown time", () => {
   const long: Path = { spacing: 1, ball: Array.from({ length: 121 }, (_, i) => ({ x: i / 50, y: 0 })), robots: [] };
   const full = (at: number) => {
     const ticks = drawn({ believed: { ball: undefined, bodies: [] }, paths: [long], at }).circles.filter(({ filled, style, radius }) => filled && style === "#ffffff" && Math.round(radius) === 3);
@@ -61,11 +61,11 @@ test("of a long future only a part is drawn in full: what comes first, or what l
   expect(full(72)).toEqual([45, 50, 55, 60, 65, 70]);
 });
 
-test("paths without points or of one point are drawn without complaint", () => {
+test("paths with no point or one point are drawn without an error", () => {
   for (const ball of [[], [{ x: 0, y: 0 }]]) drawn({ paths: [{ spacing: 0.5, ball, robots: [{ player: 1, points: ball }] }], at: 0.3 });
 });
 
-test("heat is warmest where the ball was most, and cold where it never was", () => {
+test("heat is strongest where the ball was most often, and zero where it never was", () => {
   const { columns, rows, values } = warmth({ columns: 3, counts: [0, 0, 0, 0, 9, 0, 0, 0, 0] });
   expect(values).toHaveLength(columns * rows);
   const at = (x: number, y: number) => values[Math.floor(y * rows) * columns + Math.floor(x * columns)]!;
@@ -73,7 +73,7 @@ test("heat is warmest where the ball was most, and cold where it never was", () 
   expect(at(0, 0)).toBe(0);
   expect(at(0.4, 0.5)).toBeCloseTo(at(0.59, 0.5));
   expect(Math.max(...warmth({ columns: 2, counts: [0, 0, 0, 0] }).values)).toBe(0);
-  // of row 0, that is at -width/2: below the middle
+  // of row 0, at -width/2: below the middle
   const lower = drawn({ heat: { columns: 1, counts: [5, 0] } }).boxes.slice(1);
   expect(lower.length).toBeGreaterThan(0);
   for (const { y, height } of lower) expect(y + height).toBeGreaterThan(kCamera.centreY - 100);
@@ -90,7 +90,7 @@ test("the nearest thing is gripped, the ball before the robot behind it, and the
   expect(standingOf(kSituation, "own 9")).toBeUndefined();
 });
 
-test("nothing is dragged off the carpet, and who is believed beyond it is seen", () => {
+test("nothing can be dragged off the carpet, and things believed beyond it are visible", () => {
   expect(onCarpet(kUsualField, { x: 99, y: -99 })).toEqual({ x: 3.71, y: -2.71 });
   expect(onCarpet(kUsualField, { x: 1, y: 1 })).toEqual({ x: 1, y: 1 });
   const away = (x: number) => fieldRound(kUsualField, { ball: undefined, bodies: [{ side: "opponent", player: 1, x, y: 0, heading: 0, deviation: 0 }] }).border;

@@ -1,4 +1,5 @@
-// The moment that foresight played on from, and the futures: where the ball went, a few paths, who stands where then.
+// Draws the situation at the start of the rollouts, and the rollouts: heat of the ball, some paths, and the places of
+// all at a chosen time.
 
 import type { Body, Heat, Path, Situation } from "../memory/forecast";
 import { bodyOf, edited, movedIn, thingOf, type Edit, type Standing, type Thing } from "../memory/question";
@@ -7,9 +8,9 @@ import { drawPaths, placeAt } from "./futures";
 import { drawField, fillCircle, strokeCircle, strokeLine, toField, toScreen, type Camera, type Field, type Pen, type Point } from "./field";
 
 const kRobotRadius = 0.15; // [m] of a Nao from above, arms included
-const kBallRadius = 0.06; // [m] a little larger than it is, to be seen
+const kBallRadius = 0.06; // [m] larger than the real ball, to be visible
 const kHandle = 0.42; // [m] from a robot's middle to the handle that turns it
-const kReach = 0.22; // [m] so near is meant
+const kReach = 0.22; // [m] radius of a hit
 const kInk = "#0d1712";
 const kBright = "#ffffff";
 export const kHeatColour = "#ffe9a3";
@@ -17,17 +18,17 @@ export const kEditColour = "#ff66aa";
 
 export interface Foreseen {
   field: Field;
-  /** As believed, without the edit. */
+  /** The beliefs without the edit. */
   believed: Situation;
   edit: Edit;
   /** Of one strategy. */
   heat: Heat | undefined;
   paths: Path[];
-  /** [s] from the moment on. */
+  /** [s] after the start of the rollouts. */
   at: number;
-  /** Being moved, or under the pointer. */
+  /** The thing that is dragged or under the pointer. */
   held: Thing | undefined;
-  /** They were foreseen for another situation than this. */
+  /** True if the rollouts belong to another situation than this one. */
   stale: boolean;
 }
 
@@ -37,18 +38,18 @@ export function drawForeseen(pen: Pen, camera: Camera, { field, believed, edit, 
   drawField(pen, camera, field);
   if (heat) drawHeat(pen, camera, field, heat, strength);
   drawPaths(pen, camera, paths, { strength, colour: kRobotColours.home, at });
-  // what begins to move leaves a shadow behind
+  // a moving thing leaves a shadow at its start
   drawSituation(pen, camera, believed, now, edit, at > 0 ? 0.35 : 1);
   if (held) drawHandle(pen, camera, now, held);
   if (at > 0) for (const path of paths) drawThen(pen, camera, path, at, strength);
   pen.globalAlpha = 1;
 }
 
-// where the ball was
+// heat of the ball
 
-const kFine = 4; // cells are drawn so many times finer, along x and y
+const kFine = 4; // each cell is drawn this many times finer, along x and y
 
-/** [0..1] how often the ball was there, of the cell where it was most; as the eye takes it, not as it was counted. */
+/** [0..1] How often the ball was there, relative to the most frequent cell, on a scale for the eye. */
 export function warmth({ columns, counts }: Heat): { columns: number; rows: number; values: number[] } {
   const rows = counts.length / columns;
   const most = Math.max(1, ...counts);
@@ -81,7 +82,7 @@ function drawHeat(pen: Pen, camera: Camera, { length, width }: Field, heat: Heat
   });
 }
 
-// the futures
+// rollouts
 
 function drawThen(pen: Pen, camera: Camera, { spacing, ball, robots }: Path, at: number, strength: number): void {
   for (const { player, points } of robots) {
@@ -98,7 +99,7 @@ function drawThen(pen: Pen, camera: Camera, { spacing, ball, robots }: Path, at:
   if (place) drawBall(pen, camera, place, strength);
 }
 
-// the moment
+// situation
 
 function drawSituation(pen: Pen, camera: Camera, believed: Situation, now: Situation, edit: Edit, alpha: number): void {
   for (const thing of movedIn(edit)) drawMove(pen, camera, standingOf(believed, thing), standingOf(now, thing));
@@ -113,7 +114,7 @@ function drawSituation(pen: Pen, camera: Camera, believed: Situation, now: Situa
   };
   for (const body of now.bodies) doubt(body, body.deviation, colourOf(body.side));
   if (now.ball) doubt(now.ball, now.ball.deviation, kBright);
-  // what was moved lies on top of what it may have been moved onto
+  // moved robots lie on top of the others
   const isMoved = (body: Body) => Number(edit.robots.has(thingOf(body)));
   for (const body of [...now.bodies].sort((a, b) => isMoved(a) - isMoved(b))) {
     pen.globalAlpha = alpha;
@@ -131,7 +132,7 @@ function drawSituation(pen: Pen, camera: Camera, believed: Situation, now: Situa
   if (now.ball && edit.ball) drawMark(pen, camera, now.ball, kBallRadius);
 }
 
-/** From where it is believed to be to where it was put. */
+/** Draws an arrow from the believed place to the new place. */
 function drawMove(pen: Pen, camera: Camera, from: Standing | undefined, to: Standing | undefined): void {
   if (!from || !to) return;
   pen.strokeStyle = kEditColour;
@@ -162,7 +163,7 @@ function drawHandle(pen: Pen, camera: Camera, now: Situation, held: Thing): void
   pen.setLineDash([3, 3]);
   strokeLine(pen, camera, standing, handle);
   pen.setLineDash([]);
-  // dark, not to be taken for a ball
+  // dark, to differ from a ball
   fillCircle(pen, camera, handle, 6 / camera.scale, kInk);
   strokeCircle(pen, camera, handle, 6 / camera.scale);
 }
@@ -187,7 +188,7 @@ function drawNumber(pen: Pen, camera: Camera, player: number, at: Point): void {
 const colourOf = (side: "own" | "opponent"): string => (side === "own" ? kRobotColours.home : kRobotColours.away);
 const ahead = ({ x, y, heading }: Standing, distance: number): Point => ({ x: x + distance * Math.cos(heading), y: y + distance * Math.sin(heading) });
 
-// what the pointer is at
+// pointer
 
 export function standingOf({ ball, bodies }: Situation, thing: Thing): Standing | undefined {
   if (thing === "ball") return ball && { ...ball, heading: 0 };
@@ -195,23 +196,23 @@ export function standingOf({ ball, bodies }: Situation, thing: Thing): Standing 
   return bodies.find(({ side, player }) => side === wanted?.side && player === wanted.player);
 }
 
-/** Never so near that a finger could not tell it from the robot. */
+/** Returns the handle's place, far enough from the robot for a finger. */
 const handleOf = ({ scale }: Camera, standing: Standing): Point => ahead(standing, Math.max(kHandle, 34 / scale));
 
 export interface Grip {
   thing: Thing;
-  /** By the handle: it turns, and does not move. */
+  /** True if gripped by the handle: it turns and does not move. */
   turns: boolean;
 }
 
-/** What is meant at a place of the canvas [px]: the handle of what is held, else the nearest thing. */
+/** Returns the grip at a place of the canvas [px]: the handle of the held thing, else the nearest thing. */
 export function gripAt(camera: Camera, now: Situation, held: Thing | undefined, pointer: Point): Grip | undefined {
   const point = toField(camera, pointer);
   const apart = (at: Point) => Math.hypot(at.x - point.x, at.y - point.y);
   const reach = Math.max(kReach, 22 / camera.scale);
   const standing = held && held !== "ball" ? standingOf(now, held) : undefined;
   if (held && standing && apart(handleOf(camera, standing)) < 0.7 * reach) return { thing: held, turns: true };
-  // the ball is small and often at a robot's feet: it comes first where both are meant
+  // the ball is small and often at a robot's feet: it has precedence if both are hit
   const things = [...(now.ball ? [{ thing: "ball", away: apart(now.ball) - 0.1 }] : []), ...now.bodies.map((body) => ({ thing: thingOf(body), away: apart(body) }))];
   const [nearest] = things.sort((a, b) => a.away - b.away);
   return nearest && nearest.away < reach ? { thing: nearest.thing, turns: false } : undefined;
@@ -219,13 +220,13 @@ export function gripAt(camera: Camera, now: Situation, held: Thing | undefined, 
 
 const kFarthest = 2; // [m] beyond the lines
 
-/** The field with so much around it that what is believed to be beyond the carpet is seen, too. */
+/** Returns the field with a border wide enough for all believed places. */
 export function fieldRound(field: Field, { ball, bodies }: Situation): Field {
   const beyond = [...(ball ? [ball] : []), ...bodies].map(({ x, y }) => Math.max(Math.abs(x) - field.length / 2, Math.abs(y) - field.width / 2) + 2 * kRobotRadius);
   return { ...field, border: Math.min(kFarthest, Math.max(field.border, ...beyond)) };
 }
 
-/** On the carpet. */
+/** Clamps a point to the carpet. */
 export const onCarpet = ({ length, width, border }: Field, { x, y }: Point): Point => {
   const within = (value: number, most: number) => Math.max(-most, Math.min(most, value));
   return { x: within(x, length / 2 + border), y: within(y, width / 2 + border) };

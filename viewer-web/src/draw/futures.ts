@@ -1,4 +1,4 @@
-// Continuations of a game as foresight tells them: the ball's way thick, the robots' thin, a mark every five seconds.
+// Draws rollouts of a forecast: the ball's path thick, the robots' thin, a mark every five seconds.
 
 import type { Path, Place } from "../memory/forecast";
 import { fillCircle, strokeLine, strokePath, type Camera, type Pen, type Point } from "./field";
@@ -6,10 +6,10 @@ import { fillCircle, strokeLine, strokePath, type Camera, type Pen, type Point }
 const kInk = "#0d1712";
 const kBright = "#ffffff";
 const kTick = 5; // [s] between marks on a path
-const kPlain = 30; // [s] of a path that the eye can follow
-const kFaint = 0.25; // of its strength, what comes after and what is long past
+const kPlain = 30; // [s] of a path that is drawn in full; a longer one cannot be followed by eye
+const kFaint = 0.25; // relative strength of the rest of the path
 
-/** Where it is after `at` [s]: between two points, at the end after the last. Undefined where there are none. */
+/** Returns the place after `at` [s], interpolated, or the last point after the end. Undefined without points. */
 export function placeAt(points: Place[], spacing: number, at: number): Point | undefined {
   if (points.length === 0) return undefined;
   const step = spacing > 0 ? Math.min(points.length - 1, Math.max(0, at / spacing)) : 0;
@@ -17,13 +17,18 @@ export function placeAt(points: Place[], spacing: number, at: number): Point | u
   return { x: one.x + share * (other.x - one.x), y: one.y + share * (other.y - one.y) };
 }
 
-/** [s] of the longest. */
+/** [s] of the longest path. */
 export const lengthOf = (paths: Path[]): number => Math.max(0, ...paths.map(({ spacing, ball }) => spacing * (ball.length - 1)));
 
-/** [s] The part that is drawn in full: what led to `at`, at 0 what comes next. Never so much that many paths are a tangle. */
+/**
+ * [s] The part that is drawn in full: the time before `at`, or the beginning if `at` is 0. It is limited, so that many
+ * paths do not become a tangle.
+ */
 const plainPart = (at: number): [number, number] => (at > 0 ? [Math.max(0, at - kPlain), at] : [0, kPlain]);
 
-/** What led to `at` [s] in full, the rest faintly; at 0 what comes next in full. Robots in `colour`. */
+/**
+ * Draws the part before `at` [s] in full and the rest faintly; with `at` 0, the beginning in full. Robots in `colour`.
+ */
 export function drawPaths(pen: Pen, camera: Camera, paths: Path[], { strength, colour, at = 0 }: { strength: number; colour: string; at?: number }): void {
   for (const path of paths) {
     for (const { points } of path.robots) drawTrack(pen, camera, points, path.spacing, at, { colour, width: 1.5, alpha: 0.75 * strength });
@@ -62,7 +67,7 @@ function drawTicks(pen: Pen, camera: Camera, { ball, spacing }: Path, at: number
   }
   const end = ball.at(-1);
   if (!end || length <= 0) return;
-  // an end that is told from a tick by its shape
+  // the end's mark differs from a tick by its shape
   pen.globalAlpha = strengthAt(length);
   pen.strokeStyle = kBright;
   pen.lineWidth = 2;

@@ -1,7 +1,7 @@
-// What is under the pointer on the field, in words.
+// Descriptions of the things under the pointer on the field.
 
 import type { Point } from "./field";
-import { duration } from "./format";
+import { duration } from "../present/format";
 import type { Robot, Scene } from "./scene";
 
 export interface Facts {
@@ -9,14 +9,17 @@ export interface Facts {
   lines: string[];
 }
 
-const kReach = 0.25; // [m] so near is meant
+const kReach = 0.25; // [m] radius of a hit
 const metres = (value: number): string => `${value.toFixed(2)} m`;
 const place = ({ x, y }: Point): string => `x ${x.toFixed(2)}, y ${y.toFixed(2)} m`;
 const degrees = (angle: number): string => `${Math.round((Math.atan2(Math.sin(angle), Math.cos(angle)) * 180) / Math.PI)}°`;
 const apart = (a: Point, b: Point): number => Math.hypot(a.x - b.x, a.y - b.y);
 const speedOf = ({ x, y }: Point): string => `${Math.hypot(x, y).toFixed(2)} m/s`;
 
-/** The nearest thing that can be seen at `point`; undefined where nothing is. `chosen` is the key of the robot in front. */
+/**
+ * Describes the nearest visible thing at `point`. Undefined if there is none. `chosen` is the key of the robot in
+ * front.
+ */
 export function factsAt(scene: Scene, point: Point, chosen: string, reach = kReach): Facts | undefined {
   const found: { distance: number; facts: () => Facts }[] = [];
   const add = (at: Point | undefined, handicap: number, facts: () => Facts) => {
@@ -26,7 +29,7 @@ export function factsAt(scene: Scene, point: Point, chosen: string, reach = kRea
   add(scene.ball, 0, () => ballFacts(scene));
   for (const robot of scene.robots) {
     add(robot.truth, 0, () => robotFacts(robot));
-    // what others believe is drawn behind
+    // other robots' beliefs are drawn behind
     const handicap = robot.key === chosen ? 0 : reach / 4;
     add(robot.pose, handicap + 0.01, () => robotFacts(robot));
     add(robot.ball, handicap, () => believedBallFacts(robot, scene));
@@ -46,7 +49,7 @@ export function factsAt(scene: Scene, point: Point, chosen: string, reach = kRea
   return found.sort((a, b) => a.distance - b.distance)[0]?.facts();
 }
 
-/** The robot nearest to `point`, if it is near enough to be meant. */
+/** Returns the robot nearest to `point` within `reach`. */
 export function robotAt(scene: Scene, point: Point, reach = kReach): Robot | undefined {
   const distance = ({ truth, pose }: Robot) => Math.min(...[truth, pose].map((at) => (at ? apart(at, point) : Infinity)));
   const [nearest] = [...scene.robots].sort((a, b) => distance(a) - distance(b));

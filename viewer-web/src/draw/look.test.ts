@@ -6,7 +6,7 @@ const sizes = [[900, 600], [390, 700]] as const;
 const looks: Look[] = [kWhole, { zoom: 2.5, x: 1, y: -0.5, mirrored: false }, { zoom: 1, x: 0.25, y: 0, mirrored: true }];
 const near = (a: { x: number; y: number }, b: { x: number; y: number }) => Math.hypot(a.x - b.x, a.y - b.y) < 1e-9;
 
-test("screen and field are each other's inverse, however it is looked at", () => {
+test("the conversions between screen and field are inverse to each other for every look", () => {
   for (const [width, height] of sizes)
     for (const look of looks) {
       const camera = cameraOf(kUsualField, look, width, height);
@@ -15,7 +15,7 @@ test("screen and field are each other's inverse, however it is looked at", () =>
     }
 });
 
-test("an upright canvas shows the field upright, mirrored is the other side's view", () => {
+test("an upright canvas shows the field upright, and the mirrored look is the other side's view", () => {
   const up = toScreen(cameraOf(kUsualField, kWhole, 390, 700), { x: 3, y: 0 });
   expect([Math.round(up.x), up.y < 350]).toEqual([195, true]);
   const right = toScreen(cameraOf(kUsualField, kWhole, 900, 600), { x: 3, y: 1 });
@@ -23,7 +23,7 @@ test("an upright canvas shows the field upright, mirrored is the other side's vi
   expect(near(right, mirrored)).toBe(true);
 });
 
-test("what is under the pointer stays there when zoomed, and comes along when dragged", () => {
+test("the place under the pointer stays there while zooming, and follows while dragging", () => {
   for (const [width, height] of sizes)
     for (const look of looks) {
       const camera = cameraOf(kUsualField, look, width, height);
@@ -35,7 +35,7 @@ test("what is under the pointer stays there when zoomed, and comes along when dr
     }
 });
 
-test("a look survives the address, and nonsense is the whole field", () => {
+test("a look survives the address, and an invalid one is the whole field", () => {
   for (const look of looks) expect(lookOfText(textOfLook(look))).toEqual(look);
   expect(textOfLook(kWhole)).toBe("");
   for (const text of ["", "x,y", "NaN,1e9,,", "1e99"]) expect(lookOfText(text)).toEqual(kWhole);

@@ -4,7 +4,7 @@ import { History } from "../memory/history";
 import { foreseenBy } from "./newest_forecast";
 import type { Told } from "./scene";
 
-test("a forecast of before half-time stays where it was, though the team has changed sides since", () => {
+test("a forecast from before half-time stays at its place after the teams changed sides", () => {
   const forecast = { strategies: [{ strategy: "a", paths: [{ spacing: 1, ball: [1, 2], robots: [{ player: 2, points: [3, -1] }] }] }] };
   const history = new History();
   for (const half of [1, 2]) history.add({ log_ns: BigInt(100 * half), data: Uint8Array.of(half), arrived: 0 });
@@ -17,5 +17,5 @@ test("a forecast of before half-time stays where it was, though the team has cha
   };
   expect(seen(150n)).toMatchObject({ ball: [{ x: 1, y: 2 }], robots: [{ points: [{ x: 3, y: -1 }] }] });
   expect(seen(250n)).toMatchObject({ ball: [{ x: -1, y: -2 }], robots: [{ points: [{ x: -3, y: 1 }] }] });
-  expect(seen(50n).ball).toEqual([{ x: -1, y: -2 }]); // that moment's sides are not kept any more: as now
+  expect(seen(50n).ball).toEqual([{ x: -1, y: -2 }]); // the sides of that moment are not kept any more: those of now count
 });

@@ -1,4 +1,4 @@
-// The futures for the Field view: of the newest forecast that any robot made, in the frame `field`.
+// The rollouts for the Field view: those of the newest forecast of any robot, in the frame `field`.
 
 import { chosenOf, forecastOf, type Path, type Place } from "../memory/forecast";
 import type { MemoryObject } from "../memory/memory_object";
@@ -6,12 +6,12 @@ import { valueOf } from "./beliefs";
 import type { Foreseen } from "./draw_scene";
 import type { Robot, Told } from "./scene";
 
-const read = new WeakMap<Uint8Array, Path[]>(); // each message once
+const read = new WeakMap<Uint8Array, Path[]>(); // each message is read once
 
-/** The topics that it reads; only those that are offered. */
+/** Returns the offered topics that are read. */
 export const forecastTopicsOf = ({ memory, robots }: Pick<Told, "memory" | "robots">): string[] => robots.map((robot) => `/${robot}/forecast`).filter((topic) => memory.get(topic));
 
-/** The chosen robot's, where it tells any; `robots` say who plays at home. */
+/** Returns the chosen robot's forecast if there is one, else the newest of another. `robots` contain the home team. */
 export function foreseenBy(told: Told[], robots: Robot[], chosen: string): Foreseen | undefined {
   const all = told.flatMap(({ memory, robots, keyOf }) =>
     robots.flatMap((robot) => {
@@ -37,7 +37,7 @@ function pathsOf(object: MemoryObject, game: MemoryObject | undefined): Path[] {
   return placed;
 }
 
-/** The sides of the moment that was played on from: a forecast of before half-time stays where it was. */
+/** Returns the side at the start of the rollouts, so that a forecast from before half-time stays at its place. */
 function wasTurned(game: MemoryObject | undefined, at_ns: bigint): boolean {
   const then = game?.history.at(at_ns);
   return (then ? game?.decode(then.data).fields : valueOf(game))?.get("attacks_positive_x") === false;

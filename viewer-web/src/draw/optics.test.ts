@@ -10,7 +10,7 @@ function looking(down: number): Optics {
   return { rotation, at: { x: 0.05, y: 0.01, z: 0.5 }, width: 640, height: 480, focal: { x: 544, y: 544 }, centre: { x: 320, y: 240 } };
 }
 
-test("a place on the ground appears where the pixel that shows it leads back to it", () => {
+test("a ground point projects to the pixel that leads back to it", () => {
   const optics = looking(0.4);
   for (const place of [{ x: 1, y: 0 }, { x: 2.5, y: -0.8 }, { x: 0.6, y: 0.3 }]) {
     const pixel = toPixel(optics, { ...place, z: 0 })!;
@@ -22,7 +22,7 @@ test("a place on the ground appears where the pixel that shows it leads back to 
   expect(toPixel(optics, { x: 4, y: 0, z: 0 })!.y).toBeLessThan(toPixel(optics, { x: 1, y: 0, z: 0 })!.y);
 });
 
-test("nothing behind the camera appears, and a line that comes from there is cut", () => {
+test("nothing behind the camera is projected, and a line from there is cut", () => {
   const optics = looking(0.2);
   expect(toPixel(optics, { x: -1, y: 0, z: 0 })).toBeUndefined();
   expect(lineToPixels(optics, { x: -2, y: 0, z: 0 }, { x: -1, y: 0, z: 0 })).toBeUndefined();
@@ -48,14 +48,14 @@ test("an image of half the size shows the same at half the pixels", () => {
   expect([other.x, other.y]).toEqual([expect.closeTo(one.x / 2), expect.closeTo(one.y / 2)]);
 });
 
-test("a matrix that is not told in full is none", () => {
+test("an incomplete matrix gives no optics", () => {
   const fields: Fields = new Map(Object.entries({ rotation: [0, 0, 1, -1, 0, 0, 0, -1, 0], x: 0, y: 0, z: 0.5, width: 640, height: 480, focal_x: 544, focal_y: 544, centre_x: 320, centre_y: 240 }));
   expect(opticsOf(fields)).toMatchObject({ width: 640, at: { z: 0.5 } });
   for (const name of fields.keys()) expect(opticsOf(new Map([...fields].filter(([other]) => other !== name))), name).toBeUndefined();
   expect(opticsOf(new Map([...fields, ["focal_x", 0]]))).toBeUndefined();
 });
 
-test("what was found has an outline, else a box, else neither", () => {
+test("a detection has an outline, else a box, else neither", () => {
   const box: Fields = new Map(Object.entries({ box_left: 10, box_top: 20, box_width: 30, box_height: 40 }));
   expect(outlineOf(box)).toEqual([{ x: 10, y: 20 }, { x: 40, y: 20 }, { x: 40, y: 60 }, { x: 10, y: 60 }]);
   const corner = (x: number) => new Map(Object.entries({ x, y: 1 }));

@@ -1,4 +1,4 @@
-// How a camera projects, as proto/foresight/camera.proto has it: between pixels and places in the frame `robot`.
+// The camera's projection as in proto/foresight/camera.proto: between pixels and places in the frame `robot`.
 
 import { listOf, numberOf, type Fields } from "../memory/value";
 import type { Point } from "./field";
@@ -13,16 +13,16 @@ export interface Optics {
   rotation: number[];
   /** [m] of the optical centre. */
   at: Place;
-  /** [px] of the images for which the rest holds. */
+  /** [px] Size of the images that the other values belong to. */
   width: number;
   height: number;
   focal: Point; // [px]
   centre: Point; // [px]
 }
 
-const kNear = 0.05; // [m] before the camera: what is nearer is not drawn
+const kNear = 0.05; // [m] in front of the camera: nearer points are not drawn
 
-/** Undefined where the message does not say how the camera projects. */
+/** Returns undefined if the message has no complete projection. */
 export function opticsOf(matrix: Fields): Optics | undefined {
   const rotation = (matrix.get("rotation") as unknown[] | undefined)?.map(Number) ?? [];
   const of = (name: string) => numberOf(matrix, name);
@@ -57,13 +57,13 @@ function inCamera({ rotation: r, at }: Optics, { x, y, z }: Place): Place {
 
 const pixelOf = ({ focal, centre }: Optics, { x, y, z }: Place): Point => ({ x: centre.x + (focal.x * x) / z, y: centre.y + (focal.y * y) / z });
 
-/** Where a place appears; undefined when it is not before the camera. */
+/** Returns the pixel of a place, or undefined if it is not in front of the camera. */
 export function toPixel(optics: Optics, place: Place): Point | undefined {
   const seen = inCamera(optics, place);
   return seen.z > kNear ? pixelOf(optics, seen) : undefined;
 }
 
-/** Both ends of the part of a straight line that is before the camera. */
+/** Returns both ends of the visible part of a straight line. */
 export function lineToPixels(optics: Optics, from: Place, to: Place): [Point, Point] | undefined {
   let [a, b] = [inCamera(optics, from), inCamera(optics, to)];
   if (a.z <= kNear && b.z <= kNear) return undefined;
@@ -76,13 +76,13 @@ export function lineToPixels(optics: Optics, from: Place, to: Place): [Point, Po
   return [pixelOf(optics, a), pixelOf(optics, b)];
 }
 
-/** The direction in the frame `robot` in which a pixel looks. */
+/** Returns the direction of a pixel in the frame `robot`. */
 function direction({ rotation: r, focal, centre }: Optics, pixel: Point): Place {
   const [x, y] = [(pixel.x - centre.x) / focal.x, (pixel.y - centre.y) / focal.y];
   return { x: r[0]! * x + r[1]! * y + r[2]!, y: r[3]! * x + r[4]! * y + r[5]!, z: r[6]! * x + r[7]! * y + r[8]! };
 }
 
-/** Where on the ground a pixel is [m, robot]; undefined above the horizon. */
+/** Returns the ground point of a pixel [m, robot], or undefined above the horizon. */
 export function toGround(optics: Optics, pixel: Point): Point | undefined {
   const ray = direction(optics, pixel);
   if (ray.z >= -1e-6) return undefined;
@@ -90,14 +90,14 @@ export function toGround(optics: Optics, pixel: Point): Point | undefined {
   return { x: optics.at.x + length * ray.x, y: optics.at.y + length * ray.y };
 }
 
-/** Two points of the line where the ground ends, at the left and right edge of the image; undefined when it stands upright. */
+/** Returns two points of the horizon, at the left and right edge of the image. Undefined if it is vertical. */
 export function horizonOf({ rotation: r, width, focal, centre }: Optics): [Point, Point] | undefined {
   if (Math.abs(r[7]!) < 1e-6) return undefined;
   const at = (x: number): Point => ({ x, y: centre.y - (focal.y * (r[8]! + (r[6]! * (x - centre.x)) / focal.x)) / r[7]! });
   return [at(0), at(width)];
 }
 
-/** The corners of a detection's outline, or of its box; empty when only its centre is known [px]. */
+/** Returns the corners of a detection's outline or box [px]. Empty if only its centre is known. */
 export function outlineOf(detection: Fields): Point[] {
   const outline = listOf(detection, "outline").map((pixel) => ({ x: numberOf(pixel, "x"), y: numberOf(pixel, "y") }));
   if (outline.length > 1) return outline;

@@ -22,22 +22,22 @@ const drawn = (overlays: Overlay[], more: Partial<Seen> = {}) => {
   return pen;
 };
 
-test("what was found stands at its pixels, whatever the picture's size, with word and distance", () => {
+test("a detection is drawn at its pixels with word and distance, at any size of the image", () => {
   const pen = drawn(["found"]);
   expect(pen.circles).toContainEqual(expect.objectContaining({ x: 100, y: 200, radius: 10 }));
   expect(pen.texts.map(({ text }) => text)).toEqual(["opponent robot 2.0 m", "ball 1.2 m"]);
 });
 
-test("a word never covers what it names", () => {
+test("a word never covers its detection", () => {
   const pen = drawn(["found"], { vision: fields({ image_width: 640, image_height: 480, ball: fields({ detection: fields({ camera: kTop, image_x: 620, image_y: 200 }), radius: 10 }) }) });
   expect(pen.boxes[0]!.x + pen.boxes[0]!.width).toBeLessThan(610);
 });
 
-test("what the other camera found is not drawn", () => {
+test("the other camera's detections are not drawn", () => {
   expect(drawn(["found"], { camera: 2 }).points).toEqual([]);
 });
 
-test("where nothing is known of the picture's time nothing is drawn", () => {
+test("nothing is drawn if nothing of the image's time is known", () => {
   expect(drawn(["found", "horizon", "lines"], { vision: undefined, optics: undefined }).points).toEqual([]);
   expect(drawn(["lines"], { pose: undefined }).points).toEqual([]);
   expect(drawn(["lines"]).points.length).toBeGreaterThan(50);

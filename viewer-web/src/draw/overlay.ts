@@ -1,5 +1,5 @@
-// What is drawn over a camera's picture: what the vision found in it, where the ground ends, and where the field's lines
-// should be if the robot stood where it believes to.
+// Drawings over a camera image: the vision's detections, the horizon, and the field lines as seen from the believed
+// pose.
 
 import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "../memory/value";
 import type { Pose } from "./beliefs";
@@ -13,7 +13,7 @@ export const kOverlays = {
 };
 export type Overlay = keyof typeof kOverlays;
 
-/** All of the picture's own capture time; undefined where nothing of that time is known. */
+/** All at the image's own capture time. Undefined if nothing of that time is known. */
 export interface Seen {
   vision: Fields | undefined;
   /** 1 top, 2 bottom, as in Detection.Camera. */
@@ -40,10 +40,10 @@ export function fitOf(image: { width: number; height: number }, width: number, h
 export const toCanvas = ({ scale, left, top }: Fit, { x, y }: Point): Point => ({ x: left + scale * x, y: top + scale * y });
 export const toImage = ({ scale, left, top }: Fit, { x, y }: Point): Point => ({ x: (x - left) / scale, y: (y - top) / scale });
 
-// told apart by shape and word, too
+// shapes and words differ too
 export const kOverlayColours = { ball: "#ffb057", own: "#6bb1f5", robot: "#ffffff", post: "#f0e442", corner: "#cc79a7", line: "#f0e442", horizon: "#ffffff", field: "#56b4e9" };
 const kInk = "#0b0e11";
-const kStep = 0.25; // [m] a long line is drawn in pieces: each end may lie beside the picture
+const kStep = 0.25; // [m] a long line is drawn in pieces, because its ends may be outside the image
 
 export function drawOverlay(pen: Pen, fit: Fit, overlays: ReadonlySet<Overlay>, { vision, camera, optics, pose, field }: Seen): void {
   const sized = optics && resized(optics, fit.width, fit.height);
@@ -53,7 +53,7 @@ export function drawOverlay(pen: Pen, fit: Fit, overlays: ReadonlySet<Overlay>, 
   pen.globalAlpha = 1;
 }
 
-/** Twice: dark and wide below, so that it stands out on any picture. */
+/** Draws twice, dark and wide below, for contrast on any image. */
 function stroke(pen: Pen, colour: string, width: number, points: Point[], closed = false): void {
   for (const [style, wide, alpha] of [[kInk, width + 2, 0.55], [colour, width, 1]] as const) {
     pen.strokeStyle = style;
@@ -66,7 +66,7 @@ function stroke(pen: Pen, colour: string, width: number, points: Point[], closed
   }
 }
 
-/** Begins at `at`; where there is no room to the right of it, it ends at `end` [px]. */
+/** Draws text from `at`. Without room to the right, the text ends at `end` [px]. */
 function label(pen: Pen, fit: Fit, text: string, at: Point, colour: string, end = Infinity): void {
   pen.font = "600 12px system-ui, sans-serif";
   pen.textAlign = "left";
@@ -92,7 +92,7 @@ function drawHorizon(pen: Pen, fit: Fit, optics: Optics): void {
   pen.setLineDash([]);
 }
 
-/** Lines of the field in its own frame, from end to end [m]; circles as many short ones. */
+/** Returns the field's lines in its own frame [m]; circles as many short lines. */
 export function linesOf(field: Field): [Point, Point][] {
   const { length, width, centreCircleRadius: radius } = field;
   const lines: [Point, Point][] = [[{ x: 0, y: -width / 2 }, { x: 0, y: width / 2 }]];
@@ -109,13 +109,13 @@ export function linesOf(field: Field): [Point, Point][] {
   return lines;
 }
 
-/** What is at `x`, `y` of the field, seen from where the robot is. */
+/** Converts a point of the field to the robot's frame. */
 function inRobot({ x, y, heading }: Pose, point: Point): Point {
   const [dx, dy] = [point.x - x, point.y - y];
   return { x: Math.cos(heading) * dx + Math.sin(heading) * dy, y: Math.cos(heading) * dy - Math.sin(heading) * dx };
 }
 
-/** What is at `x`, `y` of the robot, on the field. */
+/** Converts a point of the robot's frame to the field. */
 export const onField = ({ x, y, heading }: Pose, point: Point): Point => ({
   x: x + Math.cos(heading) * point.x - Math.sin(heading) * point.y,
   y: y + Math.sin(heading) * point.x + Math.cos(heading) * point.y,
@@ -136,7 +136,7 @@ function drawFieldLines(pen: Pen, fit: Fit, optics: Optics, pose: Pose, field: F
 function drawFound(pen: Pen, page: Fit, vision: Fields, camera: number): void {
   const [width, height] = [numberOf(vision, "image_width"), numberOf(vision, "image_height")];
   if (!(width > 0 && height > 0)) return;
-  // pixels of the vision's own image, which may have another size than the picture
+  // pixels of the vision's own image, whose size may differ
   const fit: Fit = { ...page, width, height, scale: (page.scale * page.width) / width };
   const isHere = (fields: Fields) => cameraOf(fields) === camera || cameraOf(fields) === 0;
   const detections = (name: string) => listOf(vision, name).filter((entry) => isHere(fieldsOf(entry, "detection")));
@@ -205,7 +205,7 @@ export interface Yuv {
   v: number;
 }
 
-/** Of a YUYV picture; pairs of pixels share `u` and `v`. */
+/** Returns a pixel of a YUYV image; a pair of pixels shares `u` and `v`. */
 export function yuvAt(yuyv: Uint8Array, width: number, { x, y }: Point): Yuv {
   const [column, row] = [Math.floor(x), Math.floor(y)];
   const pair = 2 * (row * width + (column & ~1));

@@ -13,7 +13,7 @@ test("phases become pieces of what is on screen; the same skill from another lea
   expect(piecesOf([], { from: 0, to: 1 }, seconds)).toEqual([]);
 });
 
-test("a piece that is wide enough says what it is", () => {
+test("a wide enough piece shows its skill", () => {
   const pen = testPen();
   const colours = { ink: "#000", soft: "#000", line: "#000", fill: "#000", accent: "#000", warn: "#000" };
   const pieces = piecesOf([phase(0, "walk_to_ball"), phase(9, "kick")], { from: 0, to: 10 }, seconds);

@@ -1,13 +1,13 @@
-// What the agent did over time, as a strip: one colour and one word per skill.
+// The agent's skills over time as a strip: one colour and one word per skill.
 
 import type { Phase } from "../memory/decisions";
 import type { Pen } from "./field";
 import { ticksOf, xOf, type Colours, type Count, type Span } from "./timeline";
 
-/** Bright enough for dark words on them, and of unlike brightness; the words tell the rest. */
+/** Bright enough for dark words on them, and of different brightness; the words identify the rest. */
 export const kSkillColours = ["#56b4e9", "#e69f00", "#f0e442", "#7486fe", "#4eee73", "#f84360", "#39aea5", "#5658f2"];
 
-/** The same skill has the same colour all the time, and neighbours in the list unlike ones. */
+/** A skill always has the same colour, and neighbours in the list have different ones. */
 export const colourOfSkill = (skills: string[], skill: string): string => kSkillColours[Math.max(0, skills.indexOf(skill)) % kSkillColours.length]!;
 
 export interface Piece {
@@ -17,7 +17,10 @@ export interface Piece {
   role: string;
 }
 
-/** Phases as pieces of the plot's own time [s], of which something is on screen; what follows at once with the same skill is one. */
+/**
+ * Returns the visible phases as pieces [s] of the plot's own time. Consecutive phases with the same skill are one
+ * piece.
+ */
 export function piecesOf(phases: Phase[], span: Span, secondsOf: (ns: bigint) => number): Piece[] {
   const pieces: Piece[] = [];
   phases.forEach(({ from_ns, skill, role }, i) => {

@@ -12,7 +12,7 @@ test("our images and Foxglove's are pictures alike", () => {
   expect(message({ format: "jpeg", data: new Uint8Array(3) })).toMatchObject({ kind: "jpeg" });
 });
 
-test("what cannot be drawn says why", () => {
+test("an image that cannot be drawn gives the reason", () => {
   const cases: [Record<string, Value>, string][] = [
     [{ ...kYuyv, data: new Uint8Array(15) }, "takes 16 bytes, the message has 15"],
     [{ ...kYuyv, width: 3, data: new Uint8Array(12) }, "width must be even"],

@@ -1,4 +1,4 @@
-// A picture, from whatever message carries one: foresight.Image, foxglove.RawImage, foxglove.CompressedImage.
+// Reads an image from any message that carries one: foresight.Image, foxglove.RawImage, foxglove.CompressedImage.
 
 import { numberOf, wordOf, type Fields } from "../memory/value";
 
@@ -6,9 +6,9 @@ export type Picture =
   | { kind: "yuyv"; width: number; height: number; data: Uint8Array }
   | { kind: "jpeg"; data: Uint8Array };
 
-const kMostPixels = 4096 * 4096; // more than any camera of ours; what claims more is wrong
+const kMostPixels = 4096 * 4096; // larger than any of our cameras; a larger claim is an error
 
-/** Reads by field name: `encoding` (or `format`), `width`, `height`, `data`. Says why when it is no picture. */
+/** Reads by field name: `encoding` (or `format`), `width`, `height`, `data`. Returns the reason if it is no image. */
 export function pictureOf(message: Fields): Picture | { kind: "none"; why: string } {
   const none = (why: string) => ({ kind: "none" as const, why });
   const data = message.get("data");

@@ -1,9 +1,9 @@
-// Numbers against time on a canvas: as many lines as wanted, one axis per unit. Plain drawing, no browser needed.
+// Numbers over time on a canvas: any number of lines, one axis per unit. Plain drawing that needs no browser.
 
 import type { Pen } from "./field";
 import { ticksOf, xOf, type Colours, type Count, type Span } from "./timeline";
 
-/** A line to be drawn: only what lies within the span is looked at. Times [s] in the plot's own time. */
+/** A line of the plot; only the part within the span is read. Times [s] in the plot's own time. */
 export interface Line {
   times: Float64Array;
   values: Float64Array;
@@ -12,7 +12,7 @@ export interface Line {
   offset: number;
   colour: string;
   dash: number[];
-  /** Lines of one axis share their scale: its name is their unit. */
+  /** Lines of one axis share its scale. The axis' name is the unit. */
   axis: string;
 }
 
@@ -21,18 +21,18 @@ export interface Range {
   most: number;
 }
 
-/** What a column of pixels shows of a line: the first, the least, the greatest and the last value in it. */
+/** A line's values in one column of pixels: first, least, greatest and last. */
 export interface Column {
   x: number;
   first: number;
   least: number;
   most: number;
   last: number;
-  /** Nothing came for long before it: the line is broken. */
+  /** The line is broken before this column, because no value came for long. */
   broken: boolean;
 }
 
-/** Told apart by brightness and dashes as well as by colour (after Okabe and Ito, 2008). */
+/** Distinguished by brightness and dashes as well as by colour (after Okabe and Ito, 2008). */
 export const kLineStyles: { colour: string; dash: number[] }[] = [
   { colour: "#56b4e9", dash: [] },
   { colour: "#e69f00", dash: [] },
@@ -56,7 +56,10 @@ function firstIndex({ times, length, offset }: Line, time: number): number {
   return low;
 }
 
-/** A line as columns of pixels: nothing that stands out is lost, and the work grows with what is shown, not drawn twice. */
+/**
+ * Converts a line to columns of pixels. No extreme is lost, and the work grows with the visible part, not with the
+ * redraws.
+ */
 export function columnsOf(line: Line, span: Span, width: number): Column[] {
   const columns: Column[] = [];
   const from = Math.max(0, firstIndex(line, span.from) - 1);
@@ -81,7 +84,7 @@ export function columnsOf(line: Line, span: Span, width: number): Column[] {
   return columns;
 }
 
-/** What an axis must show, with some air; never of no height. */
+/** Returns the axis' range with a margin, never of zero height. */
 export function rangeOf(columns: Column[][]): Range {
   let [least, most] = [Infinity, -Infinity];
   for (const list of columns)
@@ -108,7 +111,7 @@ export const kAxisWidth = 54; // [px]
 const kHead = 24; // [px] above the lines: units
 const kFoot = 22; // [px] below them: the time
 
-/** Where the lines are, of a canvas: axes left of them, the time below. */
+/** The area of the lines: axes left of it, the time below. */
 export const areaOf = (width: number, height: number, axes: number) => {
   const left = kAxisWidth * Math.max(1, axes);
   return { left, top: kHead, width: Math.max(1, width - left - 8), height: Math.max(1, height - kFoot - kHead) };
@@ -117,7 +120,7 @@ export const areaOf = (width: number, height: number, axes: number) => {
 export interface Plot {
   lines: Line[];
   span: Span;
-  /** The moment shown, and under the pointer. */
+  /** The shown moment, and the one under the pointer. */
   at: number;
   hover: number | undefined;
   count: Count;
@@ -195,7 +198,7 @@ function drawLine(pen: Pen, area: Area, line: Line, columns: Column[], range: Ra
       pen.lineTo(place, yOf(area, range, least));
       pen.lineTo(place, yOf(area, range, most));
       pen.lineTo(place, yOf(area, range, last));
-    } else if (broken) pen.lineTo(place + 1, yOf(area, range, first)); // a value alone is a dot
+    } else if (broken) pen.lineTo(place + 1, yOf(area, range, first)); // a single value is a dot
   }
   pen.stroke();
 }

@@ -21,7 +21,7 @@ const kBall = { x: 2, y: 0, deviation: 0.2, seen_ns: 9_500_000_000n };
 const kTruth = { ball: fields({ x: 0.5, y: -1 }), robots: [fields({ team: 14, player: 2, x: 1.1, y: 0.4, heading: 1.5, fallen: true })] };
 const only = (memory: Memory, robots = ["14/2"]) => sceneOf([told(memory, robots)], 0).robots.find(({ name }) => name === "14/2")!;
 
-test("a belief stands where the robot believes, the ball seen from there", () => {
+test("a belief is at the robot's believed place, and the ball relative to it", () => {
   const robot = only(memoryOf({ "/14/2/pose": kPose, "/14/2/ball": kBall, "/14/2/game": { attacks_positive_x: true } }));
   expect(robot.pose).toMatchObject({ x: 1, y: 0.5, heading: Math.PI / 2, deviation: 0.3, age: 0, uncertainty: { a: 0.1, b: 0.3 } });
   expect(robot.ball!.x).toBeCloseTo(1);
@@ -31,7 +31,7 @@ test("a belief stands where the robot believes, the ball seen from there", () =>
   expect(robot.truth).toBeUndefined();
 });
 
-test("who attacks towards -x is turned by half a turn, and so is his ball", () => {
+test("a robot that attacks towards -x is turned by half a turn, with its ball", () => {
   const one = only(memoryOf({ "/14/2/pose": kPose, "/14/2/ball": kBall, "/14/2/game": { attacks_positive_x: true } }));
   const other = only(memoryOf({ "/14/2/pose": kPose, "/14/2/ball": kBall, "/14/2/game": { attacks_positive_x: false } }));
   expect([other.pose!.x, other.pose!.y]).toEqual([-one.pose!.x, -one.pose!.y]);
@@ -39,20 +39,20 @@ test("who attacks towards -x is turned by half a turn, and so is his ball", () =
   expect(other.ball!.y).toBeCloseTo(-one.ball!.y);
 });
 
-test("the truth is what it is, whoever tells his own beliefs", () => {
+test("the truth does not depend on the robots' beliefs", () => {
   const scene = sceneOf([told(memoryOf({ "/truth/world": kTruth }), [])], 0);
   expect(scene.ball).toMatchObject({ x: 0.5, y: -1 });
   expect(scene.robots.map(({ name }) => name)).toEqual(["14/2"]);
   expect(scene.robots[0]).toMatchObject({ truth: { x: 1.1, y: 0.4, heading: 1.5 }, fallen: true, pose: undefined });
 });
 
-test("a belief ages, and is none any more after ten seconds", () => {
+test("a belief ages and is dropped after ten seconds", () => {
   const values = { "/14/2/pose": kPose, "/truth/world": kTruth };
   expect(only(memoryOf(values, { "/14/2/pose": 8_500_000_000n })).pose!.age).toBe(1.5);
   expect(only(memoryOf(values, { "/14/2/pose": -100_000_000n })).pose).toBeUndefined();
 });
 
-test("what it intends and sees is seen from where it believes to be", () => {
+test("intentions and view are relative to the believed pose", () => {
   const command = { walk_to: fields({ x: 1, y: 0, heading: 0.5 }), kick: fields({ ball_x: 0.2, ball_y: 0, direction: -Math.PI / 2, distance: 2 }), look_to: fields({ x: 0, y: 1 }) };
   const values = { "/14/2/pose": kPose, "/14/2/motion_command": command };
   const { target, kick, view } = only(memoryOf(values));
@@ -67,7 +67,7 @@ test("what it intends and sees is seen from where it believes to be", () => {
   expect(only(memoryOf(values, { "/14/2/motion_command": 8_000_000_000n })).target).toBeUndefined();
 });
 
-test("teammates are where the robot was told, as long ago as it was told", () => {
+test("teammates are at their reported places and as old as the report", () => {
   const mate = fields({ player: 3, pose: fields({ x: 2, y: 1, heading: 0 }), received_ns: 8_000_000_000n });
   const silent = fields({ player: 4, received_ns: 8_000_000_000n });
   const values = { "/14/2/team": { teammates: [mate, silent] }, "/14/2/game": { attacks_positive_x: false } };
@@ -87,14 +87,14 @@ test("a covariance is an ellipse whose axes are its own", () => {
   expect(ellipseOf(fields({}), 0.4, 1)).toEqual({ a: 0.4, b: 0.4, angle: 0 });
 });
 
-test("several servers are one scene; the first that tells the truth is believed, and equal names stay apart", () => {
+test("several servers are one scene with the first one's truth, and equal names stay separate", () => {
   const [near, far] = [memoryOf({ "/14/2/pose": kPose }), memoryOf({ "/14/2/pose": { ...kPose, x: -1 }, "/truth/world": kTruth })];
   const scene = sceneOf([told(near, ["14/2"]), told(far, ["14/2"], "@far")], 0);
   expect(scene.robots.map(({ key, pose, truth }) => [key, pose!.x, truth !== undefined])).toEqual([["14/2", 1, false], ["14/2@far", -1, true]]);
   expect(scene.ball).toMatchObject({ x: 0.5 });
 });
 
-test("two truths are two games: only the first one's is shown, and robots that tell none", () => {
+test("two truths are two games, and only the first one's is shown, with robots that have none", () => {
   const [game, other, live] = [memoryOf({ "/truth/world": kTruth }), memoryOf({ "/truth/world": kTruth }), memoryOf({ "/14/2/pose": kPose })].map((memory) => told(memory, []));
   expect(oneWorld([game!, other!, live!])).toEqual([game, live]);
   expect(oneWorld([live!, game!])).toEqual([live]);
@@ -109,12 +109,12 @@ test("the simulation says who plays at home and on which field", () => {
   expect(fieldIn(sceneOf([told(memoryOf({}), [])], 0))).toEqual(kUsualField);
 });
 
-test("nothing, or nonsense, draws nothing", () => {
+test("without valid data nothing is drawn", () => {
   expect(sceneOf([told(memoryOf({}), ["14/2"])], 0)).toMatchObject({ ball: undefined, robots: [{ truth: undefined, pose: undefined, ball: undefined }] });
   const nonsense = memoryOf({ "/truth/world": { ball: "round", robots: 7 }, "/14/2/pose": { x: NaN, y: 1 }, "/14/2/ball": {} });
   expect(sceneOf([told(nonsense, ["14/2"])], 0)).toMatchObject({ ball: undefined, robots: [{ pose: undefined, ball: undefined }] });
 });
 
-test("only what is offered is asked for", () => {
+test("only offered topics are requested", () => {
   expect(topicsOf(memoryOf({ "/14/2/pose": {}, "/truth/world": {} }), ["14/2", "5/1"])).toEqual(["/truth/world", "/14/2/pose"]);
 });

@@ -1,4 +1,4 @@
-// What a game looks like: the truth, and what each robot believes, all in the frame `field`.
+// The scene of a game: the truth and each robot's beliefs, all in the frame `field`.
 
 import type { Memory } from "../memory/memory";
 import type { RobotName } from "../memory/memory_object";
@@ -12,19 +12,19 @@ export interface Robot extends Beliefs {
   /** Of the page's address: with the server where that is not the page's own. */
   key: string;
   home: boolean;
-  /** Where it truly is; undefined when that is not known. */
+  /** The true pose, or undefined if unknown. */
   truth: Pose | undefined;
   fallen: boolean;
 }
 
 export interface Scene {
-  /** Undefined where nobody tells. */
+  /** Undefined if unknown. */
   field: Field | undefined;
   ball: (Point & { velocity: Point | undefined }) | undefined;
   robots: Robot[];
 }
 
-/** What one server tells, and how its robots are called here. */
+/** One server's memory and the names of its robots here. */
 export interface Told {
   memory: Memory;
   robots: RobotName[];
@@ -33,18 +33,18 @@ export interface Told {
 
 export const kTruth = "/truth/world";
 
-/** The topics that `sceneOf` reads; only those that are offered. */
+/** Returns the offered topics that `sceneOf` reads. */
 export function topicsOf(memory: Memory, robots: RobotName[]): string[] {
   const topics = [kTruth, kSimulation, ...robots.flatMap((robot) => kBeliefs.map((object) => `/${robot}/${object}`))];
-  // where the camera looks is told 30 times a second, the joints 100 times
+  // the camera's direction comes 30 times a second, the joints 100 times
   const needless = (topic: string) => topic.endsWith("/joints") && memory.get(topic.replace("joints", "camera_top_matrix"));
   return topics.filter((topic) => memory.get(topic) && !needless(topic));
 }
 
-/** Who may be on one field: the first, and those who tell no truth of their own. Two truths are two games. */
+/** Returns the servers of one field: the first, and those without a truth of their own. Two truths are two games. */
 export const oneWorld = (told: Told[]): Told[] => told.filter(({ memory }, i) => i === 0 || !memory.get(kTruth)?.shown);
 
-/** All servers together: the truth and the field of the first that tells them, the robots of all. */
+/** Merges all servers: truth and field of the first that sends them, robots of all. */
 export function sceneOf(told: Told[], now: number): Scene {
   const worlds = told.map(({ memory }) => valueOf(memory.get(kTruth)));
   const simulations = told.map(({ memory }) => valueOf(memory.get(kSimulation)));
@@ -61,7 +61,7 @@ function ballOf(fields: Fields): Scene["ball"] {
   return place && { ...place, velocity: pointOf(fields, "velocity_x", "velocity_y") };
 }
 
-/** The simulation says who plays at home; else it is the team that comes first. */
+/** Returns the home team of the simulation, else the first team. */
 function homeTeamOf(simulations: Fields[], told: Told[]): number {
   const numbers = simulations.map((fields) => numberOf(fieldsOf(fields, "home"), "number"));
   return numbers.find(Number.isFinite) ?? Math.min(...told.flatMap(({ robots }) => robots.map(teamOf)));
@@ -86,7 +86,7 @@ function robotsOf({ memory, robots, keyOf }: Told, world: Fields, homeTeam: numb
   });
 }
 
-/** As /sim/state tells it; undefined where it does not. */
+/** Reads the field of /sim/state, or returns undefined. */
 export function fieldOf(fields: Fields): Field | undefined {
   if (!(numberOf(fields, "length") > 0 && numberOf(fields, "width") > 0)) return undefined;
   const size = (name: string) => numberOf(fields, name) || 0;

@@ -1,4 +1,4 @@
-// Shows pictures on two stacked canvases, of which the one in use is visible: WebGL for YUYV, 2D for JPEG.
+// Shows images on two stacked canvases, one of them visible: WebGL for YUYV, 2D for JPEG.
 
 import type { Picture } from "./picture";
 import { rgbaFromYuyv } from "./yuyv";
@@ -17,17 +17,17 @@ export class Screen {
     readonly flat: HTMLCanvasElement,
   ) {
     this.#painter = yuyvPainter(shaded);
-    // a lost context comes back empty: everything is made again
+    // a restored context is empty: everything is created again
     shaded.addEventListener("webglcontextlost", (event) => event.preventDefault());
     shaded.addEventListener("webglcontextrestored", () => (this.#painter = yuyvPainter(shaded)));
   }
 
-  /** Rejects with what the browser says about a JPEG it cannot decode. */
+  /** Rejects with the browser's message if it cannot decode a JPEG. */
   async show(picture: Picture): Promise<Shown> {
     if (picture.kind === "jpeg") return this.#showJpeg(picture.data);
     const { data, width, height } = picture;
     if (this.#painter) {
-      this.#reveal(this.shaded); // first: what WebGL draws on a hidden canvas need not be there when it is shown
+      this.#reveal(this.shaded); // first: a drawing of WebGL on a hidden canvas may be lost
       this.#painter.paint(data, width, height);
     } else {
       this.#showFlat(width, height, (ctx) => ctx.putImageData(new ImageData(rgbaFromYuyv(data, width, height), width, height), 0, 0));
@@ -35,7 +35,7 @@ export class Screen {
     return { width, height };
   }
 
-  /** The canvases cannot be used again. */
+  /** Frees the canvases; they cannot be used again. */
   dispose(): void {
     this.#painter?.dispose();
   }

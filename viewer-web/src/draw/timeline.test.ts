@@ -35,7 +35,7 @@ test("a recording counts from its beginning", () => {
   expect([elapsedWords(0, 10), elapsedWords(65, 10), elapsedWords(65.26, 0.1), elapsedWords(59.96, 0.1), elapsedWords(1199.6, 1)]).toEqual(["0:00", "1:05", "1:05.3", "1:00.0", "20:00"]);
 });
 
-test("a loop and what was found are drawn where they are, however short", () => {
+test("a loop and matches are drawn at their places, however short", () => {
   const pen = testPen();
   const colours = { ink: "ink", soft: "soft", line: "line", fill: "fill", accent: "accent", warn: "warn" };
   const strip = { kept, shown: kept, seen: { from: 200, to: 250 }, at: 300, live: false, marks: [], matches: [{ from: 150, to: 150 }], loop: { from: 300, to: 350 }, count: countOf(kept, true), hover: undefined };
@@ -46,7 +46,7 @@ test("a loop and what was found are drawn where they are, however short", () => 
   expect(boxes("accent")).toEqual([[400, 100], [400, 2], [500, 2]]);
 });
 
-test("a recording in short has every mark on it, at its place", () => {
+test("a recording's summary has every mark at its place", () => {
   const pen = testPen();
   const colours = { ink: "#000", soft: "#000", line: "#000", fill: "#000", accent: "#000", warn: "#000" };
   drawSummary(pen, 400, 24, 100, [{ from: 0, to: 50, colour: "red" }], [{ at: 0, kind: "goal", text: "" }, { at: 50, kind: "fall", text: "" }], colours);
@@ -54,7 +54,7 @@ test("a recording in short has every mark on it, at its place", () => {
   expect(pen.boxes.find(({ style }) => style === "red")).toMatchObject({ x: 0, width: 200 });
 });
 
-test("goals and errors are told by letters", () => {
+test("goals and errors are distinguished by letters", () => {
   const pen = testPen();
   const colours = { ink: "#000", soft: "#000", line: "#000", fill: "#000", accent: "#000", warn: "#000" };
   const marks = (["goal", "error", "state"] as const).map((kind, i) => ({ at: 150 + 50 * i, kind, text: "" }));

@@ -1,9 +1,9 @@
-// The strip of time: what is kept, what happened, where we are. Seconds relative to any origin; plain drawing.
+// The timeline: kept span, events, shown moment. Seconds relative to any origin; plain drawing.
 
 import type { EventKind } from "../memory/game_events";
 import type { Pen } from "./field";
 
-/** The part of time that is on screen [s]. */
+/** The visible part of time [s]. */
 export interface Span {
   from: number;
   to: number;
@@ -16,17 +16,17 @@ export interface Mark {
 }
 
 export interface Strip {
-  /** What there is. */
+  /** The whole available span. */
   kept: Span;
-  /** What of it is drawn as being at hand; up to the moment shown where undefined. */
+  /** The part that is drawn as available; undefined: up to the shown moment. */
   seen?: Span | undefined;
   shown: Span;
   at: number;
   live: boolean;
   marks: Mark[];
-  /** When something that was searched holds. */
+  /** Spans in which the searched condition holds. */
   matches?: Span[];
-  /** Played over and over. */
+  /** The repeated span. */
   loop?: Span | undefined;
   count: Count;
   hover: number | undefined;
@@ -38,7 +38,7 @@ export interface Count {
   wordsOf(seconds: number, step: number): string;
 }
 
-/** What is live is counted back from now, a recording from its beginning. */
+/** Live data count back from now, a recording counts from its begin. */
 export const countOf = (kept: Span, recorded: boolean): Count => (recorded ? { zero: kept.from, wordsOf: elapsedWords } : { zero: kept.to, wordsOf: agoWords });
 
 export interface Colours {
@@ -55,13 +55,13 @@ const kLeast = 2; // [s] on screen
 export const xOf = ({ from, to }: Span, width: number, at: number): number => ((at - from) / (to - from)) * width;
 export const timeAt = ({ from, to }: Span, width: number, x: number): number => from + (x / width) * (to - from);
 
-/** The last `length` [s] up to `last`, or all that is kept where that is less; a strip is never shorter than a few seconds. */
+/** Returns the last `length` [s] up to `last`, limited to the kept span. Never shorter than a few seconds. */
 export function spanOf(kept: Span, length: number): Span {
   const whole = Math.max(kLeast, kept.to - kept.from);
   return { from: kept.to - Math.min(whole, Math.max(kLeast, length)), to: kept.to };
 }
 
-/** Nearer by `factor` about `at`, within what is kept. */
+/** Zooms by `factor` about `at`, within the kept span. */
 export function zoomedSpan(shown: Span, kept: Span, at: number, factor: number): Span {
   const whole = Math.max(kLeast, kept.to - kept.from);
   const length = Math.min(whole, Math.max(kLeast, (shown.to - shown.from) / factor));
@@ -69,7 +69,7 @@ export function zoomedSpan(shown: Span, kept: Span, at: number, factor: number):
   return within({ from: at - share * length, to: at - share * length + length }, kept);
 }
 
-/** Moved so that nothing beyond what is kept is shown. */
+/** Moves the span into the kept span. */
 export function within({ from, to }: Span, kept: Span): Span {
   const first = Math.min(kept.from, kept.to - kLeast);
   const by = from < first ? first - from : to > kept.to ? kept.to - to : 0;
@@ -78,7 +78,7 @@ export function within({ from, to }: Span, kept: Span): Span {
 
 const kSteps = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800, 3600];
 
-/** Where ticks stand: not nearer than `least` [px]. */
+/** Returns the ticks, at least `least` [px] apart. */
 export function ticksOf(span: Span, width: number, least: number): { step: number; at: number[] } {
   const step = kSteps.find((step) => (step / (span.to - span.from)) * width >= least) ?? kSteps.at(-1)!;
   const at: number[] = [];

@@ -1,4 +1,4 @@
-// The last seconds of ball and robots, out of the histories of what told them.
+// The last seconds of ball and robots, from the histories of their objects.
 
 import type { MemoryObject } from "../memory/memory_object";
 import { Trail } from "../memory/trail";
@@ -29,7 +29,7 @@ export class Trails {
   #worlds = new Map<MemoryObject, Trail<World>>();
   #poses = new Map<MemoryObject, Trail<Point>>();
 
-  /** Of the ball, of the chosen robot, and of all others where `everyone` is wanted. */
+  /** Returns the trails of the ball, of the chosen robot, and with `everyone` of all others. */
   of(told: Told[], chosen: string, everyone: boolean): Drawing["trails"] {
     const trails: Drawing["trails"] = [];
     for (const { memory, robots, keyOf } of told) {
@@ -49,7 +49,7 @@ export class Trails {
   }
 }
 
-const kMost = 64; // [objects] of which trails are kept; those of robots long gone go with the rest
+const kMost = 64; // [objects] with a kept trail; beyond it all are dropped
 
 function trailOf<T>(trails: Map<MemoryObject, Trail<T>>, object: MemoryObject, read: (fields: Fields) => T | undefined): Trail<T> {
   if (!trails.has(object)) {

@@ -3,7 +3,7 @@ import { camerasOf } from "./cameras";
 import { Memory } from "./memory";
 import { kPerceptChannel } from "./test_schema";
 
-test("a camera's pictures are one camera, top first, with the light way where there is one", () => {
+test("the streams of one camera are grouped, top before bottom, with the compressed stream if there is one", () => {
   const memory = new Memory();
   const offer = (topic: string, schemaName: string, derived: string) =>
     memory.offer({ ...kPerceptChannel, topic, schemaName, metadata: { derived } });

@@ -1,13 +1,13 @@
-// The cameras of a robot, and the ways each one's pictures can be had.
+// The cameras of a robot and the streams of each one's images.
 
 import type { MemoryObject } from "./memory_object";
 
 export interface Camera {
-  /** "top" of camera_top. */
+  /** Such as "top" for camera_top. */
   label: string;
-  /** Every picture as it is in memory. */
+  /** Every image as it is in memory. */
   full: MemoryObject;
-  /** The same compressed by the robot, smaller and seldomer; undefined where it is not offered. */
+  /** The same images, compressed by the robot: smaller and at a lower rate. Undefined if not offered. */
   light: MemoryObject | undefined;
 }
 

@@ -17,7 +17,7 @@ const holds = (text: string) => {
   return condition.holds((topic) => kNow[topic]);
 };
 
-test("comparisons, and, or, not and brackets mean what they do everywhere", () => {
+test("comparisons, and, or, not and brackets have their usual meaning", () => {
   const cases: [string, boolean][] = [
     ["ball.x > 2", true],
     ["ball.x > 2 && pose.deviation_x < 0.1", false],
@@ -37,7 +37,7 @@ test("comparisons, and, or, not and brackets mean what they do everywhere", () =
   for (const [text, expected] of cases) expect(holds(text), text).toBe(expected);
 });
 
-test("an enum's value goes by its name, with or without prefix, and a text by its words", () => {
+test("an enum value matches its name with or without prefix, and a text matches its words", () => {
   for (const name of ["playing", "PLAYING", "STATE_PLAYING", '"playing"', "3"]) expect(holds(`game.state == ${name}`), name).toBe(true);
   expect(holds("game.state == ing")).toBe(false);
   expect(holds("game.state != ready")).toBe(true);
@@ -45,17 +45,17 @@ test("an enum's value goes by its name, with or without prefix, and a text by it
   expect(holds("game.state > 2")).toBe(true);
 });
 
-test("what is absent is neither true nor equal to anything, nor different", () => {
+test("an absent value is neither true, nor equal, nor different", () => {
   for (const text of ["pose.absent", "pose.absent == 0", "pose.absent != 0", "pose.nowhere < 1", "ball.list[9].y < 1"]) expect(holds(text), text).toBe(false);
   const condition = of("ball.x > 2") as Condition;
   expect(condition.holds(() => undefined)).toBe(false);
 });
 
-test("it tells which topics it looks at, each once", () => {
+test("a condition lists each topic that it reads once", () => {
   expect(of("ball.x > 1 && ball.x < 2 && /14/3/ball.x > pose.deviation_x")).toMatchObject({ topics: ["/14/2/ball", "/14/3/ball", "/14/2/pose"] });
 });
 
-test("what makes no sense is one sentence", () => {
+test("an invalid condition gives one sentence", () => {
   const cases: [string, string][] = [
     ["", "The condition ends where a value is expected."],
     ["ball.x >", "The condition ends where a value is expected."],
@@ -74,7 +74,7 @@ test("what makes no sense is one sentence", () => {
   for (const [text, error] of cases) expect(of(text), text.slice(0, 40)).toEqual({ error });
 });
 
-test("no text makes it throw", () => {
+test("no text makes the parser throw", () => {
   const pieces = ["ball.x", "&&", "||", "!", "(", ")", "<", "==", "2", "'a", '"b"', "[", "]", ".", " ", "/14/2/", "\\", "é", "-", "__proto__.x"];
   let random = 1;
   for (let i = 0; i < 3000; ++i) {

@@ -1,8 +1,7 @@
-// Conditions on what robots tell: "ball.x > 2 && pose.deviation_x < 0.3", "game.state == playing || !game.ball_seen".
-//
-// A path is an object of the chosen robot and steps into it, or begins with a topic: "/14/3/ball.x". A word without a
-// dot is a text or the name of an enum's value, in any case and with or without the enum's prefix. What is absent is
-// neither true nor equal to anything.
+// Conditions on memory objects: "ball.x > 2 && pose.deviation_x < 0.3", "game.state == playing || !game.ball_seen". A
+// path is an object of the chosen robot and steps into it, or begins with a topic: "/14/3/ball.x". A word without a dot
+// is a text or the name of an enum value. Case and the enum's prefix do not matter. An absent value is neither true nor
+// equal to anything.
 
 import { pathOf, valueAt, type Path, type Step } from "./paths";
 import { EnumValue, type Fields, type Value } from "./value";
@@ -23,11 +22,11 @@ type Node =
   | { kind: "compare"; how: Comparison; left: Operand; right: Operand }
   | { kind: "holds"; of: Operand };
 
-/** The newest message of a topic; undefined where nothing came yet. */
+/** Returns the newest message of a topic, or undefined before the first one. */
 export type Look = (topic: string) => Fields | undefined;
 
 export interface Condition {
-  /** All topics it looks at, each once. */
+  /** All topics that the condition reads, each once. */
   topics: string[];
   holds(look: Look): boolean;
 }
@@ -140,7 +139,7 @@ class Parser {
   }
 }
 
-/** Reads a condition; a sentence where it makes no sense. `known`: all topics there are. */
+/** Parses a condition, or returns a sentence about the mistake. `known`: all existing topics. */
 export function conditionOf(text: string, robot: string, known: Iterable<string>): Condition | { error: string } {
   try {
     const parser = new Parser(tokensOf(text), robot, [...known]);
@@ -186,7 +185,7 @@ function compares(how: Comparison, left: Value, right: Value): boolean {
   return how === "<=" ? one <= other : one >= other;
 }
 
-/** NaN for what is no number: it compares with nothing. */
+/** Returns NaN for a value that is no number, so that every comparison with it is false. */
 function numeric(value: Value): number {
   if (typeof value === "number" || typeof value === "bigint" || typeof value === "boolean") return Number(value);
   return value instanceof EnumValue ? value.number : NaN;
@@ -199,7 +198,7 @@ function same(left: Value, right: Value): boolean {
   return numeric(left) === numeric(right);
 }
 
-/** STATE_PLAYING is called "STATE_PLAYING", "state_playing" and "playing". */
+/** STATE_PLAYING matches "STATE_PLAYING", "state_playing" and "playing". */
 function isCalled({ name }: EnumValue, word: string): boolean {
   const [full, wanted] = [name?.toLowerCase(), word.toLowerCase()];
   return full !== undefined && (full === wanted || full.endsWith(`_${wanted}`));

@@ -13,7 +13,7 @@ const trace = (name: string, ...visited: Fields[]) => fields({ strategy: "baseli
 const kKick = trace("kick", condition("t/near", 0.2, 0.3, true), skill("t/near/shoot/kick"));
 const kWalk = trace("walk", condition("t/near", 0.52, 0.3, false), skill("t/walk"));
 
-/** An object whose messages are numbers of traces, 10 a second. */
+/** Returns an object that holds these traces, 10 per second. */
 function decided(...traces: Fields[]) {
   const history = new History();
   const add = (i: number, second: number) => history.add({ log_ns: BigInt(Math.round(second * 1e9)), data: Uint8Array.of(i), arrived: second });
@@ -22,21 +22,21 @@ function decided(...traces: Fields[]) {
   return { decisions: new Decisions(object), add };
 }
 
-test("the tree is what the traces show, subtrees' names are no nodes", () => {
+test("the tree has the nodes of the traces, and names of subtrees are no nodes", () => {
   const { decisions } = decided(kKick, kWalk, kWalk, kKick);
   expect(decisions.update(100)).toBe(true);
   expect(decisions.roots.map(({ path }) => path)).toEqual(["t/near", "t/walk"]);
   expect(decisions.roots[0]!.children.map(({ path }) => path)).toEqual(["t/near/shoot/kick"]);
 });
 
-test("what is seen late stands where the way has it", () => {
+test("a node that is seen late gets its place in the tree's order", () => {
   const [a, b, c] = ["t/a", "t/b", "t/c"].map((path) => condition(path, 0, 1, false));
   const { decisions } = decided(trace("walk", a!, skill("t/walk")), trace("kick", a!, b!, c!, skill("t/c/kick")));
   decisions.update(100);
   expect(decisions.roots.map(({ path }) => path)).toEqual(["t/a", "t/b", "t/c", "t/walk"]);
 });
 
-test("time counts for the leaf that was chosen and all above it; a long silence counts for nobody", () => {
+test("time counts for the chosen leaf and all nodes above it, and a long silence counts for none", () => {
   const { decisions, add } = decided(kKick, kWalk, kWalk, kKick);
   add(3, 50);
   decisions.update(100);
@@ -46,7 +46,7 @@ test("time counts for the leaf that was chosen and all above it; a long silence 
   expect(decisions.phases.map(({ skill, from_ns }) => [skill, Number(from_ns) / 1e9])).toEqual([["kick", 0], ["walk", 0.1], ["kick", 0.3]]);
 });
 
-test("a leaf that was not chosen says which condition failed, and by how much", () => {
+test("a leaf that was not chosen names the condition that failed and by how much", () => {
   const { decisions } = decided(kKick, kWalk);
   decisions.update(100);
   const [kick, walk] = ["t/near/shoot/kick", "t/walk"].map((path) => decisions.node(path)!);
@@ -56,7 +56,7 @@ test("a leaf that was not chosen says which condition failed, and by how much", 
   expect(whyNot(kick!, decisionOf(fields({})))).toBe("Nothing was decided.");
 });
 
-test("another strategy is another tree, a seek another past", () => {
+test("another strategy starts another tree, and a seek starts another past", () => {
   const other = fields({ strategy: "passing", visited: [skill("p/pass")] });
   const { decisions, add } = decided(kKick, other);
   decisions.update(100);

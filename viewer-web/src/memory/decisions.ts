@@ -1,18 +1,18 @@
-// The agent's tree as its traces show it. The tree itself is not on the wire, so it is put together from the ways that
-// were taken: a branch that no decision has ever reached is not known here.
+// The agent's decision tree, rebuilt from its traces because the tree itself is not sent. A branch that no decision has
+// reached is unknown here.
 
 import type { Entry } from "./history";
 import type { MemoryObject } from "./memory_object";
 import { listOf, numberOf, textOf, wordOf, type Fields } from "./value";
 
-/** One node on the way of one decision. */
+/** One node on the path of one decision. */
 export interface Visit {
   path: string;
   name: string;
   kind: string;
   condition: string;
   feature: string;
-  /** In the feature's own unit; NaN when nothing was compared or nothing was known. */
+  /** In the feature's own unit. NaN if nothing was compared or the value was unknown. */
   value: number;
   threshold: number;
   result: boolean;
@@ -24,7 +24,7 @@ export interface Decision {
   skill: string;
   arguments: { name: string; value: number }[];
   visited: Visit[];
-  /** Path of the chosen leaf; "" when there is none. */
+  /** Path of the chosen leaf, or "" if there is none. */
   leaf: string;
 }
 
@@ -49,7 +49,7 @@ export function decisionOf(fields: Fields): Decision {
   };
 }
 
-/** A node of the tree as far as it was seen. */
+/** A node of the tree, as far as the traces show it. */
 export interface Node {
   path: string;
   name: string;
@@ -57,13 +57,13 @@ export interface Node {
   condition: string;
   parent: Node | undefined;
   children: Node[];
-  /** [s] for which this was on the way to the chosen leaf. */
+  /** [s] during which the node was on the path to the chosen leaf. */
   seconds: number;
-  /** How the newest decision that ended below here went: what must hold for it. */
+  /** The path of the newest decision that ended below this node: the conditions that must hold for it. */
   way: Visit[];
 }
 
-/** What was chosen over time, for the strip: from `from_ns` on until the next one. */
+/** The chosen leaf from `from_ns` until the next phase, for the timeline. */
 export interface Phase {
   from_ns: bigint;
   leaf: string;
@@ -72,7 +72,7 @@ export interface Phase {
 }
 
 const kMostPhases = 20000;
-const kLongest = 1; // [s] no decision counts for longer: the robot was away, not undecided
+const kLongest = 1; // [s] the longest time of one decision; a longer gap means that the robot was away
 const kMostNodes = 2000;
 
 export class Decisions {
@@ -86,7 +86,7 @@ export class Decisions {
 
   constructor(readonly object: MemoryObject) {}
 
-  /** Reads the decisions that came, for at most `milliseconds`; true when all are read. */
+  /** Reads new decisions for at most `milliseconds`. Returns true when all are read. */
   update(milliseconds: number, clock: () => number = () => performance.now()): boolean {
     const { history } = this.object;
     if (history.generation !== this.#generation) this.#restart();
@@ -127,7 +127,7 @@ export class Decisions {
     if (this.phases.length > kMostPhases) this.phases.splice(0, kMostPhases / 10);
   }
 
-  /** Adds what was not known, after those of its siblings that were asked `before` it: a way's order is the tree's. */
+  /** Adds a new node after those siblings that were tested `before` it. A path has the tree's order. */
   #grow(visit: Visit, before: Visit[]): void {
     const known = this.#nodes.get(visit.path);
     if (known) {
@@ -143,7 +143,7 @@ export class Decisions {
     siblings.splice(siblings.findLastIndex(({ path }) => asked.has(path)) + 1, 0, node);
   }
 
-  /** The nearest known node above: parts of a path that are only names of subtrees are no nodes. */
+  /** Returns the nearest known node above. Parts of a path that only name a subtree are no nodes. */
   #parentOf(path: string): Node | undefined {
     for (let end = path.lastIndexOf("/"); end > 0; end = path.lastIndexOf("/", end - 1)) {
       const node = this.#nodes.get(path.slice(0, end));
@@ -164,13 +164,13 @@ export class Decisions {
 
 const shown = (value: number): string => (Number.isFinite(value) ? String(Number(value.toPrecision(3))) : "not known");
 
-/** The comparison of a visit as a person reads it: "ball_distance is 0.52, compared with 0.35". */
+/** Describes the comparison of a visit: "ball_distance is 0.52, compared with 0.35". */
 export const comparison = ({ feature, value, threshold }: Visit): string =>
   feature && Number.isFinite(threshold) ? `${feature} ${shown(value)}, compared with ${shown(threshold)}` : "";
 
 /**
- * Why `now` did not end in `node`: the first condition that went another way than when it did. Undefined when it is on
- * the way of this decision, or was never seen to be reached.
+ * Explains why `now` did not end in `node`: the first condition that differs from the newest decision that did.
+ * Undefined if the node is on the path of this decision or was never reached.
  */
 export function whyNot(node: Node, now: Decision): string | undefined {
   if (now.visited.some(({ path, result }) => path === node.path && result)) return undefined;

@@ -6,7 +6,7 @@ import { EnumValue, fieldsOf, listOf, numberOf, textOf, wordOf } from "./value";
 const decode = decoderOf(kPerceptChannel);
 const decoded = (json?: Parameters<typeof percept>[0]) => decode(percept(json)).fields!;
 
-test("a message of a schema never heard of shows field by field, in the schema's order", () => {
+test("a message of an unknown schema is shown field by field, in the schema's order", () => {
   const fields = decoded({
     seen_ns: "18446744073709551615",
     offset_ns: "-5",
@@ -37,7 +37,7 @@ test("a message of a schema never heard of shows field by field, in the schema's
   expect(fields.get("counts")).toEqual(new Map([["a", 1], ["b", 2]]));
 });
 
-test("of an empty message, what can be absent is absent and the rest holds its default", () => {
+test("in an empty message, optional fields are absent and the others have their defaults", () => {
   const fields = decoded();
   expect(fields.get("radius")).toBeUndefined();
   expect(fields.get("centre")).toBeUndefined();
@@ -46,7 +46,7 @@ test("of an empty message, what can be absent is absent and the rest holds its d
   expect(fields.get("outline")).toEqual([]);
 });
 
-test("no truncation of a message throws", () => {
+test("no truncated message makes the decoder throw", () => {
   const whole = percept({ seen_ns: "1", centre: { x: 1, y: 2 }, note: "hallo", weights: [1, 2, 3] });
   for (let length = 0; length < whole.length; ++length) {
     const { fields, error } = decode(whole.subarray(0, length));
@@ -54,7 +54,7 @@ test("no truncation of a message throws", () => {
   }
 });
 
-test("a schema that cannot be read is a sentence that names it", () => {
+test("an unreadable schema gives a sentence that names it", () => {
   const broken = [
     { ...kPerceptChannel, schema: "not base64!" },
     { ...kPerceptChannel, schema: "CgUKA2FiYw" },
@@ -66,7 +66,7 @@ test("a schema that cannot be read is a sentence that names it", () => {
     expect(decoderOf(channel)(Uint8Array.of()).error).toMatch(`The schema '${channel.schemaName}' cannot be read: `);
 });
 
-test("JSON shows as it is, whatever it is", () => {
+test("any JSON value is shown as it is", () => {
   const json = decoderOf({ encoding: "json", schemaName: "", schema: "" });
   const of = (text: string) => json(new TextEncoder().encode(text));
   expect(of('{"x": 1.5, "at": [1, {"y": true}], "__proto__": "name", "none": null}').fields).toEqual(

@@ -1,4 +1,4 @@
-// Decoding by reflection: the announced schema is all that is known of a message.
+// Decoding by reflection: the viewer knows only the schema that the server announced.
 
 import { createFileRegistry, fromBinary, type DescField, type DescMessage } from "@bufbuild/protobuf";
 import { base64Decode } from "@bufbuild/protobuf/wire";
@@ -7,12 +7,15 @@ import { FileDescriptorSetSchema } from "@bufbuild/protobuf/wkt";
 import type { Channel } from "../source/texts";
 import { EnumValue, type Fields, type Value } from "./value";
 
-/** A decoded message, or the sentence that says why there is none. */
+/** A decoded message, or a sentence that says why it cannot be decoded. */
 export type Decoded = { fields: Fields; error?: undefined } | { fields?: undefined; error: string };
 
 export type Decoder = (data: Uint8Array) => Decoded;
 
-/** Reads the channel's schema. Never throws, and neither does what it returns: a bad schema or message is a sentence. */
+/**
+ * Returns the decoder for the channel's schema. Neither this function nor the decoder throws: a bad schema or message
+ * gives a sentence.
+ */
 export function decoderOf(channel: Pick<Channel, "encoding" | "schemaName" | "schema">): Decoder {
   if (channel.encoding === "json") return decodeJson;
   let schema: DescMessage;
@@ -65,10 +68,13 @@ function valueOf(message: ReflectMessage, field: DescField): Value {
   }
 }
 
-/** A field that cannot be absent holds its default; one that can (optional, oneof, message) is absent until set. */
+/**
+ * A field without presence has its default. A field with presence (optional, oneof, message) is absent until it is
+ * set.
+ */
 const present = (message: ReflectMessage, field: DescField): boolean =>
   (field.fieldKind !== "message" && field.presence === kImplicit) || message.isSet(field);
-const kImplicit = 2; // FeatureSet_FieldPresence.IMPLICIT, an enum that would pull in more than it is worth
+const kImplicit = 2; // FeatureSet_FieldPresence.IMPLICIT; importing the enum would add too much code
 
 const enumOf = (type: { value: Record<number, { name: string }> }, number: number): EnumValue =>
   new EnumValue(number, type.value[number]?.name);
@@ -78,7 +84,7 @@ const plain = (value: unknown): Value =>
     ? fieldsOf(value as ReflectMessage)
     : (value as Value);
 
-/** A message that is no object is one with the field `value`. */
+/** Wraps a value that is no object as the field `value`. */
 function decodeJson(data: Uint8Array): Decoded {
   try {
     const value: unknown = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(data));

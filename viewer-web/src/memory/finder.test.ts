@@ -15,7 +15,7 @@ function setUp() {
   return { add, find, spans, sources };
 }
 
-test("a condition holds from the message that makes it true to the one that ends it", () => {
+test("a match lasts from the message that makes the condition true to the one that makes it false", () => {
   const { add, find, spans } = setUp();
   [0, 1, 3, 4, 0, 5, 0].forEach((x, i) => add("a", BigInt(100 * i), x));
   const finder = find("a.x > 2");
@@ -23,7 +23,7 @@ test("a condition holds from the message that makes it true to the one that ends
   expect(spans(finder)).toEqual([[200, 400], [500, 600]]);
 });
 
-test("objects are taken in order of capture time, whichever came first", () => {
+test("messages of all objects are read in order of capture time, whichever arrived first", () => {
   const { add, find, spans } = setUp();
   for (const [ms, x] of [[0n, 1], [300n, 0], [1000n, 0]] as const) add("a", ms, x);
   for (const [ms, x] of [[100n, 1], [200n, 0], [1000n, 0]] as const) add("b", ms, x);
@@ -32,7 +32,7 @@ test("objects are taken in order of capture time, whichever came first", () => {
   expect(spans(finder)).toEqual([[100, 200]]);
 });
 
-test("it reads on with what comes, within its time, and begins anew when the past was forgotten", () => {
+test("the finder reads new messages within its time limit, and restarts after the past was forgotten", () => {
   const { add, find, spans, sources } = setUp();
   for (let i = 0; i < 100; ++i) add("a", BigInt(10 * i), i % 20 < 10 ? 1 : 0);
   const finder = find("a.x == 1");
@@ -51,7 +51,7 @@ test("it reads on with what comes, within its time, and begins anew when the pas
   expect(spans(finder)).toEqual([[5, 5]]);
 });
 
-test("an object that fell silent does not hold up the others for ever", () => {
+test("a silent object does not block the others for ever", () => {
   const { add, find, spans } = setUp();
   add("b", 0n, 1);
   for (let i = 0; i < 30; ++i) add("a", BigInt(100 * i), i === 5 ? 9 : 0);
@@ -60,7 +60,7 @@ test("an object that fell silent does not hold up the others for ever", () => {
   expect(spans(finder)).toEqual([[500, 600]]);
 });
 
-test("of a recording all that was found stays, in order, and what is read once more is found once", () => {
+test("matches of a recording stay in order, and a part that is read again gives no second match", () => {
   const { add, find, spans, sources } = setUp();
   const finder = find("a.x == 1", true);
   const part = (from: bigint, ...values: number[]) => {

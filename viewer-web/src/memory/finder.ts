@@ -1,4 +1,4 @@
-// When a condition held, out of the histories of all objects that it looks at, bit by bit.
+// Finds when a condition held, from the histories of all objects that it reads, a few milliseconds at a time.
 
 import type { Condition } from "./condition";
 import type { Entry, History } from "./history";
@@ -11,14 +11,14 @@ export interface Source {
   decode(data: Uint8Array): Decoded;
 }
 
-/** The condition held from one capture time to another [ns]; `to_ns` of the newest grows while it holds. */
+/** The condition held between these capture times [ns]. `to_ns` of the newest match grows while the condition holds. */
 export interface Match {
   from_ns: bigint;
   to_ns: bigint;
 }
 
 const kMostMatches = 5000;
-const kLate_ns = 500_000_000n; // so much later than the others a message may come and still be taken in order
+const kLate_ns = 500_000_000n; // a message this much later than the others is still sorted in
 
 interface Reading {
   topic: string;
@@ -32,9 +32,9 @@ export class Finder {
   /** In order of time. */
   matches: Match[] = [];
   #readings: Reading[] = [];
-  #open: Match | undefined; // it still holds
+  #open: Match | undefined; // the match that still lasts
 
-  /** `recorded`: what was found stays when another part of a recording is read, also a part once more. */
+  /** `recorded`: matches stay when another part of the recording is read, or the same part again. */
   constructor(
     readonly condition: Condition,
     sources: ReadonlyMap<string, Source>,
@@ -47,7 +47,7 @@ export class Finder {
     this.#restart();
   }
 
-  /** Reads on, for at most `milliseconds`; true when everything is read. */
+  /** Reads on for at most `milliseconds`. Returns true when everything is read. */
   update(milliseconds: number, clock: () => number = () => performance.now()): boolean {
     if (this.#readings.some(({ source, generation }) => source.history.generation !== generation)) this.#restart();
     const until_ns = this.#orderedUntil();
@@ -73,7 +73,7 @@ export class Finder {
     }
   }
 
-  /** Up to here nothing earlier is to be expected from anybody. */
+  /** The capture time up to which no more earlier messages are expected. */
   #orderedUntil(): bigint {
     let [first, last]: [bigint | undefined, bigint] = [undefined, 0n];
     for (const { source } of this.#readings) {
@@ -104,7 +104,7 @@ export class Finder {
     if (this.matches.length > kMostMatches) this.matches.splice(0, kMostMatches / 10);
   }
 
-  /** The match that begins now, or the one from before that holds then. */
+  /** Returns the match that begins now, or an earlier one that holds at this time. */
   #begin(log_ns: bigint): Match {
     const last = this.matches.findLastIndex(({ from_ns }) => from_ns <= log_ns);
     const known = this.matches[last];

@@ -20,7 +20,7 @@ const kAnswer = {
   situation: { ball: { x: 1, y: 2, deviation: 0.3, elsewhere: 0.25 }, own_score: 2, opponent_score: 1, seconds_remaining: 95, robots: [{ side: "opponent", player: 4, x: 3, y: -1, heading: 0.1, deviation: 0.2 }] },
 };
 
-test("what the service answers is read", () => {
+test("the service's answer is read", () => {
   const forecast = forecastOf(fieldsOfJson(kAnswer));
   expect(forecast).toMatchObject({ measure: "concede", until: "half", advice: "change", choice: "passing", horizon: 20, answeredMs: 206, models: "match" });
   expect(forecast.strategies[0]!.heat).toEqual({ columns: 3, counts: [0, 1, 2, 3, 4, 5] });
@@ -30,7 +30,7 @@ test("what the service answers is read", () => {
   expect(forecast.situation).toEqual({ ball: { x: 1, y: 2, deviation: 0.3 }, bodies: [{ side: "opponent", player: 4, x: 3, y: -1, heading: 0.1, deviation: 0.2 }] });
 });
 
-test("the memory object says the same in its own words", () => {
+test("the memory object gives the same forecast from its own field names", () => {
   const told = forecastOf(
     fields({
       question: fields({ measure: new EnumValue(2, "MEASURE_CONCEDE"), until: new EnumValue(1, "UNTIL_NEXT_GOAL"), asked_by: "captain: the ball is lost" }),
@@ -44,14 +44,14 @@ test("the memory object says the same in its own words", () => {
   expect(told).toMatchObject({ situation, ballElsewhere, standing });
 });
 
-test("the strategy that is meant, else the choice, else the first", () => {
+test("the named strategy is chosen, else the advised one, else the first", () => {
   const forecast = forecastOf(fieldsOfJson(kAnswer));
   expect(["baseline", "gone", ""].map((name) => chosenOf(forecast, name)?.name)).toEqual(["baseline", "passing", "passing"]);
   expect(chosenOf({ ...forecast, choice: "" }, "")?.name).toBe("baseline");
   expect(chosenOf({ ...forecast, strategies: [] }, "")).toBeUndefined();
 });
 
-test("nonsense becomes an empty forecast, never an exception", () => {
+test("an invalid answer becomes an empty forecast and never throws", () => {
   for (const nonsense of [undefined, null, 3, "x", [], [1], {}, { question: [], strategies: [1, null, {}], situation: { robots: "no" }, advice: "constructor" }, { strategies: [{ heat: [1, 2, 3], heat_columns: 2, paths: [{ ball: [1, "x", 2] }] }] }]) {
     const forecast = forecastOf(fieldsOfJson(nonsense));
     expect(forecast.advice).toBe("none");

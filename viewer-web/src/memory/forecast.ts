@@ -1,4 +1,4 @@
-// What foresight expects of each strategy: as the object `forecast` says it, or the service /foresight/what_if.
+// Foresight's forecast of each strategy, from the object `forecast` or from the service /foresight/what_if.
 
 import type { Fields, Value } from "./value";
 import { fieldsOf, listOf, numberOf, textOf, wordOf } from "./value";
@@ -12,13 +12,13 @@ export type Until = keyof typeof kUntils;
 export type Side = "own" | "opponent";
 export type Advice = "none" | "keep" | "change";
 
-/** [m] of team_field: the own team attacks towards +x. */
+/** [m] in team_field: the own team attacks towards +x. */
 export interface Place {
   x: number;
   y: number;
 }
 
-/** One robot of the moment that was played on from. */
+/** One robot at the start of the rollouts. */
 export interface Body extends Place {
   side: Side;
   player: number;
@@ -33,7 +33,7 @@ export interface Situation {
   bodies: Body[];
 }
 
-/** One continuation. */
+/** One simulated continuation. */
 export interface Path {
   /** [s] between points. */
   spacing: number;
@@ -42,7 +42,7 @@ export interface Path {
   robots: { player: number; points: Place[] }[];
 }
 
-/** How often the ball was where: counts row by row from (-length/2, -width/2), along x first. */
+/** How often the ball was in each cell. Row by row from (-length/2, -width/2), x first. */
 export interface Heat {
   columns: number;
   counts: number[];
@@ -58,13 +58,13 @@ export interface StrategyForecast {
   /** [0..1] */
   score: number;
   concede: number;
-  /** Over the first strategy, and its 95 % interval. */
+  /** Compared with the first strategy, with its 95 % interval. */
   gain: number;
   gainLow: number;
   gainHigh: number;
-  /** [0..1] that it is the best of all. */
+  /** [0..1] Probability that it is the best of all. */
   best: number;
-  /** False: it was left behind. */
+  /** False if its rollouts were stopped early, because it fell behind. */
   racedOn: boolean;
   paths: Path[];
   heat: Heat | undefined;
@@ -79,17 +79,20 @@ export interface Forecast {
   choice: string;
   reason: string;
   strategies: StrategyForecast[];
-  /** [ms] from the question to the answer; of processor time. */
+  /** [ms] From the question to the answer; of processor time. */
   answeredMs: number;
   computedMs: number;
-  /** [s] of game time, all rollouts together; of each at most. */
+  /** [s] of game time: of all rollouts together; at most of each one. */
   simulated: number;
   horizon: number;
   models: string;
   situation: Situation;
-  /** [0..1] in how many of the futures the ball lies anywhere else on the field, since nobody saw it for a while. */
+  /**
+   * [0..1] Share of the rollouts that start with the ball elsewhere on the field, because nobody has seen it for a
+   * while.
+   */
   ballElsewhere: number;
-  /** What was played on from: goals, the own ones first, and seconds left of the half; undefined where it is not told. */
+  /** At the start of the rollouts: goals, own first, and remaining seconds of the half. Undefined if unknown. */
   standing: { score: [number, number]; remaining: number } | undefined;
 }
 
@@ -101,7 +104,7 @@ const finite = (fields: Fields, name: string): number => {
 const known = <Word extends string>(words: Record<Word, unknown>, word: string, otherwise: Word): Word => (Object.hasOwn(words, word) ? (word as Word) : otherwise);
 const kAdvice = { none: 0, keep: 0, change: 0 };
 
-/** Reads either; what is missing is nothing or 0. */
+/** Reads an object or an answer. Missing values become empty or 0. */
 export function forecastOf(fields: Fields): Forecast {
   const question = fieldsOf(fields, "question");
   const count = (name: string) => finite(fields, name);
@@ -126,7 +129,7 @@ export function forecastOf(fields: Fields): Forecast {
   };
 }
 
-/** An object that a service answered with, as if it had been a message. */
+/** Converts a service's JSON object to the fields of a message. */
 export function fieldsOfJson(value: unknown): Fields {
   const read = (part: unknown): Value => {
     if (Array.isArray(part)) return part.map(read);
@@ -162,7 +165,7 @@ const pathOf = (fields: Fields): Path => ({
   robots: listOf(fields, "robots").map((robot) => ({ player: finite(robot, "player"), points: pointsOf(robot.get("points")) })),
 });
 
-/** x, y of each point, up to the first that is none. */
+/** Returns x, y of each point, up to the first invalid one. */
 function pointsOf(list: Value): Place[] {
   const points: Place[] = [];
   if (!Array.isArray(list)) return points;
@@ -181,7 +184,7 @@ function heatOf(fields: Fields): Heat | undefined {
   return fits ? { columns, counts: counts.map((count) => (typeof count === "number" && count > 0 ? count : 0)) } : undefined;
 }
 
-/** The object calls them ball_x and bodies, the service ball.x and robots. */
+/** Reads the situation. The object has ball_x and bodies, the service has ball.x and robots. */
 function situationOf(fields: Fields): Situation {
   const ball = fieldsOf(fields, "ball");
   const [x, y, deviation] = ["x", "y", "deviation"].map((name) => (ball.size > 0 ? numberOf(ball, name) : numberOf(fields, `ball_${name}`)));
@@ -204,9 +207,9 @@ function standingOf(situation: Fields): Forecast["standing"] {
   return Number.isFinite(remaining) ? { score: [finite(situation, "own_score"), finite(situation, "opponent_score")], remaining } : undefined;
 }
 
-/** Whether there is nothing to be seen: what was refused tells no situation. */
+/** Whether the situation has neither ball nor robots, as in a refused forecast. */
 export const isEmpty = ({ ball, bodies }: Situation): boolean => !ball && bodies.length === 0;
 
-/** The one that is meant by `name`, else the one to play, else the first. */
+/** Returns the strategy `name`, else the advised one, else the first. */
 export const chosenOf = ({ strategies, choice }: Forecast, name: string): StrategyForecast | undefined =>
   strategies.find((strategy) => strategy.name === name) ?? strategies.find((strategy) => strategy.name === choice) ?? strategies[0];

@@ -5,7 +5,7 @@ import { forecastScoresOf, strategyOf } from "./forecast_score";
 const bins = (at: number, forecasts: number, came: number, foretold: number) => Array.from({ length: 10 }, (_, i) => (i === at ? { forecasts, came, foretold } : { forecasts: 0, came: 0, foretold: 0 }));
 const event = (came: number, brier: number, at: number, forecasts: number, foretold: number) => ({ came, brier, log_loss: 2 * brier, bins: bins(at, forecasts, came, foretold) });
 
-test("strategies and horizons are counted together, each by its forecasts", () => {
+test("the scores of all strategies and horizons come first, then one per strategy and horizon", () => {
   const scores = forecastScoresOf(
     fieldsOfJson({
       entries: [
@@ -33,12 +33,12 @@ test("strategies and horizons are counted together, each by its forecasts", () =
   expect(score.concede.logLoss).toBeCloseTo(0.06);
 });
 
-test("one strategy and horizon is all there is", () => {
+test("with a single strategy and horizon there is only the common score", () => {
   const entries = [{ strategy: "baseline", horizon: 30, forecasts: 1, score: event(1, 0.2, 3, 1, 0.3), concede: event(0, 0.01, 0, 1, 0.05) }];
   expect(forecastScoresOf(fieldsOfJson({ entries })).map(({ name }) => name)).toEqual(["all"]);
 });
 
-test("before one was scored there is no score, nor a strategy where nobody says one", () => {
+test("before the first scored forecast there is no score, and without the object no strategy", () => {
   expect(forecastScoresOf(new Map())).toEqual([]);
   expect(forecastScoresOf(fieldsOfJson({ entries: [], open: 3 }))).toEqual([]);
   expect(strategyOf(new Map())).toBeUndefined();

@@ -1,12 +1,12 @@
-// How often what was foretold came true, as the robot counted: the object `forecast_score`.
+// How often the robot's forecasts came true: the object `forecast_score`.
 import { type Fields, fieldsOf, listOf, numberOf, textOf } from "./value";
 
-/** Forecasts that foretold about as much. */
+/** Forecasts with about the same predicted probability. */
 export interface Bin {
   forecasts: number;
-  /** [0..1] how often it came. */
+  /** [0..1] Observed frequency. */
   came: number;
-  /** [0..1] what was foretold, on average. */
+  /** [0..1] Mean predicted probability. */
   foretold: number;
   /** [0..1] one standard error of `came`. */
   error: number;
@@ -15,13 +15,13 @@ export interface Bin {
 /** One kind of event. */
 export interface Scored {
   came: number;
-  /** [0..1] small is good. */
+  /** [0..1] Brier score; lower is better. */
   brier: number;
-  /** [0..1] of always foretelling how often it came. */
+  /** [0..1] Brier score of a forecast that always predicts the observed frequency. */
   brierOfRate: number;
-  /** [nats] on average; small is good. */
+  /** [nats] Mean log loss; lower is better. */
   logLoss: number;
-  /** Those with forecasts, ascending. */
+  /** Bins with forecasts, ascending. */
   bins: Bin[];
 }
 
@@ -33,13 +33,16 @@ export interface ForecastScore {
 
 const finite = (fields: Fields, name: string): number => numberOf(fields, name) || 0;
 
-/** What of: "all", or one strategy and horizon, "passing, 30 s". */
+/** The score's subject: "all", or one strategy and horizon such as "passing, 30 s". */
 export interface NamedScore {
   name: string;
   score: ForecastScore;
 }
 
-/** Of all strategies and horizons together, then of each where there are several; none before one was scored. */
+/**
+ * Returns the common score, then one per strategy and horizon if there are several. Empty before the first scored
+ * forecast.
+ */
 export function forecastScoresOf(fields: Fields): NamedScore[] {
   const entries = listOf(fields, "entries");
   const all = merge(entries);
@@ -51,7 +54,7 @@ export function forecastScoresOf(fields: Fields): NamedScore[] {
   return [{ name: "all", score: all }, ...(each.length > 1 ? each : [])];
 }
 
-/** All of them together; undefined where none was scored. */
+/** Merges all entries into one score. Undefined if no forecast was scored. */
 function merge(entries: Fields[]): ForecastScore | undefined {
   const forecasts = entries.reduce((sum, entry) => sum + finite(entry, "forecasts"), 0);
   if (forecasts === 0) return undefined;
@@ -72,7 +75,7 @@ function merge(entries: Fields[]): ForecastScore | undefined {
   return { forecasts, score: merged("score"), concede: merged("concede") };
 }
 
-/** "passing", and since which choice; undefined where foresight does not say. */
+/** The strategy in use, such as "passing", and the choice behind it. Undefined if foresight does not report it. */
 export function strategyOf(fields: Fields): { name: string; chosen: boolean; captain: number } | undefined {
   const name = textOf(fields, "name");
   return name === "" ? undefined : { name, chosen: fields.get("chosen") === true, captain: finite(fields, "captain") };

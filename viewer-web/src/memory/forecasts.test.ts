@@ -6,7 +6,7 @@ import { EnumValue, type Fields } from "./value";
 
 const told = (choice: string): Fields => new Map<string, never>([["choice", choice as never], ["advice", new EnumValue(2, "ADVICE_CHANGE") as never]]);
 
-test("a robot's forecasts are listed newest first, each read once; the one shown is that of the moment", () => {
+test("a robot's forecasts are listed newest first, each read once, and the shown one is that of the moment", () => {
   const history = new History();
   let read = 0;
   const object = {

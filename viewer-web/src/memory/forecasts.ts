@@ -1,13 +1,13 @@
-// All forecasts of a robot that are kept, each read once.
+// All kept forecasts of a robot, each read once.
 
 import { forecastOf, type Forecast } from "./forecast";
 import type { MemoryObject } from "./memory_object";
 
-/** One of them, in short. */
+/** A short form of one forecast. */
 export interface Told {
-  /** The message's number: while the time stands there may be several of one moment. */
+  /** The message's number. While the time stands still, several forecasts may have the same moment. */
   index: number;
-  /** [ns] capture time of the moment that was played on from. */
+  /** [ns] Capture time of the moment that the rollouts start from. */
   log_ns: bigint;
   askedBy: string;
   advice: Forecast["advice"];
@@ -21,7 +21,7 @@ export class Forecasts {
 
   constructor(readonly object: MemoryObject) {}
 
-  /** Newest first, those after the moment shown included. */
+  /** The forecasts, newest first. Includes those after the shown moment. */
   list(most: number): Told[] {
     const { history } = this.object;
     if (this.#generation !== history.generation) this.#told.clear();
@@ -45,13 +45,13 @@ export class Forecasts {
     return { index, log_ns: entry.log_ns, askedBy, advice, choice };
   }
 
-  /** The number of the one that held at the moment that is shown; -1 where none did. */
+  /** The number of the forecast that was valid at the shown moment, or -1 if there is none. */
   shownIndex(): number {
     const { history, shown } = this.object;
     return shown ? history.indexAt(shown.log_ns) : -1;
   }
 
-  /** The one that held at the moment that is shown; the same object until another one does. */
+  /** The forecast that was valid at the shown moment. The same object until another one is valid. */
   shown(): Forecast | undefined {
     const entry = this.object.shown;
     if (!entry) return (this.#shown = undefined);

@@ -9,21 +9,21 @@ const team = (number: number, score: number, ...penalised: boolean[]) =>
 const game = (state: string, own: Fields, opponent: Fields) => fields({ state: new EnumValue(0, `STATE_${state}`), own, opponent });
 const texts = (changes: { text: string }[]) => changes.map(({ text }) => text);
 
-test("a goal, another state and a penalty are told once, when they come", () => {
+test("a goal, another state and a penalty are reported once, when they happen", () => {
   const before = game("SET", team(14, 0, false, false), team(5, 1, false));
   expect(changesOfGame(before, before)).toEqual([]);
   expect(texts(changesOfGame(before, game("PLAYING", team(14, 1, false, true), team(5, 1, false))))).toEqual(["playing", "goal of team 14", "14/2 penalised"]);
-  // back on the field, and a score corrected by the referee, are no events
+  // the return to the field and a score that the referee corrects are no events
   expect(changesOfGame(game("SET", team(14, 1, true), team(5, 0)), game("SET", team(14, 0, false), team(5, 0)))).toEqual([]);
 });
 
-test("a simulated game tells goals and new games", () => {
+test("a simulated game reports goals and new games", () => {
   const state = (seed: number, tick: number, score: number) => fields({ seed: BigInt(seed), tick, home: team(14, score), away: team(5, 0) });
   expect(texts(changesOfSimulation(state(7, 10, 0), state(7, 11, 1)))).toEqual(["goal of team 14"]);
   expect(texts(changesOfSimulation(state(7, 10, 1), state(8, 0, 0)))).toEqual(["new game, seed 8"]);
 });
 
-test("what all robots tell happened once; nonsense happened never", () => {
+test("an event that all robots report happened once, and a senseless message gives no event", () => {
   const events = new GameEvents();
   const states = [game("READY", team(14, 0), team(5, 0)), game("SET", team(14, 0), team(5, 0))];
   const object = (robot: string) =>
@@ -34,7 +34,7 @@ test("what all robots tell happened once; nonsense happened never", () => {
   expect(events.all()).toEqual([]);
 });
 
-test("a robot that falls is told once, until it stood again", () => {
+test("a fall is reported once until the robot has stood up again", () => {
   const motion = (fall: string, side = "UNSPECIFIED"): Fields => new Map<string, Value>([["fall", new EnumValue(0, `FALL_${fall}`)], ["fall_side", new EnumValue(0, `FALL_SIDE_${side}`)]]);
   const told = (before: Fields, after: Fields) => changesOfMotion(before, after).map(({ text }) => text);
   expect(told(motion("UPRIGHT"), motion("FALLING", "FRONT"))).toEqual(["falls front"]);

@@ -1,4 +1,4 @@
-// What happened in the game, as moments on the timeline: goals, states, penalties, falls, and errors in the log.
+// Events of the game as moments on the timeline: goals, states, penalties, falls, and errors in the log.
 
 import type { Entry } from "./history";
 import { kLogLevels, type LogLevel } from "./log_history";
@@ -12,15 +12,15 @@ export interface GameEvent {
   log_ns: bigint;
   kind: EventKind;
   text: string;
-  /** Who told; "" where it was nobody's. */
+  /** The robot that reported it, or "" for none. */
   robot: RobotName;
 }
 
 const kMost = 2000;
-const kSame_ns = 5_000_000_000n; // the same told by several robots within so long happened once
+const kSame_ns = 5_000_000_000n; // equal reports of several robots within this time are one event
 const kMostPlayers = 20;
 
-/** What one message of `game` says that the one before did not. */
+/** Returns the events between two consecutive messages of `game`. */
 export function changesOfGame(before: Fields, after: Fields): { kind: EventKind; text: string }[] {
   const changes: { kind: EventKind; text: string }[] = [];
   const state = wordOf(after, "state");
@@ -40,7 +40,7 @@ export function changesOfGame(before: Fields, after: Fields): { kind: EventKind;
   return changes;
 }
 
-/** What one message of /sim/state says that the one before did not. */
+/** Returns the events between two consecutive messages of /sim/state. */
 export function changesOfSimulation(before: Fields, after: Fields): { kind: EventKind; text: string }[] {
   if (numberOf(after, "seed") !== numberOf(before, "seed") || numberOf(after, "tick") < numberOf(before, "tick"))
     return [{ kind: "state", text: `new game, seed ${numberOf(after, "seed")}` }];
@@ -50,14 +50,14 @@ export function changesOfSimulation(before: Fields, after: Fields): { kind: Even
   });
 }
 
-/** What one message of `motion_status` says that the one before did not. */
+/** Returns the events between two consecutive messages of `motion_status`. */
 export function changesOfMotion(before: Fields, after: Fields): { kind: EventKind; text: string }[] {
   const down = ["falling", "fallen"];
   const [was, is] = [wordOf(before, "fall"), wordOf(after, "fall")];
   return down.includes(is) && !down.includes(was) ? [{ kind: "fall", text: `falls ${wordOf(after, "fall_side").replace("unspecified", "")}`.trim() }] : [];
 }
 
-/** How the messages of an object tell of events; undefined where they do not. */
+/** Returns the function that finds events in an object's messages, or undefined if they contain none. */
 export function changesTold(name: string): ((before: Fields, after: Fields) => { kind: EventKind; text: string }[]) | undefined {
   return { game: changesOfGame, motion_status: changesOfMotion }[name];
 }
@@ -71,7 +71,7 @@ export class GameEvents {
     this.#before.clear();
   }
 
-  /** A recording goes on elsewhere: what is other there did not happen there. */
+  /** Handles a seek: differences across it are no events. */
   sought(): void {
     this.#before.clear();
   }

@@ -10,7 +10,7 @@ const filled = (count: number, size = 4) => {
   return history;
 };
 
-test("what was the newest at a moment is what was sensed then or last before", () => {
+test("the newest message at a moment is the last one captured up to then", () => {
   const history = filled(1000);
   expect(history.at(-1n)).toBeUndefined();
   for (let i = 0; i < 1000; i += 7) {
@@ -21,7 +21,7 @@ test("what was the newest at a moment is what was sensed then or last before", (
   expect(history.hzAt(500_000_000_000n)).toBe(1);
 });
 
-test("numbers of messages stay when old ones go", () => {
+test("message numbers stay the same when old messages are dropped", () => {
   const history = filled(2000);
   const seen = history.get(1500)!.data;
   while (history.oldestArrival()! < 1000) history.dropOldest();
@@ -32,7 +32,7 @@ test("numbers of messages stay when old ones go", () => {
   expect(history.indexAt(0n)).toBe(history.begin - 1);
 });
 
-test("messages of any size come back as they were, and never share bytes with what came", () => {
+test("messages of any size are returned unchanged, and share no bytes with the input", () => {
   const history = new History();
   const sizes = [0, 1, 100, 16383, 16384, 16385, 40000, 70000, 3];
   const data = sizes.map((size, i) => bytes(i + 1, size));
@@ -41,7 +41,7 @@ test("messages of any size come back as they were, and never share bytes with wh
   sizes.forEach((size, i) => expect(history.get(i)!.data).toEqual(bytes(i + 1, size)));
 });
 
-test("a little disorder keeps the order, a seek back begins another past", () => {
+test("slight disorder keeps the order, and a seek back starts another past", () => {
   const history = new History();
   for (const second of [10, 11, 10.5, 12]) history.add(entry(second));
   expect(history.end - history.begin).toBe(4);
@@ -51,7 +51,7 @@ test("a little disorder keeps the order, a seek back begins another past", () =>
   expect([history.end - history.begin, history.generation, history.get(history.begin)!.arrived]).toEqual([1, 1, 3]);
 });
 
-test("the past stays below its cap, and what goes is what came first", () => {
+test("the past stays below its cap, and the messages that arrived first are dropped first", () => {
   const past = new Past({ values: 1e6, pictures: 1e6 });
   const [often, seldom] = [new History(), new History()];
   for (let i = 0; i < 60000; ++i) {
@@ -60,13 +60,13 @@ test("the past stays below its cap, and what goes is what came first", () => {
     expect(past.size_bytes).toBeLessThanOrEqual(1e6);
   }
   expect(past.size_bytes).toBeGreaterThan(0.8e6);
-  // both reach about as far back
+  // both reach back about equally far
   expect(Math.abs(Number(often.first_ns! - seldom.first_ns!)) / 1e9).toBeLessThan(130);
   past.forget(often);
   expect(past.size_bytes).toBeLessThan(0.2e6);
 });
 
-test("of pictures few are kept: raw ones fewest", () => {
+test("only a few images are kept, raw ones fewest", () => {
   const count = (size: number) => {
     const history = new History();
     const past = new Past({ values: 0, pictures: 1e9 });
@@ -77,7 +77,7 @@ test("of pictures few are kept: raw ones fewest", () => {
   expect(count(614_400)).toBe(20);
 });
 
-test("what was sensed nearest to a moment is found, unless it was too far from it", () => {
+test("the message nearest to a moment is found, unless it is too far away", () => {
   const history = new History();
   for (const log_ns of [100n, 200n, 210n]) history.add({ log_ns, data: Uint8Array.of(1), arrived: 0 });
   const near = (log_ns: bigint) => history.near(log_ns, 20n)?.log_ns;

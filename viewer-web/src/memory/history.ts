@@ -1,18 +1,19 @@
-// What one memory object held during the last minutes, packed into few buffers, so that a page can go back.
+// The messages of one memory object during the last minutes, packed into few buffers, so that a page can go back in
+// time.
 
-/** One message as it came. `log_ns` is its capture time; `arrived` [s] is on our own steady clock. */
+/** One received message. `log_ns` is its capture time; `arrived` [s] is on the page's steady clock. */
 export interface Entry {
   log_ns: bigint;
   data: Uint8Array;
   arrived: number;
 }
 
-const kBlockBytes = 32768; // a small message costs its own bytes and 20 more
+const kBlockBytes = 32768; // a small message costs its own bytes plus 20
 const kPerMessage = 20; // [bytes] of times and places in the blocks' own arrays
 const kMostPerBlock = 256; // [messages]
-const kSeek_ns = 1_000_000_000n; // a capture time so much smaller than the last one is a seek: another past begins
+const kSeek_ns = 1_000_000_000n; // a capture time this much before the last one is a seek: another past begins
 
-/** Messages one after the other. A block is written once and dropped whole. */
+/** Consecutive messages. A block is filled once and dropped as a whole. */
 interface Block {
   data: Uint8Array;
   used: number; // [bytes]
@@ -38,25 +39,25 @@ function newBlock(least_bytes: number): Block {
 const sizeOf = ({ data, times }: Block): number => data.length + kPerMessage * times.length;
 
 /**
- * Messages in order of capture time. They are numbered from the first one ever; old ones go, numbers stay, so whoever
- * reads on from a number misses nothing that is still there. A message slightly older than the one before stands at
- * that one's time; a much older one means that somebody sought, and what was before is forgotten.
+ * Messages in order of capture time, numbered from the first one ever. Numbers stay when old messages are dropped, so
+ * a reader that continues from a number misses nothing that is still kept. A message slightly older than the one
+ * before it gets that one's time. A much older one means a seek: everything before it is forgotten.
  */
 export class History {
   #blocks: Block[] = [];
   #starts: number[] = []; // number of each block's first message
   #end = 0;
-  /** Counts how often the past was forgotten: numbers from before mean nothing any more. */
+  /** Counts how often the past was forgotten. Numbers from an earlier generation are invalid. */
   generation = 0;
   size_bytes = 0;
-  /** [ns] capture time before which something was dropped for want of room. */
+  /** [ns] Capture time up to which messages were dropped to save memory. */
   given_up_ns: bigint | undefined;
 
-  /** Number of the oldest message that is still there. */
+  /** Number of the oldest kept message. */
   get begin(): number {
     return this.#starts[0] ?? this.#end;
   }
-  /** One more than the number of the newest. */
+  /** Number of the newest message plus one. */
   get end(): number {
     return this.#end;
   }
@@ -76,13 +77,13 @@ export class History {
     ++this.generation;
   }
 
-  /** Whether a message of this capture time would end the past that is kept. */
+  /** Whether a message with this capture time would end the kept past. */
   goesBack(log_ns: bigint): boolean {
     const last_ns = this.last_ns;
     return last_ns !== undefined && log_ns < last_ns - kSeek_ns;
   }
 
-  /** Keeps a copy. */
+  /** Stores a copy. */
   add({ log_ns, data, arrived }: Entry): void {
     if (this.goesBack(log_ns)) this.clear();
     const last_ns = this.last_ns ?? log_ns;
@@ -101,7 +102,7 @@ export class History {
     ++this.#end;
   }
 
-  /** The message of this number; undefined when it is gone or has not come. */
+  /** Returns the message with this number, or undefined if it was dropped or has not arrived. */
   get(index: number): Entry | undefined {
     const at = this.#place(index);
     if (!at) return undefined;
@@ -114,7 +115,7 @@ export class History {
     return at && at.block.times[at.i];
   }
 
-  /** Number of the newest message sensed at `log_ns` or before; one less than `begin` when there is none. */
+  /** Number of the newest message captured at `log_ns` or before, or `begin` - 1 if there is none. */
   indexAt(log_ns: bigint): number {
     let [low, high] = [this.begin, this.#end];
     while (low < high) {
@@ -125,12 +126,12 @@ export class History {
     return low - 1;
   }
 
-  /** What was the newest at `log_ns`. */
+  /** Returns the newest message at `log_ns`. */
   at(log_ns: bigint): Entry | undefined {
     return this.get(this.indexAt(log_ns));
   }
 
-  /** What was sensed nearest to `log_ns`; undefined where nothing was within `most_ns` of it. */
+  /** Returns the message captured nearest to `log_ns`, or undefined if none is within `most_ns`. */
   near(log_ns: bigint, most_ns: bigint): Entry | undefined {
     const index = this.indexAt(log_ns);
     const away = (entry: Entry) => (entry.log_ns > log_ns ? entry.log_ns - log_ns : log_ns - entry.log_ns);
@@ -139,12 +140,15 @@ export class History {
     return nearest && away(nearest) <= most_ns ? nearest : undefined;
   }
 
-  /** [Hz] of the two seconds up to `log_ns`. */
+  /** [Hz] over the two seconds up to `log_ns`. */
   hzAt(log_ns: bigint): number {
     return (this.indexAt(log_ns) - this.indexAt(log_ns - 2_000_000_000n)) / 2;
   }
 
-  /** [s] when the newest message of the oldest block came; undefined when only one block is left: that one stays. */
+  /**
+   * [s] Arrival of the newest message in the oldest block. Undefined if only one block is left, which is never
+   * dropped.
+   */
   oldestArrival(): number | undefined {
     const [oldest, next] = this.#blocks;
     return next && oldest!.arrivals[oldest!.count - 1];

@@ -1,10 +1,10 @@
-// The sentences the robots said lately. Unlike other objects, the older ones matter too.
+// The recent log sentences of the robots. Unlike with other objects, the older messages matter too.
 
 import type { Entry } from "./history";
 import type { MemoryObject, RobotName } from "./memory_object";
 import { numberOf, textOf, wordOf } from "./value";
 
-const kMost = 2000; // [sentences] what a person would search through
+const kMost = 2000; // [sentences] as many as a person would search
 
 export type LogLevel = "debug" | "info" | "warning" | "error" | "fatal";
 export const kLogLevels: LogLevel[] = ["debug", "info", "warning", "error", "fatal"];
@@ -16,7 +16,7 @@ export interface LogEntry {
   level: LogLevel;
   text: string;
   source: string;
-  /** [times] the same was not said in between. */
+  /** [times] the same sentence was suppressed before this one. */
   suppressed: number;
 }
 
@@ -28,7 +28,7 @@ export class LogHistory {
     this.#entries = [];
   }
 
-  /** A recording goes on at `at_ns`: what was said later will be said again. */
+  /** Forgets the sentences after `at_ns`: the recording continues there and will send them again. */
   sought(at_ns: bigint): void {
     this.#entries = this.#entries.filter(({ log_ns }) => log_ns < at_ns);
   }
@@ -48,12 +48,12 @@ export class LogHistory {
     if (this.#entries.length > kMost) this.#entries.splice(0, this.#entries.length - kMost);
   }
 
-  /** What this robot said up to `until_ns`, and what the server of no robot did. Newest last. */
+  /** Returns the sentences of this robot and of its server up to `until_ns`, newest last. */
   entries(robot: RobotName, least: LogLevel, until_ns?: bigint): LogEntry[] {
     return this.all(least, until_ns).filter((entry) => entry.robot === robot || entry.robot === "");
   }
 
-  /** What all robots of the server said. */
+  /** Returns the sentences of all robots of the server. */
   all(least: LogLevel, until_ns?: bigint): LogEntry[] {
     const from = kLogLevels.indexOf(least);
     return this.#entries.filter(({ level, log_ns }) => kLogLevels.indexOf(level) >= from && (until_ns === undefined || log_ns <= until_ns));

@@ -11,7 +11,7 @@ function memory() {
   return memory;
 }
 
-test("a path becomes a series, and knows which field of which message it shows", () => {
+test("a path becomes a series that knows its message and field", () => {
   const measure = measureOf(memory(), "/14/2/percept.x");
   if ("why" in measure) throw new Error(measure.why);
   measure.series.update(100);
@@ -19,11 +19,11 @@ test("a path becomes a series, and knows which field of which message it shows",
   expect(measure.field).toEqual({ message: "htwk.Percept", name: "x" });
 });
 
-test("what cannot be plotted is a sentence", () => {
+test("a path that cannot be plotted gives a sentence", () => {
   for (const text of ["", "/14/2/nothing.x", "/14/2/percept", "/14/2/percept~truth", "~truth"]) expect(measureOf(memory(), text), text).toEqual({ why: expect.any(String) });
 });
 
-test("what can be plotted is offered, and what it needs is asked for", () => {
+test("everything that can be plotted is offered, and the topics it needs are listed", () => {
   expect(measuresOf(memory(), "14/2")).toEqual(expect.arrayContaining(["/14/2/percept.x", "/14/2/percept.weights[1]"]));
   expect(topicsOfMeasure(memory(), "/14/2/percept.weights[1]")).toEqual(["/14/2/percept"]);
   expect(topicsOfMeasure(memory(), "nonsense")).toEqual([]);

@@ -1,4 +1,5 @@
-// What can be plotted: a number in a message, by its path, and how far a belief is from the truth: /14/2/pose~truth.
+// The values that can be plotted: a number in a message by its path, or the error of a belief against the truth:
+// /14/2/pose~truth.
 
 import type { Entry } from "./history";
 import type { Memory } from "./memory";
@@ -10,7 +11,10 @@ import { listOf, numberOf, type Fields } from "./value";
 const kTruth = "/truth/world";
 const kError = "~truth";
 
-/** A series for what somebody chose, or the sentence why there is none. `message` and `field` name where a comment stands. */
+/**
+ * The series of a chosen measure, or the sentence that says why there is none. `message` and `field` lead to the
+ * schema's comment.
+ */
 export type Measure = { series: Series; field: { message: string; name: string } | undefined; unit: string } | { why: string };
 
 export function measureOf(memory: Memory, text: string): Measure {
@@ -26,13 +30,13 @@ export function measureOf(memory: Memory, text: string): Measure {
   return { series, field, unit: "" };
 }
 
-/** Deeper fields are known by their name alone. */
+/** Nested fields are identified by their name alone. */
 const lastField = (steps: Step[]) => {
   const name = steps.findLast((step): step is string => typeof step === "string");
   return name === undefined ? undefined : { message: "", name };
 };
 
-/** [m] between what a robot believed and what was so at the same moment, both in the frame `field`. */
+/** [m] Distance between a robot's belief and the truth at the same moment, both in the frame `field`. */
 function errorOf(memory: Memory, topic: string): Measure {
   const [, robot, what] = /^\/(\d+\/\d+)\/(pose|ball)$/.exec(topic) ?? [];
   const [object, truth] = [memory.get(topic), memory.get(kTruth)];
@@ -65,7 +69,7 @@ function seenFrom(pose: Fields, { x, y }: { x: number; y: number }) {
 
 const decoded = new WeakMap<MemoryObject, { index: number; generation: number; fields: Fields | undefined }>();
 
-/** What an object said at a moment; the same message is decoded once in a row. */
+/** Returns the fields of the object at a moment. Repeated requests for one message decode it once. */
 function fieldsAt(object: MemoryObject | undefined, log_ns: bigint): Fields | undefined {
   if (!object) return undefined;
   const { history } = object;
@@ -78,7 +82,7 @@ function fieldsAt(object: MemoryObject | undefined, log_ns: bigint): Fields | un
   return fields;
 }
 
-/** Everything that can be plotted of a robot and of what belongs to none, as it is now. */
+/** Lists everything that can be plotted now, of a robot and of objects without a robot. */
 export function measuresOf(memory: Memory, robot: string): string[] {
   const objects = memory.objectsOf(robot).filter(({ derived, isImage }) => !derived && !isImage);
   const errors = memory.get(kTruth) ? ["pose", "ball"].filter((what) => memory.get(`/${robot}/${what}`)).map((what) => `/${robot}/${what}${kError}`) : [];
@@ -89,7 +93,7 @@ export function measuresOf(memory: Memory, robot: string): string[] {
   return [...errors, ...numbers];
 }
 
-/** The topics a measure needs to come. */
+/** Lists the topics that a measure needs. */
 export const topicsOfMeasure = (memory: Memory, text: string): string[] => {
   if (!text.endsWith(kError)) return [pathOf(text, [...memory.objects()].map(({ channel }) => channel.topic))?.topic ?? ""].filter(Boolean);
   const robot = /^\/(\d+\/\d+)\//.exec(text)?.[1];

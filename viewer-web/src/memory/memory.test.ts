@@ -7,7 +7,7 @@ import { kPerceptChannel, percept } from "./test_schema";
 const channel = (topic: string, metadata: Record<string, string> = {}) => ({ ...kPerceptChannel, topic, metadata });
 const kTopic = kPerceptChannel.topic;
 
-test("a robot is what the metadata says, else the first two parts of the topic", () => {
+test("the robot is in the metadata, else in the first two parts of the topic", () => {
   const cases: [string, Record<string, string>, string, string][] = [
     ["/14/2/ball", {}, "14/2", "ball"],
     ["/14/2/camera_top/jpeg", { robot: "14/2", object: "camera_top" }, "14/2", "camera_top/jpeg"],
@@ -23,14 +23,14 @@ test("a robot is what the metadata says, else the first two parts of the topic",
   }
 });
 
-test("robots are in order of team and player, and share what belongs to none", () => {
+test("robots are sorted by team and player, and share the objects without a robot", () => {
   const memory = new Memory();
   for (const topic of ["/14/10/ball", "/truth/world", "/lab/1/log", "/14/2/pose", "/14/2/ball", "/3/1/ball"]) memory.offer(channel(topic));
   expect(memory.robots()).toEqual(["3/1", "14/2", "14/10"]);
   expect(memory.objectsOf("14/2").map(({ name }) => name)).toEqual(["ball", "pose", "lab/1/log", "truth/world"]);
 });
 
-test("what a robot said and what the server said is told together, other robots' sentences are not", () => {
+test("sentences of a robot and of its server are listed together, without those of other robots", () => {
   const memory = new Memory();
   for (const topic of ["/14/2/log", "/lab/1/log", "/14/3/log", "/14/2/log/foxglove"]) {
     memory.offer(channel(topic, topic.endsWith("foxglove") ? { derived: "true" } : {}));
@@ -39,7 +39,7 @@ test("what a robot said and what the server said is told together, other robots'
   expect(memory.log.entries("14/2", "debug")).toHaveLength(2);
 });
 
-test("the newest message counts, is decoded when asked, and a bad one is a sentence until a good one comes", () => {
+test("the newest message counts and is decoded on demand, and a bad one gives a sentence until a good one arrives", () => {
   const memory = new Memory();
   memory.offer(kPerceptChannel);
   const object = memory.get(kTopic)!;
@@ -54,7 +54,7 @@ test("the newest message counts, is decoded when asked, and a bad one is a sente
   expect(object.received).toBe(4);
 });
 
-test("offered again after a reconnect it keeps value and count; with another schema or after a reset it does not", () => {
+test("an object that is offered again keeps value and count, but not with another schema or after a reset", () => {
   const memory = new Memory();
   memory.offer(kPerceptChannel);
   memory.arrived(kTopic, 1n, percept({ x: 1 }), 0);
@@ -66,7 +66,7 @@ test("offered again after a reconnect it keeps value and count; with another sch
   expect(memory.get(kTopic)).toBeUndefined();
 });
 
-test("what came evenly and stopped is overdue; events, and what nobody subscribed to, are not", () => {
+test("an object that came evenly and stopped is overdue, unlike events and unsubscribed objects", () => {
   const overdue = (metadata: Record<string, string>, subscribed: boolean) => {
     const memory = new Memory();
     memory.offer(channel(kTopic, metadata));
@@ -80,7 +80,7 @@ test("what came evenly and stopped is overdue; events, and what nobody subscribe
   expect(overdue({}, false)).toEqual([undefined, undefined]);
 });
 
-test("a moment of the past is shown by all objects, while new messages come and are kept", () => {
+test("all objects show the same past moment, while new messages arrive and are kept", () => {
   const memory = new Memory();
   memory.offer(kPerceptChannel);
   const object = memory.get(kTopic)!;
@@ -99,7 +99,7 @@ test("a moment of the past is shown by all objects, while new messages come and 
   expect(memory.range()).toEqual({ first_ns: second(1), last_ns: second(6) });
 });
 
-test("a recording that begins again takes nothing away from who looks at it", () => {
+test("a recording that restarts does not remove the past that is being looked at", () => {
   const memory = new Memory();
   memory.offer(kPerceptChannel);
   const object = memory.get(kTopic)!;
@@ -114,7 +114,7 @@ test("a recording that begins again takes nothing away from who looks at it", ()
   expect(object.history.end - object.history.begin).toBe(0);
 });
 
-test("of a recording it knows the part that was seen without a gap, and keeps it when that is sought again", () => {
+test("the part of a recording that was seen without a gap is known, and kept after a seek into it", () => {
   const memory = new Memory();
   memory.offer(kPerceptChannel);
   const object = memory.get(kTopic)!;
@@ -132,7 +132,7 @@ test("of a recording it knows the part that was seen without a gap, and keeps it
   expect(memory.seen()).toEqual({ from_ns: 100n, to_ns: 150n });
   expect([99n, 100n, 150n, 151n].map((at_ns) => memory.holds(at_ns))).toEqual([false, true, true, false]);
 
-  // inside: what was seen stays, and what comes again is not kept twice
+  // inside: the seen part stays, and repeated messages are not stored twice
   memory.sought(125n);
   go(125n);
   memory.arrived(kTopic, 120n, percept({ x: 2 }), 0);
@@ -144,7 +144,7 @@ test("of a recording it knows the part that was seen without a gap, and keeps it
   expect(memory.seen()).toEqual({ from_ns: 500n, to_ns: 500n });
 });
 
-test("what has no value at the time that was sought is taken away, the rest only replaced", () => {
+test("after a seek, objects without a value at that time are cleared, and the others replaced", () => {
   const memory = new Memory();
   for (const topic of ["/14/2/a", "/14/2/b"]) {
     memory.offer(channel(topic));

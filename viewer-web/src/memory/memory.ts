@@ -1,4 +1,4 @@
-// Everything one server tells: each memory object by topic, its newest value and its past.
+// All memory objects of one server by topic, with newest value and past.
 
 import type { Channel } from "../source/texts";
 import { GameEvents } from "./game_events";
@@ -12,28 +12,31 @@ export class Memory {
   readonly clock = new ServerClock();
   readonly log = new LogHistory();
   readonly events = new GameEvents();
-  /** Of a server that plays a recording; set by whoever connects. */
+  /** Only for a server that plays a recording; set by the connection's owner. */
   played: Played | undefined;
   #objects = new Map<string, MemoryObject>();
   #moment: Moment = { ns: undefined };
-  #seen = { from_ns: 0n, to_ns: 0n }; // of a recording: all of this came here, nothing between was left out
+  #seen = { from_ns: 0n, to_ns: 0n }; // for a recording: the page has received all of this part, without a gap
 
   constructor(readonly past = new Past()) {}
 
-  /** The capture time that all objects show; undefined: the newest of each. */
+  /** The capture time that all objects show, or undefined for the newest of each. */
   get moment_ns(): bigint | undefined {
     return this.#moment.ns;
   }
 
-  /** Shows the moment `log_ns` in all objects; undefined: now. */
+  /** Shows the moment `log_ns` in all objects, or the newest of each if undefined. */
   show(log_ns: bigint | undefined): void {
     const returns = log_ns === undefined && this.#moment.ns !== undefined && !this.played;
     this.#moment.ns = log_ns;
-    // time went back meanwhile: what was looked at is not the past of what comes now
+    // time has gone back meanwhile: the past that was looked at does not belong to the new messages
     if (returns) for (const { history, newest } of this.#objects.values()) if (newest && history.goesBack(newest.log_ns)) history.clear();
   }
 
-  /** The server's time went back, by a seek or because a recording began again: another past begins, unless one is looked at. */
+  /**
+   * Handles a server time that went back, by a seek or a restarted recording. Another past begins, unless one is being
+   * looked at.
+   */
   restart(): void {
     this.clock.clear();
     if (this.#moment.ns !== undefined) return;
@@ -42,8 +45,9 @@ export class Memory {
   }
 
   /**
-   * The playback goes on at `at_ns`, and the newest of each object from before it comes next. Until then the last values
-   * stay, so that nothing flickers; what has no value before that time is to go by dropOutdated().
+   * Handles a seek: playback continues at `at_ns`, and the newest message of each object from before it comes next.
+   * The old values stay until then, so that nothing flickers. dropOutdated() clears the objects that have no value at
+   * that time.
    */
   sought(at_ns: bigint): void {
     const { from_ns, to_ns } = this.#seen;
@@ -57,19 +61,19 @@ export class Memory {
     this.log.sought(at_ns);
   }
 
-  /** Takes away what the time that was sought does not know. */
+  /** Clears the objects that have no value at the time of the last seek. */
   dropOutdated(): void {
     for (const object of this.#objects.values()) if (object.outdated) object.forget();
   }
 
-  /** What is told of a recording: how far it is, at `now`. */
+  /** Notes that playback has reached `now`. */
   reached(now: number): void {
     const at_ns = this.played?.at(now) ?? 0n;
     if (at_ns > this.#seen.to_ns) this.#seen.to_ns = at_ns;
     this.#moment.still = this.played !== undefined && !this.played.runs;
   }
 
-  /** The part of a recording of which the histories tell what the server would; undefined where it is none. */
+  /** The part of a recording whose histories are complete, or undefined if there is none. */
   seen(): { from_ns: bigint; to_ns: bigint } | undefined {
     if (!this.played) return undefined;
     let from_ns = this.#seen.from_ns;
@@ -86,7 +90,7 @@ export class Memory {
     return seen !== undefined && at_ns >= seen.from_ns && at_ns <= seen.to_ns;
   }
 
-  /** Forgets everything: another run of the server begins. */
+  /** Forgets everything, because another run of the server begins. */
   reset(): void {
     for (const topic of [...this.#objects.keys()]) this.withdraw(topic);
     this.clock.clear();
@@ -95,7 +99,10 @@ export class Memory {
     this.#seen = { from_ns: 0n, to_ns: 0n };
   }
 
-  /** A channel known from before, same schema, keeps its past and counts: the connection was lost, not the run. */
+  /**
+   * Adds a channel. A known one with the same schema keeps its past and counts: only the connection was lost, not the
+   * run.
+   */
   offer(channel: Channel): void {
     const known = this.#objects.get(channel.topic)?.channel;
     if (known && known.schema === channel.schema && known.schemaName === channel.schemaName) return;
@@ -109,14 +116,14 @@ export class Memory {
     this.#objects.delete(topic);
   }
 
-  /** What came before a pause says nothing about the rate after it. */
+  /** Notes the begin or end of a subscription. Messages from before a pause are not counted in the rate after it. */
   subscribed(topic: string, is: boolean, now = 0): void {
     const object = this.#objects.get(topic);
     if (!object) return;
     object.subscribed = is;
     object.rate.clear();
     if (!this.played || !is) return;
-    // of this one nothing is known beyond
+    // nothing later of this object is known
     object.since_ns = this.#seen.to_ns = this.played.at(now);
   }
 
@@ -129,10 +136,10 @@ export class Memory {
     this.events.arrived(object, object.newest!);
   }
 
-  /** A recording that begins again must not take the past away from somebody who looks at it. */
+  /** Stores the newest message. A restarted recording must not remove the past that a person looks at. */
   #keep(object: MemoryObject): void {
     const { history, newest } = object;
-    // played once more, or the last from before a place that was sought
+    // a repeated message, or the last one before the place of a seek
     if (this.played && history.last_ns !== undefined && newest!.log_ns <= history.last_ns) return;
     if (this.#moment.ns !== undefined && history.goesBack(newest!.log_ns)) return;
     this.past.keep(history, newest!, object.isImage);
@@ -142,12 +149,12 @@ export class Memory {
     return this.#objects.get(topic);
   }
 
-  /** [s] since the shown value of `object` was sensed; undefined when there is none or the server tells no time. */
+  /** [s] since the shown value of `object` was captured. Undefined without a value or without the server's time. */
   age(object: MemoryObject, now: number): number | undefined {
     return object.shown && this.ageOf(object.shown.log_ns, now);
   }
 
-  /** [s] from `capture_ns` to the moment that is shown. */
+  /** [s] from `capture_ns` to the shown moment. */
   ageOf(capture_ns: bigint, now: number): number | undefined {
     const at_ns = this.#moment.ns;
     const shown_ns = at_ns ?? this.played?.at(now);
@@ -158,7 +165,7 @@ export class Memory {
     return this.#objects.values();
   }
 
-  /** Capture times of the oldest value that is kept and of the newest moment known; of a recording all of it. */
+  /** Capture times of the oldest kept value and of the newest known moment. For a recording: its whole span. */
   range(): { first_ns: bigint; last_ns: bigint } | undefined {
     if (this.played) return { first_ns: this.played.start_ns, last_ns: this.played.end_ns };
     let [first, last]: [bigint | undefined, bigint | undefined] = [undefined, this.clock.last_ns];
@@ -170,13 +177,13 @@ export class Memory {
     return first === undefined || last === undefined ? undefined : { first_ns: first, last_ns: last };
   }
 
-  /** All robots that offer anything, in order of team and player. */
+  /** All robots that offer an object, sorted by team and player. */
   robots(): RobotName[] {
     const names = new Set([...this.#objects.values()].map(({ robot }) => robot).filter((robot) => robot !== ""));
     return [...names].sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
   }
 
-  /** The robot's own objects by name, then what belongs to no single robot. */
+  /** The robot's own objects by name, then those without a robot. */
   objectsOf(robot: RobotName): MemoryObject[] {
     return [...this.#objects.values()]
       .filter((object) => object.robot === robot || object.robot === "")

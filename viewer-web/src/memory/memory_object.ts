@@ -1,58 +1,58 @@
-// One memory object of a robot as it arrives here: its newest value and how it comes.
+// One memory object of a robot as the page receives it: its newest value and its rate.
 
 import type { Channel } from "../source/texts";
 import { decoderOf, type Decoded, type Decoder } from "./decoder";
 import { History, type Entry } from "./history";
 import { Rate } from "./rate";
 
-/** `""` for what belongs to no single robot, such as /truth/world and what the lab's server says of itself. */
+/** `""` for objects without a robot, such as /truth/world and the lab server's own. */
 export type RobotName = string;
 
-/** What the channel's metadata says, else team and player, if the topic begins with them: "14/2" of "/14/2/ball". */
+/** Returns the robot in the channel's metadata, else team and player from the topic: "14/2" in "/14/2/ball". */
 export function robotOf(channel: Pick<Channel, "topic" | "metadata">): RobotName {
   const name = channel.metadata["robot"] || /^\/(\d+\/\d+)\//.exec(channel.topic)?.[1] || "";
   return name.includes("/") ? name : "";
 }
 
-/** The topic without its robot: "ball", "camera_top/jpeg", "truth/world". */
+/** Returns the topic without its robot: "ball", "camera_top/jpeg", "truth/world". */
 export function objectOf(channel: Pick<Channel, "topic" | "metadata">): string {
   const prefix = `/${robotOf(channel)}/`;
   return channel.topic.startsWith(prefix) ? channel.topic.slice(prefix.length) : channel.topic.replace(/^\//, "");
 }
 
-/** Which moment is shown, of all objects of a server together: a capture time, undefined for now. */
+/** The moment that all objects of a server show: a capture time, or undefined for now. */
 export interface Moment {
   ns: bigint | undefined;
-  /** The recording stands: nothing is to come. */
+  /** True while the recording is paused: no message is due. */
   still?: boolean;
 }
 
 export class MemoryObject {
   readonly robot: RobotName;
   readonly name: string;
-  /** What kind of object it is: "runtime" of /14/2/runtime and of /lab/1/runtime. */
+  /** The object's last name: "runtime" of /14/2/runtime and of /lab/1/runtime. */
   readonly kind: string;
-  /** Made by the server out of another object, only while somebody subscribes. */
+  /** The server computes it from another object, only while it is subscribed. */
   readonly derived: boolean;
-  /** One image per message: too much to subscribe to unasked. */
+  /** One image per message: too large to subscribe to on its own. */
   readonly isImage: boolean;
 
-  /** The newest message, undecoded. */
+  /** The newest message, not decoded. */
   newest: Entry | undefined;
-  /** What came lately, the newest included. */
+  /** The recent messages, including the newest. */
   readonly history = new History();
   received = 0;
   readonly rate = new Rate();
-  /** Whether messages are on their way: we are connected and subscribed. */
+  /** Whether messages are expected: the page is connected and subscribed. */
   subscribed = false;
-  /** [ns] of a recording: the place where the subscription began. */
+  /** [ns] For a recording: the place where the subscription began. */
   since_ns = 0n;
-  /** The newest value is of another time of the recording than the one that was sought. */
+  /** True after a seek, until a value from the new time arrives. */
   outdated = false;
 
-  #decoder: Decoder | undefined; // made at first use: most schemas are never looked at
+  #decoder: Decoder | undefined; // created on first use: most schemas are never needed
   #decoded: { entry: Entry; value: Decoded } | undefined;
-  #shown: { ns: bigint; end: number; entry: Entry | undefined } | undefined; // found last in the history
+  #shown: { ns: bigint; end: number; entry: Entry | undefined } | undefined; // the last result of the search in the history
 
   constructor(
     readonly channel: Channel,
@@ -72,14 +72,14 @@ export class MemoryObject {
     this.rate.arrived(now);
   }
 
-  /** Nothing is known any more. */
+  /** Forgets all values. */
   forget(): void {
     this.newest = undefined;
     this.outdated = false;
     this.history.clear();
   }
 
-  /** What a view shows: the newest message, or the newest of the moment looked at. */
+  /** The message that views show: the newest, or the newest at the chosen moment. */
   get shown(): Entry | undefined {
     const { ns } = this.moment;
     if (ns === undefined) return this.newest;
@@ -93,7 +93,7 @@ export class MemoryObject {
     return this.#shown.entry;
   }
 
-  /** The shown message decoded, once per message and only when asked; undefined where there is none. */
+  /** Decodes the shown message, once and on demand. Undefined if there is none. */
   decoded(): Decoded | undefined {
     const entry = this.shown;
     if (!entry) return undefined;
@@ -101,18 +101,18 @@ export class MemoryObject {
     return this.#decoded.value;
   }
 
-  /** Any of its messages decoded. */
+  /** Decodes any message of the object. */
   decode(data: Uint8Array): Decoded {
     this.#decoder ??= decoderOf(this.channel);
     return this.#decoder(data);
   }
 
-  /** [Hz] now, or at the moment looked at. */
+  /** [Hz] now, or at the chosen moment. */
   hz(now: number): number {
     return this.moment.ns === undefined ? this.rate.hz(now) : this.history.hzAt(this.moment.ns);
   }
 
-  /** [s] for how long nothing came of what should have; undefined while all is well. Events are never due. */
+  /** [s] for which a due message is missing. Undefined while all is well; events are never due. */
   overdue(now: number): number | undefined {
     const isEvent = this.channel.metadata["delivery"] === "reliable";
     return this.subscribed && !isEvent && !this.moment.still && this.rate.overdue(now) ? this.rate.silence(now) : undefined;

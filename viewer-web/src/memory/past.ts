@@ -1,18 +1,18 @@
-// How much of the past is kept, of all objects of all servers together.
+// Limits of the kept past, shared by all objects of all servers.
 
 import type { Entry, History } from "./history";
 
-/** [bytes] of everything but pictures, and of pictures. */
+/** [bytes] for all objects except images, and for images. */
 export interface Caps {
   values: number;
   pictures: number;
 }
 
-/** Some twenty minutes of four robots on a laptop; a phone has less to give. */
+/** About twenty minutes of four robots on a laptop. A phone has less memory. */
 export const capsFor = (small: boolean): Caps => (small ? { values: 48e6, pictures: 24e6 } : { values: 160e6, pictures: 96e6 });
 
-const kLargePicture = 100_000; // [bytes] more has no compressed picture
-const kSpacing = { small: 0.09, large: 0.5 }; // [s] between pictures that are kept: ten and two a second
+const kLargePicture = 100_000; // [bytes] larger images are raw, without compression
+const kSpacing = { small: 0.09, large: 0.5 }; // [s] between kept images: ten and two a second
 
 export class Past {
   #groups = { values: new Set<History>(), pictures: new Set<History>() };
@@ -28,7 +28,7 @@ export class Past {
     this.#groups.pictures.delete(history);
   }
 
-  /** Keeps a message; of pictures only so many a second as there is room for some minutes of. */
+  /** Stores a message. The rate of stored images is limited, so that some minutes fit. */
   keep(history: History, entry: Entry, isPicture: boolean): void {
     if (isPicture && tooSoon(history, entry)) return;
     const kind = isPicture ? "pictures" : "values";
@@ -47,7 +47,7 @@ function tooSoon(history: History, { log_ns, data }: Entry): boolean {
 
 const sizeOf = (histories: Set<History>): number => [...histories].reduce((sum, { size_bytes }) => sum + size_bytes, 0);
 
-/** Drops what came first of all until the rest fits. */
+/** Drops the oldest arrivals until the rest fits. */
 function fit(histories: Set<History>, most_bytes: number): void {
   for (let total = sizeOf(histories); total > most_bytes; ) {
     let oldest: History | undefined;

@@ -1,5 +1,5 @@
-// Paths to one number: a topic, then steps into its message. /14/2/ball.x, /14/2/vision.robots[0].detection.distance,
-// and by what an entry says: /truth/world.robots[team=14,player=2].x
+// Paths to one number: a topic, then steps into its message. /14/2/ball.x, /14/2/vision.robots[0].detection.distance.
+// An entry can be selected by its fields: /truth/world.robots[team=14,player=2].x
 
 import { EnumValue, type Fields, type Value } from "./value";
 
@@ -10,7 +10,7 @@ export interface Path {
   steps: Step[];
 }
 
-/** Takes a path apart. Topics may hold dots, so the longest known one that fits is meant. */
+/** Splits a path. Topics may contain dots, so the longest known topic that fits is used. */
 export function pathOf(text: string, topics: Iterable<string>): Path | undefined {
   let topic = "";
   for (const known of topics) if (known.length > topic.length && (text.startsWith(`${known}.`) || text === known)) topic = known;
@@ -35,7 +35,7 @@ function stepOf([, name, index, filter]: RegExpExecArray): Step | undefined {
   return Object.fromEntries(entries.map(([key, value]) => [key, Number(value)]));
 }
 
-/** What is there; undefined when nothing is. */
+/** Returns the value at the path, or undefined if there is none. */
 export function valueAt(fields: Fields, steps: Step[]): Value {
   let value: Value = fields;
   for (const step of steps) {
@@ -47,7 +47,7 @@ export function valueAt(fields: Fields, steps: Step[]): Value {
   return value;
 }
 
-/** The number there; NaN when there is none. Truth is 1, enums are their numbers. */
+/** Returns the number at the path, or NaN if there is none. True is 1; enums are their numbers. */
 export const numberAt = (fields: Fields, steps: Step[]): number => numeric(valueAt(fields, steps));
 
 function numeric(value: Value): number {
@@ -56,10 +56,10 @@ function numeric(value: Value): number {
   return value instanceof EnumValue ? value.number : NaN;
 }
 
-const kMost = 4000; // [paths] more nobody would choose from
+const kMost = 4000; // [paths] nobody would choose from more
 const kEntries = 8; // of a list
 
-/** All paths to numbers within a message, for search: "ball.velocity_x". Times since the epoch are none. */
+/** Returns all paths to numbers in a message, for search: "ball.velocity_x". Times since the epoch are left out. */
 export function numbersIn(fields: Fields, before: string, found: string[] = []): string[] {
   for (const [name, value] of fields) {
     if (found.length >= kMost) break;

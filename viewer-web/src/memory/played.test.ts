@@ -3,7 +3,7 @@ import { Played } from "./played";
 
 const kSecond = 1_000_000_000n;
 
-test("the place is reckoned on at the told speed while it plays, and stands while it does not", () => {
+test("the playhead advances at the reported speed while playing, and stays while paused", () => {
   const played = new Played(0n, 100n * kSecond);
   expect(played.known).toBe(false);
   played.told({ status: "playing", time_ns: 10n * kSecond, speed: 2 }, 5);
@@ -15,7 +15,7 @@ test("the place is reckoned on at the told speed while it plays, and stands whil
   expect(played.known).toBe(true);
 });
 
-test("the place never lies beyond the recording", () => {
+test("the playhead never leaves the recording", () => {
   const played = new Played(50n * kSecond, 60n * kSecond);
   expect(played.at(0)).toBe(50n * kSecond);
   played.told({ status: "playing", time_ns: 59n * kSecond, speed: 20 }, 0);

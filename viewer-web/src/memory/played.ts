@@ -1,13 +1,13 @@
-// How far a server is in the recording that it plays, as seen from here.
+// The server's playhead in the recording that it plays, extrapolated by the page.
 
 import type { PlaybackState } from "../source/frames";
 
-/** Times are capture times of the recording [ns since the epoch]; `now` is our own steady clock [s]. */
+/** Times are capture times of the recording [ns since the epoch]. `now` is the page's steady clock [s]. */
 export class Played {
   status: PlaybackState["status"] = "playing";
   /** 1 is real time. */
   speed = 1;
-  #from_ns: bigint; // where it was...
+  #from_ns: bigint; // the playhead...
   #since = 0; // [s] ...at this time
   #told = false;
 
@@ -22,7 +22,7 @@ export class Played {
     return this.status === "playing";
   }
 
-  /** Whether anything has told yet where it is. */
+  /** Whether the server has reported the playhead yet. */
   get known(): boolean {
     return this.#told;
   }
@@ -33,20 +33,20 @@ export class Played {
     this.heard(time_ns, now);
   }
 
-  /** A Time frame came: it corrects what was reckoned. */
+  /** Handles a Time frame, which corrects the extrapolation. */
   heard(time_ns: bigint, now: number): void {
     this.#from_ns = time_ns;
     this.#since = now;
     this.#told = true;
   }
 
-  /** Where it is now, never beyond the recording's ends. */
+  /** The playhead now, never beyond the recording's ends. */
   at(now: number): bigint {
     const passed_ns = this.runs ? BigInt(Math.round((now - this.#since) * this.speed * 1e9)) : 0n;
     return this.within(this.#from_ns + passed_ns);
   }
 
-  /** The moment of the recording that is nearest to `at_ns`. */
+  /** Clamps `at_ns` to the recording. */
   within(at_ns: bigint): bigint {
     if (at_ns < this.start_ns) return this.start_ns;
     return at_ns > this.end_ns ? this.end_ns : at_ns;

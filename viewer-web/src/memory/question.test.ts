@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Situation } from "./forecast";
-import { believed, edited, isEdited, kNoEdit, kUsualQuestion, moved, movedIn, namesIn, putBack, questionOfText, requestOf, sameEdit, textOfQuestion, turned, type Question } from "./question";
+import { believed, edited, isEdited, kNoEdit, kUsualQuestion, moved, movedIn, putBack, questionOfText, requestOf, sameEdit, strategiesOf, textOfQuestion, turned, type Question } from "./question";
 
 const kSituation: Situation = {
   ball: { x: 1, y: 0.5, deviation: 0.2 },
@@ -11,7 +11,7 @@ const kSituation: Situation = {
 };
 const kEdit = moved(moved(kNoEdit, "ball", { x: -0.51234, y: 2, heading: 0 }), "opponent 2", { x: 0, y: -1, heading: 7 });
 
-test("a thing that was moved is certain to be there, the rest is as believed", () => {
+test("a moved thing is certainly there, and the rest is as believed", () => {
   const now = edited(kSituation, kEdit);
   expect(now.ball).toEqual({ x: -0.512, y: 2, deviation: 0 });
   expect(now.bodies[0]).toEqual(kSituation.bodies[0]);
@@ -19,14 +19,14 @@ test("a thing that was moved is certain to be there, the rest is as believed", (
   expect(edited({ ball: undefined, bodies: [] }, kEdit).bodies).toHaveLength(1);
 });
 
-test("each thing is put back by itself", () => {
+test("each thing can be put back separately", () => {
   expect(movedIn(kEdit)).toEqual(["ball", "opponent 2"]);
   expect(movedIn(putBack(kEdit, "ball"))).toEqual(["opponent 2"]);
   expect(putBack(putBack(kEdit, "ball"), "opponent 2")).toEqual(kNoEdit);
   expect([isEdited(kNoEdit), isEdited({ ...kNoEdit, ownScore: 0 }), isEdited(kEdit)]).toEqual([false, true, true]);
 });
 
-test("edits are the same only where all of them is: places, headings, score and time", () => {
+test("edits are equal only if places, headings, score and time all are", () => {
   const again = moved(moved(kNoEdit, "opponent 2", { x: 0, y: -1, heading: 7 }), "ball", { x: -0.51234, y: 2, heading: 0 });
   const two = (first: string, second: string) => [first, second].reduce((edit, thing) => moved(edit, thing, { x: 0, y: 1, heading: 0 }), kNoEdit);
   expect([sameEdit(kEdit, again), sameEdit(two("own 1", "own 2"), two("own 2", "own 1")), sameEdit(kNoEdit, putBack(two("ball", "own 1"), "ball"))]).toEqual([true, true, false]);
@@ -35,14 +35,14 @@ test("edits are the same only where all of them is: places, headings, score and 
   expect(sameEdit({ ...kNoEdit, ownScore: 1 }, { ...kNoEdit, opponentScore: 1 })).toBe(false);
 });
 
-test("what is believed of a moved thing is what was believed before it was moved", () => {
+test("the belief about a moved thing stays as it was before the move", () => {
   const answered = edited(kSituation, kEdit);
   expect(believed(answered, kEdit, kSituation)).toEqual(kSituation);
   expect(believed(answered, kEdit, undefined)).toEqual({ ball: undefined, bodies: [kSituation.bodies[0]] });
   expect(believed(kSituation, kNoEdit, undefined)).toEqual(kSituation);
 });
 
-test("headings stay within what the service takes, at every angle", () => {
+test("headings stay in the service's range, at every angle", () => {
   for (let angle = -20; angle < 20; angle += 0.013) {
     expect(Math.abs(turned(angle))).toBeLessThan(Math.PI);
     expect(Math.cos(turned(angle) - angle)).toBeGreaterThan(0.99999);
@@ -50,7 +50,7 @@ test("headings stay within what the service takes, at every angle", () => {
   expect(Math.abs(turned(Math.PI))).toBeLessThan(Math.PI);
 });
 
-test("the request holds what was asked, and nothing of what was not", () => {
+test("the request holds only the settings that the person chose", () => {
   expect(requestOf(kUsualQuestion, "14/2")).toEqual({ robot: "14/2", measure: "goal_difference", until: "horizon", horizon: 30, budget_ms: 1000 });
   const question: Question = { ...kUsualQuestion, strategies: ["a", "b"], opponent: "c", edit: { ...kEdit, opponentScore: 2, secondsRemaining: 60 } };
   expect(requestOf(question, "5/1")).toMatchObject({
@@ -61,7 +61,7 @@ test("the request holds what was asked, and nothing of what was not", () => {
   expect(requestOf(question, "5/1")["edit"]).not.toHaveProperty("own_score");
 });
 
-test("a question comes back from the address as it went in, whatever the names are", () => {
+test("a question survives the address, with any names in it", () => {
   const questions: Question[] = [
     kUsualQuestion,
     { ...kUsualQuestion, strategies: ["base/line", "a,b:c", "ä <b>"], opponent: "x/y", measure: "concede", until: "half", horizon: 12.5, budgetMs: 200 },
@@ -72,13 +72,13 @@ test("a question comes back from the address as it went in, whatever the names a
   for (const question of questions) expect(questionOfText(textOfQuestion(question))).toEqual(question);
 });
 
-test("an address that makes no sense asks the usual", () => {
+test("an invalid address asks the usual question", () => {
   for (const text of ["", "/", "::/:", "by:luck/until:never/for:-3/in:1e99/ball:1/own2:1,2/own:1,2,3/opponent999:1,2,3/score:x,-1/left:-5", "ball:NaN,1/opponent2:1,2,1e5", "play:%E0%A4%A", "constructor:1/by:constructor"])
     expect({ ...questionOfText(text), strategies: [] }).toEqual(kUsualQuestion);
   expect(questionOfText(`play:${Array.from({ length: 50 }, (_, i) => `s${i}`).join(",")}`).strategies).toHaveLength(8);
 });
 
-test("a refusal that names the strategies is heard", () => {
-  expect(namesIn('no strategy "x"; there are: baseline, passing')).toEqual(["baseline", "passing"]);
-  expect(namesIn("the ball at 90, 0 is not on the field")).toEqual([]);
+test("the offered strategies are the texts of the answer's list, each once", () => {
+  expect(strategiesOf({ ok: true, strategies: ["baseline", "a, b", "baseline", "", 7] })).toEqual(["baseline", "a, b"]);
+  for (const strategies of [undefined, "baseline", { 0: "baseline" }, null]) expect(strategiesOf({ ok: true, strategies })).toEqual([]);
 });

@@ -1,4 +1,4 @@
-// A question to foresight: how it is asked, and how it stands in the page's address.
+// A person's question to foresight: the service's request and the text in the page's address.
 
 import { kMeasures, kUntils, type Body, type Measure, type Place, type Side, type Situation, type Until } from "./forecast";
 
@@ -10,18 +10,18 @@ export interface Standing extends Place {
   heading: number;
 }
 
-/** What is taken to be so, whatever the robot believes. */
+/** The changes to the robot's beliefs. */
 export interface Edit {
   ball: Place | undefined;
   robots: ReadonlyMap<Thing, Standing>;
   ownScore: number | undefined;
   opponentScore: number | undefined;
-  /** [s] of the half. */
+  /** [s] remaining of the half. */
   secondsRemaining: number | undefined;
 }
 
 export interface Question {
-  /** The others are compared with the first, whatever is played; none: all that there are. */
+  /** All are compared with the first. Empty: all strategies of the robot. */
   strategies: string[];
   opponent: string;
   measure: Measure;
@@ -47,35 +47,35 @@ export function bodyOf(thing: Thing): { side: Side; player: number } | undefined
 export const isEdited = ({ ball, robots, ownScore, opponentScore, secondsRemaining }: Edit): boolean =>
   robots.size > 0 || [ball, ownScore, opponentScore, secondsRemaining].some((part) => part !== undefined);
 
-/** Whether a question with the one is the same as with the other, in whatever order things were moved. */
+/** Whether two edits are equal. The order of the moves does not matter. */
 export function sameEdit(one: Edit, other: Edit): boolean {
   const whole = ({ ball, robots, ownScore, opponentScore, secondsRemaining }: Edit) => JSON.stringify([ball?.x, ball?.y, ownScore, opponentScore, secondsRemaining, ...[...robots].sort(([a], [b]) => (a < b ? -1 : 1)).map(([thing, { x, y, heading }]) => [thing, x, y, heading])]);
   return whole(one) === whole(other);
 }
 
-/** Everything that was moved. */
+/** All moved things. */
 export const movedIn = ({ ball, robots }: Edit): Thing[] => [...(ball ? ["ball"] : []), ...robots.keys()];
 
 const thousandth = (value: number): number => Math.round(1000 * value) / 1000;
 
-/** [rad] (-π, π], and so after rounding. */
+/** [rad] Wraps to (-π, π], also after rounding. */
 export function turned(heading: number): number {
   const within = Math.atan2(Math.sin(heading), Math.cos(heading));
   return Math.max(-3.141, Math.min(3.141, thousandth(within)));
 }
 
-/** With the thing elsewhere. The ball has no heading. */
+/** Returns the edit with the thing moved. The ball has no heading. */
 export function moved(edit: Edit, thing: Thing, to: Standing): Edit {
   const place = { x: thousandth(to.x), y: thousandth(to.y) };
   if (thing === "ball") return { ...edit, ball: place };
   return { ...edit, robots: new Map([...edit.robots, [thing, { ...place, heading: turned(to.heading) }]]) };
 }
 
-/** With the thing where it is believed to be. */
+/** Returns the edit with the thing back at its believed place. */
 export const putBack = (edit: Edit, thing: Thing): Edit =>
   thing === "ball" ? { ...edit, ball: undefined } : { ...edit, robots: new Map([...edit.robots].filter(([name]) => name !== thing)) };
 
-/** The situation as it is taken to be: places that were given are certain. */
+/** Returns the situation with the edit. Places from the edit are certain. */
 export function edited({ ball, bodies }: Situation, edit: Edit): Situation {
   const isThere = new Set(bodies.map(thingOf));
   const come = [...edit.robots].flatMap(([thing, to]) => {
@@ -88,7 +88,10 @@ export function edited({ ball, bodies }: Situation, edit: Edit): Situation {
   };
 }
 
-/** What the robot believes, out of an answer to a question with that edit: an edited thing stays where it was last believed to be. */
+/**
+ * Returns the robot's own beliefs, from an answer to a question with that edit. An edited thing keeps its last
+ * believed place.
+ */
 export function believed(answered: Situation, edit: Edit, before: Situation | undefined): Situation {
   const known = new Map(before?.bodies.map((body) => [thingOf(body), body]));
   return {
@@ -97,7 +100,7 @@ export function believed(answered: Situation, edit: Edit, before: Situation | un
   };
 }
 
-/** As the service wants it; what is not said is left to the robot. */
+/** Returns the service's request. The robot fills in missing settings. */
 export function requestOf({ strategies, opponent, measure, until, horizon, budgetMs, edit }: Question, robot: string): Record<string, unknown> {
   return {
     robot,
@@ -121,15 +124,18 @@ function requestOfEdit({ ball, robots, ownScore, opponentScore, secondsRemaining
   };
 }
 
-/** The strategies that a refusal names: "no strategy "x"; there are: baseline, passing". */
-export const namesIn = (sentence: string): string[] => /there are: (.+)$/.exec(sentence)?.[1]?.split(", ") ?? [];
+/** The names in an answer of /foresight/strategies: {"ok": true, "strategies": ["baseline", "passing"]}. */
+export function strategiesOf(answer: Record<string, unknown>): string[] {
+  const { strategies } = answer;
+  return Array.isArray(strategies) ? [...new Set(strategies.filter((name) => typeof name === "string" && name !== ""))] : [];
+}
 
 // in the address: "play:baseline,passing/until:half/for:60/ball:1.2,-0.5/own2:1,0,0.3/score:1,0/left:300"
 
 const coded = (name: string): string => encodeURIComponent(name);
 const numbersOf = (text: string): number[] => text.split(",").map((part) => (part === "" ? NaN : Number(part)));
 
-/** "" for the usual one. */
+/** Returns "" for the usual question. */
 export function textOfQuestion({ strategies, opponent, measure, until, horizon, budgetMs, edit }: Question): string {
   const { ball, robots, ownScore, opponentScore, secondsRemaining } = edit;
   const usual = kUsualQuestion;
@@ -147,7 +153,7 @@ export function textOfQuestion({ strategies, opponent, measure, until, horizon, 
   return parts.map(([name, value]) => `${name}:${String(value)}`).join("/");
 }
 
-/** Reads any text; what makes no sense is as usual. */
+/** Parses any text. Invalid parts become the usual ones. */
 export function questionOfText(text: string): Question {
   const parts = new Map(text.split("/").map((part) => [part.slice(0, part.indexOf(":")), part.slice(part.indexOf(":") + 1)] as const));
   const word = <Word extends string>(words: Record<Word, string>, name: string, otherwise: Word): Word => (Object.hasOwn(words, parts.get(name) ?? "") ? (parts.get(name) as Word) : otherwise);

@@ -1,6 +1,6 @@
-// How often something comes, and whether it has stopped. Times are seconds of this computer's own steady clock.
+// The rate of a stream, and whether it has stopped. Times are seconds of the page's steady clock.
 
-const kWindow = 10; // [s] what came earlier says nothing about now
+const kWindow = 10; // [s] earlier arrivals do not describe the present
 const kMost = 128; // [arrivals] enough for a second of the fastest sensor
 
 export class Rate {
@@ -16,8 +16,8 @@ export class Rate {
   }
 
   /**
-   * [Hz] over the last arrivals, at most 10 s of them. What comes evenly has exactly its rate; once the next one is
-   * late the rate falls, and is 0 when it is overdue.
+   * [Hz] over the arrivals of the last 10 s. An even stream has exactly its rate. The rate falls once the next arrival
+   * is late, and is 0 when it is overdue.
    */
   hz(now: number): number {
     const recent = this.#arrivals.filter((arrival) => arrival > now - kWindow);
@@ -28,20 +28,20 @@ export class Rate {
     return span > 0 ? (recent.length - 1) / span : 0;
   }
 
-  /** [s] mean time between the last arrivals, however long ago; undefined before the second one. */
+  /** [s] Mean time between the last arrivals, however long ago. Undefined before the second one. */
   interval(): number | undefined {
     const count = this.#arrivals.length;
     if (count < 2) return undefined;
     return (this.#arrivals[count - 1]! - this.#arrivals[0]!) / (count - 1);
   }
 
-  /** Whether the next one takes far longer than it used to, and at least 2 s; never before the second one. */
+  /** Whether the next arrival is far later than usual, and at least 2 s. Never before the second arrival. */
   overdue(now: number): boolean {
     const interval = this.interval();
     return interval !== undefined && this.silence(now)! > Math.max(2, 5 * interval);
   }
 
-  /** [s] since the last arrival; undefined before the first one. */
+  /** [s] since the last arrival. Undefined before the first one. */
   silence(now: number): number | undefined {
     const last = this.#arrivals.at(-1);
     return last === undefined ? undefined : now - last;

@@ -11,7 +11,7 @@ function filled(count: number) {
   return { object, add, series: new Series(object, (fields) => numberOf(fields, "x")) };
 }
 
-test("a series is every message's number at its capture time, read in as many steps as it takes", () => {
+test("a series has the number of every message at its capture time, however often reading is interrupted", () => {
   const { series, object, add } = filled(500);
   let time = 0;
   let steps = 1;
@@ -27,7 +27,7 @@ test("a series is every message's number at its capture time, read in as many st
   expect(series.length).toBe(0);
 });
 
-test("what the history gave up is given up here, in the end", () => {
+test("points that the history has dropped are dropped here too, in the end", () => {
   const { series, object } = filled(4000);
   series.update(1e9);
   while (object.history.begin < 3000) object.history.dropOldest();

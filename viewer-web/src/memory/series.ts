@@ -1,20 +1,21 @@
-// One number against time: read out of an object's history bit by bit, so that a long past does not stop the page.
+// One number over time, read from an object's history a few milliseconds at a time, so that a long past does not block
+// the page.
 
 import type { Entry } from "./history";
 import type { MemoryObject } from "./memory_object";
 import type { Fields } from "./value";
 
-const kFirst = 1024; // [points] room at the beginning; doubled when full
+const kFirst = 1024; // [points] initial capacity; doubled when full
 
 export class Series {
-  /** Capture times [s] after `origin_ns`, and values; only the first `length` count. */
+  /** Capture times [s] after `origin_ns`, and values. Only the first `length` entries count. */
   times = new Float64Array(kFirst);
   values = new Float64Array(kFirst);
   length = 0;
   origin_ns = 0n;
-  /** Whether there was a number at all, so far. */
+  /** Whether there was any number so far. */
   tellsNumbers = false;
-  #next = 0; // number of the message to be read next
+  #next = 0; // number of the next message to read
   #generation = -1;
 
   constructor(
@@ -22,7 +23,10 @@ export class Series {
     readonly read: (fields: Fields, entry: Entry) => number,
   ) {}
 
-  /** Reads on, for at most `milliseconds`; true when everything is read. What the history gave up goes here, too. */
+  /**
+   * Reads on for at most `milliseconds`. Returns true when everything is read. Also drops the points that the history
+   * has dropped.
+   */
   update(milliseconds: number, clock: () => number = () => performance.now()): boolean {
     const { history } = this.object;
     if (history.generation !== this.#generation) this.#restart();
@@ -38,7 +42,7 @@ export class Series {
     return true;
   }
 
-  /** Index of the last point at `time` [s after origin] or before; -1 when there is none. */
+  /** Index of the last point at `time` [s after origin] or before, or -1 if there is none. */
   indexAt(time: number): number {
     let [low, high] = [0, this.length];
     while (low < high) {
@@ -72,7 +76,7 @@ export class Series {
   #forgetBefore(first_ns: bigint | undefined): void {
     if (first_ns === undefined || this.length === 0) return;
     const gone = this.indexAt(Number(first_ns - this.origin_ns) / 1e9 - 1e-9) + 1;
-    if (gone < kFirst && gone < this.length) return; // seldom, many at once
+    if (gone < kFirst && gone < this.length) return; // rarely, many at once
     this.times.copyWithin(0, gone, this.length);
     this.values.copyWithin(0, gone, this.length);
     this.length -= gone;

@@ -1,28 +1,29 @@
-// The server's clock as seen from here.
+// The server's clock, estimated by the page.
 
-const kWindow = 30; // [s] long enough to meet a fast frame, short enough to follow a drift
+const kWindow = 30; // [s] long enough to contain a fast frame, short enough to follow a drift
 
 /**
- * Learns from Time frames how far the server's clock is from ours. The frame that travelled fastest is the most
- * truthful one, so the least difference within the window counts (a minimum filter). Ages are therefore too small by
- * the least travelling time, a few ms.
+ * Estimates the offset of the server's clock from its Time frames. The fastest frame is the most accurate one, so the
+ * least difference in the window counts (a minimum filter). Ages are therefore too small by the least travel time, a
+ * few ms.
  */
 export class ServerClock {
-  #origin_ns: bigint | undefined; // differences to it fit a double without loss
+  #origin_ns: bigint | undefined; // differences to it fit into a double without loss
   #last_ns = 0n;
 
-  /** What the server said last; undefined until the first Time frame. */
+  /** The server's last reported time. Undefined before the first Time frame. */
   get last_ns(): bigint | undefined {
     return this.#origin_ns === undefined ? undefined : this.#last_ns;
   }
 
-  /** What its clock shows now; undefined until the first Time frame. */
+  /** The server's time now. Undefined before the first Time frame. */
   now_ns(now: number): bigint | undefined {
     const least = this.#differences[0];
     return least && this.#origin_ns! + BigInt(Math.round(1e9 * (now - least.difference)));
   }
 
-  // Candidates for the minimum, oldest first, growing: one that is older and not less can never become it.
+  // Candidates for the minimum, oldest and smallest first. An older difference that is not smaller can never become the
+  // minimum.
   #differences: { at: number; difference: number }[] = [];
 
   clear(): void {
@@ -30,7 +31,10 @@ export class ServerClock {
     this.#differences = [];
   }
 
-  /** A Time frame came; `now` is our own steady clock in seconds. A server time that goes back is a seek: it starts anew. */
+  /**
+   * Handles a Time frame. `now`: the page's steady clock [s]. A server time that goes back is a seek and resets the
+   * estimate.
+   */
   heard(server_ns: bigint, now: number): void {
     if (server_ns < this.#last_ns) this.clear();
     this.#last_ns = server_ns;
@@ -42,7 +46,7 @@ export class ServerClock {
     while (this.#differences[0]!.at < now - kWindow) this.#differences.shift();
   }
 
-  /** [s] since `capture_ns`, never negative; undefined until the first Time frame. */
+  /** [s] since `capture_ns`, never negative. Undefined before the first Time frame. */
   age(capture_ns: bigint, now: number): number | undefined {
     const least = this.#differences[0];
     if (!least) return undefined;

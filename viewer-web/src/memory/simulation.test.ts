@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import type { Memory } from "./memory";
 import { simulationOf } from "./simulation";
 
-test("a simulation tells how it goes; without one there is nothing to tell", () => {
+test("a simulation reports its state, and without one the state is undefined", () => {
   const team = (number: number, score: number) => new Map<string, unknown>([["number", number], ["strategy", "baseline"], ["score", score]]);
   const fields = new Map<string, unknown>([
     ["paused", true], ["finished", false], ["speed", 0.5], ["seed", 7n], ["tick", 45], ["rules", "spl2012"], ["home", team(14, 2)], ["away", team(5, 1)],

@@ -1,4 +1,4 @@
-// How a simulated game goes, as /sim/state tells.
+// The state of a simulated game, from the object /sim/state.
 
 import type { Memory } from "./memory";
 import { fieldsOf, numberOf, textOf, type Fields } from "./value";
@@ -25,7 +25,7 @@ export interface Simulation {
   away: SimulatedTeam;
 }
 
-/** Undefined where nothing is simulated. */
+/** Returns undefined if there is no simulation. */
 export function simulationOf(memory: Memory): Simulation | undefined {
   const fields = memory.get(kSimulation)?.decoded()?.fields;
   return (

@@ -1,19 +1,19 @@
-// What the robot says about its own streams: the object `runtime`, read by field name.
+// The robot's statistics of its own streams: the object `runtime`, read by field name.
 
 import type { MemoryObject } from "./memory_object";
 import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "./value";
 
-/** One stream as the robot counts it, also while nobody here is subscribed. */
+/** The robot's counts of one stream, also while this page is not subscribed. */
 export interface StreamStatistics {
   rate_hz: number;
-  /** How many versions were written: the sequence number of the newest one. */
+  /** Number of written versions: the sequence number of the newest one. */
   sequence: number;
-  /** Messages that were lost within the robot, in its recording, and on the way to viewers (to all of them). */
+  /** Messages lost inside the robot, in its recording, and on the way to all viewers together. */
   dropped: { inside: number; recording: number; viewers: number };
 }
 
 export interface RecordingStatistics {
-  /** "off", "recording", "disk_full", or what a later robot may say. */
+  /** "off", "recording", "disk_full", or a later robot's word. */
   state: string;
   session: string;
   profile: string;
@@ -26,8 +26,8 @@ const none = (): StreamStatistics => ({ rate_hz: NaN, sequence: NaN, dropped: { 
 const dropped = (fields: Fields): number => numberOf(fields, "dropped") || 0;
 
 /**
- * What is known of the server's doings, by whom: first what the server says of itself. When a recording is played that
- * is the lab's server; the robot's own `runtime` then tells how it was on the robot.
+ * Returns all `runtime` objects, the server's own first. For a played recording this is the lab server's; the robot's
+ * own `runtime` then describes the robot at that time.
  */
 export const runtimesOf = (objects: MemoryObject[]): Fields[] =>
   objects
@@ -35,7 +35,7 @@ export const runtimesOf = (objects: MemoryObject[]): Fields[] =>
     .sort((a, b) => Number(a.robot !== "") - Number(b.robot !== ""))
     .flatMap((object) => object.decoded()?.fields ?? []);
 
-/** Of all streams, by topic; where two tell of the same one, the first of `runtimes` counts. */
+/** Statistics of all streams by topic. If two report the same stream, the first of `runtimes` counts. */
 export const allStreamStatistics = (runtimes: Fields[]): Map<string, StreamStatistics> =>
   new Map([...runtimes].reverse().flatMap((runtime) => [...streamStatistics(runtime)]));
 
@@ -72,9 +72,9 @@ export function recordingStatistics(runtime: Fields): RecordingStatistics | unde
   };
 }
 
-/** The server's process: what it takes of its machine. NaN for what it does not tell. */
+/** The server's process and its use of the machine. NaN for missing values. */
 export interface ProcessStatistics {
-  /** [cores] 1: one core fully busy. */
+  /** [cores] 1: one core is fully busy. */
   cpu: number;
   resident_bytes: number;
   disk_free_bytes: number;
@@ -95,7 +95,7 @@ export function processStatistics(runtime: Fields): ProcessStatistics | undefine
   };
 }
 
-/** One who watches, over all channels together. */
+/** One viewer's connection, over all channels together. */
 export interface ClientStatistics {
   id: number;
   address: string;
@@ -129,20 +129,20 @@ export function clientStatistics(runtime: Fields): ClientStatistics[] {
 
 /** One robot that the server relays. */
 export interface LinkStatistics {
-  /** As the relay was told: an address or a name. */
+  /** An address or a name, as given to the relay. */
   name: string;
-  /** "14/2"; "" before it said so. */
+  /** Such as "14/2"; "" before the robot has named itself. */
   robot: string;
-  /** "connected", "connecting", "refused", or what a later relay may say. */
+  /** "connected", "connecting", "refused", or a later relay's word. */
   state: string;
   received: number;
   lost: number;
   connections: number;
-  /** [s] how far its clock is ahead of the relay's; NaN where that is not known. */
+  /** [s] by which its clock is ahead of the relay's. NaN if unknown. */
   clock_offset: number;
   /** [s] added to its times. */
   shift: number;
-  /** Why there is no connection; "" while there is one. */
+  /** The reason why there is no connection, or "" while there is one. */
   message: string;
 }
 

@@ -1,4 +1,4 @@
-// A recording in short: what happened in it and what the agent did, out of its small objects.
+// A short summary of a recording: its events and the agent's skills, from its small objects.
 
 import { recordedIn, type Recorded } from "../source/mcap";
 import { decoderOf } from "./decoder";
@@ -8,17 +8,17 @@ import { textOf, type Fields } from "./value";
 export interface Summary {
   /** In order of time. */
   events: { log_ns: bigint; kind: EventKind; text: string }[];
-  /** What the agent did from each moment on. */
+  /** The agent's skill from each moment on. */
   skills: { from_ns: bigint; skill: string }[];
 }
 
-/** What is read, and of it no more than these many bytes each: a list of recordings is to be there at once. */
+/** The objects that are read. The size of each is limited, so that a list of recordings appears at once. */
 export const kSummarised = ["game", "motion_status", "decision"];
 export const kMostSummarised = 4_000_000; // [bytes]
 
 const kMostEvents = 500;
 
-/** Of an object's name and the file of its recording. What cannot be read is left out. */
+/** Summarises the files of these objects. Unreadable parts are left out. */
 export function summaryOf(files: { name: string; file: Uint8Array }[]): Summary {
   const summary: Summary = { events: [], skills: [] };
   for (const { name, file } of files) {

@@ -1,4 +1,4 @@
-// For tests: a schema that the viewer was not built with, and channels of it.
+// For tests: a schema that the viewer does not know at build time, and channels with it.
 
 import { create, createFileRegistry, fromJson, toBinary, type JsonValue } from "@bufbuild/protobuf";
 import { base64Encode } from "@bufbuild/protobuf/wire";
@@ -15,7 +15,7 @@ const field = (number: number, name: string, type: string, more: object = {}) =>
 const repeated = { label: "LABEL_REPEATED" };
 const optional = (oneofIndex: number) => ({ oneofIndex, proto3Optional: true });
 
-/** The descriptor set of a team's own message `htwk.Percept`, with everything a message can have. */
+/** The descriptor set of a team's own message `htwk.Percept`, with every kind of field. */
 const kSet = fromJson(FileDescriptorSetSchema, {
   file: [
     {
@@ -75,6 +75,6 @@ export const kPerceptChannel: Channel = {
 
 const schema = createFileRegistry(kSet).getMessage("htwk.Percept")!;
 
-/** The bytes of a percept given as protobuf JSON with the schema's field names. */
+/** Returns the bytes of a percept from protobuf JSON with the schema's field names. */
 export const percept = (json?: JsonValue): Uint8Array =>
   toBinary(schema, json === undefined ? create(schema) : fromJson(schema, json));

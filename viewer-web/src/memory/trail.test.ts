@@ -4,7 +4,7 @@ import { kPerceptChannel, percept } from "./test_schema";
 import { Trail } from "./trail";
 import { numberOf } from "./value";
 
-test("a trail is the last seconds up to what is shown, and decodes each message once", () => {
+test("a trail has the last seconds up to the shown moment, and decodes each message once", () => {
   const moment: { ns: bigint | undefined } = { ns: undefined };
   const object = new MemoryObject(kPerceptChannel, moment);
   let read = 0;

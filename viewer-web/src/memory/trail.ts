@@ -1,4 +1,4 @@
-// Where something was during the last seconds: points out of an object's history, each decoded once.
+// The places of something during the last seconds, from an object's history, each decoded once.
 
 import type { MemoryObject } from "./memory_object";
 import type { Fields } from "./value";
@@ -15,7 +15,7 @@ export class Trail<T> {
     readonly read: (fields: Fields) => T | undefined,
   ) {}
 
-  /** The points of the last `duration` [s] up to what the object shows, oldest first. */
+  /** Returns the points of the last `duration` [s] up to the shown message, oldest first. */
   points(duration: number): T[] {
     const { history, shown } = this.object;
     if (!shown) return [];
@@ -24,7 +24,7 @@ export class Trail<T> {
 
     const last = history.indexAt(shown.log_ns);
     const first = Math.max(history.begin, history.indexAt(shown.log_ns - BigInt(Math.round(duration * 1e9))) + 1);
-    // always the same messages, so that a trail does not tremble, and the newest
+    // always the same messages, so that a trail does not flicker, plus the newest
     const every = Math.max(1, Math.round((last - first + 1) / (duration * kHz)));
     const indices = [];
     for (let index = Math.ceil(first / every) * every; index < last; index += every) indices.push(index);

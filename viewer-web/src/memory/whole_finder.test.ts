@@ -7,7 +7,7 @@ import { WholeFinder, type RecordedMessage } from "./whole_finder";
 const kSecond = 1_000_000_000n;
 const kTopics = ["/14/2/a", "/14/2/b"];
 
-/** A recording of 1000 s, 10 messages a second of each topic, and a finder in it. */
+/** Returns a recording of 1000 s with 10 messages a second per topic, and a finder in it. */
 function setUp(text: string, x: (topic: string, i: number) => number, fetched: string[] = []) {
   const decode = decoderOf(kPerceptChannel);
   const at = (i: number) => 5n * kSecond + (BigInt(i) * kSecond) / 10n;
@@ -30,7 +30,7 @@ function setUp(text: string, x: (topic: string, i: number) => number, fetched: s
   return { finder, run, spans, fetched };
 }
 
-test("it finds all of the whole, also where a match reaches from one part into the next", async () => {
+test("all matches of the whole recording are found, also one that spans two parts", async () => {
   // 1000 s in 40 parts of 25 s: 250 messages each
   const { finder, run, spans } = setUp("a.x > 2", (_, i) => (i === 3 || (i >= 240 && i < 520) || i === 9999 ? 3 : 0));
   expect(finder.share).toBe(0);
@@ -39,7 +39,7 @@ test("it finds all of the whole, also where a match reaches from one part into t
   expect(spans()).toEqual([[3, 4], [240, 520], [9999, 9999]]);
 });
 
-test("objects are looked at together, in order of time, and only those of the condition are fetched", async () => {
+test("objects are read together in order of time, and only those of the condition are fetched", async () => {
   const { run, spans, fetched } = setUp("a.x == 1 && b.x == 1", (topic, i) => (topic === "/14/2/a" ? Number(i >= 100 && i < 300) : Number(i >= 200 && i < 400)));
   await run();
   expect(spans()).toEqual([[200, 300]]);
@@ -50,7 +50,7 @@ test("objects are looked at together, in order of time, and only those of the co
   expect(new Set(one.fetched)).toEqual(new Set(["/14/2/a"]));
 });
 
-test("nothing is asked for while somebody is typing; what a server cannot tell is said", async () => {
+test("nothing is fetched while a person types, and a server's failure is shown", async () => {
   const { finder, fetched } = setUp("a.x > 2", () => 0);
   finder.update(4, () => 1000);
   finder.update(4, () => 1200);
@@ -63,7 +63,7 @@ test("nothing is asked for while somebody is typing; what a server cannot tell i
   expect(failing.problem).toBe("No.");
 });
 
-test("so many matches that more would help nobody end it", async () => {
+test("the search ends at the maximum number of matches", async () => {
   const { finder, run } = setUp("a.x == 1", (_, i) => i % 2);
   await run();
   expect(finder.matches).toHaveLength(5000);

@@ -1,5 +1,5 @@
-// When a condition held in the whole of a recording that a server plays: its objects are fetched part by part and looked
-// through, whatever of them this page has shown.
+// Finds when a condition held in the whole recording that a server plays. Its objects are fetched and searched part by
+// part, also parts that this page has not shown.
 
 import type { Condition } from "./condition";
 import type { Decoded } from "./decoder";
@@ -11,28 +11,28 @@ export interface RecordedMessage {
   data: Uint8Array;
 }
 
-/** Of a topic what was captured from one time to another [ns], both included; rejects with a sentence. */
+/** Fetches the messages of a topic between two capture times [ns], both included. Rejects with a sentence. */
 export type FetchPart = (topic: string, from_ns: bigint, to_ns: bigint) => Promise<RecordedMessage[]>;
 
 const kMostMatches = 5000;
-const kParts = 40; // of the whole
-const kLeast_ns = 2_000_000_000n; // of a part: less is not worth a request
-const kDelayMs = 300; // a person who is still typing asks for nothing yet
+const kParts = 40; // of the whole recording
+const kLeast_ns = 2_000_000_000n; // of a part: a shorter one is not worth a request
+const kDelayMs = 300; // no request while a person still types
 
 type Message = RecordedMessage & { topic: string };
 
 export class WholeFinder {
-  /** In order of time, of all that is searched so far. */
+  /** The matches so far, in order of time. */
   matches: Match[] = [];
-  /** Why it cannot be done; "" while it can. */
+  /** The reason why the search failed, or "". */
   problem = "";
-  #next_ns: bigint; // the part that comes next begins here
+  #next_ns: bigint; // the next part begins here
   readonly #part_ns: bigint;
   #fetching = false;
-  #messages: Message[] = []; // of the part that was fetched, by time
-  #read = 0; // of them
+  #messages: Message[] = []; // of the fetched part, by time
+  #read = 0; // number of messages already read
   #newest = new Map<string, Fields | undefined>();
-  #open: Match | undefined; // it still holds
+  #open: Match | undefined; // the match that still lasts
   #since: number | undefined;
 
   constructor(
@@ -46,7 +46,7 @@ export class WholeFinder {
     this.#part_ns = part_ns > kLeast_ns ? part_ns : kLeast_ns;
   }
 
-  /** Everything is searched, or there are so many matches that more would help nobody. */
+  /** True when everything is searched or the maximum number of matches is reached. */
   get done(): boolean {
     return this.full || this.problem !== "" || (!this.#fetching && this.#read === this.#messages.length && this.#next_ns > this.range.end_ns);
   }
@@ -55,13 +55,13 @@ export class WholeFinder {
     return this.matches.length >= kMostMatches;
   }
 
-  /** How much is searched: 0 .. 1. */
+  /** Searched share: 0 .. 1. */
   get share(): number {
     const whole = Number(this.range.end_ns - this.range.start_ns);
     return this.done || whole === 0 ? 1 : Math.max(0, Math.min(1, Number(this.#next_ns - this.#part_ns - this.range.start_ns) / whole));
   }
 
-  /** Goes on for at most `milliseconds`; to be called again and again until it is done. */
+  /** Continues for at most `milliseconds`. Call it repeatedly until it is done. */
   update(milliseconds: number, clock: () => number = () => performance.now()): void {
     const now = clock();
     this.#since ??= now;

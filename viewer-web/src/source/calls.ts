@@ -1,4 +1,4 @@
-// Service calls on their way: each ends with one answer, one refusal or one sentence about what went wrong.
+// Pending service calls. Each ends with one answer or with one sentence that says why there is none.
 
 const kTimeoutMs = 10000;
 
@@ -15,7 +15,10 @@ export class Calls {
   #pending = new Map<number, Call>();
   #next = 0;
 
-  /** Starts a call: its id for the wire, and the answer to come. Rejects with a sentence, also when the service says no. */
+  /**
+   * Starts a call. Returns its id for the wire and a promise of the answer. The promise rejects with a sentence, also
+   * when the service refuses.
+   */
   begin(service: string, timeoutMs = kTimeoutMs): { id: number; answer: Promise<Answer> } {
     const id = this.#next++;
     const answer = new Promise<unknown>((resolve, reject) => {
@@ -52,7 +55,7 @@ export class Calls {
   }
 }
 
-/** Our services say no inside a normal answer: {"ok": false, "error": "sentence"}. */
+/** Our services refuse inside a normal answer: {"ok": false, "error": "sentence"}. */
 function accepted(service: string, value: unknown): Answer {
   if (typeof value !== "object" || value === null) throw new Error(`The robot's answer to '${service}' is not an object.`);
   const answer = value as Answer;

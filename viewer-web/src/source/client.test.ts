@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { Client, type Connection, type Listener, type Socket } from "./client";
 
-/** The server's end of a connection; what the client sends lands in `sent`. */
+/** The server's end of a connection. `sent` holds the messages of the client. */
 class FakeSocket implements Socket {
   binaryType = "";
   onmessage: Socket["onmessage"] = null;
@@ -21,7 +21,7 @@ class FakeSocket implements Socket {
   frame(...bytes: number[]) {
     this.onmessage?.({ data: Uint8Array.from(bytes).buffer });
   }
-  /** What was sent with this op since the last look. */
+  /** Returns the messages with this op that were sent since the last call. */
   take(op: string) {
     const found = this.sent.filter((message) => !(message instanceof Uint8Array) && message["op"] === op);
     this.sent = this.sent.filter((message) => !found.includes(message));
@@ -66,7 +66,7 @@ beforeEach(() => {
 });
 afterEach(() => vi.useRealTimers());
 
-test("what is wanted is subscribed as soon as it is offered, wanted twice is subscribed once", async () => {
+test("a wanted topic is subscribed as soon as it is offered, and only once when two want it", async () => {
   client.want("/14/2/ball");
   client.want("/14/2/ball");
   newest().say(kInfo, { op: "advertise", channels: [kChannel, { ...kChannel, id: 4, topic: "/14/2/pose" }] });
@@ -74,12 +74,12 @@ test("what is wanted is subscribed as soon as it is offered, wanted twice is sub
   expect(newest().take("subscribe")).toEqual([{ op: "subscribe", subscriptions: [{ id: 0, channelId: 3 }] }]);
 });
 
-test("a subscription ends when the last one who wanted it lets go", async () => {
+test("a subscription ends when nobody wants the topic any more", async () => {
   const [first, second] = [client.want("/14/2/ball"), client.want("/14/2/ball")];
   newest().say(kInfo, { op: "advertise", channels: [kChannel] });
   await turn();
   first();
-  first(); // letting go twice is letting go once
+  first(); // a second release has no effect
   await turn();
   expect(newest().take("unsubscribe")).toEqual([]);
   second();
@@ -87,7 +87,7 @@ test("a subscription ends when the last one who wanted it lets go", async () => 
   expect(newest().take("unsubscribe")).toEqual([{ op: "unsubscribe", subscriptionIds: [0] }]);
 });
 
-test("letting go and wanting again in one turn sends nothing", async () => {
+test("a topic that is released and wanted again in one turn sends nothing", async () => {
   const release = client.want("/14/2/ball");
   newest().say(kInfo, { op: "advertise", channels: [kChannel] });
   await turn();
@@ -98,7 +98,7 @@ test("letting go and wanting again in one turn sends nothing", async () => {
   expect(newest().sent).toEqual([]);
 });
 
-test("messages come with topic and capture time; those of an ended subscription are ignored", async () => {
+test("messages arrive with topic and capture time, and messages of an ended subscription are ignored", async () => {
   const release = client.want("/14/2/ball");
   newest().say(kInfo, { op: "advertise", channels: [kChannel] });
   await turn();
@@ -112,7 +112,7 @@ test("messages come with topic and capture time; those of an ended subscription 
   expect(events).toEqual([]);
 });
 
-test("after a lost connection it tries again every second and subscribes again, to the new ids", async () => {
+test("after a lost connection the client retries every second and subscribes again with the new ids", async () => {
   client.want("/14/2/ball");
   newest().say(kInfo, { op: "advertise", channels: [kChannel] });
   await turn();
@@ -129,7 +129,7 @@ test("after a lost connection it tries again every second and subscribes again, 
   expect(events).toContain("introduced again");
 });
 
-test("another session id is another run, also when it comes mid-connection", async () => {
+test("another session id is another run, also in the middle of a connection", async () => {
   client.want("/14/2/ball");
   newest().say(kInfo, { op: "advertise", channels: [kChannel] });
   await turn();
@@ -140,7 +140,7 @@ test("another session id is another run, also when it comes mid-connection", asy
   expect(newest().take("subscribe")).toMatchObject([{ subscriptions: [{ channelId: 3 }] }]);
 });
 
-test("a server whose time went back need not offer its channels again", async () => {
+test("a server whose time went back does not have to offer its channels again", async () => {
   client.want("/14/2/ball");
   newest().say(kInfo, { op: "advertise", channels: [kChannel] });
   await turn();
@@ -152,7 +152,7 @@ test("a server whose time went back need not offer its channels again", async ()
   expect(newest().take("subscribe")).toMatchObject([{ subscriptions: [{ channelId: 3 }] }]);
 });
 
-test("a channel that comes back with another schema is withdrawn first", async () => {
+test("a channel that returns with another schema is withdrawn first", async () => {
   client.want("/14/2/ball");
   newest().say(kInfo, { op: "advertise", channels: [kChannel] });
   await turn();
@@ -164,7 +164,7 @@ test("a channel that comes back with another schema is withdrawn first", async (
   expect(newest().take("subscribe")).toHaveLength(1);
 });
 
-test("what cannot be read is reported with a sentence and the connection stays", () => {
+test("an unreadable frame is reported with a sentence, and the connection stays", () => {
   newest().say(kInfo);
   newest().onmessage?.({ data: "{" });
   newest().onmessage?.({ data: "[]" });
@@ -178,7 +178,7 @@ test("what cannot be read is reported with a sentence and the connection stays",
   expect(newest().closed).toBe(false);
 });
 
-test("a server that sent Time frames and falls silent is given up", async () => {
+test("a server that sent Time frames and is then silent is given up", async () => {
   newest().say(kInfo);
   newest().frame(2, 1, 0, 0, 0, 0, 0, 0, 0);
   await vi.advanceTimersByTimeAsync(4900);
@@ -194,13 +194,13 @@ test("a server without Time frames may be silent", async () => {
   expect(sockets).toHaveLength(1);
 });
 
-test("a connection that never opens is given up and tried again", async () => {
+test("a connection that never opens is given up and retried", async () => {
   await vi.advanceTimersByTimeAsync(6100);
   expect(sockets).toHaveLength(2);
   expect(sockets[0]!.closed).toBe(true);
 });
 
-test("parameters are asked for and followed where the server can", () => {
+test("parameters are requested and followed if the server supports them", () => {
   newest().say({ ...kInfo, capabilities: ["parameters", "parametersSubscribe"] });
   expect(newest().take("getParameters")).toHaveLength(1);
   expect(newest().take("subscribeParameterUpdates")).toHaveLength(1);
@@ -208,7 +208,7 @@ test("parameters are asked for and followed where the server can", () => {
   expect(events.at(-1)).toBe("parameters recording=true");
 });
 
-test("a server that plays a recording tells its span, is asked, and answers", () => {
+test("a server that plays a recording reports its span and answers playback requests", () => {
   expect(client.ask({ play: true, speed: 1 }, "early")).toBe(false);
   newest().say({ ...kInfo, capabilities: ["playbackControl"], dataStartTime: { sec: 2, nsec: 5 }, dataEndTime: { sec: 9, nsec: 0 } });
   expect(client.ask({ play: false, speed: 2, seek_ns: 7n }, "a")).toBe(true);
@@ -223,7 +223,7 @@ const response = (call: number, text: string) => [
 ];
 const kServices = { op: "advertiseServices", services: [{ id: 8, name: "start_recording" }] };
 
-test("a service call is answered, or refused with the server's sentence", async () => {
+test("a service call is answered, or rejected with the server's sentence", async () => {
   newest().say(kInfo, kServices);
   const [first, second] = [client.call("start_recording", { name: "a" }), client.call("start_recording", {})];
   newest().frame(...response(1, '{"ok": false, "error": "The disk is full."}'));
@@ -232,7 +232,7 @@ test("a service call is answered, or refused with the server's sentence", async 
   await expect(second).rejects.toThrow("The disk is full.");
 });
 
-test("a service call that cannot be answered says why", async () => {
+test("a service call that cannot be answered rejects with the reason", async () => {
   await expect(client.call("start_recording", {})).rejects.toThrow("Not connected");
   newest().say(kInfo, kServices);
   await expect(client.call("fly", {})).rejects.toThrow("does not offer 'fly'");

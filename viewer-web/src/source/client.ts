@@ -1,4 +1,5 @@
-// Our client of the Foxglove WebSocket protocol v1: stays connected, keeps the wanted topics subscribed, calls services.
+// Our client of the Foxglove WebSocket protocol v1. It stays connected, keeps the wanted topics subscribed and calls
+// services.
 
 import { Calls, type Answer } from "./calls";
 import { readFrame, writePlaybackWish, writeServiceCall, type PlaybackState, type PlaybackWish } from "./frames";
@@ -8,23 +9,26 @@ export const kSubprotocols = ["foxglove.sdk.v1", "foxglove.websocket.v1"];
 
 const kReconnectMs = 1000;
 const kConnectTimeoutMs = 5000;
-/** A server that sent Time frames and then nothing for so long is gone, whatever TCP believes. */
+/** Timeout of a server that has sent Time frames and is now silent. TCP alone notices a lost server much later. */
 const kSilenceMs = 5000;
 
-/** `connecting`: a try is under way. `open`: the server has introduced itself. `waiting`: the next try is due in a second. */
+/**
+ * `connecting`: a try is under way. `open`: the server has introduced itself. `waiting`: the next try begins within a
+ * second.
+ */
 export type Connection = { state: "connecting" | "open" } | { state: "waiting"; why: string };
 
-/** What the client tells. Times of the wire stay bigint ns. */
+/** The events of a client. Times from the wire stay bigint ns. */
 export interface Listener {
   connection(connection: Connection): void;
   /**
-   * A server introduced itself. `fresh`: another run than before, so everything known is void. Channels follow.
-   * `restarted`: over the same connection, since its time went back: what it offers stays.
+   * The server has introduced itself; channels follow. `fresh`: this is another run, so everything known is void.
+   * `restarted`: the server's time went back on the same connection, and its channels stay.
    */
   introduced(info: ServerInfo, fresh: boolean, restarted: boolean): void;
   advertised(channels: Channel[]): void;
   unadvertised(channels: Channel[]): void;
-  /** Whether messages of this topic are on their way from now on. */
+  /** Called when a subscription of this topic begins (`is`) or ends. */
   subscribed(topic: string, is: boolean): void;
   message(topic: string, log_ns: bigint, data: Uint8Array): void;
   time(now_ns: bigint): void;
@@ -35,7 +39,7 @@ export interface Listener {
   services(names: string[]): void;
 }
 
-/** The part of a WebSocket that is used, so that tests can be the server. */
+/** The part of a WebSocket that the client uses, so that a test can be the server. */
 export interface Socket {
   binaryType: string;
   onmessage: ((event: { data: unknown }) => void) | null;
@@ -48,10 +52,10 @@ export class Client {
   #socket: Socket | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #open = false;
-  #heartbeat = false; // [has a Time frame come over this connection?]
+  #heartbeat = false; // true after a Time frame came over this connection
   #sessionId: string | undefined;
   #channels = new Map<string, Channel>(); // by topic
-  #wanted = new Map<string, number>(); // topic -> how many want it
+  #wanted = new Map<string, number>(); // topic -> number of users
   #subscriptions = new Map<number, Channel>(); // by subscription id
   #nextSubscription = 0;
   #syncing = false;
@@ -84,7 +88,7 @@ export class Client {
     this.#drop();
   }
 
-  /** Keeps `topic` subscribed, now and after every reconnect, until the returned function is called. */
+  /** Keeps `topic` subscribed, also after each reconnect, until the returned function is called. */
   want(topic: string): () => void {
     this.#wanted.set(topic, (this.#wanted.get(topic) ?? 0) + 1);
     this.#sync();
@@ -99,7 +103,7 @@ export class Client {
     };
   }
 
-  /** Calls a service that speaks JSON. Rejects with a sentence, also when the service answers {"ok": false}, or not in time. */
+  /** Calls a service that speaks JSON. Rejects with a sentence on a failure, a timeout or the answer {"ok": false}. */
   call(name: string, request: object, timeoutMs?: number): Promise<Answer> {
     const service = this.#services.get(name);
     if (!this.#open) return Promise.reject(new Error("Not connected to the robot."));
@@ -109,7 +113,10 @@ export class Client {
     return answer;
   }
 
-  /** Asks a server that plays a recording for something; its answer carries `request`. False while there is none to ask. */
+  /**
+   * Sends a wish to a server that plays a recording. The answer carries `request`. Returns false if no server is
+   * connected.
+   */
   ask(wish: PlaybackWish, request: string): boolean {
     if (this.#open) this.#socket?.send(writePlaybackWish(wish, request));
     return this.#open;
@@ -125,7 +132,7 @@ export class Client {
     const frame = readFrame(data);
     switch (frame.kind) {
       case "message": {
-        // messages of a subscription just ended may still be on their way
+        // messages of an ended subscription may still arrive
         const channel = this.#subscriptions.get(frame.subscription);
         if (channel) this.listener.message(channel.topic, frame.log_ns, frame.data);
         break;
@@ -201,7 +208,7 @@ export class Client {
   }
 
   #advertise(channels: Channel[]): void {
-    // a topic that comes back under another id or schema is another channel
+    // a topic that returns with another id or schema is another channel
     const known = channels.filter((channel) => sameChannel(this.#channels.get(channel.topic), channel));
     const added = channels.filter((channel) => !known.includes(channel));
     this.#withdraw(added.flatMap(({ topic }) => this.#channels.get(topic) ?? []));
@@ -217,7 +224,10 @@ export class Client {
     this.#sync();
   }
 
-  /** Subscribes to what is wanted and offered, ends the rest; changes of one turn of the event loop travel together. */
+  /**
+   * Subscribes to all topics that are wanted and offered, and ends the other subscriptions. Changes within one turn of
+   * the event loop are sent together.
+   */
   #sync(): void {
     if (this.#syncing) return;
     this.#syncing = true;
@@ -283,7 +293,7 @@ export class Client {
     this.#forget();
   }
 
-  /** Begins anew with what is offered: the newest of each object comes again. */
+  /** Subscribes again to all channels, so that the newest message of each object comes again. */
   #resubscribe(): void {
     for (const { topic } of this.#subscriptions.values()) this.listener.subscribed(topic, false);
     if (this.#subscriptions.size > 0) this.#send({ op: "unsubscribe", subscriptionIds: [...this.#subscriptions.keys()] });
@@ -291,7 +301,7 @@ export class Client {
     this.#sync();
   }
 
-  /** Forgets what is only good for one connection or one run. What is wanted stays wanted. */
+  /** Forgets the state of one connection or run. The wanted topics stay wanted. */
   #forget(): void {
     for (const { topic } of this.#subscriptions.values()) this.listener.subscribed(topic, false);
     this.#calls.failAll("The connection to the robot was lost.");
@@ -305,7 +315,10 @@ export class Client {
 const sameChannel = (a: Channel | undefined, b: Channel): boolean =>
   a !== undefined && a.id === b.id && a.encoding === b.encoding && a.schemaName === b.schemaName && a.schema === b.schema;
 
-/** Browsers tell a page almost nothing about a refused upgrade; this says what is likely. */
+/**
+ * Returns the likely reason of a closed connection. Browsers give a page almost no information about a refused
+ * upgrade.
+ */
 function closeSentence(wasOpen: boolean, code: number, reason: string): string {
   if (reason) return `The robot closed the connection: ${reason}`;
   if (wasOpen) return "The connection to the robot was lost.";

@@ -1,23 +1,26 @@
-// Half of an NTP-like exchange with the server, over and over: what we measure goes back with the next call and is
-// recorded there as a clock sample, so that recordings of several machines can be put side by side.
+// The client's half of an NTP-like exchange with the server. Each call also reports the last measurement. The server
+// records it as a clock sample, so that recordings of several machines can be aligned.
 
 import type { Answer } from "./calls";
 
 const kPeriodMs = 10000;
 
 export interface Measured {
-  /** [ns] to add to the server's time to get ours. */
+  /** [ns] to add to the server's time to get the page's time. */
   offset_ns: bigint;
   round_trip_ns: bigint;
 }
 
-/** What an answer tells that came back at `returned_ns` for a question sent at `sent_ns` (both our time). */
+/**
+ * Computes offset and round trip from one answer. `sent_ns` and `returned_ns` are the page's time, `received_ns` is
+ * the server's.
+ */
 export function measured(sent_ns: bigint, received_ns: bigint, returned_ns: bigint): Measured {
-  // the server heard us half-way between: that is the best guess, wrong by half the round trip at most
+  // best guess: the server received it half-way; the error is at most half the round trip
   return { offset_ns: (sent_ns + returned_ns) / 2n - received_ns, round_trip_ns: returned_ns - sent_ns };
 }
 
-/** Our time [ns since the epoch]: steady while the page is open. */
+/** The page's time [ns since the epoch]. It never steps while the page is open. */
 export const pageNow = (): bigint => BigInt(Math.round((performance.timeOrigin + performance.now()) * 1000)) * 1000n;
 
 export class ClockExchange {
@@ -29,7 +32,7 @@ export class ClockExchange {
     readonly now: () => bigint = pageNow,
   ) {}
 
-  /** Asks now and every ten seconds until stop(). */
+  /** Asks now and then every ten seconds until stop(). */
   start(): void {
     if (this.#timer !== undefined) return;
     this.#timer = setInterval(() => void this.ask(), kPeriodMs);
@@ -42,7 +45,7 @@ export class ClockExchange {
     this.#last = undefined;
   }
 
-  /** One exchange. A server that does not answer, or with nonsense, is asked again later. */
+  /** Makes one exchange. After a missing or senseless answer the next one follows as usual. */
   async ask(): Promise<void> {
     const sent_ns = this.now();
     const known = this.#last && { offset_ns: String(this.#last.offset_ns), round_trip_ns: String(this.#last.round_trip_ns) };

@@ -1,6 +1,6 @@
 // Binary frames of the Foxglove WebSocket protocol v1: one opcode byte, then little-endian fields.
 
-/** What the server sends in a binary frame. `data` is a view into the frame, not a copy. */
+/** A binary frame from the server. `data` is a view into the frame, not a copy. */
 export type ServerFrame =
   | { kind: "message"; subscription: number; log_ns: bigint; data: Uint8Array }
   | { kind: "time"; now_ns: bigint }
@@ -11,29 +11,29 @@ export type ServerFrame =
 
 const kPlaybackStatus = ["playing", "paused", "buffering", "ended"] as const;
 
-/** How a server's playback goes. */
+/** The state of a server's playback. */
 export interface PlaybackState {
   status: (typeof kPlaybackStatus)[number];
   /** [ns since the epoch] capture time. */
   time_ns: bigint;
   /** 1 is real time. */
   speed: number;
-  /** It goes on at another time: what comes from now on is of that one. */
+  /** True if playback jumped: all later messages belong to the new time. */
   didSeek: boolean;
-  /** Of the request that is answered; "" where nobody of us asked. */
+  /** The request that this state answers, or "" if it answers none of ours. */
   request: string;
 }
 
-/** What a client may wish of a playback. */
+/** The playback that a client asks for. */
 export interface PlaybackWish {
   play: boolean;
   /** 0.01 .. 1000; 1 is real time. */
   speed: number;
-  /** [ns since the epoch] where to go on; undefined: where it is. */
+  /** [ns since the epoch] Where to continue; undefined: where it is. */
   seek_ns?: bigint | undefined;
 }
 
-/** Reads one frame; never throws. An opcode of a later protocol is `unknown`, a frame cut short is `malformed`. */
+/** Reads one frame. Never throws: an unknown opcode gives `unknown`, a truncated frame gives `malformed`. */
 export function readFrame(frame: ArrayBuffer): ServerFrame {
   const view = new DataView(frame);
   if (view.byteLength === 0) return { kind: "malformed", why: "binary frame: empty, expected an opcode byte" };
@@ -80,7 +80,7 @@ export function readFrame(frame: ArrayBuffer): ServerFrame {
   }
 }
 
-/** The request frame of a service call; the answer carries the same `call`. */
+/** Returns the request frame of a service call. The answer carries the same `call`. */
 export function writeServiceCall(service: number, call: number, encoding: string, data: Uint8Array): Uint8Array {
   const name = new TextEncoder().encode(encoding);
   const frame = new Uint8Array(13 + name.length + data.length);
@@ -94,7 +94,7 @@ export function writeServiceCall(service: number, call: number, encoding: string
   return frame;
 }
 
-/** The frame that asks for another way of playing; the answer carries the same `request`, which is not empty. */
+/** Returns the frame that asks for another playback. The answer carries the same `request`, which must not be empty. */
 export function writePlaybackWish({ play, speed, seek_ns }: PlaybackWish, request: string): Uint8Array {
   const id = new TextEncoder().encode(request);
   const frame = new Uint8Array(19 + id.length);

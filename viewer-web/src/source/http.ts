@@ -1,7 +1,7 @@
-// The robot's HTTP interface: its recordings. Nothing in the answers is trusted.
+// The robot's HTTP interface to its recordings. Nothing in the answers is trusted.
 
 export interface Stream {
-  /** Empty where its file does not tell. */
+  /** Empty if the file does not contain it. */
   topic: string;
   file: string;
   url: string;
@@ -11,7 +11,7 @@ export interface Stream {
 
 export type SessionState = "recording" | "complete" | "recovered" | "damaged" | "unknown";
 
-/** One recording on the robot. Times are undefined where nothing was recorded. */
+/** One recording on the robot. Times are undefined if the recording is empty. */
 export interface Session {
   session: string;
   name: string;
@@ -36,12 +36,12 @@ const text = (value: unknown): string => (typeof value === "string" ? value : ""
 const amount = (value: unknown): number => (typeof value === "number" ? value : Number(text(value) || NaN));
 const time = (value: unknown): bigint | undefined =>
   /^[1-9]\d{0,19}$/.test(text(value)) ? BigInt(text(value)) : undefined;
-/** Only paths of the robot itself: a link must not lead to `javascript:` or another host. */
+/** Accepts only paths on the robot itself: a link must not lead to `javascript:` or to another host. */
 const path = (value: unknown): string => (/^\/(?![/\\])/.test(text(value)) ? text(value) : "");
 
 const kStates: SessionState[] = ["recording", "complete", "recovered", "damaged"];
 
-/** Reads the answer of /api/sessions, newest first. Undefined when it is none. */
+/** Reads the answer of /api/sessions, newest first. Returns undefined if it has the wrong form. */
 export function sessionsOf(answer: unknown): Session[] | undefined {
   if (!isObject(answer) || !Array.isArray(answer["sessions"])) return undefined;
   return objects(answer["sessions"])
@@ -70,7 +70,7 @@ export function sessionsOf(answer: unknown): Session[] | undefined {
     .sort((a, b) => Number((b.start_ns ?? 0n) - (a.start_ns ?? 0n)) || b.session.localeCompare(a.session));
 }
 
-/** Asks the robot for its recordings. Rejects with a sentence. */
+/** Fetches the robot's list of recordings. Rejects with a sentence. */
 export async function fetchSessions(): Promise<Session[]> {
   let response: Response;
   try {

@@ -1,8 +1,11 @@
-// Unpacks LZ4 frames, as robots compress what they record. https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md
+// Decompresses LZ4 frames, the format of recorded chunks. https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md
 
 const kMagic = 0x184d2204;
 
-/** The `size` [bytes] that `frame` was packed from. Throws a sentence where it was not. */
+/**
+ * Returns the `size` [bytes] that `frame` was compressed from. Throws an Error with a sentence if the frame is
+ * damaged.
+ */
 export function unpackLz4(frame: Uint8Array, size: number): Uint8Array {
   const view = new DataView(frame.buffer, frame.byteOffset, frame.byteLength);
   if (frame.length < 7 || view.getUint32(0, true) !== kMagic) throw new Error("expected an LZ4 frame");
@@ -10,7 +13,7 @@ export function unpackLz4(frame: Uint8Array, size: number): Uint8Array {
   const [hasBlockSums, hasSize, hasDictionary] = [flags & 16, flags & 8, flags & 1];
   let at = 7 + (hasSize ? 8 : 0) + (hasDictionary ? 4 : 0);
   const out = new Uint8Array(size);
-  let end = 0; // of what is unpacked
+  let end = 0; // of the decompressed bytes
   while (at + 4 <= frame.length) {
     const word = view.getUint32(at, true);
     at += 4;
@@ -30,7 +33,7 @@ export function unpackLz4(frame: Uint8Array, size: number): Uint8Array {
   return out;
 }
 
-/** Appends what `block` was packed from to the first `end` bytes of `out`; where that ends then. */
+/** Appends the decompressed `block` to the first `end` bytes of `out`. Returns the new end. */
 function unpackBlock(block: Uint8Array, out: Uint8Array, end: number): number {
   let at = 0;
   const lengthOf = (short: number): number => {
@@ -49,12 +52,12 @@ function unpackBlock(block: Uint8Array, out: Uint8Array, end: number): number {
     out.set(block.subarray(at, at + literals), end);
     at += literals;
     end += literals;
-    if (at >= block.length) break; // the last one is literals only
+    if (at >= block.length) break; // the last sequence has literals only
     const offset = block[at]! | (block[at + 1]! << 8);
     at += 2;
     const copied = 4 + lengthOf(token & 15);
     if (offset === 0 || offset > end || end + copied > out.length) throw new Error("an LZ4 block refers to what is not there");
-    for (let i = 0; i < copied; ++i, ++end) out[end] = out[end - offset]!; // may overlap itself
+    for (let i = 0; i < copied; ++i, ++end) out[end] = out[end - offset]!; // the copy may overlap its source
   }
   return end;
 }

@@ -7,7 +7,7 @@ import { recordedIn } from "./mcap";
 
 await Promise.all([lz4.isLoaded, zstd.isLoaded]);
 
-/** An LZ4 frame by the rules of the format: what came before is referred to where four bytes and more repeat. */
+/** Returns an LZ4 frame of `text`. Repeats of at least four bytes become references to earlier bytes. */
 function packed(text: Uint8Array): Uint8Array {
   const block: number[] = [];
   const seen = new Map<number, number>();
@@ -44,7 +44,7 @@ function packed(text: Uint8Array): Uint8Array {
   return frame;
 }
 
-/** As another library writes it. */
+/** Writes a recording with another library. */
 async function written(compression: "" | "lz4" | "zstd", count = 200): Promise<Uint8Array> {
   let file = new Uint8Array();
   const write = async (bytes: Uint8Array) => {
@@ -63,7 +63,7 @@ async function written(compression: "" | "lz4" | "zstd", count = 200): Promise<U
   return file;
 }
 
-test("a recording is read as it was written, however it is compressed", async () => {
+test("a recording is read exactly as it was written, with each compression", async () => {
   for (const compression of ["", "lz4", "zstd"] as const) {
     const recorded = recordedIn(await written(compression));
     expect(recorded, compression).toMatchObject({ topic: "/14/2/game", encoding: "protobuf", schemaName: "a.B", schema: "AQID", damage: "" });
@@ -72,7 +72,7 @@ test("a recording is read as it was written, however it is compressed", async ()
   }
 });
 
-test("of a file that is cut or damaged anywhere the front is read, and it is said", async () => {
+test("the readable beginning of a truncated or damaged file is returned, with a sentence about the damage", async () => {
   const file = await written("lz4", 60);
   for (let length = 0; length < file.length - 8; length += 7) {
     const { messages, damage } = recordedIn(file.slice(0, length));
@@ -82,18 +82,18 @@ test("of a file that is cut or damaged anywhere the front is read, and it is sai
   for (let at = 8; at < file.length; at += 11) {
     const damaged = file.slice();
     damaged[at]! ^= 0xff;
-    recordedIn(damaged); // says or reads, and never throws
+    recordedIn(damaged); // throws never
   }
 });
 
-test("LZ4 of what repeats and of what does not is unpacked to the same bytes", () => {
+test("LZ4 of repeating and of random bytes gives the same bytes again", () => {
   let random = 1;
   const noise = Uint8Array.from({ length: 70_000 }, () => (random = (random * 48271) % 2147483647) & 255);
   const texts = [new Uint8Array(), Uint8Array.of(7), new Uint8Array(70_000).fill(3), noise, Uint8Array.from(noise, (_, i) => noise[i % 300]!), noise.subarray(0, 100)];
   for (const text of texts) {
     const frame = packed(text);
     const same = (bytes: Uint8Array) => Buffer.compare(bytes, text) === 0;
-    if (text.length > 0) expect(same(lz4(frame, text.length))).toBe(true); // another library agrees that it is one
+    if (text.length > 0) expect(same(lz4(frame, text.length))).toBe(true); // another library accepts the frame too
     expect(same(unpackLz4(frame, text.length))).toBe(true);
   }
   expect(packed(texts[2]!).length).toBeLessThan(1000);

@@ -1,4 +1,4 @@
-// Reads the recording of one object, an MCAP file as a robot serves it. https://mcap.dev/spec
+// Reads the recording of one object: an MCAP file as the robot serves it. https://mcap.dev/spec
 
 import { decompress as unpackZstd } from "fzstd";
 import { base64Encode } from "@bufbuild/protobuf/wire";
@@ -8,18 +8,21 @@ export interface Recorded {
   topic: string;
   encoding: string;
   schemaName: string;
-  /** Of the schema's bytes, as a live channel has it. */
+  /** The schema's bytes, encoded as in a live channel. */
   schema: string;
   messages: { log_ns: bigint; data: Uint8Array }[];
-  /** What could not be read; "" where everything was. */
+  /** One sentence about the unreadable part, or "" if all was read. */
   damage: string;
 }
 
 const kMagic = [0x89, 0x4d, 0x43, 0x41, 0x50, 0x30, 0x0d, 0x0a];
 const kOp = { schema: 3, channel: 4, message: 5, chunk: 6, dataEnd: 15 };
-const kMostBytes = 64e6; // [bytes] of a chunk: ours have 256 kB
+const kMostBytes = 64e6; // [bytes] of a chunk; ours have 256 kB
 
-/** The first channel of a file, and its messages as they lie there. Never throws: what is damaged is said. */
+/**
+ * Returns the first channel of a file and its messages in file order. Never throws: `damage` describes an unreadable
+ * part.
+ */
 export function recordedIn(file: Uint8Array): Recorded {
   const found: Recorded = { topic: "", encoding: "", schemaName: "", schema: "", messages: [], damage: "" };
   if (!kMagic.every((byte, i) => file[i] === byte)) return { ...found, damage: "it is no MCAP file" };
@@ -38,7 +41,7 @@ class Reader {
 
   constructor(readonly found: Recorded) {}
 
-  /** Returns at the end of the data. */
+  /** Reads records until the data end. */
   records(bytes: Uint8Array): void {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     for (let at = 0; at < bytes.length; ) {
@@ -56,7 +59,7 @@ class Reader {
     if (op === kOp.schema) {
       const id = fields.u16();
       const name = fields.text();
-      fields.text(); // its encoding: the channel's tells
+      fields.text(); // the schema's encoding is not used; the channel has it too
       this.#schemas.set(id, { name, data: fields.bytes() });
     } else if (op === kOp.channel && this.#channel === undefined) {
       this.#channel = fields.u16();
@@ -85,7 +88,7 @@ class Reader {
   }
 }
 
-/** Reads one field after the other. Throws where there are fewer bytes. */
+/** Reads one field after the other. Throws if bytes are missing. */
 class Fields {
   #at = 0;
   #view: DataView;

@@ -1,8 +1,8 @@
-// Parts of a recording that a server plays, whatever of it has been shown. Loaded when first asked for.
+// Parts of a recording that the server plays, also parts that the page has not shown. Loaded on first use.
 
 import { recordedIn, type Recorded } from "./mcap";
 
-/** What the page's own server plays of `topic` from one capture time to another [ns]. Rejects with a sentence. */
+/** Fetches the messages of `topic` between two capture times [ns] from the page's own server. Rejects with a sentence. */
 export async function fetchPlayed(topic: string, from_ns: bigint, to_ns: bigint): Promise<Recorded["messages"]> {
   const messages: Recorded["messages"] = [];
   for (let next_ns = from_ns; next_ns <= to_ns; ) {

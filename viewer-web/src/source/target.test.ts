@@ -13,7 +13,7 @@ test("the page connects to its own host", () => {
   expect(targetOf("https://lab.example/?x=1", nothing)).toMatchObject({ url: "wss://lab.example/live" });
 });
 
-test("a token goes to the socket and leaves the address", () => {
+test("a token goes to the socket and is removed from the address", () => {
   expect(targetOf("http://robot:8765/?token=s%26cret&a=b#/rates", nothing)).toMatchObject({
     url: "ws://robot:8765/live?token=s%26cret",
     token: "s&cret",
@@ -21,7 +21,7 @@ test("a token goes to the socket and leaves the address", () => {
   });
 });
 
-test("the token this tab kept is used, a new one replaces it", () => {
+test("the token that this tab kept is used, and a new one replaces it", () => {
   expect(targetOf("http://robot/", kept)).toMatchObject({ url: "ws://robot/live?token=old" });
   expect(targetOf("http://robot/?token=new", kept)).toMatchObject({ url: "ws://robot/live?token=new" });
 });
@@ -30,18 +30,18 @@ test("a token kept for one robot is not sent to another host", () => {
   expect(targetOf("http://robot/?ws=ws://elsewhere/", kept)).toMatchObject({ url: "ws://elsewhere/", token: "" });
 });
 
-test("?ws= names another robot, which is then not the own host", () => {
+test("?ws= names another robot, which is then not the page's own host", () => {
   expect(targetOf("http://lab/?ws=ws://other:8765/", nothing)).toMatchObject({ url: "ws://other:8765/", ownHost: false });
 });
 
-test("an address that is none is refused with a sentence", () => {
+test("an invalid address is refused with a sentence", () => {
   for (const wanted of ["nonsense", "http://robot", "javascript:alert(1)"])
     expect(targetOf(`http://lab/?ws=${encodeURIComponent(wanted)}`, nothing)).toMatchObject({
       error: expect.stringContaining(`got '${wanted}'`),
     });
 });
 
-test("another robot is added by what a person types or copies", () => {
+test("a person adds another robot by a typed or copied address", () => {
   const cases: [string, string][] = [
     ["10.0.14.2", "10.0.14.2:8765"],
     [" nao14.local:9000 ", "nao14.local:9000"],

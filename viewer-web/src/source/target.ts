@@ -1,11 +1,11 @@
-// Where to connect to, and what becomes of the token.
+// The server to connect to, and the handling of the token.
 
 export interface Target {
-  /** WebSocket address, with the token if there is one: for the socket only, never for the page. */
+  /** WebSocket address with the token, if there is one. Only for the socket, never shown on the page. */
   url: string;
-  /** The robot as a person would name it: host and port. */
+  /** Host and port, as people name the robot. */
   host: string;
-  /** True where the page and the data come from the same server, so its HTTP interface may be asked too. */
+  /** True if page and data come from the same server. Then its HTTP interface may be used too. */
   ownHost: boolean;
   token: string;
   /** The page's address without the token. */
@@ -13,8 +13,9 @@ export interface Target {
 }
 
 /**
- * Reads the page's address: the own host's live connection, or what `?ws=` names, with the token of `?token=` or the
- * one this tab kept for that very host: a link to `?ws=ws://elsewhere` must not carry a robot's token away.
+ * Reads the page's address: the live connection of its own host, or the server in `?ws=`. The token is that of
+ * `?token=`, or the one that this tab kept for exactly this host. Otherwise a link with `?ws=ws://elsewhere` could
+ * steal a robot's token.
  */
 export function targetOf(address: string, keptToken: (host: string) => string): Target | { error: string } {
   const page = new URL(address);
@@ -41,8 +42,8 @@ export function targetOf(address: string, keptToken: (host: string) => string): 
 const kUsualPort = 8765;
 
 /**
- * What a person types to add a robot: "10.0.14.2", "nao.local:8765", or an address copied from a browser. A token in
- * it is taken apart, since addresses are shown and shared.
+ * Reads the address that a person types to add a robot: "10.0.14.2", "nao.local:8765", or one copied from a browser. A
+ * token is returned separately, because addresses are shown and shared.
  */
 export function addressOf(typed: string): { host: string; token: string } | { error: string } {
   const error = { error: `Expected host or host:port, such as 10.0.14.2:8765, got '${typed.trim()}'.` };
@@ -59,7 +60,7 @@ export function addressOf(typed: string): { host: string; token: string } | { er
   return { host: `${url.hostname}:${port}`, token: url.searchParams.get("token") ?? "" };
 }
 
-/** Another server than the page's own, by "host:port"; undefined where that is none. */
+/** Returns the target of another server, given as "host:port", or undefined if that is invalid. */
 export function targetOfHost(host: string, token: string): Target | undefined {
   const address = addressOf(host);
   if ("error" in address) return undefined;

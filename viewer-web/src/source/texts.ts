@@ -1,6 +1,6 @@
 // Text frames of the Foxglove WebSocket protocol v1: one JSON object with an `op`. Nothing in them is trusted.
 
-/** A stream the server offers. `topic` names it; ids are only good for one connection. */
+/** A stream that the server offers. `topic` identifies it; its ids are valid for one connection only. */
 export interface Channel {
   id: number;
   topic: string;
@@ -15,7 +15,7 @@ export interface ServerInfo {
   capabilities: string[];
   metadata: Record<string, string>;
   sessionId?: string;
-  /** [ns since the epoch] what a server holds that plays a recording. */
+  /** [ns since the epoch] The span of the recording that the server plays. */
   span?: { start_ns: bigint; end_ns: bigint };
 }
 
@@ -43,7 +43,7 @@ const isId = (value: unknown): value is number =>
   typeof value === "number" && Number.isInteger(value) && value >= 0 && value <= 0xffffffff;
 
 const textOf = (value: unknown): string => (isText(value) ? value : "");
-/** {"sec": 1, "nsec": 5} of the protocol, in ns. */
+/** Converts the protocol's {"sec": 1, "nsec": 5} to ns. */
 function timeOf(value: unknown): bigint | undefined {
   const [sec, nsec] = isFields(value) ? [value["sec"], value["nsec"]] : [];
   const isCount = (part: unknown): part is number => typeof part === "number" && Number.isSafeInteger(part) && part >= 0;
@@ -67,7 +67,7 @@ function channelOf(value: unknown): Channel[] {
   ];
 }
 
-/** Reads one text frame; never throws. Entries that make no sense are left out (of channels: counted), the rest stands. */
+/** Reads one text frame. Never throws: invalid entries are left out, and invalid channels are counted. */
 export function readText(text: string): ServerText {
   let fields: unknown;
   try {

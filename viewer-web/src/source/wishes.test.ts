@@ -8,7 +8,7 @@ function wishes() {
 }
 const to = (seek_ns: bigint) => ({ play: false, speed: 1, seek_ns });
 
-test("one wish is on its way at a time, and of those that wait the last one goes next", () => {
+test("one wish is under way at a time, and only the last of the waiting ones is sent next", () => {
   const { sent, wishes: mine } = wishes();
   for (const place of [1n, 2n, 3n]) mine.ask(to(place), 0);
   expect(sent.map(({ wish }) => wish.seek_ns)).toEqual([1n]);
@@ -20,7 +20,7 @@ test("one wish is on its way at a time, and of those that wait the last one goes
   expect(mine.pending).toBeUndefined();
 });
 
-test("playing on does not give up the place that waits to be sought", () => {
+test("a wish to play keeps the place of a waiting seek", () => {
   const { sent, wishes: mine } = wishes();
   mine.ask(to(1n), 0);
   mine.ask(to(2n), 0);
@@ -29,7 +29,7 @@ test("playing on does not give up the place that waits to be sought", () => {
   expect(sent[1]!.wish).toEqual({ play: true, speed: 2, seek_ns: 2n });
 });
 
-test("a wish that nobody answers is given up once, and then another one may be asked", () => {
+test("an unanswered wish is given up once, and then another one may be sent", () => {
   const { sent, wishes: mine } = wishes();
   mine.ask(to(1n), 0);
   expect(mine.gaveUp(4.9)).toBe(false);
@@ -39,7 +39,7 @@ test("a wish that nobody answers is given up once, and then another one may be a
   expect(sent).toHaveLength(2);
 });
 
-test("where there is nobody to ask nothing is pending", () => {
+test("without a server nothing is pending", () => {
   const mine = new Wishes(() => false);
   mine.ask(to(1n), 0);
   expect(mine.pending).toBeUndefined();

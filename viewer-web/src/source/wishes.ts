@@ -1,32 +1,32 @@
-// What we wish of a playback, one wish on its way at a time: while a person drags along the strip of time only the last
-// place counts, and the server is never asked faster than it answers.
+// Playback wishes of the page, one under way at a time. While a person drags along the timeline, only the last place
+// counts, and the server never gets wishes faster than it answers.
 
 import type { PlaybackWish } from "./frames";
 
-const kPatience = 5; // [s] a server that may not obey answers with a sentence that names no wish
+const kPatience = 5; // [s] a refusing server may answer with a sentence that names no wish
 
 export class Wishes {
   #underway: { wish: PlaybackWish; request: string; since: number } | undefined;
   #next: PlaybackWish | undefined;
   #count = 0;
 
-  /** `send` says whether there is somebody to ask. */
+  /** `send` returns false if no server is connected. */
   constructor(readonly send: (wish: PlaybackWish, request: string) => boolean) {}
 
-  /** What was wished last and is not yet so. */
+  /** The newest wish that is not fulfilled yet. */
   get pending(): PlaybackWish | undefined {
     return this.#next ?? this.#underway?.wish;
   }
 
-  /** `now` is our own steady clock [s]. */
+  /** `now`: the page's steady clock [s]. */
   ask(wish: PlaybackWish, now: number): void {
-    // a place that waits to be sought is not given up because of a wish that names none
+    // a wish without a place keeps the place of a waiting seek
     const next = { ...wish, seek_ns: wish.seek_ns ?? this.#next?.seek_ns };
     if (this.#underway) this.#next = next;
     else this.#begin(next, now);
   }
 
-  /** Whether this answers a wish of ours; then the next one goes out. */
+  /** Returns whether `request` answers a wish of ours. If so, the next wish is sent. */
   answered(request: string, now: number): boolean {
     if (!this.#underway || request !== this.#underway.request) return false;
     const next = this.#next;
@@ -35,7 +35,7 @@ export class Wishes {
     return true;
   }
 
-  /** True once when a wish was not answered in time; then nothing is wished any more. */
+  /** Returns true once when a wish was not answered in time. All wishes are then dropped. */
   gaveUp(now: number): boolean {
     if (!this.#underway || now - this.#underway.since <= kPatience) return false;
     this.clear();

@@ -14,11 +14,12 @@ using nlohmann::json;
 
 struct WhatIfService : ::testing::Test {
   WhatIfService() {
-    add_what_if(services, "14/2", [this](const std::string& robot, const foresight::WhatIf& question) {
-      asked_robot = robot;
-      asked = question;
-      return answer;
-    });
+    add_what_if(services, "14/2", {"baseline", "a, b"},
+                [this](const std::string& robot, const foresight::WhatIf& question) {
+                  asked_robot = robot;
+                  asked = question;
+                  return answer;
+                });
   }
 
   json call(const std::string& request, net::ClientContext asker = {.loopback = true, .may_control = true}) const {
@@ -58,6 +59,14 @@ TEST_F(WhatIfService, ItsAnswerCountsFromWhenTheQuestionCame) {
   answer->set_answered_ms(50);
   came_ns -= 7 * kSecond;  // it waited for another question
   EXPECT_GE(call("{}")["forecast"]["answered_ms"], 7000);
+}
+
+TEST_F(WhatIfService, OffersTheNamesOfItsStrategiesToEveryClientInMatchModeToo) {
+  const net::ClientContext stranger{.address = "10.0.0.9:1", .match_mode = true};
+  EXPECT_EQ(json::parse(services.call(2, "{}", stranger)),
+            json::parse(R"({"ok": true, "strategies": ["baseline", "a, b"]})"));
+  EXPECT_EQ(services.name(2), "/foresight/strategies");
+  EXPECT_FALSE(asked);
 }
 
 TEST_F(WhatIfService, WhatMakesNoSenseIsNotAsked) {

@@ -1,0 +1,259 @@
+// One watched server with its connection and memory: a robot, a played recording or a simulated game.
+
+import type { RobotName } from "../memory/memory_object";
+import { Memory } from "../memory/memory";
+import type { Past } from "../memory/past";
+import { Played } from "../memory/played";
+import { allStreamStatistics, recordingStatistics, runtimesOf, type RecordingStatistics, type StreamStatistics } from "../memory/statistics";
+import { Client, type Connection, type Listener, type Socket } from "../source/client";
+import { ClockExchange } from "../source/clock_exchange";
+import type { PlaybackState, PlaybackWish } from "../source/frames";
+import type { Target } from "../source/target";
+import type { Channel, Level, ServerInfo } from "../source/texts";
+import { Wishes } from "../source/wishes";
+import { now } from "./frame.svelte";
+
+/** Bodies that are no real robot; the page names them, so that nobody takes them for live. */
+const kBodyWords: Record<string, string> = { recording: "a recording", replay: "a replay", sim: "a simulation" };
+
+const kOutdated = 0.3; // [s] after a seek: an object without a message by then has no value there
+const kIntroduction = 1; // [s] for the introduction of a server without services
+const kSettled = 0.15; // [s] the page waits at a moment before the server seeks it too
+
+/** Receives a server's sentences. */
+export interface Speaker {
+  /** True if there are several servers. Then each sentence names its server. */
+  readonly several: boolean;
+  say(level: Level, text: string, key?: string): void;
+  dismiss(keys: string[]): void;
+  /** Called when somebody else moved the played recording, or when it cannot be moved. */
+  follow(server: Server): void;
+}
+
+export class Server implements Listener {
+  readonly memory: Memory;
+  readonly client: Client;
+
+  connectionState = $state.raw<Connection>({ state: "connecting" });
+  /** The reason why there is no connection. "" while connected, and before the first failed try. */
+  lost = $state("");
+  info = $state.raw<ServerInfo>();
+  /** Whether the server has announced everything. Our servers announce in parts, services last. */
+  toldAll = $state(false);
+  #introduced_s = 0; // begin of the introduction
+  parameterValues = $state.raw<ReadonlyMap<string, unknown>>(new Map());
+  serviceNames = $state.raw<string[]>([]);
+  #clock = new ClockExchange((request) => this.client.call("clock_sync", request));
+  /** The recording that this server plays, or undefined. */
+  played = $state.raw<Played>();
+  #told = $state(0); // counts changes of the playback
+  #wishes = new Wishes((wish, request) => this.client.ask(wish, request));
+  #sought: number | undefined; // [s] time of the last seek
+  #refused = false; // true after the server refused a wish: then only moments that the page holds can be shown
+  #left_ns: bigint | undefined; // the shown moment when the last wish was sent
+  #settling = { at_ns: undefined as bigint | undefined, since: 0 };
+  #offers = $state(0); // counts announced and withdrawn objects
+  #alertKeys = new Set<string>();
+
+  robots: RobotName[] = $derived.by(() => (this.#offers, this.memory.robots()));
+  /** Such as "a simulation"; "" for a real robot. */
+  body = $derived(kBodyWords[this.info?.metadata["body"] ?? ""] ?? "");
+
+  constructor(
+    readonly target: Target,
+    past: Past,
+    readonly speaker: Speaker,
+  ) {
+    this.memory = new Memory(past);
+    const url = new URL(target.url);
+    url.searchParams.set("playback", "yes"); // asks for the playback state
+    this.client = new Client(url.href, this, (url, subprotocols) => new WebSocket(url, subprotocols) as Socket);
+    this.client.start();
+  }
+
+  /** Ends the connection and forgets everything. */
+  stop(): void {
+    this.client.stop();
+    this.#clock.stop();
+    this.memory.reset();
+    this.speaker.dismiss([...this.#alertKeys]);
+  }
+
+  /** Counts announced and withdrawn objects; lists of objects read it. */
+  get offers(): number {
+    return this.#offers;
+  }
+
+  objectsOf(robot: RobotName) {
+    return (this.#offers, this.memory.objectsOf(robot));
+  }
+
+  // the played recording
+
+  /** Whether the recording is playing; reactive. */
+  get runs(): boolean {
+    return (void this.#told, this.played?.runs === true);
+  }
+  /** Whether the recording is at its end. */
+  get ended(): boolean {
+    return (void this.#told, this.played?.status === "ended");
+  }
+  /** 1 is real time; the last reported speed. */
+  get speed(): number {
+    return (void this.#told, this.played?.speed ?? 1);
+  }
+
+  /** The playhead, or the place of a pending wish. */
+  place(): bigint {
+    return this.#wishes.pending?.seek_ns ?? this.played?.at(now()) ?? 0n;
+  }
+
+  /** Whether a wish is pending. */
+  get asked(): boolean {
+    return this.#wishes.pending !== undefined;
+  }
+  /** Whether it plays, or a pending wish asks it to. */
+  get goes(): boolean {
+    return this.#wishes.pending?.play ?? this.runs;
+  }
+
+  /** Sends a wish. The shown moment stays until the answer arrives. */
+  ask(wish: PlaybackWish): void {
+    this.#left_ns = this.memory.moment_ns;
+    this.#wishes.ask(wish, now());
+  }
+
+  /** Pauses at `at_ns`: at once if the page holds the moment, else by a wish. */
+  stand(at_ns: bigint): void {
+    if (this.memory.holds(at_ns)) this.memory.show(at_ns);
+    else if (this.#refused) this.speaker.follow(this);
+    else this.ask({ play: false, speed: this.speed, seek_ns: at_ns });
+  }
+
+  /** Called before each drawing. */
+  frame(): void {
+    const time = now();
+    this.memory.reached(time);
+    if (this.info && !this.toldAll && time - this.#introduced_s > kIntroduction) this.toldAll = true;
+    if (this.#sought !== undefined && time - this.#sought > kOutdated) {
+      this.#sought = undefined;
+      this.memory.dropOutdated();
+    }
+    if (this.#wishes.gaveUp(time)) {
+      this.#refused = true;
+      if (this.memory.moment_ns === undefined) this.speaker.follow(this);
+    }
+    this.#settle(time);
+  }
+
+  /** Makes the server seek the shown moment too. The page stores fewer images, and no object that was opened later. */
+  #settle(time: number): void {
+    const at_ns = this.played && this.memory.moment_ns;
+    if (at_ns !== this.#settling.at_ns) this.#settling = { at_ns, since: time };
+    if (at_ns === undefined || time - this.#settling.since < kSettled || this.asked || this.#refused) return;
+    this.#wishes.ask({ play: false, speed: this.speed, seek_ns: at_ns }, time);
+  }
+
+  /** Calls a service and shows a failure as an alert. Returns true on success. */
+  async do(service: string, request: object): Promise<boolean> {
+    try {
+      await this.client.call(service, request);
+      this.removeStatus([`service ${service}`]);
+      return true;
+    } catch (error) {
+      this.status("error", (error as Error).message, `service ${service}`);
+      return false;
+    }
+  }
+
+  /** The server's own statistics of its streams, by topic. Empty before the first `runtime` object. */
+  statistics(): Map<string, StreamStatistics> {
+    return allStreamStatistics(runtimesOf([...this.memory.objects()]));
+  }
+
+  recording(): RecordingStatistics | undefined {
+    const [runtime] = runtimesOf([...this.memory.objects()]);
+    return runtime && recordingStatistics(runtime);
+  }
+
+  // events of the client
+
+  connection(connection: Connection): void {
+    this.connectionState = connection;
+    if (connection.state === "open") this.lost = "";
+    if (connection.state === "waiting") this.lost = connection.why;
+  }
+  introduced(info: ServerInfo, fresh: boolean, restarted: boolean): void {
+    this.info = info;
+    if (restarted) return this.#beginAgain();
+    if (!fresh) return;
+    this.toldAll = false;
+    this.#introduced_s = now();
+    this.memory.reset();
+    this.#wishes.clear();
+    this.#refused = false;
+    this.memory.played = this.played = info.capabilities.includes("playbackControl") && info.span ? new Played(info.span.start_ns, info.span.end_ns) : undefined;
+    this.speaker.dismiss([...this.#alertKeys]);
+    this.parameterValues = new Map();
+    ++this.#offers;
+  }
+  #beginAgain(): void {
+    const { played, memory } = this;
+    if (!played) return memory.restart();
+    played.heard(played.start_ns, now());
+    memory.sought(played.start_ns);
+    this.#sought = now();
+  }
+  playback(state: PlaybackState): void {
+    const { played, memory } = this;
+    if (!played) return;
+    const time = now();
+    this.#wishes.answered(state.request, time);
+    const isOurs = state.request !== ""; // also if late
+    if (isOurs) this.#refused = false;
+    played.told(state, time);
+    if (state.didSeek) {
+      memory.sought(state.time_ns);
+      this.#sought = time;
+    }
+    ++this.#told;
+    const shown_ns = memory.moment_ns;
+    if (shown_ns !== undefined && (shown_ns === state.time_ns || shown_ns === this.#left_ns || !memory.holds(shown_ns))) memory.show(undefined);
+    if (!isOurs) this.speaker.follow(this);
+  }
+  advertised(channels: Channel[]): void {
+    for (const channel of channels) this.memory.offer(channel);
+    ++this.#offers;
+  }
+  unadvertised(channels: Channel[]): void {
+    for (const { topic } of channels) this.memory.withdraw(topic);
+    ++this.#offers;
+  }
+  subscribed(topic: string, is: boolean): void {
+    this.memory.subscribed(topic, is, now());
+  }
+  message(topic: string, log_ns: bigint, data: Uint8Array): void {
+    this.memory.arrived(topic, log_ns, data, now());
+  }
+  time(now_ns: bigint): void {
+    this.memory.clock.heard(now_ns, now());
+    this.played?.heard(now_ns, now());
+  }
+  status(level: Level, message: string, id: string = message): void {
+    const key = `${this.target.host} ${id}`;
+    this.#alertKeys.add(key);
+    this.speaker.say(level, this.speaker.several ? `${this.target.host}: ${message}` : message, key);
+  }
+  removeStatus(ids: string[]): void {
+    this.speaker.dismiss(ids.map((id) => `${this.target.host} ${id}`));
+  }
+  parameters(values: { name: string; value: unknown }[]): void {
+    this.parameterValues = new Map([...this.parameterValues, ...values.map(({ name, value }) => [name, value] as const)]);
+  }
+  services(names: string[]): void {
+    this.serviceNames = names;
+    if (names.length > 0) this.toldAll = true;
+    if (names.includes("clock_sync")) this.#clock.start();
+    else this.#clock.stop();
+  }
+}

@@ -1,0 +1,34 @@
+// Canvases that fit their place on the page and use its colours.
+
+import type { Colours } from "../draw/timeline";
+
+/** Sets the canvas to the screen's resolution, clears it, and uses the page's pixels as its unit. */
+export function fitted(canvas: HTMLCanvasElement, pen: CanvasRenderingContext2D): { width: number; height: number } {
+  const ratio = window.devicePixelRatio;
+  const { clientWidth: width, clientHeight: height } = canvas;
+  const [fineWidth, fineHeight] = [Math.round(ratio * width), Math.round(ratio * height)];
+  if (canvas.width !== fineWidth) canvas.width = fineWidth;
+  if (canvas.height !== fineHeight) canvas.height = fineHeight;
+  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  pen.clearRect(0, 0, width, height);
+  return { width, height };
+}
+
+let known: { key: string; colours: Colours } | undefined;
+
+/** The page's colours in its current theme. */
+export function coloursOf(element: Element): Colours {
+  const style = getComputedStyle(element);
+  const key = style.color;
+  if (known?.key !== key) {
+    const probe = document.createElement("span");
+    document.body.append(probe);
+    const colour = (name: string) => {
+      probe.style.color = `var(${name})`;
+      return getComputedStyle(probe).color;
+    };
+    known = { key, colours: { ink: colour("--ink"), soft: colour("--soft"), line: colour("--line"), fill: colour("--fill"), accent: colour("--accent"), warn: colour("--warn") } };
+    probe.remove();
+  }
+  return known.colours;
+}
