@@ -8,7 +8,7 @@
 namespace robot::game {
 namespace {
 
-// "FSgt", version, team, player, flags, sender (4), then fields of two bytes each:
+// "FSgt", version, team, player, flags, sender (4). The other fields have two bytes each:
 // pose x, y [mm], heading [1/10000 rad], deviations x, y [mm], heading [1/10000 rad],
 // ball x, y [mm], velocity x, y [mm/s], deviation [mm], age [ms]
 constexpr std::string_view kLetters = "FSgt";
