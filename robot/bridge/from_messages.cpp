@@ -24,21 +24,22 @@ constexpr float kSameOpponent = 1;          // [m] a robot seen nearer to a know
 /// Counts in game time. A simulation may run faster or slower than real time.
 class Time {
  public:
-  explicit Time(const Recollection& from) : now_ns_(from.now_ns), speed_(from.speed) {}
+  explicit Time(const Recollection& from) : now_ns_(from.now_ns), speed_(from.speed), now_(from.now) {}
 
   /// Returns the time from `then_ns` to `later_ns` [ticks], at most an hour.
   Tick between(std::uint64_t then_ns, std::uint64_t later_ns) const {
     const double seconds = later_ns > then_ns ? static_cast<double>(later_ns - then_ns) / 1e9 : 0;
     return static_cast<Tick>(std::min(30 * speed_ * seconds + kRounding, 30 * 3600.));
   }
-  /// Returns the tick of `then_ns`, where the present is kNow.
-  Tick tick_of(std::uint64_t then_ns) const { return kNow - between(then_ns, now_ns_); }
+  /// Returns the tick of `then_ns`, where the present is `from.now`.
+  Tick tick_of(std::uint64_t then_ns) const { return now_ - between(then_ns, now_ns_); }
 
  private:
   static constexpr double kRounding = 1e-3;  // [ticks] capture times are whole nanoseconds
 
   const std::uint64_t now_ns_;
   const double speed_;
+  const Tick now_;
 };
 
 float finite(float value, float otherwise = 0) { return std::isfinite(value) ? value : otherwise; }
@@ -207,9 +208,9 @@ void see_opponents(const Recollection& from, const PlayerMap& lineup, sim::fores
 }
 
 /// Returns the body in its present action.
-sim::Body body_of(const pb::MotionStatus& status, const sim::motion::Model& model) {
+sim::Body body_of(const pb::MotionStatus& status, const sim::motion::Model& model, Tick now) {
   sim::Body body;
-  body.since = kNow;
+  body.since = now;
   if (status.fall() == pb::MotionStatus::FALL_FALLEN || status.fall() == pb::MotionStatus::FALL_FALLING) {
     body.doing = Doing::fallen;
     return body;
@@ -223,7 +224,7 @@ sim::Body body_of(const pb::MotionStatus& status, const sim::motion::Model& mode
     const float elapsed = std::clamp(model.kicks[kick].duration - finite(status.remaining()), 0.f, 10.f);
     body.doing = Doing::kicking;
     body.kick = static_cast<std::uint8_t>(kick);
-    body.since = kNow - sim::ticks(elapsed);
+    body.since = now - sim::ticks(elapsed);
     body.kick_done = elapsed >= model.kicks[kick].delay;
     return body;
   }
@@ -274,7 +275,7 @@ Result<sim::foresight::Knowledge> knowledge_of(const Recollection& from, const s
   if (own == 0)
     return Error{"player " + std::to_string(from.game->value.own_player()) + " does not play: players are " +
                  lineups.own.text()};
-  sim::foresight::Knowledge knowledge{.now = kNow, .game = game_of(from.game->value, own, params.rules)};
+  sim::foresight::Knowledge knowledge{.now = from.now, .game = game_of(from.game->value, own, params.rules)};
   sim::agent::Beliefs& beliefs = knowledge.beliefs;
   const pb::Pose& pose = from.pose->value;
   beliefs.pose = {pose_of(pose), std::max(pose.deviation_x(), pose.deviation_y()), finite(pose.deviation_heading(), 2)};
@@ -289,9 +290,9 @@ Result<sim::foresight::Knowledge> knowledge_of(const Recollection& from, const s
   see_opponents(from, lineups.opponents, knowledge);
   take_away(from.game->value.own(), lineups.own, params.rules.players, knowledge.away[0]);
   take_away(from.game->value.opponent(), lineups.opponents, params.rules.players, knowledge.away[1]);
-  if (from.motion) knowledge.body = body_of(from.motion->value, params.teams[0].models.motion);
+  if (from.motion) knowledge.body = body_of(from.motion->value, params.teams[0].models.motion, from.now);
   if (from.decision) knowledge.mind.role = role_of(from.decision->value.role());
-  knowledge.mind.role_since = knowledge.mind.leaf_since = kNow;
+  knowledge.mind.role_since = knowledge.mind.leaf_since = from.now;
   return knowledge;
 }
 

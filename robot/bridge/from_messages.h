@@ -32,10 +32,14 @@ struct Remembered {
   std::uint64_t capture_ns = 0;  // [ns since the epoch]
 };
 
+/// The tick of the present in a Knowledge made of a memory, unless a Recollection says otherwise. All other ticks are older.
+inline constexpr sim::Tick kNow = 1'000'000;
+
 /// The newest values at one moment. An absent object was never written.
 struct Recollection {
   std::uint64_t now_ns = 0;  // [ns since the epoch] the moment
   double speed = 1;          // [game seconds per second] of a simulation
+  sim::Tick now = kNow;      // [ticks] the same moment; at least an hour after tick 0
   std::optional<Remembered<pb::Ball>> ball;
   std::optional<Remembered<pb::Pose>> pose;
   std::optional<Remembered<pb::Team>> team;
@@ -82,9 +86,6 @@ const char* why_no_soccer(const pb::GameState& game);
 /// Reads the memory of `robot` ("14/2"), live or played, at `now_ns` [ns since the epoch]. The memory of a recording that was
 /// moved back may hold later data: these are left out.
 Recollection recollect(const memory::Channels& channels, const std::string& robot, std::uint64_t now_ns);
-
-/// The tick of the present in each Knowledge made of a memory. All other ticks are older.
-inline constexpr sim::Tick kNow = 1'000'000;
 
 /// An older pose is useless.
 inline constexpr float kStalePose = 3;  // [s]

@@ -39,6 +39,7 @@ export const rows = {
   "robot/net/foxglove": ["robot/core", "robot/memory", "robot/image", "robot/logging/mcap", "robot/logging/streams", "robot/net/websocket", "proto"],
   "robot/net/serve": ["robot/core", "robot/memory", "robot/logging/mcap", "robot/logging/streams", "robot/logging/sessions", "robot/net/http", "robot/net/websocket", "robot/net/foxglove"],
   "robot/net": ["robot/net/http", "robot/net/websocket", "robot/net/foxglove", "robot/net/serve"],
+  "robot/agent": ["robot/core", "robot/memory", "robot/bridge", "proto", "sim/math", "sim/field", "sim/motion", "sim/world", "sim/agent", "sim/match", "sim/foresight", "sim/io"],
   "robot/foresight": ["robot/core", "robot/memory", "robot/bridge", "proto", "sim/math", "sim/field", "sim/motion", "sim/world", "sim/agent", "sim/referee", "sim/match", "sim/foresight", "sim/io"],
   "robot/bridge": ["robot/core", "robot/memory", "proto", "sim/math", "sim/field", "sim/motion", "sim/world", "sim/agent", "sim/perception", "sim/referee", "sim/match", "sim/foresight"],
   "robot/game": ["robot/core", "robot/memory", "proto"],

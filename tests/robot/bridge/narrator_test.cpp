@@ -95,9 +95,9 @@ TEST(Narrator, TakesTheBallsDecelerationFromTheRobotsOwnTeam) {
   Narrated narrated({.models = {"perfect", "perfect,ball.deceleration=0.8"}, .pace = sim::Pace::every_tick});
   for (int tick = 0; tick < 30 * 30; ++tick) {
     narrated.tick();
-    for (const auto& [topic, expected] : std::map<std::string, float>{
-             {"/14/2/ball", narrated.prepared.params.teams[0].models.ball.deceleration},
-             {"/5/2/ball", narrated.prepared.params.teams[1].models.ball.deceleration}}) {
+    for (const auto& [topic, expected] :
+         std::map<std::string, float>{{"/14/2/ball", narrated.prepared.params.teams[0].models.ball.deceleration},
+                                      {"/5/2/ball", narrated.prepared.params.teams[1].models.ball.deceleration}}) {
       if (!narrated.channels.find(topic)->newest()) continue;
       const auto ball = narrated.newest<foresight::Ball>(topic);
       const float slowing = std::hypot(ball.acceleration_x(), ball.acceleration_y());
