@@ -22,6 +22,10 @@ void add_body_options(CLI::App& app, RobotOptions& options) {
   app.add_option("--door", options.door,
                  "socket by which a team's processes join body attached or nao; $FORESIGHT_DOOR, or one of this user's "
                  "if not given");
+  app.add_option(
+      "--behaviour", options.behaviour,
+      "strategy of ours that decides 30 times a second for body attached or nao, by name or path; if not given "
+      "a team's process writes motion_command");
   app.add_option("--guardian", options.guardian,
                  "link of the guardian for body nao; $FORESIGHT_GUARDIAN, or one of this user's if not given");
   app.add_option(
@@ -121,6 +125,7 @@ const std::string& own_strategy_of(const RobotOptions& options) {
 
 std::set<std::string> written_by_us(const RobotOptions& options) {
   std::set<std::string> objects{"forecast", "forecast_score", "strategy"};
+  if (!options.behaviour.empty()) objects.insert({"motion_command", "decision"});
   if (options.game_controller) objects.insert("game");
   if (options.return_packets || options.team_messages) objects.insert("team");
   return objects;

@@ -21,6 +21,7 @@ struct RobotOptions {
   bool loop = false;
 
   // bodies attached and nao
+  std::string behaviour;       // of ours, that decides on the robot; empty: a team's process decides
   std::filesystem::path door;  // empty: where clients look for it
 
   // body nao

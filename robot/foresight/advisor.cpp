@@ -74,7 +74,7 @@ Advisor::~Advisor() {
 }
 
 Result<pb::Forecast> Advisor::ask(pb::WhatIf question) {
-  Result<pb::Forecast> forecast = foreseer_->ask_and_wait(question, recollect(channels_, robot_, now_ns_()));
+  Result<pb::Forecast> forecast = foreseer_->ask_and_wait(question, bridge::recollect(channels_, robot_, now_ns_()));
   if (forecast) keep(*forecast);
   return forecast;
 }
@@ -121,11 +121,11 @@ void Advisor::look(Triggers& triggers) {
   if (missed > 0)
     report(Level::warning, "foresight",
            "left " + std::to_string(missed) + " questions unanswered, which came faster than they can be read");
-  if (options.on) ask_of_own_accord(recollect(channels_, robot_, now_ns), options, triggers);
+  if (options.on) ask_of_own_accord(bridge::recollect(channels_, robot_, now_ns), options, triggers);
 }
 
 /// As the captain, where there is a reason.
-void Advisor::ask_of_own_accord(const Recollection& now, const AskingOptions& options, Triggers& triggers) {
+void Advisor::ask_of_own_accord(const bridge::Recollection& now, const AskingOptions& options, Triggers& triggers) {
   const char* const why = triggers.look(now, static_cast<std::uint64_t>(options.period * 1e9));
   if (!why || captain_asks_) return;
   pb::WhatIf question;
@@ -155,7 +155,7 @@ void Advisor::take_question(const memory::Version& version) {
   newest_id_ = question.id();
   const std::uint64_t now_ns = now_ns_();
   if (captain_waits_ && !foreseer_->idle()) return keep(refused(question, now_ns, kBusy));
-  const Result<void> asked = foreseer_->ask(question, recollect(channels_, robot_, now_ns),
+  const Result<void> asked = foreseer_->ask(question, bridge::recollect(channels_, robot_, now_ns),
                                             [this](const pb::Forecast& forecast) { keep(forecast); });
   if (!asked) keep(refused(question, now_ns, asked.error()));
 }
@@ -179,7 +179,7 @@ void Advisor::decide(const pb::Forecast& forecast, int leader) {
   std::string before, reason;
   {
     const std::lock_guard guard(lock_);
-    if (!options_().on || !leads(leader) || Moment{now_ns_()}.is_before(forecast.asked_ns())) return;
+    if (!options_().on || !leads(leader) || bridge::Moment{now_ns_()}.is_before(forecast.asked_ns())) return;
     before = strategies_[static_cast<std::size_t>(following_.choice().played())];
     reason = reason_of(forecast, before, *choice);
     following_.choose(static_cast<int>(choice - strategies_.begin()), forecast.asked_ns());
@@ -199,7 +199,7 @@ bool Advisor::leads(int player) const {
 void Advisor::follow(std::uint64_t now_ns, const AskingOptions& options) {
   const auto game = memory_.game.read();
   const auto team = memory_.team.read();
-  const Moment now = moment_of(channels_, now_ns);
+  const bridge::Moment now = bridge::moment_of(channels_, now_ns);
   bool due = false;
   {
     const std::lock_guard guard(lock_);
@@ -235,8 +235,8 @@ void Advisor::write_strategy(std::uint64_t now_ns) {
 }
 
 void Advisor::score(std::uint64_t now_ns) {
-  std::vector<Remembered<pb::Forecast>> forecasts;
-  std::vector<Remembered<pb::Strategy>> played;
+  std::vector<bridge::Remembered<pb::Forecast>> forecasts;
+  std::vector<bridge::Remembered<pb::Strategy>> played;
   {
     const std::lock_guard guard(lock_);
     forecasts.swap(unscored_);

@@ -64,7 +64,7 @@ class Advisor {
   std::shared_ptr<const memory::Version> next_heard(std::uint64_t until_ns);
   void take_question(const memory::Version& version);
   void look(Triggers& triggers);
-  void ask_of_own_accord(const Recollection& now, const AskingOptions& options, Triggers& triggers);
+  void ask_of_own_accord(const bridge::Recollection& now, const AskingOptions& options, Triggers& triggers);
   void keep(const pb::Forecast& forecast);
   void decide(const pb::Forecast& forecast, int leader);
   bool leads(int player) const;
@@ -87,8 +87,8 @@ class Advisor {
   int captain_ = 0;
   std::uint64_t written_ns_ = 0;  // when `strategy` was written last
   // that the scorer has not heard yet
-  std::vector<Remembered<pb::Forecast>> unscored_;
-  std::vector<Remembered<pb::Strategy>> played_;
+  std::vector<bridge::Remembered<pb::Forecast>> unscored_;
+  std::vector<bridge::Remembered<pb::Strategy>> played_;
   // of the advisor's own thread
   Scorer scorer_;
   std::optional<std::uint64_t> newest_id_;  // of the questions in memory

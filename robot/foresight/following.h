@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "proto/foresight/team.pb.h"
-#include "robot/foresight/moment.h"
+#include "robot/bridge/moment.h"
 #include "sim/agent/choice.h"
 
 namespace robot::foreseeing {
@@ -21,11 +21,11 @@ class Following {
   explicit Following(int strategies) : strategies_(strategies) {}
 
   /// Takes over what teammates told. `captain` chooses, 0: nobody; `player` is this robot.
-  void hear(const pb::Team& team, int captain, int player, const Moment& now);
+  void hear(const pb::Team& team, int captain, int player, const bridge::Moment& now);
 
   /// Lets go of a choice that is stale; where this robot asks every `period_ns` of game time itself, that much later.
   /// Where time was moved back, of one that is still to come and of what was before it. To be called now and then.
-  void forget(const Moment& now, std::uint64_t period_ns = 0);
+  void forget(const bridge::Moment& now, std::uint64_t period_ns = 0);
 
   /// As the captain; confirms what is played when it is the same.
   void choose(int strategy, std::uint64_t told_ns);

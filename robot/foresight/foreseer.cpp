@@ -22,7 +22,8 @@ constexpr std::size_t kMostJobs = 2;       // one runs, one waits
 constexpr std::size_t kMostPlaybooks = 8;  // kept ready
 constexpr std::uint64_t kMillion = 1'000'000;
 
-void add_paths(const pf::StrategyStatistics& account, const Lineup& lineup, pb::Forecast::StrategyForecast& told) {
+void add_paths(const pf::StrategyStatistics& account, const bridge::PlayerMap& lineup,
+               pb::Forecast::StrategyForecast& told) {
   for (const pf::Path& path : account.paths) {
     if (path.points == 0) continue;
     pb::Forecast::Path& shown = *told.add_paths();
@@ -43,7 +44,7 @@ void add_paths(const pf::StrategyStatistics& account, const Lineup& lineup, pb::
     for (const std::uint32_t count : row) told.add_heat(count);
 }
 
-void fill(const pf::Standing& standing, const pf::StrategyStatistics& account, const Lineup& lineup,
+void fill(const pf::Standing& standing, const pf::StrategyStatistics& account, const bridge::PlayerMap& lineup,
           pb::Forecast::StrategyForecast& told) {
   told.set_rollouts(static_cast<std::uint32_t>(standing.rollouts));
   told.set_mean(static_cast<float>(standing.mean));
@@ -58,7 +59,7 @@ void fill(const pf::Standing& standing, const pf::StrategyStatistics& account, c
   add_paths(account, lineup, told);
 }
 
-void fill(const pf::Situation& situation, const sim::field::Rules& rules, const Lineups& lineups,
+void fill(const pf::Situation& situation, const sim::field::Rules& rules, const bridge::PlayerMaps& lineups,
           pb::Forecast::Situation& told) {
   const sim::World& world = situation.state.world;
   const sim::referee::Book& book = situation.state.book;
@@ -177,7 +178,8 @@ bool Foreseer::idle() {
   return jobs_.empty();
 }
 
-Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollection, Answered answered, Whose robot) {
+Result<void> Foreseer::ask(const pb::WhatIf& asked, const bridge::Recollection& recollection, Answered answered,
+                           Whose robot) {
   Result<pb::WhatIf> question = complete(asked, options_.strategies);
   if (!question) return Error{question.error()};
   const std::uint32_t told = recollection.game ? recollection.game->value.players_per_team() : 0;
@@ -186,12 +188,13 @@ Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollec
   if (!playbook) return Error{playbook.error()};
   const sim::Params& params = (*playbook)->params.front();
 
-  const Lineups lineups(recollection.game ? recollection.game->value : pb::GameState(), params.rules.players);
+  const bridge::PlayerMaps lineups(recollection.game ? recollection.game->value : pb::GameState(),
+                                   params.rules.players);
   auto job = std::make_unique<Job>(Job{.lineups = lineups});
   job->asked_ns = recollection.now_ns;
   job->speed = recollection.speed;
   job->arrived_ns = monotonic_ns();
-  auto knowledge = knowledge_of(recollection, params);
+  auto knowledge = bridge::knowledge_of(recollection, params);
   if (knowledge && question->has_edit()) tell(question->edit(), lineups, *knowledge);
   const pf::Believed believed =
       knowledge ? pf::believe(params, *knowledge) : pf::Believed{.situation = {}, .refusal = knowledge.error()};
@@ -222,7 +225,8 @@ Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollec
   return {};
 }
 
-Result<pb::Forecast> Foreseer::ask_and_wait(const pb::WhatIf& question, const Recollection& recollection, Whose robot) {
+Result<pb::Forecast> Foreseer::ask_and_wait(const pb::WhatIf& question, const bridge::Recollection& recollection,
+                                            Whose robot) {
   const auto answer = std::make_shared<std::promise<pb::Forecast>>();
   auto coming = answer->get_future();
   if (Result<void> asked = ask(

@@ -12,14 +12,16 @@
 #include <vector>
 
 #include "proto/foresight/forecast.pb.h"
+#include "robot/bridge/from_messages.h"
+#include "robot/bridge/player_map.h"
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
-#include "robot/foresight/knowledge.h"
-#include "robot/foresight/lineup.h"
 #include "robot/foresight/rollouts.h"
 #include "sim/io/playbook.h"
 
 namespace robot::foreseeing {
+
+namespace pb = ::foresight;
 
 /// Of games that nobody says more of.
 inline constexpr const char* kNewestRules = "spl2025";
@@ -66,18 +68,18 @@ class Foreseer {
   /// Asks from where `recollection` is. One question runs at a time, and one may wait for it: a third is refused, and so
   /// is what makes no sense; then `answered` is not called. What cannot be told is an answer, with its `refusal`; it comes
   /// before this returns. The budget counts from when the question runs.
-  Result<void> ask(const pb::WhatIf& question, const Recollection& recollection, Answered answered,
+  Result<void> ask(const pb::WhatIf& question, const bridge::Recollection& recollection, Answered answered,
                    Whose robot = Whose::own);
 
   /// As above, and waits for the answer.
-  Result<pb::Forecast> ask_and_wait(const pb::WhatIf& question, const Recollection& recollection,
+  Result<pb::Forecast> ask_and_wait(const pb::WhatIf& question, const bridge::Recollection& recollection,
                                     Whose robot = Whose::own);
 
  private:
   struct Job {
     pb::WhatIf question;
     Futures futures;
-    Lineups lineups;
+    bridge::PlayerMaps lineups;
     std::uint64_t asked_ns = 0;    // [ns since the epoch] of the moment it is about
     double speed = 1;              // [game seconds per second]
     std::uint64_t arrived_ns = 0;  // [monotonic]

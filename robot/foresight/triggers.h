@@ -3,9 +3,11 @@
 
 #include <cstdint>
 
-#include "robot/foresight/knowledge.h"
+#include "robot/bridge/from_messages.h"
 
 namespace robot::foreseeing {
+
+namespace pb = ::foresight;
 
 /// The player that chooses for the whole team: the unpenalised field player of the lowest number. 0: nobody plays, or the
 /// GameController has not told who does.
@@ -23,7 +25,7 @@ class Triggers {
   /// while the game is in play; and where time was moved back, as at the beginning. A reason stays one until asked() or
   /// until things are again as they were at the last question. Only ever for the captain, and only in READY, SET and
   /// PLAYING of a game that is no shoot-out.
-  const char* look(const Recollection& now, std::uint64_t period_ns);
+  const char* look(const bridge::Recollection& now, std::uint64_t period_ns);
 
   /// The question was asked, at the moment that look() saw last.
   void asked();
@@ -42,6 +44,6 @@ class Triggers {
 };
 
 /// An opponent stands between the ball and the middle of the others' goal, so near that a kick would meet it.
-bool way_is_blocked(const Recollection& now, float goal_x);
+bool way_is_blocked(const bridge::Recollection& now, float goal_x);
 
 }  // namespace robot::foreseeing
