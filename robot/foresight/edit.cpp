@@ -16,12 +16,12 @@ using sim::Vec2;
 
 bool is_within(float value, float least, float most) { return value >= least && value <= most; }
 
-/// Of a place [m] that is refused later, where it is none on the field.
+/// Returns the place [m]. A place off the field is refused later.
 bool is_sane(float place) { return is_within(place, -100, 100); }
 
 sim::Side side_of(const pb::WhatIf::MovedRobot& robot) { return robot.opponent() ? sim::Side::away : sim::Side::home; }
 
-/// The body's index of a moved robot that plays, in a situation whose own side is home.
+/// Returns the body's index of a moved robot, in a situation whose own side is home.
 int index_of(const pb::WhatIf::MovedRobot& robot, const bridge::PlayerMaps& lineups) {
   return sim::robot_of(side_of(robot), lineups.of(side_of(robot)).place_of(robot.player()));
 }
@@ -36,7 +36,7 @@ Result<void> check_place(const sim::field::Field& field, const std::string& who,
   return {};
 }
 
-/// Nobody stands in anybody, nor on the ball, as far as the edit has a say in it.
+/// Checks that no edited robot overlaps another robot or the ball.
 Result<void> check_apart(const pb::WhatIf::Edit& edit, const bridge::PlayerMaps& lineups,
                          const sim::ContactModel& contact, const sim::World& world) {
   std::string problem;
@@ -48,7 +48,7 @@ Result<void> check_apart(const pb::WhatIf::Edit& edit, const bridge::PlayerMaps&
       if (other == robot || body.doing == sim::Body::Doing::removed) return;
       const bool moved_too = std::any_of(edit.robots().begin(), edit.robots().end(),
                                          [&](const auto& one) { return index_of(one, lineups) == other; });
-      // who was not moved is only believed to be there
+      // the place of a robot that was not moved is only a belief
       if (moved_too && sim::distance(body.position, at) < 2 * contact.robot_radius)
         problem = name_of(moved) + " stands in another robot";
     });

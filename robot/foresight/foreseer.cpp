@@ -83,11 +83,11 @@ void fill(const pf::Situation& situation, const sim::field::Rules& rules, const 
   });
 }
 
-/// [s] that each rollout looks at most.
+/// Returns the longest simulated time of a rollout [s].
 float horizon_of(const pb::WhatIf& question, const sim::field::Rules& rules, const sim::referee::Book& book) {
   const bool is_half = question.until() == pb::WhatIf::UNTIL_HALF;
   if (!is_half && question.until() != pb::WhatIf::UNTIL_GAME) return question.horizon();
-  // the clock of a half stands until its kick-off
+  // the clock of a half does not run before its kick-off
   using Phase = sim::agent::Game::Phase;
   const float before = rules.ready_duration + rules.set_duration;
   const bool stands = book.clock == 0 && book.phase != Phase::playing;
@@ -97,7 +97,7 @@ float horizon_of(const pb::WhatIf& question, const sim::field::Rules& rules, con
   return left + static_cast<float>(halves) * (before + rules.half_duration);
 }
 
-/// What every answer says, whatever came of it.
+/// Fills the fields that every answer has.
 pb::Forecast began(const pb::WhatIf& question, std::uint64_t asked_ns, double speed,
                    const sim::io::PlaybookChoice& choice) {
   pb::Forecast forecast;
@@ -111,7 +111,7 @@ pb::Forecast began(const pb::WhatIf& question, std::uint64_t asked_ns, double sp
   return forecast;
 }
 
-/// Luck of its own for each question, and the same for the same question about the same moment.
+/// Returns the seed of a question: the same for the same question about the same moment.
 sim::RandomKey key_of(const pb::WhatIf& question, const pf::Situation& situation) {
   sim::Hash hash;
   hash.add(sim::hash_of(situation.state));
@@ -128,7 +128,7 @@ Whose whose(const std::string& robot, const std::string& own) {
 Result<std::unique_ptr<Foreseer>> Foreseer::open(ForeseerOptions options) {
   if (options.strategies.empty()) return Error{"foresight: there are no strategies to choose from"};
   auto made = std::unique_ptr<Foreseer>(new Foreseer(std::move(options)));
-  // everything is read once, so that a wrong file is told now
+  // everything is read once, so that a wrong file is reported now
   if (const auto playbook = made->playbook_for(made->options_.strategies.front(), 0, Whose::own); !playbook)
     return Error{"foresight: " + playbook.error()};
   else
@@ -149,7 +149,7 @@ Foreseer::~Foreseer() {
   if (answering_.joinable()) answering_.join();
 }
 
-/// Of all strategies against that opponent, in the order of the options; 0 players: as the rules say.
+/// Returns the playbook of all strategies against that opponent, in the order of the options. 0 players: as in the rules.
 Result<std::shared_ptr<const sim::io::Playbook>> Foreseer::playbook_for(const std::string& opponent, int players,
                                                                         Whose robot) {
   const std::lock_guard guard(preparing_);
@@ -236,7 +236,7 @@ Result<pb::Forecast> Foreseer::ask_and_wait(const pb::WhatIf& question, const br
   return coming.get();
 }
 
-/// The thread that answers.
+/// Runs the answering thread.
 void Foreseer::answer() {
   name_thread("advice");
   Rollouts rollouts(options_.share);

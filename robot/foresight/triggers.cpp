@@ -10,11 +10,11 @@ namespace {
 
 using sim::Vec2;
 
-// of game time
+// times are game time
 constexpr std::uint64_t kBallLostNs = 4'000'000'000;
-constexpr std::uint64_t kFreshNs = 3'000'000'000;  // an opponent that was seen since is still about there
-constexpr float kKickWay = 1.5f;                   // [m] before the ball that a kick needs free
-constexpr float kBeside = 0.35f;                   // [m] from the middle of the way: a robot and the ball's width
+constexpr std::uint64_t kFreshNs = 3'000'000'000;  // [ns] an opponent seen within this time is still near that place
+constexpr float kKickWay = 1.5f;                   // [m] free way in front of the ball for a kick
+constexpr float kBeside = 0.35f;                   // [m] from the middle of the way: a robot's and the ball's width
 
 bool is_on_way(Vec2 ball, Vec2 opponent, Vec2 goal) {
   const Vec2 to_goal = goal - ball;

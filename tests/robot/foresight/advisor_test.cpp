@@ -278,7 +278,7 @@ TEST(Advisor, TheCaptainGivesUpWhatIsNotBetterThanTheDefaultForSure) {
   EXPECT_EQ(reason.find("back to baseline: kick_now "), 0u) << reason;
 }
 
-/// What is played once the captain's question, which runs while `change` comes, is answered and everything ended.
+/// Returns the strategy after `change` came during the captain's question and the question was answered.
 pb::Strategy played_after(const std::function<void(Fixture&)>& change, double horizon = 5) {
   Fixture fixture(false, 2000, play_second);
   fixture.horizon = horizon;

@@ -156,7 +156,7 @@ TEST(Foreseer, NamesAllByTheirJerseys) {
             "own player 3 does not play: players are 9, 12, 14, 20");
 }
 
-/// Who has not seen the ball for a while takes it to be somewhere else now and then.
+/// A robot that has not seen the ball for a while expects it elsewhere in some of its futures.
 TEST(Foreseer, SaysHowLikelyTheBallIsElsewhere) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
