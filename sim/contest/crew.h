@@ -1,4 +1,4 @@
-// Processes that play blocks of pairs. One that dies, whoever killed it, is replaced, and its block played anew.
+// Processes that play blocks of pairs. A process that dies is replaced, and its block is played again.
 #pragma once
 
 #include <sys/types.h>
@@ -15,37 +15,37 @@
 
 namespace sim::contest {
 
-/// A block that was played.
+/// A finished block.
 struct PlayedBlock {
   std::int64_t number = 0;
   std::vector<compare::Pair> pairs;
   DecisionCost cost[2];  // of A, of B
 };
 
-/// Used by one thread of a process that has no other.
+/// The workers of a run. Used by the only thread of its process.
 class Crew {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Nobody is hired before there is something to do. `comparison` outlives this.
+  /// Starts no worker before the first block. `comparison` outlives this.
   Crew(const Comparison& comparison, int jobs) : comparison_(comparison), workers_(static_cast<std::size_t>(jobs)) {}
-  /// Whoever still plays is sent away.
+  /// Ends all workers.
   ~Crew();
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
 
   bool has_somebody_idle() const;
-  /// To somebody who is idle.
+  /// Gives a block to an idle worker.
   robot::Result<void> give(std::int64_t block);
-  /// The next block that somebody has finished; nothing when the time is over. An Error where a game cannot be played.
+  /// Returns the next finished block, or nothing at the deadline. Returns an Error if a game cannot be played.
   std::optional<robot::Result<PlayedBlock>> wait(Clock::time_point deadline);
 
  private:
   struct Worker {
-    pid_t pid = -1;  // -1: not hired
+    pid_t pid = -1;  // -1: not started
     robot::FileDescriptor line;
     std::int64_t block = -1;  // -1: idle
-    int deaths = 0;           // over this block
+    int deaths = 0;           // during this block
   };
 
   robot::Result<void> hire(Worker& worker);

@@ -1,4 +1,4 @@
-// Moments in the midst of games, at which somebody might ask what becomes of them.
+// Moments in the middle of games, for questions about their continuation.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace sim::contest {
 
-/// Plays a game and shows it at most `count` times, evenly spaced, in play. Each time `robot` (its index) has just had its
-/// turn, as a captain who asks: between two of its turns its beliefs would be as old as half a second.
+/// Plays a game and calls `see` at most `count` times, evenly spaced, while the ball is in play. Each time `robot` (its
+/// index) has just had its turn, like a captain that asks. Between two turns its beliefs would be up to half a second old.
 void for_each_moment(const Params& params, std::uint64_t seed, int count, int robot,
                      const std::function<void(const State&)>& see);
 

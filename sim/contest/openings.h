@@ -1,4 +1,4 @@
-// Where games begin: at the kick-off, in a described moment, or in the moments of a folder, evenly.
+// The start of games: the kick-off, a described moment, or the moments of a folder in turn.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,27 @@
 
 namespace sim::contest {
 
-/// Any thread.
+/// The starts of a run's games. Any thread.
 class Openings {
  public:
-  /// `from`: the name of an embedded situation, a file or a folder of them; empty: the kick-off. `fuzz`: each game begins
-  /// with everybody a little elsewhere. `params` are of the games: each moment must be possible by their rules.
+  /// Reads the starts. `from` names an embedded situation, a file or a folder of files; empty means the kick-off. With `fuzz`
+  /// each game begins with slightly other places. Each moment must be possible by the rules in `params`.
   static robot::Result<Openings> read(const std::string& from, bool fuzz, const Params& params);
 
-  /// The state in which the game of that seed begins, and what the referee says then.
+  /// Returns the first state of the game with that seed, and the referee's events.
   State begin(const Params& params, std::uint64_t seed, referee::Events& events) const;
   State begin(const Params& params, std::uint64_t seed) const;
 
-  /// A number for what the descriptions say.
+  /// Returns a hash of the descriptions.
   std::uint64_t content() const;
 
  private:
-  struct Moment {
+  struct Start {
     std::string text, called;
     State state;
   };
 
-  std::vector<Moment> moments_;  // by name of the file; none: the kick-off
+  std::vector<Start> starts_;  // by file name; empty: the kick-off
   bool fuzz_ = false;
 };
 

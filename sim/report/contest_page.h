@@ -1,4 +1,4 @@
-// A comparison as one page: a file to be opened, kept and sent, without scripts and without anything from elsewhere.
+// A comparison as one HTML page: a file to open, keep and send, without scripts and external resources.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace sim::report {
 
-/// From what to_whole_json(report) says: each figure on the page is one of its.
+/// Returns the page of a to_whole_json(report). Each figure on the page is one of that JSON.
 std::string page_of(const Json& report);
 
 }  // namespace sim::report

@@ -1,4 +1,4 @@
-// What a comparison found, for people and for programs.
+// The result of a comparison as text and JSON.
 #pragma once
 
 #include <string>
@@ -14,17 +14,17 @@ struct ContestReport {
   const contest::Outcome& outcome;
 };
 
-/// The verdict in one sentence.
+/// Returns the verdict in one sentence.
 std::string sentence_of(const ContestReport& report);
 
-/// All of it but what hangs on the machine.
+/// Returns everything except the figures that depend on the machine.
 Json to_json(const ContestReport& report);
-/// With that: how long it took, and what a decision costs.
+/// Returns everything, with the duration and the cost of a decision.
 Json to_whole_json(const ContestReport& report);
-/// With the decisive pairs and how to see them, where that is asked for.
+/// Returns the text, with `explain` also the decisive pairs and the commands that show them.
 std::string to_text(const ContestReport& report, bool explain);
 
-/// How many games an answer takes, going by a pilot.
+/// Return the number of games for an answer, estimated from a pilot run.
 Json plan_json(const ContestReport& pilot);
 std::string plan_text(const ContestReport& pilot);
 

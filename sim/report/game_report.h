@@ -1,4 +1,4 @@
-// What a game was like, for people and for programs.
+// The report of a game as text and JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,8 +13,8 @@ namespace sim::report {
 
 using Json = nlohmann::ordered_json;
 
-/// A decision of the referee and when it fell, by the clock that people watch.
-struct Moment {
+/// A decision of the referee and its time on the match clock.
+struct Decision {
   referee::Event event;
   int half;
   float clock;   // [s] of the half that had run
@@ -24,19 +24,19 @@ struct Moment {
 struct GameReport {
   std::uint64_t seed = 0;
   Result result{};
-  std::vector<Moment> moments;
+  std::vector<Decision> decisions;
 };
 
-/// "home 3", "away", …; empty where it is about nobody.
+/// Returns the robot or side of the event, such as "home 3" or "away", or an empty string.
 std::string who(const referee::Event& event);
-/// "07:31" of 451 s.
+/// Returns "07:31" for 451 s.
 std::string clock_text(float seconds);
 
 Json to_json(const GameReport& report, int players);
-/// The score, a table of both sides, and what happened when.
+/// Returns the score, a table of both sides, and the events with their times.
 std::string to_text(const GameReport& report, const io::Matchup& choice, const Params& params);
 
-/// Several games: means with standard errors.
+/// Return means with standard errors of several games.
 Json to_json(const std::vector<GameReport>& reports, int players);
 std::string to_text(const std::vector<GameReport>& reports, const io::Matchup& choice, const Params& params);
 
