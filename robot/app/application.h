@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "robot/app/services/game_control.h"
+#include "robot/app/services/game_service.h"
 #include "robot/core/clock.h"
 #include "robot/logging/sessions/downloads.h"
 #include "robot/logging/sessions/recorder.h"

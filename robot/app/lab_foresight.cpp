@@ -4,7 +4,7 @@
 #include <mutex>
 #include <utility>
 
-#include "robot/app/services/foresight_control.h"
+#include "robot/app/services/foresight_service.h"
 #include "robot/core/clock.h"
 #include "robot/logging/sessions/session.h"
 #include "robot/logging/sessions/session_provider.h"

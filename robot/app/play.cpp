@@ -116,11 +116,11 @@ Result<void> play(const PlayOptions& options) {
                    .played = [&replay](const net::PlayedRequest& asked) { return played_range(**replay, asked); }},
                   clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
-  add_what_if(runtime.services(), robot, seer.strategies(),
-              [&](const std::string& whose, const foresight::WhatIf& question) {
-                return seer.ask([&](const std::string& topic) { return (*replay)->stream_of(topic); }, whose, question,
-                                clock.now_ns());
-              });
+  add_what_if_service(runtime.services(), robot, seer.strategies(),
+                      [&](const std::string& whose, const foresight::WhatIf& question) {
+                        return seer.ask([&](const std::string& topic) { return (*replay)->stream_of(topic); }, whose,
+                                        question, clock.now_ns());
+                      });
   if (Result<void> started = runtime.start(); !started) return started;
   (*replay)->start(runtime.channels(), runtime.board());
   runtime.run([&] {

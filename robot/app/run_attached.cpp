@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "robot/app/runtime.h"
-#include "robot/app/services/foresight_control.h"
-#include "robot/app/services/parameter_object.h"
+#include "robot/app/services/foresight_service.h"
+#include "robot/app/services/parameter_service.h"
 #include "robot/body/attached/door.h"
 
 namespace robot::app {
@@ -17,10 +17,11 @@ Result<void> run_attached(const RobotOptions& options, const OwnBody& own) {
   Runtime runtime(runtime_options(options, robot), clock, own_objects(*memory));
   if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
   if (own.add_services) own.add_services(runtime.services());
-  const auto foresight = ForesightControl::open(foreseer_options(options), options.foresight.value_or(false), runtime,
+  const auto foresight = ForesightService::open(foreseer_options(options), options.foresight.value_or(false), runtime,
                                                 *memory, robot.text(), [&clock] { return clock.now_ns(); });
   if (!foresight) return Error{foresight.error()};
-  if (Result<void> listed = list_parameters(runtime.parameters(), robot.text(), runtime.channels(), clock); !listed)
+  if (Result<void> listed = add_parameter_service(runtime.parameters(), robot.text(), runtime.channels(), clock);
+      !listed)
     return listed;
   std::unique_ptr<body::Door> door;
   if (!options.plan) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "robot/app/runtime.h"
-#include "robot/app/services/foresight_control.h"
+#include "robot/app/services/foresight_service.h"
 #include "robot/body/replay/replay.h"
 
 namespace robot::app {
@@ -28,7 +28,7 @@ Result<void> run_replay(const RobotOptions& options) {
   Runtime runtime(runtime_options(options, robot), (*replay)->clock(), own_objects(*memory));
   if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
   const auto foresight =
-      ForesightControl::open(foreseer_options(options), options.foresight.value_or(false), runtime, *memory,
+      ForesightService::open(foreseer_options(options), options.foresight.value_or(false), runtime, *memory,
                              robot.text(), [&clock = (*replay)->clock()] { return clock.now_ns(); });
   if (!foresight) return Error{foresight.error()};
   const Result<bool> begun = begin(runtime, options);

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "robot/app/runtime.h"
-#include "robot/app/services/foresight_control.h"
-#include "robot/app/services/simulation_control.h"
+#include "robot/app/services/foresight_service.h"
+#include "robot/app/services/simulation_service.h"
 #include "robot/body/sim/sim_body.h"
 #include "robot/core/report.h"
 #include "robot/foresight/following.h"
@@ -81,10 +81,10 @@ Result<void> run_simulation(const RobotOptions& options) {
   if (!body) return Error{body.error()};
   Runtime runtime(runtime_options(options, robot), clock, own_objects(*(*body)->memory()));
   if (Result<void> listed = (*body)->list(runtime.channels()); !listed) return listed;
-  add_simulation_control(**body, runtime.services());
+  add_simulation_service(**body, runtime.services());
   // a game that is paused stands still for foresight, too
   const auto shown_ns = [&simulation = (*body)->memory()->simulation] { return simulation.read()->capture_ns(); };
-  const auto foresight = ForesightControl::open(foreseeing, options.foresight.value_or(true), runtime,
+  const auto foresight = ForesightService::open(foreseeing, options.foresight.value_or(true), runtime,
                                                 *(*body)->memory(), robot.text(), shown_ns);
   if (!foresight) return Error{foresight.error()};
   const Result<bool> begun = begin(runtime, options);

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "robot/app/build_id.h"
-#include "robot/app/services/recording_control.h"
+#include "robot/app/services/recording_service.h"
 #include "robot/core/report.h"
 #include "robot/net/foxglove/derived_channels.h"
 
@@ -57,10 +57,10 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
           {.name = options_.program, .body = options_.body, .robots = {options_.robot}, .session_id = run_id()}, clock_,
           store_, options_.records ? &recorder_ : nullptr),
       statistics_(channels_, clock_, board_, store_, options_.records ? &recorder_ : nullptr),
-      clock_sampler_(system_ns() - monotonic_ns()) {
+      clock_service_(system_ns() - monotonic_ns()) {
   application_.play_by(options_.played);
   net::declare_image_parameters(parameters_);
-  if (options_.records) add_recording_control(recorder_, store_, parameters_, services_);
+  if (options_.records) add_recording_service(recorder_, store_, parameters_, services_);
   net::add_clock_sync(services_, clock_, [this](const net::PeerClock& peer) {
     foresight::ClockSample sample;
     sample.set_source(foresight::ClockSample::SOURCE_PEER);
@@ -139,7 +139,7 @@ void Runtime::run(const std::function<bool()>& tick) {
 }
 
 void Runtime::every_second() {
-  own_.clock.write(clock_sampler_.sample(monotonic_ns(), system_ns()), clock_.now_ns());
+  own_.clock.write(clock_service_.sample(monotonic_ns(), system_ns()), clock_.now_ns());
   foresight::RuntimeStatistics statistics = statistics_.collect(server_->statistics());
   if (options_.add_statistics) options_.add_statistics(statistics);
   own_.runtime.write(statistics, clock_.now_ns());

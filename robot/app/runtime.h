@@ -12,8 +12,8 @@
 //   door              Door      takes in processes of the team, clears away those that went    when one comes; 10 Hz
 //   parser            board     carries one object that such a process writes into memory      each message
 //   log <object>      board     carries one object to such a process that reads it             each version
-//   game              GameControl  hears the GameController (--game-controller)                each packet
-//   team              GameControl  answers it (--return-packets), tells the teammates          1 Hz; as the budget allows
+//   game              GameService  hears the GameController (--game-controller)                each packet
+//   team              GameService  answers it (--return-packets), tells the teammates          1 Hz; as the budget allows
 //                                  (--team-messages)
 //   nao               NaoBody   writes what LoLA tells, gives the guardian its orders (nao)    each cycle, 83 Hz
 //   camera top        NaoCameras  writes images, and where the camera was (nao)               30 Hz
@@ -36,9 +36,9 @@
 
 #include "robot/app/application.h"
 #include "robot/app/server_settings.h"
-#include "robot/app/services/clock_sampler.h"
-#include "robot/app/services/game_control.h"
-#include "robot/app/services/statistics.h"
+#include "robot/app/services/clock_service.h"
+#include "robot/app/services/game_service.h"
+#include "robot/app/services/statistics_service.h"
 #include "robot/core/clock.h"
 #include "robot/core/report.h"
 #include "robot/core/result.h"
@@ -122,9 +122,9 @@ class Runtime {
   net::Parameters parameters_;
   net::Services services_;
   Application application_;
-  Statistics statistics_;
-  ClockSampler clock_sampler_;
-  std::optional<GameControl> game_;
+  StatisticsService statistics_;
+  ClockService clock_service_;
+  std::optional<GameService> game_;
   std::unique_ptr<net::Server> server_;
 };
 

@@ -36,8 +36,8 @@ json answer(const json& request, std::uint64_t asked_ns, const std::string& own,
 
 }  // namespace
 
-void add_what_if(net::Services& services, const std::string& robot, std::vector<std::string> strategies,
-                 AskForesight ask) {
+void add_what_if_service(net::Services& services, const std::string& robot, std::vector<std::string> strategies,
+                         AskForesight ask) {
   services.add(kName, net::Services::For::questions,
                [robot, ask = std::move(ask)](const json& request, const net::ClientContext& asker) {
                  return answer(request, asker.asked_ns, robot, ask);

@@ -25,7 +25,7 @@ using AskForesight = std::function<Result<foresight::Forecast>(const std::string
 ///
 /// The second takes {} and answers {"ok": true, "strategies": ["baseline", "passing", …]}: `strategies`, the names that a
 /// question may use, in this order. Every client may call it, in match mode too.
-void add_what_if(net::Services& services, const std::string& robot, std::vector<std::string> strategies,
-                 AskForesight ask);
+void add_what_if_service(net::Services& services, const std::string& robot, std::vector<std::string> strategies,
+                         AskForesight ask);
 
 }  // namespace robot::app

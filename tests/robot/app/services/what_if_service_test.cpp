@@ -14,12 +14,12 @@ using nlohmann::json;
 
 struct WhatIfService : ::testing::Test {
   WhatIfService() {
-    add_what_if(services, "14/2", {"baseline", "a, b"},
-                [this](const std::string& robot, const foresight::WhatIf& question) {
-                  asked_robot = robot;
-                  asked = question;
-                  return answer;
-                });
+    add_what_if_service(services, "14/2", {"baseline", "a, b"},
+                        [this](const std::string& robot, const foresight::WhatIf& question) {
+                          asked_robot = robot;
+                          asked = question;
+                          return answer;
+                        });
   }
 
   json call(const std::string& request, net::ClientContext asker = {.loopback = true, .may_control = true}) const {

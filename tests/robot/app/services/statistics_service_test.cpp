@@ -1,4 +1,4 @@
-#include "robot/app/services/statistics.h"
+#include "robot/app/services/statistics_service.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ struct StatisticsOfAProcess : ::testing::Test {
   memory::Channels channels;
   logging::LoggingBoard board;
   logging::SessionStore store{folder.path(), 1'000'000'000};
-  Statistics statistics{channels, clock, board, store, nullptr};
+  StatisticsService statistics{channels, clock, board, store, nullptr};
 };
 
 TEST_F(StatisticsOfAProcess, TellsOfEachStream) {

@@ -35,10 +35,10 @@ struct GameStatus {
 /// follow() belongs to one thread, status() to any.
 ///
 /// A session that somebody else began is left alone: the game is in it, and whoever began it ends it.
-class GameControl {
+class GameService {
  public:
   /// The given ones outlive this; `memory` is that of our robot. Declares the parameter match_mode, on by default.
-  GameControl(GameOptions options, memory::Memory& memory, const Clock& clock, logging::Recorder& recorder,
+  GameService(GameOptions options, memory::Memory& memory, const Clock& clock, logging::Recorder& recorder,
               net::Parameters& parameters);
 
   /// Begins to listen, where that is asked for; an Error, in one sentence, if the port cannot be had.

@@ -10,7 +10,7 @@ namespace robot::app {
 
 /// Adds the services start_recording, stop_recording, keep_session and the parameters recording, recording_profile.
 /// All outlive the server that uses them.
-void add_recording_control(logging::Recorder& recorder, logging::SessionStore& store, net::Parameters& parameters,
+void add_recording_service(logging::Recorder& recorder, logging::SessionStore& store, net::Parameters& parameters,
                            net::Services& services);
 
 }  // namespace robot::app

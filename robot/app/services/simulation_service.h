@@ -20,6 +20,6 @@ namespace robot::app {
 ///                                              (sim/io/situation.h) instead of the kick-off if there is one
 ///
 /// `body` outlives the server that uses them.
-void add_simulation_control(body::SimBody& body, net::Services& services);
+void add_simulation_service(body::SimBody& body, net::Services& services);
 
 }  // namespace robot::app

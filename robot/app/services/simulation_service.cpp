@@ -1,4 +1,4 @@
-#include "robot/app/services/simulation_control.h"
+#include "robot/app/services/simulation_service.h"
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -76,7 +76,7 @@ json reset(body::SimBody& body, const json& request) {
 
 }  // namespace
 
-void add_simulation_control(body::SimBody& body, net::Services& services) {
+void add_simulation_service(body::SimBody& body, net::Services& services) {
   using enum net::Services::For;
   services.add("/sim/state", everybody, [&](const json&, const ClientContext&) { return answer(body); });
   services.add("/sim/pause", control, [&](const json&, const ClientContext&) {

@@ -1,4 +1,4 @@
-#include "robot/app/services/recording_control.h"
+#include "robot/app/services/recording_service.h"
 
 #include <nlohmann/json.hpp>
 
@@ -21,7 +21,7 @@ json session_or_failure(const Result<std::string>& session) {
 
 }  // namespace
 
-void add_recording_control(logging::Recorder& recorder, logging::SessionStore& store, net::Parameters& parameters,
+void add_recording_service(logging::Recorder& recorder, logging::SessionStore& store, net::Parameters& parameters,
                            net::Services& services) {
   std::vector<std::string> profile_names;
   for (const logging::Profile& profile : logging::profiles()) profile_names.emplace_back(profile.name);

@@ -9,10 +9,10 @@
 namespace robot::app {
 
 /// Makes a ClockSample of each look at the two clocks. Used by one thread.
-class ClockSampler {
+class ClockService {
  public:
   /// `epoch_offset_ns`: what the session's clock adds to the monotonic one.
-  explicit ClockSampler(std::uint64_t epoch_offset_ns) : epoch_offset_ns_(epoch_offset_ns) {}
+  explicit ClockService(std::uint64_t epoch_offset_ns) : epoch_offset_ns_(epoch_offset_ns) {}
 
   /// The sample of a moment at which the clocks show `monotonic_ns` and `system_ns`. A change of their difference since
   /// the last sample beyond what slewing does in that time (500 ppm, the kernel's limit) counts as a step.

@@ -1,4 +1,4 @@
-#include "robot/app/services/clock_sampler.h"
+#include "robot/app/services/clock_service.h"
 
 #include <cstdlib>
 
@@ -14,7 +14,7 @@ std::int64_t slew_limit_ns(std::uint64_t elapsed_ns) {
 
 }  // namespace
 
-foresight::ClockSample ClockSampler::sample(std::uint64_t monotonic_ns, std::uint64_t system_ns) {
+foresight::ClockSample ClockService::sample(std::uint64_t monotonic_ns, std::uint64_t system_ns) {
   const auto difference_ns = static_cast<std::int64_t>(system_ns - monotonic_ns);
   foresight::ClockSample sample;
   sample.set_source(foresight::ClockSample::SOURCE_SYSTEM);

@@ -1,4 +1,4 @@
-#include "robot/app/services/game_control.h"
+#include "robot/app/services/game_service.h"
 
 #include <utility>
 
@@ -24,14 +24,14 @@ std::string name_of(GameState::State state) {
 
 }  // namespace
 
-GameControl::GameControl(GameOptions options, memory::Memory& memory, const Clock& clock, logging::Recorder& recorder,
+GameService::GameService(GameOptions options, memory::Memory& memory, const Clock& clock, logging::Recorder& recorder,
                          net::Parameters& parameters)
     : options_(std::move(options)), memory_(memory), clock_(clock), recorder_(recorder), parameters_(parameters) {
   parameters_.update("recording_profile", options_.profile);
   parameters_.declare("match_mode", true);
 }
 
-Result<void> GameControl::start() {
+Result<void> GameService::start() {
   if (!options_.listener) return {};
   auto listener = game::ControlListener::open(*options_.listener, memory_.game, clock_);
   if (!listener) return Error{listener.error()};
@@ -45,7 +45,7 @@ Result<void> GameControl::start() {
   return {};
 }
 
-void GameControl::follow() {
+void GameService::follow() {
   const auto game = memory_.game.read();
   if (!game) return;
   switch (match_.update(game->value(), clock_.now_ns())) {
@@ -56,7 +56,7 @@ void GameControl::follow() {
   }
 }
 
-void GameControl::begin_session(const GameState& game) {
+void GameService::begin_session(const GameState& game) {
   GameState named = game;  // who we are the team's own code need not say
   named.set_own_team(options_.link.team);
   named.set_own_player(options_.link.player);
@@ -67,7 +67,7 @@ void GameControl::begin_session(const GameState& game) {
   parameters_.update("recording", true);
 }
 
-void GameControl::end_session() {
+void GameService::end_session() {
   const std::optional<std::string> session = std::exchange(session_, std::nullopt);
   const logging::RecordingStatus status = recorder_.status();
   // somebody may have ended it, and begun another
@@ -77,7 +77,7 @@ void GameControl::end_session() {
   parameters_.update("recording", false);
 }
 
-GameStatus GameControl::status() const {
+GameStatus GameService::status() const {
   const auto game = memory_.game.read();
   return {.state = game ? name_of(game->value().state()) : "",
           .in_progress = match_.in_progress(),

@@ -16,20 +16,20 @@ namespace robot::app {
 /// Declares the parameters `foresight` (the captain asks of its own accord), `foresight_period`, `foresight_budget_ms` and
 /// `foresight_horizon`, and the services /foresight/what_if and /foresight/strategies. Made before the runtime starts; its
 /// end stops the server, since nobody can be answered any more.
-class ForesightControl {
+class ForesightService {
  public:
   /// `on`: the first value of `foresight`. `now_ns`: the time of what memory holds [ns since the epoch]. An Error if a
   /// strategy or the rules cannot be had.
-  static Result<std::unique_ptr<ForesightControl>> open(foreseeing::ForeseerOptions options, bool on, Runtime& runtime,
+  static Result<std::unique_ptr<ForesightService>> open(foreseeing::ForeseerOptions options, bool on, Runtime& runtime,
                                                         memory::Memory& memory, const std::string& robot,
                                                         std::function<std::uint64_t()> now_ns);
 
-  ~ForesightControl();
-  ForesightControl(const ForesightControl&) = delete;
-  ForesightControl& operator=(const ForesightControl&) = delete;
+  ~ForesightService();
+  ForesightService(const ForesightService&) = delete;
+  ForesightService& operator=(const ForesightService&) = delete;
 
  private:
-  ForesightControl(std::unique_ptr<foreseeing::Foreseer> foreseer, bool on, Runtime& runtime, memory::Memory& memory,
+  ForesightService(std::unique_ptr<foreseeing::Foreseer> foreseer, bool on, Runtime& runtime, memory::Memory& memory,
                    const std::string& robot, const std::function<std::uint64_t()>& now_ns);
 
   Runtime& runtime_;

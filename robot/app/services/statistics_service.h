@@ -6,7 +6,7 @@
 #include <string>
 
 #include "proto/foresight/runtime.pb.h"
-#include "robot/app/services/process_usage.h"
+#include "robot/app/process_usage.h"
 #include "robot/core/clock.h"
 #include "robot/logging/sessions/recorder.h"
 #include "robot/logging/sessions/session_store.h"
@@ -17,11 +17,11 @@
 namespace robot::app {
 
 /// Looks at the whole process once a second. Used by one thread.
-class Statistics {
+class StatisticsService {
  public:
   /// The given ones outlive this; `recorder` may be null.
-  Statistics(const memory::Channels& channels, const Clock& clock, const logging::LoggingBoard& board,
-             const logging::SessionStore& store, const logging::Recorder* recorder)
+  StatisticsService(const memory::Channels& channels, const Clock& clock, const logging::LoggingBoard& board,
+                    const logging::SessionStore& store, const logging::Recorder* recorder)
       : channels_(channels), clock_(clock), board_(board), store_(store), recorder_(recorder) {}
 
   /// Rates are means since the last call.

@@ -12,7 +12,7 @@ namespace robot::app {
 
 /// Lists "/<robot>/parameters": JSON, {"name": value, …} of all parameters, written now and whenever one changes.
 /// `clock` outlives the channels, `parameters` are declared before. An Error if the topic is taken.
-Result<void> list_parameters(net::Parameters& parameters, const std::string& robot, memory::Channels& channels,
-                             const Clock& clock);
+Result<void> add_parameter_service(net::Parameters& parameters, const std::string& robot, memory::Channels& channels,
+                                   const Clock& clock);
 
 }  // namespace robot::app

@@ -1,9 +1,9 @@
-#include "robot/app/services/game_control.h"
+#include "robot/app/services/game_service.h"
 
 #include <gtest/gtest.h>
 
 #include "robot/app/build_id.h"
-#include "robot/app/services/recording_control.h"
+#include "robot/app/services/recording_service.h"
 #include "robot/memory/memory.h"
 #include "tests/support/temporary_folder.h"
 
@@ -15,7 +15,7 @@ using foresight::GameState;
 struct Game : ::testing::Test {
   Game() {
     EXPECT_TRUE(list(memory, channels));
-    add_recording_control(recorder, store, parameters, services);
+    add_recording_service(recorder, store, parameters, services);
   }
 
   /// As the GameController would have it, and what becomes of it.
@@ -32,7 +32,7 @@ struct Game : ::testing::Test {
     control().follow();
   }
 
-  GameControl& control() {
+  GameService& control() {
     if (!control_)
       control_.emplace(GameOptions{.link = {.team = 14, .player = 3}, .field = "A"}, *memory, clock, recorder,
                        parameters);
@@ -50,7 +50,7 @@ struct Game : ::testing::Test {
   logging::Recorder recorder{channels, board, store, clock, {.info = {.robot = "14/3", .team = 14, .player = 3}}};
   net::Parameters parameters;
   net::Services services;
-  std::optional<GameControl> control_;
+  std::optional<GameService> control_;
 };
 
 TEST_F(Game, IsRecordedFromReadyToFinished) {
