@@ -10,7 +10,7 @@
 
 namespace robot::app {
 
-/// Declares --max-clock-offset [s].
+/// Declares the option --max-clock-offset [s], which sets `seconds`.
 inline void add_clock_option(CLI::App& command, double& seconds) {
   command
       .add_option("--max-clock-offset", seconds,
@@ -18,7 +18,7 @@ inline void add_clock_option(CLI::App& command, double& seconds) {
       ->capture_default_str();
 }
 
-/// Converts the value of --max-clock-offset [s] to nanoseconds; an Error outside 0 .. 1e9 s.
+/// Converts the value of --max-clock-offset [s] to nanoseconds. Returns an Error outside 0 .. 1e9 s.
 inline Result<std::uint64_t> clock_offset_ns(double seconds) {
   if (seconds >= 0 && seconds <= 1e9) return static_cast<std::uint64_t>(std::llround(seconds * 1e9));
   return Error{"--max-clock-offset: expected 0 .. 1e9 [s], got " + std::to_string(seconds)};

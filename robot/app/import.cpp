@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMaxRecordingBytes = 2'000'000'000;
 
 std::string format_of(std::string_view bytes) {
-  // an nblog begins with the size of its header in 4 bytes, then the header, which says so
+  // an nblog begins with 4 bytes for the size of its header; the header begins with its name
   if (bytes.size() > 10 && bytes.substr(4, 6) == "(nblog") return "nblog";
   return "bhuman2009";
 }
@@ -35,7 +35,7 @@ logging::SessionInfo session_info(RobotName robot, std::string name, std::uint64
           .start_ns = start_ns};
 }
 
-/// Opens a session, has it filled, and takes it away again if that failed.
+/// Creates a session and calls `fill` with its sink. Removes the session if that fails.
 template <class Fill>
 auto write_session(const std::filesystem::path& folder, logging::SessionInfo info, Fill&& fill)
     -> decltype(fill(std::declval<lab::ImportSink&>())) {

@@ -14,12 +14,12 @@
 namespace robot::app {
 namespace {
 
-/// Adds a channel of that topic; it holds the newest message of the stream at or before `at_ns`, where there is one.
+/// Adds a channel of that topic. It holds the newest message of the stream at or before `at_ns`, if there is one.
 Result<void> take_over(logging::InProvider& stream, const std::string& topic, std::uint64_t at_ns, const Clock& clock,
                        memory::Channels& channels) {
   Result<memory::ChannelInfo> info = stream.open();
   if (!info) return Error{info.error()};
-  info->topic = topic;  // a robot may be played under another name than it recorded by
+  info->topic = topic;  // a robot may be played under another name than the recorded one
   const auto channel = std::make_shared<memory::RawChannel>(*info, clock);
   if (Result<void> moved = stream.seek(at_ns); !moved) return moved;
   const auto record = stream.read();
@@ -29,7 +29,7 @@ Result<void> take_over(logging::InProvider& stream, const std::string& topic, st
   return channels.add(channel);
 }
 
-/// All that a question about `robot` is answered from.
+/// Returns the topics that a question about `robot` needs.
 std::vector<std::string> topics_of(const std::string& robot) {
   std::vector<std::string> topics{foreseeing::kSimulationTopic};
   const foreseeing::Recollection none;
@@ -38,13 +38,14 @@ std::vector<std::string> topics_of(const std::string& robot) {
   return topics;
 }
 
-/// Models of a recording that are none of ours any more cannot be had.
+/// Returns `name` if there are models of that name, otherwise "match": a recording may name models that no longer
+/// exist.
 std::string models_called(const std::string& name) {
   const auto names = sim::io::names_of("models");
   return std::ranges::find(names, name) == names.end() ? "match" : name;
 }
 
-/// Of that list: what is asked of first, then those that there are anyway.
+/// Appends the default strategies to the given ones, without repetition, up to the greatest number of a question.
 std::vector<std::string> with_default_strategies(std::vector<std::string> strategies) {
   for (const std::string& name : default_strategies())
     if (std::ranges::find(strategies, name) == strategies.end() && strategies.size() < sim::foresight::kMaxStrategies)

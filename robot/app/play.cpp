@@ -18,6 +18,7 @@
 namespace robot::app {
 namespace {
 
+/// The playback of a Replay as clients control it.
 class RecordingPlayback final : public net::Playback {
  public:
   explicit RecordingPlayback(body::Replay& replay) : replay_(replay) {}
@@ -37,10 +38,10 @@ class RecordingPlayback final : public net::Playback {
 
   bool control(const net::foxglove::PlaybackControl& wish) override {
     body::PlaybackClock& clock = replay_.clock();
-    // who wants to play what has ended wants to see it again
+    // "play" at the end of the recording begins again at its start
     const bool again = wish.play && !wish.seek_ns && clock.now_ns() >= end_ns();
-    clock.set(wish.play,
-              static_cast<double>(wish.speed));  // first: what is paused stands exactly where it was moved to
+    // set before seek: a paused clock then stays exactly at the time of the seek
+    clock.set(wish.play, static_cast<double>(wish.speed));
     if (wish.seek_ns || again) clock.seek(wish.seek_ns.value_or(start_ns()));
     return wish.seek_ns || again;
   }
@@ -49,7 +50,7 @@ class RecordingPlayback final : public net::Playback {
   body::Replay& replay_;
 };
 
-/// What is to be added to the times of each session, said for each.
+/// Returns the shift [ns] to add to the times of each session, and prints the reasons. Empty for a single session.
 Result<std::vector<std::int64_t>> shifts_between(const PlayOptions& options) {
   std::vector<std::int64_t> shifts_ns;
   const auto most_ns = clock_offset_ns(options.max_clock_offset);
@@ -104,7 +105,7 @@ Result<void> play(const PlayOptions& options) {
   const Clock& clock = (*replay)->clock();
   const auto own = std::make_shared<LabObjects>(clock);
   RecordingPlayback playback(**replay);
-  LabForesight seer(options.foresight);  // outlives the server that asks it
+  LabForesight seer(options.foresight);  // outlives the server, which calls it
   Runtime runtime({.program = "foresight-lab",
                    .body = "recording",
                    .robot = robot,

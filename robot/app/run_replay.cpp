@@ -17,7 +17,7 @@ Result<void> run_replay(const RobotOptions& options) {
   if (!recorded) return Error{recorded.error()};
   const RobotName robot{.team = options.team.value_or(recorded->info.team),
                         .player = options.player.value_or(recorded->info.player)};
-  // these this process writes itself
+  // this process writes these objects itself
   std::vector<std::string> skipped{"runtime", "clock", "log", "what_if"};
   for (const std::string& object : written_by_us(options)) skipped.push_back(object);
   auto replay = body::Replay::open(

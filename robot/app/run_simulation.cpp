@@ -19,7 +19,7 @@ namespace robot::app {
 namespace {
 
 Result<body::Setup> setup_of(const RobotOptions& options, sim::Side side) {
-  // everything at 30 Hz, as on a robot
+  // every robot decides at 30 Hz, as on a real robot
   const std::string rules = rules_of(options);
   auto game = sim::io::prepare({.rules = rules,
                                 .strategies = {options.home, options.away},
@@ -35,7 +35,8 @@ Result<body::Setup> setup_of(const RobotOptions& options, sim::Side side) {
                      .teams = {.home = home ? own : opponent, .away = home ? opponent : own}};
 }
 
-/// Lets the own side play what its captain chooses of `strategies`, where it plays the first of them.
+/// Makes the own side follow its captain's choice among `strategies`, if the own side plays the first of them.
+/// Otherwise reports a warning and changes nothing.
 Result<void> follow_captain(const std::vector<std::string>& strategies, const RobotOptions& options, sim::Side side,
                             sim::io::PreparedGame& game) {
   const std::string& own = own_strategy_of(options);
@@ -82,7 +83,7 @@ Result<void> run_simulation(const RobotOptions& options) {
   Runtime runtime(runtime_options(options, robot), clock, own_objects(*(*body)->memory()));
   if (Result<void> listed = (*body)->list(runtime.channels()); !listed) return listed;
   add_simulation_service(**body, runtime.services());
-  // a game that is paused stands still for foresight, too
+  // time of foresight: it stops while the game is paused
   const auto shown_ns = [&simulation = (*body)->memory()->simulation] { return simulation.read()->capture_ns(); };
   const auto foresight = ForesightService::open(foreseeing, options.foresight.value_or(true), runtime,
                                                 *(*body)->memory(), robot.text(), shown_ns);

@@ -102,7 +102,7 @@ Result<void> Runtime::start() {
       server_options(options_, std::move(*access)), channels_,
       [this](const memory::ChannelInfo& source) { return net::derived_channels(source, parameters_); }, streams_,
       clock_, parameters_, services_, application_);
-  if (game_)  // before anybody can ask for its status
+  if (game_)  // before the first client can ask for its status
     if (Result<void> listening = game_->start(); !listening) return listening;
   application_.count_clients_by([this] { return server_->statistics().clients.size(); });
   if (Result<void> started = server_->start(); !started) return started;
@@ -121,7 +121,7 @@ Result<void> Runtime::record(std::string_view name, std::string_view profile) {
 }
 
 void Runtime::run(const std::function<bool()>& tick) {
-  // taken by sigtimedwait below instead of ending the process at once
+  // sigtimedwait below takes these signals; they do not end the process at once
   sigset_t ends;
   sigemptyset(&ends);
   sigaddset(&ends, SIGINT);

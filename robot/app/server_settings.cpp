@@ -23,11 +23,11 @@ std::filesystem::path state_folder(const ServerSettings& settings) {
   return "/var/lib/foresight";
 }
 
-/// Fills `bytes` with what nobody can guess.
+/// Fills `bytes` with random numbers of the kernel. Returns false if the system provides none.
 bool fill_randomly(std::span<unsigned char> bytes) {
   const auto all = static_cast<ssize_t>(bytes.size());
   if (getrandom(bytes.data(), bytes.size(), 0) == all) return true;
-  // the kernel of a Nao V4 or V5 is older than that call
+  // the kernel of a Nao V4 or V5 does not have getrandom
   const FileDescriptor device(open("/dev/urandom", O_RDONLY | O_CLOEXEC));
   return device && read(device.get(), bytes.data(), bytes.size()) == all;
 }
@@ -43,7 +43,7 @@ Result<std::string> make_token() {
   return token;
 }
 
-/// The token in `folder`, made if there is none.
+/// Reads the token in `folder`, or creates it if there is none.
 Result<std::string> token_in(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "token";
   std::error_code failed;

@@ -42,8 +42,8 @@ class Command {
 
 using Commands = std::vector<std::unique_ptr<Command>>;
 
-/// Parses the command line and runs the command that it names. Returns the exit status: that of the command, kDone after
-/// --help or --version, or kBadInput after a usage error, which CLI11 prints.
+/// Parses the command line and runs the command that it names. Returns the exit status: that of the command, kDone
+/// after --help or --version, or kBadInput after a usage error, which CLI11 prints.
 inline int run(CLI::App& app, const Commands& commands, int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);

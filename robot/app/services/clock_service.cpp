@@ -5,7 +5,7 @@
 namespace robot::app {
 namespace {
 
-/// The kernel slews by at most 500 ppm (adjtimex(2)); reading two clocks one after the other may take a little too.
+/// Tolerance [ns] for the time between the two readings, in addition to 500 ppm of slewing (adjtimex(2)).
 constexpr std::int64_t kReadingNs = 1'000'000;
 
 std::int64_t slew_limit_ns(std::uint64_t elapsed_ns) {

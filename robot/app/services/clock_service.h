@@ -1,4 +1,5 @@
-// Watches this machine's system clock: recorded steps are what lets recordings of several machines be put side by side.
+// Samples of this machine's system clock. The recorded offsets and steps allow recordings of several machines to share
+// a time base.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +9,14 @@
 
 namespace robot::app {
 
-/// Makes a ClockSample of each look at the two clocks. Used by one thread.
+/// The sampler of the system clock against the monotonic clock. Used by one thread.
 class ClockService {
  public:
-  /// `epoch_offset_ns`: what the session's clock adds to the monotonic one.
+  /// `epoch_offset_ns`: offset of the session's clock to the monotonic one.
   explicit ClockService(std::uint64_t epoch_offset_ns) : epoch_offset_ns_(epoch_offset_ns) {}
 
-  /// The sample of a moment at which the clocks show `monotonic_ns` and `system_ns`. A change of their difference since
-  /// the last sample beyond what slewing does in that time (500 ppm, the kernel's limit) counts as a step.
+  /// Returns the sample of a moment at which the clocks show `monotonic_ns` and `system_ns`. Their difference may
+  /// change by 500 ppm since the last sample, the kernel's limit of slewing. A larger change counts as a step.
   foresight::ClockSample sample(std::uint64_t monotonic_ns, std::uint64_t system_ns);
 
  private:

@@ -1,4 +1,4 @@
-// Foresight as a robot runs it: its threads, its parameters, and who may ask it.
+// Foresight on a robot: its threads, its parameters and its callable services.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 
 namespace robot::app {
 
-/// Declares the parameters `foresight` (the captain asks of its own accord), `foresight_period`, `foresight_budget_ms` and
-/// `foresight_horizon`, and the services /foresight/what_if and /foresight/strategies. Made before the runtime starts; its
-/// end stops the server, since nobody can be answered any more.
+/// The parameters `foresight` (the captain asks by itself), `foresight_period`, `foresight_budget_ms` and
+/// `foresight_horizon`, and the services /foresight/what_if and /foresight/strategies. Created before the runtime
+/// starts. The destructor stops the server, because the services cannot answer any more.
 class ForesightService {
  public:
-  /// `on`: the first value of `foresight`. `now_ns`: the time of what memory holds [ns since the epoch]. An Error if a
-  /// strategy or the rules cannot be had.
+  /// `on`: the first value of `foresight`. `now_ns`: returns the time of the contents of memory [ns since the epoch].
+  /// Returns an Error if a strategy or the rules cannot be loaded.
   static Result<std::unique_ptr<ForesightService>> open(foreseeing::ForeseerOptions options, bool on, Runtime& runtime,
                                                         memory::Memory& memory, const std::string& robot,
                                                         std::function<std::uint64_t()> now_ns);
@@ -36,12 +36,14 @@ class ForesightService {
   std::unique_ptr<foreseeing::Advisor> advisor_;
 };
 
-/// What foresight chooses from where nobody says otherwise.
+/// Returns the strategies that foresight compares by default.
 std::vector<std::string> default_strategies();
 
+/// Converts the options of foresight-robot to those of foresight. The own side's strategy of a simulation comes first.
 foreseeing::ForeseerOptions foreseer_options(const RobotOptions& options);
 
-/// Asks for any robot whose memory is in `channels`; `whose` it is to the one whose models `foreseer` has as its own.
+/// Asks `foreseer` for any robot whose memory is in `channels`, and waits. `whose`: whether that robot is of the own
+/// team of `foreseer` or an opponent. Returns an Error if there is no such robot.
 Result<foresight::Forecast> ask_for(foreseeing::Foreseer& foreseer, const memory::Channels& channels,
                                     const std::string& robot, const foresight::WhatIf& question, std::uint64_t now_ns,
                                     foreseeing::Whose whose = foreseeing::Whose::own);

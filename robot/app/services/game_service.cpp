@@ -57,7 +57,7 @@ void GameService::follow() {
 }
 
 void GameService::begin_session(const GameState& game) {
-  GameState named = game;  // who we are the team's own code need not say
+  GameState named = game;  // the team's own code may leave out our numbers
   named.set_own_team(options_.link.team);
   named.set_own_player(options_.link.player);
   const Result<std::string> session = recorder_.start(game::session_name(named, options_.field, std::string(kBuildId)),
@@ -70,7 +70,7 @@ void GameService::begin_session(const GameState& game) {
 void GameService::end_session() {
   const std::optional<std::string> session = std::exchange(session_, std::nullopt);
   const logging::RecordingStatus status = recorder_.status();
-  // somebody may have ended it, and begun another
+  // a client may have ended it and begun another one
   if (!session || status.state == logging::RecordingStatus::State::off || status.session != session) return;
   if (const Result<std::string> stopped = recorder_.stop(); !stopped)
     return report(Level::warning, "game", stopped.error());

@@ -1,5 +1,5 @@
-// A robot in a real game: the GameController is heard, or the team's own code that hears it; every half is recorded as a
-// session of its own; meanwhile it is match mode.
+// A robot in a real game. It follows the GameController, or the object `game` of the team's own code. Every half is
+// recorded as a session of its own, and match mode holds meanwhile.
 #pragma once
 
 #include <memory>
@@ -17,34 +17,35 @@
 
 namespace robot::app {
 
+/// The options of the game service.
 struct GameOptions {
-  std::optional<game::ListenerOptions> listener;  // nothing: the team's own code writes the game state
-  game::TeamLinkOptions link;    // nothing is sent, and the team's port not listened to, unless it asks for something
-  std::string field;             // which one, for people: "A"; may be empty
-  std::string profile = "game";  // how halves are recorded, until somebody sets the parameter recording_profile
+  std::optional<game::ListenerOptions> listener;  // not given: the team's own code writes the game state
+  game::TeamLinkOptions link;                     // by default nothing is sent and the team's port is not opened
+  std::string field;                              // name of the field for people: "A"; may be empty
+  std::string profile = "game";  // of the recordings, until a client sets the parameter recording_profile
 };
 
-/// What the status tells of the game.
+/// The game in the status of the HTTP API.
 struct GameStatus {
-  std::string state;         // "initial", "standby", "ready", "set", "playing", "finished"; empty: nothing heard yet
+  std::string state;         // "initial", "standby", "ready", "set", "playing", "finished"; empty: no game state yet
   bool in_progress = false;  // from READY to FINISHED: a match, not a test
-  bool match_mode = false;   // so the rules of the league hold, unless the parameter match_mode says otherwise
-  std::string stopped;       // why nothing is sent any more, one sentence; empty while all is well
+  bool match_mode = false;   // in progress, and the parameter match_mode is on: the league's rules hold
+  std::string stopped;       // reason why sending has stopped, one sentence; empty while sending works
 };
 
-/// follow() belongs to one thread, status() to any.
+/// The follower of a game, which records and declares match mode. follow() is called by one thread, status() by any.
 ///
-/// A session that somebody else began is left alone: the game is in it, and whoever began it ends it.
+/// A session that a client began is not touched: it contains the game, and the client ends it.
 class GameService {
  public:
-  /// The given ones outlive this; `memory` is that of our robot. Declares the parameter match_mode, on by default.
+  /// All references outlive this. `memory` is that of our robot. Declares the parameter match_mode, on by default.
   GameService(GameOptions options, memory::Memory& memory, const Clock& clock, logging::Recorder& recorder,
               net::Parameters& parameters);
 
-  /// Begins to listen, where that is asked for; an Error, in one sentence, if the port cannot be had.
+  /// Opens the ports that the options ask for. Returns an Error if a port cannot be opened.
   Result<void> start();
 
-  /// Looks at the game; begins a session when a match begins and ends it with the match. A few times a second.
+  /// Reads the game state. Begins a session when a match begins, and ends it with the match. Called at 10 Hz.
   void follow();
 
   GameStatus status() const;
@@ -60,7 +61,7 @@ class GameService {
   net::Parameters& parameters_;
 
   game::Match match_;
-  std::optional<std::string> session_;  // the one begun here
+  std::optional<std::string> session_;  // the session that this service began
   std::unique_ptr<game::ControlListener> listener_;
   std::unique_ptr<game::TeamLink> link_;
 };

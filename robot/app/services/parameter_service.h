@@ -1,4 +1,4 @@
-// The table of parameters as an object in memory: what people set, a team's own processes can read.
+// The table of parameters as an object in memory, so that a team's own processes can read what people set.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace robot::app {
 
-/// Lists "/<robot>/parameters": JSON, {"name": value, …} of all parameters, written now and whenever one changes.
-/// `clock` outlives the channels, `parameters` are declared before. An Error if the topic is taken.
+/// Adds the channel "/<robot>/parameters": JSON {"name": value, …} of all parameters, written now and at each change.
+/// `clock` outlives the channels. All parameters are declared before. Returns an Error if the topic is taken.
 Result<void> add_parameter_service(net::Parameters& parameters, const std::string& robot, memory::Channels& channels,
                                    const Clock& clock);
 

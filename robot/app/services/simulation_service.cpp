@@ -36,13 +36,13 @@ json answer(const body::SimBody& body, const Result<void>& done) {
   return done ? answer(body) : net::failure(done.error());
 }
 
-/// The entry `key`, or nullptr.
+/// Returns the entry `key`, or nullptr.
 const json* find(const json& request, const char* key) {
   const auto found = request.find(key);
   return found == request.end() ? nullptr : &*found;
 }
 
-/// A whole number >= 0; `otherwise` where the request has none.
+/// Reads the entry `key` as a whole number >= 0. Returns `otherwise` if the request does not have it.
 Result<std::int64_t> whole(const json& request, const char* service, const char* key,
                            std::optional<std::int64_t> otherwise = {}) {
   const json* entry = find(request, key);
@@ -54,7 +54,7 @@ Result<std::int64_t> whole(const json& request, const char* service, const char*
                (entry ? ", got " + entry->dump().substr(0, 40) : ", got none")};
 }
 
-/// A game from the described situation; of `seed` instead of the one that the description names, if there is one.
+/// Begins a game from the described situation. A given `seed` replaces the seed of the description.
 json begin(body::SimBody& body, json situation, std::optional<std::uint64_t> seed) {
   if (seed && situation.is_object()) situation["seed"] = *seed;
   const auto state = sim::io::parse_situation(situation.dump(), "situation", body.setup().params());
