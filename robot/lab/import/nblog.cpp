@@ -18,9 +18,9 @@ using nblog::Expression;
 
 constexpr double kAccelerationPerCount = -0.017 * 9.81;  // [m/s²]
 constexpr double kMaxSide = 4096;                        // [px]
-constexpr double kMaxMicroseconds = 1e15;                // 30 years, and exact in float64
+constexpr double kMaxMicroseconds = 1e15;                // 30 years; exact in float64
 
-/// The field names of the two protobuf messages, from field 1 on, as the header writes them.
+/// The field names of the two protobuf messages, from field 1 on, as in the header.
 constexpr std::string_view kInertialFields[] = {"acc_x", "acc_y",   "acc_z",   "gyr_x",  "gyr_y",
                                                 "gyr_z", "angle_x", "angle_y", "angle_z"};
 constexpr std::string_view kJointFields[] = {
@@ -30,18 +30,18 @@ constexpr std::string_view kJointFields[] = {
     "l_knee_pitch",  "l_ankle_pitch", "l_ankle_roll",     "r_hip_roll",      "r_hip_pitch", "r_knee_pitch",
     "r_ankle_pitch", "r_ankle_roll"};
 
-/// For each of our 25 joints its index in kJointFields.
+/// The index in kJointFields for each of our 25 joints.
 constexpr std::size_t kJointSources[25] = {0,  1,  2,  3,  4,  5, 6, 14, 16, 17, 18, 19, 20,
                                            21, 22, 23, 24, 25, 8, 9, 10, 11, 12, 7,  13};
 
-/// The big-endian number at byte `offset`, which must lie within.
+/// Returns the big-endian number at byte `offset`, which must lie within `bytes`.
 std::uint32_t big_endian(std::string_view bytes, std::size_t offset) {
   std::uint32_t value = 0;
   for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[offset + i]);
   return value;
 }
 
-/// The float fields 1 .. `count` of a protobuf message whose schema we do not have; absent ones are 0.
+/// Reads the float fields 1 .. `count` of a protobuf message whose schema we do not have. Absent fields are 0.
 Result<std::vector<float>> float_fields(std::string_view bytes, std::size_t count) {
   std::vector<float> fields(count, 0);
   google::protobuf::io::CodedInputStream stream(reinterpret_cast<const std::uint8_t*>(bytes.data()),
@@ -136,7 +136,7 @@ class Importer {
     return send("joints", joints);
   }
 
-  /// Warns where the header writes another value than the payload has.
+  /// Adds a warning for each value that differs between header and payload.
   template <std::size_t Count>
   void compare(const Expression& block, const std::vector<float>& fields, const std::string_view (&names)[Count]) {
     for (std::size_t i = 0; i < Count; ++i) {

@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 constexpr std::size_t kMostFileBytes = 1 << 20;
 constexpr unsigned kPort = 8765;
 
-/// Whether a person means an address by it rather than a name: names have neither dots nor colons.
+/// Returns whether the word is an address and not a name. Names have neither dots nor colons.
 bool looks_like_address(std::string_view word) {
   return word == "localhost" || word.find_first_of(".:") != std::string_view::npos;
 }
@@ -27,7 +27,7 @@ std::string text_of(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// The robots of the file, each by its name and its player's number.
+/// One robot of the file, with its player number.
 struct Listed {
   RobotAddress robot;
   std::string player;
@@ -41,7 +41,7 @@ Result<Listed> listed(const Json& robot, const std::string& where) {
     return Error{where + ".http_port: expected a whole number 1 .. 65535, got " + port.dump()};
   Listed found{.robot = {.name = text_of(robot, "name"), .addresses = {}},
                .player = player.is_number_unsigned() ? player.dump() : std::string()};
-  // a cable is faster, and disturbs nobody
+  // a cable first: it is faster and does not load the wireless network
   for (const char* way : {"address", "wired", "wireless"}) {
     const std::string host = text_of(robot, way);
     if (host.empty()) continue;
@@ -114,7 +114,7 @@ Result<std::vector<RobotAddress>> find_robots(const std::vector<std::string>& wo
     if (looks_like_address(word)) {
       auto address = web_socket_address(word);
       if (!address) return Error{address.error()};
-      // a token is no one's business
+      // the name is shown, so it must not contain a token
       robot = {.name = word.substr(0, word.find('?')), .addresses = {std::move(*address)}};
     } else {
       if (!listed) {

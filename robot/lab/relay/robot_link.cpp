@@ -17,7 +17,7 @@ constexpr std::uint64_t kAgainNs = kSecond / 2, kAgainRefusedNs = 5 * kSecond;
 
 std::string without_query(const std::string& address) { return address.substr(0, address.find('?')); }
 
-/// A server of ours that is to number its messages.
+/// Returns the address with the queries for numbered messages and for lossless delivery, which our servers understand.
 std::string asking_for(const std::string& address, bool lossless) {
   return address + (address.find('?') == std::string::npos ? "?" : "&") + "numbered" +
          (lossless ? "&delivery=lossless" : "");
@@ -68,7 +68,7 @@ void RobotLink::run() {
   }
 }
 
-/// Says why there is no connection: once, until there was one or the reason is of another kind.
+/// Reports the reason of a failed connection, once until the next success or a reason of another kind.
 void RobotLink::ended(const std::string& sentence) {
   std::string told;
   {
@@ -83,7 +83,7 @@ void RobotLink::ended(const std::string& sentence) {
   if (!told.empty()) report(Level::warning, "relay", told);
 }
 
-/// False when the link is to end.
+/// Waits. Returns false if the link stops.
 bool RobotLink::wait(std::uint64_t duration_ns) {
   const std::uint64_t until_ns = monotonic_ns() + duration_ns;
   const std::lock_guard guard(lock_);
@@ -91,7 +91,7 @@ bool RobotLink::wait(std::uint64_t duration_ns) {
   return !stopping_;
 }
 
-/// Null when the link is to end.
+/// Creates the client of the next connection. Returns null if the link stops.
 std::shared_ptr<net::WebSocketClient> RobotLink::new_client() {
   const std::lock_guard guard(lock_);
   if (stopping_) return nullptr;
@@ -114,7 +114,7 @@ Result<void> RobotLink::converse(const std::string& address) {
     const std::uint64_t now_ns = monotonic_ns();
     if (!message) {
       if (now_ns >= silent_ns) return Error{"nothing was heard for 3 s"};
-      if (now_ns >= *until_ns) continue;  // what was wrong otherwise is so the next time, too
+      if (now_ns >= *until_ns) continue;  // any other error returns with the next call
       return Error{message.error()};
     }
     if (!*message) return Error{"it ended the connection" + (client->closed() ? ": " + client->closed()->reason : "")};

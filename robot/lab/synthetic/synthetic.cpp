@@ -39,7 +39,7 @@ pb::LogText text_of(const Saying& saying) {
   return text;
 }
 
-/// Hands over the messages of one step until the sink fails.
+/// The messages of one step, passed on until the sink fails.
 class Step {
  public:
   Step(const Moment& moment, ImportSink& sink) : moment_(moment), sink_(sink) {}
@@ -88,7 +88,7 @@ void put_rest(Step& step, const Moment& moment) {
       step.put("log", text_of(saying));
 }
 
-/// The first step at `t` [s] or later.
+/// Returns the first step at `t` [s] or later.
 std::uint64_t first_step(double t) {
   return static_cast<std::uint64_t>(std::ceil(std::max(0.0, t) * kStepsPerSecond - 1e-6));
 }
