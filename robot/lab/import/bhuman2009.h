@@ -21,9 +21,9 @@
 //
 // - The camera is the lower one: head pitch plus elevation of the optical axis is 40°, the lower camera's tilt.
 //   Images become camera_bottom.
-// - Joints: arms 4 + 4 after the head, then the left leg's 6 and the right leg's 6. Compared with today's angles the
-//   head pitch, the left hip and ankle roll, the right shoulder roll, elbow yaw and elbow roll have the other sign;
-//   shoulder pitch is 90° minus, left shoulder roll 90° plus, right shoulder roll minus 90° minus the recorded one.
+// - Joints: arms 4 + 4 after the head, then the left leg's 6 and the right leg's 6. These have the other sign than
+//   today: head pitch, left hip and ankle roll, right shoulder roll, elbow yaw and elbow roll. Shoulder pitch is 90°
+//   minus the recorded angle, left shoulder roll 90° plus, right shoulder roll minus 90° minus the recorded angle.
 //   While the robot stands on the left foot, torso, hip and ankle roll sum up to level ground. The recorded angles
 //   include each robot's own calibration, up to 3° per joint. Wrists and hands, which this body lacks, are 0.
 // - Accelerometer: in g, with the opposite sign. With the torso leaning left and back it reads the expected gravity.
