@@ -14,7 +14,7 @@ namespace robot::app {
 inline void add_clock_option(CLI::App& command, double& seconds) {
   command
       .add_option("--max-clock-offset", seconds,
-                  "[s] a machine whose clock is further off than that is refused; another one's times are set right")
+                  "[s] refuse a machine with a larger clock offset; correct the times of others")
       ->capture_default_str();
 }
 

@@ -60,7 +60,7 @@ Result<lab::ImportReport> import_recording(const ImportRequest& request) {
                        [&](lab::ImportSink& sink) -> Result<lab::ImportReport> {
                          Result<lab::ImportReport> report = import_bytes(format, *bytes, sink);
                          if (report && report->messages.empty())
-                           return Error{"import: " + request.file.string() + " holds no message" +
+                           return Error{"import: " + request.file.string() + " contains no message" +
                                         (report->damage.empty() ? "" : ": " + report->damage)};
                          if (!report) return Error{"import: " + request.file.string() + ": " + report.error()};
                          return report;

@@ -42,7 +42,7 @@ Result<std::uint64_t> copy_range(logging::InProvider& stream, const net::PlayedR
 
 net::HttpResponse played_range(const body::Replay& replay, const net::PlayedRequest& request) {
   const auto stream = replay.stream_of(request.topic);
-  if (!stream) return net::error_response(404, "nothing is played of the topic " + request.topic);
+  if (!stream) return net::error_response(404, "topic '" + request.topic + "' is not played");
   const auto info = stream->open();
   if (!info) return net::error_response(404, info.error());
   // 1 ns earlier, because a seek finds the last of several messages of one time

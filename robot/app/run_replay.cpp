@@ -12,7 +12,7 @@
 namespace robot::app {
 
 Result<void> run_replay(const RobotOptions& options) {
-  if (options.session.empty()) return Error{"--session: body replay needs the folder of a session"};
+  if (options.session.empty()) return Error{"--session: body replay needs the folder of a session, got none"};
   const auto recorded = logging::read_session(options.session);
   if (!recorded) return Error{recorded.error()};
   const RobotName robot{.team = options.team.value_or(recorded->info.team),

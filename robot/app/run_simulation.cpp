@@ -42,8 +42,8 @@ Result<void> follow_captain(const std::vector<std::string>& strategies, const Ro
   const std::string& own = own_strategy_of(options);
   if (own != strategies.front()) {
     report(Level::warning, "foresight",
-           "the own side plays " + own + ", not " + strategies.front() +
-               ", the first of the strategies to choose from: it does not follow what is chosen");
+           "the own side plays " + own + ", but the first of --strategies is " + strategies.front() +
+               ": it does not follow the captain's choice");
     return {};
   }
   std::vector<std::shared_ptr<const sim::agent::Behaviour>> behaviours;
@@ -68,7 +68,7 @@ Result<void> run_simulation(const RobotOptions& options) {
   if (robot.player > sim::kMaxPlayers)
     return Error{"--player: body sim has players 1 .. " + std::to_string(sim::kMaxPlayers) + ", got " +
                  std::to_string(robot.player)};
-  if (options.game_controller) return Error{"--game-controller: body sim plays a game of its own"};
+  if (options.game_controller) return Error{"--game-controller: not with body sim, which plays a game of its own"};
   Result<body::Setup> setup = setup_of(options, side);
   if (!setup) return Error{setup.error()};
   const foreseeing::ForeseerOptions foreseeing = foreseer_options(options);

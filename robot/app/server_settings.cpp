@@ -34,7 +34,7 @@ bool fill_randomly(std::span<unsigned char> bytes) {
 
 Result<std::string> make_token() {
   unsigned char bytes[kTokenBytes];
-  if (!fill_randomly(bytes)) return Error{"token: the system gave no random numbers"};
+  if (!fill_randomly(bytes)) return Error{"token: the system provides no random numbers"};
   std::string token;
   for (const unsigned char byte : bytes) {
     token.push_back("0123456789abcdef"[byte >> 4]);
@@ -66,25 +66,26 @@ Result<std::string> token_in(const std::filesystem::path& folder) {
 }  // namespace
 
 void add_server_options(CLI::App& command, ServerSettings& settings) {
-  command.add_option("--bind", settings.bind, "IP address to listen on, may be given several times; 0.0.0.0 is all")
+  command.add_option("--bind", settings.bind, "IP address to listen on; may be given several times; 0.0.0.0 is all")
       ->allow_extra_args(false)
       ->capture_default_str();
-  command.add_option("--port", settings.port, "one port for viewer, API, recordings and WebSocket; 0: any free one")
+  command.add_option("--port", settings.port, "port of viewer, API, recordings and WebSocket; 0: any free port")
       ->capture_default_str();
   command
       .add_option("--allow-host", settings.allowed_hosts,
-                  "a further host name of this machine; may be given several times")
+                  "another host name of this machine; may be given several times")
       ->allow_extra_args(false);
   command
-      .add_option("--allow-origin", settings.allowed_origins, "a further page that may connect, https://host; likewise")
+      .add_option("--allow-origin", settings.allowed_origins,
+                  "another page that may connect, https://host; may be given several times")
       ->allow_extra_args(false);
   command
       .add_option("--wireless", settings.wireless,
-                  "a network interface that stays silent during a game; those the system calls wireless if not given")
+                  "network interface that is silent during a game; default: the system's wireless interfaces")
       ->allow_extra_args(false);
-  command.add_option("--state-dir", settings.state_folder, "where the control token is kept");
+  command.add_option("--state-dir", settings.state_folder, "folder of the control token");
   command.add_flag("--protect-reading", settings.protect_reading,
-                   "watching from another machine needs the token too, not only controlling");
+                   "ask for the token also for watching from another machine, not only for control");
 }
 
 Result<net::AccessOptions> access_options(const ServerSettings& settings) {

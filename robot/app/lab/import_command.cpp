@@ -12,13 +12,13 @@ namespace {
 class ImportCommand final : public Command {
  public:
   explicit ImportCommand(CLI::App& app)
-      : Command(app.add_subcommand("import", "make a session of a recording of others")) {
+      : Command(app.add_subcommand("import", "make a session from another program's recording")) {
     options().add_option("format", format_, "bhuman2009, nblog, or auto")->required();
-    options().add_option("file", file_, "the recording")->required();
+    options().add_option("file", file_, "file of the recording")->required();
     auto* folder = options().add_option_group("where", "one of")->require_option(1);
-    folder->add_option("--out", out_, "log folder in which the session gets a folder of its own");
+    folder->add_option("--out", out_, "log folder; the session becomes a new folder in it");
     folder->add_option("--session", session_, "folder of the session");
-    options().add_option("--robot", robot_, "<team>/<player> it is to appear as")->capture_default_str();
+    options().add_option("--robot", robot_, "<team>/<player>: name of the robot in the session")->capture_default_str();
     options().add_option("--name", name_, "name of the session");
     options().add_flag("--json", json_, "report as JSON");
   }

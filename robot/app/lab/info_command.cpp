@@ -14,7 +14,7 @@ namespace {
 class InfoCommand final : public Command {
  public:
   explicit InfoCommand(CLI::App& app)
-      : Command(app.add_subcommand("info", "what sessions hold: objects, counts, rates, gaps, time span, clocks")) {
+      : Command(app.add_subcommand("info", "describe sessions: objects, counts, rates, gaps, time span, clocks")) {
     options()
         .add_option("sessions", sessions_, "folders of sessions, or .mcap files; the clocks of several are compared")
         ->required();
@@ -51,7 +51,7 @@ class InfoCommand final : public Command {
     std::printf("%s\n", to_text(report).c_str());
     for (const auto& [robot, score] : scores) {
       const std::string text = foreseeing::to_text(score);
-      if (!text.empty()) std::printf("%s foretold:\n%s\n", robot.c_str(), text.c_str());
+      if (!text.empty()) std::printf("forecasts of %s:\n%s\n", robot.c_str(), text.c_str());
     }
   }
 

@@ -9,7 +9,7 @@ namespace {
 class PlayCommand final : public Command {
  public:
   explicit PlayCommand(CLI::App& app)
-      : Command(app.add_subcommand("play", "serve sessions: to browsers, Foxglove, Lichtblick")) {
+      : Command(app.add_subcommand("play", "serve sessions to browsers, Foxglove and Lichtblick")) {
     options()
         .add_option("sessions", play_.sessions,
                     "folders of sessions, or .mcap files; those of several robots are played in one time base")
@@ -17,15 +17,13 @@ class PlayCommand final : public Command {
     options().add_option("--speed", play_.speed, "0.01 .. 1000, 1 is real time")->capture_default_str();
     options().add_flag("--loop", play_.loop, "begin again at the end");
     add_clock_option(options(), play_.max_clock_offset);
-    options().add_option(
-        "--map", play_.map,
-        "JSON file that says which topics of others are which of our objects: robot/lab/mapping/mapping.h");
-    options().add_option(
-        "--rules", play_.foresight.rules,
-        "rules that what-if questions go by; those of a recorded simulation if not given, else spl2025");
+    options().add_option("--map", play_.map,
+                         "JSON file that maps other programs' topics to our objects: robot/lab/mapping/mapping.h");
+    options().add_option("--rules", play_.foresight.rules,
+                         "rules for what-if questions; default: those of the recorded simulation, else spl2025");
     options()
         .add_option("--strategies", play_.foresight.strategies,
-                    "that they can be about beside those that there are, by name or path; the first is what was played")
+                    "more strategies for what-if questions, by name or path; the first is the one that was played")
         ->delimiter(',');
     add_server_options(options(), play_.server);
   }

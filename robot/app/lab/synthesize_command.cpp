@@ -10,9 +10,9 @@ namespace {
 class SynthesizeCommand final : public Command {
  public:
   explicit SynthesizeCommand(CLI::App& app)
-      : Command(app.add_subcommand("synthesize", "make a small session of a robot that never was")) {
+      : Command(app.add_subcommand("synthesize", "make a small session of a synthetic robot")) {
     options().add_option("session", session_, "folder of the session")->required();
-    options().add_option("--seconds", seconds_, "how long")->capture_default_str();
+    options().add_option("--seconds", seconds_, "[s] length of the session, 1 .. 600")->capture_default_str();
     options().add_option("--robot", robot_, "<team>/<player>")->capture_default_str();
   }
 

@@ -29,19 +29,20 @@ void print(const foresight::Forecast& forecast) {
 class WhatIfCommand final : public Command {
  public:
   explicit WhatIfCommand(CLI::App& app)
-      : Command(app.add_subcommand("what-if", "which strategy would have been best from a moment of a session on")) {
+      : Command(app.add_subcommand("what-if", "compare strategies from a moment of a session on")) {
     options().add_option("session", what_if_.session, "folder of the session, or an .mcap file")->required();
-    options().add_option("--at", what_if_.at, "[s] since the beginning; negative: before the end")->required();
-    options().add_option("--robot", what_if_.robot, "<team>/<player>, where the session has several");
+    options().add_option("--at", what_if_.at, "[s] since the beginning, or negative: before the end")->required();
+    options().add_option("--robot", what_if_.robot, "<team>/<player>; default: the robot that recorded the session");
     options()
-        .add_option("--strategies", strategies_, "the first is what is played; all that there are if not given")
+        .add_option("--strategies", strategies_,
+                    "strategies to compare, the first is the one that is played; default: the built-in ones")
         ->delimiter(',');
-    options().add_option("--horizon", horizon_, "[s] how far it looks: 1 .. 1200; 30 if not given");
-    options().add_option("--budget-ms", budget_ms_, "[ms] for the answer: 10 .. 10000; 2000 if not given");
+    options().add_option("--horizon", horizon_, "[s] length of a rollout: 1 .. 1200; default: 30");
+    options().add_option("--budget-ms", budget_ms_, "[ms] time for the answer: 10 .. 10000; default: 2000");
     options().add_option("--rules", what_if_.foresight.rules,
-                         "a year's; those of a recorded simulation if not given, else spl2025");
+                         "rules of a year; default: those of the recorded simulation, else spl2025");
     options().add_option("--question", question_,
-                         "more of the question, as JSON: {\"until\": \"half\", \"edit\": {...}}");
+                         "other entries of the question, as JSON: {\"until\": \"half\", \"edit\": {...}}");
     options().add_flag("--json", json_, "report as JSON");
   }
 

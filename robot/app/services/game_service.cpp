@@ -62,7 +62,7 @@ void GameService::begin_session(const GameState& game) {
   named.set_own_player(options_.link.player);
   const Result<std::string> session = recorder_.start(game::session_name(named, options_.field, std::string(kBuildId)),
                                                       parameters_.text("recording_profile"));
-  if (!session) return report(Level::warning, "game", "a match begins, but not its recording: " + session.error());
+  if (!session) return report(Level::warning, "game", "the match is not recorded: " + session.error());
   session_ = *session;
   parameters_.update("recording", true);
 }

@@ -109,7 +109,7 @@ namespace {
 
 Result<Agreement> agree_with(const RecordedClock& reference, const RecordedClock& clock, std::uint64_t most_ns) {
   const std::string both = joined({"the clocks of ", clock.who, " and ", reference.who});
-  constexpr std::string_view kAsTheyAre = "; their times are taken as they are";
+  constexpr std::string_view kAsTheyAre = "; their times stay unchanged";
   const auto found = compare(reference, clock);
   if (!found)
     return Agreement{
@@ -117,7 +117,7 @@ Result<Agreement> agree_with(const RecordedClock& reference, const RecordedClock
   const std::string told = to_text(found->offset), by = found->by.empty() ? "" : ", by " + found->by;
   if (found->offset.error_ns > kUselessNs)
     return Agreement{.sentence =
-                         joined({both, " cannot be compared: what their samples tell is ", told, by, kAsTheyAre})};
+                         joined({both, " cannot be compared: by their samples the offset is ", told, by, kAsTheyAre})};
   const auto shift_ns = correction(found->offset, most_ns, clock.who + "'s");
   if (!shift_ns) return Error{shift_ns.error()};
   if (*shift_ns == 0) return Agreement{.sentence = joined({both, " agree: ", clock.who, "'s is ", told, by})};

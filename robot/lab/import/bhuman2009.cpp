@@ -109,12 +109,12 @@ class Importer {
 
     if (!messages_.damage().empty()) report_.damage = messages_.damage();
     if (report_.damage.empty() && (promised_bytes != bytes || promised_messages != messages_.count()))
-      report_.damage = "the head promises " + std::to_string(promised_messages) + " messages in " +
+      report_.damage = "the file's head names " + std::to_string(promised_messages) + " messages in " +
                        std::to_string(promised_bytes) + " bytes, found " + std::to_string(messages_.count()) + " in " +
                        std::to_string(bytes);
-    warn(unknown_, " messages of kinds not known here are left out");
-    warn(impossible_, " inertial readings say that the torso leans by more than half a turn; left out");
-    warn(doubtful_, " camera matrices were marked as not valid by the robot (feet not both on the ground); kept");
+    warn(unknown_, " messages of unknown kinds are left out");
+    warn(impossible_, " inertial readings have a torso angle beyond half a turn; left out");
+    warn(doubtful_, " camera matrices are marked as invalid by the robot (not both feet on the ground); kept");
     return std::move(report_);
   }
 

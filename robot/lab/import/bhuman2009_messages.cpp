@@ -199,9 +199,9 @@ void set_projection(std::optional<std::string_view> image_coordinates, pb::Camer
 
 Result<TimedImage> image_of(std::string_view payload) {
   if (payload.size() < 16 || at<std::uint32_t>(payload, 12) != payload.size() - 16)
-    return Error{"its length is not that of the message"};
+    return Error{"its number of bytes is not that of the message"};
   const std::uint32_t width = at<std::uint32_t>(payload, 0), height = at<std::uint32_t>(payload, 4);
-  if (width > kMaxSide || height > kMaxSide) return Error{"it claims to be larger than 640x640"};
+  if (width > kMaxSide || height > kMaxSide) return Error{"it is larger than 640x640"};
   Result<image::YuyvImage> decoded = image::decode_jpeg(payload.substr(16));
   if (!decoded) return Error{decoded.error()};
   if (decoded->width != static_cast<int>(2 * width) || decoded->height != static_cast<int>(height))

@@ -67,7 +67,7 @@ class Importer {
       const Expression* type = block.find("type");
       const std::string name = type ? type->atom : "of unknown type";
       const auto bytes = block.number("nbytes");
-      if (!bytes || *bytes < 0) return damaged("block " + name + ": its header tells no number of bytes");
+      if (!bytes || *bytes < 0) return damaged("block " + name + ": its header has no number of bytes");
       if (*bytes > static_cast<double>(payload.size()))
         return damaged("block " + name + ": expected " + std::to_string(static_cast<std::uint64_t>(*bytes)) +
                        " bytes, the payload has " + std::to_string(payload.size()) + " more");
@@ -88,7 +88,7 @@ class Importer {
  private:
   Result<void> read_block(const std::string& type, const Expression& block, std::string_view bytes) {
     const auto when = block.number("when");
-    if (!when || *when < 0 || *when > kMaxMicroseconds) return Error{"its header tells no time"};
+    if (!when || *when < 0 || *when > kMaxMicroseconds) return Error{"its header has no valid time"};
     capture_ns_ = epoch_ns_ + static_cast<std::uint64_t>(*when) * 1000;
     if (type == "YUVImage") return read_image(block, bytes);
     if (type == "InertialState") return read_inertial(block, bytes);

@@ -236,7 +236,7 @@ class MappedInProvider::Reader {
     const std::unique_ptr<Message> message(prototype_->New());
     if (!message->ParseFromString(bytes))
       return Error{"expected a " + prototype_->GetDescriptor()->full_name() + ", got " + std::to_string(bytes.size()) +
-                   " bytes that are none"};
+                   " bytes of something else"};
     google::protobuf::util::JsonPrintOptions options;
     options.preserve_proto_field_names = true;
     options.always_print_primitive_fields = true;

@@ -33,7 +33,7 @@ Result<std::string> as_image(std::string_view bytes) {
   foxglove::CompressedImage compressed;
   if (!compressed.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) || compressed.format() != "jpeg")
     return Error{"expected a JPEG in a foxglove.CompressedImage, got " + std::to_string(bytes.size()) +
-                 " bytes that are none"};
+                 " bytes of something else"};
   const auto size = image::size_of_jpeg(compressed.data());
   if (!size) return Error{size.error()};
   foresight::Image image;
@@ -63,7 +63,7 @@ Result<void> Conversation::hear(const net::WebSocketClient::Message& message) {
 Result<std::uint64_t> Conversation::go_on() {
   const std::uint64_t now_ns = monotonic_ns();
   if (sent_ns_ != 0 && now_ns >= asked_ns_ + kAnswerNs) {
-    if (!agreed_) return Error{"its clock cannot be asked: clock_sync does not answer"};
+    if (!agreed_) return Error{"its clock cannot be measured: clock_sync does not answer within 3 s"};
     sent_ns_ = 0;
     next_call_ns_ = now_ns + kRoundsEvery;
   }
@@ -149,7 +149,8 @@ Result<void> Conversation::hear_time(std::string_view answer) {
   static Throttle throttle;
   if (static_cast<std::uint64_t>(std::abs(moved_ns)) > last_->error_ns + 2 * kAgreeNs)
     throttle.report(Level::warning, "relay",
-                    link_.status().name + ": its clock is " + to_text(*last_) + " by now; its times are shifted by " +
+                    link_.status().name + ": its clock has drifted and is " + to_text(*last_) +
+                        "; its times are shifted by " +
                         std::to_string(link_.past_->shift_ns / static_cast<std::int64_t>(kMillisecond)) + " ms");
   return {};
 }
@@ -185,7 +186,7 @@ Result<void> Conversation::agree() {
     status.shift_ns = shift_ns;
     status.problem.clear();
   });
-  const std::string clock = !best_          ? "its clock cannot be asked"
+  const std::string clock = !best_          ? "its clock cannot be measured"
                             : shift_ns == 0 ? "its clock agrees with ours"
                                             : "its clock is " + to_text(*best_) + ": its times are shifted";
   report(Level::info, "relay",
@@ -225,8 +226,8 @@ CarriedChannel* Conversation::channel_for(const memory::ChannelInfo& info) {
   if (!raw || raw->info().schema != info.schema || raw->info().message_encoding != info.message_encoding) {
     report(Level::warning, "relay",
            link_.options_.robot.name + ": " + info.topic +
-               (raw ? " has another schema than before: it is left out until the relay begins anew"
-                    : " is left out: it is the relay's own"));
+               (raw ? " has another schema than before: it is left out until the relay is restarted"
+                    : " is left out: the relay has its own topic of this name"));
     return nullptr;
   }
   const auto [at, is_new] = past.carried.try_emplace(info.topic, CarriedChannel(raw));

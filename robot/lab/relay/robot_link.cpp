@@ -78,7 +78,7 @@ void RobotLink::ended(const std::string& sentence) {
     if (status_.state == LinkStatus::State::connected) status_.state = LinkStatus::State::connecting;
     told_ = status_.state;
     status_.problem = sentence;
-    if (is_news && !stopping_) told = status_.name + ": " + sentence + "; it is tried again and again";
+    if (is_news && !stopping_) told = status_.name + ": " + sentence + "; connecting again";
   }
   if (!told.empty()) report(Level::warning, "relay", told);
 }
@@ -113,7 +113,7 @@ Result<void> RobotLink::converse(const std::string& address) {
     const auto message = client->receive(std::min(*until_ns, silent_ns));
     const std::uint64_t now_ns = monotonic_ns();
     if (!message) {
-      if (now_ns >= silent_ns) return Error{"nothing was heard for 3 s"};
+      if (now_ns >= silent_ns) return Error{"no message for 3 s"};
       if (now_ns >= *until_ns) continue;  // any other error returns with the next call
       return Error{message.error()};
     }

@@ -116,7 +116,7 @@ TEST_F(Planted, WhatCannotBeComparedIsTakenAsItIsAndSaid) {
   const auto unsure = agree({two, stepped}, kSecond);
   ASSERT_TRUE(unsure);
   EXPECT_EQ(unsure->at(1).shift_ns, 0);
-  EXPECT_NE(unsure->at(1).sentence.find("cannot be compared: what their samples tell is 0.000 s ahead (± "),
+  EXPECT_NE(unsure->at(1).sentence.find("cannot be compared: by their samples the offset is 0.000 s ahead (± "),
             std::string::npos);
 }
 
