@@ -99,7 +99,7 @@ std::string Application::sessions_json() {
 
 Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
   const Result<logging::Session> session = store_.find(request.session);
-  if (!session) return Error{session.error()};
+  if (!session) return session.failure();
   if (request.file) return open_file(*session, *request.file);
   if (session->state == logging::SessionState::recording && !request.until_ns)
     return net::LogFile{
@@ -108,7 +108,7 @@ Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
   if (request.stream) file = *request.stream + ".mcap";
   const auto assembly = downloads_.open(
       *session, file, {.from_ns = request.from_ns, .to_ns = request.to_ns, .until_ns = request.until_ns});
-  if (!assembly) return Error{assembly.error()};
+  if (!assembly) return assembly.failure();
   return net::LogFile{.body = *assembly, .etag = (*assembly)->etag(), .redirect_until_ns = {}};
 }
 

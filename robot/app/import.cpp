@@ -40,7 +40,7 @@ template <class Fill>
 auto write_session(const std::filesystem::path& folder, logging::SessionInfo info, Fill&& fill)
     -> decltype(fill(std::declval<lab::ImportSink&>())) {
   auto writer = logging::SessionWriter::create(folder, info);
-  if (!writer) return Error{writer.error()};
+  if (!writer) return writer.failure();
   lab::SessionSink sink(info.robot, **writer);
   auto filled = fill(sink);
   Result<void> closed = (*writer)->close();
@@ -54,7 +54,7 @@ auto write_session(const std::filesystem::path& folder, logging::SessionInfo inf
 
 Result<lab::ImportReport> import_recording(const ImportRequest& request) {
   const Result<std::string> bytes = read_file(request.file, kMaxRecordingBytes);
-  if (!bytes) return Error{"import: " + bytes.error()};
+  if (!bytes) return bytes.failure("import");
   const std::string format = request.format == "auto" ? format_of(*bytes) : request.format;
   return write_session(request.session, session_info(request.robot, request.name, kUndatedEpochNs),
                        [&](lab::ImportSink& sink) -> Result<lab::ImportReport> {
@@ -62,7 +62,7 @@ Result<lab::ImportReport> import_recording(const ImportRequest& request) {
                          if (report && report->messages.empty())
                            return Error{"import: " + request.file.string() + " contains no message" +
                                         (report->damage.empty() ? "" : ": " + report->damage)};
-                         if (!report) return Error{"import: " + request.file.string() + ": " + report.error()};
+                         if (!report) return report.failure("import: " + request.file.string());
                          return report;
                        });
 }

@@ -54,16 +54,16 @@ class RecordingPlayback final : public net::Playback {
 Result<std::vector<std::int64_t>> shifts_between(const PlayOptions& options) {
   std::vector<std::int64_t> shifts_ns;
   const auto most_ns = clock_offset_ns(options.max_clock_offset);
-  if (!most_ns) return Error{most_ns.error()};
+  if (!most_ns) return most_ns.failure();
   if (options.sessions.size() < 2) return shifts_ns;
   std::vector<lab::RecordedClock> clocks;
   for (const std::filesystem::path& path : options.sessions) {
     const auto session = logging::open_session(path);
-    if (!session) return Error{session.error()};
+    if (!session) return session.failure();
     clocks.push_back(lab::read_clock(*session));
   }
   const auto agreements = lab::agree(clocks, *most_ns);
-  if (!agreements) return Error{"play: " + agreements.error()};
+  if (!agreements) return agreements.failure("play");
   for (const lab::Agreement& agreement : *agreements) {
     shifts_ns.push_back(agreement.shift_ns);
     if (!agreement.sentence.empty()) std::printf("%s\n", agreement.sentence.c_str());
@@ -86,11 +86,11 @@ std::vector<body::MadeStream> made_by(const lab::Mapping& mapping) {
 Result<void> play(const PlayOptions& options) {
   block_end_signals();
   const auto shifts_ns = shifts_between(options);
-  if (!shifts_ns) return Error{shifts_ns.error()};
+  if (!shifts_ns) return shifts_ns.failure();
   std::optional<lab::Mapping> mapping;
   if (!options.map.empty()) {
     auto read = lab::read_mapping(options.map);
-    if (!read) return Error{read.error()};
+    if (!read) return read.failure();
     mapping = std::move(*read);
   }
   auto replay =

@@ -32,7 +32,7 @@ Result<std::uint64_t> copy_range(logging::InProvider& stream, const net::PlayedR
                                                .publish_ns = message.publish_ns,
                                                .bytes = message.bytes},
                                               0);
-    if (!written) return Error{written.error()};
+    if (!written) return written.failure();
     bytes += message.bytes.size();
     last_ns = std::max(last_ns, message.capture_ns);
   }

@@ -53,7 +53,7 @@ std::vector<std::optional<RobotName>> ask_names(const std::vector<lab::RobotAddr
   std::vector<std::optional<RobotName>> names;
   for (auto& answer : answers) {
     const Result<std::string> text = answer.get();
-    const Result<RobotName> name = text ? parse_robot_name(*text) : Result<RobotName>(Error{text.error()});
+    const Result<RobotName> name = text ? parse_robot_name(*text) : Result<RobotName>(text.failure());
     names.push_back(name ? std::optional(*name) : std::nullopt);
   }
   return names;
@@ -91,10 +91,10 @@ std::string_view profile_for(lab::Pictures pictures) {
 
 Result<void> relay(const RelayOptions& options) {
   const auto most_offset_ns = clock_offset_ns(options.max_clock_offset);
-  if (!most_offset_ns) return Error{most_offset_ns.error()};
+  if (!most_offset_ns) return most_offset_ns.failure();
   const auto robots =
       lab::find_robots(options.robots, options.robots_file.empty() ? lab::default_robots_file() : options.robots_file);
-  if (!robots) return Error{"relay: " + robots.error()};
+  if (!robots) return robots.failure("relay");
   block_end_signals();
 
   const SessionClock clock;

@@ -158,10 +158,9 @@ Result<bool> begin(Runtime& runtime, const RobotOptions& options) {
   for (const logging::Profile& profile : logging::profiles())
     std::printf("%s\n", runtime.recorder().room_for(profile).sentence.c_str());
   if (options.plan) return false;
-  if (Result<void> started = runtime.start(); !started) return Error{started.error()};
+  if (Result<void> started = runtime.start(); !started) return started.failure();
   if (options.record)
-    if (Result<void> recording = runtime.record(options.name, options.profile); !recording)
-      return Error{recording.error()};
+    if (Result<void> recording = runtime.record(options.name, options.profile); !recording) return recording.failure();
   return true;
 }
 

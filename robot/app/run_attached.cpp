@@ -19,7 +19,7 @@ Result<void> run_attached(const RobotOptions& options, const OwnBody& own) {
   if (own.add_services) own.add_services(runtime.services());
   const auto foresight = ForesightService::open(foreseer_options(options), options.foresight.value_or(false), runtime,
                                                 *memory, robot.text(), [&clock] { return clock.now_ns(); });
-  if (!foresight) return Error{foresight.error()};
+  if (!foresight) return foresight.failure();
   if (Result<void> listed = add_parameter_service(runtime.parameters(), robot.text(), runtime.channels(), clock);
       !listed)
     return listed;
@@ -29,11 +29,11 @@ Result<void> run_attached(const RobotOptions& options, const OwnBody& own) {
     at.own_objects.merge(written_by_us(options));
     at.own_objects.insert(own.objects.begin(), own.objects.end());
     auto opened = body::Door::open(std::move(at), clock, runtime.channels(), runtime.board());
-    if (!opened) return Error{opened.error()};
+    if (!opened) return opened.failure();
     door = std::move(*opened);
   }
   const Result<bool> begun = begin(runtime, options);
-  if (!begun) return Error{begun.error()};
+  if (!begun) return begun.failure();
   if (!*begun) return {};
   const std::shared_ptr<void> body = own.begin ? own.begin(*memory, clock) : nullptr;
   runtime.run([] { return true; });

@@ -46,7 +46,7 @@ struct BodyAndCameras {
 Result<void> run_nao(const RobotOptions& options) {
   Result<body::NaoConfig> config =
       options.nao_config.empty() ? body::NaoConfig() : body::read_nao_config(options.nao_config);
-  if (!config) return Error{config.error()};
+  if (!config) return config.failure();
   const body::NaoOptions nao{.link = options.guardian.empty() ? nao::default_link() : options.guardian,
                              .calibration = config->calibration};
   if (const std::string taken = options.plan ? "" : whose_it_is(nao, *config); !taken.empty()) {

@@ -26,7 +26,7 @@ Result<body::Setup> setup_of(const RobotOptions& options, sim::Side side) {
                                 .models = {options.home_models.empty() ? options.models : options.home_models,
                                            options.away_models.empty() ? options.models : options.away_models},
                                 .pace = sim::Pace::every_tick});
-  if (!game) return Error{game.error()};
+  if (!game) return game.failure();
   const auto own = static_cast<std::uint32_t>(robot_named_by(options).team);
   const auto opponent = static_cast<std::uint32_t>(options.opponent);
   const bool home = side == sim::Side::home;
@@ -49,7 +49,7 @@ Result<void> follow_captain(const std::vector<std::string>& strategies, const Ro
   std::vector<std::shared_ptr<const sim::agent::Behaviour>> behaviours;
   for (const std::string& name : strategies) {
     auto behaviour = sim::io::load_strategy(name);
-    if (!behaviour) return Error{behaviour.error()};
+    if (!behaviour) return behaviour.failure();
     behaviours.push_back(std::move(*behaviour));
   }
   constexpr auto kStale = static_cast<sim::Tick>(foreseeing::Following::kStaleNs * 30 / kSecond);
@@ -70,7 +70,7 @@ Result<void> run_simulation(const RobotOptions& options) {
                  std::to_string(robot.player)};
   if (options.game_controller) return Error{"--game-controller: not with body sim, which plays a game of its own"};
   Result<body::Setup> setup = setup_of(options, side);
-  if (!setup) return Error{setup.error()};
+  if (!setup) return setup.failure();
   const foreseeing::ForeseerOptions foreseeing = foreseer_options(options);
   if (Result<void> led = follow_captain(foreseeing.strategies, options, side, setup->game); !led) return led;
 
@@ -79,7 +79,7 @@ Result<void> run_simulation(const RobotOptions& options) {
       std::move(*setup),
       {.robot = sim::robot_of(side, robot.player), .seed = options.seed, .speed = options.speed, .loop = options.loop},
       clock);
-  if (!body) return Error{body.error()};
+  if (!body) return body.failure();
   Runtime runtime(runtime_options(options, robot), clock, own_objects(*(*body)->memory()));
   if (Result<void> listed = (*body)->list(runtime.channels()); !listed) return listed;
   add_simulation_service(**body, runtime.services());
@@ -87,9 +87,9 @@ Result<void> run_simulation(const RobotOptions& options) {
   const auto shown_ns = [&simulation = (*body)->memory()->simulation] { return simulation.read()->capture_ns(); };
   const auto foresight = ForesightService::open(foreseeing, options.foresight.value_or(true), runtime,
                                                 *(*body)->memory(), robot.text(), shown_ns);
-  if (!foresight) return Error{foresight.error()};
+  if (!foresight) return foresight.failure();
   const Result<bool> begun = begin(runtime, options);
-  if (!begun) return Error{begun.error()};
+  if (!begun) return begun.failure();
   if (!*begun) return {};
   (*body)->start();
   runtime.run([] { return true; });

@@ -97,7 +97,7 @@ void Runtime::write_log(const Report& report) {
 
 Result<void> Runtime::start() {
   Result<net::AccessOptions> access = access_options(options_.server);
-  if (!access) return Error{access.error()};
+  if (!access) return access.failure();
   server_ = std::make_unique<net::Server>(
       server_options(options_, std::move(*access)), channels_,
       [this](const memory::ChannelInfo& source) { return net::derived_channels(source, parameters_); }, streams_,
@@ -115,7 +115,7 @@ Result<void> Runtime::start() {
 
 Result<void> Runtime::record(std::string_view name, std::string_view profile) {
   const Result<std::string> session = recorder_.start(name, profile);
-  if (!session) return Error{session.error()};
+  if (!session) return session.failure();
   parameters_.update("recording", true);
   return {};
 }

@@ -49,7 +49,7 @@ Result<std::string> token_in(const std::filesystem::path& folder) {
   std::error_code failed;
   if (std::filesystem::exists(path, failed)) {
     Result<std::string> text = read_file(path, kMaxTokenFileBytes);
-    if (!text) return Error{"token: " + text.error()};
+    if (!text) return text.failure("token");
     text->erase(text->find_last_not_of(" \r\n\t") + 1);
     if (text->size() < 8) return Error{"token: expected at least 8 characters in " + path.string()};
     return text;
@@ -58,8 +58,7 @@ Result<std::string> token_in(const std::filesystem::path& folder) {
   if (!token) return token;
   std::filesystem::create_directories(folder, failed);
   if (failed) return Error{"token: cannot make the folder " + folder.string() + ": " + failed.message()};
-  if (Result<void> written = replace_file(path, *token + "\n", 0600); !written)
-    return Error{"token: " + written.error()};
+  if (Result<void> written = replace_file(path, *token + "\n", 0600); !written) return written.failure("token");
   return token;
 }
 
@@ -90,9 +89,9 @@ void add_server_options(CLI::App& command, ServerSettings& settings) {
 
 Result<net::AccessOptions> access_options(const ServerSettings& settings) {
   const Result<std::string> token = token_in(state_folder(settings));
-  if (!token) return Error{token.error()};
+  if (!token) return token.failure();
   const Result<std::string> cookie = make_token();
-  if (!cookie) return Error{cookie.error()};
+  if (!cookie) return cookie.failure();
   return net::AccessOptions{
       .origins = {.hosts = settings.allowed_hosts, .origins = settings.allowed_origins, .robots = {}},
       .control_token = *token,

@@ -29,7 +29,7 @@ Result<std::unique_ptr<ForesightService>> ForesightService::open(foreseeing::For
                                                                  const std::string& robot,
                                                                  std::function<std::uint64_t()> now_ns) {
   auto foreseer = foreseeing::Foreseer::open(std::move(options));
-  if (!foreseer) return Error{foreseer.error()};
+  if (!foreseer) return foreseer.failure();
   return std::unique_ptr<ForesightService>(
       new ForesightService(std::move(*foreseer), on, runtime, memory, robot, now_ns));
 }

@@ -34,13 +34,13 @@ GameService::GameService(GameOptions options, memory::Memory& memory, const Cloc
 Result<void> GameService::start() {
   if (!options_.listener) return {};
   auto listener = game::ControlListener::open(*options_.listener, memory_.game, clock_);
-  if (!listener) return Error{listener.error()};
+  if (!listener) return listener.failure();
   listener_ = std::move(*listener);
   report(Level::info, "game", "listening to the GameController on port " + std::to_string(listener_->port()));
   if (!options_.link.return_packets && !options_.link.team_messages) return {};
 
   auto link = game::TeamLink::open(options_.link, memory_, clock_, [this] { return listener_->game_controller(); });
-  if (!link) return Error{link.error()};
+  if (!link) return link.failure();
   link_ = std::move(*link);
   return {};
 }

@@ -28,12 +28,13 @@ void add_recording_service(logging::Recorder& recorder, logging::SessionStore& s
   parameters.declare("recording_profile", profile_names.front(), {.min = {}, .max = {}, .choices = profile_names});
 
   parameters.declare("recording", false,
-                     {.min = {}, .max = {}, .choices = {}, .apply = [&](const ParameterValue& value) {
+                     {.min = {}, .max = {}, .choices = {}, .apply = [&](const ParameterValue& value) -> Result<void> {
                         const bool wanted = std::get<bool>(value);
-                        if (wanted == parameters.flag("recording")) return Result<void>();
+                        if (wanted == parameters.flag("recording")) return {};
                         const Result<std::string> done =
                             wanted ? recorder.start("", parameters.text("recording_profile")) : recorder.stop();
-                        return done ? Result<void>() : Result<void>(Error{done.error()});
+                        if (!done) return done.failure();
+                        return {};
                       }});
 
   services.add("start_recording", net::Services::For::control, [&](const json& request, const ClientContext&) {

@@ -119,7 +119,7 @@ Result<Agreement> agree_with(const RecordedClock& reference, const RecordedClock
     return Agreement{.sentence =
                          joined({both, " cannot be compared: by their samples the offset is ", told, by, kAsTheyAre})};
   const auto shift_ns = correction(found->offset, most_ns, clock.who + "'s");
-  if (!shift_ns) return Error{shift_ns.error()};
+  if (!shift_ns) return shift_ns.failure();
   if (*shift_ns == 0) return Agreement{.sentence = joined({both, " agree: ", clock.who, "'s is ", told, by})};
   return Agreement{.shift_ns = *shift_ns,
                    .sentence = joined(
@@ -136,7 +136,7 @@ Result<std::vector<Agreement>> agree(const std::vector<RecordedClock>& clocks, s
       continue;
     }
     auto one = agree_with(clocks.front(), clock, most_ns);
-    if (!one) return Error{one.error()};
+    if (!one) return one.failure();
     agreements.push_back(std::move(*one));
   }
   return agreements;

@@ -101,11 +101,11 @@ class Importer {
       if (message->id != kProcessFinished) {
         read(*message);
       } else if (Result<void> sent = send(); !sent) {
-        return Error{sent.error()};
+        return sent.failure();
       }
     }
     // the rest of a frame that the damage cut off
-    if (Result<void> sent = send(); !sent) return Error{sent.error()};
+    if (Result<void> sent = send(); !sent) return sent.failure();
 
     if (!messages_.damage().empty()) report_.damage = messages_.damage();
     if (report_.damage.empty() && (promised_bytes != bytes || promised_messages != messages_.count()))

@@ -203,7 +203,7 @@ Result<TimedImage> image_of(std::string_view payload) {
   const std::uint32_t width = at<std::uint32_t>(payload, 0), height = at<std::uint32_t>(payload, 4);
   if (width > kMaxSide || height > kMaxSide) return Error{"it is larger than 640x640"};
   Result<image::YuyvImage> decoded = image::decode_jpeg(payload.substr(16));
-  if (!decoded) return Error{decoded.error()};
+  if (!decoded) return decoded.failure();
   if (decoded->width != static_cast<int>(2 * width) || decoded->height != static_cast<int>(height))
     return Error{"the JPEG has another size than the message says"};
 

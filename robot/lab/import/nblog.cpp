@@ -73,7 +73,7 @@ class Importer {
                        " bytes, the payload has " + std::to_string(payload.size()) + " more");
       const auto size = static_cast<std::size_t>(*bytes);
       const Result<void> read = read_block(name, block, payload.substr(0, size));
-      if (!read && sink_failed_) return Error{read.error()};
+      if (!read && sink_failed_) return read.failure();
       if (!read) return damaged("block " + name + ": " + read.error());
       payload.remove_prefix(size);
     }
@@ -116,7 +116,7 @@ class Importer {
 
   Result<void> read_inertial(const Expression& block, std::string_view bytes) {
     const auto fields = float_fields(bytes, std::size(kInertialFields));
-    if (!fields) return Error{fields.error()};
+    if (!fields) return fields.failure();
     compare(block, *fields, kInertialFields);
     pb::Inertial inertial;
     inertial.set_accelerometer_x(static_cast<float>(kAccelerationPerCount * (*fields)[0]));
@@ -129,7 +129,7 @@ class Importer {
 
   Result<void> read_joints(const Expression& block, std::string_view bytes) {
     const auto fields = float_fields(bytes, std::size(kJointFields));
-    if (!fields) return Error{fields.error()};
+    if (!fields) return fields.failure();
     compare(block, *fields, kJointFields);
     pb::Joints joints;
     for (const std::size_t source : kJointSources) joints.add_position((*fields)[source]);
@@ -175,7 +175,7 @@ Result<ImportReport> import_nblog(std::string_view file_bytes, std::uint64_t epo
   if (const std::size_t end = header.find('\0'); end != std::string_view::npos) header = header.substr(0, end);
 
   const Result<Expression> parsed = nblog::parse_expression(header);
-  if (!parsed) return Error{"nblog: header: " + parsed.error()};
+  if (!parsed) return parsed.failure("nblog: header");
   if (parsed->items.empty() || parsed->items[0].atom != "nblog" || parsed->number("version") != 7)
     return Error{"nblog: expected a header that begins with (nblog and says (version 7)"};
   std::vector<Expression> blocks;

@@ -213,7 +213,7 @@ Result<std::string> mapped(const TopicRule& rule, const Json& theirs, std::uint6
   const std::unique_ptr<Message> message(MessageFactory::generated_factory()->GetPrototype(rule.message)->New());
   Writer writer(*message, capture_ns, strict);
   for (const FieldRule& field : rule.fields)
-    if (Result<void> put = writer.put(field, theirs); !put) return Error{rule.from + ": " + put.error()};
+    if (Result<void> put = writer.put(field, theirs); !put) return put.failure(rule.from);
   return message->SerializeAsString();
 }
 
@@ -226,7 +226,7 @@ class MappedInProvider::Reader {
     if (info.message_encoding != "protobuf" || info.schema.encoding != "protobuf")
       return Error{info.topic + ": expected protobuf or JSON, got '" + info.message_encoding + "'"};
     const auto message = pool_.read(info.schema);
-    if (!message) return Error{info.topic + ": " + message.error()};
+    if (!message) return message.failure(info.topic);
     prototype_ = factory_.GetPrototype(*message);
     return {};
   }
@@ -260,15 +260,15 @@ MappedInProvider::~MappedInProvider() = default;
 
 Result<memory::ChannelInfo> MappedInProvider::open() {
   const Result<memory::ChannelInfo> info = stream_->open();
-  if (!info) return Error{info.error()};
-  if (Result<void> opened = reader_->open(*info); !opened) return Error{opened.error()};
-  if (Result<void> fits = check_first(); !fits) return Error{fits.error()};
+  if (!info) return info.failure();
+  if (Result<void> opened = reader_->open(*info); !opened) return opened.failure();
+  if (Result<void> fits = check_first(); !fits) return fits.failure();
   return rule_.info;
 }
 
 Result<std::string> MappedInProvider::translate(const logging::Record& record, bool strict) const {
   const auto theirs = reader_->read(record.bytes);
-  if (!theirs) return Error{rule_.from + ": " + theirs.error()};
+  if (!theirs) return theirs.failure(rule_.from);
   return mapped(rule_, *theirs, record.capture_ns, strict);
 }
 
@@ -297,7 +297,7 @@ Result<std::optional<logging::Record>> MappedInProvider::read() {
       (*record)->bytes = std::move(*ours);
       return record;
     }
-    if (lost_.fetch_add(1, std::memory_order_relaxed) == 0) return Error{ours.error()};
+    if (lost_.fetch_add(1, std::memory_order_relaxed) == 0) return ours.failure();
   }
 }
 

@@ -188,13 +188,13 @@ class MappingReader {
 
 Result<Mapping> parse_mapping(const std::string& name, std::string_view text) {
   const Result<Json> json = parse_json(text);
-  if (!json) return Error{name + ": " + json.error()};
+  if (!json) return json.failure(name);
   return MappingReader(name).read(*json);
 }
 
 Result<Mapping> read_mapping(const std::filesystem::path& file) {
   const Result<std::string> text = read_file(file, kMostFileBytes);
-  if (!text) return Error{text.error()};
+  if (!text) return text.failure();
   return parse_mapping(file.string(), *text);
 }
 

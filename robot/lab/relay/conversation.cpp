@@ -35,7 +35,7 @@ Result<std::string> as_image(std::string_view bytes) {
     return Error{"expected a JPEG in a foxglove.CompressedImage, got " + std::to_string(bytes.size()) +
                  " bytes of something else"};
   const auto size = image::size_of_jpeg(compressed.data());
-  if (!size) return Error{size.error()};
+  if (!size) return size.failure();
   foresight::Image image;
   image.set_encoding(foresight::Image::ENCODING_JPEG);
   image.set_width(static_cast<std::uint32_t>(size->width));
@@ -68,16 +68,16 @@ Result<std::uint64_t> Conversation::go_on() {
     next_call_ns_ = now_ns + kRoundsEvery;
   }
   if (clock_service_ && sent_ns_ == 0 && now_ns >= next_call_ns_)
-    if (Result<void> asked = ask_time(); !asked) return Error{asked.error()};
+    if (Result<void> asked = ask_time(); !asked) return asked.failure();
   if (!agreed_ && introduced_ && !clock_service_ && now_ns >= began_ns_ + kIntroductionNs)
-    if (Result<void> agreed = agree(); !agreed) return Error{agreed.error()};
+    if (Result<void> agreed = agree(); !agreed) return agreed.failure();
   if (!agreed_ && !clock_service_) return std::max(began_ns_ + kIntroductionNs, now_ns + kMillisecond);
   return sent_ns_ == 0 && clock_service_ ? next_call_ns_ : now_ns + kSecond;
 }
 
 Result<void> Conversation::hear_text(std::string_view text) {
   auto said = net::foxglove::parse_server_text(text);
-  if (!said) return Error{said.error()};
+  if (!said) return said.failure();
   if (said->info) introduce(*said->info);
   for (auto& channel : said->channels) offered_.push_back(std::move(channel));
   for (const auto& service : said->services)
@@ -102,13 +102,13 @@ void Conversation::introduce(const net::foxglove::ServerInfo& info) {
 
 Result<void> Conversation::hear_binary(std::string_view bytes) {
   const auto answer = net::foxglove::parse_service_answer(bytes);
-  if (!answer) return Error{answer.error()};
+  if (!answer) return answer.failure();
   if (*answer) {
     const bool waited_for = sent_ns_ != 0 && (*answer)->service == clock_service_ && (*answer)->call == call_;
     return waited_for ? hear_time((*answer)->payload) : Result<void>();
   }
   const auto data = net::foxglove::parse_message_data(bytes);
-  if (!data) return Error{data.error()};
+  if (!data) return data.failure();
   return *data ? take(**data) : Result<void>();
 }
 
@@ -166,7 +166,7 @@ Result<void> Conversation::agree() {
         status.state = LinkStatus::State::refused;
         status.clock = best_;
       });
-      return Error{found.error()};
+      return found.failure();
     }
     // within one run of the robot a new measurement does not change the shift
     const bool as_before =

@@ -108,14 +108,14 @@ Result<void> RobotLink::converse(const std::string& address) {
   std::uint64_t heard_ns = monotonic_ns();
   while (true) {
     const Result<std::uint64_t> until_ns = conversation.go_on();
-    if (!until_ns) return Error{until_ns.error()};
+    if (!until_ns) return until_ns.failure();
     const std::uint64_t silent_ns = conversation.hears_time() ? heard_ns + kSilenceNs : UINT64_MAX;
     const auto message = client->receive(std::min(*until_ns, silent_ns));
     const std::uint64_t now_ns = monotonic_ns();
     if (!message) {
       if (now_ns >= silent_ns) return Error{"no message for 3 s"};
       if (now_ns >= *until_ns) continue;  // any other error returns with the next call
-      return Error{message.error()};
+      return message.failure();
     }
     if (!*message) return Error{"it ended the connection" + (client->closed() ? ": " + client->closed()->reason : "")};
     heard_ns = now_ns;
@@ -128,7 +128,7 @@ Result<std::string> ask_name(const RobotAddress& robot, std::uint64_t timeout_ns
   for (const std::string& address : robot.addresses) {
     net::WebSocketClient client;
     if (const Result<void> connected = client.connect(address, timeout_ns); !connected) {
-      problem = Error{connected.error()};
+      problem = connected.failure();
       continue;
     }
     const auto message = client.receive(monotonic_ns() + timeout_ns);

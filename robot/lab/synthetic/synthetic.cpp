@@ -127,7 +127,7 @@ Result<ImportReport> SyntheticRobot::write(double from, double to, ImportSink& s
     put_body(step, moment, noise_);
     if (number % kThink == 0) put_thoughts(step, moment, sights_[static_cast<std::size_t>(number / kThink)], noise_);
     put_rest(step, moment);
-    if (!step.done()) return Error{step.done().error()};
+    if (!step.done()) return step.done().failure();
   }
   return report;
 }
