@@ -8,8 +8,8 @@
 #include "proto/foresight/game.pb.h"
 #include "proto/foresight/sim.pb.h"
 #include "proto/foresight/strategy.pb.h"
+#include "robot/bridge/from_messages.h"
 #include "robot/foresight/foreseer.h"
-#include "robot/foresight/knowledge.h"
 #include "robot/foresight/scorer.h"
 #include "robot/logging/sessions/session_provider.h"
 #include "sim/io/rules.h"
@@ -19,8 +19,8 @@ namespace {
 
 /// Reads all messages of `topic`, in the order of writing.
 template <class Message>
-std::vector<foreseeing::Remembered<Message>> read_all(const logging::Session& session, const std::string& topic) {
-  std::vector<foreseeing::Remembered<Message>> all;
+std::vector<bridge::Remembered<Message>> read_all(const logging::Session& session, const std::string& topic) {
+  std::vector<bridge::Remembered<Message>> all;
   const auto file = std::ranges::find(session.streams, topic, &logging::StreamFile::topic);
   if (file == session.streams.end()) return all;
   const auto stream = logging::provider_of(session, *file);
@@ -29,7 +29,7 @@ std::vector<foreseeing::Remembered<Message>> read_all(const logging::Session& se
     const Result<std::optional<logging::Record>> record = stream->read();
     if (!record) continue;  // the table of streams reports the damage
     if (!*record) break;
-    foreseeing::Remembered<Message> message{.value = {}, .capture_ns = (*record)->capture_ns};
+    bridge::Remembered<Message> message{.value = {}, .capture_ns = (*record)->capture_ns};
     if (message.value.ParseFromString((*record)->bytes)) all.push_back(std::move(message));
   }
   return all;
@@ -37,7 +37,7 @@ std::vector<foreseeing::Remembered<Message>> read_all(const logging::Session& se
 
 /// Returns the delay [s] of the referee's message about a goal: by the rules of the recorded simulation, or by the
 /// newest rules if no simulation was recorded.
-float goal_delay_of(const std::vector<foreseeing::Remembered<foresight::Simulation>>& simulations) {
+float goal_delay_of(const std::vector<bridge::Remembered<foresight::Simulation>>& simulations) {
   const std::string rules = simulations.empty() ? foreseeing::kNewestRules : simulations.front().value.rules();
   const auto loaded = sim::io::load_rules(rules);
   return loaded ? loaded->goal_message_delay : 0;
@@ -48,16 +48,16 @@ float goal_delay_of(const std::vector<foreseeing::Remembered<foresight::Simulati
 std::map<std::string, foresight::ForecastScore> score_forecasts(const logging::Session& session) {
   constexpr std::string_view kForecast = "/forecast";
   std::map<std::string, foresight::ForecastScore> scores;
-  auto simulations = read_all<foresight::Simulation>(session, foreseeing::kSimulationTopic);
+  auto simulations = read_all<foresight::Simulation>(session, bridge::kSimulationTopic);
   const float goal_delay = goal_delay_of(simulations);
-  std::ranges::stable_sort(simulations, {}, &foreseeing::Remembered<foresight::Simulation>::capture_ns);
+  std::ranges::stable_sort(simulations, {}, &bridge::Remembered<foresight::Simulation>::capture_ns);
   for (const logging::StreamFile& file : session.streams) {
     if (!file.topic.ends_with(kForecast)) continue;
     const std::string robot = file.topic.substr(1, file.topic.size() - 1 - kForecast.size());
     const auto forecasts = read_all<foresight::Forecast>(session, file.topic);
     auto games = read_all<foresight::GameState>(session, "/" + robot + "/game");
     if (forecasts.empty() || games.empty()) continue;
-    std::ranges::stable_sort(games, {}, &foreseeing::Remembered<foresight::GameState>::capture_ns);
+    std::ranges::stable_sort(games, {}, &bridge::Remembered<foresight::GameState>::capture_ns);
     foreseeing::Scorer scorer(goal_delay);
     // in the order of writing, because a choice carries the time of its question and replaces newer values
     for (const auto& strategy : read_all<foresight::Strategy>(session, "/" + robot + "/strategy"))

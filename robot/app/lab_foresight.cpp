@@ -31,10 +31,9 @@ Result<void> take_over(logging::InProvider& stream, const std::string& topic, st
 
 /// Returns the topics that a question about `robot` needs.
 std::vector<std::string> topics_of(const std::string& robot) {
-  std::vector<std::string> topics{foreseeing::kSimulationTopic};
-  const foreseeing::Recollection none;
-  foreseeing::Recollection::visit(none,
-                                  [&](const char* name, const auto&) { topics.push_back("/" + robot + "/" + name); });
+  std::vector<std::string> topics{bridge::kSimulationTopic};
+  const bridge::Recollection none;
+  bridge::Recollection::visit(none, [&](const char* name, const auto&) { topics.push_back("/" + robot + "/" + name); });
   return topics;
 }
 
@@ -57,7 +56,7 @@ std::vector<std::string> with_default_strategies(std::vector<std::string> strate
 
 LabForesight::Setting LabForesight::setting_of(const memory::Channels& channels, const std::string& robot) const {
   Setting setting{.rules = foreseeing::kNewestRules, .models = "match", .opponent_models = "match"};
-  const auto simulation = foreseeing::simulation_of(channels);
+  const auto simulation = bridge::simulation_of(channels);
   if (simulation && !simulation->value.rules().empty()) {
     const foresight::SimulatedTeam &home = simulation->value.home(), &away = simulation->value.away();
     const bool is_home = robot.starts_with(std::to_string(home.number()) + "/");

@@ -22,6 +22,8 @@ constexpr int kDone = 0, kBadInput = 2;
 constexpr int kGivenBack_bytes = 512 * 1024;  // a 640x480 image has 600 kB
 
 Result<void> run(const RobotOptions& options) {
+  if (!options.behaviour.empty() && options.body != "attached" && options.body != "nao")
+    return Error{"--behaviour: expected --body attached or nao, got " + options.body};
   if (options.body == "attached") return run_attached(options);
   if (options.body == "nao") return run_nao(options);
   return options.body == "sim" ? run_simulation(options) : run_replay(options);

@@ -21,6 +21,10 @@ void add_body_options(CLI::App& app, RobotOptions& options) {
   app.add_flag("--loop", options.loop, "at the end begin again: the recording, or a new game with the next seed");
   app.add_option("--door", options.door,
                  "socket for a team's processes, body attached or nao; default: $FORESIGHT_DOOR, else one per user");
+  app.add_option(
+      "--behaviour", options.behaviour,
+      "our strategy that decides 30 times a second, body attached or nao, by name or path; default: none, a team's "
+      "process writes motion_command");
   app.add_option("--guardian", options.guardian,
                  "link of the guardian for body nao; default: $FORESIGHT_GUARDIAN, else one per user");
   app.add_option(
@@ -122,6 +126,7 @@ const std::string& own_strategy_of(const RobotOptions& options) {
 
 std::set<std::string> written_by_us(const RobotOptions& options) {
   std::set<std::string> objects{"forecast", "forecast_score", "strategy"};
+  if (!options.behaviour.empty()) objects.insert({"motion_command", "decision"});
   if (options.game_controller) objects.insert("game");
   if (options.return_packets || options.team_messages) objects.insert("team");
   return objects;

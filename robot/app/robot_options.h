@@ -22,6 +22,7 @@ struct RobotOptions {
   bool loop = false;
 
   // bodies attached and nao
+  std::string behaviour;       // our strategy that decides on the robot; empty: a team's process decides
   std::filesystem::path door;  // empty: the default path, where clients look
 
   // body nao

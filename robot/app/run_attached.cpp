@@ -1,17 +1,39 @@
 #include "robot/app/run_attached.h"
 
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "robot/agent/agent_thread.h"
 #include "robot/app/runtime.h"
 #include "robot/app/services/foresight_service.h"
 #include "robot/app/services/parameter_service.h"
 #include "robot/body/attached/door.h"
 
 namespace robot::app {
+namespace {
+
+/// Loads the behaviour of ours that decides on the robot, if one is wanted.
+Result<std::optional<agent::Agent>> agent_of(const RobotOptions& options) {
+  if (options.behaviour.empty()) return std::optional<agent::Agent>();
+  const bool chooses = !options.strategies.empty();
+  if (chooses && options.strategies.front() != options.behaviour)
+    return Error{"--behaviour: expected the first of --strategies, '" + options.strategies.front() + "', got '" +
+                 options.behaviour + "'"};
+  auto agent = agent::Agent::load({.behaviour = options.behaviour,
+                                   .strategies = options.strategies,
+                                   .rules = rules_of(options),
+                                   .models = options.models});
+  if (!agent) return agent.failure("--behaviour");
+  return std::optional(std::move(*agent));
+}
+
+}  // namespace
 
 Result<void> run_attached(const RobotOptions& options, const OwnBody& own) {
   const RobotName robot = robot_named_by(options);
+  Result<std::optional<agent::Agent>> agent = agent_of(options);
+  if (!agent) return agent.failure();
   const SessionClock clock;
   const auto memory = std::make_shared<memory::Memory>(robot.text(), clock);
   Runtime runtime(runtime_options(options, robot), clock, own_objects(*memory));
@@ -36,6 +58,8 @@ Result<void> run_attached(const RobotOptions& options, const OwnBody& own) {
   if (!begun) return begun.failure();
   if (!*begun) return {};
   const std::shared_ptr<void> body = own.begin ? own.begin(*memory, clock) : nullptr;
+  std::optional<agent::AgentThread> deciding;
+  if (*agent) deciding.emplace(std::move(**agent), *memory, runtime.channels(), robot.text(), clock);
   runtime.run([] { return true; });
   return {};
 }

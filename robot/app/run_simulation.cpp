@@ -18,7 +18,7 @@
 namespace robot::app {
 namespace {
 
-Result<body::Setup> setup_of(const RobotOptions& options, sim::Side side) {
+Result<body::GameSetup> setup_of(const RobotOptions& options, sim::Side side) {
   // every robot decides at 30 Hz, as on a real robot
   const std::string rules = rules_of(options);
   auto game = sim::io::prepare({.rules = rules,
@@ -30,9 +30,9 @@ Result<body::Setup> setup_of(const RobotOptions& options, sim::Side side) {
   const auto own = static_cast<std::uint32_t>(robot_named_by(options).team);
   const auto opponent = static_cast<std::uint32_t>(options.opponent);
   const bool home = side == sim::Side::home;
-  return body::Setup{.game = std::move(*game),
-                     .rules = rules,
-                     .teams = {.home = home ? own : opponent, .away = home ? opponent : own}};
+  return body::GameSetup{
+      .game = std::move(*game),
+      .names = {.rules = rules, .teams = {.home = home ? own : opponent, .away = home ? opponent : own}}};
 }
 
 /// Makes the own side follow its captain's choice among `strategies`, if the own side plays the first of them.
@@ -69,7 +69,7 @@ Result<void> run_simulation(const RobotOptions& options) {
     return Error{"--player: body sim has players 1 .. " + std::to_string(sim::kMaxPlayers) + ", got " +
                  std::to_string(robot.player)};
   if (options.game_controller) return Error{"--game-controller: not with body sim, which plays a game of its own"};
-  Result<body::Setup> setup = setup_of(options, side);
+  Result<body::GameSetup> setup = setup_of(options, side);
   if (!setup) return setup.failure();
   const foreseeing::ForeseerOptions foreseeing = foreseer_options(options);
   if (Result<void> led = follow_captain(foreseeing.strategies, options, side, setup->game); !led) return led;

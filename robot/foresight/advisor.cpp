@@ -14,9 +14,9 @@ namespace robot::foreseeing {
 namespace {
 
 constexpr std::uint64_t kLookNs = 100'000'000;
-constexpr std::size_t kMostHeard = 100;  // each is taken within moments: more is a flood
+constexpr std::size_t kMostHeard = 100;  // questions are taken within moments: more is a flood
 
-/// An answer to what could not even be asked.
+/// Returns the answer to a question that could not be asked.
 pb::Forecast refused(const pb::WhatIf& question, std::uint64_t now_ns, const std::string& sentence) {
   pb::Forecast forecast;
   *forecast.mutable_question() = question;
@@ -28,7 +28,7 @@ pb::Forecast refused(const pb::WhatIf& question, std::uint64_t now_ns, const std
 
 }  // namespace
 
-/// Hears of questions in memory.
+/// The listener for questions in memory.
 class Advisor::Inbox final : public memory::Listener {
  public:
   explicit Inbox(Advisor& advisor) : advisor_(advisor) {}
@@ -70,11 +70,11 @@ Advisor::~Advisor() {
     woken_.notify_all();
   }
   thread_.join();
-  foreseer_.reset();  // the last answers still come to a whole advisor
+  foreseer_.reset();  // first, because the last answers need the other members
 }
 
 Result<pb::Forecast> Advisor::ask(pb::WhatIf question) {
-  Result<pb::Forecast> forecast = foreseer_->ask_and_wait(question, recollect(channels_, robot_, now_ns_()));
+  Result<pb::Forecast> forecast = foreseer_->ask_and_wait(question, bridge::recollect(channels_, robot_, now_ns_()));
   if (forecast) keep(*forecast);
   return forecast;
 }
@@ -87,7 +87,7 @@ std::string Advisor::strategy() const {
 void Advisor::run() {
   become_background_thread("advisor");
   Triggers triggers(foreseer_->rules().field.length / 2);
-  std::uint64_t look_ns = monotonic_ns() + kLookNs;  // when to look again, whatever comes until then
+  std::uint64_t look_ns = monotonic_ns() + kLookNs;  // time of the next check, regardless of questions
   while (running_) {
     if (const auto asked = next_heard(look_ns)) take_question(*asked);
     if (!running_ || monotonic_ns() < look_ns) continue;
@@ -96,7 +96,7 @@ void Advisor::run() {
   }
 }
 
-/// The first question of memory that was not taken yet, waited for until then.
+/// Returns the next question in memory, and waits for one until `until_ns`.
 std::shared_ptr<const memory::Version> Advisor::next_heard(std::uint64_t until_ns) {
   const std::lock_guard guard(lock_);
   while (running_ && heard_.empty() && monotonic_ns() < until_ns) woken_.wait_until(lock_, until_ns);
@@ -106,7 +106,7 @@ std::shared_ptr<const memory::Version> Advisor::next_heard(std::uint64_t until_n
   return first;
 }
 
-/// What is to be done ten times a second.
+/// Does the checks of every tenth of a second.
 void Advisor::look(Triggers& triggers) {
   const std::uint64_t now_ns = now_ns_();
   const AskingOptions options = options_();
@@ -121,11 +121,11 @@ void Advisor::look(Triggers& triggers) {
   if (missed > 0)
     report(Level::warning, "foresight",
            "left " + std::to_string(missed) + " questions unanswered, which came faster than they can be read");
-  if (options.on) ask_of_own_accord(recollect(channels_, robot_, now_ns), options, triggers);
+  if (options.on) ask_of_own_accord(bridge::recollect(channels_, robot_, now_ns), options, triggers);
 }
 
-/// As the captain, where there is a reason.
-void Advisor::ask_of_own_accord(const Recollection& now, const AskingOptions& options, Triggers& triggers) {
+/// Asks as the captain if there is a reason.
+void Advisor::ask_of_own_accord(const bridge::Recollection& now, const AskingOptions& options, Triggers& triggers) {
   const char* const why = triggers.look(now, static_cast<std::uint64_t>(options.period * 1e9));
   if (!why || captain_asks_) return;
   pb::WhatIf question;
@@ -135,7 +135,7 @@ void Advisor::ask_of_own_accord(const Recollection& now, const AskingOptions& op
   question.set_switching_cost(options.switching_cost);
   question.set_sure(options.sure);
   question.set_id(now.now_ns);
-  // all are compared with the default, whatever is played now (sim/foresight/chooser.h)
+  // all are compared with the default, not with the current strategy (sim/foresight/chooser.h)
   for (const std::string& name : strategies_) question.add_strategies(name);
   const auto leader = static_cast<int>(now.game->value.own_player());
   captain_asks_ = true;
@@ -145,8 +145,8 @@ void Advisor::ask_of_own_accord(const Recollection& now, const AskingOptions& op
     captain_asks_ = false, captain_waits_ = true;
 }
 
-/// Of a team's own process: whatever comes of it is an answer. While the captain waits for a place the next is the
-/// captain's.
+/// Asks a question of a team's own process, which always gets an answer. While the captain waits, the next free place is
+/// the captain's.
 void Advisor::take_question(const memory::Version& version) {
   pb::WhatIf question;
   const std::string_view bytes = version.bytes();
@@ -155,7 +155,7 @@ void Advisor::take_question(const memory::Version& version) {
   newest_id_ = question.id();
   const std::uint64_t now_ns = now_ns_();
   if (captain_waits_ && !foreseer_->idle()) return keep(refused(question, now_ns, kBusy));
-  const Result<void> asked = foreseer_->ask(question, recollect(channels_, robot_, now_ns),
+  const Result<void> asked = foreseer_->ask(question, bridge::recollect(channels_, robot_, now_ns),
                                             [this](const pb::Forecast& forecast) { keep(forecast); });
   if (!asked) keep(refused(question, now_ns, asked.error()));
 }
@@ -168,8 +168,8 @@ void Advisor::keep(const pb::Forecast& forecast) {
   memory_.forecast.write(forecast, forecast.asked_ns());
 }
 
-/// The question that this robot, player `leader`, asked as the captain is answered. Who is no captain any more, penalised
-/// say, does not choose, nor does one whose foresight was switched off meanwhile or whose time was moved back.
+/// Chooses by the answer to the question of this robot, player `leader`. It does not choose when it is no longer the captain
+/// (for example penalised), when foresight was switched off, or when time was moved back.
 void Advisor::decide(const pb::Forecast& forecast, int leader) {
   captain_asks_ = false;
   keep(forecast);
@@ -179,7 +179,7 @@ void Advisor::decide(const pb::Forecast& forecast, int leader) {
   std::string before, reason;
   {
     const std::lock_guard guard(lock_);
-    if (!options_().on || !leads(leader) || Moment{now_ns_()}.is_before(forecast.asked_ns())) return;
+    if (!options_().on || !leads(leader) || bridge::Moment{now_ns_()}.is_before(forecast.asked_ns())) return;
     before = strategies_[static_cast<std::size_t>(following_.choice().played())];
     reason = reason_of(forecast, before, *choice);
     following_.choose(static_cast<int>(choice - strategies_.begin()), forecast.asked_ns());
@@ -189,17 +189,17 @@ void Advisor::decide(const pb::Forecast& forecast, int leader) {
   write_strategy(forecast.asked_ns());
 }
 
-/// This robot is that player, and the captain, now.
+/// Reports whether this robot is that player and the captain now.
 bool Advisor::leads(int player) const {
   const auto game = memory_.game.read();
   return game && static_cast<int>(game->value().own_player()) == player && captain_of(game->value()) == player;
 }
 
-/// What the captain told, where another is it.
+/// Takes over the choice of another captain.
 void Advisor::follow(std::uint64_t now_ns, const AskingOptions& options) {
   const auto game = memory_.game.read();
   const auto team = memory_.team.read();
-  const Moment now = moment_of(channels_, now_ns);
+  const bridge::Moment now = bridge::moment_of(channels_, now_ns);
   bool due = false;
   {
     const std::lock_guard guard(lock_);
@@ -235,8 +235,8 @@ void Advisor::write_strategy(std::uint64_t now_ns) {
 }
 
 void Advisor::score(std::uint64_t now_ns) {
-  std::vector<Remembered<pb::Forecast>> forecasts;
-  std::vector<Remembered<pb::Strategy>> played;
+  std::vector<bridge::Remembered<pb::Forecast>> forecasts;
+  std::vector<bridge::Remembered<pb::Strategy>> played;
   {
     const std::lock_guard guard(lock_);
     forecasts.swap(unscored_);

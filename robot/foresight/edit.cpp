@@ -16,13 +16,13 @@ using sim::Vec2;
 
 bool is_within(float value, float least, float most) { return value >= least && value <= most; }
 
-/// Of a place [m] that is refused later, where it is none on the field.
+/// Returns the place [m]. A place off the field is refused later.
 bool is_sane(float place) { return is_within(place, -100, 100); }
 
 sim::Side side_of(const pb::WhatIf::MovedRobot& robot) { return robot.opponent() ? sim::Side::away : sim::Side::home; }
 
-/// The body's index of a moved robot that plays, in a situation whose own side is home.
-int index_of(const pb::WhatIf::MovedRobot& robot, const Lineups& lineups) {
+/// Returns the body's index of a moved robot, in a situation whose own side is home.
+int index_of(const pb::WhatIf::MovedRobot& robot, const bridge::PlayerMaps& lineups) {
   return sim::robot_of(side_of(robot), lineups.of(side_of(robot)).place_of(robot.player()));
 }
 
@@ -36,9 +36,9 @@ Result<void> check_place(const sim::field::Field& field, const std::string& who,
   return {};
 }
 
-/// Nobody stands in anybody, nor on the ball, as far as the edit has a say in it.
-Result<void> check_apart(const pb::WhatIf::Edit& edit, const Lineups& lineups, const sim::ContactModel& contact,
-                         const sim::World& world) {
+/// Checks that no edited robot overlaps another robot or the ball.
+Result<void> check_apart(const pb::WhatIf::Edit& edit, const bridge::PlayerMaps& lineups,
+                         const sim::ContactModel& contact, const sim::World& world) {
   std::string problem;
   for (const pb::WhatIf::MovedRobot& moved : edit.robots()) {
     const int robot = index_of(moved, lineups);
@@ -48,7 +48,7 @@ Result<void> check_apart(const pb::WhatIf::Edit& edit, const Lineups& lineups, c
       if (other == robot || body.doing == sim::Body::Doing::removed) return;
       const bool moved_too = std::any_of(edit.robots().begin(), edit.robots().end(),
                                          [&](const auto& one) { return index_of(one, lineups) == other; });
-      // who was not moved is only believed to be there
+      // the place of a robot that was not moved is only a belief
       if (moved_too && sim::distance(body.position, at) < 2 * contact.robot_radius)
         problem = name_of(moved) + " stands in another robot";
     });
@@ -61,7 +61,7 @@ Result<void> check_apart(const pb::WhatIf::Edit& edit, const Lineups& lineups, c
 
 }  // namespace
 
-void tell(const pb::WhatIf::Edit& edit, const Lineups& lineups, sim::foresight::Knowledge& knowledge) {
+void tell(const pb::WhatIf::Edit& edit, const bridge::PlayerMaps& lineups, sim::foresight::Knowledge& knowledge) {
   sim::agent::Beliefs& beliefs = knowledge.beliefs;
   for (const pb::WhatIf::MovedRobot& moved : edit.robots()) {
     if (moved.opponent() || lineups.own.place_of(moved.player()) != knowledge.game.player) continue;
@@ -74,13 +74,13 @@ void tell(const pb::WhatIf::Edit& edit, const Lineups& lineups, sim::foresight::
   beliefs.ball = {.position = sim::turned_back(to_ball, sim::direction(pose.heading)), .seen = knowledge.now};
 }
 
-Result<void> apply(const pb::WhatIf::Edit& edit, const Lineups& lineups, const sim::Params& params,
+Result<void> apply(const pb::WhatIf::Edit& edit, const bridge::PlayerMaps& lineups, const sim::Params& params,
                    sim::foresight::Situation& situation) {
   sim::State& state = situation.state;
   sim::World& world = state.world;
   const sim::ContactModel& contact = params.teams[0].models.contact;
   for (const pb::WhatIf::MovedRobot& moved : edit.robots()) {
-    if (const Lineup& lineup = lineups.of(side_of(moved)); lineup.place_of(moved.player()) == 0)
+    if (const bridge::PlayerMap& lineup = lineups.of(side_of(moved)); lineup.place_of(moved.player()) == 0)
       return Error{name_of(moved) + " does not play: players are " + lineup.text()};
     const Vec2 at{moved.x(), moved.y()};
     if (Result<void> placed = check_place(params.rules.field, name_of(moved), at, contact.robot_radius); !placed)

@@ -1,9 +1,9 @@
-// What a question says of the moment, in place of what the robot believes.
+// The edit of a question: it replaces beliefs about the moment.
 #pragma once
 
 #include "proto/foresight/forecast.pb.h"
+#include "robot/bridge/player_map.h"
 #include "robot/core/result.h"
-#include "robot/foresight/lineup.h"
 #include "sim/foresight/situation.h"
 #include "sim/match/params.h"
 
@@ -11,12 +11,13 @@ namespace robot::foreseeing {
 
 namespace pb = ::foresight;
 
-/// What `edit` says of the robot itself and of the ball, it knows: so it can be asked though it saw no ball for long.
-void tell(const pb::WhatIf::Edit& edit, const Lineups& lineups, sim::foresight::Knowledge& knowledge);
+/// Makes the edited place of the robot and of the ball its knowledge. So it can be asked even if it has not seen the ball
+/// for a long time.
+void tell(const pb::WhatIf::Edit& edit, const bridge::PlayerMaps& lineups, sim::foresight::Knowledge& knowledge);
 
-/// Changes the situation to what `edit` says, of which there is no doubt then. An Error where it cannot be so: outside the
+/// Changes the situation as `edit` says, without uncertainty. Returns an Error for an impossible situation: outside the
 /// field, in a goalpost, one robot in another.
-Result<void> apply(const pb::WhatIf::Edit& edit, const Lineups& lineups, const sim::Params& params,
+Result<void> apply(const pb::WhatIf::Edit& edit, const bridge::PlayerMaps& lineups, const sim::Params& params,
                    sim::foresight::Situation& situation);
 
 }  // namespace robot::foreseeing

@@ -6,7 +6,7 @@ namespace robot::foreseeing {
 
 using sim::agent::kNoStrategy;
 
-void Following::hear(const pb::Team& team, int captain, int player, const Moment& now) {
+void Following::hear(const pb::Team& team, int captain, int player, const bridge::Moment& now) {
   for (const pb::Teammate& mate : team.teammates()) {
     const int sender = static_cast<int>(mate.player());
     const bool stale = now.since(mate.received_ns()) >= kStaleNs || now.is_before(mate.received_ns());
@@ -19,7 +19,7 @@ void Following::hear(const pb::Team& team, int captain, int player, const Moment
   }
 }
 
-void Following::forget(const Moment& now, std::uint64_t period_ns) {
+void Following::forget(const bridge::Moment& now, std::uint64_t period_ns) {
   if (now.is_before(told_ns_)) choice_ = {}, told_ns_ = 0;
   if (now.since(told_ns_) >= kStaleNs + period_ns) let_go(choice_);
 }

@@ -1,33 +1,34 @@
-// What the team plays: this robot's own choice where it is the captain, else the newest that it heard.
+// The team's strategy: the captain's own choice, or the newest choice heard from the captain.
 #pragma once
 
 #include <cstdint>
 
 #include "proto/foresight/team.pb.h"
-#include "robot/foresight/moment.h"
+#include "robot/bridge/moment.h"
 #include "sim/agent/choice.h"
 
 namespace robot::foreseeing {
 
 namespace pb = ::foresight;
 
-/// Plain data with the rule of sim/agent/choice.h: the simulator's teams follow by the same one. Used by one thread.
+/// The rule of sim/agent/choice.h, which the simulator's teams follow too. Used by one thread.
 class Following {
  public:
-  /// A choice that was not confirmed for longer, in game time, is not followed.
+  /// Game time after which an unconfirmed choice is dropped [ns].
   static constexpr std::uint64_t kStaleNs = 20'000'000'000;
 
-  /// `strategies` [1..8] in the robot's list.
+  /// `strategies` is the number of strategies in the robot's list [1..8].
   explicit Following(int strategies) : strategies_(strategies) {}
 
-  /// Takes over what teammates told. `captain` chooses, 0: nobody; `player` is this robot.
-  void hear(const pb::Team& team, int captain, int player, const Moment& now);
+  /// Takes over the choice in the teammates' messages. `captain` is the player that chooses, 0 for none; `player` is this
+  /// robot.
+  void hear(const pb::Team& team, int captain, int player, const bridge::Moment& now);
 
-  /// Lets go of a choice that is stale; where this robot asks every `period_ns` of game time itself, that much later.
-  /// Where time was moved back, of one that is still to come and of what was before it. To be called now and then.
-  void forget(const Moment& now, std::uint64_t period_ns = 0);
+  /// Drops a stale choice. A robot that asks every `period_ns` of game time keeps it that much longer. After time was moved
+  /// back it also drops choices of the future. Call it regularly.
+  void forget(const bridge::Moment& now, std::uint64_t period_ns = 0);
 
-  /// As the captain; confirms what is played when it is the same.
+  /// Sets the captain's own choice, or confirms it when it is the same.
   void choose(int strategy, std::uint64_t told_ns);
 
   const sim::agent::Choice& choice() const { return choice_; }

@@ -1,4 +1,4 @@
-// An answer as people and services read it.
+// Answers as JSON.
 #include <array>
 #include <utility>
 

@@ -22,7 +22,8 @@ constexpr std::size_t kMostJobs = 2;       // one runs, one waits
 constexpr std::size_t kMostPlaybooks = 8;  // kept ready
 constexpr std::uint64_t kMillion = 1'000'000;
 
-void add_paths(const pf::StrategyStatistics& account, const Lineup& lineup, pb::Forecast::StrategyForecast& told) {
+void add_paths(const pf::StrategyStatistics& account, const bridge::PlayerMap& lineup,
+               pb::Forecast::StrategyForecast& told) {
   for (const pf::Path& path : account.paths) {
     if (path.points == 0) continue;
     pb::Forecast::Path& shown = *told.add_paths();
@@ -43,7 +44,7 @@ void add_paths(const pf::StrategyStatistics& account, const Lineup& lineup, pb::
     for (const std::uint32_t count : row) told.add_heat(count);
 }
 
-void fill(const pf::Standing& standing, const pf::StrategyStatistics& account, const Lineup& lineup,
+void fill(const pf::Standing& standing, const pf::StrategyStatistics& account, const bridge::PlayerMap& lineup,
           pb::Forecast::StrategyForecast& told) {
   told.set_rollouts(static_cast<std::uint32_t>(standing.rollouts));
   told.set_mean(static_cast<float>(standing.mean));
@@ -58,7 +59,7 @@ void fill(const pf::Standing& standing, const pf::StrategyStatistics& account, c
   add_paths(account, lineup, told);
 }
 
-void fill(const pf::Situation& situation, const sim::field::Rules& rules, const Lineups& lineups,
+void fill(const pf::Situation& situation, const sim::field::Rules& rules, const bridge::PlayerMaps& lineups,
           pb::Forecast::Situation& told) {
   const sim::World& world = situation.state.world;
   const sim::referee::Book& book = situation.state.book;
@@ -82,11 +83,11 @@ void fill(const pf::Situation& situation, const sim::field::Rules& rules, const 
   });
 }
 
-/// [s] that each rollout looks at most.
+/// Returns the longest simulated time of a rollout [s].
 float horizon_of(const pb::WhatIf& question, const sim::field::Rules& rules, const sim::referee::Book& book) {
   const bool is_half = question.until() == pb::WhatIf::UNTIL_HALF;
   if (!is_half && question.until() != pb::WhatIf::UNTIL_GAME) return question.horizon();
-  // the clock of a half stands until its kick-off
+  // the clock of a half does not run before its kick-off
   using Phase = sim::agent::Game::Phase;
   const float before = rules.ready_duration + rules.set_duration;
   const bool stands = book.clock == 0 && book.phase != Phase::playing;
@@ -96,7 +97,7 @@ float horizon_of(const pb::WhatIf& question, const sim::field::Rules& rules, con
   return left + static_cast<float>(halves) * (before + rules.half_duration);
 }
 
-/// What every answer says, whatever came of it.
+/// Fills the fields that every answer has.
 pb::Forecast began(const pb::WhatIf& question, std::uint64_t asked_ns, double speed,
                    const sim::io::PlaybookChoice& choice) {
   pb::Forecast forecast;
@@ -110,7 +111,7 @@ pb::Forecast began(const pb::WhatIf& question, std::uint64_t asked_ns, double sp
   return forecast;
 }
 
-/// Luck of its own for each question, and the same for the same question about the same moment.
+/// Returns the seed of a question: the same for the same question about the same moment.
 sim::RandomKey key_of(const pb::WhatIf& question, const pf::Situation& situation) {
   sim::Hash hash;
   hash.add(sim::hash_of(situation.state));
@@ -127,7 +128,7 @@ Whose whose(const std::string& robot, const std::string& own) {
 Result<std::unique_ptr<Foreseer>> Foreseer::open(ForeseerOptions options) {
   if (options.strategies.empty()) return Error{"foresight: there are no strategies to choose from"};
   auto made = std::unique_ptr<Foreseer>(new Foreseer(std::move(options)));
-  // everything is read once, so that a wrong file is told now
+  // everything is read once, so that a wrong file is reported now
   if (const auto playbook = made->playbook_for(made->options_.strategies.front(), 0, Whose::own); !playbook)
     return Error{"foresight: " + playbook.error()};
   else
@@ -148,7 +149,7 @@ Foreseer::~Foreseer() {
   if (answering_.joinable()) answering_.join();
 }
 
-/// Of all strategies against that opponent, in the order of the options; 0 players: as the rules say.
+/// Returns the playbook of all strategies against that opponent, in the order of the options. 0 players: as in the rules.
 Result<std::shared_ptr<const sim::io::Playbook>> Foreseer::playbook_for(const std::string& opponent, int players,
                                                                         Whose robot) {
   const std::lock_guard guard(preparing_);
@@ -177,7 +178,8 @@ bool Foreseer::idle() {
   return jobs_.empty();
 }
 
-Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollection, Answered answered, Whose robot) {
+Result<void> Foreseer::ask(const pb::WhatIf& asked, const bridge::Recollection& recollection, Answered answered,
+                           Whose robot) {
   Result<pb::WhatIf> question = complete(asked, options_.strategies);
   if (!question) return Error{question.error()};
   const std::uint32_t told = recollection.game ? recollection.game->value.players_per_team() : 0;
@@ -186,12 +188,13 @@ Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollec
   if (!playbook) return Error{playbook.error()};
   const sim::Params& params = (*playbook)->params.front();
 
-  const Lineups lineups(recollection.game ? recollection.game->value : pb::GameState(), params.rules.players);
+  const bridge::PlayerMaps lineups(recollection.game ? recollection.game->value : pb::GameState(),
+                                   params.rules.players);
   auto job = std::make_unique<Job>(Job{.lineups = lineups});
   job->asked_ns = recollection.now_ns;
   job->speed = recollection.speed;
   job->arrived_ns = monotonic_ns();
-  auto knowledge = knowledge_of(recollection, params);
+  auto knowledge = bridge::knowledge_of(recollection, params);
   if (knowledge && question->has_edit()) tell(question->edit(), lineups, *knowledge);
   const pf::Believed believed =
       knowledge ? pf::believe(params, *knowledge) : pf::Believed{.situation = {}, .refusal = knowledge.error()};
@@ -222,7 +225,8 @@ Result<void> Foreseer::ask(const pb::WhatIf& asked, const Recollection& recollec
   return {};
 }
 
-Result<pb::Forecast> Foreseer::ask_and_wait(const pb::WhatIf& question, const Recollection& recollection, Whose robot) {
+Result<pb::Forecast> Foreseer::ask_and_wait(const pb::WhatIf& question, const bridge::Recollection& recollection,
+                                            Whose robot) {
   const auto answer = std::make_shared<std::promise<pb::Forecast>>();
   auto coming = answer->get_future();
   if (Result<void> asked = ask(
@@ -232,7 +236,7 @@ Result<pb::Forecast> Foreseer::ask_and_wait(const pb::WhatIf& question, const Re
   return coming.get();
 }
 
-/// The thread that answers.
+/// Runs the answering thread.
 void Foreseer::answer() {
   name_thread("advice");
   Rollouts rollouts(options_.share);

@@ -1,4 +1,4 @@
-// Answers what-if questions while the robot plays: the thread, the clock and the deadline round sim/foresight.
+// Answers what-if questions while the robot plays: the threads, the clock and the deadline around sim/foresight.
 #pragma once
 
 #include <cstdint>
@@ -12,40 +12,42 @@
 #include <vector>
 
 #include "proto/foresight/forecast.pb.h"
+#include "robot/bridge/from_messages.h"
+#include "robot/bridge/player_map.h"
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
-#include "robot/foresight/knowledge.h"
-#include "robot/foresight/lineup.h"
 #include "robot/foresight/rollouts.h"
 #include "sim/io/playbook.h"
 
 namespace robot::foreseeing {
 
-/// Of games that nobody says more of.
+namespace pb = ::foresight;
+
+/// The rules of a game for which none are given.
 inline constexpr const char* kNewestRules = "spl2025";
 
 struct ForeseerOptions {
-  std::vector<std::string> strategies;  // 1 .. 8 that can be asked about, by name or path; the first is played
+  std::vector<std::string> strategies;  // 1 .. 8 strategies by name or path; the first is played
   std::string rules = kNewestRules;
-  std::string models = "match";           // of one's own robots
-  std::string opponent_models = "match";  // of the others'
+  std::string models = "match";           // of the own robots
+  std::string opponent_models = "match";  // of the opponents
   Share share = Share::left_over;         // of the processor, for the rollouts
 };
 
-/// Whose robot a question is asked for: the others' plays with the others' models, against one's own.
+/// The team of the robot that a question is about. An opponent plays with the opponents' models against the own team.
 enum class Whose : std::uint8_t { own, others };
 
-/// Whose `robot` is to the robot `own`, both "<team>/<player>".
+/// Returns the team of `robot` as seen by the robot `own`, both "<team>/<player>".
 Whose whose(const std::string& robot, const std::string& own);
 
-/// What an answer says that finds no place.
+/// The refusal of a question when no place is free.
 inline constexpr const char* kBusy = "foresight is busy: one question runs and another one waits";
 
-/// Two threads: rollouts at the lowest priority, and at normal priority one that answers at the deadline from the last
-/// whole stripe, however little the rollouts got. All functions from any thread.
+/// Two threads. One plays rollouts at the lowest priority. The other, at normal priority, answers at the deadline from the
+/// last complete stripe, even if the rollouts got little time. All functions from any thread.
 class Foreseer {
  public:
-  /// An Error if a strategy, the rules or the models cannot be had.
+  /// Returns an Error if a strategy, the rules or the models cannot be loaded.
   static Result<std::unique_ptr<Foreseer>> open(ForeseerOptions options);
   ~Foreseer();
   Foreseer(const Foreseer&) = delete;
@@ -54,31 +56,31 @@ class Foreseer {
   const std::vector<std::string>& strategies() const { return options_.strategies; }
   const sim::field::Rules& rules() const { return rules_; }
 
-  /// No question runs, none waits.
+  /// Reports whether no question runs or waits.
   bool idle();
 
-  /// From now on every question is answered at once, by what is there. Before it goes, so that nobody waits for long.
+  /// Answers every question at once from the results so far. Called before the destruction, so that no caller waits long.
   void hurry();
 
   /// Called on the answering thread; must not wait for a question of its own.
   using Answered = std::function<void(const pb::Forecast&)>;
 
-  /// Asks from where `recollection` is. One question runs at a time, and one may wait for it: a third is refused, and so
-  /// is what makes no sense; then `answered` is not called. What cannot be told is an answer, with its `refusal`; it comes
-  /// before this returns. The budget counts from when the question runs.
-  Result<void> ask(const pb::WhatIf& question, const Recollection& recollection, Answered answered,
+  /// Asks about the moment of `recollection`. One question runs and one may wait. A third question and a wrong one get an
+  /// Error, and `answered` is not called. A question that cannot be answered gets an answer with a `refusal`, before this
+  /// returns. The budget counts from the start of the question.
+  Result<void> ask(const pb::WhatIf& question, const bridge::Recollection& recollection, Answered answered,
                    Whose robot = Whose::own);
 
-  /// As above, and waits for the answer.
-  Result<pb::Forecast> ask_and_wait(const pb::WhatIf& question, const Recollection& recollection,
+  /// Asks in the same way, and waits for the answer.
+  Result<pb::Forecast> ask_and_wait(const pb::WhatIf& question, const bridge::Recollection& recollection,
                                     Whose robot = Whose::own);
 
  private:
   struct Job {
     pb::WhatIf question;
     Futures futures;
-    Lineups lineups;
-    std::uint64_t asked_ns = 0;    // [ns since the epoch] of the moment it is about
+    bridge::PlayerMaps lineups;
+    std::uint64_t asked_ns = 0;    // [ns since the epoch] the moment of the question
     double speed = 1;              // [game seconds per second]
     std::uint64_t arrived_ns = 0;  // [monotonic]
     Answered answered;
@@ -92,7 +94,7 @@ class Foreseer {
   static pb::Forecast forecast_of(const Job& job, const Progress& progress);
 
   const ForeseerOptions options_;
-  sim::field::Rules rules_;  // does not change once it is open
+  sim::field::Rules rules_;  // constant after open()
 
   Mutex preparing_;
   std::map<std::tuple<std::string, int, Whose>, std::shared_ptr<const sim::io::Playbook>> playbooks_;

@@ -1,21 +1,22 @@
-// The newest value of one thread for another, without locks: neither ever waits, whatever their priorities.
+// Passes the newest value from one thread to another without locks: neither waits, whatever their priorities.
 #pragma once
 
 #include <atomic>
 
 namespace robot::foreseeing {
 
-/// Three of them: one is written, one is read, one lies in between. One thread writes, one reads.
+/// A triple buffer: one value is written, one is read, one lies in between. One thread writes, one reads.
 template <class Value>
 class Mailbox {
  public:
-  /// What `publish` is to give. The writer's; holds some older value until it is written.
+  /// Returns the value for the next `publish`. It holds an older value until it is written. For the writer.
   Value& draft() { return values_[writing_]; }
 
-  /// The writer's. From now on the reader finds the draft.
+  /// Makes the draft the newest value. For the writer.
   void publish() { writing_ = between_.exchange(writing_ | kNew, std::memory_order_acq_rel) & kIndex; }
 
-  /// The reader's. What was published last, a default value before; stays as it is until the next call.
+  /// Returns the newest published value, or a default value before the first. It stays the same until the next call. For the
+  /// reader.
   const Value& newest() {
     if ((between_.load(std::memory_order_relaxed) & kNew) != 0)
       reading_ = between_.exchange(reading_, std::memory_order_acq_rel) & kIndex;

@@ -15,7 +15,7 @@ constexpr float kDefaultCost = 0.02f;
 constexpr float kDefaultSure = 0.9f;
 constexpr std::size_t kMostName = 200;
 
-/// All are known, and no strategy is there twice.
+/// Checks that all strategies are known and none occurs twice.
 Result<void> check_names(const pb::WhatIf& question, const std::vector<std::string>& known) {
   if (question.strategies_size() > sim::foresight::kMaxStrategies)
     return Error{"'strategies' must be 1 .. " + std::to_string(sim::foresight::kMaxStrategies) + ", got " +
@@ -33,11 +33,11 @@ Result<void> check_names(const pb::WhatIf& question, const std::vector<std::stri
         question.strategies().begin() + i)
       return Error{"'strategies' must differ, " + name + " is there twice"};
   }
-  // there is always a baseline, whatever one's own team plays
+  // baseline always exists, whatever the own team plays
   return question.opponent() == kDefaultOpponent ? Result<void>{} : check(question.opponent());
 }
 
-/// So many robots may be there, and each can be moved once.
+/// Checks the number of moved robots, and that each is moved once.
 Result<void> check_moved(const google::protobuf::RepeatedPtrField<pb::WhatIf::MovedRobot>& robots) {
   if (robots.size() > sim::kMaxRobots)
     return Error{"'edit.robots' must be at most " + std::to_string(sim::kMaxRobots) + ", got " +

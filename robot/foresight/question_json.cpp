@@ -1,4 +1,4 @@
-// A question as people and services write it.
+// Questions as JSON.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ using nlohmann::json;
 using sim::foresight::kMeasureNames;
 using sim::foresight::kUntilNames;
 
-/// Reads members of a JSON object into a message, and keeps the first thing that is wrong.
+/// Reads members of a JSON object into a message, and keeps the first error.
 class Reader {
  public:
   bool good() const { return problem_.empty(); }
@@ -38,7 +38,7 @@ class Reader {
     return good();
   }
 
-  /// Calls set(number) if there is one. Ranges are checked by who knows them.
+  /// Calls set(number) if the member exists. Ranges are checked by `complete`.
   template <class Set>
   void read_number(const json& object, const std::string& path, const char* key, Set&& set) {
     const auto found = object.find(key);
@@ -144,7 +144,7 @@ Result<pb::WhatIf> parse_question(const json& asked) {
   reader.read_name(asked, "measure", kMeasureNames,
                    [&](int i) { question.set_measure(static_cast<pb::WhatIf::Measure>(i)); });
   reader.read_name(asked, "until", kUntilNames, [&](int i) { question.set_until(static_cast<pb::WhatIf::Until>(i)); });
-  // 0 would be taken for what was left out
+  // 0 would mean absent
   reader.read_number(asked, "", "horizon", [&](double seconds) {
     if (const Result<void> checked = check_horizon(seconds); !checked) reader.refuse(checked.error());
     question.set_horizon(static_cast<float>(seconds));

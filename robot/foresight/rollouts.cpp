@@ -42,7 +42,7 @@ Progress Rollouts::progress() {
 void Rollouts::end() {
   if (races_.empty()) return;
   races_.back()->over = true;
-  // who was never taken never will be
+  // an offer that was not taken will not be taken any more
   if (Race* const untaken = offered_.exchange(nullptr)) untaken->let_go = true;
 }
 

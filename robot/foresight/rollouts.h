@@ -1,4 +1,4 @@
-// The thread that plays the futures of a question, out of the way of everybody else.
+// The thread that plays the futures of a question, at the lowest priority.
 #pragma once
 
 #include <atomic>
@@ -13,7 +13,7 @@
 
 namespace robot::foreseeing {
 
-/// What one question's futures are played from.
+/// The inputs of the futures of one question.
 struct Futures {
   std::shared_ptr<const sim::io::Playbook> playbook;
   std::vector<int> strategies;  // of the playbook
@@ -22,21 +22,21 @@ struct Futures {
   sim::RandomKey key;
 };
 
-/// Which share of a busy processor the futures get.
+/// The share of a busy processor for the futures.
 enum class Share : std::uint8_t {
-  left_over,   // idle priority: what nobody else wants, beside a robot that plays
-  background,  // nice 10: a twentieth and more, where no robot waits
+  left_over,   // idle priority: unused time only, beside a robot that plays
+  background,  // nice 10: at least a twentieth, where no robot waits
 };
 
-/// What they have come to.
+/// The results of the futures so far.
 struct Progress {
-  std::uint64_t race = 0;  // which `begin` they are of
+  std::uint64_t race = 0;  // number of their `begin`
   sim::foresight::RolloutStatistics tally;
   std::uint64_t computed_ns = 0;  // of processor time
 };
 
-/// On a busy processor a thread that takes what is left over may sleep for a second wherever it is. So it shares no lock
-/// with anybody, and nothing here waits for it but the destructor.
+/// On a busy processor a thread of idle priority may sleep for a second at any place. So it shares no lock with other
+/// threads, and only the destructor waits for it.
 ///
 /// All functions from one thread.
 class Rollouts {
@@ -46,13 +46,13 @@ class Rollouts {
   Rollouts(const Rollouts&) = delete;
   Rollouts& operator=(const Rollouts&) = delete;
 
-  /// Plays `futures` from now on, in place of what it played, until monotonic_ns() is `deadline_ns` or `end`.
+  /// Plays `futures` instead of the previous ones, until monotonic_ns() reaches `deadline_ns` or end() is called.
   void begin(Futures futures, std::uint64_t deadline_ns);
 
-  /// As of the last whole stripe since `begin`; empty before there is one.
+  /// Returns the results at the last complete stripe since `begin`, empty before the first.
   Progress progress();
 
-  /// Plays nothing any more.
+  /// Stops playing.
   void end();
 
  private:
@@ -60,17 +60,17 @@ class Rollouts {
     std::uint64_t number = 0;
     Futures futures;
     std::uint64_t began_ns = 0, deadline_ns = 0;  // [monotonic]
-    std::atomic<bool> over = false;               // it is to end
-    std::atomic<bool> let_go = false;             // the thread of the rollouts does not look at it any more
+    std::atomic<bool> over = false;               // it must end
+    std::atomic<bool> let_go = false;             // the rollouts' thread no longer uses it
   };
 
   void run(Share share);
   void play(const Race& race);
   void wake();
 
-  std::vector<std::unique_ptr<Race>> races_;  // the last one, and those that are not let go yet
+  std::vector<std::unique_ptr<Race>> races_;  // the last one, and those still in use
   std::uint64_t number_ = 0;
-  std::atomic<Race*> offered_ = nullptr;  // to be taken by the thread of the rollouts
+  std::atomic<Race*> offered_ = nullptr;  // for the rollouts' thread
   std::atomic<std::uint32_t> wakes_ = 0;
   std::atomic<bool> running_ = true;
   Mailbox<Progress> mailbox_;

@@ -31,7 +31,7 @@ bool has_horizon(const pb::WhatIf& question) {
   return question.until() == pb::WhatIf::UNTIL_HORIZON || question.until() == pb::WhatIf::UNTIL_NEXT_GOAL;
 }
 
-/// One line of the report, and one for each decile that has cases.
+/// Returns one line of the report, and one for each decile with cases.
 std::string lines_of(const char* what, const pb::ForecastScore::Event& event) {
   std::string deciles;
   char line[160];
@@ -71,7 +71,7 @@ void Scorer::foretell(const pb::Forecast& forecast, std::uint64_t capture_ns) {
   open.due_ns = capture_ns + nanoseconds(forecast.horizon() / speed);
   open.delay_ns = by_truth_ ? 0 : nanoseconds(goal_delay_ / speed);
   open.by_behaviour = question.asked_by() != kByPeople && !question.asked_by().starts_with(kByCaptain);
-  // nothing else is needed, and paths are large
+  // other fields are not needed, and paths are large
   open.forecast.set_horizon(forecast.horizon());
   for (const pb::Forecast::StrategyForecast& told : forecast.strategies()) {
     pb::Forecast::StrategyForecast& kept = *open.forecast.add_strategies();
@@ -99,7 +99,7 @@ bool Scorer::see(const pb::GameState& game, std::uint64_t capture_ns) {
 bool Scorer::see(const pb::Simulation& simulation, std::uint64_t capture_ns) {
   const bool is_home = simulation.home().number() == own_team_;
   if (own_team_ == 0 || (!is_home && simulation.away().number() != own_team_)) return false;
-  // what a robot is told has other goals at other times; and so has another game
+  // the goals reported to a robot have other times, and another game has other goals
   if (!by_truth_) entries_.clear();
   if (!by_truth_ || simulation.tick() < tick_) seen_ = false, forget_open();
   by_truth_ = true;
@@ -111,7 +111,7 @@ bool Scorer::see(const pb::Simulation& simulation, std::uint64_t capture_ns) {
   return scored;
 }
 
-/// How it stands, by what is told or by what is so.
+/// Takes the score, as reported or true.
 bool Scorer::see_goals(std::uint32_t own, std::uint32_t opponent, std::uint64_t capture_ns) {
   if (capture_ns < seen_ns_) {
     seen_ = false;
@@ -131,7 +131,7 @@ bool Scorer::see_goals(std::uint32_t own, std::uint32_t opponent, std::uint64_t 
   return scored;
 }
 
-/// A referee who takes a goal back takes the last one of that team.
+/// A withdrawn goal is the last one of that team.
 void Scorer::count(std::uint32_t goals, bool own, std::uint64_t told_ns) {
   std::uint32_t& told = told_[own ? 0 : 1];
   for (; told < goals; ++told) goals_.push_back({.own = own, .told_ns = told_ns});
@@ -141,7 +141,7 @@ void Scorer::count(std::uint32_t goals, bool own, std::uint64_t told_ns) {
   }
 }
 
-/// What the team played from when it was asked until it is due; nullptr: not one and the same.
+/// Returns the strategy from the question until the due time, or null if it changed.
 const std::string* Scorer::played(const Open& open) const {
   if (open.by_behaviour) return &open.forecast.strategies(0).strategy();
   const auto later = std::ranges::upper_bound(plays_, open.asked_ns, {}, &Play::from_ns);
@@ -150,7 +150,7 @@ const std::string* Scorer::played(const Open& open) const {
   return &std::prev(later)->strategy;
 }
 
-/// False: it says nothing of what was played.
+/// Returns false if the forecast says nothing about the played strategy.
 bool Scorer::enter(const Open& open) {
   const auto& strategies = open.forecast.strategies();
   const std::string* const strategy = strategies.empty() ? nullptr : played(open);

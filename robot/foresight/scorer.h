@@ -1,4 +1,4 @@
-// Did it come as it was foretold? Compares forecasts with the game as it went on.
+// Compares forecasts with the later course of the game.
 #pragma once
 
 #include <array>
@@ -19,33 +19,33 @@ namespace robot::foreseeing {
 
 namespace pb = ::foresight;
 
-/// Hears what is played, forecasts and the game, of a live robot or of a recording. The game comes in the order of its
-/// capture times, the others before the game of the moment at which they are due. Where time was moved back, what was
-/// open is not scored. Used by one thread.
+/// The score of forecasts of a live robot or a recording. It needs strategies, forecasts and the game. The game comes in
+/// the order of capture times, the others before the game of the moment at which they are due. Open forecasts are not
+/// scored after time was moved back. Used by one thread.
 ///
-/// Goals are those that the robot was told of, as long as nobody tells how it truly stands.
+/// Goals are those reported to the robot, until the true score of a simulation is known.
 ///
-/// A forecast is scored when its time has passed, by what it said of the strategy that was played all that time. One
-/// that the end of the game or a change of strategy cut short is not: of those, only goals would count.
+/// A forecast is scored when its time has passed, by its statement about the strategy that was played all that time. A
+/// forecast cut short by the end of the game or a change of strategy is not scored: of those, only goals would count.
 class Scorer {
  public:
-  /// Robots are told of a goal `goal_delay` [s of game time] after it fell (sim::field::Rules::goal_message_delay).
+  /// `goal_delay` [s of game time] is the delay between a goal and its report (sim::field::Rules::goal_message_delay).
   explicit Scorer(float goal_delay = 0);
 
-  /// A forecast of the moment `capture_ns` [ns since the epoch]. What cannot be scored is passed over: one that was refused,
-  /// one without advice, one that looks to the end of a half or game, and one of another world than the robot's own, that
-  /// is of an edited situation, or of others who play anything but kDefaultOpponent.
+  /// Adds a forecast of the moment `capture_ns` [ns since the epoch]. It ignores forecasts that cannot be scored: refused
+  /// ones, those without advice, and those up to the end of a half or game. It also ignores those of an edited situation and
+  /// those against another opponent than kDefaultOpponent.
   void foretell(const pb::Forecast& forecast, std::uint64_t capture_ns);
 
-  /// What the team plays from `capture_ns` on. Until this was told forecasts are taken for those of their first strategy,
-  /// and for ever where neither the captain nor people asked but a team's own behaviour: it decides by itself.
+  /// Sets the team's strategy from `capture_ns` on. Before the first call a forecast counts for its first strategy. A
+  /// forecast that a team's own behaviour asked for always does, because that behaviour decides by itself.
   void see(const pb::Strategy& strategy, std::uint64_t capture_ns);
 
-  /// The game at `capture_ns`. True: at least one forecast more was scored.
+  /// Adds the game at `capture_ns`. Returns true if at least one more forecast was scored.
   bool see(const pb::GameState& game, std::uint64_t capture_ns);
 
-  /// How it truly stands at `capture_ns`, in a simulation that the robot's team plays in. From the first on its goals alone
-  /// count, at once when they fall, and what was scored against the robot's memory is forgotten. True as above.
+  /// Adds the true score at `capture_ns` of a simulation in which the robot's team plays. From the first call on only its
+  /// goals count, without delay, and scores against the robot's memory are dropped. Returns the same as above.
   bool see(const pb::Simulation& simulation, std::uint64_t capture_ns);
 
   pb::ForecastScore score() const;
@@ -55,7 +55,7 @@ class Scorer {
   struct Open {
     pb::Forecast forecast;
     std::uint64_t asked_ns = 0, due_ns = 0;
-    std::uint64_t delay_ns = 0;  // after which a goal is told
+    std::uint64_t delay_ns = 0;  // between a goal and its report
     bool by_behaviour = false;
   };
   struct Goal {
@@ -82,23 +82,23 @@ class Scorer {
   bool enter(const Open& open);
 
   const float goal_delay_;
-  std::uint32_t own_team_ = 0;           // 0: no game was seen
-  bool by_truth_ = false;                // a simulation was seen
+  std::uint32_t own_team_ = 0;           // 0: no game yet
+  bool by_truth_ = false;                // a simulation is known
   std::uint32_t tick_ = 0;               // of the simulation
-  std::array<std::uint32_t, 2> told_{};  // goals, as last seen: the own team's, the others'
+  std::array<std::uint32_t, 2> told_{};  // last known goals: own, opponents'
   bool seen_ = false;
   std::uint64_t seen_ns_ = 0;
   std::vector<Goal> goals_;  // of this game
-  std::vector<Play> plays_;  // by time, each another strategy than the one before
+  std::vector<Play> plays_;  // by time; each differs from the one before
   std::vector<Open> open_;
   std::map<std::pair<std::string, float>, std::array<Event, 2>> entries_;  // by strategy and horizon: score, concede
 };
 
-/// A few lines for people: per strategy and horizon how often it came, all in all and by deciles of what was foretold, the
-/// Brier scores and the log-loss; and what tells of the goals. Empty without forecasts.
+/// Returns a few lines for people, empty without forecasts. Per strategy and horizon they have the observed frequency (in
+/// total and by deciles of the forecast), the Brier scores and the log-loss. The last one names the source of the goals.
 std::string to_text(const pb::ForecastScore& score);
 
-/// The fields of the message by their names.
+/// Returns the fields of the message by their names.
 nlohmann::json to_json(const pb::ForecastScore& score);
 
 }  // namespace robot::foreseeing

@@ -1,4 +1,4 @@
-// Values as a sentence shows them.
+// Values in error sentences.
 #pragma once
 
 #include <cstdio>
@@ -7,14 +7,14 @@
 
 namespace robot::foreseeing {
 
-/// As JSON, no longer than a sentence bears.
+/// Returns the value as JSON, cut to 60 bytes.
 inline std::string shown(const nlohmann::json& value) {
   std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   if (text.size() > 60) text = text.substr(0, 60) + "…";
   return text;
 }
 
-/// "0.75", "1e+09".
+/// Returns a number such as "0.75" or "1e+09".
 inline std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);

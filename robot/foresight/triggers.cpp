@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "robot/foresight/lineup.h"
+#include "robot/bridge/player_map.h"
 #include "sim/math/vec2.h"
 
 namespace robot::foreseeing {
@@ -10,11 +10,11 @@ namespace {
 
 using sim::Vec2;
 
-// of game time
+// times are game time
 constexpr std::uint64_t kBallLostNs = 4'000'000'000;
-constexpr std::uint64_t kFreshNs = 3'000'000'000;  // an opponent that was seen since is still about there
-constexpr float kKickWay = 1.5f;                   // [m] before the ball that a kick needs free
-constexpr float kBeside = 0.35f;                   // [m] from the middle of the way: a robot and the ball's width
+constexpr std::uint64_t kFreshNs = 3'000'000'000;  // [ns] an opponent seen within this time is still near that place
+constexpr float kKickWay = 1.5f;                   // [m] free way in front of the ball for a kick
+constexpr float kBeside = 0.35f;                   // [m] from the middle of the way: a robot's and the ball's width
 
 bool is_on_way(Vec2 ball, Vec2 opponent, Vec2 goal) {
   const Vec2 to_goal = goal - ball;
@@ -25,7 +25,7 @@ bool is_on_way(Vec2 ball, Vec2 opponent, Vec2 goal) {
 }
 
 bool in_game(const pb::GameState& game) {
-  return !why_no_soccer(game) &&
+  return !bridge::why_no_soccer(game) &&
          (game.state() == pb::GameState::STATE_READY || game.state() == pb::GameState::STATE_SET ||
           game.state() == pb::GameState::STATE_PLAYING);
 }
@@ -34,27 +34,27 @@ bool in_game(const pb::GameState& game) {
 
 int captain_of(const pb::GameState& game) {
   const pb::TeamState& own = game.own();
-  const auto keeper = static_cast<int>(keeper_of(own));
+  const auto keeper = static_cast<int>(bridge::keeper_of(own));
   for (int i = 0; i < own.players_size(); ++i)
     if (i + 1 != keeper && !own.players(i).penalised()) return i + 1;
   return 0;
 }
 
-bool way_is_blocked(const Recollection& now, float goal_x) {
+bool way_is_blocked(const bridge::Recollection& now, float goal_x) {
   if (!now.pose || !now.ball || !now.opponents) return false;
   const pb::Pose& pose = now.pose->value;
   const Vec2 ball = Vec2{pose.x(), pose.y()} + sim::turned({now.ball->value.x(), now.ball->value.y()},
                                                            sim::direction(sim::normalized(pose.heading())));
   return std::ranges::any_of(now.opponents->value.opponents(), [&](const pb::Opponents::Opponent& opponent) {
-    return Moment{now.now_ns, now.speed}.since(opponent.seen_ns()) < kFreshNs &&
+    return bridge::Moment{now.now_ns, now.speed}.since(opponent.seen_ns()) < kFreshNs &&
            is_on_way(ball, {opponent.x(), opponent.y()}, {goal_x, 0});
   });
 }
 
-const char* Triggers::look(const Recollection& now, std::uint64_t period_ns) {
+const char* Triggers::look(const bridge::Recollection& now, std::uint64_t period_ns) {
   if (!now.game) return nullptr;
   const pb::GameState& game = now.game->value;
-  const Moment moment{now.now_ns, now.speed};
+  const bridge::Moment moment{now.now_ns, now.speed};
   if (moment.is_before(seen_ns_)) seen_ = answered_ = {}, asked_ns_ = 0;
   seen_ns_ = now.now_ns;
   seen_ = {.state = game.state(),

@@ -1,31 +1,33 @@
-// When the captain asks foresight of its own accord.
+// The reasons for which the captain asks foresight.
 #pragma once
 
 #include <cstdint>
 
-#include "robot/foresight/knowledge.h"
+#include "robot/bridge/from_messages.h"
 
 namespace robot::foreseeing {
 
-/// The player that chooses for the whole team: the unpenalised field player of the lowest number. 0: nobody plays, or the
-/// GameController has not told who does.
+namespace pb = ::foresight;
+
+/// Returns the player that chooses for the whole team: the unpenalised field player of the lowest number. Returns 0 if no
+/// player plays or the GameController has not reported the players.
 int captain_of(const pb::GameState& game);
 
-/// Looks at one moment after the other and says when there is a reason to ask. Used by one thread.
+/// Finds reasons to ask in a sequence of moments. Used by one thread.
 class Triggers {
  public:
-  static constexpr std::uint64_t kLeastApartNs = 2'000'000'000;  // of game time: strategies do not flutter
+  static constexpr std::uint64_t kLeastApartNs =
+      2'000'000'000;  // [ns] of game time between questions, so that strategies do not flutter
 
-  /// The others' goal is at x = `goal_x` [m, team_field].
+  /// `goal_x` is the place of the opponents' goal line [m, team_field].
   explicit Triggers(float goal_x) : goal_x_(goal_x) {}
 
-  /// Why to ask now; nullptr: no reason. `period_ns` of game time after the last question at the latest there is one,
-  /// while the game is in play; and where time was moved back, as at the beginning. A reason stays one until asked() or
-  /// until things are again as they were at the last question. Only ever for the captain, and only in READY, SET and
-  /// PLAYING of a game that is no shoot-out.
-  const char* look(const Recollection& now, std::uint64_t period_ns);
+  /// Returns the reason to ask now, or null. In play there is one at the latest `period_ns` of game time after the last
+  /// question, at the beginning, and after time was moved back. A reason holds until asked(), or until the state is the same
+  /// as at the last question. There are reasons only for the captain, in READY, SET and PLAYING, and not in a shoot-out.
+  const char* look(const bridge::Recollection& now, std::uint64_t period_ns);
 
-  /// The question was asked, at the moment that look() saw last.
+  /// Notes that the question was asked, at the moment of the last look().
   void asked();
 
  private:
@@ -37,11 +39,11 @@ class Triggers {
   };
   const float goal_x_;
   Seen seen_;      // at the last look
-  Seen answered_;  // when it asked last, or did not play
+  Seen answered_;  // at the last question, or while not playing
   std::uint64_t seen_ns_ = 0, asked_ns_ = 0;
 };
 
-/// An opponent stands between the ball and the middle of the others' goal, so near that a kick would meet it.
-bool way_is_blocked(const Recollection& now, float goal_x);
+/// Reports whether an opponent stands between the ball and the middle of the goal, so near that a kick would hit it.
+bool way_is_blocked(const bridge::Recollection& now, float goal_x);
 
 }  // namespace robot::foreseeing

@@ -9,7 +9,7 @@ namespace {
 
 using Told = pb::Forecast::StrategyForecast;
 
-/// "0.04 ± 0.09 goals"; of a loss without its sign.
+/// Returns a gain such as "0.04 ± 0.09 goals", a loss without its sign.
 std::string gain_of(const Told& told, pb::WhatIf::Measure measure) {
   char text[80];
   std::snprintf(text, sizeof text, "%.2f ± %.2f %s", std::abs(double{told.gain()}),
@@ -20,7 +20,7 @@ std::string gain_of(const Told& told, pb::WhatIf::Measure measure) {
 
 std::string futures_of(const Told& told) { return " (" + std::to_string(told.rollouts()) + " futures)"; }
 
-/// Why `told`, which was played, is given up for the first.
+/// Returns the reason to drop `told` for the first strategy.
 std::string given_up(const Told& told, const pb::WhatIf& question) {
   const std::string gain = gain_of(told, question.measure());
   const std::string& name = told.strategy();

@@ -33,43 +33,51 @@ void count_events(report::GameReport& report) {
 /// How long a game takes at least; with dead time it is longer.
 Tick expected_ticks(const field::Rules& rules) { return ticks(rules.half_duration) * static_cast<Tick>(rules.halves); }
 
-/// One step, written down in `file`.
-robot::Result<void> recorded_step(const Params& params, State& state, referee::Events& events, GameFile& file,
-                                  std::vector<agent::Trace>& traces) {
-  for (agent::Trace& trace : traces) trace.clear();
-  const Tick tick = state.world.tick;
-  if (auto written = file.add_truth(state); !written) return written;
-  step(params, state, events, kEverybody, traces.data());
-  return file.add_minds(state, tick, traces.data());
-}
-
 /// When a game that lasts at most so long ends [s]; 0: whenever it does.
 Tick end_of(const State& state, float seconds) { return seconds > 0 ? state.world.tick + ticks(seconds) : kNever; }
 
-/// A game into `file` if there is one.
+/// A recording that is wanted, and its size when the game is over.
+struct Recording {
+  std::string path;
+  robot::bridge::GameNames names;
+  std::uint64_t messages = 0, size_bytes = 0;
+};
+
+/// Plays a game, and records it unless `recording` is null.
 robot::Result<report::GameReport> play_one(const contest::Cast& cast, const contest::Openings& openings, float seconds,
-                                           std::uint64_t seed, GameFile* file, Progress* progress) {
+                                           std::uint64_t seed, Recording* recording, Progress* progress) {
   const Params& params = cast.params();
   report::GameReport report{.seed = seed};
   referee::Events events;
   State state = openings.begin(params, seed, events);
   take_notes(state, events, report);
+
+  std::optional<robot::bridge::SimulatedGame> game;
+  std::optional<GameFile> file;
+  if (recording) {
+    game.emplace(params, recording->names, state);
+    auto made = GameFile::create(recording->path, *game, seed);
+    if (!made) return made.failure();
+    file.emplace(std::move(*made));
+    if (const auto added = file->add(*game); !added) return added.failure();
+  }
+
   const Tick end = end_of(state, seconds);
-  std::vector<agent::Trace> traces(kMaxRobots);
   const Tick expected = expected_ticks(params.rules);
   while (!finished(state) && state.world.tick < end && !cast.failed()) {
-    if (!file) {
+    if (game) {
+      game->tick(events);
+      state = game->state();
+      if (const auto added = file->add(*game); !added) return added.failure();
+    } else {
       step(params, state, events);
-    } else if (const auto written = recorded_step(params, state, events, *file, traces); !written) {
-      return robot::Error{written.error()};
     }
     take_notes(state, events, report);
     if (progress) progress->at(std::min(state.world.tick, expected));
   }
   if (file) {
-    auto written = file->add_truth(state);
-    if (written) written = file->close();
-    if (!written) return robot::Error{written.error()};
+    if (const auto closed = file->close(); !closed) return closed.failure();
+    recording->messages = file->messages(), recording->size_bytes = file->size_bytes();
   }
   if (cast.failed()) return robot::Error{cast.problem()};
   report.result = result_of(state);
@@ -134,15 +142,11 @@ class MatchCommand final : public Command {
   int run_one(const contest::Lineup& lineup, const contest::Openings& openings) {
     const contest::Cast cast(lineup, seed_);
     const Params& params = cast.params();
-    std::optional<GameFile> file;
-    if (!mcap_.empty()) {
-      auto made = GameFile::create(mcap_, params, teams_, seed_);
-      if (!made) return fail(made.error());
-      file.emplace(std::move(*made));
-    }
+    std::optional<Recording> recording;
+    if (!mcap_.empty()) recording = {.path = mcap_, .names = {.rules = choice_.choice().rules, .teams = teams_}};
     const auto report = [&] {
-      Progress progress("recording", file ? expected_ticks(params.rules) : 0);
-      return play_one(cast, openings, seconds_, seed_, file ? &*file : nullptr, &progress);
+      Progress progress("recording", recording ? expected_ticks(params.rules) : 0);
+      return play_one(cast, openings, seconds_, seed_, recording ? &*recording : nullptr, &progress);
     }();
     if (!report) return fail(report.error());
     if (json_)
@@ -150,9 +154,9 @@ class MatchCommand final : public Command {
     else
       std::printf("%s%s", report::to_text(*report, choice_.choice(), params).c_str(),
                   contest::cost_text(cast.cost(Side::home), cast.cost(Side::away)).c_str());
-    if (file && !json_)
-      std::printf("\n%s: %llu messages, %.1f MB\n", mcap_.c_str(), static_cast<unsigned long long>(file->messages()),
-                  static_cast<double>(file->size_bytes()) / 1e6);
+    if (recording && !json_)
+      std::printf("\n%s: %llu messages, %.1f MB\n", mcap_.c_str(), static_cast<unsigned long long>(recording->messages),
+                  static_cast<double>(recording->size_bytes) / 1e6);
     return kDone;
   }
 
@@ -208,7 +212,7 @@ class MatchCommand final : public Command {
   float seconds_ = 0;
   bool json_ = false, lines_ = false, fuzz_ = false;
   std::string mcap_, from_;
-  robot::agent::TeamNumbers teams_;
+  robot::bridge::TeamNumbers teams_;
 };
 
 }  // namespace

@@ -156,7 +156,7 @@ class Asker {
       : foreseer_(std::move(foreseer)), thread_([this] { ask(); }) {}
 
   void ask() {
-    robot::foreseeing::Recollection moment{.now_ns = robot::system_ns()};
+    robot::bridge::Recollection moment{.now_ns = robot::system_ns()};
     foresight::GameState& game = moment.game.emplace().value;
     game.set_state(foresight::GameState::STATE_PLAYING);
     game.set_own_player(2);

@@ -76,7 +76,7 @@ Result<foresight::Forecast> ask_for(foreseeing::Foreseer& foreseer, const memory
                                     const std::string& robot, const foresight::WhatIf& question, std::uint64_t now_ns,
                                     foreseeing::Whose whose) {
   if (!channels.find("/" + robot + "/pose")) return Error{"there is no robot '" + robot.substr(0, 40) + "'"};
-  return foreseer.ask_and_wait(question, foreseeing::recollect(channels, robot, now_ns), whose);
+  return foreseer.ask_and_wait(question, bridge::recollect(channels, robot, now_ns), whose);
 }
 
 }  // namespace robot::app

@@ -1,12 +1,15 @@
 #include "robot/body/sim/sim_body.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <mutex>
 #include <string>
 #include <utility>
 
 #include "robot/core/thread.h"
+#include "sim/match/step.h"
 #include "sim/math/tick.h"
+#include "sim/referee/event.h"
 
 namespace robot::body {
 namespace {
@@ -28,31 +31,46 @@ Result<void> check_seed(std::uint64_t seed) {
                std::to_string(seed)};
 }
 
+sim::State kick_off(const sim::Params& params, std::uint64_t seed) {
+  sim::referee::Events events;
+  return sim::begin(params, {seed}, events);
+}
+
 }  // namespace
 
-Result<std::unique_ptr<SimBody>> SimBody::open(Setup setup, SimOptions options, const SessionClock& clock) {
+Result<std::unique_ptr<SimBody>> SimBody::open(GameSetup setup, SimOptions options, const SessionClock& clock) {
   if (Result<void> speed = check_speed(options.speed); !speed) return Error{speed.error()};
   if (Result<void> seed = check_seed(options.seed); !seed) return Error{seed.error()};
   const int player = sim::player_of(options.robot);
   if (player > setup.params().rules.players)
-    return Error{"simulation: in " + setup.rules + " 'player' must be 1 .. " +
+    return Error{"simulation: in " + setup.names.rules + " 'player' must be 1 .. " +
                  std::to_string(setup.params().rules.players) + ", got " + std::to_string(player)};
-  if (setup.teams.home == setup.teams.away)
-    return Error{"simulation: the two teams need different numbers, both have " + std::to_string(setup.teams.home)};
+  if (setup.names.teams.home == setup.names.teams.away)
+    return Error{"simulation: the two teams need different numbers, both have " +
+                 std::to_string(setup.names.teams.home)};
   return std::unique_ptr<SimBody>(new SimBody(std::move(setup), options, clock));
 }
 
-SimBody::SimBody(Setup setup, SimOptions options, const SessionClock& clock)
-    : options_(options),
+SimBody::SimBody(GameSetup setup, SimOptions options, const SessionClock& clock)
+    : setup_(std::move(setup)),
+      options_(options),
       clock_(clock),
-      game_(std::move(setup), options.seed),
-      memories_(game_.setup(), options.robot, clock),
-      told_(describe(game_.setup())) {
+      game_(setup_.params(), setup_.names, kick_off(setup_.params(), options.seed)),
+      narrator_(game_, options.robot, clock) {
   pacer_.restart(options_.speed, monotonic_ns());
   go_on();
 }
 
 SimBody::~SimBody() { stop(); }
+
+Result<void> SimBody::list(memory::Channels& channels) const {
+  memory::Memory& own = *memory();
+  Result<void> listed = narrator_.list(channels);
+  for (memory::Channel* object : std::initializer_list<memory::Channel*>{
+           &own.clock, &own.runtime, &own.log, &own.what_if, &own.forecast, &own.strategy, &own.forecast_score})
+    if (listed) listed = channels.add(std::shared_ptr<memory::Channel>(memory(), object));
+  return listed;
+}
 
 void SimBody::start() {
   const std::lock_guard guard(lock_);
@@ -107,20 +125,19 @@ void SimBody::tick() {
     const auto number = static_cast<std::uint8_t>(strategy.chosen() ? strategy.number() : sim::agent::kNoStrategy);
     game_.follow(options_.robot, {.strategy = number, .epoch = static_cast<std::uint8_t>(strategy.epoch())});
   }
-  game_.tick();
+  sim::referee::Events events;
+  game_.tick(events);
 }
 
-/// Another game, of a seed or from a situation.
-template <class From>
-void SimBody::begin(const From& from) {
-  game_.begin(from);
-  memories_.forget();
+void SimBody::begin(const sim::State& state) {
+  game_.begin(state);
+  narrator_.forget();
   go_on();
 }
 
 void SimBody::begin_next() {
   const std::uint64_t seed = game_.state().world.key.seed;
-  begin(seed < kGreatestSeed ? seed + 1 : 0);
+  begin(kick_off(setup_.params(), seed < kGreatestSeed ? seed + 1 : 0));
 }
 
 /// Writes what the last tick brought, which was due at `monotonic_ns`.
@@ -135,21 +152,13 @@ void SimBody::show(std::uint64_t monotonic_ns) {
     timeline_ = {.epoch_ns = 0, .speed = pacer_.speed()};
     timeline_.epoch_ns = capture_ns - timeline_.since_start_ns(tick);
   }
-  memories_.write(game_, timeline_);
-  show_state();
+  narrator_.write(game_, timeline_);
+  show_status();
 }
 
-void SimBody::show_state() {
-  const sim::State& state = game_.state();
-  told_.set_paused(paused_);
-  told_.set_finished(game_.finished());
-  told_.set_speed(static_cast<float>(pacer_.speed()));
-  told_.set_seed(state.world.key.seed);
-  told_.set_tick(state.world.tick);
-  told_.set_ticks_behind(pacer_.ticks_behind());
-  told_.mutable_home()->set_score(state.book.score[0]);
-  told_.mutable_away()->set_score(state.book.score[1]);
-  memory()->simulation.write(told_, timeline_.at(state.world.tick));
+void SimBody::show_status() {
+  narrator_.write_status(game_, {.paused = paused_, .speed = pacer_.speed(), .ticks_behind = pacer_.ticks_behind()},
+                         timeline_);
 }
 
 /// After an order: time begins anew, and everybody sees how it stands.
@@ -164,7 +173,7 @@ void SimBody::go_on() {
 void SimBody::pause() {
   const std::lock_guard guard(lock_);
   paused_ = true;
-  show_state();
+  show_status();
 }
 
 Result<void> SimBody::resume() {
@@ -198,7 +207,7 @@ Result<void> SimBody::set_speed(double speed) {
 Result<void> SimBody::reset(std::uint64_t seed) {
   if (Result<void> checked = check_seed(seed); !checked) return checked;
   const std::lock_guard guard(lock_);
-  begin(seed);
+  begin(kick_off(setup_.params(), seed));
   return {};
 }
 

@@ -6,16 +6,25 @@
 #include <thread>
 
 #include "proto/foresight/sim.pb.h"
-#include "robot/body/sim/game.h"
-#include "robot/body/sim/memories.h"
 #include "robot/body/sim/pacer.h"
+#include "robot/bridge/narrator.h"
+#include "robot/bridge/simulated_game.h"
 #include "robot/core/clock.h"
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
 #include "robot/memory/channels.h"
 #include "robot/memory/memory.h"
+#include "sim/io/matchup.h"
 
 namespace robot::body {
+
+/// The teams and rules of all games of one run.
+struct GameSetup {
+  sim::io::PreparedGame game;
+  bridge::GameNames names;
+
+  const sim::Params& params() const { return game.params; }
+};
 
 struct SimOptions {
   int robot = 1;           // index of the robot that this process is
@@ -25,72 +34,72 @@ struct SimOptions {
   std::uint64_t rest_ns = 5 * kSecond;
 };
 
-/// Plays in a thread of its own and writes every robot's memory. Orders are done when they return, and memory tells it.
-/// Any thread.
+/// The body that plays a simulated game in a thread of its own and writes every robot's memory. An order is carried out,
+/// and visible in memory, when its call returns. Any thread.
 class SimBody {
  public:
   static constexpr std::uint64_t kGreatestSeed = (std::uint64_t{1} << 53) - 1;  // a number that JSON keeps exact
   static constexpr std::int64_t kMostSteps = 1800;                              // a minute at once
 
-  /// Stands at the beginning of the first game. `clock` outlives the body. An Error if an option is out of range.
-  static Result<std::unique_ptr<SimBody>> open(Setup setup, SimOptions options, const SessionClock& clock);
+  /// Opens the body at the beginning of the first game. `clock` outlives the body. Returns an Error if an option is out of
+  /// range.
+  static Result<std::unique_ptr<SimBody>> open(GameSetup setup, SimOptions options, const SessionClock& clock);
 
-  /// As stop().
+  /// Calls stop().
   ~SimBody();
 
-  /// This process's own.
-  const std::shared_ptr<memory::Memory>& memory() const { return memories_.own(); }
+  /// Returns the memory of this process's own robot.
+  const std::shared_ptr<memory::Memory>& memory() const { return narrator_.own(); }
 
-  /// Lists what is simulated in `channels`.
-  Result<void> list(memory::Channels& channels) const { return memories_.list(channels); }
+  /// Adds the objects of all simulated robots to `channels`, and this process's own: clock, statistics, log, foresight.
+  Result<void> list(memory::Channels& channels) const;
 
-  /// Plays from now on. Once.
+  /// Starts the game. Called once.
   void start();
 
-  /// When this returns nothing is written any more.
+  /// Ends the thread. Nothing is written after the return.
   void stop();
 
-  /// No tick until something else is ordered.
+  /// Stops the game until the next order.
   void pause();
   Result<void> resume();
 
-  /// Pauses and plays so many ticks at once, 1 .. kMostSteps, or up to the end; each of them is written.
+  /// Pauses and plays `ticks` at once, 1 .. kMostSteps, or up to the end of the game. Each tick is written.
   Result<void> step(std::int64_t ticks);
 
   Result<void> set_speed(double speed);
 
-  /// Another game of the same teams, from its beginning or from a situation in the middle. Goes on unless it is paused.
+  /// Starts another game of the same teams, from its beginning or from a situation. It runs unless paused.
   Result<void> reset(std::uint64_t seed);
   void reset(const sim::State& situation);
 
-  /// How it goes. Never waits for a tick.
+  /// Returns the state of the simulation. Never waits for a tick.
   foresight::Simulation state() const;
 
-  const Setup& setup() const { return game_.setup(); }
+  const GameSetup& setup() const { return setup_; }
 
  private:
-  SimBody(Setup setup, SimOptions options, const SessionClock& clock);
+  SimBody(GameSetup setup, SimOptions options, const SessionClock& clock);
 
   void run();
   void play_due_ticks();
   void tick();
-  template <class From>
-  void begin(const From& from);
+  void begin(const sim::State& state);
   void begin_next();
   void show(std::uint64_t monotonic_ns);
-  void show_state();
+  void show_status();
   void go_on();
 
+  const GameSetup setup_;
   const SimOptions options_;
   const SessionClock& clock_;
 
   mutable Mutex lock_;  // guards all below
   Condition changed_;
-  Game game_;
-  Memories memories_;
-  foresight::Simulation told_;  // what the object `simulation` tells
+  bridge::SimulatedGame game_;
+  bridge::Narrator narrator_;
   Pacer pacer_;
-  agent::Timeline timeline_;
+  bridge::Timeline timeline_;
   std::uint64_t wake_ns_ = 0;  // when the thread has something to do [monotonic]
   bool paused_ = false;
   bool running_ = false;

@@ -4,7 +4,7 @@
 
 #include "robot/body/replay/replay.h"
 #include "robot/logging/sessions/session_writer.h"
-#include "tests/robot/foresight/memories.h"
+#include "tests/robot/bridge/played.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robot::app {
@@ -13,7 +13,7 @@ namespace {
 /// A recording of 14/2 with two moments of a game, ten seconds apart, and no messages between.
 struct LabForesightOf : ::testing::Test {
   LabForesightOf() {
-    foreseeing::test::Played game;
+    bridge::test::Played game;
     auto writer = logging::SessionWriter::create(folder / "game", {.robot = "14/2", .team = 14, .player = 2});
     EXPECT_TRUE(writer);
     for (Moment& moment : moments) {
@@ -22,7 +22,7 @@ struct LabForesightOf : ::testing::Test {
       game.write();
       for (const auto& channel : game.channels.all()) {
         const auto newest = channel->newest();
-        if (!newest || channel->info().topic == foreseeing::kSimulationTopic) continue;
+        if (!newest || channel->info().topic == bridge::kSimulationTopic) continue;
         EXPECT_TRUE((*writer)->write(channel->info(), game.now_ns(), newest->bytes()));
       }
       moment = {.at_ns = game.now_ns(), .ball_x = ball_of(game).x, .score = game.state.book.score[0]};
@@ -34,7 +34,7 @@ struct LabForesightOf : ::testing::Test {
     replay = std::move(*opened);
   }
 
-  static sim::Vec2 ball_of(const foreseeing::test::Played& game) {
+  static sim::Vec2 ball_of(const bridge::test::Played& game) {
     const sim::agent::Beliefs& beliefs = game.state.robots[1].beliefs;
     return beliefs.pose.pose.position + sim::turned(beliefs.ball.position, sim::direction(beliefs.pose.pose.heading));
   }

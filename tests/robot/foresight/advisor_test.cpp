@@ -10,17 +10,17 @@
 #include <vector>
 
 #include "robot/foresight/question.h"
-#include "tests/robot/foresight/memories.h"
+#include "tests/robot/bridge/played.h"
 #include "tests/support/eventually.h"
 
 namespace robot::foreseeing {
 namespace {
 
-using Prepare = std::function<void(test::Played&)>;
+using Prepare = std::function<void(bridge::test::Played&)>;
 
 /// An advisor in the memory of a robot that stands still in time until a test moves it on.
 struct Fixture {
-  test::Played game;
+  bridge::test::Played game;
   const Prepare prepare;  // changes memory before the advisor sees it
   std::atomic<std::uint64_t> now_ns{game.now_ns()};
   std::atomic<bool> on;
@@ -28,7 +28,7 @@ struct Fixture {
   std::unique_ptr<Advisor> advisor;
 
   explicit Fixture(
-      bool asks, std::uint32_t budget_ms = 20, Prepare prepared = [](test::Played&) {})
+      bool asks, std::uint32_t budget_ms = 20, Prepare prepared = [](bridge::test::Played&) {})
       : prepare(std::move(prepared)), on(asks) {
     prepare(game);
     advisor = std::make_unique<Advisor>(
@@ -236,7 +236,7 @@ TEST(Advisor, MemoryHoldsWhatTheTeamPlaysAndWhoChoseIt) {
 }
 
 /// A teammate, player 3, plays the second strategy.
-void play_second(test::Played& game) {
+void play_second(bridge::test::Played& game) {
   pb::Team team = game.memory->team.read()->value();
   ASSERT_GT(team.teammates_size(), 0);
   team.mutable_teammates(0)->set_player(3);
@@ -278,7 +278,7 @@ TEST(Advisor, TheCaptainGivesUpWhatIsNotBetterThanTheDefaultForSure) {
   EXPECT_EQ(reason.find("back to baseline: kick_now "), 0u) << reason;
 }
 
-/// What is played once the captain's question, which runs while `change` comes, is answered and everything ended.
+/// Returns the strategy after `change` came during the captain's question and the question was answered.
 pb::Strategy played_after(const std::function<void(Fixture&)>& change, double horizon = 5) {
   Fixture fixture(false, 2000, play_second);
   fixture.horizon = horizon;

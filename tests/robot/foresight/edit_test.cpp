@@ -4,14 +4,14 @@
 
 #include "robot/foresight/question.h"
 #include "sim/match/situation.h"
-#include "tests/robot/foresight/memories.h"
+#include "tests/robot/bridge/played.h"
 
 namespace robot::foreseeing {
 namespace {
 
 /// A situation in the middle of some game, and an edit of it.
 struct Edited {
-  test::Played game{"perfect"};
+  bridge::test::Played game{"perfect"};
   sim::foresight::Situation situation{.state = sim::random_situation(game.setup.params, {.seed = 4}), .doubt = {}};
 
   Edited() {
@@ -21,7 +21,7 @@ struct Edited {
   std::string operator()(const char* text) {
     const auto question = parse_question(nlohmann::json{{"edit", nlohmann::json::parse(text)}});
     if (!question) return question.error();
-    const Lineups lineups(game.recollection().game->value, game.setup.params.rules.players);
+    const bridge::PlayerMaps lineups(game.recollection().game->value, game.setup.params.rules.players);
     const Result<void> applied = apply(question->edit(), lineups, game.setup.params, situation);
     return applied ? "" : applied.error();
   }

@@ -10,7 +10,7 @@
 #include "robot/core/clock.h"
 #include "robot/foresight/question.h"
 #include "sim/referee/referee.h"
-#include "tests/robot/foresight/memories.h"
+#include "tests/robot/bridge/played.h"
 
 namespace robot::foreseeing {
 namespace {
@@ -32,7 +32,7 @@ pb::WhatIf question(std::uint32_t budget_ms = 100) {
 }
 
 TEST(Foreseer, AnswersAtTheDeadlineWithWhatItHas) {
-  const test::Played game;
+  const bridge::test::Played game;
   const auto foresight = foreseer();
   const auto forecast = foresight->ask_and_wait(question(300), game.recollection());
   ASSERT_TRUE(forecast) << forecast.error();
@@ -51,7 +51,7 @@ TEST(Foreseer, AnswersAtTheDeadlineWithWhatItHas) {
 }
 
 TEST(Foreseer, TellsTheMomentThatItPlayedOnFrom) {
-  const test::Played game;
+  const bridge::test::Played game;
   const auto foresight = foreseer();
   pb::WhatIf asked = question(10);
   asked.set_asked_by("a test");
@@ -75,7 +75,7 @@ TEST(Foreseer, TellsTheMomentThatItPlayedOnFrom) {
 }
 
 TEST(Foreseer, TellsHowFarEachFutureLooksAtMost) {
-  const test::Played game;
+  const bridge::test::Played game;
   const auto foresight = foreseer();
   const auto horizon = [&](pb::WhatIf::Until until, std::optional<float> remaining = 90) {
     pb::WhatIf asked = question(10);
@@ -94,7 +94,7 @@ TEST(Foreseer, TellsHowFarEachFutureLooksAtMost) {
 }
 
 TEST(Foreseer, TellsUnderWhichModelsAndRulesItHolds) {
-  const test::Played game;
+  const bridge::test::Played game;
   auto opened = Foreseer::open(
       {.strategies = {"baseline"}, .rules = "spl2012", .models = "perfect", .opponent_models = "friendly"});
   ASSERT_TRUE(opened) << opened.error();
@@ -116,7 +116,7 @@ TEST(Foreseer, TellsUnderWhichModelsAndRulesItHolds) {
 TEST(Foreseer, AskedForARobotOfTheOthersItTakesTheirModelsForItsOwn) {
   EXPECT_EQ(whose("14/3", "14/2"), Whose::own);
   EXPECT_EQ(whose("1/2", "14/2"), Whose::others);
-  const test::Played game;
+  const bridge::test::Played game;
   auto opened = Foreseer::open(
       {.strategies = {"baseline"}, .rules = "spl2012", .models = "perfect", .opponent_models = "friendly"});
   ASSERT_TRUE(opened) << opened.error();
@@ -127,17 +127,17 @@ TEST(Foreseer, AskedForARobotOfTheOthersItTakesTheirModelsForItsOwn) {
 }
 
 TEST(Foreseer, NamesAllByTheirJerseys) {
-  const test::Played game;
+  const bridge::test::Played game;
   const auto foresight = foreseer();
   pb::WhatIf asked = question(200);
   pb::WhatIf::MovedRobot& moved = *asked.mutable_edit()->add_robots();
   moved.set_player(14);
   moved.set_x(-1.25f);
   moved.set_y(1.5f);
-  const auto forecast = foresight->ask_and_wait(asked, test::renumbered(game.recollection()));
+  const auto forecast = foresight->ask_and_wait(asked, bridge::test::renumbered(game.recollection()));
   ASSERT_TRUE(forecast) << forecast.error();
   const auto is_number = [](std::uint32_t player) {
-    return std::ranges::find(test::kNumbers, player) != std::end(test::kNumbers);
+    return std::ranges::find(bridge::test::kNumbers, player) != std::end(bridge::test::kNumbers);
   };
   bool seen = false;
   for (const auto& body : forecast->situation().bodies()) {
@@ -152,19 +152,19 @@ TEST(Foreseer, NamesAllByTheirJerseys) {
     for (const auto& path : strategy.paths())
       for (const auto& robot : path.robots()) EXPECT_TRUE(is_number(robot.player())) << robot.player();
   moved.set_player(3);
-  EXPECT_EQ(foresight->ask_and_wait(asked, test::renumbered(game.recollection())).error(),
+  EXPECT_EQ(foresight->ask_and_wait(asked, bridge::test::renumbered(game.recollection())).error(),
             "own player 3 does not play: players are 9, 12, 14, 20");
 }
 
-/// Who has not seen the ball for a while takes it to be somewhere else now and then.
+/// A robot that has not seen the ball for a while expects it elsewhere in some of its futures.
 TEST(Foreseer, SaysHowLikelyTheBallIsElsewhere) {
-  const test::Played game;
+  const bridge::test::Played game;
   const auto foresight = foreseer();
   const auto elsewhere = [&](std::uint64_t seen_ns) {
     pb::Ball ball = game.memory->ball.read()->value();
     ball.set_seen_ns(seen_ns);
     game.memory->ball.write(ball, game.now_ns());
-    Recollection from = game.recollection();
+    bridge::Recollection from = game.recollection();
     from.team.reset();  // nor has anybody told it
     const auto forecast = foresight->ask_and_wait(question(10), from);
     EXPECT_TRUE(forecast) << forecast.error();
@@ -175,7 +175,7 @@ TEST(Foreseer, SaysHowLikelyTheBallIsElsewhere) {
 }
 
 TEST(Foreseer, OneQuestionRunsOneWaitsAndTheThirdIsTold) {
-  const test::Played game;
+  const bridge::test::Played game;
   const auto foresight = foreseer();
   std::vector<std::promise<void>> answered(2);
   for (std::promise<void>& one : answered)
@@ -188,7 +188,7 @@ TEST(Foreseer, OneQuestionRunsOneWaitsAndTheThirdIsTold) {
 }
 
 TEST(Foreseer, WhoWaitsIsToldHowLong) {
-  const test::Played game;
+  const bridge::test::Played game;
   const auto foresight = foreseer();
   EXPECT_TRUE(foresight->idle());
   std::promise<std::uint64_t> first_ends;  // [monotonic]
@@ -203,7 +203,7 @@ TEST(Foreseer, WhoWaitsIsToldHowLong) {
 }
 
 TEST(Foreseer, InAHurryEveryQuestionIsAnsweredAtOnce) {
-  const test::Played game;
+  const bridge::test::Played game;
   const auto foresight = foreseer();
   std::promise<pb::Forecast> first, second;
   ASSERT_TRUE(foresight->ask(question(10'000), game.recollection(),
@@ -216,9 +216,9 @@ TEST(Foreseer, InAHurryEveryQuestionIsAnsweredAtOnce) {
 }
 
 TEST(Foreseer, WhatAnEditSaysItNeedNotHaveSeen) {
-  const test::Played game;
+  const bridge::test::Played game;
   const auto foresight = foreseer();
-  Recollection from = game.recollection();
+  bridge::Recollection from = game.recollection();
   from.ball.reset();
   from.team.reset();
   from.pose->value.set_deviation_x(5);
@@ -236,9 +236,9 @@ TEST(Foreseer, WhatAnEditSaysItNeedNotHaveSeen) {
 }
 
 TEST(Foreseer, WhatCannotBeToldIsAnAnswer) {
-  const test::Played game;
+  const bridge::test::Played game;
   const auto foresight = foreseer();
-  Recollection from = game.recollection();
+  bridge::Recollection from = game.recollection();
   from.pose.reset();
   const auto forecast = foresight->ask_and_wait(question(), from);
   ASSERT_TRUE(forecast);
@@ -249,7 +249,7 @@ TEST(Foreseer, WhatCannotBeToldIsAnAnswer) {
 }
 
 TEST(Foreseer, NonsenseIsRefusedAndNothingRuns) {
-  const test::Played game;
+  const bridge::test::Played game;
   const auto foresight = foreseer();
   pb::WhatIf nonsense = question();
   nonsense.add_strategies("tiki_taka");
@@ -261,7 +261,7 @@ TEST(Foreseer, NonsenseIsRefusedAndNothingRuns) {
 }
 
 TEST(Foreseer, EndsInTheMiddleOfAQuestion) {
-  const test::Played game;
+  const bridge::test::Played game;
   auto foresight = foreseer();
   ASSERT_TRUE(foresight->ask(question(10'000), game.recollection(), [](const pb::Forecast&) {}));
   foresight.reset();

@@ -26,7 +26,7 @@ TEST(Mailbox, GivesTheNewestAsOftenAsItIsAsked) {
   }
 }
 
-/// Whatever the two threads do when: values are whole, and never older than the one before; the last one arrives.
+/// In any interleaving of the two threads, values are whole and never older than the one before, and the last arrives.
 TEST(Mailbox, ValuesOfAnotherThreadAreWholeAndInOrder) {
   constexpr int kLast = 100'000;
   Mailbox<std::array<int, 64>> mailbox;

@@ -129,8 +129,8 @@ TEST(Scorer, AGoalThatIsTakenBackIsNone) {
   EXPECT_EQ(scorer.score().entries(0).concede().came(), 0u);
 }
 
-/// What is played is written once a second, and a choice with the time of its question, half a second ago.
-TEST(Scorer, AForecastIsOneOfWhatWasPlayedAllItsTime) {
+/// The strategy is written once a second. A choice has the time of its question, half a second ago.
+TEST(Scorer, AForecastCountsForTheStrategyThatWasPlayedAllItsTime) {
   Scorer scorer;
   scorer.see(game(0, 0), kBegin);
   scorer.see(playing("baseline"), kBegin - kSecond);
@@ -268,8 +268,8 @@ TEST(Scorer, WhereTimeWasMovedBackWhatWasOpenIsNotScored) {
   EXPECT_EQ(scorer.score().entries(0).score().came(), 0u);
 }
 
-/// Who foretells the truth: each bin comes as often as it says, and beats the base rate.
-TEST(Scorer, AnHonestProphetIsReliable) {
+/// True probabilities as forecasts: each bin occurs as often as forecast, and the score beats the base rate.
+TEST(Scorer, TrueProbabilitiesAreReliable) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> any(0, 1);
   Scorer scorer;

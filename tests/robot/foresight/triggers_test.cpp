@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/robot/foresight/memories.h"
+#include "tests/robot/bridge/played.h"
 
 namespace robot::foreseeing {
 namespace {
@@ -26,8 +26,8 @@ TEST(Captain, IsTheFirstFieldPlayerWhoPlays) {
 }
 
 /// A moment in which nothing happens.
-Recollection quiet() {
-  Recollection now = test::Played("perfect").recollection();
+bridge::Recollection quiet() {
+  bridge::Recollection now = bridge::test::Played("perfect").recollection();
   now.game->value.set_state(pb::GameState::STATE_PLAYING);
   now.game->value.clear_set_play();
   now.opponents.reset();
@@ -35,21 +35,21 @@ Recollection quiet() {
   for (pb::PlayerState& player : *now.game->value.mutable_own()->mutable_players()) player.set_penalised(false);
   return now;
 }
-Recollection after(Recollection now, double seconds) {
+bridge::Recollection after(bridge::Recollection now, double seconds) {
   now.now_ns += static_cast<std::uint64_t>(seconds * 1e9);
   now.ball->value.set_seen_ns(now.now_ns);
   return now;
 }
 
 /// Looks and asks where there is a reason.
-std::string ask(Triggers& triggers, const Recollection& now) {
+std::string ask(Triggers& triggers, const bridge::Recollection& now) {
   const char* const why = triggers.look(now, kPeriodNs);
   if (why) triggers.asked();
   return text(why);
 }
 
 /// An opponent seen so far from the ball.
-void see_opponent(Recollection& now, sim::Vec2 from_ball) {
+void see_opponent(bridge::Recollection& now, sim::Vec2 from_ball) {
   const pb::Pose& pose = now.pose->value;
   const sim::Vec2 ball = sim::Vec2{pose.x(), pose.y()} +
                          sim::turned({now.ball->value.x(), now.ball->value.y()}, sim::direction(pose.heading()));
@@ -62,7 +62,7 @@ void see_opponent(Recollection& now, sim::Vec2 from_ball) {
 
 TEST(Triggers, ThereIsAReasonAtTheBeginningAndAfterThePeriod) {
   Triggers triggers(kGoalX);
-  const Recollection now = quiet();
+  const bridge::Recollection now = quiet();
   EXPECT_NE(ask(triggers, now), "");
   for (double seconds = 0.1; seconds < 9.95; seconds += 0.1)
     EXPECT_EQ(ask(triggers, after(now, seconds)), "") << seconds;
@@ -70,24 +70,25 @@ TEST(Triggers, ThereIsAReasonAtTheBeginningAndAfterThePeriod) {
 }
 
 TEST(Triggers, EventsAreReasons) {
-  const Recollection now = quiet();
+  const bridge::Recollection now = quiet();
   const auto why = [&](auto&& change) {
     Triggers triggers(kGoalX);
     ask(triggers, now);
-    Recollection then = after(now, 3);
+    bridge::Recollection then = after(now, 3);
     change(then);
     return ask(triggers, then);
   };
-  EXPECT_EQ(why([](Recollection&) {}), "");
-  EXPECT_EQ(why([](Recollection& r) { r.game->value.mutable_own()->set_score(5); }), "the score changed");
-  EXPECT_EQ(why([](Recollection& r) { r.game->value.set_set_play(pb::GameState::SET_PLAY_CORNER_KICK); }),
+  EXPECT_EQ(why([](bridge::Recollection&) {}), "");
+  EXPECT_EQ(why([](bridge::Recollection& r) { r.game->value.mutable_own()->set_score(5); }), "the score changed");
+  EXPECT_EQ(why([](bridge::Recollection& r) { r.game->value.set_set_play(pb::GameState::SET_PLAY_CORNER_KICK); }),
             "the game was stopped or goes on");
-  EXPECT_EQ(why([](Recollection& r) { r.ball->value.set_seen_ns(r.now_ns - 5 * kSecondNs); }), "the ball is lost");
+  EXPECT_EQ(why([](bridge::Recollection& r) { r.ball->value.set_seen_ns(r.now_ns - 5 * kSecondNs); }),
+            "the ball is lost");
 }
 
 TEST(Triggers, TheWayIsBlockedTowardsTheGoal) {
   // the ball lies at (1.5, 1.5), from where the goal is to the right and ahead
-  Recollection now = quiet();
+  bridge::Recollection now = quiet();
   now.pose->value.set_x(1), now.pose->value.set_y(1.5f), now.pose->value.set_heading(0);
   now.ball->value.set_x(0.5f), now.ball->value.set_y(0);
   const auto blocked = [&](sim::Vec2 from_ball) {
@@ -112,7 +113,7 @@ TEST(Triggers, TheWayIsBlockedTowardsTheGoal) {
 
 TEST(Triggers, QuestionsAreTwoSecondsApartAndReasonsAreKept) {
   Triggers triggers(kGoalX);
-  Recollection now = quiet();
+  bridge::Recollection now = quiet();
   ask(triggers, now);
   now = after(now, 1.9);
   now.game->value.mutable_own()->set_score(5);
@@ -125,16 +126,16 @@ TEST(Triggers, QuestionsAreTwoSecondsApartAndReasonsAreKept) {
 }
 
 TEST(Triggers, SecondsAreThoseOfTheGameInAFastSimulation) {
-  const auto fast = [](Recollection now) {
+  const auto fast = [](bridge::Recollection now) {
     now.speed = 10;
     return now;
   };
   Triggers triggers(kGoalX);
-  const Recollection now = fast(quiet());
+  const bridge::Recollection now = fast(quiet());
   ask(triggers, now);
   EXPECT_EQ(ask(triggers, after(now, 0.95)), "");
   EXPECT_EQ(ask(triggers, after(now, 1)), "it is time") << "10 s of the game";
-  Recollection then = after(now, 1.15);
+  bridge::Recollection then = after(now, 1.15);
   then.game->value.mutable_own()->set_score(5);
   EXPECT_EQ(ask(triggers, then), "") << "1.5 s";
   then.now_ns += kSecondNs / 10;
@@ -146,7 +147,7 @@ TEST(Triggers, SecondsAreThoseOfTheGameInAFastSimulation) {
 
 TEST(Triggers, WhereTimeWasMovedBackItIsAsAtTheBeginning) {
   Triggers triggers(kGoalX);
-  const Recollection now = quiet();
+  const bridge::Recollection now = quiet();
   ask(triggers, after(now, 500));
   EXPECT_NE(ask(triggers, now), "");
   EXPECT_EQ(ask(triggers, after(now, 9)), "");
@@ -154,7 +155,7 @@ TEST(Triggers, WhereTimeWasMovedBackItIsAsAtTheBeginning) {
 }
 
 TEST(Triggers, OnlyTheCaptainAsksAndOnlyInAGame) {
-  Recollection now = quiet();
+  bridge::Recollection now = quiet();
   now.game->value.set_own_player(3);
   EXPECT_EQ(Triggers(kGoalX).look(now, kPeriodNs), nullptr);
   now = quiet();

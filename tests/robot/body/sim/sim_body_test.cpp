@@ -7,7 +7,7 @@
 #include <set>
 #include <thread>
 
-#include "robot/agent/convert.h"
+#include "robot/bridge/to_messages.h"
 #include "robot/memory/channels.h"
 #include "sim/agent/follower.h"
 #include "sim/io/strategy.h"
@@ -25,7 +25,7 @@ using tests::setup;
 
 const SessionClock kClock;
 
-std::unique_ptr<SimBody> body(SimOptions options = {}, Setup with = setup()) {
+std::unique_ptr<SimBody> body(SimOptions options = {}, GameSetup with = setup()) {
   auto opened = SimBody::open(std::move(with), options, kClock);
   EXPECT_TRUE(opened) << (opened ? "" : opened.error());
   return std::move(*opened);
@@ -33,13 +33,13 @@ std::unique_ptr<SimBody> body(SimOptions options = {}, Setup with = setup()) {
 
 std::string truth_of(const sim::State& state) {
   foresight::GroundTruth truth;
-  agent::to_proto(state.world, {}, truth);
+  bridge::to_proto(state.world, {}, truth);
   return truth.SerializeAsString();
 }
 
 /// The truth after each of `ticks` ticks of the game of `seed`, as the simulator alone plays it; first the beginning.
 std::vector<std::string> played_by_the_simulator(std::uint64_t seed, int ticks) {
-  const Setup with = setup();
+  const GameSetup with = setup();
   sim::referee::Events events;
   sim::State state = sim::begin(with.params(), {seed}, events);
   std::vector<std::string> truths = {truth_of(state)};
@@ -134,7 +134,7 @@ std::string played_by(const memory::Channels& channels, const std::string& robot
 }
 
 TEST(SimBody, TheTeamPlaysWhatItsCaptainChose) {
-  body::Setup with = setup();
+  body::GameSetup with = setup();
   std::vector<std::shared_ptr<const sim::agent::Behaviour>> strategies;
   for (const char* name : {"baseline", "kick_now"}) strategies.push_back(*sim::io::load_strategy(name));
   with.game.behaviours[0] = std::make_shared<sim::agent::Follower>("baseline", strategies, sim::ticks(20));
@@ -286,9 +286,9 @@ TEST(SimBody, RefusesWhatIsOutOfRangeInASentence) {
   EXPECT_EQ(player->set_speed(0.05).error(), "simulation: 'speed' must be 0.1 .. 100, got 0.050000");
   EXPECT_FALSE(player->set_speed(std::numeric_limits<double>::quiet_NaN()));
   EXPECT_FALSE(player->reset(SimBody::kGreatestSeed + 1));
-  const auto open = [](SimOptions options, agent::TeamNumbers teams = {}) {
-    body::Setup with = setup();
-    with.teams = teams;
+  const auto open = [](SimOptions options, bridge::TeamNumbers teams = {}) {
+    body::GameSetup with = setup();
+    with.names.teams = teams;
     return SimBody::open(std::move(with), options, kClock);
   };
   EXPECT_EQ(open({.robot = 4}).error(), "simulation: in spl2012 'player' must be 1 .. 4, got 5");

@@ -19,10 +19,10 @@
 
 namespace tests {
 
-inline robot::body::Setup setup(const std::string& rules = "spl2012", const std::string& models = "match") {
+inline robot::body::GameSetup setup(const std::string& rules = "spl2012", const std::string& models = "match") {
   auto game = sim::io::prepare({.rules = rules, .models = {models, models}, .pace = sim::Pace::every_tick});
   EXPECT_TRUE(game) << (game ? "" : game.error());
-  return {.game = std::move(*game), .rules = rules, .teams = {}};
+  return {.game = std::move(*game), .names = {.rules = rules, .teams = {}}};
 }
 
 inline const std::string kShortRules = "spl2012,halves=1,half_duration=1,ready_duration=1,set_duration=1";

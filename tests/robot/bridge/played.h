@@ -4,24 +4,26 @@
 #include <memory>
 #include <string>
 
-#include "robot/agent/convert.h"
+#include "robot/bridge/from_messages.h"
+#include "robot/bridge/to_messages.h"
 #include "robot/core/clock.h"
-#include "robot/foresight/knowledge.h"
 #include "robot/memory/channels.h"
 #include "robot/memory/memory.h"
 #include "sim/io/matchup.h"
 #include "sim/match/step.h"
 
-namespace robot::foreseeing::test {
+namespace robot::bridge::test {
 
-/// 14/2 in a game of `models`, so many seconds after it was opened.
+namespace pb = ::foresight;
+
+/// 14/2 in a game of `models`, `seconds` after its beginning.
 struct Played {
   sim::io::PreparedGame setup;
   sim::State state;
   SessionClock clock;
   std::shared_ptr<memory::Memory> memory = std::make_shared<memory::Memory>("14/2", clock);
   memory::Channels channels;
-  agent::Timeline timeline;
+  Timeline timeline;
 
   explicit Played(const std::string& models = "match", float seconds = 80) {
     auto prepared = sim::io::prepare({.models = {models, models}, .pace = sim::Pace::every_tick});
@@ -40,7 +42,7 @@ struct Played {
   /// Everything that 14/2 knows.
   void write() {
     constexpr int kRobot = 1;
-    const agent::TeamNumbers teams;
+    const TeamNumbers teams;
     const sim::agent::Beliefs& beliefs = state.robots[kRobot].beliefs;
     const sim::Models& models = setup.params.teams[0].models;
     const auto put = [&](auto& object, auto&& fill) {
@@ -52,14 +54,14 @@ struct Played {
       put(memory->ball, [&](pb::Ball& ball) { to_proto(beliefs.ball, models.ball.deceleration, timeline, ball); });
     put(memory->simulation,
         [&](pb::Simulation& simulation) { simulation.set_speed(static_cast<float>(timeline.speed)); });
-    put(memory->pose, [&](pb::Pose& pose) { agent::to_proto(beliefs.pose, pose); });
-    put(memory->team, [&](pb::Team& team) { agent::to_proto(beliefs, 2, timeline, team); });
-    put(memory->opponents, [&](pb::Opponents& opponents) { agent::to_proto(beliefs, timeline, opponents); });
+    put(memory->pose, [&](pb::Pose& pose) { to_proto(beliefs.pose, pose); });
+    put(memory->team, [&](pb::Team& team) { to_proto(beliefs, 2, timeline, team); });
+    put(memory->opponents, [&](pb::Opponents& opponents) { to_proto(beliefs, timeline, opponents); });
     put(memory->game,
-        [&](pb::GameState& game) { agent::to_proto(setup.params, state, kRobot, teams, timeline, game); });
+        [&](pb::GameState& game) { to_proto(setup.params, state, kRobot, teams, timeline, game); });
     put(memory->motion_status, [&](pb::MotionStatus& status) {
-      agent::to_proto(state.world.bodies[kRobot], state.robots[kRobot].command, models.motion, state.world.tick,
-                      status);
+      to_proto(state.world.bodies[kRobot], state.robots[kRobot].command, models.motion, state.world.tick,
+                       status);
     });
   }
 
@@ -90,4 +92,4 @@ inline Recollection renumbered(Recollection from) {
   return from;
 }
 
-}  // namespace robot::foreseeing::test
+}  // namespace robot::bridge::test

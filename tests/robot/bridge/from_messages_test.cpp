@@ -1,12 +1,12 @@
-#include "robot/foresight/knowledge.h"
+#include "robot/bridge/from_messages.h"
 
 #include <gtest/gtest.h>
 
 #include "sim/match/hash.h"
 #include "sim/referee/referee.h"
-#include "tests/robot/foresight/memories.h"
+#include "tests/robot/bridge/played.h"
 
-namespace robot::foreseeing {
+namespace robot::bridge {
 namespace {
 
 using test::Played;
@@ -243,4 +243,4 @@ TEST(Knowledge, WhoIsToldOrSeenToLieOnTheGroundLies) {
 }
 
 }  // namespace
-}  // namespace robot::foreseeing
+}  // namespace robot::bridge

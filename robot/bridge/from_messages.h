@@ -1,4 +1,4 @@
-// What a robot's memory holds of the game, as foresight's simulator needs it.
+// A robot's memory of the game as foresight's simulator needs it.
 #pragma once
 
 #include <cstdint>
@@ -15,28 +15,31 @@
 #include "proto/foresight/sim.pb.h"
 #include "proto/foresight/team.pb.h"
 #include "proto/foresight/vision.pb.h"
+#include "robot/bridge/moment.h"
 #include "robot/core/result.h"
-#include "robot/foresight/moment.h"
 #include "robot/memory/channels.h"
 #include "sim/foresight/situation.h"
 #include "sim/match/params.h"
 
-// Not `robot::foresight`: within robot, `foresight` is the package of the messages.
-namespace robot::foreseeing {
+namespace robot::bridge {
 
 namespace pb = ::foresight;
 
-/// One object of a memory and when it was sensed.
+/// One object of a memory and its capture time.
 template <class Message>
 struct Remembered {
   Message value;
   std::uint64_t capture_ns = 0;  // [ns since the epoch]
 };
 
-/// The newest values of one moment; what is absent was never written.
+/// The tick of the present in a Knowledge made of a memory, unless a Recollection says otherwise. All other ticks are older.
+inline constexpr sim::Tick kNow = 1'000'000;
+
+/// The newest values at one moment. An absent object was never written.
 struct Recollection {
   std::uint64_t now_ns = 0;  // [ns since the epoch] the moment
   double speed = 1;          // [game seconds per second] of a simulation
+  sim::Tick now = kNow;      // [ticks] the same moment; at least an hour after tick 0
   std::optional<Remembered<pb::Ball>> ball;
   std::optional<Remembered<pb::Pose>> pose;
   std::optional<Remembered<pb::Team>> team;
@@ -55,7 +58,7 @@ struct Recollection {
   }
 };
 
-/// The newest message of `topic`; nothing where there is no such channel, or it has none, or not of that kind.
+/// Returns the newest message of `topic`, or nothing without such a channel, without a message, or if it is of another type.
 template <class Message>
 std::optional<Remembered<Message>> newest(const memory::Channels& channels, const std::string& topic) {
   const auto channel = channels.find(topic);
@@ -69,30 +72,27 @@ std::optional<Remembered<Message>> newest(const memory::Channels& channels, cons
 
 inline constexpr const char* kSimulationTopic = "/sim/state";
 
-/// How a simulation goes, live or recorded; nothing where the game is none.
+/// Returns the state of a live or recorded simulation, or nothing when the game is not simulated.
 inline std::optional<Remembered<pb::Simulation>> simulation_of(const memory::Channels& channels) {
   return newest<pb::Simulation>(channels, kSimulationTopic);
 }
 
-/// The moment `now_ns`, in game time as the simulation goes, if there is one.
+/// Returns the moment `now_ns` with the speed of the simulation, or speed 1 without a simulation.
 Moment moment_of(const memory::Channels& channels, std::uint64_t now_ns);
 
-/// The part of the game that is no soccer, as a sentence; nullptr: soccer is played.
+/// Returns a sentence about the part of the game that is not soccer, such as a time-out, or null while soccer is played.
 const char* why_no_soccer(const pb::GameState& game);
 
-/// What the memory of `robot` ("14/2"), live or played, holds at `now_ns` [ns since the epoch]. Of a recording that was moved
-/// back it may hold what came later: that is left out.
+/// Reads the memory of `robot` ("14/2"), live or played, at `now_ns` [ns since the epoch]. The memory of a recording that was
+/// moved back may hold later data: these are left out.
 Recollection recollect(const memory::Channels& channels, const std::string& robot, std::uint64_t now_ns);
 
-/// The tick that is now in every Knowledge made of a memory: everything else is older.
-inline constexpr sim::Tick kNow = 1'000'000;
-
-/// A pose that is older tells nothing of now.
+/// An older pose is useless.
 inline constexpr float kStalePose = 3;  // [s]
 
-/// As the simulator has it. `params`: the rules of the game, and at home what the own body can do. An Error, one sentence,
-/// where something without which nothing can be told is absent or old, "the robot does not know where it is: there is no
-/// object pose yet", and where no soccer is played: "the game is in a penalty shoot-out".
+/// Converts a recollection to the simulator's form. `params` are the rules of the game and, as the home team, the abilities of
+/// the own body. Returns an Error when a necessary object is absent or old, such as "the robot does not know where it is: there is
+/// no object pose yet". Also when no soccer is played: "the game is in a penalty shoot-out".
 Result<sim::foresight::Knowledge> knowledge_of(const Recollection& recollection, const sim::Params& params);
 
-}  // namespace robot::foreseeing
+}  // namespace robot::bridge

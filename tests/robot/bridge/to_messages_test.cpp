@@ -1,4 +1,4 @@
-#include "robot/agent/convert.h"
+#include "robot/bridge/to_messages.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "sim/math/vec2.h"
 
-namespace robot::agent {
+namespace robot::bridge {
 namespace {
 
 constexpr Timeline kTimeline{.epoch_ns = 1'000'000'000'000};
@@ -145,4 +145,4 @@ TEST(Convert, KicksAreMirroredWithTheFoot) {
 }
 
 }  // namespace
-}  // namespace robot::agent
+}  // namespace robot::bridge

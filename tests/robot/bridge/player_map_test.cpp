@@ -1,14 +1,14 @@
-#include "robot/foresight/lineup.h"
+#include "robot/bridge/player_map.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-namespace robot::foreseeing {
+namespace robot::bridge {
 namespace {
 
-/// As the GameController tells of it: 20 numbers, of which these are no substitutes.
+/// As the GameController reports it: 20 numbers, of which these are no substitutes.
 pb::TeamState team(const std::vector<std::uint32_t>& playing, std::uint32_t keeper = 0) {
   pb::TeamState team;
   team.set_goalkeeper(keeper);
@@ -21,32 +21,33 @@ pb::TeamState team(const std::vector<std::uint32_t>& playing, std::uint32_t keep
   return team;
 }
 
-std::vector<std::uint32_t> players(const Lineup& lineup, int places) {
+std::vector<std::uint32_t> players(const PlayerMap& lineup, int places) {
   std::vector<std::uint32_t> players;
   for (int place = 1; place <= places; ++place) players.push_back(lineup.player_at(place));
   return players;
 }
 using Numbers = std::vector<std::uint32_t>;
 
-TEST(Lineup, TheKeeperIsTheFirstAndTheOthersFollowByTheirNumbers) {
-  EXPECT_EQ(players(Lineup(team({1, 2, 3, 4, 5}, 1), 5), 5), (Numbers{1, 2, 3, 4, 5}));
-  EXPECT_EQ(players(Lineup(team({2, 5, 7, 11, 20}, 7), 5), 5), (Numbers{7, 2, 5, 11, 20}));
-  EXPECT_EQ(players(Lineup(team({1, 3, 4, 6, 8}), 5), 5), (Numbers{1, 3, 4, 6, 8})) << "number 1 where nobody is named";
+TEST(PlayerMap, TheKeeperIsTheFirstAndTheOthersFollowByTheirNumbers) {
+  EXPECT_EQ(players(PlayerMap(team({1, 2, 3, 4, 5}, 1), 5), 5), (Numbers{1, 2, 3, 4, 5}));
+  EXPECT_EQ(players(PlayerMap(team({2, 5, 7, 11, 20}, 7), 5), 5), (Numbers{7, 2, 5, 11, 20}));
+  EXPECT_EQ(players(PlayerMap(team({1, 3, 4, 6, 8}), 5), 5), (Numbers{1, 3, 4, 6, 8}))
+      << "number 1 where nobody is named";
 }
 
-TEST(Lineup, WithoutAKeeperTheGoalIsEmptyUnlessSomebodyIsLeftOver) {
-  EXPECT_EQ(players(Lineup(team({2, 3, 4}), 5), 5), (Numbers{0, 2, 3, 4, 0}));
-  EXPECT_EQ(players(Lineup(team({2, 3, 4, 5, 6}), 5), 5), (Numbers{2, 3, 4, 5, 6}));
-  EXPECT_EQ(players(Lineup(team({2, 3, 4, 5}, 9), 4), 4), (Numbers{2, 3, 4, 5})) << "the one named is a substitute";
+TEST(PlayerMap, WithoutAKeeperTheGoalIsEmptyUnlessSomebodyIsLeftOver) {
+  EXPECT_EQ(players(PlayerMap(team({2, 3, 4}), 5), 5), (Numbers{0, 2, 3, 4, 0}));
+  EXPECT_EQ(players(PlayerMap(team({2, 3, 4, 5, 6}), 5), 5), (Numbers{2, 3, 4, 5, 6}));
+  EXPECT_EQ(players(PlayerMap(team({2, 3, 4, 5}, 9), 4), 4), (Numbers{2, 3, 4, 5})) << "the one named is a substitute";
 }
 
-TEST(Lineup, WhoIsOneTooManyHasNoPlace) {
-  const Lineup lineup(team({1, 2, 3, 4, 5, 6}), 4);
+TEST(PlayerMap, WhoIsOneTooManyHasNoPlace) {
+  const PlayerMap lineup(team({1, 2, 3, 4, 5, 6}), 4);
   EXPECT_EQ(players(lineup, 7), (Numbers{1, 2, 3, 4, 0, 0, 0}));
   EXPECT_EQ(lineup.place_of(5), 0);
 }
 
-TEST(Lineup, PlacesAndNumbersAreEachOthersInverse) {
+TEST(PlayerMap, PlacesAndNumbersAreEachOthersInverse) {
   // every team of up to five out of twelve numbers, each of which may keep
   for (std::uint32_t set = 1; set < 1 << 12; ++set) {
     Numbers playing;
@@ -54,7 +55,7 @@ TEST(Lineup, PlacesAndNumbersAreEachOthersInverse) {
       if (set >> (number - 1) & 1) playing.push_back(number);
     if (playing.size() > 5) continue;
     for (const std::uint32_t keeper : {1u, 5u, 12u}) {
-      const Lineup lineup(team(playing, keeper), 5);
+      const PlayerMap lineup(team(playing, keeper), 5);
       for (const std::uint32_t number : playing) {
         const int place = lineup.place_of(number);
         ASSERT_GE(place, 1) << lineup.text();
@@ -67,17 +68,17 @@ TEST(Lineup, PlacesAndNumbersAreEachOthersInverse) {
   }
 }
 
-TEST(Lineup, WhereNothingIsKnownOfATeamAllHaveTheirNumbers) {
-  EXPECT_EQ(players(Lineup({}, 5), 7), (Numbers{1, 2, 3, 4, 5, 0, 0}));
+TEST(PlayerMap, WhereNothingIsKnownOfATeamAllHaveTheirNumbers) {
+  EXPECT_EQ(players(PlayerMap({}, 5), 7), (Numbers{1, 2, 3, 4, 5, 0, 0}));
 }
 
-TEST(Lineup, WhoIsPenalisedKeepsHisPlace) {
+TEST(PlayerMap, WhoIsPenalisedKeepsHisPlace) {
   pb::TeamState one = team({1, 2, 3, 4, 5});
   one.mutable_players(1)->set_penalised(true);
   one.mutable_players(1)->set_penalty(pb::PlayerState::PENALTY_MANUAL);
-  EXPECT_EQ(Lineup(one, 5).place_of(2), 2);
-  EXPECT_EQ(Lineup(one, 5).text(), "1, 2, 3, 4, 5");
+  EXPECT_EQ(PlayerMap(one, 5).place_of(2), 2);
+  EXPECT_EQ(PlayerMap(one, 5).text(), "1, 2, 3, 4, 5");
 }
 
 }  // namespace
-}  // namespace robot::foreseeing
+}  // namespace robot::bridge

@@ -1,4 +1,4 @@
-#include "robot/agent/convert.h"
+#include "robot/bridge/to_messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,13 @@
 #include "sim/math/vec2.h"
 #include "sim/referee/referee.h"
 
-namespace robot::agent {
+namespace robot::bridge {
 namespace {
 
 using sim::Vec2;
 using Doing = sim::Body::Doing;
 
-/// Where the ball crosses the robot's y axis on its way to the robot; false: it does not come so far.
+/// Computes where the ball crosses the robot's y axis on its way to the robot. Returns false if it stops before.
 bool crosses(Vec2 position, Vec2 velocity, Vec2 rest, float& y) {
   if (velocity.x >= 0 || position.x <= 0 || rest.x > 0) return false;
   y = position.y - position.x * velocity.y / velocity.x;
@@ -32,7 +32,7 @@ pb::GameState::State state_of(sim::agent::Game::Phase phase) {
   return pb::GameState::STATE_UNSPECIFIED;
 }
 
-/// A kick-off is no set play to the GameController.
+/// The GameController does not count a kick-off as a set play.
 pb::GameState::SetPlay set_play_of(sim::agent::Game::SetPlay set_play) {
   using enum sim::agent::Game::SetPlay;
   switch (set_play) {
@@ -112,7 +112,7 @@ pb::MotionStatus::Fall fall_of(Doing doing) {
   return doing == Doing::getting_up ? pb::MotionStatus::FALL_GETTING_UP : pb::MotionStatus::FALL_UPRIGHT;
 }
 
-/// What a teammate told of the ball, in the frame of that teammate's robot.
+/// Fills the ball of a teammate's message, in the frame of that teammate's robot.
 void fill_told_ball(const sim::agent::Mate& mate, const Timeline& timeline, pb::Ball& ball) {
   const Vec2 in_robot = sim::turned_back(mate.ball - mate.pose.position, sim::direction(mate.pose.heading));
   ball.set_x(in_robot.x);
@@ -143,7 +143,7 @@ bool to_proto(const sim::agent::Ball& ball, float deceleration, const Timeline& 
   message.set_covariance_xy(0);
   message.set_covariance_yy(ball.variance);
 
-  // the turf alone slows it: it rolls v²/2a further
+  // only the turf slows it: it rolls v²/2a further
   const float speed = sim::length(ball.velocity);
   const Vec2 slowing = speed > 0 ? (-deceleration / speed) * ball.velocity : Vec2{};
   const Vec2 rest = ball.position + (speed / (2 * deceleration)) * ball.velocity;
@@ -314,4 +314,4 @@ void to_proto(const sim::World& world, const TeamNumbers& teams, pb::GroundTruth
   });
 }
 
-}  // namespace robot::agent
+}  // namespace robot::bridge

@@ -1,7 +1,8 @@
-// What simulated robots believe, do and decide, as messages of a robot's memory; units and frames are those of the .proto.
+// Beliefs, actions and decisions of simulated robots as messages of a robot's memory. Units and frames are those of the
+// .proto.
 //
-// Each to_proto fills `message` from nothing and may be called again and again with the same one, which then keeps its
-// memory. All are functions of their arguments, used from any thread.
+// Each to_proto clears and fills `message`. A message that is filled again keeps its allocated memory. All are functions
+// of their arguments, for any thread.
 #pragma once
 
 #include <cstdint>
@@ -25,11 +26,11 @@
 #include "sim/world/body.h"
 #include "sim/world/world.h"
 
-namespace robot::agent {
+namespace robot::bridge {
 
 namespace pb = foresight;
 
-/// Capture times of a simulated game: at speed 1, 30 ticks are a second exactly, and no tick is off by a nanosecond.
+/// Capture times of a simulated game. At speed 1, 30 ticks are exactly a second, and each tick is exact to the nanosecond.
 struct Timeline {
   std::uint64_t epoch_ns = 0;  // [ns since the epoch] of tick 0
   double speed = 1;            // [game seconds per second]
@@ -49,35 +50,35 @@ struct TeamNumbers {
   std::uint32_t of(sim::Side side) const { return side == sim::Side::home ? home : away; }
 };
 
-/// "14/2"
+/// Returns the name of the robot with index `robot`, such as "14/2".
 std::string robot_name(const TeamNumbers& teams, int robot);
 
-/// Where the ball is believed to be. `deceleration` [m/s²] of rolling, as the robot reckons with it, > 0.
-/// False, and then nothing is filled: not seen once.
+/// Converts the belief about the ball. `deceleration` [m/s²] is the one that the robot assumes for a rolling ball, > 0.
+/// Returns false and fills nothing when the ball was never seen.
 bool to_proto(const sim::agent::Ball& ball, float deceleration, const Timeline& timeline, pb::Ball& message);
 
 void to_proto(const sim::agent::Pose& pose, pb::Pose& message);
 
-/// What the teammates of `player` [1..7] last told. A told ball has no deviation (0), a simulated packet arrives
-/// when it was sent. The number of messages is not known here.
+/// Converts the last messages from the teammates of `player` [1..7]. A teammate's ball has no deviation (0). A simulated
+/// packet arrives at its send time. The caller fills the number of sent messages.
 void to_proto(const sim::agent::Beliefs& beliefs, int player, const Timeline& timeline, pb::Team& message);
 
-/// Where the opponents were seen.
+/// Converts the last seen places of the opponents.
 void to_proto(const sim::agent::Beliefs& beliefs, const Timeline& timeline, pb::Opponents& message);
 
-/// What the GameController of a simulated game told the robot with index `robot`.
+/// Converts the state that the GameController of a simulated game reports to the robot with index `robot`.
 void to_proto(const sim::Params& params, const sim::State& state, int robot, const TeamNumbers& teams,
               const Timeline& timeline, pb::GameState& message);
 
 void to_proto(const sim::motion::Command& command, const sim::motion::Model& model, pb::MotionCommand& message);
 
-/// What the body does at tick `now`, and under which command.
+/// Converts the state of the body at tick `now`, and its command.
 void to_proto(const sim::Body& body, const sim::motion::Command& command, const sim::motion::Model& model,
               sim::Tick now, pb::MotionStatus& message);
 
 void to_proto(const sim::agent::Trace& trace, pb::DecisionTrace& message);
 
-/// All that is on the field; removed robots are not.
+/// Converts everything on the field. Removed robots are left out.
 void to_proto(const sim::World& world, const TeamNumbers& teams, pb::GroundTruth& message);
 
-}  // namespace robot::agent
+}  // namespace robot::bridge

@@ -1,19 +1,20 @@
-#include "robot/body/sim/memories.h"
+#include "robot/bridge/narrator.h"
 
 #include <algorithm>
 #include <initializer_list>
 #include <tuple>
 #include <utility>
 
+#include "sim/match/pace.h"
 #include "sim/referee/referee.h"
 #include "sim/world/world.h"
 
-namespace robot::body {
+namespace robot::bridge {
 namespace {
 
-constexpr sim::Tick kGameTicks = 15, kTeamTicks = 30, kOpponentTicks = 3;  // told at least so often
+constexpr sim::Tick kGameTicks = 15, kTeamTicks = 30, kOpponentTicks = 3;  // longest time between two messages
 
-/// Calls see(object) for what a simulated robot has; it has no camera and no joints.
+/// Calls see(object) for each object of a simulated robot, which has no camera and no joints.
 template <class See>
 void for_each_simulated(memory::Memory& memory, See&& see) {
   see(memory.odometry);
@@ -27,7 +28,7 @@ void for_each_simulated(memory::Memory& memory, See&& see) {
   see(memory.decision);
 }
 
-/// What of the game is news when it changes; the clocks always do.
+/// Returns the facts whose change is written at once. The clocks change always.
 auto news(const sim::agent::Game& game) {
   return std::tuple(game.phase, game.set_play, game.own_kick, game.penalised, game.half, game.own_score,
                     game.opponent_score);
@@ -48,49 +49,49 @@ void fill(const sim::field::Field& field, foresight::Field& message) {
   message.set_goal_depth(field.goal_depth);
 }
 
-void fill(const Setup& setup, sim::Side side, foresight::SimulatedTeam& message) {
-  message.set_number(setup.teams.of(side));
-  message.set_strategy(setup.game.behaviours[static_cast<int>(side)]->name());
-  message.set_models(setup.params().teams[static_cast<int>(side)].models.name);
+void fill(const SimulatedGame& game, sim::Side side, foresight::SimulatedTeam& message) {
+  const sim::Team& team = game.params().teams[static_cast<int>(side)];
+  message.set_number(game.names().teams.of(side));
+  message.set_strategy(team.behaviour->name());
+  message.set_models(team.models.name);
+}
+
+/// Returns the facts that stay the same during a run: rules, teams, field.
+foresight::Simulation describe(const SimulatedGame& game) {
+  foresight::Simulation simulation;
+  simulation.set_rules(game.names().rules);
+  fill(game, sim::Side::home, *simulation.mutable_home());
+  fill(game, sim::Side::away, *simulation.mutable_away());
+  fill(game.params().rules.field, *simulation.mutable_field());
+  return simulation;
 }
 
 }  // namespace
 
-foresight::Simulation describe(const Setup& setup) {
-  foresight::Simulation simulation;
-  simulation.set_rules(setup.rules);
-  fill(setup, sim::Side::home, *simulation.mutable_home());
-  fill(setup, sim::Side::away, *simulation.mutable_away());
-  fill(setup.params().rules.field, *simulation.mutable_field());
-  return simulation;
-}
-
-Memories::Memories(const Setup& setup, int own, const Clock& clock) : own_(own) {
-  sim::for_each_robot(setup.params().rules.players, [&](int robot) {
+Narrator::Narrator(const SimulatedGame& game, int own, const Clock& clock) : own_(own), simulation_(describe(game)) {
+  last_packet_.fill(sim::kNever);
+  sim::for_each_robot(game.params().rules.players, [&](int robot) {
     memories_[static_cast<std::size_t>(robot)] =
-        std::make_shared<memory::Memory>(agent::robot_name(setup.teams, robot), clock);
+        std::make_shared<memory::Memory>(robot_name(game.names().teams, robot), clock);
   });
 }
 
-Result<void> Memories::list(memory::Channels& channels) const {
+Result<void> Narrator::list(memory::Channels& channels) const {
   Result<void> listed;
   const auto add = [&](const std::shared_ptr<memory::Memory>& memory, memory::Channel& object) {
     if (listed) listed = channels.add(std::shared_ptr<memory::Channel>(memory, &object));
   };
   for (const std::shared_ptr<memory::Memory>& memory : memories_)
     if (memory) for_each_simulated(*memory, [&](memory::Channel& object) { add(memory, object); });
-  memory::Memory& mine = *own();
-  for (memory::Channel* object :
-       std::initializer_list<memory::Channel*>{&mine.clock, &mine.runtime, &mine.log, &mine.truth, &mine.simulation,
-                                               &mine.what_if, &mine.forecast, &mine.strategy, &mine.forecast_score})
-    add(own(), *object);
+  add(own(), own()->truth);
+  add(own(), own()->simulation);
   return listed;
 }
 
-void Memories::write(const Game& game, const agent::Timeline& timeline) {
+void Narrator::write(const SimulatedGame& game, const Timeline& timeline) {
   const sim::World& world = game.state().world;
   const std::uint64_t now_ns = timeline.at(world.tick);
-  // beliefs come from the image of the tick before; between ticks there are no new ones
+  // beliefs come from the image at the beginning of the tick; without a tick there are no new ones
   const bool thought = world.tick != written_;
   std::uint64_t seen_ns = now_ns;
   if (written_ != sim::kNever)
@@ -104,47 +105,45 @@ void Memories::write(const Game& game, const agent::Timeline& timeline) {
     write_body(game, robot, now_ns);
   });
   auto truth = own()->truth.draft();
-  agent::to_proto(world, game.setup().teams, *truth);
+  to_proto(sim::between_turns(game.state()), game.names().teams, *truth);
   own()->truth.write(std::move(truth), now_ns);
   written_ = world.tick;
   written_ns_ = now_ns;
 }
 
-/// What an image made it believe and decide.
-void Memories::write_mind(const Game& game, int robot, const agent::Timeline& timeline, std::uint64_t capture_ns) {
-  const sim::Team& team = game.setup().team_of(robot);
+/// Writes the beliefs and the decision that came from an image.
+void Narrator::write_mind(const SimulatedGame& game, int robot, const Timeline& timeline, std::uint64_t capture_ns) {
+  const sim::Team& team = game.team_of(robot);
   const sim::Robot& mind = game.state().robots[robot];
   memory::Memory& memory = *memories_[static_cast<std::size_t>(robot)];
-  if (auto ball = memory.ball.draft();
-      agent::to_proto(mind.beliefs.ball, team.models.ball.deceleration, timeline, *ball))
+  if (auto ball = memory.ball.draft(); to_proto(mind.beliefs.ball, team.models.ball.deceleration, timeline, *ball))
     memory.ball.write(std::move(ball), capture_ns);
   auto pose = memory.pose.draft();
-  agent::to_proto(mind.beliefs.pose, *pose);
+  to_proto(mind.beliefs.pose, *pose);
   memory.pose.write(std::move(pose), capture_ns);
   if (const sim::agent::Trace* trace = game.decision(robot)) {
     auto decision = memory.decision.draft();
-    agent::to_proto(*trace, *decision);
+    to_proto(*trace, *decision);
     memory.decision.write(std::move(decision), capture_ns);
   }
   // ten times a second is as good as each image
   if (game.state().world.tick % kOpponentTicks == 0 || written_ == sim::kNever) {
     auto opponents = memory.opponents.draft();
-    agent::to_proto(mind.beliefs, timeline, *opponents);
+    to_proto(mind.beliefs, timeline, *opponents);
     memory.opponents.write(std::move(opponents), capture_ns);
   }
   auto command = memory.motion_command.draft();
-  agent::to_proto(mind.command, team.models.motion, *command);
+  to_proto(mind.command, team.models.motion, *command);
   memory.motion_command.write(std::move(command), capture_ns);
 }
 
-/// What its body does since.
-void Memories::write_body(const Game& game, int robot, std::uint64_t capture_ns) {
+/// Writes the state of the body at the end of the tick.
+void Narrator::write_body(const SimulatedGame& game, int robot, std::uint64_t capture_ns) {
   const sim::State& state = game.state();
-  const sim::Team& team = game.setup().team_of(robot);
+  const sim::Team& team = game.team_of(robot);
   memory::Memory& memory = *memories_[static_cast<std::size_t>(robot)];
   auto status = memory.motion_status.draft();
-  agent::to_proto(state.world.bodies[robot], state.robots[robot].command, team.models.motion, state.world.tick,
-                  *status);
+  to_proto(state.world.bodies[robot], state.robots[robot].command, team.models.motion, state.world.tick, *status);
   memory.motion_status.write(std::move(status), capture_ns);
   auto odometry = memory.odometry.draft();
   odometry->set_x(game.odometry(robot).position.x);
@@ -153,32 +152,49 @@ void Memories::write_body(const Game& game, int robot, std::uint64_t capture_ns)
   memory.odometry.write(std::move(odometry), capture_ns);
 }
 
-void Memories::write_game(const Game& game, int robot, const agent::Timeline& timeline) {
+void Narrator::write_game(const SimulatedGame& game, int robot, const Timeline& timeline) {
   const sim::State& state = game.state();
   Told& told = told_[static_cast<std::size_t>(robot)];
-  const sim::agent::Game now = sim::referee::game_for(game.setup().params().rules, state.world, state.book, robot);
+  const sim::agent::Game now = sim::referee::game_for(game.params().rules, state.world, state.book, robot);
   if (written_ != sim::kNever && news(now) == news(told.game) && state.world.tick % kGameTicks != 0) return;
   told.game = now;
   memory::Memory& memory = *memories_[static_cast<std::size_t>(robot)];
   auto message = memory.game.draft();
-  agent::to_proto(game.setup().params(), state, robot, game.setup().teams, timeline, *message);
+  to_proto(game.params(), state, robot, game.names().teams, timeline, *message);
   memory.game.write(std::move(message), timeline.at(state.world.tick));
 }
 
-void Memories::write_team(const Game& game, int robot, const agent::Timeline& timeline) {
+void Narrator::write_team(const SimulatedGame& game, int robot, const Timeline& timeline) {
   const sim::State& state = game.state();
   const sim::agent::Beliefs& beliefs = state.robots[robot].beliefs;
-  Told& told = told_[static_cast<std::size_t>(robot)];
+  const auto index = static_cast<std::size_t>(robot);
+  const sim::Tick last = state.robots[robot].cognition.packet.sent;
+  if (last != std::exchange(last_packet_[index], last) && last != sim::kNever) ++packets_[index];
+
+  Told& told = told_[index];
   std::array<sim::Tick, sim::agent::kMaxMates> sent;
   for (std::size_t mate = 0; mate < sent.size(); ++mate) sent[mate] = beliefs.mates[mate].sent;
   if (written_ != sim::kNever && sent == told.mates && state.world.tick % kTeamTicks != 0) return;
   told.mates = sent;
   memory::Memory& memory = *memories_[static_cast<std::size_t>(robot)];
   auto message = memory.team.draft();
-  agent::to_proto(beliefs, sim::player_of(robot), timeline, *message);
-  if (const sim::Tick last = state.robots[robot].cognition.packet.sent; last != sim::kNever)
-    message->set_sent_ns(timeline.at(last));
+  to_proto(beliefs, sim::player_of(robot), timeline, *message);
+  if (last != sim::kNever) message->set_sent_ns(timeline.at(last));
+  message->set_messages_sent(packets_[index]);
   memory.team.write(std::move(message), timeline.at(state.world.tick));
 }
 
-}  // namespace robot::body
+void Narrator::write_status(const SimulatedGame& game, const Pacing& pacing, const Timeline& timeline) {
+  const sim::State& state = game.state();
+  simulation_.set_paused(pacing.paused);
+  simulation_.set_finished(game.finished());
+  simulation_.set_speed(static_cast<float>(pacing.speed));
+  simulation_.set_seed(state.world.key.seed);
+  simulation_.set_tick(state.world.tick);
+  simulation_.set_ticks_behind(pacing.ticks_behind);
+  simulation_.mutable_home()->set_score(state.book.score[0]);
+  simulation_.mutable_away()->set_score(state.book.score[1]);
+  own()->simulation.write(simulation_, timeline.at(state.world.tick));
+}
+
+}  // namespace robot::bridge

@@ -1,15 +1,15 @@
-#include "robot/foresight/knowledge.h"
+#include "robot/bridge/from_messages.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
-#include "robot/foresight/lineup.h"
+#include "robot/bridge/player_map.h"
 #include "sim/agent/roles.h"
 #include "sim/math/vec2.h"
 #include "sim/referee/referee.h"
 
-namespace robot::foreseeing {
+namespace robot::bridge {
 namespace {
 
 using sim::Tick;
@@ -18,27 +18,28 @@ using Phase = sim::agent::Game::Phase;
 using SetPlay = sim::agent::Game::SetPlay;
 using Doing = sim::Body::Doing;
 
-constexpr float kVelocityDeviation = 0.3f;  // [m/s] of a filter that does not tell how sure it is
-constexpr float kSameOpponent = 1;          // [m] a robot that is seen so near to a known one is that one
+constexpr float kVelocityDeviation = 0.3f;  // [m/s] assumed when the filter reports none
+constexpr float kSameOpponent = 1;          // [m] a robot seen nearer to a known one is the same robot
 
-/// Counts in game time, of which a simulation may have more or less than a second a second.
+/// Counts in game time. A simulation may run faster or slower than real time.
 class Time {
  public:
-  explicit Time(const Recollection& from) : now_ns_(from.now_ns), speed_(from.speed) {}
+  explicit Time(const Recollection& from) : now_ns_(from.now_ns), speed_(from.speed), now_(from.now) {}
 
-  /// [ticks] from then to another moment, at most an hour.
+  /// Returns the time from `then_ns` to `later_ns` [ticks], at most an hour.
   Tick between(std::uint64_t then_ns, std::uint64_t later_ns) const {
     const double seconds = later_ns > then_ns ? static_cast<double>(later_ns - then_ns) / 1e9 : 0;
     return static_cast<Tick>(std::min(30 * speed_ * seconds + kRounding, 30 * 3600.));
   }
-  /// By the count in which kNow is now.
-  Tick tick_of(std::uint64_t then_ns) const { return kNow - between(then_ns, now_ns_); }
+  /// Returns the tick of `then_ns`, where the present is `from.now`.
+  Tick tick_of(std::uint64_t then_ns) const { return now_ - between(then_ns, now_ns_); }
 
  private:
   static constexpr double kRounding = 1e-3;  // [ticks] capture times are whole nanoseconds
 
   const std::uint64_t now_ns_;
   const double speed_;
+  const Tick now_;
 };
 
 float finite(float value, float otherwise = 0) { return std::isfinite(value) ? value : otherwise; }
@@ -95,7 +96,7 @@ Phase phase_of(const pb::GameState& game) {
   }
 }
 
-/// Whatever stops the others from touching the ball is played as the free kick that is nearest to it.
+/// Returns the simulator's set play that is nearest to the real one: the others must not touch the ball.
 SetPlay set_play_of(const pb::GameState& game) {
   switch (game.set_play()) {
     case pb::GameState::SET_PLAY_GOAL_KICK: return SetPlay::goal_kick;
@@ -105,14 +106,14 @@ SetPlay set_play_of(const pb::GameState& game) {
     case pb::GameState::SET_PLAY_PENALTY_KICK: return SetPlay::kick_in;
     default: break;
   }
-  // a kick-off is none to the GameController: the ball of one is free when its countdown is over
+  // the GameController does not call a kick-off a set play; its ball is free at the end of the countdown
   const bool coming = game.state() == pb::GameState::STATE_READY || game.state() == pb::GameState::STATE_SET;
   const bool on =
       game.state() == pb::GameState::STATE_PLAYING && game.secondary_seconds() > 0 && game.has_kicking_team();
   return coming || on ? SetPlay::kick_off : SetPlay::none;
 }
 
-/// [s] since the phase or set play began, by its countdown; 0 where there is none.
+/// Returns the time since the phase or set play began [s], by its countdown, or 0 without a countdown.
 float since_phase(const pb::GameState& told, const sim::agent::Game& game, const sim::field::Rules& rules) {
   const float left = finite(told.secondary_seconds());
   if (left <= 0) return 0;
@@ -138,7 +139,7 @@ sim::agent::Game game_of(const pb::GameState& told, int place, const sim::field:
   return game;
 }
 
-void take_away(const pb::TeamState& team, const Lineup& lineup, int places, Tick (&away)[sim::kMaxPlayers]) {
+void take_away(const pb::TeamState& team, const PlayerMap& lineup, int places, Tick (&away)[sim::kMaxPlayers]) {
   for (int place = 1; place <= places; ++place) {
     const auto number = static_cast<int>(lineup.player_at(place));
     if (number == 0) away[place - 1] = sim::kNever;
@@ -151,13 +152,13 @@ void take_away(const pb::TeamState& team, const Lineup& lineup, int places, Tick
   }
 }
 
-/// Opponents in places of their own: by number where that is known, else the nearest known one, else the next free place.
+/// Gives each seen opponent a place: by its number if known, else that of the nearest known opponent, else a free one.
 class Opponents {
  public:
-  Opponents(const Lineup& lineup, sim::agent::Opponent (&places)[sim::kMaxPlayers])
+  Opponents(const PlayerMap& lineup, sim::agent::Opponent (&places)[sim::kMaxPlayers])
       : lineup_(lineup), places_(places) {}
 
-  /// Returns whose place it was taken for; -1: nobody's.
+  /// Returns the place, or -1 if there is none.
   int add(Vec2 position, Tick seen, std::uint32_t player = 0) {
     if (!std::isfinite(position.x) || !std::isfinite(position.y)) return -1;
     const int known_place = lineup_.place_of(player);
@@ -172,7 +173,7 @@ class Opponents {
   int place_near(Vec2 position) const {
     int nearest = -1, free = -1;
     float best = kSameOpponent;
-    // the first is the keeper: others come behind it as long as there is room
+    // the first place is the keeper's: it is used last
     for (int i = sim::kMaxPlayers - 1; i >= 0; --i) {
       if (places_[i].seen == sim::kNever) {
         if (i > 0 || free < 0) free = i;
@@ -184,11 +185,11 @@ class Opponents {
     return nearest >= 0 ? nearest : free;
   }
 
-  const Lineup& lineup_;
+  const PlayerMap& lineup_;
   sim::agent::Opponent (&places_)[sim::kMaxPlayers];
 };
 
-void see_opponents(const Recollection& from, const Lineup& lineup, sim::foresight::Knowledge& knowledge) {
+void see_opponents(const Recollection& from, const PlayerMap& lineup, sim::foresight::Knowledge& knowledge) {
   const Time time(from);
   const sim::Pose2& own = knowledge.beliefs.pose.pose;
   Opponents opponents(lineup, knowledge.beliefs.opponents);
@@ -206,10 +207,10 @@ void see_opponents(const Recollection& from, const Lineup& lineup, sim::foresigh
   }
 }
 
-/// What it is in the middle of.
-sim::Body body_of(const pb::MotionStatus& status, const sim::motion::Model& model) {
+/// Returns the body in its present action.
+sim::Body body_of(const pb::MotionStatus& status, const sim::motion::Model& model, Tick now) {
   sim::Body body;
-  body.since = kNow;
+  body.since = now;
   if (status.fall() == pb::MotionStatus::FALL_FALLEN || status.fall() == pb::MotionStatus::FALL_FALLING) {
     body.doing = Doing::fallen;
     return body;
@@ -223,7 +224,7 @@ sim::Body body_of(const pb::MotionStatus& status, const sim::motion::Model& mode
     const float elapsed = std::clamp(model.kicks[kick].duration - finite(status.remaining()), 0.f, 10.f);
     body.doing = Doing::kicking;
     body.kick = static_cast<std::uint8_t>(kick);
-    body.since = kNow - sim::ticks(elapsed);
+    body.since = now - sim::ticks(elapsed);
     body.kick_done = elapsed >= model.kicks[kick].delay;
     return body;
   }
@@ -269,12 +270,12 @@ Result<sim::foresight::Knowledge> knowledge_of(const Recollection& from, const s
   const Tick pose_age = time.between(pose_ns, from.now_ns);
   if (pose_age > sim::ticks(kStalePose))
     return Error{"the robot does not know where it is: its pose is " + std::to_string(pose_age / 30) + " s old"};
-  const Lineups lineups(from.game->value, params.rules.players);
+  const PlayerMaps lineups(from.game->value, params.rules.players);
   const int own = lineups.own.place_of(from.game->value.own_player());
   if (own == 0)
     return Error{"player " + std::to_string(from.game->value.own_player()) + " does not play: players are " +
                  lineups.own.text()};
-  sim::foresight::Knowledge knowledge{.now = kNow, .game = game_of(from.game->value, own, params.rules)};
+  sim::foresight::Knowledge knowledge{.now = from.now, .game = game_of(from.game->value, own, params.rules)};
   sim::agent::Beliefs& beliefs = knowledge.beliefs;
   const pb::Pose& pose = from.pose->value;
   beliefs.pose = {pose_of(pose), std::max(pose.deviation_x(), pose.deviation_y()), finite(pose.deviation_heading(), 2)};
@@ -289,10 +290,10 @@ Result<sim::foresight::Knowledge> knowledge_of(const Recollection& from, const s
   see_opponents(from, lineups.opponents, knowledge);
   take_away(from.game->value.own(), lineups.own, params.rules.players, knowledge.away[0]);
   take_away(from.game->value.opponent(), lineups.opponents, params.rules.players, knowledge.away[1]);
-  if (from.motion) knowledge.body = body_of(from.motion->value, params.teams[0].models.motion);
+  if (from.motion) knowledge.body = body_of(from.motion->value, params.teams[0].models.motion, from.now);
   if (from.decision) knowledge.mind.role = role_of(from.decision->value.role());
-  knowledge.mind.role_since = knowledge.mind.leaf_since = kNow;
+  knowledge.mind.role_since = knowledge.mind.leaf_since = from.now;
   return knowledge;
 }
 
-}  // namespace robot::foreseeing
+}  // namespace robot::bridge

@@ -1,13 +1,13 @@
-#include "robot/foresight/lineup.h"
+#include "robot/bridge/player_map.h"
 
 #include <algorithm>
 #include <set>
 
-namespace robot::foreseeing {
+namespace robot::bridge {
 
 std::uint32_t keeper_of(const pb::TeamState& team) { return team.goalkeeper() != 0 ? team.goalkeeper() : 1; }
 
-Lineup::Lineup(const pb::TeamState& team, int places) {
+PlayerMap::PlayerMap(const pb::TeamState& team, int places) {
   std::set<std::uint32_t> playing;
   for (int i = 0; i < team.players_size(); ++i)
     if (team.players(i).penalty() != pb::PlayerState::PENALTY_SUBSTITUTE)
@@ -23,12 +23,12 @@ Lineup::Lineup(const pb::TeamState& team, int places) {
     players_[static_cast<std::size_t>(place - 1)] = playing.extract(playing.begin()).value();
 }
 
-int Lineup::place_of(std::uint32_t player) const {
+int PlayerMap::place_of(std::uint32_t player) const {
   const auto found = std::find(players_.begin(), players_.end(), player);
   return player == 0 || found == players_.end() ? 0 : static_cast<int>(found - players_.begin()) + 1;
 }
 
-std::string Lineup::text() const {
+std::string PlayerMap::text() const {
   std::set<std::uint32_t> numbers(players_.begin(), players_.end());
   numbers.erase(0);
   std::string text;
@@ -36,4 +36,4 @@ std::string Lineup::text() const {
   return text;
 }
 
-}  // namespace robot::foreseeing
+}  // namespace robot::bridge

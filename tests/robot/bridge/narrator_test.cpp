@@ -1,0 +1,136 @@
+// A simulated game as memory objects: every object of every robot, at the times of images and bodies.
+#include "robot/bridge/narrator.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robot/bridge/simulated_game.h"
+#include "sim/io/matchup.h"
+#include "sim/match/step.h"
+
+namespace robot::bridge {
+namespace {
+
+class StoppedClock final : public Clock {
+ public:
+  std::uint64_t now_ns() const override { return 1'000'000'000'000; }
+};
+const StoppedClock kClock;
+
+constexpr std::uint64_t kEpochNs = 1'340'000'000'000'000'000;
+
+/// A game at its kick-off, and its narrator.
+struct Narrated {
+  sim::io::PreparedGame prepared;
+  std::unique_ptr<SimulatedGame> game;
+  std::unique_ptr<Narrator> narrator;
+  memory::Channels channels;
+  Timeline timeline{.epoch_ns = kEpochNs};
+  sim::referee::Events events;
+
+  explicit Narrated(sim::io::Matchup matchup = {}) {
+    auto made = sim::io::prepare(matchup);
+    if (!made) throw std::runtime_error(made.error());
+    prepared = std::move(*made);
+    game = std::make_unique<SimulatedGame>(prepared.params, GameNames{.rules = matchup.rules},
+                                           sim::begin(prepared.params, {7}, events));
+    narrator = std::make_unique<Narrator>(*game, 0, kClock);
+    if (const auto listed = narrator->list(channels); !listed) throw std::runtime_error(listed.error());
+    narrator->write(*game, timeline);
+    narrator->write_status(*game, {}, timeline);
+  }
+
+  void tick() {
+    game->tick(events);
+    narrator->write(*game, timeline);
+    narrator->write_status(*game, {}, timeline);
+  }
+
+  template <class Message>
+  Message newest(const std::string& topic) const {
+    Message message;
+    const auto version = channels.find(topic)->newest();
+    EXPECT_TRUE(version) << topic;
+    if (version) message.ParseFromArray(version->bytes().data(), static_cast<int>(version->bytes().size()));
+    return message;
+  }
+};
+
+TEST(Narrator, WritesEveryObjectOfEveryRobotTheTruthAndTheStateOfTheSimulation) {
+  Narrated narrated({.pace = sim::Pace::every_tick});
+  for (int tick = 0; tick < 30 * 60; ++tick) narrated.tick();
+  const auto all = narrated.channels.all();
+  EXPECT_EQ(all.size(), 8u * 9u + 2u);  // four a side with nine objects each
+  for (const auto& channel : all) EXPECT_TRUE(channel->newest()) << channel->info().topic;
+}
+
+TEST(Narrator, WritesTheSameBytesForTheSameGame) {
+  Narrated first, second;
+  for (int tick = 0; tick < 600; ++tick) first.tick(), second.tick();
+  const auto a = first.channels.all(), b = second.channels.all();
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!a[i]->newest()) continue;
+    EXPECT_EQ(a[i]->newest()->bytes(), b[i]->newest()->bytes()) << a[i]->info().topic;
+    EXPECT_EQ(a[i]->newest()->capture_ns(), b[i]->newest()->capture_ns()) << a[i]->info().topic;
+  }
+}
+
+TEST(Narrator, GivesBeliefsTheTimeOfTheirImageAndTheTruthThatOfTheTicksEnd) {
+  Narrated narrated({.pace = sim::Pace::every_tick});
+  for (int tick = 0; tick < 10; ++tick) narrated.tick();
+  const auto captured = [&](const std::string& topic) { return narrated.channels.find(topic)->newest()->capture_ns(); };
+  EXPECT_EQ(captured("/truth/world"), narrated.timeline.at(10));
+  EXPECT_EQ(captured("/14/2/motion_status"), narrated.timeline.at(10));
+  EXPECT_EQ(captured("/14/2/odometry"), narrated.timeline.at(10));
+  EXPECT_EQ(captured("/14/2/pose"), narrated.timeline.at(9));
+  EXPECT_EQ(captured("/14/2/motion_command"), narrated.timeline.at(9));
+}
+
+TEST(Narrator, TakesTheBallsDecelerationFromTheRobotsOwnTeam) {
+  Narrated narrated({.models = {"perfect", "perfect,ball.deceleration=0.8"}, .pace = sim::Pace::every_tick});
+  for (int tick = 0; tick < 30 * 30; ++tick) {
+    narrated.tick();
+    for (const auto& [topic, expected] :
+         std::map<std::string, float>{{"/14/2/ball", narrated.prepared.params.teams[0].models.ball.deceleration},
+                                      {"/5/2/ball", narrated.prepared.params.teams[1].models.ball.deceleration}}) {
+      if (!narrated.channels.find(topic)->newest()) continue;
+      const auto ball = narrated.newest<foresight::Ball>(topic);
+      const float slowing = std::hypot(ball.acceleration_x(), ball.acceleration_y());
+      if (slowing > 0) EXPECT_NEAR(slowing, expected, 1e-5f) << topic << ", tick " << tick;
+    }
+  }
+  EXPECT_NE(narrated.prepared.params.teams[0].models.ball.deceleration,
+            narrated.prepared.params.teams[1].models.ball.deceleration);
+}
+
+TEST(Narrator, ReportsRulesTeamsAndScoreInTheStateOfTheSimulation) {
+  Narrated narrated({.rules = "spl2025", .strategies = {"baseline", "kick_now"}});
+  for (int tick = 0; tick < 5; ++tick) narrated.tick();
+  const auto state = narrated.newest<foresight::Simulation>("/sim/state");
+  EXPECT_EQ(state.rules(), "spl2025");
+  EXPECT_EQ(state.home().strategy(), "baseline");
+  EXPECT_EQ(state.away().strategy(), "kick_now");
+  EXPECT_EQ(state.tick(), 5u);
+  EXPECT_EQ(state.speed(), 1);
+  EXPECT_FALSE(state.paused());
+  EXPECT_FLOAT_EQ(state.field().length(), narrated.prepared.params.rules.field.length);
+}
+
+TEST(Narrator, StartsAnewAfterAnotherGameBegins) {
+  Narrated narrated;
+  for (int tick = 0; tick < 100; ++tick) narrated.tick();
+  const auto before = narrated.channels.find("/14/2/game")->newest()->sequence();
+  narrated.game->begin(sim::begin(narrated.prepared.params, {8}, narrated.events));
+  narrated.narrator->forget();
+  narrated.narrator->write(*narrated.game, narrated.timeline);
+  EXPECT_GT(narrated.channels.find("/14/2/game")->newest()->sequence(), before);
+  EXPECT_EQ(narrated.game->odometry(1).position.x, 0);
+}
+
+}  // namespace
+}  // namespace robot::bridge
