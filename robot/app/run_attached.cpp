@@ -13,7 +13,7 @@
 namespace robot::app {
 namespace {
 
-/// Loads the behaviour of ours that decides on the robot, if one is wanted.
+/// Loads our behaviour that decides on the robot. Returns nothing without --behaviour.
 Result<std::optional<agent::Agent>> agent_of(const RobotOptions& options) {
   if (options.behaviour.empty()) return std::optional<agent::Agent>();
   const bool chooses = !options.strategies.empty();
