@@ -19,7 +19,7 @@
 //   camera top        NaoCameras  writes images and camera matrices (nao)                      30 Hz
 //   camera bottom     NaoCameras  the same
 //   relay             RobotLink  carries one robot's channels into memory (foresight-lab relay) each message
-//   agent             AgentThread  decides with our behaviour (--behaviour)                 30 Hz
+//   agent             AgentThread  decides with our behaviour (--behaviour)                    30 Hz
 //   simulation        SimBody   plays the game and writes all robots' memories (sim)           30 Hz x speed
 //   advisor           Advisor   reads questions in memory, asks as the captain, follows the    each question; 10 Hz
 //                               captain's choice, scores forecasts
