@@ -1,4 +1,4 @@
-#include "robot/app/services/parameter_object.h"
+#include "robot/app/services/parameter_service.h"
 
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -16,8 +16,8 @@ std::string text_of(const net::Parameters& parameters) {
 
 }  // namespace
 
-Result<void> list_parameters(net::Parameters& parameters, const std::string& robot, memory::Channels& channels,
-                             const Clock& clock) {
+Result<void> add_parameter_service(net::Parameters& parameters, const std::string& robot, memory::Channels& channels,
+                                   const Clock& clock) {
   const auto object = std::make_shared<memory::RawChannel>(
       memory::ChannelInfo{.topic = "/" + robot + "/parameters", .message_encoding = "json"}, clock);
   if (Result<void> added = channels.add(object); !added) return added;

@@ -1,4 +1,4 @@
-#include "robot/app/services/statistics.h"
+#include "robot/app/services/statistics_service.h"
 
 #include <algorithm>
 #include <utility>
@@ -49,7 +49,7 @@ RuntimeStatistics::Recording::State state_of(logging::RecordingStatus::State sta
 
 }  // namespace
 
-RuntimeStatistics Statistics::collect(const net::ServerStatistics& server) {
+RuntimeStatistics StatisticsService::collect(const net::ServerStatistics& server) {
   const std::uint64_t now_ns = monotonic_ns();
   const double seconds = last_ns_ == 0 ? 0 : static_cast<double>(now_ns - last_ns_) * 1e-9;
   last_ns_ = now_ns;
@@ -62,7 +62,7 @@ RuntimeStatistics Statistics::collect(const net::ServerStatistics& server) {
   return statistics;
 }
 
-void Statistics::add_streams(RuntimeStatistics& to, double seconds) {
+void StatisticsService::add_streams(RuntimeStatistics& to, double seconds) {
   for (const auto& channel : channels_.all()) {
     auto& stream = *to.add_streams();
     stream.set_topic(channel->info().topic);
@@ -77,7 +77,7 @@ void Statistics::add_streams(RuntimeStatistics& to, double seconds) {
   }
 }
 
-void Statistics::add_recording(RuntimeStatistics& to, double seconds) {
+void StatisticsService::add_recording(RuntimeStatistics& to, double seconds) {
   auto& recording = *to.mutable_recording();
   const logging::RecordingStatus status = recorder_ ? recorder_->status() : logging::RecordingStatus{};
   recording.set_state(state_of(status.state));
@@ -89,7 +89,7 @@ void Statistics::add_recording(RuntimeStatistics& to, double seconds) {
   recorded_bytes_ = status.size_bytes;
 }
 
-void Statistics::add_process(RuntimeStatistics& to, double seconds) {
+void StatisticsService::add_process(RuntimeStatistics& to, double seconds) {
   const ProcessUsage usage = process_usage();
   auto& process = *to.mutable_process();
   process.set_cpu(per_second(usage.cpu_ns, cpu_ns_, seconds) * 1e-9f);

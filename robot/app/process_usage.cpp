@@ -1,4 +1,4 @@
-#include "robot/app/services/process_usage.h"
+#include "robot/app/process_usage.h"
 
 #include <sys/resource.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "robot/app/services/recording_control.h"
+#include "robot/app/services/recording_service.h"
 
 #include <nlohmann/json.hpp>
 
@@ -21,19 +21,20 @@ json session_or_failure(const Result<std::string>& session) {
 
 }  // namespace
 
-void add_recording_control(logging::Recorder& recorder, logging::SessionStore& store, net::Parameters& parameters,
+void add_recording_service(logging::Recorder& recorder, logging::SessionStore& store, net::Parameters& parameters,
                            net::Services& services) {
   std::vector<std::string> profile_names;
   for (const logging::Profile& profile : logging::profiles()) profile_names.emplace_back(profile.name);
   parameters.declare("recording_profile", profile_names.front(), {.min = {}, .max = {}, .choices = profile_names});
 
   parameters.declare("recording", false,
-                     {.min = {}, .max = {}, .choices = {}, .apply = [&](const ParameterValue& value) {
+                     {.min = {}, .max = {}, .choices = {}, .apply = [&](const ParameterValue& value) -> Result<void> {
                         const bool wanted = std::get<bool>(value);
-                        if (wanted == parameters.flag("recording")) return Result<void>();
+                        if (wanted == parameters.flag("recording")) return {};
                         const Result<std::string> done =
                             wanted ? recorder.start("", parameters.text("recording_profile")) : recorder.stop();
-                        return done ? Result<void>() : Result<void>(Error{done.error()});
+                        if (!done) return done.failure();
+                        return {};
                       }});
 
   services.add("start_recording", net::Services::For::control, [&](const json& request, const ClientContext&) {

@@ -1,4 +1,4 @@
-#include "robot/app/services/simulation_control.h"
+#include "robot/app/services/simulation_service.h"
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -36,13 +36,13 @@ json answer(const body::SimBody& body, const Result<void>& done) {
   return done ? answer(body) : net::failure(done.error());
 }
 
-/// The entry `key`, or nullptr.
+/// Returns the entry `key`, or nullptr.
 const json* find(const json& request, const char* key) {
   const auto found = request.find(key);
   return found == request.end() ? nullptr : &*found;
 }
 
-/// A whole number >= 0; `otherwise` where the request has none.
+/// Reads the entry `key` as a whole number >= 0. Returns `otherwise` if the request does not have it.
 Result<std::int64_t> whole(const json& request, const char* service, const char* key,
                            std::optional<std::int64_t> otherwise = {}) {
   const json* entry = find(request, key);
@@ -54,7 +54,7 @@ Result<std::int64_t> whole(const json& request, const char* service, const char*
                (entry ? ", got " + entry->dump().substr(0, 40) : ", got none")};
 }
 
-/// A game from the described situation; of `seed` instead of the one that the description names, if there is one.
+/// Begins a game from the described situation. A given `seed` replaces the seed of the description.
 json begin(body::SimBody& body, json situation, std::optional<std::uint64_t> seed) {
   if (seed && situation.is_object()) situation["seed"] = *seed;
   const auto state = sim::io::parse_situation(situation.dump(), "situation", body.setup().params());
@@ -76,7 +76,7 @@ json reset(body::SimBody& body, const json& request) {
 
 }  // namespace
 
-void add_simulation_control(body::SimBody& body, net::Services& services) {
+void add_simulation_service(body::SimBody& body, net::Services& services) {
   using enum net::Services::For;
   services.add("/sim/state", everybody, [&](const json&, const ClientContext&) { return answer(body); });
   services.add("/sim/pause", control, [&](const json&, const ClientContext&) {

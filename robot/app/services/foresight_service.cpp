@@ -1,4 +1,4 @@
-#include "robot/app/services/foresight_control.h"
+#include "robot/app/services/foresight_service.h"
 
 #include <algorithm>
 #include <utility>
@@ -24,33 +24,33 @@ void declare(net::Parameters& parameters, bool on) {
 
 }  // namespace
 
-Result<std::unique_ptr<ForesightControl>> ForesightControl::open(foreseeing::ForeseerOptions options, bool on,
+Result<std::unique_ptr<ForesightService>> ForesightService::open(foreseeing::ForeseerOptions options, bool on,
                                                                  Runtime& runtime, memory::Memory& memory,
                                                                  const std::string& robot,
                                                                  std::function<std::uint64_t()> now_ns) {
   auto foreseer = foreseeing::Foreseer::open(std::move(options));
-  if (!foreseer) return Error{foreseer.error()};
-  return std::unique_ptr<ForesightControl>(
-      new ForesightControl(std::move(*foreseer), on, runtime, memory, robot, now_ns));
+  if (!foreseer) return foreseer.failure();
+  return std::unique_ptr<ForesightService>(
+      new ForesightService(std::move(*foreseer), on, runtime, memory, robot, now_ns));
 }
 
-ForesightControl::ForesightControl(std::unique_ptr<foreseeing::Foreseer> foreseer, bool on, Runtime& runtime,
+ForesightService::ForesightService(std::unique_ptr<foreseeing::Foreseer> foreseer, bool on, Runtime& runtime,
                                    memory::Memory& memory, const std::string& robot,
                                    const std::function<std::uint64_t()>& now_ns)
     : runtime_(runtime) {
   declare(runtime.parameters(), on);
   advisor_ = std::make_unique<foreseeing::Advisor>(std::move(foreseer), memory, runtime.channels(), robot, now_ns,
                                                    [&parameters = runtime.parameters()] { return asking(parameters); });
-  add_what_if(runtime.services(), robot, advisor_->foreseer().strategies(),
-              [this, own = robot, now_ns, &channels = runtime.channels()](const std::string& asked,
-                                                                          const foresight::WhatIf& question) {
-                if (asked == own) return advisor_->ask(question);
-                return ask_for(advisor_->foreseer(), channels, asked, question, now_ns(),
-                               foreseeing::whose(asked, own));
-              });
+  add_what_if_service(runtime.services(), robot, advisor_->foreseer().strategies(),
+                      [this, own = robot, now_ns, &channels = runtime.channels()](const std::string& asked,
+                                                                                  const foresight::WhatIf& question) {
+                        if (asked == own) return advisor_->ask(question);
+                        return ask_for(advisor_->foreseer(), channels, asked, question, now_ns(),
+                                       foreseeing::whose(asked, own));
+                      });
 }
 
-ForesightControl::~ForesightControl() {
+ForesightService::~ForesightService() {
   advisor_->foreseer().hurry();
   runtime_.stop();
 }

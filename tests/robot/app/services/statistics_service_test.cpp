@@ -1,4 +1,4 @@
-#include "robot/app/services/statistics.h"
+#include "robot/app/services/statistics_service.h"
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,10 @@ struct StatisticsOfAProcess : ::testing::Test {
   memory::Channels channels;
   logging::LoggingBoard board;
   logging::SessionStore store{folder.path(), 1'000'000'000};
-  Statistics statistics{channels, clock, board, store, nullptr};
+  StatisticsService statistics{channels, clock, board, store, nullptr};
 };
 
-TEST_F(StatisticsOfAProcess, TellsOfEachStream) {
+TEST_F(StatisticsOfAProcess, ReportsEachStream) {
   EXPECT_FALSE(statistics.collect({}).streams(0).has_age_ns()) << "never written";
   ASSERT_TRUE(channel->write_bytes("12345", 600));
   const auto stream = statistics.collect({}).streams(0);
@@ -30,10 +30,10 @@ TEST_F(StatisticsOfAProcess, TellsOfEachStream) {
   EXPECT_EQ(stream.size_bytes(), 5u);
   EXPECT_EQ(stream.age_ns(), 400u);
   EXPECT_GT(stream.rate_hz(), 0);
-  EXPECT_EQ(statistics.collect({}).streams(0).rate_hz(), 0) << "nothing was written since";
+  EXPECT_EQ(statistics.collect({}).streams(0).rate_hz(), 0) << "no message since the last call";
 }
 
-TEST_F(StatisticsOfAProcess, TellsOfLoggersAndWhatTheyLost) {
+TEST_F(StatisticsOfAProcess, ReportsLoggersAndTheirLosses) {
   const auto arrivals = std::make_shared<tests::Arrivals>();
   arrivals->blocked = true;
   const auto logger = board.start_logger(channel, std::make_unique<tests::KeepingProvider>(arrivals), 10);
@@ -43,7 +43,7 @@ TEST_F(StatisticsOfAProcess, TellsOfLoggersAndWhatTheyLost) {
   board.stop(logger);
 }
 
-TEST_F(StatisticsOfAProcess, TellsOfClientsAsTheServerKnowsThem) {
+TEST_F(StatisticsOfAProcess, ReportsTheClientsOfTheServer) {
   const auto client = statistics
                           .collect({.clients = {{.id = 7,
                                                  .address = "10.0.14.9:5000",
@@ -57,13 +57,13 @@ TEST_F(StatisticsOfAProcess, TellsOfClientsAsTheServerKnowsThem) {
   EXPECT_EQ(client.channels(0).dropped(), 2u);
 }
 
-TEST_F(StatisticsOfAProcess, TellsOfTheProcessAndTheDisk) {
+TEST_F(StatisticsOfAProcess, ReportsTheProcessAndTheDisk) {
   const auto process = statistics.collect({}).process();
   EXPECT_GT(process.resident_bytes(), 1'000'000u);
   EXPECT_GT(process.disk_free_bytes(), 0u);
 }
 
-TEST_F(StatisticsOfAProcess, SaysThatNothingIsRecordedWhereThereIsNoRecorder) {
+TEST_F(StatisticsOfAProcess, WithoutARecorderTheRecordingIsOff) {
   EXPECT_EQ(statistics.collect({}).recording().state(), foresight::RuntimeStatistics::Recording::STATE_OFF);
 }
 

@@ -1,4 +1,4 @@
-// What people may ask of the recorder: services and parameters.
+// Services and parameters by which clients control the recorder.
 #pragma once
 
 #include "robot/logging/sessions/recorder.h"
@@ -9,8 +9,8 @@
 namespace robot::app {
 
 /// Adds the services start_recording, stop_recording, keep_session and the parameters recording, recording_profile.
-/// All outlive the server that uses them.
-void add_recording_control(logging::Recorder& recorder, logging::SessionStore& store, net::Parameters& parameters,
+/// All references outlive the server that uses them.
+void add_recording_service(logging::Recorder& recorder, logging::SessionStore& store, net::Parameters& parameters,
                            net::Services& services);
 
 }  // namespace robot::app

@@ -1,4 +1,4 @@
-#include "robot/app/services/game_control.h"
+#include "robot/app/services/game_service.h"
 
 #include <utility>
 
@@ -24,28 +24,28 @@ std::string name_of(GameState::State state) {
 
 }  // namespace
 
-GameControl::GameControl(GameOptions options, memory::Memory& memory, const Clock& clock, logging::Recorder& recorder,
+GameService::GameService(GameOptions options, memory::Memory& memory, const Clock& clock, logging::Recorder& recorder,
                          net::Parameters& parameters)
     : options_(std::move(options)), memory_(memory), clock_(clock), recorder_(recorder), parameters_(parameters) {
   parameters_.update("recording_profile", options_.profile);
   parameters_.declare("match_mode", true);
 }
 
-Result<void> GameControl::start() {
+Result<void> GameService::start() {
   if (!options_.listener) return {};
   auto listener = game::ControlListener::open(*options_.listener, memory_.game, clock_);
-  if (!listener) return Error{listener.error()};
+  if (!listener) return listener.failure();
   listener_ = std::move(*listener);
   report(Level::info, "game", "listening to the GameController on port " + std::to_string(listener_->port()));
   if (!options_.link.return_packets && !options_.link.team_messages) return {};
 
   auto link = game::TeamLink::open(options_.link, memory_, clock_, [this] { return listener_->game_controller(); });
-  if (!link) return Error{link.error()};
+  if (!link) return link.failure();
   link_ = std::move(*link);
   return {};
 }
 
-void GameControl::follow() {
+void GameService::follow() {
   const auto game = memory_.game.read();
   if (!game) return;
   switch (match_.update(game->value(), clock_.now_ns())) {
@@ -56,28 +56,28 @@ void GameControl::follow() {
   }
 }
 
-void GameControl::begin_session(const GameState& game) {
-  GameState named = game;  // who we are the team's own code need not say
+void GameService::begin_session(const GameState& game) {
+  GameState named = game;  // the team's own code may leave out our numbers
   named.set_own_team(options_.link.team);
   named.set_own_player(options_.link.player);
   const Result<std::string> session = recorder_.start(game::session_name(named, options_.field, std::string(kBuildId)),
                                                       parameters_.text("recording_profile"));
-  if (!session) return report(Level::warning, "game", "a match begins, but not its recording: " + session.error());
+  if (!session) return report(Level::warning, "game", "the match is not recorded: " + session.error());
   session_ = *session;
   parameters_.update("recording", true);
 }
 
-void GameControl::end_session() {
+void GameService::end_session() {
   const std::optional<std::string> session = std::exchange(session_, std::nullopt);
   const logging::RecordingStatus status = recorder_.status();
-  // somebody may have ended it, and begun another
+  // a client may have ended it and begun another one
   if (!session || status.state == logging::RecordingStatus::State::off || status.session != session) return;
   if (const Result<std::string> stopped = recorder_.stop(); !stopped)
     return report(Level::warning, "game", stopped.error());
   parameters_.update("recording", false);
 }
 
-GameStatus GameControl::status() const {
+GameStatus GameService::status() const {
   const auto game = memory_.game.read();
   return {.state = game ? name_of(game->value().state()) : "",
           .in_progress = match_.in_progress(),

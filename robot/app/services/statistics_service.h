@@ -1,4 +1,4 @@
-// The memory object `runtime`: how everything in this process is doing.
+// The contents of the memory object `runtime`: streams, loggers, recording, clients and use of the machine.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <string>
 
 #include "proto/foresight/runtime.pb.h"
-#include "robot/app/services/process_usage.h"
+#include "robot/app/process_usage.h"
 #include "robot/core/clock.h"
 #include "robot/logging/sessions/recorder.h"
 #include "robot/logging/sessions/session_store.h"
@@ -16,15 +16,15 @@
 
 namespace robot::app {
 
-/// Looks at the whole process once a second. Used by one thread.
-class Statistics {
+/// The collector of statistics of the whole process, once a second. Used by one thread.
+class StatisticsService {
  public:
-  /// The given ones outlive this; `recorder` may be null.
-  Statistics(const memory::Channels& channels, const Clock& clock, const logging::LoggingBoard& board,
-             const logging::SessionStore& store, const logging::Recorder* recorder)
+  /// All references outlive this. `recorder` may be null.
+  StatisticsService(const memory::Channels& channels, const Clock& clock, const logging::LoggingBoard& board,
+                    const logging::SessionStore& store, const logging::Recorder* recorder)
       : channels_(channels), clock_(clock), board_(board), store_(store), recorder_(recorder) {}
 
-  /// Rates are means since the last call.
+  /// Collects the statistics. Rates are means since the last call.
   foresight::RuntimeStatistics collect(const net::ServerStatistics& server);
 
  private:
@@ -38,7 +38,7 @@ class Statistics {
   const logging::SessionStore& store_;
   const logging::Recorder* const recorder_;
 
-  // as they were at the last call
+  // values of the last call
   std::uint64_t last_ns_ = 0;  // [monotonic]
   std::map<std::string, std::uint64_t> counts_;
   std::uint64_t recorded_bytes_ = 0, cpu_ns_ = 0;

@@ -1,9 +1,9 @@
-#include "robot/app/services/game_control.h"
+#include "robot/app/services/game_service.h"
 
 #include <gtest/gtest.h>
 
 #include "robot/app/build_id.h"
-#include "robot/app/services/recording_control.h"
+#include "robot/app/services/recording_service.h"
 #include "robot/memory/memory.h"
 #include "tests/support/temporary_folder.h"
 
@@ -15,10 +15,10 @@ using foresight::GameState;
 struct Game : ::testing::Test {
   Game() {
     EXPECT_TRUE(list(memory, channels));
-    add_recording_control(recorder, store, parameters, services);
+    add_recording_service(recorder, store, parameters, services);
   }
 
-  /// As the GameController would have it, and what becomes of it.
+  /// Writes the game state like the GameController, and lets the service follow it.
   void hear(GameState::State state, std::uint32_t half = 1) {
     GameState game;
     game.set_source(GameState::SOURCE_GAME_CONTROLLER);
@@ -29,14 +29,14 @@ struct Game : ::testing::Test {
     game.set_own_player(3);
     game.mutable_opponent()->set_number(5);
     memory->game.write(game, clock.now_ns());
-    control().follow();
+    service().follow();
   }
 
-  GameControl& control() {
-    if (!control_)
-      control_.emplace(GameOptions{.link = {.team = 14, .player = 3}, .field = "A"}, *memory, clock, recorder,
+  GameService& service() {
+    if (!service_)
+      service_.emplace(GameOptions{.link = {.team = 14, .player = 3}, .field = "A"}, *memory, clock, recorder,
                        parameters);
-    return *control_;
+    return *service_;
   }
 
   bool recording() const { return recorder.status().state == logging::RecordingStatus::State::recording; }
@@ -50,7 +50,7 @@ struct Game : ::testing::Test {
   logging::Recorder recorder{channels, board, store, clock, {.info = {.robot = "14/3", .team = 14, .player = 3}}};
   net::Parameters parameters;
   net::Services services;
-  std::optional<GameControl> control_;
+  std::optional<GameService> service_;
 };
 
 TEST_F(Game, IsRecordedFromReadyToFinished) {
@@ -69,14 +69,14 @@ TEST_F(Game, IsRecordedFromReadyToFinished) {
   EXPECT_EQ(store.list()[0].state, logging::SessionState::complete);
 }
 
-TEST_F(Game, EachHalfIsASessionOfItsOwn) {
+TEST_F(Game, EachHalfIsItsOwnSession) {
   hear(GameState::STATE_READY, 1);
-  hear(GameState::STATE_READY, 2);  // FINISHED was never heard
+  hear(GameState::STATE_READY, 2);  // FINISHED was lost
   hear(GameState::STATE_FINISHED, 2);
   EXPECT_EQ(store.list().size(), 2u);
 }
 
-TEST_F(Game, ASessionThatSomebodyBeganIsLeftAlone) {
+TEST_F(Game, ASessionThatAClientBeganIsNotTouched) {
   const std::string id = *recorder.start("mine", "game");
   hear(GameState::STATE_READY);
   hear(GameState::STATE_FINISHED);
@@ -85,7 +85,7 @@ TEST_F(Game, ASessionThatSomebodyBeganIsLeftAlone) {
   EXPECT_EQ(store.list().size(), 1u);
 }
 
-TEST_F(Game, ASessionThatSomebodyEndedIsNotEndedAgain) {
+TEST_F(Game, ASessionThatAClientEndedIsNotEndedAgain) {
   hear(GameState::STATE_READY);
   ASSERT_TRUE(recorder.stop());
   const std::string id = *recorder.start("mine", "game");
@@ -94,36 +94,36 @@ TEST_F(Game, ASessionThatSomebodyEndedIsNotEndedAgain) {
   EXPECT_EQ(recorder.status().session, id);
 }
 
-TEST_F(Game, MatchModeLastsAsLongUnlessSomebodySaysOtherwise) {
+TEST_F(Game, MatchModeLastsAsLongUnlessItsParameterIsOff) {
   hear(GameState::STATE_SET);
-  EXPECT_TRUE(control().status().match_mode);
+  EXPECT_TRUE(service().status().match_mode);
   ASSERT_TRUE(parameters.set("match_mode", false));
-  EXPECT_FALSE(control().status().match_mode);
-  EXPECT_TRUE(control().status().in_progress);
+  EXPECT_FALSE(service().status().match_mode);
+  EXPECT_TRUE(service().status().in_progress);
   ASSERT_TRUE(parameters.set("match_mode", true));
   hear(GameState::STATE_FINISHED);
-  EXPECT_FALSE(control().status().match_mode);
+  EXPECT_FALSE(service().status().match_mode);
 }
 
-TEST_F(Game, IsFollowedWhenTheTeamsOwnCodeWritesIt) {
+TEST_F(Game, FollowsTheGameThatTheTeamsOwnCodeWrites) {
   GameState game;
   game.set_state(GameState::STATE_READY);
   game.set_half(2);
   memory->game.write(game, clock.now_ns());
-  control().follow();
+  service().follow();
   EXPECT_TRUE(recording());
   EXPECT_EQ(store.list()[0].info.name, "A_half-2_14-3_" + std::string(kBuildId));
 }
 
-TEST_F(Game, ItsStatusSaysWhetherAMatchIsInProgress) {
-  EXPECT_EQ(control().status().state, "");
-  EXPECT_FALSE(control().status().in_progress);
+TEST_F(Game, StatusSaysWhetherAMatchIsInProgress) {
+  EXPECT_EQ(service().status().state, "");
+  EXPECT_FALSE(service().status().in_progress);
   hear(GameState::STATE_PLAYING);
-  EXPECT_EQ(control().status().state, "playing");
-  EXPECT_TRUE(control().status().in_progress);
+  EXPECT_EQ(service().status().state, "playing");
+  EXPECT_TRUE(service().status().in_progress);
   hear(GameState::STATE_FINISHED);
-  EXPECT_EQ(control().status().state, "finished");
-  EXPECT_FALSE(control().status().in_progress);
+  EXPECT_EQ(service().status().state, "finished");
+  EXPECT_FALSE(service().status().in_progress);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "robot/app/services/simulation_control.h"
+#include "robot/app/services/simulation_service.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-struct SimulationControl : ::testing::Test {
-  SimulationControl() { add_simulation_control(*body, services); }
+struct SimulationService : ::testing::Test {
+  SimulationService() { add_simulation_service(*body, services); }
 
   json call(const std::string& name, const json& request = json::object()) {
     for (const auto& service : services.list())
@@ -29,7 +29,7 @@ struct SimulationControl : ::testing::Test {
   net::Services services;
 };
 
-TEST_F(SimulationControl, StateTellsHowItGoes) {
+TEST_F(SimulationService, StateReportsTheGame) {
   const json state = call("/sim/state");
   EXPECT_EQ(state["ok"], true);
   EXPECT_EQ(state["paused"], false);
@@ -42,7 +42,7 @@ TEST_F(SimulationControl, StateTellsHowItGoes) {
   EXPECT_EQ(state["away"]["number"], 5);
 }
 
-TEST_F(SimulationControl, EachServiceDoesWhatItSaysAndAnswersWithTheState) {
+TEST_F(SimulationService, EachServiceActsAndAnswersWithTheState) {
   EXPECT_EQ(call("/sim/step")["tick"], 1);
   const json stepped = call("/sim/step", {{"ticks", 29}});
   EXPECT_EQ(stepped["tick"], 30);
@@ -60,7 +60,7 @@ TEST_F(SimulationControl, EachServiceDoesWhatItSaysAndAnswersWithTheState) {
   EXPECT_EQ(call("/sim/reset", {{"seed", 9}})["seed"], 9);
 }
 
-TEST_F(SimulationControl, ASituationIsWhereTheGameGoesOn) {
+TEST_F(SimulationService, ResetWithASituationContinuesFromIt) {
   const json situation = {{"ball", {{"x", 1.25}, {"y", -0.5}}},
                           {"robots", {{{"side", "home"}, {"player", 2}, {"x", 1}, {"y", -0.5}}}},
                           {"score", {{"home", 2}, {"away", 1}}},
@@ -75,7 +75,7 @@ TEST_F(SimulationControl, ASituationIsWhereTheGameGoesOn) {
   EXPECT_FLOAT_EQ(truth->value().ball().y(), -0.5f);
 }
 
-TEST_F(SimulationControl, ABadRequestIsOneSentenceAndChangesNothing) {
+TEST_F(SimulationService, ABadRequestGetsOneSentenceAndChangesNothing) {
   const json before = call("/sim/state");
   const std::map<std::string, std::vector<json>> bad = {
       {"/sim/step", {{{"ticks", 0}}, {{"ticks", -1}}, {{"ticks", 1801}}, {{"ticks", 1.5}}, {{"ticks", "1"}}}},
@@ -97,7 +97,7 @@ TEST_F(SimulationControl, ABadRequestIsOneSentenceAndChangesNothing) {
             "/sim/seed: 'seed' must be a whole number 0 .. 9007199254740991, got -1");
 }
 
-TEST_F(SimulationControl, OnlyTheStateIsForEverybody) {
+TEST_F(SimulationService, OnlyTheStateNeedsNoToken) {
   for (const auto& service : services.list()) {
     const json answer = json::parse(services.call(service.id, "{}", {.may_control = false}));
     EXPECT_EQ(answer["ok"], service.name == "/sim/state") << service.name;

@@ -1,11 +1,11 @@
-#include "robot/app/services/clock_sampler.h"
+#include "robot/app/services/clock_service.h"
 
 #include <cstdlib>
 
 namespace robot::app {
 namespace {
 
-/// The kernel slews by at most 500 ppm (adjtimex(2)); reading two clocks one after the other may take a little too.
+/// Tolerance [ns] for the time between the two readings, in addition to 500 ppm of slewing (adjtimex(2)).
 constexpr std::int64_t kReadingNs = 1'000'000;
 
 std::int64_t slew_limit_ns(std::uint64_t elapsed_ns) {
@@ -14,7 +14,7 @@ std::int64_t slew_limit_ns(std::uint64_t elapsed_ns) {
 
 }  // namespace
 
-foresight::ClockSample ClockSampler::sample(std::uint64_t monotonic_ns, std::uint64_t system_ns) {
+foresight::ClockSample ClockService::sample(std::uint64_t monotonic_ns, std::uint64_t system_ns) {
   const auto difference_ns = static_cast<std::int64_t>(system_ns - monotonic_ns);
   foresight::ClockSample sample;
   sample.set_source(foresight::ClockSample::SOURCE_SYSTEM);
