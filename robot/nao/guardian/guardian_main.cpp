@@ -1,4 +1,4 @@
-// foresight-guardian: owns LoLA's socket on a Nao V6 and decides what reaches the joints.
+// foresight-guardian: owns LoLA's socket on a Nao V6 and decides which values reach the joints.
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/signalfd.h>
@@ -14,10 +14,10 @@ namespace robot::nao {
 namespace {
 
 constexpr int kDone = 0, kNo = 1, kBadInput = 2;
-constexpr int kPriority = 40;       // above all of the runtime's, below the kernel's own threads
-constexpr int kPatience_ms = 2000;  // for a report; there is one a second at least
+constexpr int kPriority = 40;       // above all threads of the runtime, below those of the kernel
+constexpr int kPatience_ms = 2000;  // for a report; at least one a second is sent
 
-/// Signals that end us can be read from the file.
+/// Returns a file from which the signals that end the process can be read.
 FileDescriptor end_signals() {
   sigset_t ends;
   sigemptyset(&ends);
@@ -50,7 +50,7 @@ int run(const GuardianOptions& options) {
   return kDone;
 }
 
-/// Prints how the robot is; 0: it has no stiffness, so that a new guardian may be installed.
+/// Prints the robot's state. Returns 0 if it has no stiffness, so that a new guardian may be installed.
 int tell_status(const GuardianOptions& options) {
   Result<GuardianClient> client = GuardianClient::open(options.link);
   if (!client) return fail(client.error());

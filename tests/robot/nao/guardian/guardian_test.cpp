@@ -1,4 +1,4 @@
-// Every rule of the guardian, with the runtime alive, hung and dead.
+// The rules of the guardian, with the runtime alive, hung and dead.
 #include "robot/nao/guardian/guardian.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ struct NaoGuardian : ::testing::Test {
   tests::FakeBody body;
   Guardian guardian;
   Order order;
-  bool alive = true;  // the runtime gives its order in every cycle
+  bool alive = true;  // the runtime sends its order in every cycle
   std::uint64_t now_ns = 1'000'000'000;
 
   const Actuators& cycle(Cycle extra = {}) {
@@ -31,7 +31,7 @@ struct NaoGuardian : ::testing::Test {
   void run(double seconds) {
     for (double passed = 0; passed < seconds; passed += 0.012) cycle();
   }
-  /// Cycles until `doing`; at most ten seconds.
+  /// Runs cycles until `doing`, at most ten seconds.
   void until(Doing doing) {
     for (int i = 0; i < 833 && guardian.doing() != doing; ++i) cycle();
     ASSERT_EQ(guardian.doing(), doing) << sentence_of(guardian.reason());
@@ -46,7 +46,7 @@ struct NaoGuardian : ::testing::Test {
     order.game = {.heard = true, .penalised = penalised, .state = state, .player = 2};
     run(0.03);
   }
-  /// Stands in the mode `playing`, the runtime is there.
+  /// Brings the robot to stand in the mode `playing`, with a runtime.
   void play() {
     cycle();
     click();
@@ -172,11 +172,11 @@ TEST_F(NaoGuardian, DoesNotBeginWithoutARuntime) {
   EXPECT_FALSE(has_stiffness()) << "it does not stand up by itself when one comes";
 }
 
-/// What the runtime may be while people and gravity act.
+/// State of the runtime during an event.
 enum class Runtime { alive, hung, dead };
 
 struct NaoGuardianWith : NaoGuardian, ::testing::WithParamInterface<Runtime> {
-  /// From now on the runtime is as the parameter says.
+  /// Sets the state of the runtime to the test's parameter.
   void befall() {
     if (GetParam() == Runtime::alive) return;
     alive = false;
@@ -199,7 +199,7 @@ TEST_P(NaoGuardianWith, TheHeadHeldTakesTheStiffnessWithin100ms) {
     run(20);
     EXPECT_FALSE(has_stiffness()) << "and it stays soft";
     EXPECT_EQ(guardian.reason(), Reason::head_touched);
-    // for the next round
+    // restores the start for the next round
     alive = true;
     order = {};
     cycle();
@@ -492,7 +492,7 @@ TEST_F(NaoGuardian, FindsOutAnewHowTheBodyIsAfterLolaWasGone) {
   hear(false, GameState::playing);
   until(Doing::standing);
 
-  // whom people made soft stays soft, whatever LoLA says of its joints
+  // a robot that people made soft stays soft, also when LoLA reports stiff joints
   cycle({.asked_soft = true});
   guardian.lose_lola();
   body.sensors.stiffness.fill(0.8f);

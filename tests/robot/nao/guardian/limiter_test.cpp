@@ -1,4 +1,4 @@
-// Whatever is asked for, joints stay within what they can.
+// Joints stay within their limits for every target.
 #include "robot/nao/guardian/limiter.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(Limiter, ReachesWhatCanBeReached) {
   limiter.start({});
   Pose target;
   target.stiffness.fill(0.8f);
-  // the head to the shoulder and far down: the pitch that the shell allows there
+  // the head at the shoulder and far down: the pitch stops at the limit of the shell
   target.position[head_yaw] = 1.5f;
   target.position[head_pitch] = 0.5f;
   target.position[l_knee_pitch] = 3;

@@ -1,4 +1,4 @@
-// Guardian and runtime hear each other, and nobody waits for anybody.
+// Guardian and runtime exchange messages, and neither waits for the other.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -18,7 +18,7 @@ struct NaoLink : ::testing::Test {
 
   GuardianClient client() { return std::move(*GuardianClient::open(path)); }
 
-  /// Somebody who sends whatever he likes.
+  /// Returns a connection that may send any bytes.
   FileDescriptor stranger() {
     FileDescriptor socket(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0));
     EXPECT_TRUE(LocalAddress::of(path, "test")->connect(socket.get()));

@@ -14,7 +14,7 @@ struct NaoTouches : ::testing::Test {
   Touches touches;
   std::uint64_t now_ns = 0;
 
-  /// Whether the button clicked in one of so many cycles.
+  /// Returns whether the button clicked in one of `cycles` cycles.
   bool see(int cycles) {
     bool clicked = false;
     for (int i = 0; i < cycles; ++i) {

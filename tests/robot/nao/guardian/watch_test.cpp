@@ -84,7 +84,7 @@ TEST_F(NaoWatch, TellsALowBatteryUnlessItIsCharged) {
   body.sensors.battery[0] = 0.06f;
   see(1);
   EXPECT_TRUE(watch.battery_empty()) << "until it is well above";
-  body.sensors.battery[1] = -32552;  // as a robot on its charger told
+  body.sensors.battery[1] = -32552;  // recorded from a robot on its charger
   see(1);
   EXPECT_FALSE(watch.battery_empty() || watch.battery_low());
 }
