@@ -1,4 +1,4 @@
-// Where parts are, told by joints: laws of the geometry, and a real robot's cameras.
+// Poses of the parts from the joints: laws of the geometry, and a real robot's cameras.
 #include "robot/nao/model/kinematics.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ PerJoint<float> random_joints(std::mt19937& random) {
   return joints;
 }
 
-/// As seen in a mirror between left and right.
+/// Returns the mirror image between left and right.
 PerJoint<float> mirrored(const PerJoint<float>& p) {
   PerJoint<float> m = p;
   m[head_yaw] = -p[head_yaw];
@@ -56,7 +56,7 @@ TEST(NaoKinematics, OfStraightLegsIsTheSumOfTheLengths) {
   const Transform camera = kinematics.robot_from_hip({}, 0, 0) * kinematics.hip_from_camera({}, Camera::top);
   EXPECT_NEAR(camera.translation().z(), 0.24809 + 0.2115 + 0.06364, 1e-9);
   EXPECT_NEAR(camera.translation().x(), 0.05871, 1e-9);
-  // it looks forward, 1.2 degrees down
+  // the camera looks forward, 1.2 degrees down
   EXPECT_NEAR(camera.linear()(2, 2), -std::sin(1.2 * kDegree), 1e-5);
   EXPECT_NEAR(camera.linear()(0, 2), std::cos(1.2 * kDegree), 1e-5);
 }
@@ -119,7 +119,7 @@ TEST(NaoKinematics, ALeanForwardLowersTheView) {
                           .linear()(2, 2));
   };
   EXPECT_NEAR(down(0, 0.1) - down(0, 0), 0.1, 1e-6);
-  // leaning to the right, what was to the right of the camera's axis goes down
+  // with a lean to the right, a point to the right of the camera's axis moves down
   EXPECT_LT(kinematics.robot_from_hip(joints, 0.1, 0).linear()(2, 1), 0.2);
   EXPECT_GT((kinematics.robot_from_hip(joints, 0.1, 0) * Vector3d(0, 1, 0)).z(),
             (kinematics.robot_from_hip(joints, 0.1, 0) * Vector3d(0, -1, 0)).z());
@@ -155,7 +155,7 @@ TEST(NaoKinematics, TheHeadTurnsBackToWhereACameraLooks) {
     for (const Camera camera : {Camera::top, Camera::bottom}) {
       const Vector3d seen = kinematics.hip_from_camera(joints, camera) * Vector3d(0, 0, distance(random));
       const auto head = kinematics.look_at(seen, camera);
-      // straight above the neck every yaw is as good
+      // for a point straight above the neck every yaw is right
       if (std::hypot(seen.x(), seen.y()) < 0.1) continue;
       worst = std::max({worst, std::abs(std::remainder(head.yaw - joints[head_yaw], 2 * std::numbers::pi)),
                         std::abs(head.pitch - joints[head_pitch])});
@@ -171,7 +171,7 @@ TEST(NaoKinematics, LooksAtWhatIsWithinItsReachAsWellAsItCan) {
   }
 }
 
-/// What the recording of 2009 tells at one moment.
+/// One sample of the recording of 2009.
 struct Moment {
   double time_s;
   PerJoint<float> joints;
@@ -179,7 +179,7 @@ struct Moment {
 };
 
 struct Offset {
-  double height, tilt;  // [m], [rad] medians of how far we are off, without sign
+  double height, tilt;  // [m], [rad] medians of the absolute errors
 };
 
 TEST(NaoKinematics, SeesARealRobotsCameraWhereItsOwnersSawIt) {
@@ -212,7 +212,7 @@ TEST(NaoKinematics, SeesARealRobotsCameraWhereItsOwnersSawIt) {
     std::sort(values.begin(), values.end());
     return values[values.size() / 2];
   };
-  // joints were noted eight times a second: those at the image's time lie between two notes
+  // joints were recorded at 8 Hz, so those at the image's time are interpolated
   const auto at = [&](double time_s) {
     std::size_t i = 0;
     while (i + 2 < moments.size() && moments[i + 1].time_s <= time_s) ++i;
@@ -225,7 +225,7 @@ TEST(NaoKinematics, SeesARealRobotsCameraWhereItsOwnersSawIt) {
     moment.pitch += part * (to.pitch - from.pitch);
     return moment;
   };
-  // the lean is the inertial unit's, or that of a flat support foot; its mounting is calibrated by one angle
+  // the lean comes from the inertial unit or from a flat support foot; one angle calibrates the mounting
   const auto judge = [&](bool by_foot) {
     Calibration calibration;
     std::vector<double> heights, tilts;
@@ -259,7 +259,7 @@ TEST(NaoKinematics, SeesARealRobotsCameraWhereItsOwnersSawIt) {
   EXPECT_LT(by_foot.height, 0.010);
   EXPECT_LT(by_foot.tilt, 1 * kDegree);
   EXPECT_LT(by_inertial.height, 0.010);
-  // its raw angles are noisier than the filtered ones that the recorded matrices were made from
+  // the raw angles are noisier than the filtered ones behind the recorded matrices
   EXPECT_LT(by_inertial.tilt, 1.2 * kDegree);
 }
 

@@ -1,4 +1,4 @@
-// What LoLA told is in the messages, in their units and with their signs.
+// Messages hold LoLA's values in their own units and signs.
 #include "robot/nao/motion/messages.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST_F(NaoMessages, TurnTheAccelerometerAndNothingElse) {
 }
 
 TEST_F(NaoMessages, ReadTheBatteryInLolasOwnOrder) {
-  report.sensors.battery = {0.99f, -32552, 0.016f, 3.6f};  // as a robot on its charger told
+  report.sensors.battery = {0.99f, -32552, 0.016f, 3.6f};  // recorded from a robot on its charger
   const auto battery = filled<pb::Battery>();
   EXPECT_EQ(battery.charge(), 0.99f);
   EXPECT_EQ(battery.status(), -32552);
@@ -80,7 +80,7 @@ TEST_F(NaoMessages, KeepTheFeetAndFieldsApart) {
     report.sensors.touch.fill(0);
     report.sensors.touch[touched] = 1;
     const auto touch = filled<pb::Touch>();
-    // numbered in LoLA's order, too
+    // numbers in LoLA's order, too
     int set = 0;
     for (int field = 0; field < pb::Touch::descriptor()->field_count(); ++field)
       if (pb::Touch::GetReflection()->GetBool(touch, pb::Touch::descriptor()->field(field))) set += field + 1;

@@ -1,4 +1,4 @@
-// Motion commands become orders; what the body cannot do is refused with a sentence.
+// Motion commands become orders. Motions that the body does not have are refused with a sentence.
 #include "robot/nao/motion/motion.h"
 
 #include <gtest/gtest.h>
