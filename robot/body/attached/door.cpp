@@ -17,9 +17,9 @@
 namespace robot::body {
 namespace {
 
-constexpr std::uint32_t kVersion = 1;  // of what is said at the door
-constexpr int kClearingMs = 100;       // how soon what ended is cleared away, and what is new is found
-constexpr uid_t kRoot = 0;             // who may do everything anyway
+constexpr std::uint32_t kVersion = 1;  // of the protocol at the door
+constexpr int kClearingMs = 100;       // between checks for ended streams and for new objects
+constexpr uid_t kRoot = 0;             // root has access to everything
 
 }  // namespace
 
@@ -30,7 +30,7 @@ std::filesystem::path default_door() {
 
 Result<std::unique_ptr<Door>> Door::open(DoorOptions options, const SessionClock& clock, memory::Channels& channels,
                                          logging::LoggingBoard& board) {
-  // all streams of all processes come at once after a restart
+  // after a restart all streams of all processes connect at once
   Result<FileDescriptor> listening =
       listen_locally(options.path, {.who = "door",
                                     .another = "another runtime does; end it, or choose another --door",
@@ -72,7 +72,7 @@ void Door::run() {
   }
 }
 
-/// Until somebody comes, speaks or goes, or it is time to clear away; false when the door closes.
+/// Waits for a new connection, a frame, a disconnect or the next check. Returns false when the door closes.
 bool Door::wait() {
   std::vector<pollfd> waiting = {{.fd = bell_.get(), .events = POLLIN, .revents = 0},
                                  {.fd = listening_.get(), .events = POLLIN, .revents = 0}};
@@ -98,14 +98,14 @@ void Door::take_in() {
     } else if (guests_.size() + streams_.size() >= kMaxConnections) {
       refuse(guest, "expected at most " + std::to_string(kMaxConnections) + " streams at once, got one more");
     } else {
-      // who has gone already does not hear it, and what he wrote counts all the same
+      // a process that has already disconnected misses this frame, but its messages are still read
       guest.connection->send(logging::welcome_frame({kVersion, clock_.epoch_offset_ns()}));
       guests_.push_back(std::move(guest));
     }
   }
 }
 
-/// What a guest has to say.
+/// Reads the first frame of a connection, or serves one that waits for an object.
 void Door::hear(Guest& guest) {
   if (guest.wanted) return serve(guest);
   guest.leaves = !guest.connection->receive();
@@ -134,7 +134,7 @@ void Door::write(Guest& guest, memory::ChannelInfo announced) {
        .reader = nullptr});
 }
 
-/// Begins to send what is wanted, once it is there.
+/// Starts to send the wanted object as soon as its channel exists.
 void Door::serve(Guest& guest) {
   guest.leaves = guest.connection->gone();
   const std::shared_ptr<memory::Channel> channel = channels_.find(*guest.wanted);
@@ -153,7 +153,7 @@ void Door::refuse(Guest& guest, const std::string& sentence) {
   refusals_.report(Level::error, "door", sentence);
 }
 
-/// Streams whose process has gone.
+/// Removes the streams whose process has disconnected.
 void Door::clear_away() {
   std::erase_if(streams_, [this](const Stream& stream) {
     const bool ended = stream.reader ? stream.reader->gone() : board_.status(stream.id).ended;

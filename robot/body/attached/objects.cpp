@@ -16,7 +16,7 @@ const google::protobuf::Descriptor* our_message(const std::string& name) {
   return google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(name);
 }
 
-/// A topic names a file, too: its parts are words, none is empty or begins with a dot.
+/// Returns whether `topic` is valid. It is also a file name: no part may be empty or begin with a dot.
 bool is_topic(std::string_view topic) {
   if (!topic.starts_with('/') || topic.ends_with('/') || topic.size() > kMaxTopicBytes) return false;
   if (topic.find("//") != topic.npos || topic.find("/.") != topic.npos) return false;
@@ -26,7 +26,7 @@ bool is_topic(std::string_view topic) {
   });
 }
 
-/// Text of others for a sentence of ours.
+/// Returns text from outside in a printable form, for an error sentence.
 std::string quoted(std::string_view text) {
   std::string shown(text.substr(0, 80));
   for (char& byte : shown)
@@ -46,7 +46,7 @@ Result<std::string> Objects::topic_of(std::string_view name) const {
                std::to_string(kMaxTopicBytes) + " bytes, got " + quoted(name)};
 }
 
-/// Fills in what we know better: a message of ours needs no schema, and one that comes must mean the same.
+/// Adds the schema of a message of ours if it is missing. Otherwise checks that the given schema means the same.
 Result<void> Objects::complete(memory::ChannelInfo& announced) const {
   const google::protobuf::Descriptor* ours =
       announced.message_encoding == "protobuf" ? our_message(announced.schema.name) : nullptr;

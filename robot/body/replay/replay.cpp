@@ -27,7 +27,7 @@ Result<std::unique_ptr<Replay>> Replay::open(const std::vector<std::filesystem::
   for (const std::filesystem::path& path : paths) {
     Result<Recording> recording = read(path);
     if (!recording) return Error{recording.error()};
-    // what several hold, such as the truth, is played once
+    // a topic in several recordings, such as the truth, is played once
     std::erase_if(recording->session.streams, [&](const auto& stream) { return !topics.insert(stream.topic).second; });
     if (recording->session.streams.empty())
       return Error{"replay: expected recordings of different robots, " + path.string() +
@@ -61,14 +61,14 @@ bool Replay::skipped(const std::string& topic) const {
                              [&](const std::string& object) { return topic.ends_with("/" + object); });
 }
 
-/// A topic of the recorded robot as one of the robot that it appears as here.
+/// Returns the topic under the name that the recorded robot has here.
 std::string Replay::renamed(const Recording& from, const std::string& topic) const {
   const std::string recorded = "/" + from.session.info.robot + "/";
   if (options_.robot.empty() || !topic.starts_with(recorded)) return topic;
   return "/" + options_.robot + "/" + topic.substr(recorded.size());
 }
 
-/// The channel of a stream's topic; made when nobody has it yet.
+/// Returns the channel of a stream's topic, and creates it if it is missing.
 Result<std::shared_ptr<memory::Channel>> Replay::destination(const Recording& from, memory::ChannelInfo info) {
   info.topic = renamed(from, info.topic);
   if (std::shared_ptr<memory::Channel> known = channels_->find(info.topic)) return known;
@@ -77,7 +77,7 @@ Result<std::shared_ptr<memory::Channel>> Replay::destination(const Recording& fr
   return std::shared_ptr<memory::Channel>(made);
 }
 
-/// All that is played: streams as they are, and those that are made of them.
+/// Returns all streams to play: the recorded ones and those that are made from them.
 std::vector<Replay::Played> Replay::played() const {
   std::vector<Played> streams;
   for (const Recording& recording : recordings_)
@@ -138,7 +138,7 @@ void Replay::start(memory::Channels& channels, logging::LoggingBoard& board) {
 }
 
 Replay::Tick Replay::tick() {
-  // a parser whose file cannot be read on has ended for good
+  // a parser with a damaged file has ended and does not reach the end
   const auto gone = std::ranges::count_if(parsers_, [this](auto parser) { return board_->status(parser).ended; });
   if (clock_.parsers_at_end() + static_cast<std::size_t>(gone) < parsers_.size()) return Tick::playing;
   if (!options_.loop) return Tick::ended;

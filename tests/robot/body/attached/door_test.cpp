@@ -1,5 +1,4 @@
-// A team's process comes in by the door: what it writes is in memory, what is in memory it can read, and whatever else
-// it does harms nobody.
+// A team's process connects to the door. Its messages enter memory, and it can read memory. Wrong input harms no other process.
 #include "robot/body/attached/door.h"
 
 #include <fcntl.h>
@@ -64,13 +63,13 @@ struct TheDoor : ::testing::Test {
     return channel ? channel->newest() : nullptr;
   }
 
-  /// The next message of `reader`; waits for it.
+  /// Waits for the next message of `reader` and returns it.
   static std::string read(const Reader& reader, ForesightMessage& message) {
     while (!foresight_read(reader.get(), &message)) foresight_wait(reader.get(), 100);
     return {static_cast<const char*>(message.bytes), message.size};
   }
 
-  /// Somebody who comes in and says `bytes`, with `file` along, then goes or stays.
+  /// Connects and sends `bytes`, with `file`, then disconnects or stays.
   FileDescriptor stranger(std::string_view bytes, int file = -1) {
     FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
     sockaddr_un address{};
@@ -95,7 +94,7 @@ struct TheDoor : ::testing::Test {
     return socket;
   }
 
-  /// The sentence with which the door sends `guest` away.
+  /// Returns the sentence with which the door refuses `guest`.
   static std::string refusal(const FileDescriptor& guest) {
     logging::FrameParser parser;
     char block[4096];
@@ -107,12 +106,12 @@ struct TheDoor : ::testing::Test {
     return "";
   }
 
-  /// A well-behaved process finds everything in order.
+  /// Checks that a correct process can still write and read.
   void expect_all_well() {
     const Writer ball = announce("ball", "foresight.Ball");
     foresight::Ball message;
     message.set_x(++last_x);
-    // again and again: at first the door may still be full of others
+    // retries: at first the door may still be full of other connections
     ASSERT_TRUE(tests::eventually([&] {
       write(ball, message.SerializeAsString());
       return memory->ball.read() && memory->ball.read()->value().x() == last_x;
@@ -156,7 +155,7 @@ TEST_F(TheDoor, WhatAProcessWritesIsInMemoryWithItsCaptureTimeOfTheEpoch) {
   EXPECT_EQ(memory->ball.read()->value().x(), 1.5f);
   EXPECT_TRUE(memory->ball.read()->value().visible());
   EXPECT_EQ(memory->ball.read()->capture_ns(), now_ns + 5 * kSecond);
-  // by now it has heard how far the epoch is away
+  // by now the process knows the offset of the epoch
   ASSERT_TRUE(foresight_write(ball.get(), now_ns, message.bytes, message.size));
   EXPECT_EQ(foresight_epoch_ns(ball.get(), 7), 7 + 5 * kSecond);
 }
@@ -188,7 +187,7 @@ TEST_F(TheDoor, ImagesComeThroughSharedMemoryWholeAndInOrder) {
   constexpr int kImages = 60;
   for (int i = 0; i < kImages; ++i) {
     pixels.assign(pixels.size(), static_cast<char>(i));
-    // a place for it is free again when the runtime has taken one of those before
+    // a place is free again when the runtime has taken an earlier message
     ASSERT_TRUE(tests::eventually([&] {
       return foresight_write_image(camera.get(), static_cast<std::uint64_t>(i + 1), FORESIGHT_YUYV, 640, 480,
                                    pixels.data(), pixels.size()) == 1;
@@ -236,7 +235,7 @@ TEST_F(TheDoor, AProcessReadsTheNewestAndWhatFollows) {
   const Reader reader = want("motion_command");
   ForesightMessage message;
   EXPECT_EQ(read(reader, message), command.SerializeAsString());
-  EXPECT_EQ(message.capture_ns, 1 * kSecond);  // by the monotonic clock
+  EXPECT_EQ(message.capture_ns, 1 * kSecond);  // on the monotonic clock
   EXPECT_STREQ(foresight_object(reader.get())->topic, "/14/2/motion_command");
   EXPECT_STREQ(foresight_object(reader.get())->type, "foresight.MotionCommand");
   EXPECT_STREQ(foresight_object(reader.get())->message_encoding, "protobuf");
@@ -260,7 +259,7 @@ TEST_F(TheDoor, WhoWaitsNoTimeOrLessGoesOnAtOnce) {
   ForesightMessage message;
   EXPECT_FALSE(foresight_read(reader.get(), &message));
   for (const int timeout_ms : {0, -1, -1000}) {
-    foresight_wait(reader.get(), timeout_ms);  // a failure shows as the test's time-out
+    foresight_wait(reader.get(), timeout_ms);  // a failure is the test's timeout
     foresight_wait(nobody.get(), timeout_ms);
   }
 }
@@ -283,7 +282,7 @@ TEST_F(TheDoor, WhoAsksIsAnsweredByTheForecastOfThatQuestionOrNotAtAll) {
   ASSERT_TRUE(tests::eventually([&] { return memory->what_if.read() != nullptr; }));
   EXPECT_EQ(memory->what_if.read()->value().id(), adviser.asked);
 
-  // by now somebody answers, and tells of another question before
+  // now a runtime answers, with a forecast of another question first
   foresight::Forecast forecast;
   forecast.mutable_question()->set_id(adviser.asked - 1);
   memory->forecast.write(forecast, 1);
@@ -443,7 +442,7 @@ TEST_F(TheDoor, AWriterGoesOnWhenTheRuntimeIsThereAgain) {
 }
 
 TEST_F(TheDoor, AWriterNeverWaitsForARuntimeThatDoesNotRead) {
-  // whoever listens here never accepts, as a stopped runtime
+  // this listener never accepts, like a stopped runtime
   door.reset();
   const FileDescriptor stopped(::socket(AF_UNIX, SOCK_STREAM, 0));
   sockaddr_un address{};
@@ -463,7 +462,7 @@ TEST_F(TheDoor, AWriterNeverWaitsForARuntimeThatDoesNotRead) {
     write(third, bytes);
     EXPECT_FALSE(foresight_read(reader.get(), &message));
   }
-  // it may wait for the processor, but for nothing else
+  // the writer may wait for the processor only
   EXPECT_LT(monotonic_ns() - before_ns, thread_cpu_ns() - cpu_before_ns + 5 * kSecond);
   EXPECT_GE(foresight_lost(large.get()), 1900u);
   EXPECT_GT(foresight_lost(small.get()), 0u);
@@ -473,7 +472,7 @@ TEST_F(TheDoor, AWriterNeverWaitsForARuntimeThatDoesNotRead) {
 TEST_F(TheDoor, SurvivesEveryTruncation) {
   const std::string whole = ball_channel() + frame(2, integer(1, 8) + integer(1, 16));
   for (std::size_t size = 0; size <= whole.size(); ++size) stranger(std::string_view(whole).substr(0, size));
-  ASSERT_TRUE(tests::eventually([&] { return memory->ball.read() != nullptr; }));  // the last one was whole
+  ASSERT_TRUE(tests::eventually([&] { return memory->ball.read() != nullptr; }));  // the last message was complete
   EXPECT_EQ(memory->ball.read()->sequence(), 1u);
   expect_all_well();
 }
@@ -483,7 +482,7 @@ TEST_F(TheDoor, SurvivesRandomBytes) {
   for (int i = 0; i < 300; ++i) {
     std::string bytes = i % 2 ? ball_channel() : "";
     for (int n = 0; n < 60; ++n) {
-      // mostly frames of a kind and of a length that there are
+      // mostly frames with a valid kind and length
       if (random() % 3 == 0) bytes += frame(static_cast<int>(random() % 9), std::string(random() % 50, '\3'));
       bytes.push_back(static_cast<char>(random()));
     }

@@ -111,7 +111,7 @@ TEST(LolaSensors, PassOverWhatTheyDoNotKnow) {
   frame.key("Newest").bytes("\xc7\x02\5\1\2"s).key("Other").bytes("\xdf\0\0\0\1\xd9\1z\xdd\0\0\0\0"s);
   Sensors sent = random_sensors(2), got;
   sent.visit([&](std::string_view key, const auto& numbers) {
-    // a map of more than 15 pairs has another header, so ignored values stay zero
+    // a map of more than 15 pairs needs another header, which replaces the first byte below
     if (key != "Sonar") frame.floats(key, {numbers.begin(), numbers.end()});
   });
   frame.floats("Sonar", {0.5f, 0.6f}).identity();
