@@ -33,8 +33,8 @@ struct DoorOptions {
   std::set<std::string> own_objects = {"runtime", "clock", "parameters"};
 };
 
-/// Returns the default path of the door: $FORESIGHT_DOOR, or a name of this user in shared memory. Every process sees that
-/// name, also with a temporary folder of its own.
+/// Returns the default path of the door: $FORESIGHT_DOOR, or a name of this user in shared memory. Every process sees
+/// that name, also with a temporary folder of its own.
 std::filesystem::path default_door();
 
 /// The door: one connection is one stream. Each written object has a parser of its own, each read object a logger.
@@ -45,8 +45,8 @@ class Door {
   static constexpr std::size_t kQueueBytes = 4 << 20;
   static constexpr std::size_t kMaxConnections = 128;
 
-  /// Opens the door for this user only. Returns an Error if another program listens there. `clock` is the time base of all
-  /// channels. All arguments outlive the door.
+  /// Opens the door for this user only. Returns an Error if another program listens there. `clock` is the time base of
+  /// all channels. All arguments outlive the door.
   static Result<std::unique_ptr<Door>> open(DoorOptions options, const SessionClock& clock, memory::Channels& channels,
                                             logging::LoggingBoard& board);
 

@@ -18,12 +18,12 @@ class Objects {
   /// Most channels that are created for objects unknown to this runtime. Channels are never removed.
   static constexpr int kMaxMade = 256;
 
-  /// `robot` is this robot, such as "14/2". `own` are objects that only the runtime writes, such as "runtime". `channels` and
-  /// `clock` outlive this.
+  /// `robot` is this robot, such as "14/2". `own` are objects that only the runtime writes, such as "runtime".
+  /// `channels` and `clock` outlive this.
   Objects(std::string robot, std::set<std::string> own, memory::Channels& channels, const Clock& clock);
 
-  /// Returns the topic of an object: "ball" becomes "/14/2/ball" of this robot, and a name that starts with '/' is a topic
-  /// already. Returns an Error if the result is no valid topic.
+  /// Returns the topic of an object: "ball" becomes "/14/2/ball" of this robot, and a name that starts with '/' is a
+  /// topic already. Returns an Error if the result is no valid topic.
   Result<std::string> topic_of(std::string_view name) const;
 
   /// Returns the channel for `announced`, named as above. Returns an Error that names the part that does not fit.

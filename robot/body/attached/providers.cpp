@@ -60,7 +60,8 @@ Result<std::optional<logging::Record>> DoorInProvider::take(logging::Frame frame
   if (!shared) return refuse(info_.topic + ": expected a message, got something else");
   Result<std::string> bytes = connection_->copy(*shared);
   if (!bytes) return refuse(info_.topic + ": " + bytes.error());
-  // frees the message's place; a failure is ignored: a process that has disconnected or does not read loses only its own places
+  // frees the message's place; a failure is ignored: a process that has disconnected or does not read loses only its
+  // own places
   connection_->send(logging::taken_frame({shared->sequence}));
   return checked({.sequence = shared->sequence,
                   .capture_ns = shared->capture_ns,

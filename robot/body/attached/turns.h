@@ -9,8 +9,8 @@
 
 namespace robot::body {
 
-/// The objects that have a writer now; each has at most one. If a process is killed and restarts at once, its earlier messages
-/// still arrive before its new ones. Two frameworks that run by mistake never mix their images. Any thread.
+/// The objects that have a writer now; each has at most one. If a process is killed and restarts at once, its earlier
+/// messages still arrive before its new ones. Two frameworks that run by mistake never mix their images. Any thread.
 class Turns {
  public:
   /// Waits until `topic` has no writer, and takes the turn. Returns false if `given_up` becomes true. After a second it

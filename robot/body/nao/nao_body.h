@@ -26,7 +26,8 @@ struct NaoOptions {
   nao::Calibration calibration;
 };
 
-/// The body, with a thread that each report of the guardian wakes. Without a guardian it tries to connect once a second.
+/// The body, with a thread that each report of the guardian wakes. Without a guardian it tries to connect once a
+/// second.
 class NaoBody {
  public:
   /// Returns a sentence if another program has LoLA, else an empty string. Waits at most two seconds for the guardian's
@@ -41,8 +42,8 @@ class NaoBody {
   NaoBody(const NaoBody&) = delete;
   NaoBody& operator=(const NaoBody&) = delete;
 
-  /// Returns the pose of `camera` at `capture_ns` [ns since the epoch], or nothing without joints within 50 ms of that time.
-  /// Any thread.
+  /// Returns the pose of `camera` at `capture_ns` [ns since the epoch], or nothing without joints within 50 ms of that
+  /// time. Any thread.
   std::optional<nao::Transform> robot_from_camera(nao::Camera camera, std::uint64_t capture_ns) const;
 
  private:
@@ -80,8 +81,8 @@ class NaoBody {
   std::thread thread_;  // last: it uses all the others
 };
 
-/// Asks the guardian to remove the stiffness, independent of the runtime's orders. Does not wait. Returns an Error if there is
-/// no guardian.
+/// Asks the guardian to remove the stiffness, independent of the runtime's orders. Does not wait. Returns an Error if
+/// there is no guardian.
 Result<void> sit_and_soft(const std::filesystem::path& link);
 
 }  // namespace robot::body

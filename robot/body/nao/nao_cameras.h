@@ -22,7 +22,8 @@ class NaoCameras {
   /// Returns a sentence that names the program that has one of the cameras open, or an empty string.
   static std::string taken_by_others(const NaoConfig& config);
 
-  /// All arguments but `config` outlive this. `body` gives the pose of each camera; without a pose an image has no matrix.
+  /// All arguments but `config` outlive this. `body` gives the pose of each camera; without a pose an image has no
+  /// matrix.
   NaoCameras(const NaoConfig& config, const NaoBody& body, memory::Memory& memory, const SessionClock& clock);
 
  private:

@@ -9,12 +9,13 @@
 
 namespace robot::body {
 
-/// The playhead of a recording. It runs from the start to the end at a given speed, then stops there; it may be paused and
-/// moved. Parsers wait on it until a message is due. Messages keep their recorded capture times, so a played recording looks
-/// as it did live. Any thread.
+/// The playhead of a recording. It runs from the start to the end at a given speed, then stops there; it may be paused
+/// and moved. Parsers wait on it until a message is due. Messages keep their recorded capture times, so a played
+/// recording looks as it did live. Any thread.
 class PlaybackClock final : public Clock, public logging::Pace {
  public:
-  /// `start_ns` and `end_ns` are capture times [ns since the epoch]. `speed` > 0, 1 is real time. Begins paused at the start.
+  /// `start_ns` and `end_ns` are capture times [ns since the epoch]. `speed` > 0, 1 is real time. Begins paused at the
+  /// start.
   PlaybackClock(std::uint64_t start_ns, std::uint64_t end_ns, double speed)
       : start_ns_(start_ns), end_ns_(end_ns), speed_(speed), from_ns_(start_ns) {}
 

@@ -40,9 +40,9 @@ struct ReplayOptions {
   std::vector<std::string> skipped_objects;
 };
 
-/// A playback with one parser per stream. All parsers use one clock, so recordings of several robots are merged by capture
-/// time. Each stream goes into the channel of its topic; an unknown topic gets a new channel. Used by one thread, except
-/// the clock.
+/// A playback with one parser per stream. All parsers use one clock, so recordings of several robots are merged by
+/// capture time. Each stream goes into the channel of its topic; an unknown topic gets a new channel. Used by one
+/// thread, except the clock.
 class Replay {
  public:
   /// Opens `paths`: folders of sessions, or files that hold many channels.
@@ -56,8 +56,8 @@ class Replay {
   /// Calls stop().
   ~Replay();
 
-  /// Opens the stream of a topic for another reader, with the times of the playback. Returns null if there is no such topic.
-  /// Any thread.
+  /// Opens the stream of a topic for another reader, with the times of the playback. Returns null if there is no such
+  /// topic. Any thread.
   std::unique_ptr<logging::InProvider> stream_of(const std::string& topic) const;
 
   /// Returns the robots that recorded, in the order of the paths.
@@ -73,7 +73,8 @@ class Replay {
 
   enum class Tick { playing, ended, began_again };
 
-  /// Checks for the end, and restarts there in a loop. Call it regularly. The end is reached when every message was played.
+  /// Checks for the end, and restarts there in a loop. Call it regularly. The end is reached when every message was
+  /// played.
   Tick tick();
 
   void stop();

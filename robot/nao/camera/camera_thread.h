@@ -15,8 +15,8 @@
 
 namespace robot::nao {
 
-/// A camera with a thread of its own. If the camera is missing, taken by another program or lost, the thread tries again
-/// once a second. It reports a problem when the problem changes.
+/// A camera with a thread of its own. If the camera is missing, taken by another program or lost, the thread tries
+/// again once a second. It reports a problem when the problem changes.
 class CameraThread {
  public:
   static constexpr std::uint64_t kSilence_ns = 2'000'000'000;  // after this time without frames a device counts as gone

@@ -23,7 +23,8 @@ struct CameraSettings {
   std::map<std::string, std::int32_t> controls;
 };
 
-/// Returns the kernel's number of a control ("exposure", "gain", "auto_white_balance", …), or nothing for an unknown name.
+/// Returns the kernel's number of a control ("exposure", "gain", "auto_white_balance", …), or nothing for an unknown
+/// name.
 std::optional<std::uint32_t> control_id(const std::string& name);
 
 /// A device that streams YUYV into buffers shared with the kernel. Used by one thread; the device outlives it.
@@ -31,8 +32,8 @@ class VideoCapture {
  public:
   static constexpr std::uint32_t kBuffers = 3;
 
-  /// Sets the device up and starts it. Returns an Error that names the refused step, or the program that has the device.
-  /// Adds a warning for each control that the device lacks.
+  /// Sets the device up and starts it. Returns an Error that names the refused step, or the program that has the
+  /// device. Adds a warning for each control that the device lacks.
   static Result<VideoCapture> open(VideoDevice& device, const CameraSettings& settings,
                                    std::vector<std::string>& warnings);
   VideoCapture(VideoCapture&& other) noexcept;

@@ -60,8 +60,8 @@ const Actuators& Guardian::step(const Cycle& cycle) {
   return actuators_;
 }
 
-/// Takes over the pose of the first frame. A stiff and upright robot was under control, so it keeps its stiffness and holds
-/// still until its task is known.
+/// Takes over the pose of the first frame. A stiff and upright robot was under control, so it keeps its stiffness and
+/// holds still until its task is known.
 void Guardian::begin(const Cycle& cycle) {
   if (!cycle.sensors) return;
   begun_ = true;
@@ -156,7 +156,8 @@ Guardian::Wish Guardian::wish_without_order(std::uint64_t silent_ns, Reason why)
   return silent_ns >= kSitAfter_ns ? Wish::sit : Wish::hold;
 }
 
-/// Returns the action that the rules ask for, and sets the reason if it differs from the order. Falls are handled elsewhere.
+/// Returns the action that the rules ask for, and sets the reason if it differs from the order. Falls are handled
+/// elsewhere.
 Guardian::Wish Guardian::wish(const Cycle& cycle) {
   const auto because = [&](Reason reason, Wish wish) {
     reason_ = reason;

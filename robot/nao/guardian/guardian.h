@@ -33,15 +33,16 @@ struct Cycle {
 ///   told to end; a joint too hot; battery empty    sits down, then is soft
 ///   the third crash of the runtime in a minute     the same, with red eyes, until the chest button
 ///   no order, or no readable frame                 for 0.1 s: holds still; for 3 s: sits down, then is soft
-///   the runtime or the guardian has restarted      holds still, until the GameController or the chest button allows more
+///   the runtime or the guardian has restarted      holds still, until the GameController or the chest button allows
+/// more
 ///   mode initial, penalised                        stands; no order moves it
 ///   mode playing                                   as the order says
 ///
-/// The chest button leads from unstiff to initial, penalised and playing, and then switches between penalised and playing.
-/// A state of the GameController counts from the moment it changes. It never ends the mode unstiff. The button does not end
-/// that mode either while there is no runtime.
-/// The robot stands up only with its torso upright. Before it stretches its legs it also needs weight on its feet.
-/// A robot that has stiffness at the guardian's first cycle holds still.
+/// The chest button leads from unstiff to initial, penalised and playing, and then switches between penalised and
+/// playing. A state of the GameController counts from the moment it changes. It never ends the mode unstiff. The button
+/// does not end that mode either while there is no runtime. The robot stands up only with its torso upright. Before it
+/// stretches its legs it also needs weight on its feet. A robot that has stiffness at the guardian's first cycle holds
+/// still.
 class Guardian {
  public:
   static constexpr std::uint64_t kHoldAfter_ns = 100'000'000;
@@ -56,8 +57,8 @@ class Guardian {
   /// Returns the answer to this cycle. Times must never decrease.
   const Actuators& step(const Cycle& cycle);
 
-  /// Forgets the state of the body, because LoLA was gone for a while. The next cycle determines it again. Then no order
-  /// moves the body until the GameController or the chest button allows it.
+  /// Forgets the state of the body, because LoLA was gone for a while. The next cycle determines it again. Then no
+  /// order moves the body until the GameController or the chest button allows it.
   void lose_lola();
 
   Mode mode() const { return mode_; }

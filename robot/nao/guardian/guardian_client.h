@@ -17,12 +17,12 @@ class GuardianClient {
   /// Connects to the guardian. Returns an Error if there is none.
   static Result<GuardianClient> open(const std::filesystem::path& path);
 
-  /// Returns the next report, or nothing if none came within `patience_ms`. Returns an Error if the guardian is gone or is
-  /// of another build.
+  /// Returns the next report, or nothing if none came within `patience_ms`. Returns an Error if the guardian is gone or
+  /// is of another build.
   Result<std::optional<Report>> next(int patience_ms);
 
-  /// Sends without waiting. Returns an Error if the guardian is gone. A guardian that does not read loses the message, and
-  /// notices by itself that orders are missing.
+  /// Sends without waiting. Returns an Error if the guardian is gone. A guardian that does not read loses the message,
+  /// and notices by itself that orders are missing.
   Result<void> give(const Order& order);
   Result<void> ask(Request::What what);
 

@@ -23,8 +23,8 @@ struct GuardianOptions {
   std::filesystem::path link;  // default_link()
 };
 
-/// The loop of the guardian's process. It answers every frame of LoLA with the guardian's decision, sends reports to the
-/// runtime, and reconnects to LoLA after a loss.
+/// The loop of the guardian's process. It answers every frame of LoLA with the guardian's decision, sends reports to
+/// the runtime, and reconnects to LoLA after a loss.
 class GuardianProgram {
  public:
   /// Opens the link. Returns an Error if another guardian runs.

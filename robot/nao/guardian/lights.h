@@ -20,9 +20,9 @@ struct Shown {
 
 /// Returns the lights of a state.
 ///
-/// Chest: blinks blue while unstiff, red while penalised, off in initial and finished, blue in ready, yellow in set, green
-/// while playing, cyan in standby. Eyes: red after three crashes, orange while `troubled`, else white.
-/// Ears: one light for each tenth of the battery's charge.
+/// Chest: blinks blue while unstiff, red while penalised, off in initial and finished, blue in ready, yellow in set,
+/// green while playing, cyan in standby. Eyes: red after three crashes, orange while `troubled`, else white. Ears: one
+/// light for each tenth of the battery's charge.
 Lights lights_of(const Shown& shown);
 
 }  // namespace robot::nao

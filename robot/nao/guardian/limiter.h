@@ -12,8 +12,8 @@ struct Pose {
 };
 
 /// The limiter of joint commands. No joint exceeds its range or its speed, and the head never touches the shoulders.
-/// Stiffness rises slowly and falls at once. A joint without stiffness is commanded to its measured position, so that it
-/// never jumps when it gets stiffness. Targets that are not finite are ignored.
+/// Stiffness rises slowly and falls at once. A joint without stiffness is commanded to its measured position, so that
+/// it never jumps when it gets stiffness. Targets that are not finite are ignored.
 class Limiter {
  public:
   static constexpr float kStiffnessRise = 2;  // [1/s]
@@ -21,8 +21,8 @@ class Limiter {
   /// Sets the pose that the joints had before the guardian started.
   void start(const Pose& pose);
 
-  /// Returns the next pose on the way to `target`, `dt` [s] after the last one. The joints use `speed_share` (0..1] of their
-  /// speed. `measured` are the positions now [rad].
+  /// Returns the next pose on the way to `target`, `dt` [s] after the last one. The joints use `speed_share` (0..1] of
+  /// their speed. `measured` are the positions now [rad].
   const Pose& next(const Pose& target, const PerJoint<float>& measured, float dt, float speed_share);
 
   /// Returns the pose in which no joint has stiffness.

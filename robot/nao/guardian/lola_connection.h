@@ -22,11 +22,12 @@ class LolaConnection {
 
   int file() const { return socket_.get(); }
 
-  /// Receives the available bytes without waiting. Returns an Error if LoLA is gone; then this connection is of no more use.
+  /// Receives the available bytes without waiting. Returns an Error if LoLA is gone; then this connection is of no more
+  /// use.
   Result<void> take_in();
 
-  /// Returns the oldest complete frame without an answer, or an empty view if bytes are missing. Returns an Error if the bytes
-  /// are no frame; then this connection is of no more use.
+  /// Returns the oldest complete frame without an answer, or an empty view if bytes are missing. Returns an Error if
+  /// the bytes are no frame; then this connection is of no more use.
   Result<std::string_view> frame() const;
 
   /// Reads that frame into `sensors`. Returns an Error if it cannot be read. Such a frame needs an answer, too.

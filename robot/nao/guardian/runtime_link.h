@@ -19,8 +19,8 @@ std::filesystem::path default_link();
 
 /// The listening socket and its connections. No call waits: a client that does not read misses reports.
 ///
-/// The first connection that sends an order is the runtime, until it ends. Orders of other connections are ignored. Every
-/// client may send requests.
+/// The first connection that sends an order is the runtime, until it ends. Orders of other connections are ignored.
+/// Every client may send requests.
 class RuntimeLink {
  public:
   static constexpr std::size_t kMaxConnections = 8;

@@ -52,7 +52,8 @@ struct JointLimits {
   float speed;  // [rad/s; hands 1/s] of the motor without load
 };
 
-/// Returns the limits of a joint: ranges from proto/foresight/sensors.proto, speeds from Aldebaran's model of the robot.
+/// Returns the limits of a joint: ranges from proto/foresight/sensors.proto, speeds from Aldebaran's model of the
+/// robot.
 const JointLimits& limits_of(std::size_t joint);
 
 /// Returns the nearest value within the range.
@@ -60,8 +61,8 @@ float clamp(float value, Range range);
 
 /// Returns the range of head_pitch at `head_yaw` [rad] in which the head does not touch the shoulders.
 ///
-/// Source: Aldebaran's table of the shells ("anti collision limitation"), interpolated linearly. Beyond ±119.5° the last row
-/// applies.
+/// Source: Aldebaran's table of the shells ("anti collision limitation"), interpolated linearly. Beyond ±119.5° the
+/// last row applies.
 Range head_pitch_range(float yaw);
 
 }  // namespace robot::nao

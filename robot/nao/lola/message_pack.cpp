@@ -74,8 +74,8 @@ std::string_view MessagePackReader::take(std::uint64_t bytes) {
 
 std::uint8_t MessagePackReader::marker() { return static_cast<std::uint8_t>(big_endian(1)); }
 
-/// Reads the count of a map or an array. It is in the lowest bits of `fix`, or in two or four bytes after `sixteen` or the
-/// next marker.
+/// Reads the count of a map or an array. It is in the lowest bits of `fix`, or in two or four bytes after `sixteen` or
+/// the next marker.
 std::uint32_t MessagePackReader::count(std::uint8_t fix, std::uint8_t fix_bits, std::uint8_t sixteen) {
   const std::uint8_t found = marker();
   if (state_ != State::good) return 0;

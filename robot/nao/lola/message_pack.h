@@ -27,7 +27,8 @@ inline float read_number(std::string_view bytes, NumberSlot slot) {
   return std::bit_cast<float>(bits);
 }
 
-/// A reader of MessagePack. After the first value of an unexpected type, every result is 0 or empty, and state() says why.
+/// A reader of MessagePack. After the first value of an unexpected type, every result is 0 or empty, and state() says
+/// why.
 class MessagePackReader {
  public:
   enum class State { good, truncated, wrong };

@@ -53,15 +53,16 @@ struct RobotIdentity {
   std::string body_id, body_version, head_id, head_version;
 };
 
-/// The reader of one connection's frames. It finds the position of each number once and remembers it. Later frames are read
-/// in place while all bytes between the numbers are equal; otherwise the frame is parsed again.
-/// Unknown keys are skipped. A frame is refused if a key is missing or repeated, if a field has a wrong count, or if a number
-/// is not finite. Nothing is allocated while frames have the same layout.
+/// The reader of one connection's frames. It finds the position of each number once and remembers it. Later frames are
+/// read in place while all bytes between the numbers are equal; otherwise the frame is parsed again. Unknown keys are
+/// skipped. A frame is refused if a key is missing or repeated, if a field has a wrong count, or if a number is not
+/// finite. Nothing is allocated while frames have the same layout.
 class SensorFrames {
  public:
   static constexpr std::size_t kMaxBytes = 4096;  // a real frame has 896
 
-  /// Returns the size of the first frame in `bytes`, or 0 while bytes are missing. Returns an Error if they are no frame.
+  /// Returns the size of the first frame in `bytes`, or 0 while bytes are missing. Returns an Error if they are no
+  /// frame.
   Result<std::size_t> size_of_first(std::string_view bytes) const;
 
   /// Reads `frame`, as size_of_first() found it. After an Error `sensors` are unchanged.

@@ -34,7 +34,8 @@ struct Dimensions {
   const CameraMount& camera(Camera which) const { return which == Camera::top ? top : bottom; }
 };
 
-/// Offsets of one robot from the model [rad], measured for each robot: heads and inertial units are never mounted alike.
+/// Offsets of one robot from the model [rad], measured for each robot: heads and inertial units are never mounted
+/// alike.
 struct Calibration {
   struct CameraOffset {
     double roll = 0;  // > 0: the image turns clockwise around its axis
@@ -56,8 +57,8 @@ class Kinematics {
   Transform hip_from_sole(const PerJoint<float>& joints, Side side) const;
   Transform hip_from_camera(const PerJoint<float>& joints, Camera camera) const;
 
-  /// Returns the pose of the hip for a torso that leans by `roll` and `pitch` [rad], as in LoLA's angles. The lower foot is on
-  /// the ground.
+  /// Returns the pose of the hip for a torso that leans by `roll` and `pitch` [rad], as in LoLA's angles. The lower
+  /// foot is on the ground.
   Transform robot_from_hip(const PerJoint<float>& joints, double roll, double pitch) const;
 
   struct Lean {
@@ -74,8 +75,8 @@ class Kinematics {
     double yaw, pitch;  // [rad]; may be outside the range of the head
   };
 
-  /// Returns the turn of the head with which `camera` looks straight at `point_in_hip` [m]. If the point is so near the neck
-  /// that this is impossible, returns the nearest solution.
+  /// Returns the turn of the head with which `camera` looks straight at `point_in_hip` [m]. If the point is so near the
+  /// neck that this is impossible, returns the nearest solution.
   HeadTurn look_at(const Eigen::Vector3d& point_in_hip, Camera camera) const;
 
  private:

@@ -17,7 +17,8 @@ void fill(const Report& report, pb::Sonar& sonar);
 void fill(const Report& report, pb::Touch& touch);
 void fill(const Report& report, pb::Battery& battery);
 
-/// Fills all fields but `refused`, which the guardian does not know. Modes and identity are absent while there is no LoLA.
+/// Fills all fields but `refused`, which the guardian does not know. Modes and identity are absent while there is no
+/// LoLA.
 void fill(const Report& report, pb::Body& body);
 
 /// Fills all fields but head_active, which only the motion knows.

@@ -13,8 +13,8 @@ namespace robot::nao {
 
 namespace pb = foresight;
 
-/// The motions of the body `nao`: it turns the head, stands, sits, freezes and softens. It does not walk, kick or get up from
-/// the ground yet: it stands instead, and refused() says so. Pure; used by one thread.
+/// The motions of the body `nao`: it turns the head, stands, sits, freezes and softens. It does not walk, kick or get
+/// up from the ground yet: it stands instead, and refused() says so. Pure; used by one thread.
 class Motion {
  public:
   static constexpr std::uint64_t kCommandLasts_ns = 1'000'000'000;  // age of a command after which the body stands
@@ -23,8 +23,8 @@ class Motion {
 
   explicit Motion(Kinematics kinematics = Kinematics()) : kinematics_(kinematics) {}
 
-  /// Returns the order for the cycle after `report`. `command` is the newest one, `command_age_ns` old, or null before the
-  /// first. `game` is the GameController's state, or null without one.
+  /// Returns the order for the cycle after `report`. `command` is the newest one, `command_age_ns` old, or null before
+  /// the first. `game` is the GameController's state, or null without one.
   Order next(const Report& report, const pb::MotionCommand* command, std::uint64_t command_age_ns,
              const pb::GameState* game);
 

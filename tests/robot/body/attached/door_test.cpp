@@ -1,4 +1,5 @@
-// A team's process connects to the door. Its messages enter memory, and it can read memory. Wrong input harms no other process.
+// A team's process connects to the door. Its messages enter memory, and it can read memory. Wrong input harms no other
+// process.
 #include "robot/body/attached/door.h"
 
 #include <fcntl.h>
