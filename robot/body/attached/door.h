@@ -55,10 +55,10 @@ class Door {
 
  private:
   /// A connection before its stream starts: it has sent no first frame yet, or wants an object that does not exist yet.
-  struct Guest {
+  struct PendingConnection {
     std::shared_ptr<Connection> connection;
     std::optional<std::string> wanted;  // the topic, after the first frame
-    bool leaves = false;
+    bool done = false;                  // refused, disconnected, or its stream has started
   };
   struct Stream {
     logging::LoggingBoard::StreamId id = 0;
@@ -71,10 +71,10 @@ class Door {
   void run();
   bool wait();
   void take_in();
-  void hear(Guest& guest);
-  void write(Guest& guest, memory::ChannelInfo announced);
-  void serve(Guest& guest);
-  void refuse(Guest& guest, const std::string& sentence);
+  void hear(PendingConnection& pending);
+  void write(PendingConnection& pending, memory::ChannelInfo announced);
+  void serve(PendingConnection& pending);
+  void refuse(PendingConnection& pending, const std::string& sentence);
   void clear_away();
 
   const DoorOptions options_;
@@ -85,7 +85,7 @@ class Door {
 
   // of the thread
   Objects objects_;
-  std::list<Guest> guests_;
+  std::list<PendingConnection> pending_;
   std::vector<Stream> streams_;
   Throttle refusals_;
 

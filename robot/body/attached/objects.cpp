@@ -68,13 +68,13 @@ Result<std::shared_ptr<memory::Channel>> Objects::make(memory::ChannelInfo info)
                  " objects unknown to the runtime, got one more"};
   ++made_;
   const auto made = std::make_shared<memory::RawChannel>(std::move(info), clock_);
-  if (Result<void> added = channels_.add(made); !added) return Error{added.error()};
+  if (Result<void> added = channels_.add(made); !added) return added.failure();
   return std::shared_ptr<memory::Channel>(made);
 }
 
 Result<std::shared_ptr<memory::Channel>> Objects::channel_of(memory::ChannelInfo announced) {
   Result<std::string> topic = topic_of(announced.topic);
-  if (!topic) return Error{topic.error()};
+  if (!topic) return topic.failure();
   announced.topic = std::move(*topic);
   if (const std::string own = "/" + robot_ + "/";
       announced.topic.starts_with(own) && own_.contains(announced.topic.substr(own.size())))
@@ -83,8 +83,7 @@ Result<std::shared_ptr<memory::Channel>> Objects::channel_of(memory::ChannelInfo
   const std::shared_ptr<memory::Channel> known = channels_.find(announced.topic);
   if (known && announced.schema.name.empty() && announced.message_encoding == known->info().message_encoding)
     return known;
-  if (Result<void> completed = complete(announced); !completed)
-    return Error{announced.topic + ": " + completed.error()};
+  if (Result<void> completed = complete(announced); !completed) return completed.failure(announced.topic);
   if (!known) return make(std::move(announced));
 
   const memory::ChannelInfo& info = known->info();

@@ -117,14 +117,14 @@ Result<NaoConfig> parse_nao_config(std::string_view text) {
       return Error{"nao config: expected NAME = VALUE, got '" + std::string(line.substr(0, 60)) + "'"};
     const Line parts{.name = std::string(trimmed(line.substr(0, sign))),
                      .value = std::string(trimmed(line.substr(sign + 1)))};
-    if (Result<void> read = read_line(parts, config); !read) return Error{read.error()};
+    if (Result<void> read = read_line(parts, config); !read) return read.failure();
   }
   return config;
 }
 
 Result<NaoConfig> read_nao_config(const std::filesystem::path& path) {
   const Result<std::string> text = read_file(path, kMaxBytes);
-  if (!text) return Error{text.error()};
+  if (!text) return text.failure();
   return parse_nao_config(*text);
 }
 

@@ -48,7 +48,7 @@ class NaoBody {
 
  private:
   /// Measured joints at one time.
-  struct Moment {
+  struct JointSample {
     std::uint64_t capture_ns;  // since the epoch
     nao::PerJoint<float> position;
     std::array<float, 2> angles;
@@ -75,7 +75,7 @@ class NaoBody {
   std::uint64_t body_ns_ = 0, battery_ns_ = 0, sonar_ns_ = 0, next_try_ns_ = 0;
 
   mutable Mutex lock_;
-  std::deque<Moment> moments_;
+  std::deque<JointSample> samples_;
 
   std::atomic<bool> ends_ = false;
   std::thread thread_;  // last: it uses all the others

@@ -73,9 +73,9 @@ Result<VideoCapture> VideoCapture::open(VideoDevice& device, const CameraSetting
                                         std::vector<std::string>& warnings) {
   VideoCapture capture(device, settings);
   if (const int error = device.open(settings.device)) return capture.refused("a video device", error);
-  if (Result<void> set = capture.set_format(); !set) return Error{set.error()};
+  if (Result<void> set = capture.set_format(); !set) return set.failure();
   capture.set_controls(warnings);
-  if (Result<void> shared = capture.share_buffers(); !shared) return Error{shared.error()};
+  if (Result<void> shared = capture.share_buffers(); !shared) return shared.failure();
   int type = static_cast<int>(kType);
   if (const int error = device.control(VIDIOC_STREAMON, &type)) return capture.refused("it to start", error);
   return capture;

@@ -26,7 +26,7 @@ void copy_text(const std::string& text, std::array<char, Size>& to) {
 
 Result<GuardianProgram> GuardianProgram::open(GuardianOptions options) {
   Result<RuntimeLink> link = RuntimeLink::open(options.link);
-  if (!link) return Error{link.error()};
+  if (!link) return link.failure();
   return GuardianProgram(std::move(options), std::move(*link));
 }
 

@@ -29,7 +29,7 @@ Result<RuntimeLink> RuntimeLink::open(const std::filesystem::path& path) {
                                          .another = "another guardian does; end it, or choose another --link",
                                          .type = SOCK_SEQPACKET,
                                          .backlog = kBacklog});
-  if (!listening) return Error{listening.error()};
+  if (!listening) return listening.failure();
   return RuntimeLink(std::move(*listening));
 }
 

@@ -95,11 +95,11 @@ struct TheDoor : ::testing::Test {
     return socket;
   }
 
-  /// Returns the sentence with which the door refuses `guest`.
-  static std::string refusal(const FileDescriptor& guest) {
+  /// Returns the sentence with which the door refuses `client`.
+  static std::string refusal(const FileDescriptor& client) {
     logging::FrameParser parser;
     char block[4096];
-    for (ssize_t n = 0; (n = ::read(guest.get(), block, sizeof block)) > 0;) {
+    for (ssize_t n = 0; (n = ::read(client.get(), block, sizeof block)) > 0;) {
       parser.feed({block, static_cast<std::size_t>(n)});
       for (auto frame = parser.next(); frame && *frame; frame = parser.next())
         if (const auto* refused = std::get_if<logging::Refused>(&**frame)) return refused->sentence;
@@ -144,7 +144,7 @@ std::string ball_channel() {
       {.topic = "ball", .schema = {.name = "foresight.Ball", .encoding = "protobuf", .bytes = ""}});
 }
 
-TEST_F(TheDoor, WhatAProcessWritesIsInMemoryWithItsCaptureTimeOfTheEpoch) {
+TEST_F(TheDoor, MessagesOfAProcessEnterMemoryWithTheirCaptureTimeOfTheEpoch) {
   const Writer ball = announce("ball", "foresight.Ball");
   unsigned char room[32];
   ForesightBytes message = foresight_bytes(room, sizeof room);
@@ -206,7 +206,7 @@ TEST_F(TheDoor, ImagesComeThroughSharedMemoryWholeAndInOrder) {
   }
 }
 
-TEST_F(TheDoor, WhatWasWrittenBeforeAProcessWentArrives) {
+TEST_F(TheDoor, MessagesOfAProcessThatDisconnectedArrive) {
   const std::string image(614'400, 'i');
   for (int i = 1; i <= 20; ++i) {
     Writer camera = announce("camera_top", "foresight.Image");
@@ -255,7 +255,7 @@ TEST_F(TheDoor, AnObjectMayBeWantedBeforeItIsThere) {
   EXPECT_EQ(read(reader, message), "soon");
 }
 
-TEST_F(TheDoor, WhoWaitsNoTimeOrLessGoesOnAtOnce) {
+TEST_F(TheDoor, AWaitOfNoTimeOrLessReturnsAtOnce) {
   const Reader reader = want("ball"), nobody(foresight_want_from("ball", "/nowhere"), &foresight_end);
   ForesightMessage message;
   EXPECT_FALSE(foresight_read(reader.get(), &message));
@@ -273,7 +273,7 @@ TEST_F(TheDoor, ADeadlineThatHasPassedIsNotWaitedFor) {
   EXPECT_EQ(foresight_ms_until(UINT64_MAX, 0), 60'000) << "whoever waits looks at the clock again";
 }
 
-TEST_F(TheDoor, WhoAsksIsAnsweredByTheForecastOfThatQuestionOrNotAtAll) {
+TEST_F(TheDoor, AQuestionIsAnsweredByItsOwnForecastOrNotAtAll) {
   ForesightAdviser adviser = foresight_adviser(path.c_str());
   const Writer questions(adviser.questions, &foresight_close);
   const Reader forecasts(adviser.forecasts, &foresight_end);
@@ -296,7 +296,7 @@ TEST_F(TheDoor, WhoAsksIsAnsweredByTheForecastOfThatQuestionOrNotAtAll) {
   EXPECT_STREQ(advice.choice, "passing");
 }
 
-TEST_F(TheDoor, TheNewestIsGivenOutWhole) {
+TEST_F(TheDoor, TheNewestMessageIsReadWhole) {
   memory->log.write({}, 1);
   const Reader reader = want("log");
   ForesightMessage message;
@@ -327,7 +327,7 @@ TEST_F(TheDoor, ARenumberedFieldIsRefusedWithASentence) {
   EXPECT_EQ(memory->ball.read(), nullptr);
 }
 
-TEST_F(TheDoor, SaysWhatDoesNotFit) {
+TEST_F(TheDoor, NamesThePartThatDoesNotFit) {
   const auto sentence = [&](const char* topic, const char* type, const std::string& schema, const char* encoding) {
     const Writer writer = announce(topic, type, schema, encoding);
     EXPECT_TRUE(tests::eventually([&] { return write(writer, "") == 0; }));
@@ -384,7 +384,7 @@ TEST_F(TheDoor, ASecondWriterWaitsUntilTheFirstHasGone) {
   for (std::size_t i = 0; i < 41; ++i) EXPECT_EQ(arrivals->records[i].bytes, i < 21 ? "first" : "second") << i;
 }
 
-TEST_F(TheDoor, WhatWasLostOnTheWayIsCounted) {
+TEST_F(TheDoor, LostMessagesAreCounted) {
   const std::string message =
       ball_channel() + frame(2, integer(1, 8) + integer(1, 16)) + frame(2, integer(5, 8) + integer(1, 16));
   const FileDescriptor process = stranger(message);
@@ -511,7 +511,7 @@ TEST_F(TheDoor, SaysWhatIsWrongWithSharedMemory) {
   expect_all_well();
 }
 
-TEST_F(TheDoor, ManyMayComeButNotMoreThanFit) {
+TEST_F(TheDoor, ManyProcessesConnectUpToTheLimit) {
   std::vector<FileDescriptor> crowd;
   for (std::size_t i = 0; i < Door::kMaxConnections; ++i) crowd.push_back(stranger(""));
   EXPECT_EQ(refusal(stranger("")), "expected at most 128 streams at once, got one more");

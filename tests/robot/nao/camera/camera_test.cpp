@@ -72,7 +72,7 @@ TEST_F(NaoCamera, GivesTheNewestFrameAndItsTime) {
   EXPECT_EQ(camera.lost, 0u);
 }
 
-TEST_F(NaoCamera, TurnsWhatIsMountedUpsideDown) {
+TEST_F(NaoCamera, TurnsImagesOfACameraMountedUpsideDown) {
   CameraSettings turned = settings();
   turned.turned = true;
   auto capture = open(turned);
@@ -100,7 +100,7 @@ TEST_F(NaoCamera, LeavesDamagedFramesOut) {
   EXPECT_EQ(next(*capture), picture(8, 4, 1));
 }
 
-TEST_F(NaoCamera, SetsControlsAndTellsWhichTheDeviceLacks) {
+TEST_F(NaoCamera, SetsControlsAndNamesTheMissingOnes) {
   camera.known_controls = {V4L2_CID_GAIN};
   CameraSettings with = settings();
   with.controls = {{"gain", 16}, {"focus", 0}};
@@ -109,7 +109,7 @@ TEST_F(NaoCamera, SetsControlsAndTellsWhichTheDeviceLacks) {
   EXPECT_EQ(warnings, std::vector<std::string>{"camera /dev/video-test: focus = 0 was not taken: Invalid argument"});
 }
 
-TEST_F(NaoCamera, SaysWhatTheDeviceRefuses) {
+TEST_F(NaoCamera, NamesTheStepThatTheDeviceRefuses) {
   camera.format = V4L2_PIX_FMT_MJPEG;
   EXPECT_EQ(open(settings()).error(), "camera /dev/video-test: expected YUYV 8x4, got MJPG 8x4");
   camera.format = V4L2_PIX_FMT_YUYV;

@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-TEST(LolaActuators, ArriveAsTheyWereSaid) {
+TEST(LolaActuators, AreReadAsTheyWereSent) {
   Actuators said;
   for (std::size_t i = 0; i < kJoints; ++i) {
     said.position[i] = 0.125f * static_cast<float>(i) - 1;

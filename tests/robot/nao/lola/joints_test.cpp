@@ -48,7 +48,7 @@ TEST(NaoJoints, TheHeadPitchesLessWhereTheShouldersAre) {
   }
 }
 
-TEST(NaoJoints, AreClampedToWhatTheyCan) {
+TEST(NaoJoints, AreClampedToTheirRanges) {
   EXPECT_EQ(clamp(3, {-1, 2}), 2);
   EXPECT_EQ(clamp(-3, {-1, 2}), -1);
   EXPECT_EQ(clamp(0.5f, {-1, 2}), 0.5f);

@@ -66,7 +66,7 @@ TEST(LolaSensors, AreReadAsTheyWereSent) {
   EXPECT_EQ(frames.identity().head_version, "6.0.0");
 }
 
-TEST(LolaSensors, AreReadAnewWhenAFrameLooksOtherwise) {
+TEST(LolaSensors, AreParsedAgainWhenTheLayoutChanges) {
   SensorFrames frames;
   for (unsigned seed = 0; seed < 20; ++seed) {
     Sensors sent = random_sensors(seed), got;
@@ -77,7 +77,7 @@ TEST(LolaSensors, AreReadAnewWhenAFrameLooksOtherwise) {
   }
 }
 
-TEST(LolaSensors, AreNumbersHoweverTheyAreWritten) {
+TEST(LolaSensors, AreReadInEveryEncodingOfNumbers) {
   Sensors sent = random_sensors(1), got;
   sent.battery = {1, -32552, 200, 3.5f};
   LolaFrame frame;
@@ -104,7 +104,7 @@ TEST(LolaSensors, AreNumbersHoweverTheyAreWritten) {
   EXPECT_EQ(got.battery, (std::array<float, 4>{-31, 257, -127, -4}));
 }
 
-TEST(LolaSensors, PassOverWhatTheyDoNotKnow) {
+TEST(LolaSensors, SkipUnknownKeys) {
   using namespace std::string_literals;
   LolaFrame frame;
   frame.key("New").bytes("\x82\xa1x\x92\xc0\xc3\xa1y\xc4\x02\1\2"s).key("Newer").bytes("\xd6\1\1\2\3\4"s);
@@ -184,7 +184,7 @@ TEST(LolaSensors, SayWhatIsWrong) {
   EXPECT_EQ(why_not(tests::lola_frame(sensors)), "LoLA: Gyroscope: expected finite numbers, got one that is not");
 }
 
-TEST(LolaSensors, FindNoFrameInWhatIsNone) {
+TEST(LolaSensors, RefuseBytesThatAreNoFrame) {
   const SensorFrames frames;
   EXPECT_EQ(frames.size_of_first("HTTP/1.1").error(),
             "LoLA: expected a MessagePack map with texts as keys, got something else");
@@ -209,7 +209,7 @@ TEST(LolaSensors, KeepTheOldOnesAfterAnError) {
   EXPECT_EQ(numbers_of(sensors), numbers_of(random_sensors(9)));
 }
 
-TEST(LolaSensors, OfARealRobotAreAsItsOwnersHaveThem) {
+TEST(LolaSensors, OfARealRobotEqualItsOwnersValues) {
   REAL_DATA_OR_SKIP(path, "lola/lola_sensor_dump_berlin_united.msgpack");
   const auto frame = read_file(path, SensorFrames::kMaxBytes);
   SensorFrames frames;

@@ -164,7 +164,7 @@ TEST(NaoKinematics, TheHeadTurnsBackToWhereACameraLooks) {
   EXPECT_LT(worst, 1e-4);
 }
 
-TEST(NaoKinematics, LooksAtWhatIsWithinItsReachAsWellAsItCan) {
+TEST(NaoKinematics, LooksAtANearPointAsWellAsPossible) {
   for (const Vector3d& point : {Vector3d(0, 0, 0.2115), Vector3d(0.01, 0, 0.22), Vector3d(0, 0, 0)}) {
     const auto head = Kinematics().look_at(point, Camera::top);
     EXPECT_TRUE(std::isfinite(head.yaw) && std::isfinite(head.pitch)) << point.transpose();
@@ -172,7 +172,7 @@ TEST(NaoKinematics, LooksAtWhatIsWithinItsReachAsWellAsItCan) {
 }
 
 /// One sample of the recording of 2009.
-struct Moment {
+struct BodySample {
   double time_s;
   PerJoint<float> joints;
   double roll, pitch;
@@ -182,25 +182,25 @@ struct Offset {
   double height, tilt;  // [m], [rad] medians of the absolute errors
 };
 
-TEST(NaoKinematics, SeesARealRobotsCameraWhereItsOwnersSawIt) {
+TEST(NaoKinematics, MatchesTheCameraMatricesOfARealRobot) {
   REAL_DATA_OR_SKIP(path, "bhuman2009/logfile.log");
   tests::RecordingSink sink;
   ASSERT_TRUE(lab::import_bhuman2009(*read_file(path, 10'000'000), 0, sink));
-  std::vector<Moment> moments;
+  std::vector<BodySample> samples;
   std::vector<std::pair<double, const foresight::CameraMatrix*>> matrices;
   for (const auto& entry : sink.entries) {
     const double time_s = static_cast<double>(entry.capture_ns) * 1e-9;
     if (const auto* matrix = dynamic_cast<const foresight::CameraMatrix*>(entry.value.get()))
       matrices.emplace_back(time_s, matrix);
     if (const auto* joints = dynamic_cast<const foresight::Joints*>(entry.value.get())) {
-      moments.push_back({.time_s = time_s});
+      samples.push_back({.time_s = time_s});
       for (std::size_t joint = 0; joint < kJoints; ++joint)
-        moments.back().joints[joint] = joints->position(static_cast<int>(joint));
+        samples.back().joints[joint] = joints->position(static_cast<int>(joint));
     }
     if (const auto* inertial = dynamic_cast<const foresight::Inertial*>(entry.value.get());
-        inertial && !moments.empty()) {
-      moments.back().roll = inertial->torso_roll();
-      moments.back().pitch = inertial->torso_pitch();
+        inertial && !samples.empty()) {
+      samples.back().roll = inertial->torso_roll();
+      samples.back().pitch = inertial->torso_pitch();
     }
   }
   ASSERT_EQ(matrices.size(), 160u);
@@ -215,15 +215,15 @@ TEST(NaoKinematics, SeesARealRobotsCameraWhereItsOwnersSawIt) {
   // joints were recorded at 8 Hz, so those at the image's time are interpolated
   const auto at = [&](double time_s) {
     std::size_t i = 0;
-    while (i + 2 < moments.size() && moments[i + 1].time_s <= time_s) ++i;
-    const Moment &from = moments[i], &to = moments[i + 1];
+    while (i + 2 < samples.size() && samples[i + 1].time_s <= time_s) ++i;
+    const BodySample &from = samples[i], &to = samples[i + 1];
     const double part = std::clamp((time_s - from.time_s) / (to.time_s - from.time_s), 0.0, 1.0);
-    Moment moment = from;
+    BodySample sample = from;
     for (std::size_t joint = 0; joint < kJoints; ++joint)
-      moment.joints[joint] += static_cast<float>(part) * (to.joints[joint] - from.joints[joint]);
-    moment.roll += part * (to.roll - from.roll);
-    moment.pitch += part * (to.pitch - from.pitch);
-    return moment;
+      sample.joints[joint] += static_cast<float>(part) * (to.joints[joint] - from.joints[joint]);
+    sample.roll += part * (to.roll - from.roll);
+    sample.pitch += part * (to.pitch - from.pitch);
+    return sample;
   };
   // the lean comes from the inertial unit or from a flat support foot; one angle calibrates the mounting
   const auto judge = [&](bool by_foot) {
@@ -234,15 +234,15 @@ TEST(NaoKinematics, SeesARealRobotsCameraWhereItsOwnersSawIt) {
       heights.clear();
       tilts.clear();
       for (const auto& [time_s, matrix] : matrices) {
-        Moment moment = at(time_s);
+        BodySample sample = at(time_s);
         if (by_foot) {
           const auto lean =
-              kinematics.lean_on(moment.joints, kinematics.support_foot(moment.joints, moment.roll, moment.pitch));
-          moment.roll = lean.roll;
-          moment.pitch = lean.pitch;
+              kinematics.lean_on(sample.joints, kinematics.support_foot(sample.joints, sample.roll, sample.pitch));
+          sample.roll = lean.roll;
+          sample.pitch = lean.pitch;
         }
-        const Transform camera = kinematics.robot_from_hip(moment.joints, moment.roll, moment.pitch) *
-                                 kinematics.hip_from_camera(moment.joints, Camera::bottom);
+        const Transform camera = kinematics.robot_from_hip(sample.joints, sample.roll, sample.pitch) *
+                                 kinematics.hip_from_camera(sample.joints, Camera::bottom);
         heights.push_back(camera.translation().z() - matrix->z());
         tilts.push_back(std::asin(matrix->rotation(8)) - std::asin(camera.linear()(2, 2)));
       }
