@@ -75,14 +75,15 @@ int ask_soft(const GuardianOptions& options) {
 }
 
 int guardian_main(int argc, char** argv) {
-  CLI::App app{"Owns LoLA's socket on a Nao V6: answers it in time, and decides what reaches the joints"};
+  CLI::App app{
+      "Owns LoLA's socket on a Nao V6: answers every frame in time, and decides which values reach the joints"};
   GuardianOptions options{.link = default_link()};
   bool status = false, soft = false;
   app.add_option("--lola", options.lola, "LoLA's socket")->capture_default_str();
-  app.add_option("--link", options.link, "where the runtime finds us: $FORESIGHT_GUARDIAN, or one of this user's")
+  app.add_option("--link", options.link, "socket for the runtime; default: $FORESIGHT_GUARDIAN, or a name of this user")
       ->capture_default_str();
-  app.add_flag("--status", status, "say how the robot is; exit status 0: it has no stiffness, 1: it has");
-  app.add_flag("--sit-and-soft", soft, "take the stiffness away, at once and until the chest button is pressed");
+  app.add_flag("--status", status, "print the robot's state; exit status 0: it has no stiffness, 1: it has stiffness");
+  app.add_flag("--sit-and-soft", soft, "remove the stiffness at once, until the chest button is pressed");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

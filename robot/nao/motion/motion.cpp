@@ -28,7 +28,7 @@ std::string refusal_of(const pb::MotionCommand& command, Doing doing) {
   if (command.has_scripted())
     return "body nao has no motion '" + command.scripted().name().substr(0, 40) + "': it stands";
   if (command.posture() == pb::MotionCommand::POSTURE_GET_UP && (doing == Doing::fallen || doing == Doing::falling))
-    return "body nao does not get up from the ground yet: it waits until somebody puts it upright";
+    return "body nao does not get up from the ground yet: the robot waits until a person puts it upright";
   return "";
 }
 

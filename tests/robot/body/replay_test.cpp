@@ -112,7 +112,7 @@ TEST_F(Replaying, ItsClockIsTheTimeOfTheRecording) {
   EXPECT_EQ(replay->clock().now_ns(), kStart + 2990 * kMillisecond);
 }
 
-TEST_F(Replaying, BeginsAgainWhereItShould) {
+TEST_F(Replaying, RestartsAtTheEndInALoop) {
   const auto replay = open({.speed = 1000, .loop = true});
   replay->start(channels, board);
   EXPECT_TRUE(tests::eventually([&] { return replay->tick() == Replay::Tick::began_again; }));
@@ -124,7 +124,7 @@ void wait_for_ball(const memory::Memory& memory, float x) {
   ASSERT_TRUE(tests::eventually_equal(newest, x));
 }
 
-TEST_F(Replaying, StandsWhereItIsPausedAndGoesOn) {
+TEST_F(Replaying, StopsWherePausedAndContinues) {
   const auto replay = open({.speed = 1});
   const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
   ASSERT_TRUE(list(memory, channels));
@@ -159,7 +159,7 @@ TEST_F(Replaying, AfterASeekEveryObjectIsAsItWasThen) {
   wait_for_ball(*memory, 299);
 }
 
-TEST_F(Replaying, AfterTheEndItMayBeSeenAgain) {
+TEST_F(Replaying, AfterTheEndASeekPlaysItAgain) {
   const auto replay = open({.speed = 1000});
   const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
   ASSERT_TRUE(list(memory, channels));
@@ -188,9 +188,9 @@ TEST_F(Replaying, SeveralRobotsAreMergedByTime) {
   (*replay)->clock().seek(kStart + 2 * kSecond);
   ASSERT_TRUE(tests::eventually_equal([&] { return newest_ns("/14/3/vortex"); }, kStart + kSecond));
   ASSERT_TRUE(tests::eventually_equal([&] { return newest_ns("/14/2/ball"); }, kStart + 2 * kSecond));
-  EXPECT_EQ(Replay::open({recorded, recorded}, {}).error(), "replay: expected recordings of different robots, " +
-                                                                recorded.string() +
-                                                                " holds nothing but what those before it do");
+  EXPECT_EQ(
+      Replay::open({recorded, recorded}, {}).error(),
+      "replay: expected recordings of different robots, " + recorded.string() + " has no topic beyond those before it");
 }
 
 TEST_F(Replaying, CanBeStoppedAtAnyTime) {
@@ -200,7 +200,7 @@ TEST_F(Replaying, CanBeStoppedAtAnyTime) {
   EXPECT_LT(replay->messages(), 400u);
 }
 
-TEST_F(Replaying, LeavesOutWhatThisProcessWritesItself) {
+TEST_F(Replaying, SkipsObjectsThatThisProcessWrites) {
   const auto replay = open({.speed = 1000, .skipped_objects = {"ball"}});
   replay->start(channels, board);
   wait_for_the_end(*replay);

@@ -85,7 +85,7 @@ TEST_F(NaoGuardian, GoesWhereTheChestButtonLeads) {
   EXPECT_TRUE(stands());
 }
 
-TEST_F(NaoGuardian, StandsInInitialAndPenalisedAndNobodyMovesIt) {
+TEST_F(NaoGuardian, StandsInInitialAndPenalisedAndIgnoresOrders) {
   cycle();
   click();
   order.drives.fill(1);
@@ -140,7 +140,7 @@ TEST_F(NaoGuardian, TakesPosturesFromTheRuntimeWhilePlaying) {
   EXPECT_FALSE(has_stiffness()) << "an order that nobody knows is not obeyed";
 }
 
-TEST_F(NaoGuardian, DoesWhatTheGameControllerSaysWhenItSaysSomethingNew) {
+TEST_F(NaoGuardian, FollowsTheGameControllerWhenItsStateChanges) {
   play();
   hear(true, GameState::playing);
   EXPECT_EQ(guardian.mode(), Mode::penalised);
@@ -156,7 +156,7 @@ TEST_F(NaoGuardian, DoesWhatTheGameControllerSaysWhenItSaysSomethingNew) {
   EXPECT_EQ(guardian.mode(), Mode::playing);
 }
 
-TEST_F(NaoGuardian, TakesWhatTheGameControllerSaysWhenItIsSwitchedOn) {
+TEST_F(NaoGuardian, FollowsTheGameControllerWhenTheRobotIsSwitchedOn) {
   hear(true, GameState::playing);
   click();
   EXPECT_EQ(guardian.mode(), Mode::penalised);
@@ -335,7 +335,7 @@ TEST_F(NaoGuardian, AfterARestartOfTheRuntimeWaitsForTheGameController) {
   EXPECT_NEAR(body.sensors.position[head_yaw], 1, 0.01) << "and plays on when that says so";
 }
 
-TEST_F(NaoGuardian, AfterARestartAPersonMaySayOnToo) {
+TEST_F(NaoGuardian, AfterARestartTheChestButtonAllowsMotionToo) {
   play();
   cycle({.runtime_left = true});
   run(1);
@@ -465,7 +465,7 @@ TEST_F(NaoGuardian, HoldsThenSitsWhenFramesCannotBeRead) {
   EXPECT_TRUE(seated());
 }
 
-TEST_F(NaoGuardian, HoldsAStiffRobotThatItFindsWhenItBegins) {
+TEST_F(NaoGuardian, HoldsARobotThatIsStiffAtTheStart) {
   body.sensors = tests::FakeBody().sensors;
   body.sensors.position = stand()[0].position;
   body.sensors.stiffness.fill(0.8f);
@@ -479,7 +479,7 @@ TEST_F(NaoGuardian, HoldsAStiffRobotThatItFindsWhenItBegins) {
   EXPECT_EQ(guardian.mode(), Mode::playing);
 }
 
-TEST_F(NaoGuardian, FindsOutAnewHowTheBodyIsAfterLolaWasGone) {
+TEST_F(NaoGuardian, ChecksTheBodyAgainAfterALossOfLola) {
   play();
   hear(false, GameState::playing);
   guardian.lose_lola();
@@ -502,7 +502,7 @@ TEST_F(NaoGuardian, FindsOutAnewHowTheBodyIsAfterLolaWasGone) {
   until(Doing::standing);
 }
 
-TEST_F(NaoGuardian, LeavesALyingRobotThatItFindsSoft) {
+TEST_F(NaoGuardian, LeavesARobotSoftThatLiesAtTheStart) {
   body.sensors.stiffness.fill(0.8f);
   body.sensors.angles[1] = 1.4f;
   run(1);

@@ -17,7 +17,7 @@ struct Named {
 };
 const Named kAll[] = {{"stand_up", stand_up()}, {"stand", stand()}, {"sit", sit()}, {"tuck", tuck()}};
 
-TEST(KeyFrames, AreWithinWhatJointsCan) {
+TEST(KeyFrames, AreWithinTheLimitsOfTheJoints) {
   for (const Named& named : kAll)
     for (const KeyFrame& frame : named.motion) {
       EXPECT_GT(frame.seconds, 0) << named.name;

@@ -50,7 +50,7 @@ TEST(Limiter, NeverLetsAJointBeyondItsRangeOrItsSpeed) {
   }
 }
 
-TEST(Limiter, ReachesWhatCanBeReached) {
+TEST(Limiter, ReachesEveryTargetWithinTheLimits) {
   Limiter limiter;
   limiter.start({});
   Pose target;
@@ -66,7 +66,7 @@ TEST(Limiter, ReachesWhatCanBeReached) {
   EXPECT_FLOAT_EQ(limiter.pose().stiffness[r_hand], 0.8f);
 }
 
-TEST(Limiter, CommandsASoftJointToWhereItIs) {
+TEST(Limiter, CommandsASoftJointToItsMeasuredPosition) {
   Limiter limiter;
   limiter.start({});
   PerJoint<float> measured{};

@@ -51,7 +51,7 @@ TEST_F(NaoTouches, TakeASingleFrameForAWrongReading) {
 
 TEST_F(NaoTouches, LeaveALongPressToTheRobot) { EXPECT_FALSE(press(130)); }
 
-TEST_F(NaoTouches, FeelTheHeadHeldByAllThree) {
+TEST_F(NaoTouches, NoticeThatAllThreeHeadSensorsAreHeld) {
   body.hold_head(true);
   see(Touches::kHeldFrames);
   EXPECT_TRUE(touches.head_held());

@@ -53,7 +53,7 @@ TEST_F(NaoWatch, ShakesAreNoFalls) {
   EXPECT_FALSE(watch.falls());
 }
 
-TEST_F(NaoWatch, TellsHeatWithHysteresisAndPatience) {
+TEST_F(NaoWatch, ReportsLastingHeatWithHysteresis) {
   body.sensors.temperature[r_knee_pitch] = 71;
   see(0.3f);
   EXPECT_FALSE(watch.warm()) << "not yet";
@@ -73,7 +73,7 @@ TEST_F(NaoWatch, TellsHeatWithHysteresisAndPatience) {
   EXPECT_FALSE(watch.hot() || watch.warm());
 }
 
-TEST_F(NaoWatch, TellsALowBatteryUnlessItIsCharged) {
+TEST_F(NaoWatch, ReportsALowBatteryUnlessItIsCharged) {
   body.sensors.battery[0] = 0.08f;
   see(1);
   EXPECT_TRUE(watch.battery_low());

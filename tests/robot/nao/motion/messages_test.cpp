@@ -47,7 +47,7 @@ TEST_F(NaoMessages, HaveEveryJoint) {
   EXPECT_EQ(joints.status(7), 7u);
 }
 
-TEST_F(NaoMessages, TurnTheAccelerometerAndNothingElse) {
+TEST_F(NaoMessages, ChangeTheSignOfTheAccelerometerOnly) {
   report.sensors.accelerometer = {1, 2, -9.81f};
   report.sensors.gyroscope = {0.1f, 0.2f, 0.3f};
   report.sensors.angles = {0.01f, -0.02f};
@@ -94,7 +94,7 @@ TEST_F(NaoMessages, HaveNoEchoWhereNoneCameBack) {
   EXPECT_FALSE(filled<pb::Sonar>().has_right());
 }
 
-TEST_F(NaoMessages, TellTheBodysState) {
+TEST_F(NaoMessages, HoldTheBodysState) {
   report.mode = Mode::penalised;
   report.doing = Doing::sitting_down;
   report.reason = Reason::hot;
@@ -103,7 +103,7 @@ TEST_F(NaoMessages, TellTheBodysState) {
   auto body = filled<pb::Body>();
   EXPECT_EQ(body.mode(), pb::Body::MODE_PENALISED);
   EXPECT_EQ(body.doing(), pb::Body::DOING_SITTING_DOWN);
-  EXPECT_EQ(body.reason(), "a joint is too hot: it sits until that has cooled");
+  EXPECT_EQ(body.reason(), "a joint is too hot: the robot sits until the joint has cooled");
   EXPECT_TRUE(body.limited());
   EXPECT_EQ(body.head_id(), "P0000074A03S84F00006");
   report.has_sensors = false;
@@ -113,7 +113,7 @@ TEST_F(NaoMessages, TellTheBodysState) {
   EXPECT_EQ(body.reason(), "LoLA is gone");
 }
 
-TEST_F(NaoMessages, TellWhatTheBodyDoes) {
+TEST_F(NaoMessages, HoldTheBodysCurrentMotion) {
   report.doing = Doing::standing;
   auto status = filled<pb::MotionStatus>();
   EXPECT_TRUE(status.standing() && status.ground_contact() && !status.body_active());
