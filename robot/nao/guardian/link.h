@@ -47,7 +47,7 @@ enum class Reason : std::uint8_t {
   battery_low,
 };
 
-/// Returns the reason as a sentence for people, such as "a joint is too hot: the robot sits until the joint has cooled".
+/// Returns the reason as a sentence for people, such as "there is no runtime: the robot holds still, then sits".
 const char* sentence_of(Reason reason);
 
 const char* name_of(Mode mode);
