@@ -53,7 +53,7 @@ class AssemblyBuilder {
 
   Result<void> add_file(std::shared_ptr<const ByteSource> source) {
     Result<McapIndex> index = read_index(*source);
-    if (!index) return Error{index.error()};
+    if (!index) return index.failure();
     if (index->unchunked_messages > 0)
       return Error{source->name() + ": cannot be assembled: expected all messages in chunks, got " +
                    std::to_string(index->unchunked_messages) + " outside"};
@@ -79,7 +79,7 @@ class AssemblyBuilder {
              std::tie(right.chunk.index.start_ns, right.file, right.chunk.index.offset);
     });
     for (Chosen& chosen : chosen_)
-      if (const Result<void> added = add_chunk(chosen); !added) return Error{added.error()};
+      if (const Result<void> added = add_chunk(chosen); !added) return added.failure();
     add_end();
     return std::move(assembly_);
   }
@@ -125,7 +125,7 @@ class AssemblyBuilder {
     std::vector<mcap::MessageIndex> made_indexes;
     if (place.message_indexes.empty()) {
       auto made = index_messages(*assembly_.files_[chosen.file], place);
-      if (!made) return Error{assembly_.files_[chosen.file]->name() + ": " + made.error()};
+      if (!made) return made.failure(assembly_.files_[chosen.file]->name());
       made_indexes = std::move(*made);
     }
 
@@ -193,7 +193,7 @@ class AssemblyBuilder {
 Result<Assembly> assemble(std::vector<std::shared_ptr<const ByteSource>> files, const AssemblyOptions& options) {
   AssemblyBuilder builder(options);
   for (auto& file : files)
-    if (const Result<void> added = builder.add_file(std::move(file)); !added) return Error{added.error()};
+    if (const Result<void> added = builder.add_file(std::move(file)); !added) return added.failure();
   return std::move(builder).build();
 }
 

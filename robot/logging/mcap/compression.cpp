@@ -88,7 +88,7 @@ Result<std::string> grow_to(std::size_t size, std::string_view in, const char* w
     std::span<char> free(out.data() + filled, out.size() - filled);
     const std::size_t bytes_before = in.size(), free_before = free.size();
     const Result<bool> ended = step(in, free);
-    if (!ended) return Error{std::string(what) + ": " + ended.error()};
+    if (!ended) return ended.failure(what);
     filled += free_before - free.size();
     if (*ended) break;
     const bool stuck = in.size() == bytes_before && free.size() == free_before;

@@ -214,7 +214,7 @@ Result<RecordHead> decode_record_head(std::string_view bytes, std::uint64_t offs
 Result<RecordView> take_record(std::string_view bytes, std::size_t& at, std::uint64_t base) {
   const std::string_view left = bytes.substr(std::min(at, bytes.size()));
   const Result<RecordHead> head = decode_record_head(left, base + at, left.size());
-  if (!head) return Error{head.error()};
+  if (!head) return head.failure();
   const RecordView record{head->op, base + at, left.substr(kRecordHeadBytes, static_cast<std::size_t>(head->length))};
   at += kRecordHeadBytes + record.content.size();
   return record;

@@ -38,7 +38,7 @@ McapReader::Next McapReader::next_in_file() {
   if (position_ == 0) {
     const auto magic = read_bytes(*source_, 0, std::min<std::uint64_t>(source_->size(), mcap::kMagic.size()));
     ended_ = !magic || *magic != mcap::kMagic;
-    if (!magic) return Error{magic.error()};
+    if (!magic) return magic.failure();
     if (ended_) return damaged("not an MCAP file: expected the magic bytes at its start");
     crc_ = mcap::crc32(*magic);
     position_ = magic->size();
@@ -90,7 +90,7 @@ Result<bool> McapReader::can_skip(Op op, std::uint64_t content_bytes) const {
 
   // a chunk that ends before the wanted time need not even be read
   const auto start = read_bytes(*source_, position_, std::min<std::uint64_t>(content_bytes, 64));
-  const auto head = start ? mcap::decode<mcap::ChunkHead>(*start, position_) : Error{start.error()};
+  const auto head = start ? mcap::decode<mcap::ChunkHead>(*start, position_) : start.failure();
   return head && head->end_ns < from_ns_;
 }
 
@@ -98,7 +98,7 @@ Result<bool> McapReader::can_skip(Op op, std::uint64_t content_bytes) const {
 Result<void> McapReader::skip(std::uint64_t bytes) {
   for (; whole_ && bytes > 0;) {
     content_.resize(static_cast<std::size_t>(std::min(bytes, kSkipBytes)));
-    if (const auto read = source_->read(position_, content_); !read) return Error{read.error()};
+    if (const auto read = source_->read(position_, content_); !read) return read.failure();
     crc_ = mcap::crc32(content_, crc_);
     position_ += content_.size();
     bytes -= content_.size();
@@ -156,7 +156,7 @@ McapReader::Next McapReader::end_of_data(const mcap::RecordView& record) {
   if (whole_ && end->data_crc != 0 && end->data_crc != crc_)
     return damaged("the data before byte " + std::to_string(record.offset) + " are damaged: their checksum is wrong");
   const auto summary = mcap::read_summary(*source_);
-  if (!summary) return Error{summary.error()};
+  if (!summary) return summary.failure();
   return std::optional<McapMessage>();
 }
 
@@ -202,7 +202,7 @@ Error McapReader::damaged(const std::string& sentence) {
 Result<void> McapReader::need_index() {
   if (index_) return {};
   auto index = read_index(*source_);
-  if (!index) return Error{index.error()};
+  if (!index) return index.failure();
   index_ = std::move(*index);
   for (const auto& [id, schema] : index_->schemas) schemas_.emplace(id, schema);
   for (const auto& [id, channel] : index_->channels) channels_.emplace(id, channel);
@@ -210,7 +210,7 @@ Result<void> McapReader::need_index() {
 }
 
 Result<std::vector<std::uint64_t>> McapReader::chunk_starts_until(std::uint64_t capture_ns) {
-  if (Result<void> indexed = need_index(); !indexed) return Error{indexed.error()};
+  if (Result<void> indexed = need_index(); !indexed) return indexed.failure();
   std::vector<std::uint64_t> starts;
   if (index_->unchunked_messages > 0) starts.push_back(0);
   for (const ChunkInfo& chunk : index_->chunks)

@@ -17,7 +17,7 @@ struct End {
 
 Result<Footer> read_footer(const ByteSource& source, std::uint64_t offset) {
   const Result<std::string> bytes = read_bytes(source, offset, kFooterBytes + kMagic.size());
-  if (!bytes) return Error{bytes.error()};
+  if (!bytes) return bytes.failure();
   const std::string_view view = *bytes;
   std::size_t at = 0;
   const Result<RecordView> record = take_record(view.substr(0, kFooterBytes), at, offset);
@@ -36,7 +36,7 @@ Result<End> read_end(const ByteSource& source) {
   End end;
   end.footer_offset = source.size() - kMagic.size() - kFooterBytes;
   const Result<Footer> footer = read_footer(source, end.footer_offset);
-  if (!footer) return Error{footer.error()};
+  if (!footer) return footer.failure();
   end.footer = *footer;
 
   // the DataEnd record stands directly before the summary
@@ -46,7 +46,7 @@ Result<End> read_end(const ByteSource& source) {
                  std::to_string(start)};
   end.data_end = start - kDataEndBytes;
   const Result<std::string> bytes = read_bytes(source, end.data_end, kDataEndBytes);
-  if (!bytes) return Error{bytes.error()};
+  if (!bytes) return bytes.failure();
   std::size_t at = 0;
   const Result<RecordView> record = take_record(*bytes, at, end.data_end);
   if (!record || record->op != Op::data_end || at != kDataEndBytes)
@@ -57,7 +57,7 @@ Result<End> read_end(const ByteSource& source) {
 template <class Record>
 Result<void> decode_into(std::vector<Record>& records, const RecordView& view) {
   Result<Record> record = decode<Record>(view.content, view.offset);
-  if (!record) return Error{record.error()};
+  if (!record) return record.failure();
   records.push_back(std::move(*record));
   return {};
 }
@@ -70,7 +70,7 @@ Result<void> add(Summary& summary, const RecordView& view) {
     case Op::chunk_index: return decode_into(summary.chunk_indexes, view);
     case Op::statistics: {
       const Result<Statistics> statistics = decode<Statistics>(view.content, view.offset);
-      if (!statistics) return Error{statistics.error()};
+      if (!statistics) return statistics.failure();
       summary.statistics = *statistics;
       return {};
     }
@@ -102,10 +102,10 @@ Result<Summary> decode_summary(std::string_view records, const End& end) {
   summary.data_end = end.data_end;
   for (std::size_t at = 0; at < records.size();) {
     const Result<RecordView> record = take_record(records, at, end.footer.summary_start);
-    if (!record) return Error{record.error()};
-    if (const Result<void> added = add(summary, *record); !added) return Error{added.error()};
+    if (!record) return record.failure();
+    if (const Result<void> added = add(summary, *record); !added) return added.failure();
   }
-  if (const Result<void> ordered = order_chunks(summary); !ordered) return Error{ordered.error()};
+  if (const Result<void> ordered = order_chunks(summary); !ordered) return ordered.failure();
   return summary;
 }
 
@@ -141,7 +141,7 @@ std::string encode_end(const SummaryGroups& groups, std::uint64_t offset, std::u
 
 Result<std::optional<Summary>> read_summary(const ByteSource& source) {
   const Result<End> end = read_end(source);
-  if (!end) return Error{source.name() + ": " + end.error()};
+  if (!end) return end.failure(source.name());
   const Footer& footer = end->footer;
   if (footer.summary_start == 0) return std::optional<Summary>();
 
@@ -151,14 +151,14 @@ Result<std::optional<Summary>> read_summary(const ByteSource& source) {
                  std::to_string(summary_bytes)};
   constexpr std::uint64_t kCoveredFooterBytes = kFooterBytes - sizeof footer.summary_crc;
   const Result<std::string> bytes = read_bytes(source, footer.summary_start, summary_bytes + kCoveredFooterBytes);
-  if (!bytes) return Error{bytes.error()};
+  if (!bytes) return bytes.failure();
   if (footer.summary_crc != 0 && crc32(*bytes) != footer.summary_crc)
     return Error{source.name() + ": the summary at byte " + std::to_string(footer.summary_start) +
                  " is damaged: its checksum is wrong"};
 
   Result<Summary> summary =
       decode_summary(std::string_view(*bytes).substr(0, static_cast<std::size_t>(summary_bytes)), *end);
-  if (!summary) return Error{source.name() + ": " + summary.error()};
+  if (!summary) return summary.failure(source.name());
   return std::optional<Summary>(std::move(*summary));
 }
 

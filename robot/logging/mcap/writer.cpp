@@ -37,7 +37,7 @@ McapWriter::McapWriter(std::unique_ptr<ByteSink> sink, const McapOptions& option
 Result<McapWriter> McapWriter::open(std::unique_ptr<ByteSink> sink, const memory::ChannelInfo& channel,
                                     const McapOptions& options) {
   McapWriter writer(std::move(sink), options);
-  if (const Result<void> written = writer.write_head(channel, options); !written) return Error{written.error()};
+  if (const Result<void> written = writer.write_head(channel, options); !written) return written.failure();
   return writer;
 }
 
@@ -100,7 +100,7 @@ Result<void> McapWriter::flush() {
 Result<void> McapWriter::write_chunk(std::string_view last_bytes) {
   const std::array<std::string_view, 2> records = {records_, last_bytes};
   const Result<mcap::ChunkHead> head = pack(records);
-  Result<void> written = head ? Result<void>() : Result<void>(Error{head.error()});
+  Result<void> written = head ? Result<void>() : Result<void>(head.failure());
   if (head) {
     std::string chunk_head, index;
     mcap::append(chunk_head, *head, head->packed_bytes);
@@ -134,7 +134,7 @@ Result<mcap::ChunkHead> McapWriter::pack(std::span<const std::string_view> recor
   head.unpacked_crc = crc_behind(0, records);
   if (compressor_.compression() == Compression::none) return head;
 
-  if (const Result<void> done = compressor_.compress(records, packed_); !done) return Error{done.error()};
+  if (const Result<void> done = compressor_.compress(records, packed_); !done) return done.failure();
   if (packed_.size() >= head.unpacked_bytes) return head;
   head.packed_bytes = packed_.size();
   head.compression = name(compressor_.compression());

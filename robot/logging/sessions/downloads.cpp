@@ -30,11 +30,11 @@ Result<std::shared_ptr<const Assembly>> Downloads::open(const Session& session,
   std::vector<std::shared_ptr<const ByteSource>> sources;
   for (const auto& file : files) {
     Result<std::shared_ptr<const FileSource>> source = FileSource::open(file);
-    if (!source) return Error{source.error()};
+    if (!source) return source.failure();
     sources.push_back(std::move(*source));
   }
   Result<Assembly> assembled = assemble(std::move(sources), options);
-  if (!assembled) return Error{assembled.error()};
+  if (!assembled) return assembled.failure();
   auto assembly = std::make_shared<const Assembly>(std::move(*assembled));
   const std::lock_guard guard(lock_);
   kept_.push_front({std::move(what), assembly});

@@ -74,7 +74,7 @@ class ThinnedImages final : public OutProvider {
     // a camera that delivers small images already is recorded as it is
     if (options.width >= width) options.width = 0;
     Result<std::string> jpeg = image::encode_jpeg(image_.data(), width, height, options);
-    if (!jpeg) return Error{jpeg.error()};
+    if (!jpeg) return jpeg.failure();
     const bool half = options.width != 0;
     image_.set_encoding(foresight::Image::ENCODING_JPEG);
     image_.set_width(static_cast<std::uint32_t>(half ? width / 2 : width));

@@ -55,7 +55,7 @@ Recorder::Room Recorder::room_for(const Profile& profile) const {
 
 Result<std::string> Recorder::start(std::string_view name, std::string_view profile_name) {
   const Result<Profile> profile = profile_named(profile_name);
-  if (!profile) return Error{profile.error()};
+  if (!profile) return profile.failure();
   const std::lock_guard guard(lock_);
   if (recording_) return Error{"recording: the session " + folder_.filename().string() + " is being recorded already"};
   const Room room = room_for(*profile);
@@ -76,7 +76,7 @@ Result<std::string> Recorder::start(std::string_view name, std::string_view prof
   std::filesystem::create_directories(folder_, failed);
   if (failed) return Error{"recording: cannot make the folder " + folder_.string() + ": " + failed.message()};
   if (Result<void> written = replace_file(folder_ / "session.json", to_json(info_)); !written)
-    return Error{"recording: " + written.error()};
+    return written.failure("recording");
 
   profile_ = *profile;
   advice_ = room.minutes < kMinutesWanted ? room.sentence : "";
@@ -116,7 +116,7 @@ Result<std::string> Recorder::stop() {
   if (session) info_.kept = session->info.kept;
   info_.complete = true;
   if (Result<void> written = replace_file(folder_ / "session.json", to_json(info_)); !written)
-    return Error{"recording: " + written.error()};
+    return written.failure("recording");
   return folder_.filename().string();
 }
 

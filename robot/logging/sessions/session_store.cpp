@@ -81,7 +81,7 @@ Result<Session> SessionStore::find(std::string_view id) const {
 
 Result<void> SessionStore::keep(std::string_view id, bool keep) {
   Result<Session> session = find(id);
-  if (!session) return Error{session.error()};
+  if (!session) return session.failure();
   session->info.kept = keep;
   const std::lock_guard guard(lock_);
   cache_.erase(session->id());
@@ -90,7 +90,7 @@ Result<void> SessionStore::keep(std::string_view id, bool keep) {
 
 Result<void> SessionStore::remove(std::string_view id) {
   const Result<Session> session = find(id);
-  if (!session) return Error{session.error()};
+  if (!session) return session.failure();
   const std::lock_guard guard(lock_);
   const std::string who = "session " + session->id() + ": ";
   if (session->id() == recording_) return Error{who + "it is being recorded, and cannot be deleted yet"};

@@ -16,13 +16,13 @@ FileOutProvider::FileOutProvider(std::filesystem::path path, McapOptions options
 Result<void> FileOutProvider::open(const memory::ChannelInfo& info) {
   assert(!writer_ && "a stream is opened once");
   Result<std::unique_ptr<FileSink>> sink = FileSink::create(path_);
-  if (!sink) return Error{sink.error()};
+  if (!sink) return sink.failure();
   Result<McapWriter> writer = McapWriter::open(std::move(*sink), info, options_);
   if (!writer) {
     // the file is ours and empty: it must not be in the way of the next try
     std::error_code ignored;
     std::filesystem::remove(path_, ignored);
-    return Error{writer.error()};
+    return writer.failure();
   }
   writer_ = std::move(*writer);
   return counted({});
@@ -53,9 +53,9 @@ Result<void> FileOutProvider::counted(Result<void> result) {
 
 Result<memory::ChannelInfo> FileInProvider::open() {
   Result<std::shared_ptr<const FileSource>> source = FileSource::open(path_);
-  if (!source) return Error{source.error()};
+  if (!source) return source.failure();
   const Result<McapIndex> index = read_index(**source);
-  if (!index) return Error{index.error()};
+  if (!index) return index.failure();
   if (topic_) return open_topic(std::move(*source), *index);
   if (index->channels.size() != 1)
     return Error{path_.string() + ": expected the recording of one channel, got " +
@@ -80,7 +80,7 @@ Result<memory::ChannelInfo> FileInProvider::open_topic(std::shared_ptr<const Byt
     return *info;
   }
   Result<Assembly> chunks = assemble({std::move(source)}, {.topic = *topic_});
-  if (!chunks) return Error{chunks.error()};
+  if (!chunks) return chunks.failure();
   reader_.emplace(std::make_shared<const Assembly>(std::move(*chunks)));
   return *info;
 }
@@ -96,7 +96,7 @@ Result<std::optional<Record>> FileInProvider::read() {
 Result<std::optional<Record>> FileInProvider::read_on() {
   while (!cancelled_.load(std::memory_order_relaxed)) {
     Result<std::optional<McapMessage>> message = reader_->next();
-    if (!message) return Error{message.error()};
+    if (!message) return message.failure();
     if (!*message) break;
     if (topic_ && !channel_ids_.contains((*message)->channel_id)) continue;
     return std::optional<Record>(std::move((*message)->record));
@@ -108,7 +108,7 @@ Result<void> FileInProvider::seek(std::uint64_t capture_ns) {
   assert(reader_ && "a stream is opened before it is read");
   ahead_.clear();
   Result<std::vector<std::uint64_t>> starts = reader_->chunk_starts_until(capture_ns);
-  if (!starts) return Error{starts.error()};
+  if (!starts) return starts.failure();
   // from the last chunk on that begins early enough; what it begins with may be of another channel
   std::ranges::reverse(*starts);
   for (const std::uint64_t start_ns : *starts) {
