@@ -19,7 +19,7 @@ Result<void> FileOutProvider::open(const memory::ChannelInfo& info) {
   if (!sink) return sink.failure();
   Result<McapWriter> writer = McapWriter::open(std::move(*sink), info, options_);
   if (!writer) {
-    // the file is ours and empty: it must not be in the way of the next try
+    // the file is ours and empty: remove it, or the next attempt would find an existing file
     std::error_code ignored;
     std::filesystem::remove(path_, ignored);
     return writer.failure();
@@ -42,11 +42,11 @@ Result<void> FileOutProvider::flush() { return writer_ ? counted(writer_->flush(
 
 Result<void> FileOutProvider::close() { return writer_ ? counted(writer_->close()) : Result<void>(); }
 
-/// Makes the writer's counts visible to other threads.
+/// Publishes the writer's counts to other threads.
 Result<void> FileOutProvider::counted(Result<void> result) {
   size_bytes_.store(writer_->size_bytes(), std::memory_order_relaxed);
   messages_.store(writer_->messages(), std::memory_order_relaxed);
-  // a message that fills a chunk is told of by its write(), those before it in the chunk are not
+  // write() itself reports the message that fills a chunk, but not the earlier messages of this chunk
   lost_.store(writer_->lost() - refused_, std::memory_order_relaxed);
   return result;
 }
@@ -64,7 +64,8 @@ Result<memory::ChannelInfo> FileInProvider::open() {
   return channel_info(index->channels.begin()->second, index->schemas);
 }
 
-/// Of the file, only the chunks that matter. Other writers may have several channels of one topic, and no chunks.
+/// Opens only the chunks of the file that hold the topic. Files of other writers may have several channels of one topic,
+/// and no chunks.
 Result<memory::ChannelInfo> FileInProvider::open_topic(std::shared_ptr<const ByteSource> source,
                                                        const McapIndex& index) {
   std::optional<memory::ChannelInfo> info;
@@ -109,14 +110,14 @@ Result<void> FileInProvider::seek(std::uint64_t capture_ns) {
   ahead_.clear();
   Result<std::vector<std::uint64_t>> starts = reader_->chunk_starts_until(capture_ns);
   if (!starts) return starts.failure();
-  // from the last chunk on that begins early enough; what it begins with may be of another channel
+  // begin at the last chunk that starts early enough; its first messages may belong to another channel
   std::ranges::reverse(*starts);
   for (const std::uint64_t start_ns : *starts) {
     if (Result<void> sought = reader_->seek(start_ns); !sought) return sought;
     std::optional<Record> newest;
     while (!cancelled_.load(std::memory_order_relaxed)) {
       Result<std::optional<Record>> record = read_on();
-      if (!record) continue;  // damage was told when it was first met
+      if (!record) continue;  // read() reported this damage before
       if (!*record) break;
       if ((*record)->capture_ns > capture_ns) {
         if (newest) ahead_.push_back(std::move(**record));

@@ -36,7 +36,7 @@ void Parser::run() {
   status_.ended = true;
 }
 
-/// Tells of something wrong with the stream, unless that is only because it is being stopped.
+/// Reports a problem of the stream, unless stop() caused it.
 void Parser::note(const std::string& problem) {
   const std::lock_guard guard(lock_);
   if (stopping_) return;
@@ -74,7 +74,7 @@ Result<void> Parser::carry() {
   }
 }
 
-/// Waits until `record` is due, or at the end of the stream for a move; goes where that leads.
+/// Waits until `record` is due; at the end of the stream, waits for a move. Follows a move with a seek.
 Result<Pace::Due> Parser::keep_pace(const std::optional<Record>& record, std::uint64_t& moves) {
   if (!options_.pace) return record ? Pace::Due::now : Pace::Due::never;
   const Pace::Due due =
