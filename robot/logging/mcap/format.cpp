@@ -12,7 +12,7 @@
 namespace robot::logging::mcap {
 namespace {
 
-// Each record's fields, once, in the order of the specification: Encoder and Decoder both go by these lists.
+// Each record's fields, once, in the order of the specification. Encoder and Decoder both use these lists.
 template <class Codec, class Record>
 using In = typename Codec::template Access<Record>;
 
@@ -221,7 +221,7 @@ Result<RecordView> take_record(std::string_view bytes, std::size_t& at, std::uin
 }
 
 std::uint32_t crc32(std::string_view bytes, std::uint32_t before) {
-  // zlib counts in unsigned int
+  // zlib takes sizes as unsigned int
   constexpr std::size_t kMost = std::numeric_limits<uInt>::max();
   uLong crc = before;
   for (; !bytes.empty(); bytes.remove_prefix(std::min(kMost, bytes.size())))

@@ -32,7 +32,7 @@ Result<mcap::Header> read_header(const ByteSource& source) {
   return header;
 }
 
-/// How many messages the MessageIndex at `offset` lists, without reading them.
+/// Returns the number of messages in the MessageIndex at `offset`, without reading its entries.
 Result<std::uint64_t> count_entries(const ByteSource& source, std::uint64_t offset) {
   const Result<std::string> bytes = read_bytes(source, offset, kIndexHeadBytes);
   if (!bytes) return bytes.failure();
@@ -42,7 +42,7 @@ Result<std::uint64_t> count_entries(const ByteSource& source, std::uint64_t offs
   return (mcap::kRecordHeadBytes + head->length - kIndexHeadBytes) / kIndexEntryBytes;
 }
 
-/// How many messages of each channel a chunk holds.
+/// Returns the number of messages of each channel in a chunk.
 Result<mcap::Numbers<std::uint16_t>> count_messages(const ByteSource& source, const mcap::ChunkIndex& chunk) {
   mcap::Numbers<std::uint16_t> counts;
   if (chunk.message_indexes.empty()) {
@@ -51,7 +51,7 @@ Result<mcap::Numbers<std::uint16_t>> count_messages(const ByteSource& source, co
     for (const mcap::MessageIndex& index : *indexes) counts.emplace_back(index.channel_id, index.entries.size());
     return counts;
   }
-  // one channel, as in all our files: the length tells
+  // one channel, as in all our files: the length gives the number
   const std::uint64_t bytes = chunk.message_index_bytes;
   if (chunk.message_indexes.size() == 1 && bytes >= kIndexHeadBytes) {
     counts.emplace_back(chunk.message_indexes[0].first, (bytes - kIndexHeadBytes) / kIndexEntryBytes);
@@ -86,7 +86,7 @@ Result<std::vector<mcap::Metadata>> read_metadata(const ByteSource& source, std:
   return all;
 }
 
-/// Whether the summary tells everything that a scan would find.
+/// Returns whether the summary holds everything that a scan would find.
 bool tells_all(const mcap::Summary& summary) {
   return summary.statistics && summary.statistics->chunks == summary.chunk_indexes.size() &&
          summary.statistics->channels == summary.channels.size() &&
@@ -120,7 +120,7 @@ Result<McapIndex> from_summary(const ByteSource& source, mcap::Summary summary) 
   return index;
 }
 
-/// The index, without header and size.
+/// Returns the index without header and size.
 McapIndex read_body(const ByteSource& source) {
   auto summary = mcap::read_summary(source);
   std::string damage = summary ? "" : summary.error();
@@ -131,7 +131,7 @@ McapIndex read_body(const ByteSource& source) {
   }
 
   McapIndex index = scan(source);
-  // what the scan stumbled over says more than that the end is missing
+  // the scan's damage is more specific than the missing end
   if (index.damage.empty()) index.damage = damage;
   index.complete = summary && index.complete;
   return index;

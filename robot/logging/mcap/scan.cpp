@@ -37,7 +37,7 @@ class Scan {
   }
 
  private:
-  /// Takes in the record at `at_`; false at the end of the data.
+  /// Handles the record at `at_`. Returns false at the end of the data.
   Result<bool> next_record() {
     if (at_ == source_.size())
       return Error{"ends at byte " + std::to_string(at_) + " without a DataEnd: its writer was interrupted"};
@@ -115,7 +115,7 @@ class Scan {
     if (index_.chunks.empty()) return {};
     ChunkInfo& chunk = index_.chunks.back();
     mcap::ChunkIndex& place = chunk.index;
-    // one that does not follow its chunk is of no use to anybody
+    // ignore a message index that does not follow its chunk
     if (at_ != place.offset + place.record_bytes + place.message_index_bytes) return {};
     const auto start = read_bytes(source_, at_ + mcap::kRecordHeadBytes, std::min<std::uint64_t>(length, 2));
     if (!start) return start.failure();
@@ -133,7 +133,7 @@ class Scan {
     return !chunk.messages.empty() && std::all_of(chunk.messages.begin(), chunk.messages.end(), known);
   }
 
-  /// Completes what is known of a chunk from its messages; forgets message indexes that do not fit them.
+  /// Completes the facts about a chunk from its messages. Discards message indexes that do not match them.
   Result<void> look_into(ChunkInfo& chunk) {
     auto contents = read_chunk(source_, chunk.index);
     if (!contents) return contents.failure();

@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint64_t kFooterBytes = kRecordHeadBytes + 8 + 8 + 4;
 constexpr std::uint64_t kDataEndBytes = kRecordHeadBytes + 4;
 
-/// Where the parts of a file's end are.
+/// The offsets of the parts of a file's end.
 struct End {
   Footer footer;
   std::uint64_t footer_offset = 0, data_end = 0;
@@ -27,7 +27,7 @@ Result<Footer> read_footer(const ByteSource& source, std::uint64_t offset) {
   return decode<Footer>(record->content, offset);
 }
 
-/// The end of the file, its parts in an order that makes sense.
+/// Reads the end of the file and verifies the order of its parts.
 Result<End> read_end(const ByteSource& source) {
   constexpr std::uint64_t kLeast = kMagic.size() + kDataEndBytes + kFooterBytes + kMagic.size();
   if (source.size() < kLeast)
@@ -39,7 +39,7 @@ Result<End> read_end(const ByteSource& source) {
   if (!footer) return footer.failure();
   end.footer = *footer;
 
-  // the DataEnd record stands directly before the summary
+  // the DataEnd record is directly before the summary
   const std::uint64_t start = footer->summary_start == 0 ? end.footer_offset : footer->summary_start;
   if (start < kMagic.size() + kDataEndBytes || start > end.footer_offset)
     return Error{"Footer: expected the summary before byte " + std::to_string(end.footer_offset) + ", got byte " +
@@ -78,7 +78,7 @@ Result<void> add(Summary& summary, const RecordView& view) {
   }
 }
 
-/// Sorts the chunks by offset; an Error if one reaches out of the data or over the next.
+/// Sorts the chunks by offset. Returns an Error if one exceeds the data or overlaps the next.
 Result<void> order_chunks(Summary& summary) {
   auto& chunks = summary.chunk_indexes;
   std::sort(chunks.begin(), chunks.end(),
@@ -132,7 +132,7 @@ std::string encode_end(const SummaryGroups& groups, std::uint64_t offset, std::u
   out += offsets;
   append(out, footer);
 
-  // the checksum is the footer's last field and covers all before it
+  // the checksum is the footer's last field and covers all bytes of the summary before it
   out.resize(out.size() - sizeof footer.summary_crc);
   const std::uint32_t crc = crc32(std::string_view(out).substr(summary_begin));
   for (unsigned shift = 0; shift < 32; shift += 8) out.push_back(static_cast<char>(crc >> shift));
