@@ -20,7 +20,7 @@ Result<std::shared_ptr<const Assembly>> Downloads::open(const Session& session,
   for (const StreamFile& file : session.streams) {
     if (stream && file.file != *stream) continue;
     what += ' ' + file.file + ' ' + std::to_string(file.size_bytes);
-    // a file that holds nothing yet, not even what it is, cannot be part of another
+    // a file without a complete head cannot be part of an assembly yet
     if (!file.topic.empty()) files.push_back(session.folder / file.file);
   }
   if (files.empty())

@@ -23,7 +23,7 @@ constexpr const char* kSessionMetadata = "foresight.session";
 constexpr std::size_t kPieceBytes = 1 << 18;
 using Type = nlohmann::json::value_t;
 
-/// Letters, digits and a few signs stay; anything else becomes '_'.
+/// Replaces everything but letters, digits and a few signs by '_'.
 std::string tame(std::string_view text) {
   std::string tame(text);
   for (char& c : tame)
@@ -57,7 +57,7 @@ StreamFile read_stream(const std::filesystem::path& path) {
   return stream;
 }
 
-/// "14/2" of "/14/2/ball"; empty where a topic is not a robot's.
+/// Returns the robot of a topic, "14/2" for "/14/2/ball", or an empty string for a topic without a robot.
 std::string robot_of(const std::string& topic) {
   if (topic.size() < 2 || !std::isdigit(static_cast<unsigned char>(topic[1]))) return {};
   const std::size_t player = topic.find('/', 1);
@@ -65,7 +65,7 @@ std::string robot_of(const std::string& topic) {
   return end == topic.npos ? std::string() : topic.substr(1, end - 1);
 }
 
-/// What the file itself tells, or what its name and topics suggest.
+/// Returns the facts in the file's metadata, or without them, facts derived from its name and topics.
 SessionInfo info_of(const McapIndex& index, const std::filesystem::path& file) {
   SessionInfo info{.name = file.stem().string(), .robot = "", .profile = "import", .complete = index.complete};
   for (const mcap::Metadata& metadata : index.metadata)

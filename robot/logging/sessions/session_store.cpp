@@ -26,7 +26,7 @@ std::vector<fs::path> session_folders(const fs::path& folder) {
   return folders;
 }
 
-/// Changes whenever a file of the session does.
+/// Returns a text that changes when a file of the session changes.
 std::string fingerprint(const fs::path& folder) {
   std::string print;
   std::error_code failed;
@@ -144,7 +144,7 @@ std::vector<std::string> SessionStore::make_room(std::uint64_t bytes, std::uint6
 }
 
 std::uint64_t SessionStore::disk_free_bytes() const {
-  // the folder may not be there yet; then it will be made on the disk of the nearest one that is
+  // if the folder does not exist yet, it will be on the disk of its nearest existing parent
   fs::path folder = fs::absolute(folder_);
   std::error_code failed;
   while (!fs::exists(folder, failed) && folder.has_relative_path()) folder = folder.parent_path();
