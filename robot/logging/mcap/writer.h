@@ -1,4 +1,5 @@
-// A writer of one channel into an MCAP file. A sudden loss of power costs one second of messages at most.
+// A writer of one channel into an MCAP file. The death of the process costs one second of messages at most. It does not
+// call fsync: a loss of power may also cost written chunks that the system has not stored yet.
 #pragma once
 
 #include <cstdint>

@@ -98,7 +98,7 @@ void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
       path, McapOptions{.channel_id = static_cast<std::uint16_t>(streams_.size() + 1),
                         .metadata = metadata_of(info_),
                         .compression = image ? Compression::none : origin_.compression,
-                        // together one second, the most that a sudden loss of power costs
+                        // together one second, the most that the death of the process costs
                         .chunk_time_ns = kSecond - FileOutProvider::kPatience.time_ns});
   if (image && !profile_.raw_images) provider = thin_images(profile_, std::move(provider));
   streams_.push_back({board_.start_logger(channel, std::move(provider)), path});
