@@ -13,8 +13,9 @@ struct JpegOptions {
   int quality = 75;  // 1 .. 100
 };
 
-/// Encodes the YUYV image `yuyv` as a baseline 4:2:2 JPEG. The image has `width` x `height` [px], 2 bytes per pixel and no
-/// gaps between rows. Colour values are full-range BT.601, as in the JPEG standard and from the Nao's cameras. Any thread.
+/// Encodes the YUYV image `yuyv` as a baseline 4:2:2 JPEG. The image has `width` x `height` [px], 2 bytes per pixel and
+/// no gaps between rows. Colour values are full-range BT.601, as in the JPEG standard and from the Nao's cameras. Any
+/// thread.
 Result<std::string> encode_jpeg(std::string_view yuyv, int width, int height, JpegOptions options = {});
 
 struct YuyvImage {
@@ -29,8 +30,9 @@ struct ImageSize {
 /// Returns the size of the image that decode_jpeg() would return, without decoding it.
 Result<ImageSize> size_of_jpeg(std::string_view jpeg);
 
-/// Decodes a JPEG of at most 4096 x 4096 px. It accepts two kinds: an ordinary colour JPEG, and the four-component JPEG of
-/// the 2009 B-Human recordings. The latter has the Y U Y V of each pair of pixels as components, so its width counts pairs.
+/// Decodes a JPEG of at most 4096 x 4096 px. It accepts two kinds: an ordinary colour JPEG, and the four-component JPEG
+/// of the 2009 B-Human recordings. The latter has the Y U Y V of each pair of pixels as components, so its width counts
+/// pairs.
 Result<YuyvImage> decode_jpeg(std::string_view jpeg);
 
 }  // namespace robot::image

@@ -25,9 +25,9 @@ struct AssemblyOptions {
   std::optional<std::string> topic;
 };
 
-/// One MCAP file made of several. It has a head and a summary of its own. Between them are the chunks of all files, byte
-/// for byte, in the order of their start times. It unpacks and copies nothing; read() fetches the bytes from the files.
-/// It keeps the files open. Any thread.
+/// One MCAP file made of several. It has a head and a summary of its own. Between them are the chunks of all files,
+/// byte for byte, in the order of their start times. It unpacks and copies nothing; read() fetches the bytes from the
+/// files. It keeps the files open. Any thread.
 class Assembly final : public ByteSource {
  public:
   const std::string& name() const override { return name_; }

@@ -77,8 +77,8 @@ Result<void> compress_zstd(ZSTD_CCtx* context, std::span<const std::string_view>
   return {};
 }
 
-/// Calls `step(in, out)` until the frame ends, and requires exactly `size` bytes of output. `step` reads from `in`, writes
-/// to `out`, shortens both by the bytes it used, and returns whether the frame has ended.
+/// Calls `step(in, out)` until the frame ends, and requires exactly `size` bytes of output. `step` reads from `in`,
+/// writes to `out`, shortens both by the bytes it used, and returns whether the frame has ended.
 template <class Step>
 Result<std::string> grow_to(std::size_t size, std::string_view in, const char* what, Step&& step) {
   std::string out;

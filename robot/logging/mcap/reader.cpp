@@ -77,8 +77,8 @@ McapReader::Next McapReader::take(Op op, std::uint64_t content_bytes) {
   return take_from({op, offset, content_});
 }
 
-/// Returns whether the reader does not need the record at position_ - kRecordHeadBytes, or an Error if it is too large to
-/// read.
+/// Returns whether the reader does not need the record at position_ - kRecordHeadBytes, or an Error if it is too large
+/// to read.
 Result<bool> McapReader::can_skip(Op op, std::uint64_t content_bytes) const {
   const bool wanted =
       op == Op::schema || op == Op::channel || op == Op::message || op == Op::chunk || op == Op::data_end;
@@ -161,8 +161,8 @@ McapReader::Next McapReader::end_of_data(const mcap::RecordView& record) {
   return std::optional<McapMessage>();
 }
 
-/// Handles invalid records at position_: continues at the next chunk of the summary, or ends. The cause may be a too large
-/// length of the record before, so the search also finds the chunks that this record seemed to include.
+/// Handles invalid records at position_: continues at the next chunk of the summary, or ends. The cause may be a too
+/// large length of the record before, so the search also finds the chunks that this record seemed to include.
 McapReader::Next McapReader::lost_track(const std::string& sentence) {
   ended_ = true;
   if (summary()) {

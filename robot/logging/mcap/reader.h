@@ -28,8 +28,8 @@ struct McapMessage {
 ///
 /// The reader delivers every message before a damage. It reports each damage once, by an Error with the place in the
 /// file, and the next call continues after it. A chunk with a wrong checksum is left out. If the sizes of records are
-/// wrong too, the reader continues at the next chunk of the summary. It reports at the end of the file a damage that only
-/// the checksum over all data shows.
+/// wrong too, the reader continues at the next chunk of the summary. It reports at the end of the file a damage that
+/// only the checksum over all data shows.
 class McapReader {
  public:
   explicit McapReader(std::shared_ptr<const ByteSource> source) : source_(std::move(source)) {}
@@ -41,8 +41,8 @@ class McapReader {
   /// holds one. May move backwards. Returns an Error if the file is not an MCAP file.
   Result<void> seek(std::uint64_t capture_ns);
 
-  /// Returns the start times at `capture_ns` or before of all chunks, the earliest first [ns since the epoch]. An entry 0
-  /// means messages outside chunks.
+  /// Returns the start times at `capture_ns` or before of all chunks, the earliest first [ns since the epoch]. An entry
+  /// 0 means messages outside chunks.
   Result<std::vector<std::uint64_t>> chunk_starts_until(std::uint64_t capture_ns);
 
   /// The schemas and channels read up to now. They always include the channel of a returned message.

@@ -7,8 +7,8 @@
 
 namespace robot::logging {
 
-/// Returns the index of the file up to the first incomplete record, which `damage` names. `header` and `size_bytes` stay
-/// empty.
+/// Returns the index of the file up to the first incomplete record, which `damage` names. `header` and `size_bytes`
+/// stay empty.
 ///
 /// It reads heads only, and unpacks a chunk if the heads are not sufficient. These are the last chunk of an interrupted
 /// file, chunks without message indexes, and chunks with channels that were not described before.

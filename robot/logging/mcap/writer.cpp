@@ -125,7 +125,8 @@ Result<void> McapWriter::write_chunk(std::string_view last_bytes) {
   return Error{written.error() + "; messages lost: " + std::to_string(messages)};
 }
 
-/// Compresses `records` into packed_ and returns the head of their chunk. The chunk stays uncompressed if that is smaller.
+/// Compresses `records` into packed_ and returns the head of their chunk. The chunk stays uncompressed if that is
+/// smaller.
 Result<mcap::ChunkHead> McapWriter::pack(std::span<const std::string_view> records) {
   mcap::ChunkHead head;
   head.start_ns = chunk_start_ns_;

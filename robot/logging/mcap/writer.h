@@ -39,11 +39,11 @@ struct OutMessage {
 };
 
 /// A recording of one channel. The writer writes the file's description at once. It collects messages into chunks and
-/// appends each chunk with its index in one operation. Without close() the file is readable up to its last chunk, as after
-/// the death of the process.
+/// appends each chunk with its index in one operation. Without close() the file is readable up to its last chunk, as
+/// after the death of the process.
 ///
-/// After a failed write the writer truncates the file to its last good end. It counts the messages of that chunk as lost
-/// and tries again with the next chunk, so that recording continues when a full disk has space again.
+/// After a failed write the writer truncates the file to its last good end. It counts the messages of that chunk as
+/// lost and tries again with the next chunk, so that recording continues when a full disk has space again.
 ///
 /// The writer has no clock: `now_ns` is any time that never decreases, such as monotonic_ns(). Used by one thread.
 class McapWriter {

@@ -16,8 +16,8 @@ namespace robot::logging {
 /// The open downloads. It keeps the last kKept, because a viewer requests many ranges of the same one. Any thread.
 class Downloads {
  public:
-  /// The distance from now to the end of a live session's download [ns]. A chunk is written at most one second after its
-  /// first message. The other second is for a slow disk or a late message.
+  /// The distance from now to the end of a live session's download [ns]. A chunk is written at most one second after
+  /// its first message. The other second is for a slow disk or a late message.
   static constexpr std::uint64_t kLiveMarginNs = 2'000'000'000;
 
   /// Opens the whole of `session`, or its stream in the file `stream` ("14.2.ball.mcap").

@@ -57,8 +57,8 @@ class ThinnedImages final : public OutProvider {
   void cancel() override { stream_->cancel(); }
 
  private:
-  /// Returns whether an image is due, for `images_per_second` on average. It does not drift against a camera whose frames
-  /// are a little early or late. After a delay of the camera, the images it missed may follow faster.
+  /// Returns whether an image is due, for `images_per_second` on average. It does not drift against a camera whose
+  /// frames are a little early or late. After a delay of the camera, the images it missed may follow faster.
   bool due(std::uint64_t capture_ns) {
     const auto period_ns = static_cast<std::uint64_t>(1e9f / profile_.images_per_second);
     const bool went_back = capture_ns + period_ns < next_ns_;

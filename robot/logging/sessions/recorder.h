@@ -33,8 +33,8 @@ std::string_view name(RecordingStatus::State state);
 
 /// The owner of one logger and one file per channel. It starts them and closes them. Any thread.
 ///
-/// A full or broken disk does not end the recording. The recorder counts the refused messages and reports the state, and
-/// it continues when the disk accepts bytes again.
+/// A full or broken disk does not end the recording. The recorder counts the refused messages and reports the state,
+/// and it continues when the disk accepts bytes again.
 class Recorder {
  public:
   /// The origin that is written into the sessions. start() sets `name`, `profile` and `start_ns`.
@@ -58,8 +58,8 @@ class Recorder {
   /// Returns how many minutes of `profile` fit now, if all deletable sessions are deleted.
   Room room_for(const Profile& profile) const;
 
-  /// Makes room, begins a session and returns its id. Returns an Error if a session is being recorded already, or if less
-  /// than one minute fits.
+  /// Makes room, begins a session and returns its id. Returns an Error if a session is being recorded already, or if
+  /// less than one minute fits.
   Result<std::string> start(std::string_view name, std::string_view profile);
 
   /// Closes the session and returns its id. Returns an Error if none is being recorded.

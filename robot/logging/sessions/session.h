@@ -74,8 +74,8 @@ std::string stream_file_name(std::string_view topic);
 /// session.
 Result<Session> read_session(const std::filesystem::path& folder, bool being_written = false);
 
-/// Reads one MCAP file with many channels, such as a downloaded session or a simulated game, as a session. All streams of
-/// the session are in that file. Facts that its metadata lack are derived from the file's name and topics.
+/// Reads one MCAP file with many channels, such as a downloaded session or a simulated game, as a session. All streams
+/// of the session are in that file. Facts that its metadata lack are derived from the file's name and topics.
 Result<Session> read_recording(const std::filesystem::path& file);
 
 /// Reads a folder as read_session() does, and a file as read_recording() does.
@@ -91,8 +91,8 @@ struct SessionFile {
 /// Returns all files in the folder of a session, by name. Reads every byte of them.
 Result<std::vector<SessionFile>> read_session_files(const std::filesystem::path& folder);
 
-/// Returns a folder name for a session that starts at `start_ns`, for example "2026-11-21_14-02-11_game". The time is UTC,
-/// so that names sort by time.
+/// Returns a folder name for a session that starts at `start_ns`, for example "2026-11-21_14-02-11_game". The time is
+/// UTC, so that names sort by time.
 std::string session_folder_name(std::uint64_t start_ns, std::string_view name, std::string_view profile);
 
 }  // namespace robot::logging

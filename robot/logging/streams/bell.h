@@ -12,8 +12,8 @@ namespace robot::logging {
 
 /// A thread that calls ring() on each of its queues every kPeriodNs. It sleeps while it has no queue.
 ///
-/// One thread with this period costs less than writers that wake a reader for each version: a robot's thread that writes
-/// makes no system call. Any thread.
+/// One thread with this period costs less than writers that wake a reader for each version: a robot's thread that
+/// writes makes no system call. Any thread.
 class Bell {
  public:
   static constexpr std::uint64_t kPeriodNs = 4 * kMillisecond;

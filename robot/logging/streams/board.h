@@ -18,8 +18,8 @@ class LoggingBoard {
  public:
   using StreamId = std::uint64_t;
 
-  /// The bound of each queue to a slow device [bytes]. Four seconds of raw images at 30 Hz would take 74 MB, too much for
-  /// a Nao. This bound holds about half a second of raw images, or 2.5 s of the images of profile `game`. It holds
+  /// The bound of each queue to a slow device [bytes]. Four seconds of raw images at 30 Hz would take 74 MB, too much
+  /// for a Nao. This bound holds about half a second of raw images, or 2.5 s of the images of profile `game`. It holds
   /// minutes of any other object.
   static constexpr std::size_t kQueueBytes = 8 << 20;
 

@@ -64,8 +64,8 @@ Result<memory::ChannelInfo> FileInProvider::open() {
   return channel_info(index->channels.begin()->second, index->schemas);
 }
 
-/// Opens only the chunks of the file that hold the topic. Files of other writers may have several channels of one topic,
-/// and no chunks.
+/// Opens only the chunks of the file that hold the topic. Files of other writers may have several channels of one
+/// topic, and no chunks.
 Result<memory::ChannelInfo> FileInProvider::open_topic(std::shared_ptr<const ByteSource> source,
                                                        const McapIndex& index) {
   std::optional<memory::ChannelInfo> info;

@@ -28,7 +28,8 @@ class Pace {
     std::uint64_t count = 0, to_ns = 0;
   };
 
-  /// Waits until a message captured at `capture_ns` is due. `moves` is the count of the last move that the parser knows.
+  /// Waits until a message captured at `capture_ns` is due. `moves` is the count of the last move that the parser
+  /// knows.
   virtual Due wait_until_due(std::uint64_t capture_ns, std::uint64_t moves) = 0;
 
   /// Waits for the next move. A parser calls it at the end of its stream.
@@ -49,8 +50,8 @@ struct ParserOptions {
 /// with a pace, it ends when the pace returns `never`.
 ///
 /// After a move of the playhead the first message is the newest one before the new time, so that the memory object has
-/// its value of that time. Messages that the channel refuses count as dropped. The parser reports a damage of the stream
-/// and continues after it.
+/// its value of that time. Messages that the channel refuses count as dropped. The parser reports a damage of the
+/// stream and continues after it.
 class Parser {
  public:
   Parser(std::unique_ptr<InProvider> provider, ParserOptions options);

@@ -13,7 +13,7 @@
 //
 //   welcome = kind 3: version:u32 epoch_offset_ns:u64   the runtime's first frame; capture time = monotonic + offset
 //   wanted  = kind 4: the topic that the process wants to read.
-//   memory  = kind 5: an empty body. The socket passes a file for large messages with it, which replaces the earlier one.
+//   memory  = kind 5: an empty body. The socket passes along a file for large messages, which replaces the earlier one.
 //   shared  = kind 6: sequence:u64 capture_ns:u64 publish_ns:u64 offset:u64 length:u64   a message in that file
 //   taken   = kind 7: sequence:u64   the reader has copied that shared message; its place is free again
 //   refused = kind 8: a sentence with the reason; the last frame of the connection

@@ -20,8 +20,8 @@ struct Patience {
 /// A queue bounded in bytes. When it is full, it drops and counts the oldest versions to make room for the newest.
 /// One version that is larger than the bound still passes, alone.
 ///
-/// The wake-up of a thread is by far the most expensive part of a write, and that thread may displace the writer from its
-/// processor. With `Patience` a write wakes no thread: a Bell calls ring() periodically instead.
+/// The wake-up of a thread is by far the most expensive part of a write, and that thread may displace the writer from
+/// its processor. With `Patience` a write wakes no thread: a Bell calls ring() periodically instead.
 class VersionQueue final : public memory::Listener {
  public:
   explicit VersionQueue(std::size_t max_bytes, std::optional<Patience> patience = {})
@@ -33,8 +33,8 @@ class VersionQueue final : public memory::Listener {
   /// Wakes the reader if a limit of the patience is reached. Any thread.
   void ring(std::uint64_t now_ns);
 
-  /// Removes and returns the oldest version. Waits for one until monotonic_ns() reaches `deadline_ns`, then returns null.
-  /// Returns null at once when the queue is closed and empty.
+  /// Removes and returns the oldest version. Waits for one until monotonic_ns() reaches `deadline_ns`, then returns
+  /// null. Returns null at once when the queue is closed and empty.
   memory::VersionPtr pop(std::uint64_t deadline_ns);
 
   /// Stops accepting versions and wakes a waiting pop(). Queued versions can still be popped. Any thread.
