@@ -13,7 +13,7 @@
 #include "robot/core/report.h"
 #include "robot/image/image_codec.h"
 #include "robot/logging/sessions/profile.h"
-#include "robot/net/foxglove/foxglove_client.h"
+#include "robot/net/foxglove/from_client.h"
 
 namespace robot::lab {
 namespace {

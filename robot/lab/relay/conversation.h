@@ -10,7 +10,7 @@
 
 #include "robot/lab/relay/carried_channel.h"
 #include "robot/lab/relay/robot_link.h"
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/to_client.h"
 
 namespace robot::lab {
 

@@ -7,7 +7,7 @@
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
 #include "robot/lab/relay/conversation.h"
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/to_client.h"
 
 namespace robot::lab {
 namespace {

@@ -1,4 +1,4 @@
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/to_client.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

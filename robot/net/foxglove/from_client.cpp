@@ -1,4 +1,4 @@
-#include "robot/net/foxglove/foxglove_client.h"
+#include "robot/net/foxglove/from_client.h"
 
 #include <limits>
 #include <nlohmann/json.hpp>
