@@ -19,15 +19,15 @@ void take_notes(const State& state, const referee::Events& events, report::GameR
   const referee::Book& book = state.book;
   const auto count = std::min<std::size_t>(static_cast<std::size_t>(events.count), events.list.size());
   for (std::size_t i = 0; i < count; ++i)
-    report.moments.push_back({.event = events.list[i],
-                              .half = book.half,
-                              .clock = static_cast<float>(book.clock) * kTickDuration,
-                              .score = {book.score[0], book.score[1]}});
+    report.decisions.push_back({.event = events.list[i],
+                                .half = book.half,
+                                .clock = static_cast<float>(book.clock) * kTickDuration,
+                                .score = {book.score[0], book.score[1]}});
 }
 
 void count_events(report::GameReport& report) {
-  for (const report::Moment& moment : report.moments)
-    ++report.result.events[static_cast<int>(moment.event.kind)][static_cast<int>(moment.event.side)];
+  for (const report::Decision& decision : report.decisions)
+    ++report.result.events[static_cast<int>(decision.event.kind)][static_cast<int>(decision.event.side)];
 }
 
 /// How long a game takes at least; with dead time it is longer.
@@ -165,7 +165,7 @@ class MatchCommand final : public Command {
     contest::Costs costs;
     const std::string problem = play_all(lineup, [&](int game, std::uint64_t seed, const contest::Cast& cast) {
       if (auto report = play_one(cast, openings, seconds_, seed, nullptr, nullptr)) {
-        report->moments.clear();
+        report->decisions.clear();
         reports[static_cast<std::size_t>(game)] = *std::move(report);
       }
       costs.add(cast);

@@ -27,12 +27,12 @@ class Openings {
   std::uint64_t content() const;
 
  private:
-  struct Moment {
+  struct Description {
     std::string text, called;
     State state;
   };
 
-  std::vector<Moment> moments_;  // by name of the file; none: the kick-off
+  std::vector<Description> descriptions_;  // by name of the file; none: the kick-off
   bool fuzz_ = false;
 };
 

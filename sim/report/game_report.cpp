@@ -99,15 +99,15 @@ Json to_json(const GameReport& report, int players) {
     for (const Row& row : kRows) figures[row.key] = row.value(report.result, side, players);
   }
   json["events"] = Json::array();
-  for (const Moment& moment : report.moments)
-    json["events"].push_back({{"kind", referee::name_of(moment.event.kind)},
-                              {"who", who(moment.event)},
-                              {"half", moment.half},
-                              {"clock", moment.clock},
-                              {"tick", moment.event.tick},
-                              {"x", moment.event.at.x},
-                              {"y", moment.event.at.y},
-                              {"score", {moment.score[0], moment.score[1]}}});
+  for (const Decision& decision : report.decisions)
+    json["events"].push_back({{"kind", referee::name_of(decision.event.kind)},
+                              {"who", who(decision.event)},
+                              {"half", decision.half},
+                              {"clock", decision.clock},
+                              {"tick", decision.event.tick},
+                              {"x", decision.event.at.x},
+                              {"y", decision.event.at.y},
+                              {"score", {decision.score[0], decision.score[1]}}});
   return json;
 }
 
@@ -119,11 +119,11 @@ std::string to_text(const GameReport& report, const io::Matchup& choice, const P
     all += text("%-14s%10s%10s\n", row.shown, shown(row, row.value(result, 0, params.rules.players)).c_str(),
                 shown(row, row.value(result, 1, params.rules.players)).c_str());
   all += "\n";
-  for (const Moment& moment : report.moments)
-    if (is_news(moment.event.kind))
-      all += text(who(moment.event).empty() ? "%d  %s  %d:%d  %s\n" : "%d  %s  %d:%d  %-17s %s\n", moment.half,
-                  clock_text(moment.clock).c_str(), moment.score[0], moment.score[1],
-                  referee::name_of(moment.event.kind), who(moment.event).c_str());
+  for (const Decision& decision : report.decisions)
+    if (is_news(decision.event.kind))
+      all += text(who(decision.event).empty() ? "%d  %s  %d:%d  %s\n" : "%d  %s  %d:%d  %-17s %s\n", decision.half,
+                  clock_text(decision.clock).c_str(), decision.score[0], decision.score[1],
+                  referee::name_of(decision.event.kind), who(decision.event).c_str());
   return all;
 }
 

@@ -14,7 +14,7 @@ namespace sim::report {
 using Json = nlohmann::ordered_json;
 
 /// A decision of the referee and when it fell, by the clock that people watch.
-struct Moment {
+struct Decision {
   referee::Event event;
   int half;
   float clock;   // [s] of the half that had run
@@ -24,7 +24,7 @@ struct Moment {
 struct GameReport {
   std::uint64_t seed = 0;
   Result result{};
-  std::vector<Moment> moments;
+  std::vector<Decision> decisions;
 };
 
 /// "home 3", "away", …; empty where it is about nobody.
