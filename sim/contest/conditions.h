@@ -1,4 +1,4 @@
-// What robots might be like instead: the ranges over which a verdict is asked again.
+// Other models of the robots: the ranges over which --robust repeats a verdict.
 #pragma once
 
 #include <string>
@@ -9,19 +9,20 @@
 
 namespace sim::contest {
 
-/// Factors upon what the models say.
+/// Factors on the figures of the models.
 struct Conditions {
-  std::string name;         // "walk x0.8"; empty: as the models say
-  float walk = 1;           // the speeds of everybody
-  float kick = 1;           // the ranges of everybody's kicks
-  float ball_noise = 1;     // the errors with which everybody sees the ball
-  float opponent_pace = 1;  // walk and kick of the third behaviour, beyond the others'
+  std::string name;         // "walk x0.8"; empty: the models as they are
+  float walk = 1;           // speeds of all robots
+  float kick = 1;           // ranges of all robots' kicks
+  float ball_noise = 1;     // errors with which all robots see the ball
+  float opponent_pace = 1;  // walk and kick of the third behaviour, on top of the factors above
 };
 
-/// The ranges of --robust: walk and kick 0.8 and 1.2, ball noise 0.5 and 2; with a third behaviour its pace, 0.8 and 1.2.
+/// Returns the ranges of --robust: walk and kick 0.8 and 1.2, ball noise 0.5 and 2. With a third behaviour also its
+/// pace, 0.8 and 1.2.
 std::vector<Conditions> robust_conditions(bool third);
 
-/// Puts them upon the models of a game; `opponent`: which side is the third behaviour's, nullptr: none.
+/// Scales the models of a game. `opponent` is the side of the third behaviour, or nullptr without one.
 void put_upon(const Conditions& conditions, const Side* opponent, Params& params);
 
 }  // namespace sim::contest

@@ -1,4 +1,4 @@
-// Plays a comparison to its end: blocks of pairs on all processors, judged one after the other.
+// Plays a comparison to its end: blocks of pairs on all processors, judged in their order.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,9 @@ namespace sim::contest {
 
 struct ContestOptions {
   compare::Hypothesis question;
-  std::optional<std::int64_t> pairs;  // a run of this length; nothing: until the sequential test has an answer
-  double seconds = 0;                 // stop then in any case [s]; 0: no limit
-  std::int64_t most_pairs = 200'000;  // of the sequential test
+  std::optional<std::int64_t> pairs;  // fixed length of the run; absent: until the sequential test has an answer
+  double seconds = 0;                 // [s] time limit; 0: none
+  std::int64_t most_pairs = 200'000;  // limit of the sequential test
   int jobs = 1;                       // processes
 
   std::int64_t most_blocks() const {
@@ -26,7 +26,7 @@ struct ContestOptions {
   }
 };
 
-/// What was known after a block.
+/// The state of the test after a block.
 struct Mark {
   std::int64_t pairs = 0;
   compare::Interval gain;
@@ -43,30 +43,31 @@ struct Outcome {
   compare::PairStatistics tally;
   compare::Verdict verdict = compare::Verdict::undecided;
   bool sequential = false;             // the test itself has answered
-  std::vector<Mark> marks;             // one per block, thinned to at most some hundred
-  std::vector<DecisivePair> decisive;  // the few with the largest gain of either behaviour
+  std::vector<Mark> marks;             // one per block, thinned to at most 400
+  std::vector<DecisivePair> decisive;  // at most 5 per behaviour, with the largest gains
   std::vector<std::int64_t>
-      histogram;         // of the pairs' gains, from -kWidest to kWidest columns; what is beyond is at the ends
-  DecisionCost cost[2];  // of A, of B, as far as games were played now
-  double seconds = 0;    // it took
+      histogram;         // of the pairs' gains, from -kWidest to kWidest columns; the ends hold larger gains
+  DecisionCost cost[2];  // of A, of B; without blocks that were read from the disk
+  double seconds = 0;    // duration [s]
 
   static constexpr int kWidest = 20;
 };
 
-/// How much of the metric a column of the histogram is wide.
+/// Returns the width of a column of the histogram, in the metric's unit.
 constexpr double column_of(Metric metric) { return metric == Metric::ball_advance ? 0.5 : 1; }
 
-/// `progress` hears what is known after each block. The result depends on nothing but the comparison and the question,
-/// however fast which block was, unless the time is up. Blocks that `folder` has are not played again.
+/// Plays blocks until there is a verdict. Calls `progress` after each block. The result depends only on the comparison
+/// and the options, not on the order in which blocks finish, unless the time limit ends the run. Blocks that are in
+/// `folder` are not played again; `folder` may be null.
 robot::Result<Outcome> play_contest(const Comparison& comparison, const ContestOptions& options,
                                     const RunFolder* folder,
                                     const std::function<void(const Mark&, double games_per_minute)>& progress);
 
-/// Plays the blocks from .. to - 1 that `folder` does not have, and judges nothing: a part of a run that others share.
+/// Plays those of the blocks from .. to - 1 that are not in `folder`, without a verdict: one part of a shared run.
 robot::Result<void> play_blocks(const Comparison& comparison, std::int64_t from, std::int64_t to, int jobs,
                                 const RunFolder& folder);
 
-/// The verdict of the blocks in `folder`, which must be all that the run has: gaps and strangers are refused.
+/// Returns the outcome of the blocks in `folder`. An Error names missing and damaged blocks and blocks of another run.
 robot::Result<Outcome> merge(const Comparison& comparison, const ContestOptions& options, const RunFolder& folder);
 
 }  // namespace sim::contest

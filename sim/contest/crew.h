@@ -1,4 +1,4 @@
-// Processes that play blocks of pairs. One that dies, whoever killed it, is replaced, and its block played anew.
+// Worker processes that play blocks of pairs. A worker that dies is replaced, and the new one plays its block again.
 #pragma once
 
 #include <sys/types.h>
@@ -15,37 +15,37 @@
 
 namespace sim::contest {
 
-/// A block that was played.
+/// A block of played pairs.
 struct PlayedBlock {
   std::int64_t number = 0;
   std::vector<compare::Pair> pairs;
   DecisionCost cost[2];  // of A, of B
 };
 
-/// Used by one thread of a process that has no other.
+/// The worker processes. Used by one thread, in a process without other threads, because it forks.
 class Crew {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Nobody is hired before there is something to do. `comparison` outlives this.
+  /// Starts no process before the first block. `comparison` outlives this.
   Crew(const Comparison& comparison, int jobs) : comparison_(comparison), workers_(static_cast<std::size_t>(jobs)) {}
-  /// Whoever still plays is sent away.
+  /// Kills the workers that still play.
   ~Crew();
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
 
   bool has_somebody_idle() const;
-  /// To somebody who is idle.
+  /// Gives a block to an idle worker; there must be one.
   robot::Result<void> give(std::int64_t block);
-  /// The next block that somebody has finished; nothing when the time is over. An Error where a game cannot be played.
+  /// Waits for the next finished block. Returns nothing after `deadline`, and an Error if a game cannot be played.
   std::optional<robot::Result<PlayedBlock>> wait(Clock::time_point deadline);
 
  private:
   struct Worker {
-    pid_t pid = -1;  // -1: not hired
+    pid_t pid = -1;  // -1: not started
     robot::FileDescriptor line;
     std::int64_t block = -1;  // -1: idle
-    int deaths = 0;           // over this block
+    int deaths = 0;           // during this block
   };
 
   robot::Result<void> hire(Worker& worker);

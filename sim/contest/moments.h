@@ -1,4 +1,4 @@
-// Moments in the midst of games, at which somebody might ask what becomes of them.
+// Moments in the middle of games, as starting points of forecasts.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,9 @@
 
 namespace sim::contest {
 
-/// Plays a game and shows it at most `count` times, evenly spaced, in play. Each time `robot` (its index) has just had its
-/// turn, as a captain who asks: between two of its turns its beliefs would be as old as half a second.
+/// Plays a game and calls `see` at most `count` times, evenly spaced, while the ball is in play. At each call `robot`
+/// (an index) has just had its turn, as a captain that asks for a forecast has. Between two turns its beliefs can be
+/// half a second old.
 void for_each_moment(const Params& params, std::uint64_t seed, int count, int robot,
                      const std::function<void(const State&)>& see);
 

@@ -14,7 +14,7 @@ namespace {
 using robot::Error;
 using robot::Result;
 
-/// The descriptions below a folder, by name; the name itself where it is none.
+/// Returns the situation files in a folder, sorted by name, or `from` itself if it is no folder.
 Result<std::vector<std::string>> names_below(const std::string& from) {
   std::error_code failed;
   if (!std::filesystem::is_directory(from, failed)) return std::vector<std::string>{from};
@@ -57,7 +57,7 @@ State Openings::begin(const Params& params, std::uint64_t seed, referee::Events&
   const Description& description = descriptions_[seed % descriptions_.size()];
   State state = description.state;
   if (fuzz_) {
-    // what could be read as it stands can be read shaken
+    // a description that was valid without fuzz is valid with it
     const RandomKey luck{state.world.key.seed + seed};
     state = io::parse_situation(description.text, description.called, params, &luck).value();
   }

@@ -1,4 +1,4 @@
-// Where games begin: at the kick-off, in a described moment, or in the moments of a folder, evenly.
+// The start of games: the kick-off, one situation, or the situations of a folder in turn.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 
 namespace sim::contest {
 
-/// Any thread.
+/// The situations in which games begin. Thread-safe.
 class Openings {
  public:
-  /// `from`: the name of an embedded situation, a file or a folder of them; empty: the kick-off. `fuzz`: each game begins
-  /// with everybody a little elsewhere. `params` are of the games: each moment must be possible by their rules.
+  /// Reads `from`: the name of an embedded situation, a file, a folder of files, or empty for the kick-off. With `fuzz`
+  /// each game begins with slightly shifted robots and ball. Each situation must be possible by the rules in `params`.
   static robot::Result<Openings> read(const std::string& from, bool fuzz, const Params& params);
 
-  /// The state in which the game of that seed begins, and what the referee says then.
+  /// Returns the state in which the game with this seed begins, and fills `events` with the referee's first decisions.
   State begin(const Params& params, std::uint64_t seed, referee::Events& events) const;
   State begin(const Params& params, std::uint64_t seed) const;
 
-  /// A number for what the descriptions say.
+  /// Returns a hash of the descriptions.
   std::uint64_t content() const;
 
  private:
@@ -32,7 +32,7 @@ class Openings {
     State state;
   };
 
-  std::vector<Description> descriptions_;  // by name of the file; none: the kick-off
+  std::vector<Description> descriptions_;  // ordered by file name; empty: the kick-off
   bool fuzz_ = false;
 };
 

@@ -1,4 +1,4 @@
-// A comparison on the disk: what is compared, and block by block what came of it. What was killed goes on from there.
+// A comparison on the disk: its specification, and the results block by block. A killed run resumes from it.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +12,34 @@
 
 namespace sim::contest {
 
-/// Each block is a file that is there as a whole or not at all. Any thread, each block by one.
+/// The folder of a run. Each block is a file that is complete or absent. Thread-safe if each block has one writer.
 class RunFolder {
  public:
   static constexpr std::int64_t kPairsPerBlock = 25;
 
-  /// What somebody wants of a run.
+  /// The use of a run's folder.
   enum class Use {
-    begin,  // nothing is there
-    go_on,  // what is there is this run
-    share,  // likewise, and others write other blocks of it meanwhile
+    begin,  // the folder holds no run
+    go_on,  // the folder may hold this run
+    share,  // likewise, and other processes write other blocks meanwhile
   };
 
-  /// Opens or makes the folder of a run. A folder that holds another run is refused, and one that somebody else is using,
-  /// unless all of them share it.
+  /// Opens or creates the folder of a run. Refuses a folder that holds another run, or that another process uses,
+  /// unless all processes share it.
   static robot::Result<RunFolder> open(const std::filesystem::path& folder, const std::string& specification, Use use);
 
-  /// The pairs of a block; an Error where it is missing, damaged or of another run.
+  /// Returns the pairs of a block, or an Error if it is missing, damaged or of another run.
   robot::Result<std::vector<compare::Pair>> read(std::int64_t block) const;
 
-  /// There is a file for that block, whatever is in it.
+  /// Returns true if there is a file for this block, valid or not.
   bool has(std::int64_t block) const;
 
   robot::Result<void> write(std::int64_t block, const std::vector<compare::Pair>& pairs) const;
 
-  /// How many blocks there are if none is missing: one more than the last.
+  /// Returns the number of the last block plus one: the number of blocks if none is missing.
   std::int64_t blocks() const;
 
-  /// What was found, without what hangs on the machine: result.json.
+  /// Writes result.json: the results without figures that depend on the machine.
   robot::Result<void> write_result(const std::string& json) const;
 
   const std::filesystem::path& path() const { return folder_; }
@@ -51,7 +51,7 @@ class RunFolder {
   std::filesystem::path path_of(std::int64_t block) const;
 
   std::filesystem::path folder_;
-  std::string run_;  // the hash of its specification
+  std::string run_;  // hash of the specification
   robot::FileDescriptor lock_;
 };
 

@@ -1,4 +1,4 @@
-// Many games at once: each on one thread, the result the same however many threads there are.
+// Many games at once, each on one thread. The result is the same for any number of threads.
 #pragma once
 
 #include <cmath>
@@ -10,20 +10,21 @@
 
 namespace sim::contest {
 
-/// Calls `play(i)` for 0 <= i < games, from `threads` threads; `progress` hears how many are done, in one thread.
+/// Calls `play(i)` for 0 <= i < games, from `threads` threads. Calls `progress` with the number of finished games,
+/// always from the calling thread.
 void for_each_game(int games, int threads, const std::function<void(int)>& play,
                    const std::function<void(int)>& progress = {});
 
-/// As many threads as the machine has processors, but not more than games.
+/// Returns the number of the machine's processors, but at most `games` and at least 1.
 int threads_for(int games);
 
-/// What went wrong in one of many games; any thread.
+/// The first failure in many games. Thread-safe.
 class Problem {
  public:
-  /// The first one counts.
+  /// Keeps the first problem; later calls have no effect.
   void tell(const std::string& problem);
   bool is_known() const;
-  /// Empty: nothing did.
+  /// Returns the problem, or an empty string without one.
   std::string text() const;
 
  private:
@@ -31,13 +32,13 @@ class Problem {
   std::string text_;
 };
 
-/// A mean, and how far it may be off.
+/// A mean and its standard error.
 struct Mean {
   double mean = 0;
-  double error = 0;  // one standard error; 0 of fewer than two values
+  double error = 0;  // one standard error; 0 for fewer than two values
 };
 Mean mean_of(const std::vector<double>& values);
-/// Of an even number, the mean of the middle two; 0 of none.
+/// Returns the median: for an even number of values the mean of the middle two, and 0 for none.
 double median_of(std::vector<double> values);
 
 }  // namespace sim::contest

@@ -1,4 +1,4 @@
-// A comparison on a Slurm cluster: an array of jobs that play blocks, and one that merges them when all are done.
+// A comparison on a Slurm cluster: an array of jobs plays the blocks, and one more job merges them at the end.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace sim::contest {
 
-/// How a run is divided.
+/// The division of a run's blocks into tasks.
 struct Division {
   std::int64_t blocks = 0;
   std::int64_t blocks_per_task = 1;
@@ -18,18 +18,18 @@ struct Division {
   std::int64_t tasks() const { return (blocks + blocks_per_task - 1) / blocks_per_task; }
 };
 
-/// A task plays for at least a minute, and there are no more than Slurm's usual 1000 of them.
+/// Divides a run so that a task plays for at least a minute, with at most 1000 tasks: Slurm's usual limit.
 Division divide(std::int64_t blocks, double seconds_per_block);
 
-/// The scripts of the array and of the job that merges: `words` are those of this command line but for the engine.
+/// Return the scripts of the array and of the job that merges. `words` is this command line without the engine.
 std::string array_script(const std::vector<std::string>& words, const Division& division);
 std::string merge_script(const std::vector<std::string>& words);
 
 struct Submitted {
-  std::string array, merge;  // Slurm's numbers of the jobs
+  std::string array, merge;  // job numbers from Slurm
 };
 
-/// Writes both scripts into the run's folder, which all machines must see, and hands them to sbatch.
+/// Writes both scripts into the run's folder and submits them with sbatch. All machines must see the folder.
 robot::Result<Submitted> submit(const std::vector<std::string>& words, const Division& division,
                                 const RunFolder& folder);
 

@@ -1,4 +1,4 @@
-// A comparison as one page: a file to be opened, kept and sent, without scripts and without anything from elsewhere.
+// A comparison as one HTML page: a single file without scripts and without links to other files.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace sim::report {
 
-/// From what to_whole_json(report) says: each figure on the page is one of its.
+/// Returns the page for the JSON of to_whole_json(report). Each figure on the page is a figure of that JSON.
 std::string page_of(const Json& report);
 
 }  // namespace sim::report

@@ -1,4 +1,4 @@
-// What a comparison found, for people and for programs.
+// The outcome of a comparison, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -8,23 +8,24 @@
 
 namespace sim::report {
 
+/// A comparison with its outcome. The three objects must outlive it.
 struct ContestReport {
   const contest::Comparison& comparison;
   const contest::ContestOptions& options;
   const contest::Outcome& outcome;
 };
 
-/// The verdict in one sentence.
+/// Returns the verdict in one sentence.
 std::string sentence_of(const ContestReport& report);
 
-/// All of it but what hangs on the machine.
+/// Returns the report without figures that depend on the machine.
 Json to_json(const ContestReport& report);
-/// With that: how long it took, and what a decision costs.
+/// Returns to_json() and the figures of this machine: the duration and the cost of a decision.
 Json to_whole_json(const ContestReport& report);
-/// With the decisive pairs and how to see them, where that is asked for.
+/// Returns the report as text. With `explain` it lists the decisive pairs and the commands that replay them.
 std::string to_text(const ContestReport& report, bool explain);
 
-/// How many games an answer takes, going by a pilot.
+/// Return the number of games that an answer needs, estimated from a pilot run.
 Json plan_json(const ContestReport& pilot);
 std::string plan_text(const ContestReport& pilot);
 

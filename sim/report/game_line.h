@@ -1,4 +1,4 @@
-// A game in one line of JSON, for whoever evaluates thousands.
+// A game in one line of JSON, for the evaluation of thousands of games.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace sim::report {
 
-/// Plays a game and tells what it was like: the figures of its report, when the first goal fell, how often the ball
-/// went out, which robot saw it how often, and what a Census finds. Ends with a newline.
+/// Plays a game and returns its figures: those of its report, the time of the first goal and the number of balls out.
+/// Each robot's share of time with the ball in view and the figures of a Census follow. The line ends with a newline.
 std::string game_line(const Params& params, std::uint64_t seed);
 
 }  // namespace sim::report

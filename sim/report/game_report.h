@@ -1,4 +1,4 @@
-// What a game was like, for people and for programs.
+// The report of a game, as text and as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,11 +13,11 @@ namespace sim::report {
 
 using Json = nlohmann::ordered_json;
 
-/// A decision of the referee and when it fell, by the clock that people watch.
+/// A decision of the referee and its time on the game clock.
 struct Decision {
   referee::Event event;
   int half;
-  float clock;   // [s] of the half that had run
+  float clock;   // [s] since the start of the half, without stopped time
   int score[2];  // after it
 };
 
@@ -27,16 +27,16 @@ struct GameReport {
   std::vector<Decision> decisions;
 };
 
-/// "home 3", "away", …; empty where it is about nobody.
+/// Returns "home 3", "away", …, or an empty string for an event of no side.
 std::string who(const referee::Event& event);
-/// "07:31" of 451 s.
+/// Returns "07:31" for 451 s.
 std::string clock_text(float seconds);
 
 Json to_json(const GameReport& report, int players);
-/// The score, a table of both sides, and what happened when.
+/// Returns the score, a table of both sides, and the list of events.
 std::string to_text(const GameReport& report, const io::Matchup& choice, const Params& params);
 
-/// Several games: means with standard errors.
+/// Return the means of several games with their standard errors.
 Json to_json(const std::vector<GameReport>& reports, int players);
 std::string to_text(const std::vector<GameReport>& reports, const io::Matchup& choice, const Params& params);
 

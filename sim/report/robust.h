@@ -1,4 +1,4 @@
-// A verdict asked again under other models: does it hang on what robots are like?
+// A verdict repeated under other models: does it depend on the models of the robots?
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace sim::report {
 
-/// What was found under one of the conditions.
+/// The outcome under one of the conditions.
 struct UnderConditions {
-  std::string conditions;  // "walk x0.8"; empty: as the models say
+  std::string conditions;  // "walk x0.8"; empty: the models as they are
   compare::Verdict verdict = compare::Verdict::undecided;
   compare::Interval gain;
   std::int64_t pairs = 0;
 };
 
-/// The conditions under which the verdict is another than under the models as they are, which come first in the list.
+/// Returns the conditions with another verdict than the first of the list, the models as they are.
 std::vector<std::string> turned_by(const std::vector<UnderConditions>& found);
 
 /// "passing is better than baseline throughout: under all 7 models", "… under these models, but not with walk x0.8".
