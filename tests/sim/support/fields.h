@@ -1,11 +1,11 @@
-// The field that tests play on where nothing hangs on its size.
+// The field of tests that do not depend on its size.
 #pragma once
 
 #include "sim/field/field.h"
 
 namespace sim {
 
-/// As of 2012: without penalty areas.
+/// The field of 2012: without penalty areas.
 inline constexpr field::Field kField2012{.length = 6,
                                          .width = 4,
                                          .border = 0.7f,

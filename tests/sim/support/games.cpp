@@ -4,8 +4,8 @@
 
 namespace sim::test {
 
-io::PreparedGame setup_of(const io::Matchup& choice, float half) {
-  auto setup = io::prepare(choice);
+io::PreparedGame setup_of(const io::Matchup& matchup, float half) {
+  auto setup = io::prepare(matchup);
   EXPECT_TRUE(setup) << setup.error();
   if (!setup) return {};
   setup->params.rules.half_duration = half;
@@ -13,12 +13,12 @@ io::PreparedGame setup_of(const io::Matchup& choice, float half) {
 }
 
 io::Matchup choice_of(const std::string& rules, const std::string& strategy, const std::string& models, Pace pace) {
-  io::Matchup choice;
-  choice.rules = rules;
-  choice.strategies[0] = choice.strategies[1] = strategy;
-  choice.models[0] = choice.models[1] = models;
-  choice.pace = pace;
-  return choice;
+  io::Matchup matchup;
+  matchup.rules = rules;
+  matchup.strategies[0] = matchup.strategies[1] = strategy;
+  matchup.models[0] = matchup.models[1] = models;
+  matchup.pace = pace;
+  return matchup;
 }
 
 State after(const Params& params, State state, Tick ticks) {

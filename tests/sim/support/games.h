@@ -8,18 +8,18 @@
 
 namespace sim::test {
 
-/// What `choice` names, in halves of `half` [s]: every kind of thing that happens in a game happens in a minute or two
-/// too. A test fails when something is not there, and goes on with an empty setup.
-io::PreparedGame setup_of(const io::Matchup& choice, float half = 600);
+/// Prepares the game of `matchup`, with halves of `half` [s]: a minute or two already holds every kind of event. If a
+/// name is unknown, the test fails and goes on with an empty game.
+io::PreparedGame setup_of(const io::Matchup& matchup, float half = 600);
 
-/// Both sides the same; at every tick, unless told otherwise.
+/// Returns a matchup with the same strategy and models on both sides.
 io::Matchup choice_of(const std::string& rules, const std::string& strategy, const std::string& models,
                       Pace pace = Pace::every_tick);
 
-/// The state `ticks` later, or at the end of the game.
+/// Returns the state `ticks` later, or at the end of the game.
 State after(const Params& params, State state, Tick ticks);
 
-/// A new game.
+/// Returns the first state of a new game.
 State begun(const Params& params, std::uint64_t seed);
 
 /// Calls see(robot, body) for each robot that stands on the field.

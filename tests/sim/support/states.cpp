@@ -23,7 +23,7 @@ State scrambled(std::uint64_t seed) {
       field = static_cast<Field>(word);
   });
 
-  // what counts or points into an array
+  // counts and indices of arrays must be possible
   World& world = state.world;
   world.players = 1 + (world.players & 3);
   world.home_attacks = world.home_attacks > 0 ? 1.f : -1.f;
@@ -63,7 +63,7 @@ World across(World world) {
   return world;
 }
 
-/// The halves of a list by robot.
+/// Exchanges the two halves of a list by robot.
 template <class Value>
 void exchange(Value (&list)[kMaxRobots]) {
   std::swap_ranges(list, list + kMaxPlayers, list + kMaxPlayers);

@@ -1,4 +1,4 @@
-// States for tests: any numbers, mirrored ones, and those in which the sides have changed names.
+// States for tests: random ones, mirrored ones, and ones with exchanged sides.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@
 
 namespace sim::test {
 
-/// Every field has some possible value, most of them none that a game would have. A function of `seed`.
+/// Returns a state whose fields hold random possible values, most of which no game has. The result depends only on
+/// `seed`.
 State scrambled(std::uint64_t seed);
 
-/// As seen in a mirror along the x axis: left is right and y is -y.
+/// Returns the state mirrored at the x axis: left is right and y is -y.
 State mirrored(const State& state);
 
-/// The same robots do the same in the same places, but those that were home are called away.
+/// Return the same game with the names of the sides exchanged: the home robots are the away robots, in the same places.
 State exchanged(const State& state);
 Params exchanged(const Params& params);
 
-/// Without what makes no difference: the foot of a kick that is over, and whether half a turn is one to the left or to
-/// the right.
+/// Returns the state without values that have no effect: the foot of a finished kick, and the sign of half a turn.
 State as_it_matters(State state);
 
 }  // namespace sim::test
