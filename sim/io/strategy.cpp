@@ -86,7 +86,8 @@ Result<Json> whole_of(const Json& own, const std::string& called, int bases) {
   const auto based_on = own.find("based_on");
   if (based_on == own.end()) return own;
   if (!based_on->is_string()) return Error{called + ": based_on must be a text, got " + shown(*based_on)};
-  if (bases == kMostBases) return Error{called + ": based_on leads through more than 8 files, or back to the same file"};
+  if (bases == kMostBases)
+    return Error{called + ": based_on leads through more than 8 files, or back to the same file"};
   const Result<Source> source = find_source("strategies", "strategy", based_on->get<std::string>());
   if (!source) return Error{called + ": based_on: " + source.error()};
   const Result<Json> json = parse_object(source->text, source->called);

@@ -40,8 +40,7 @@ class Census {
     Average shifting;           // share of time between standing and walking
     Average down;               // share of time on the ground
     Average kick_astray;        // [rad] between the intended and the true direction of a kicked ball
-    Average
-        push_astray;  // [rad] between the bearing of a lying ball and its way when a walk pushes it
+    Average push_astray;        // [rad] between the bearing of a lying ball and its way when a walk pushes it
   };
 
   void look_at(const State& state, int robot, Figures& figures) const;

@@ -57,11 +57,9 @@ struct Played {
     put(memory->pose, [&](pb::Pose& pose) { to_proto(beliefs.pose, pose); });
     put(memory->team, [&](pb::Team& team) { to_proto(beliefs, 2, timeline, team); });
     put(memory->opponents, [&](pb::Opponents& opponents) { to_proto(beliefs, timeline, opponents); });
-    put(memory->game,
-        [&](pb::GameState& game) { to_proto(setup.params, state, kRobot, teams, timeline, game); });
+    put(memory->game, [&](pb::GameState& game) { to_proto(setup.params, state, kRobot, teams, timeline, game); });
     put(memory->motion_status, [&](pb::MotionStatus& status) {
-      to_proto(state.world.bodies[kRobot], state.robots[kRobot].command, models.motion, state.world.tick,
-                       status);
+      to_proto(state.world.bodies[kRobot], state.robots[kRobot].command, models.motion, state.world.tick, status);
     });
   }
 
