@@ -1,4 +1,4 @@
-// foresight-sim bench: what a game costs. The bar: a whole spl2012 game at most 150 cycles per robot and tick, 12 ms.
+// foresight-sim bench: the cost of a game. Budget of a whole spl2012 game: 150 cycles per robot and tick, 12 ms.
 #include <chrono>
 #include <cstdio>
 
@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::uint64_t kFirstSeed = 1;
 
-/// What one game cost.
+/// The cost of one game.
 struct Cost {
-  double ns = 0;             // of the thread that played it
-  double cycles_per_ns = 0;  // of the clock just before it
+  double ns = 0;             // computing time of the thread that played it
+  double cycles_per_ns = 0;  // clock rate just before the game
   double robot_ticks = 0;
 };
 
@@ -53,7 +53,7 @@ class BenchCommand final : public Command {
     const auto lineup = choice_.line_up();
     if (!lineup) return fail(lineup.error());
     contest::Problem problem;
-    cost_of(*lineup, 0, problem);  // caches and clock warm
+    cost_of(*lineup, 0, problem);  // warms the caches and the clock
 
     std::vector<Cost> costs(static_cast<std::size_t>(games_));
     const auto begin = std::chrono::steady_clock::now();

@@ -1,5 +1,5 @@
-// foresight-sim calibration: do forecasts come true as often as they say? Asked in the middle of whole games, from what
-// one robot believes, and compared with how the game went on.
+// foresight-sim calibration: do forecasts come true as often as they say? One robot asks in the middle of whole games,
+// from its beliefs. The forecast is compared with the rest of the game.
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -19,11 +19,11 @@ namespace {
 
 using foresight::Reliability;
 
-constexpr int kAsked = 1;    // home 2, the captain as a rule
+constexpr int kAsked = 1;    // home 2, usually the captain
 constexpr int kPerGame = 8;  // situations
 constexpr std::uint64_t kFirstSeed = 2'000'001;
 
-/// One forecast of one event, and whether it came.
+/// A forecast of an event, and whether the event came.
 struct Case {
   double foretold = 0;  // [0..1]
   bool came = false;
@@ -31,7 +31,7 @@ struct Case {
 
 struct Cases {
   std::vector<Case> score, concede;
-  int untold = 0;  // situations in which nothing could be told
+  int untold = 0;  // situations without a forecast
 
   void add(const Cases& other) {
     score.insert(score.end(), other.score.begin(), other.score.end());
@@ -115,7 +115,7 @@ class CalibrationCommand final : public Command {
   }
 
  private:
-  /// The moments of a game: what is foretold then, and how it goes on.
+  /// Plays a game. Returns the forecasts at its moments and the events that followed.
   Cases play(const Params& params, const io::Playbook& playbook, std::uint64_t seed) const {
     Cases cases;
     const Tick horizon = ticks(static_cast<float>(seconds_));

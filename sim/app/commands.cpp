@@ -48,7 +48,7 @@ class ListCommand final : public Command {
  private:
   std::string noun() const { return kind_ == "strategies" ? "strategy" : kind_ == "situations" ? "situation" : kind_; }
 
-  /// As it is written, with its sources; or, where something differs from that, what comes of it.
+  /// Prints the description with its sources. With changes in the name it prints the changed values.
   int print_one() {
     const bool varies = kind_ == "rules" || kind_ == "models";
     if (varies && show_.find_first_of(",:") != show_.npos) return print_variation();

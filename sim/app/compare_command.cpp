@@ -114,7 +114,7 @@ class CompareCommand final : public Command {
     contest_.jobs = contest::threads_for(1 << 20);
   }
 
-  /// What else there is to do than to give the verdict.
+  /// Adds the other kinds of runs.
   void add_kinds() {
     CLI::Option_group* const kinds = options().add_option_group("instead of the plain verdict");
     kinds->require_option(0, 1);
@@ -137,7 +137,7 @@ class CompareCommand final : public Command {
     return resume_ || verify_ ? contest::RunFolder::Use::go_on : contest::RunFolder::Use::begin;
   }
 
-  /// The report, wherever it is wanted; the exit status.
+  /// Writes the report to each requested place. Returns the exit status.
   int tell(const report::ContestReport& report, const contest::RunFolder* folder) const {
     const report::Json json = report::to_whole_json(report);
     if (folder)
@@ -153,7 +153,7 @@ class CompareCommand final : public Command {
     return status_of(report.outcome.verdict);
   }
 
-  /// What CLI11 leaves as text; a sentence if it makes no sense.
+  /// Parses the options that CLI11 leaves as text. Returns an error sentence, or an empty string.
   std::string read_words() {
     if (!itself_.empty()) {
       if (!choice_.a.empty()) return "--aa names the behaviour; got another one: '" + choice_.a + "'";
@@ -205,7 +205,7 @@ class CompareCommand final : public Command {
     return "";
   }
 
-  /// This command line, for somebody who plays a part of it: one process, and no engine.
+  /// Returns this command line for a job of a cluster: with one process and without an engine.
   std::vector<std::string> words_for_jobs() {
     std::vector<std::string> words = {std::filesystem::read_symlink("/proc/self/exe").string(), "compare"};
     for (const CLI::Option* option : options().get_options()) {

@@ -30,13 +30,13 @@ void count_events(report::GameReport& report) {
     ++report.result.events[static_cast<int>(decision.event.kind)][static_cast<int>(decision.event.side)];
 }
 
-/// How long a game takes at least; with dead time it is longer.
+/// Returns the shortest length of a game; dead time makes it longer.
 Tick expected_ticks(const field::Rules& rules) { return ticks(rules.half_duration) * static_cast<Tick>(rules.halves); }
 
-/// When a game that lasts at most so long ends [s]; 0: whenever it does.
+/// Returns the last tick of a game of at most `seconds`; 0: no limit.
 Tick end_of(const State& state, float seconds) { return seconds > 0 ? state.world.tick + ticks(seconds) : kNever; }
 
-/// A recording that is wanted, and its size when the game is over.
+/// A requested recording, and its size after the game.
 struct Recording {
   std::string path;
   robot::bridge::GameNames names;
@@ -136,7 +136,7 @@ class MatchCommand final : public Command {
   }
 
  private:
-  // beyond 2^53 a seed would not survive a browser
+  // a browser cannot represent every integer above 2^53
   static constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;
 
   int run_one(const contest::Lineup& lineup, const contest::Openings& openings) {
@@ -188,7 +188,7 @@ class MatchCommand final : public Command {
     return kDone;
   }
 
-  /// Calls play(game, seed, cast) for each game; what is wrong with a behaviour from outside, or empty.
+  /// Calls play(game, seed, cast) for each game. Returns the failure of a behaviour from outside, or an empty string.
   std::string play_all(const contest::Lineup& lineup,
                        const std::function<void(int, std::uint64_t, const contest::Cast&)>& play) const {
     Progress progress("playing", static_cast<std::uint64_t>(games_));
