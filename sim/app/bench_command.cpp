@@ -39,13 +39,17 @@ std::vector<double> values_of(const std::vector<Cost>& costs, double (*value)(co
 
 class BenchCommand final : public Command {
  public:
-  explicit BenchCommand(CLI::App& app) : Command(app.add_subcommand("bench", "what a game costs on this machine")) {
+  explicit BenchCommand(CLI::App& app)
+      : Command(app.add_subcommand("bench", "measure the cost of a game on this machine")) {
     choice_.add_to(options());
     options()
-        .add_option("--games", games_, "how many, one after the other on each thread")
+        .add_option("--games", games_, "number of games, one after the other on each thread")
         ->check(CLI::Range(1, 100'000))
         ->capture_default_str();
-    options().add_option("--threads", threads_, "how many at once")->check(CLI::Range(1, 256))->capture_default_str();
+    options()
+        .add_option("--threads", threads_, "number of games at once")
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
     options().add_flag("--json", json_, "report as JSON");
   }
 

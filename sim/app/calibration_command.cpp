@@ -76,15 +76,15 @@ class CalibrationCommand final : public Command {
       : Command(app.add_subcommand("calibration", "do forecasts come true as often as they say?")) {
     choice_.add_to(options());
     options()
-        .add_option("--situations", situations_, "how many are asked about")
+        .add_option("--situations", situations_, "number of situations")
         ->check(CLI::Range(kPerGame, 1'000'000))
         ->capture_default_str();
     options()
-        .add_option("--rollouts", rollouts_, "how many futures each forecast comes from")
+        .add_option("--rollouts", rollouts_, "number of futures per forecast")
         ->check(CLI::Range(foresight::kFewestStripes, 100'000))
         ->capture_default_str();
     options()
-        .add_option("--seconds", seconds_, "how far each forecast looks")
+        .add_option("--seconds", seconds_, "[s] horizon of each forecast")
         ->check(CLI::Range(1., 300.))
         ->capture_default_str();
     options().add_flag("--json", json_, "report as JSON");
@@ -158,8 +158,8 @@ class CalibrationCommand final : public Command {
       std::printf("%s\n", json.dump(2).c_str());
       return;
     }
-    std::printf("%zu situations, %d futures of %g s each; in %d others it could not tell\n\n", cases.score.size(),
-                rollouts_, seconds_, cases.untold);
+    std::printf("%zu situations, %d futures of %g s each; %d others had no forecast\n\n", cases.score.size(), rollouts_,
+                seconds_, cases.untold);
     print("own goal next", score);
     print("goal of the others next", concede);
   }

@@ -1,11 +1,11 @@
 // foresight-sim choosing: what is it worth to choose between strategies during a game?
 //
-// The first strategy plays games. At moments of these games each other strategy plays for a while, and then the first one
-// again, in many futures of the true state. This measures two gains. One is that of the best strategy, for a captain that
-// knows everything. The other is that of the strategy that a captain chooses by a few futures of its beliefs. Over a game
-// such gains add up: the difference between two policies is the sum of the advantages of one over the other (Kakade and
-// Langford, ICML 2002). Here the sum is over the first strategy's moments instead of the captain's own. So minutes are
-// enough for a difference that whole games would show after days.
+// The first strategy plays games. At moments of these games each other strategy plays for a while, and then the first
+// one again, in many futures of the true state. This measures two gains. One is that of the best strategy, for a
+// captain that knows everything. The other is that of the strategy that a captain chooses by a few futures of its
+// beliefs. Over a game such gains add up: the difference between two policies is the sum of the advantages of one over
+// the other (Kakade and Langford, ICML 2002). Here the sum is over the first strategy's moments instead of the
+// captain's own. So minutes are enough for a difference that whole games would show after days.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -85,7 +85,7 @@ class ChoosingCommand final : public Command {
         ->check(CLI::Range(kPerGame, 1'000'000))
         ->capture_default_str();
     options()
-        .add_option("--futures", futures_, "of each strategy in each moment, for what is truly best")
+        .add_option("--futures", futures_, "number per strategy and moment, for the truly best strategy")
         ->check(CLI::Range(4, 100'000))
         ->capture_default_str();
     options()
@@ -105,7 +105,7 @@ class ChoosingCommand final : public Command {
         ->check(CLI::Range(0.5, 0.999))
         ->capture_default_str();
     options()
-        .add_option("--switching-cost", terms_.switching_cost, "[goals] what a change costs")
+        .add_option("--switching-cost", terms_.switching_cost, "[goals] cost of a change")
         ->check(CLI::Range(0., 1.))
         ->capture_default_str();
     options().add_flag("--insights", insights_,

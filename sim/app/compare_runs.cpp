@@ -76,7 +76,7 @@ int run_plan(const CompareTask& task, const contest::Comparison& comparison) {
   }
   if (outcome->tally.gain_squares == 0)
     return fail("--plan: the pilot's " + std::to_string(outcome->tally.pairs) +
-                " pairs all came out even, which tells nothing; try more with --pairs");
+                " pairs all came out even, so the variance is unknown; try more with --pairs");
   const report::ContestReport report{comparison, pilot, *outcome};
   if (task.json)
     std::printf("%s\n", report::plan_json(report).dump(2).c_str());

@@ -103,12 +103,12 @@ class MatchCommand final : public Command {
         ->capture_default_str();
     options().add_option("--from", from_,
                          "where it begins: a described moment, its name or file, or a folder of them, evenly");
-    options().add_flag("--fuzz", fuzz_, "with --from: everybody stands a little elsewhere");
+    options().add_flag("--fuzz", fuzz_, "with --from: begins with slightly shifted robots and ball");
     options()
         .add_option("--seconds", seconds_, "how long it goes on at most, getting ready included")
         ->check(CLI::Range(1., 36000.));
     options().add_flag("--json", json_, "report as JSON");
-    options().add_flag("--lines", lines_, "of each game a line of JSON, with what robots believed beside what was so");
+    options().add_flag("--lines", lines_, "print a line of JSON per game, with the errors of the robots' beliefs");
     options().add_option("--mcap", mcap_, "new file for a recording of the game: truth, beliefs and decisions");
     options()
         .add_option("--home-team", teams_.home, "team number in the recording")

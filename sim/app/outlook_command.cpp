@@ -86,12 +86,9 @@ Outlook outlook_of(const Moments& moments) {
 class OutlookCommand final : public Command {
  public:
   explicit OutlookCommand(CLI::App& app)
-      : Command(app.add_subcommand("outlook", "fits what the ball's place is worth, for sim/data/outlooks")) {
+      : Command(app.add_subcommand("outlook", "fit the value of the ball's place, for sim/data/outlooks")) {
     choice_.add_to(options());
-    options()
-        .add_option("--games", games_, "how many are looked at")
-        ->check(CLI::Range(1, 1'000'000))
-        ->capture_default_str();
+    options().add_option("--games", games_, "number of games")->check(CLI::Range(1, 1'000'000))->capture_default_str();
   }
 
   int run() override {

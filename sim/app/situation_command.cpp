@@ -145,20 +145,20 @@ class SituationCommand final : public Command {
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
     options()
-        .add_option("--seconds", seconds_, "how long each is")
+        .add_option("--seconds", seconds_, "[s] length of each")
         ->check(CLI::Range(0.1, 36000.))
         ->capture_default_str();
-    options().add_flag("--fuzz", fuzz_, "in each everybody stands a little elsewhere");
+    options().add_flag("--fuzz", fuzz_, "each begins with slightly shifted robots and ball");
     options()
         .add_option("--strategies", strategies_,
                     "which of these should the home side play from here on? The first is what it plays now")
         ->delimiter(',');
     options()
-        .add_option("--measure", measure_, "by what --strategies are compared")
+        .add_option("--measure", measure_, "the measure that compares --strategies")
         ->check(CLI::IsMember(listed(foresight::kMeasureNames)))
         ->capture_default_str();
     options()
-        .add_option("--until", until_, "how far --strategies look; horizon: --seconds")
+        .add_option("--until", until_, "end of the futures of --strategies; horizon: --seconds")
         ->check(CLI::IsMember(listed(foresight::kUntilNames)))
         ->capture_default_str();
     options().add_flag("--json", json_, "report as JSON");

@@ -20,10 +20,11 @@ struct Played {
 class VetCommand final : public Command {
  public:
   explicit VetCommand(CLI::App& app)
-      : Command(app.add_subcommand("vet", "is a behaviour fit to be compared? twice the same, and what it costs")) {
+      : Command(
+            app.add_subcommand("vet", "is a behaviour fit to be compared? it must repeat its games; and its cost")) {
     options().add_option("behaviour", name_, "name, file, library or pipe:command")->required();
     options()
-        .add_option("--seconds", seconds_, "of the game that is played")
+        .add_option("--seconds", seconds_, "[s] length of the game")
         ->check(CLI::Range(1., 3600.))
         ->capture_default_str();
     options().add_option("--seed", seed_, "of the game")->capture_default_str();
@@ -107,7 +108,8 @@ class VetCommand final : public Command {
       return;
     }
     std::printf("%s, %g s of a game against baseline\n", name_.c_str(), seconds_);
-    std::printf("  the same each time   %s\n", same ? "yes" : "NO: its decisions hang on something else than the game");
+    std::printf("  the same each time   %s\n",
+                same ? "yes" : "NO: its decisions depend on something other than the game");
     std::printf("  taken back           %s%s\n", by_memory ? "by its memory" : "by playing again from the seed",
                 returns ? "" : ", and then it is ANOTHER game");
     std::printf("  a decision costs     %.2f us\n", cost.mean_us());
