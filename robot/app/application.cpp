@@ -16,7 +16,7 @@ using nlohmann::json;
 
 std::string text(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
-/// 64-bit numbers go as text: a browser's numbers are exact to 53 bits only.
+/// Converts a 64-bit number to text, because a browser's numbers are exact to 53 bits only.
 std::string exact(std::uint64_t value) { return std::to_string(value); }
 
 json describe(const logging::RecordingStatus& status) {
@@ -62,7 +62,7 @@ json describe(const logging::Session& session) {
           {"streams", std::move(streams)}};
 }
 
-/// A file of a session that is not written any more: its size and its time are its version.
+/// Opens a file of a session that is not being recorded. The file's size and time are its version (ETag).
 Result<net::LogFile> open_file(const logging::Session& session, const std::string& file) {
   const std::string who = "session " + session.id() + ": ";
   if (session.state == logging::SessionState::recording)
@@ -99,7 +99,7 @@ std::string Application::sessions_json() {
 
 Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
   const Result<logging::Session> session = store_.find(request.session);
-  if (!session) return Error{session.error()};
+  if (!session) return session.failure();
   if (request.file) return open_file(*session, *request.file);
   if (session->state == logging::SessionState::recording && !request.until_ns)
     return net::LogFile{
@@ -108,7 +108,7 @@ Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
   if (request.stream) file = *request.stream + ".mcap";
   const auto assembly = downloads_.open(
       *session, file, {.from_ns = request.from_ns, .to_ns = request.to_ns, .until_ns = request.until_ns});
-  if (!assembly) return Error{assembly.error()};
+  if (!assembly) return assembly.failure();
   return net::LogFile{.body = *assembly, .etag = (*assembly)->etag(), .redirect_until_ns = {}};
 }
 

@@ -1,10 +1,10 @@
-// What the server tells of this process: its state, its sessions and their downloads.
+// The answers of the HTTP API about this process: its state, its sessions and their downloads.
 #pragma once
 
 #include <functional>
 #include <string>
 
-#include "robot/app/services/game_control.h"
+#include "robot/app/services/game_service.h"
 #include "robot/core/clock.h"
 #include "robot/logging/sessions/downloads.h"
 #include "robot/logging/sessions/recorder.h"
@@ -13,7 +13,7 @@
 
 namespace robot::app {
 
-/// Who this process is.
+/// The names of this process, as the status reports them.
 struct Identity {
   std::string name;                 // of the program: "foresight-robot"
   std::string body;                 // "replay", "sim", …
@@ -21,20 +21,22 @@ struct Identity {
   std::string session_id;           // of this run of the server
 };
 
-/// Any thread.
+/// The backend of the server. Used by any thread.
 class Application final : public net::Backend {
  public:
-  /// The given ones outlive this; `recorder` may be null where nothing is recorded.
+  /// `clock`, `store` and `recorder` outlive this. `recorder` is null in a process that does not record.
   Application(Identity identity, const Clock& clock, logging::SessionStore& store, const logging::Recorder* recorder)
       : identity_(std::move(identity)), clock_(clock), store_(store), recorder_(recorder) {}
 
-  /// How many clients there are; asked for each status. Set before the server starts.
+  /// Sets the function that counts the clients. Each status calls it. Call this before the server starts.
   void count_clients_by(std::function<std::size_t()> count) { count_clients_ = std::move(count); }
 
-  /// What the game is like; asked for each status. Set before the server starts; without it there is no game.
+  /// Sets the function that returns the state of the game. Each status calls it; without it the game's fields are
+  /// empty. Call this before the server starts.
   void tell_game_by(std::function<GameStatus()> game) { game_ = std::move(game); }
 
-  /// Answers who asks for parts of a recording that is played. Set before the server starts; without it there is none.
+  /// Sets the function that answers requests for parts of the played recording. Without it such requests get 404.
+  /// Call this before the server starts.
   void play_by(std::function<net::HttpResponse(const net::PlayedRequest&)> played) { played_ = std::move(played); }
 
   std::string status_json() override;

@@ -1,4 +1,4 @@
-# Writes build_id.h when the commit has changed. Called at every build, touches nothing otherwise.
+# Writes build_id.h when the commit has changed. Runs at every build, and leaves the file alone if nothing changed.
 execute_process(COMMAND git -C ${SOURCE_DIR} rev-parse --short=12 HEAD
   OUTPUT_VARIABLE FORESIGHT_BUILD_ID OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE failed ERROR_QUIET)
 if(failed)

@@ -17,7 +17,7 @@
 namespace robot::app {
 namespace {
 
-/// All messages of `topic`, as they were written.
+/// Reads all messages of `topic`, in the order of writing.
 template <class Message>
 std::vector<bridge::Remembered<Message>> read_all(const logging::Session& session, const std::string& topic) {
   std::vector<bridge::Remembered<Message>> all;
@@ -27,7 +27,7 @@ std::vector<bridge::Remembered<Message>> read_all(const logging::Session& sessio
   if (!stream->open()) return all;
   while (true) {
     const Result<std::optional<logging::Record>> record = stream->read();
-    if (!record) continue;  // a damage is told by the table of streams
+    if (!record) continue;  // the table of streams reports the damage
     if (!*record) break;
     bridge::Remembered<Message> message{.value = {}, .capture_ns = (*record)->capture_ns};
     if (message.value.ParseFromString((*record)->bytes)) all.push_back(std::move(message));
@@ -35,7 +35,8 @@ std::vector<bridge::Remembered<Message>> read_all(const logging::Session& sessio
   return all;
 }
 
-/// By how much goals are told late: by the rules of the recorded simulation, else by the newest. [s]
+/// Returns the delay [s] of the referee's message about a goal: by the rules of the recorded simulation, or by the
+/// newest rules if no simulation was recorded.
 float goal_delay_of(const std::vector<bridge::Remembered<foresight::Simulation>>& simulations) {
   const std::string rules = simulations.empty() ? foreseeing::kNewestRules : simulations.front().value.rules();
   const auto loaded = sim::io::load_rules(rules);
@@ -58,7 +59,7 @@ std::map<std::string, foresight::ForecastScore> score_forecasts(const logging::S
     if (forecasts.empty() || games.empty()) continue;
     std::ranges::stable_sort(games, {}, &bridge::Remembered<foresight::GameState>::capture_ns);
     foreseeing::Scorer scorer(goal_delay);
-    // in the order of writing: a choice has the time of its question, and was written over what was told since
+    // in the order of writing, because a choice carries the time of its question and replaces newer values
     for (const auto& strategy : read_all<foresight::Strategy>(session, "/" + robot + "/strategy"))
       scorer.see(strategy.value, strategy.capture_ns);
     auto next = forecasts.begin();

@@ -1,4 +1,4 @@
-// How well the forecasts in a recording came true.
+// Scores of the forecasts in a recording: how well they came true.
 #pragma once
 
 #include <map>
@@ -9,7 +9,8 @@
 
 namespace robot::app {
 
-/// By robot ("14/2"), of each that recorded forecasts and the game. What cannot be read is left out.
+/// Returns the scores by robot ("14/2"), for each robot that recorded forecasts and the game. Skips what cannot be
+/// read.
 std::map<std::string, foresight::ForecastScore> score_forecasts(const logging::Session& session);
 
 }  // namespace robot::app

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMaxRecordingBytes = 2'000'000'000;
 
 std::string format_of(std::string_view bytes) {
-  // an nblog begins with the size of its header in 4 bytes, then the header, which says so
+  // an nblog begins with 4 bytes for the size of its header; the header begins with its name
   if (bytes.size() > 10 && bytes.substr(4, 6) == "(nblog") return "nblog";
   return "bhuman2009";
 }
@@ -35,12 +35,12 @@ logging::SessionInfo session_info(RobotName robot, std::string name, std::uint64
           .start_ns = start_ns};
 }
 
-/// Opens a session, has it filled, and takes it away again if that failed.
+/// Creates a session and calls `fill` with its sink. Removes the session if that fails.
 template <class Fill>
 auto write_session(const std::filesystem::path& folder, logging::SessionInfo info, Fill&& fill)
     -> decltype(fill(std::declval<lab::ImportSink&>())) {
   auto writer = logging::SessionWriter::create(folder, info);
-  if (!writer) return Error{writer.error()};
+  if (!writer) return writer.failure();
   lab::SessionSink sink(info.robot, **writer);
   auto filled = fill(sink);
   Result<void> closed = (*writer)->close();
@@ -54,15 +54,15 @@ auto write_session(const std::filesystem::path& folder, logging::SessionInfo inf
 
 Result<lab::ImportReport> import_recording(const ImportRequest& request) {
   const Result<std::string> bytes = read_file(request.file, kMaxRecordingBytes);
-  if (!bytes) return Error{"import: " + bytes.error()};
+  if (!bytes) return bytes.failure("import");
   const std::string format = request.format == "auto" ? format_of(*bytes) : request.format;
   return write_session(request.session, session_info(request.robot, request.name, kUndatedEpochNs),
                        [&](lab::ImportSink& sink) -> Result<lab::ImportReport> {
                          Result<lab::ImportReport> report = import_bytes(format, *bytes, sink);
                          if (report && report->messages.empty())
-                           return Error{"import: " + request.file.string() + " holds no message" +
+                           return Error{"import: " + request.file.string() + " contains no message" +
                                         (report->damage.empty() ? "" : ": " + report->damage)};
-                         if (!report) return Error{"import: " + request.file.string() + ": " + report.error()};
+                         if (!report) return report.failure("import: " + request.file.string());
                          return report;
                        });
 }

@@ -1,4 +1,4 @@
-// Recordings of others, made into sessions.
+// Recordings of other programs and of the synthetic robot as sessions.
 #pragma once
 
 #include <filesystem>
@@ -10,23 +10,24 @@
 
 namespace robot::app {
 
+/// The arguments of an import.
 struct ImportRequest {
-  std::string format;  // "bhuman2009", "nblog", or "auto": told by the file's own bytes
+  std::string format;  // "bhuman2009", "nblog", or "auto": recognised by the first bytes of the file
   std::filesystem::path file;
-  std::filesystem::path session;  // the folder to be made
+  std::filesystem::path session;  // folder that is created
   RobotName robot;
   std::string name;
 };
 
-/// Writes the session. A damaged file gives what comes before the damage; the report names it.
-/// An Error leaves no session behind.
+/// Writes the session. From a damaged file it imports everything before the damage, and the report names the damage.
+/// After an Error there is no session.
 Result<lab::ImportReport> import_recording(const ImportRequest& request);
 
-/// Makes a session of `seconds` of a robot that never was.
+/// Writes a session of the synthetic robot, `seconds` long (1 .. 600).
 Result<lab::ImportReport> synthesize(const std::filesystem::path& session, RobotName robot, double seconds);
 
-/// When the recordings of the formats that tell no date are said to have been made [ns since the epoch]:
-/// 2009-07-01, 0:00 UTC, the summer the B-Human recording is from.
+/// Start time [ns since the epoch] of recordings whose format contains no date: 2009-07-01, 0:00 UTC, the summer of
+/// B-Human's recording.
 inline constexpr std::uint64_t kUndatedEpochNs = 1'246'406'400ull * 1'000'000'000;
 
 }  // namespace robot::app

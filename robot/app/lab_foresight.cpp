@@ -4,7 +4,7 @@
 #include <mutex>
 #include <utility>
 
-#include "robot/app/services/foresight_control.h"
+#include "robot/app/services/foresight_service.h"
 #include "robot/core/clock.h"
 #include "robot/logging/sessions/session.h"
 #include "robot/logging/sessions/session_provider.h"
@@ -14,22 +14,22 @@
 namespace robot::app {
 namespace {
 
-/// Adds a channel of that topic; it holds the newest message of the stream at or before `at_ns`, where there is one.
+/// Adds a channel of that topic. It holds the newest message of the stream at or before `at_ns`, if there is one.
 Result<void> take_over(logging::InProvider& stream, const std::string& topic, std::uint64_t at_ns, const Clock& clock,
                        memory::Channels& channels) {
   Result<memory::ChannelInfo> info = stream.open();
-  if (!info) return Error{info.error()};
-  info->topic = topic;  // a robot may be played under another name than it recorded by
+  if (!info) return info.failure();
+  info->topic = topic;  // a robot may be played under another name than the recorded one
   const auto channel = std::make_shared<memory::RawChannel>(*info, clock);
   if (Result<void> moved = stream.seek(at_ns); !moved) return moved;
   const auto record = stream.read();
-  if (!record) return Error{record.error()};
+  if (!record) return record.failure();
   if (*record && (*record)->capture_ns <= at_ns)
     if (Result<void> written = channel->write_bytes((*record)->bytes, (*record)->capture_ns); !written) return written;
   return channels.add(channel);
 }
 
-/// All that a question about `robot` is answered from.
+/// Returns the topics that a question about `robot` needs.
 std::vector<std::string> topics_of(const std::string& robot) {
   std::vector<std::string> topics{bridge::kSimulationTopic};
   const bridge::Recollection none;
@@ -37,13 +37,14 @@ std::vector<std::string> topics_of(const std::string& robot) {
   return topics;
 }
 
-/// Models of a recording that are none of ours any more cannot be had.
+/// Returns `name` if there are models of that name, otherwise "match": a recording may name models that no longer
+/// exist.
 std::string models_called(const std::string& name) {
   const auto names = sim::io::names_of("models");
   return std::ranges::find(names, name) == names.end() ? "match" : name;
 }
 
-/// Of that list: what is asked of first, then those that there are anyway.
+/// Appends the default strategies to the given ones, without repetition, up to the greatest number of a question.
 std::vector<std::string> with_default_strategies(std::vector<std::string> strategies) {
   for (const std::string& name : default_strategies())
     if (std::ranges::find(strategies, name) == strategies.end() && strategies.size() < sim::foresight::kMaxStrategies)
@@ -77,7 +78,7 @@ Result<std::shared_ptr<foreseeing::Foreseer>> LabForesight::foreseer_for(const S
                                           .models = setting.models,
                                           .opponent_models = setting.opponent_models,
                                           .share = foreseeing::Share::background});
-  if (!made) return Error{made.error()};
+  if (!made) return made.failure();
   foreseer_ = std::move(*made);
   if (hurries_) foreseer_->hurry();
   prepared_ = setting;
@@ -97,17 +98,16 @@ Result<foresight::Forecast> LabForesight::ask(const StreamOf& stream_of, const s
   for (const std::string& topic : topics_of(robot)) {
     const auto stream = stream_of(topic);
     if (!stream) continue;
-    if (Result<void> taken = take_over(*stream, topic, now_ns, clock, channels); !taken)
-      return Error{topic + ": " + taken.error()};
+    if (Result<void> taken = take_over(*stream, topic, now_ns, clock, channels); !taken) return taken.failure(topic);
   }
   const auto foreseer = foreseer_for(setting_of(channels, robot));
-  if (!foreseer) return Error{foreseer.error()};
+  if (!foreseer) return foreseer.failure();
   return ask_for(**foreseer, channels, robot, question, now_ns);
 }
 
 Result<foresight::Forecast> what_if(const WhatIfOptions& options) {
   const Result<logging::Session> session = logging::open_session(options.session);
-  if (!session) return Error{session.error()};
+  if (!session) return session.failure();
   const auto at = static_cast<std::int64_t>(options.at * 1e9);
   const std::uint64_t at_ns = (at < 0 ? session->end_ns : session->start_ns) + static_cast<std::uint64_t>(at);
   if (at_ns < session->start_ns || at_ns > session->end_ns)

@@ -1,4 +1,4 @@
-// Foresight over recordings: what would we have done from that moment on?
+// Foresight over recordings: the best strategy from a moment of a recording on.
 #pragma once
 
 #include <cstdint>
@@ -17,33 +17,37 @@
 
 namespace robot::app {
 
-/// What questions go by.
+/// The rules and strategies of all questions.
 struct LabForesightOptions {
-  std::string rules;                    // empty: those of the recorded simulation, spl2025 where there is none
-  std::vector<std::string> strategies;  // that can be asked about, by name or path; the first is what was played
+  std::string rules;  // empty: those of the recorded simulation, spl2025 if there is none
+  std::vector<std::string>
+      strategies;  // that questions may name, by name or path; the first is the one that was played
 };
 
-/// The stream of a topic, not opened yet, to be read by whoever asks for it; null where a recording has none.
+/// Returns a new stream of a topic, not opened yet, or null if the recording does not have the topic. The caller owns
+/// it.
 using StreamOf = std::function<std::unique_ptr<logging::InProvider>(const std::string& topic)>;
 
-/// Answers questions about the robots of recordings. Any thread.
+/// Answers to questions about the robots of recordings. Used by any thread.
 class LabForesight {
  public:
   explicit LabForesight(LabForesightOptions options) : options_(std::move(options)) {}
 
-  /// The strategies that can be asked about: those of the options, then the usual ones, 8 at most.
+  /// Returns the strategies that questions may name: those of the options, then the default ones, 8 at most.
   std::vector<std::string> strategies() const;
 
-  /// From what `robot` knew at `now_ns` [ns since the epoch]: each object as it was recorded last by then. That is read
-  /// from the recording itself, since what plays it gets to another moment bit by bit, one stream before the other.
+  /// Answers from the knowledge of `robot` at `now_ns` [ns since the epoch]: the newest recorded value of each object.
+  /// It reads the recording itself and not the memory of the player. After a seek the player's streams reach the new
+  /// time one after the other.
   Result<foresight::Forecast> ask(const StreamOf& stream_of, const std::string& robot,
                                   const foresight::WhatIf& question, std::uint64_t now_ns);
 
-  /// From now on every question is answered at once, by what is there. Before the end, so that nobody waits for long.
+  /// Makes every question, running or later, end at once with the rollouts done so far. Called before the end of the
+  /// process, so that no caller waits for long.
   void hurry();
 
  private:
-  /// What a recorded simulation was played by, as far as it matters to foresight.
+  /// The rules and models of a recorded simulation that a Foreseer needs.
   struct Setting {
     std::string rules, models, opponent_models;
     bool operator==(const Setting&) const = default;
@@ -59,16 +63,16 @@ class LabForesight {
   bool hurries_ = false;
 };
 
-/// foresight-lab what-if.
+/// The options of foresight-lab what-if.
 struct WhatIfOptions {
   std::filesystem::path session;
-  std::string robot;  // empty: the one that recorded
+  std::string robot;  // empty: the robot that recorded the session
   double at = 0;      // [s] since the beginning of the session; < 0: before its end
   LabForesightOptions foresight;
   foresight::WhatIf question;
 };
 
-/// The answer from that moment of a recording.
+/// Returns the forecast from that moment of a recording.
 Result<foresight::Forecast> what_if(const WhatIfOptions& options);
 
 }  // namespace robot::app

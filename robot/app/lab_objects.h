@@ -1,4 +1,4 @@
-// What the lab's own process says of itself; everything else on its channels comes from robots and recordings.
+// The objects that the lab's process writes about itself. All other channels come from robots and recordings.
 #pragma once
 
 #include <memory>
@@ -11,6 +11,7 @@
 
 namespace robot::app {
 
+/// Statistics, clock samples and log text of the lab's process, under the name "lab/1".
 struct LabObjects {
   explicit LabObjects(const Clock& clock) {
     runtime.announce("/lab/1/runtime", memory::Delivery::latest, clock);
@@ -23,7 +24,7 @@ struct LabObjects {
   memory::MemoryObject<foresight::LogText> log;
 };
 
-/// Lists them in `channels`, which then keeps them alive.
+/// Adds these objects to `channels`, which then keeps them alive. Returns an Error if a topic is taken.
 inline Result<void> list(const std::shared_ptr<LabObjects>& own, memory::Channels& channels) {
   for (memory::Channel* channel : std::initializer_list<memory::Channel*>{&own->runtime, &own->clock_sample, &own->log})
     if (Result<void> listed = channels.add({own, channel}); !listed) return listed;

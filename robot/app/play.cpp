@@ -18,6 +18,7 @@
 namespace robot::app {
 namespace {
 
+/// The playback of a Replay as clients control it.
 class RecordingPlayback final : public net::Playback {
  public:
   explicit RecordingPlayback(body::Replay& replay) : replay_(replay) {}
@@ -37,10 +38,10 @@ class RecordingPlayback final : public net::Playback {
 
   bool control(const net::foxglove::PlaybackControl& wish) override {
     body::PlaybackClock& clock = replay_.clock();
-    // who wants to play what has ended wants to see it again
+    // "play" at the end of the recording begins again at its start
     const bool again = wish.play && !wish.seek_ns && clock.now_ns() >= end_ns();
-    clock.set(wish.play,
-              static_cast<double>(wish.speed));  // first: what is paused stands exactly where it was moved to
+    // set before seek: a paused clock then stays exactly at the time of the seek
+    clock.set(wish.play, static_cast<double>(wish.speed));
     if (wish.seek_ns || again) clock.seek(wish.seek_ns.value_or(start_ns()));
     return wish.seek_ns || again;
   }
@@ -49,20 +50,20 @@ class RecordingPlayback final : public net::Playback {
   body::Replay& replay_;
 };
 
-/// What is to be added to the times of each session, said for each.
+/// Returns the shift [ns] to add to the times of each session, and prints the reasons. Empty for a single session.
 Result<std::vector<std::int64_t>> shifts_between(const PlayOptions& options) {
   std::vector<std::int64_t> shifts_ns;
   const auto most_ns = clock_offset_ns(options.max_clock_offset);
-  if (!most_ns) return Error{most_ns.error()};
+  if (!most_ns) return most_ns.failure();
   if (options.sessions.size() < 2) return shifts_ns;
   std::vector<lab::RecordedClock> clocks;
   for (const std::filesystem::path& path : options.sessions) {
     const auto session = logging::open_session(path);
-    if (!session) return Error{session.error()};
+    if (!session) return session.failure();
     clocks.push_back(lab::read_clock(*session));
   }
   const auto agreements = lab::agree(clocks, *most_ns);
-  if (!agreements) return Error{"play: " + agreements.error()};
+  if (!agreements) return agreements.failure("play");
   for (const lab::Agreement& agreement : *agreements) {
     shifts_ns.push_back(agreement.shift_ns);
     if (!agreement.sentence.empty()) std::printf("%s\n", agreement.sentence.c_str());
@@ -85,11 +86,11 @@ std::vector<body::MadeStream> made_by(const lab::Mapping& mapping) {
 Result<void> play(const PlayOptions& options) {
   block_end_signals();
   const auto shifts_ns = shifts_between(options);
-  if (!shifts_ns) return Error{shifts_ns.error()};
+  if (!shifts_ns) return shifts_ns.failure();
   std::optional<lab::Mapping> mapping;
   if (!options.map.empty()) {
     auto read = lab::read_mapping(options.map);
-    if (!read) return Error{read.error()};
+    if (!read) return read.failure();
     mapping = std::move(*read);
   }
   auto replay =
@@ -104,7 +105,7 @@ Result<void> play(const PlayOptions& options) {
   const Clock& clock = (*replay)->clock();
   const auto own = std::make_shared<LabObjects>(clock);
   RecordingPlayback playback(**replay);
-  LabForesight seer(options.foresight);  // outlives the server that asks it
+  LabForesight seer(options.foresight);  // outlives the server, which calls it
   Runtime runtime({.program = "foresight-lab",
                    .body = "recording",
                    .robot = robot,
@@ -116,11 +117,11 @@ Result<void> play(const PlayOptions& options) {
                    .played = [&replay](const net::PlayedRequest& asked) { return played_range(**replay, asked); }},
                   clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
-  add_what_if(runtime.services(), robot, seer.strategies(),
-              [&](const std::string& whose, const foresight::WhatIf& question) {
-                return seer.ask([&](const std::string& topic) { return (*replay)->stream_of(topic); }, whose, question,
-                                clock.now_ns());
-              });
+  add_what_if_service(runtime.services(), robot, seer.strategies(),
+                      [&](const std::string& whose, const foresight::WhatIf& question) {
+                        return seer.ask([&](const std::string& topic) { return (*replay)->stream_of(topic); }, whose,
+                                        question, clock.now_ns());
+                      });
   if (Result<void> started = runtime.start(); !started) return started;
   (*replay)->start(runtime.channels(), runtime.board());
   runtime.run([&] {

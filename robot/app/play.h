@@ -1,4 +1,4 @@
-// foresight-lab play: a recording looks like a live robot.
+// foresight-lab play: a server that shows recordings like a live robot.
 #pragma once
 
 #include <filesystem>
@@ -10,19 +10,20 @@
 
 namespace robot::app {
 
+/// The options of foresight-lab play.
 struct PlayOptions {
   std::vector<std::filesystem::path> sessions;
   double speed = 1;  // 0.01 .. 1000
   bool loop = false;
-  double max_clock_offset = 60;  // [s] a session whose clock is further off than that from the first one's is refused
-  std::filesystem::path map;     // which of their topics is which of our objects; empty: none is
+  double max_clock_offset = 60;  // [s] greatest accepted offset from the clock of the first session
+  std::filesystem::path map;     // mapping file (robot/lab/mapping/mapping.h); empty: no topic is mapped
   LabForesightOptions foresight;
   ServerSettings server;
 };
 
-/// Serves the sessions in one time base, that of the first one's clock as far as their clock samples tell, and all others in the folder of the first for download, until the process is
-/// told to end. Clients may pause, go elsewhere and change the speed, and ask foresight what would
-/// have been best from there on.
+/// Serves the sessions until SIGINT or SIGTERM. Their common time base is the clock of the first session, as far as the
+/// recorded clock samples allow. All sessions in the folder of the first one can be downloaded. Clients may pause,
+/// seek, change the speed, and ask foresight for the best strategy at the current moment.
 Result<void> play(const PlayOptions& options);
 
 }  // namespace robot::app

@@ -14,24 +14,25 @@ namespace {
 
 constexpr std::uint64_t kMostBytes = 8 << 20;
 
-/// Writes the messages of `stream` from one time to the other, as many as there is room for; until when that reaches.
+/// Writes the messages of `stream` in the requested range, up to kMostBytes. Returns the time up to which it is
+/// complete.
 Result<std::uint64_t> copy_range(logging::InProvider& stream, const net::PlayedRequest& request,
                                  logging::McapWriter& writer) {
   std::uint64_t bytes = 0, last_ns = request.from_ns;
   while (true) {
     auto record = stream.read();
-    if (!record) continue;  // what is damaged is left out; the parser told of it
+    if (!record) continue;  // damaged records are skipped; the parser has reported them
     if (!*record || (*record)->capture_ns > request.to_ns) return request.to_ns;
     const logging::Record& message = **record;
     if (message.capture_ns < request.from_ns) continue;
-    // messages of one time stay together: the next request begins behind them
+    // messages of one time stay together, because the next request begins after that time
     if (bytes > kMostBytes && message.capture_ns > last_ns) return message.capture_ns - 1;
     const Result<void> written = writer.write({.sequence = message.sequence,
                                                .capture_ns = message.capture_ns,
                                                .publish_ns = message.publish_ns,
                                                .bytes = message.bytes},
                                               0);
-    if (!written) return Error{written.error()};
+    if (!written) return written.failure();
     bytes += message.bytes.size();
     last_ns = std::max(last_ns, message.capture_ns);
   }
@@ -41,10 +42,10 @@ Result<std::uint64_t> copy_range(logging::InProvider& stream, const net::PlayedR
 
 net::HttpResponse played_range(const body::Replay& replay, const net::PlayedRequest& request) {
   const auto stream = replay.stream_of(request.topic);
-  if (!stream) return net::error_response(404, "nothing is played of the topic " + request.topic);
+  if (!stream) return net::error_response(404, "topic '" + request.topic + "' is not played");
   const auto info = stream->open();
   if (!info) return net::error_response(404, info.error());
-  // to before that: of several messages of one time a seek would find the last
+  // 1 ns earlier, because a seek finds the last of several messages of one time
   if (const Result<void> sought = stream->seek(request.from_ns - std::min<std::uint64_t>(request.from_ns, 1)); !sought)
     return net::error_response(500, sought.error());
   std::string file;

@@ -1,4 +1,4 @@
-// A part of what is played, for whoever looks through the whole of it.
+// Parts of the played recording as files, for clients that search the whole recording.
 #pragma once
 
 #include "robot/body/replay/replay.h"
@@ -6,8 +6,9 @@
 
 namespace robot::app {
 
-/// Answers `request` out of the recordings of `replay`, in the time and under the topic that they are played in. One
-/// answer holds some eight megabytes at most, or one message. Any thread.
+/// Answers `request` with an MCAP file of one topic, with the times and the topic name of the playback. An answer holds
+/// about 8 MB, or one message if that is larger. The header net::kPlayedUntil says up to which time it reaches.
+/// Called by any thread.
 net::HttpResponse played_range(const body::Replay& replay, const net::PlayedRequest& request);
 
 }  // namespace robot::app

@@ -45,7 +45,7 @@ void describe(const lab::LinkStatus& status, Link& link) {
   link.set_message(status.problem);
 }
 
-/// Who the robots are, as far as they answer: none that is not there yet is waited for.
+/// Asks all robots for their names at the same time, for 2 s. A robot that does not answer has no name in the result.
 std::vector<std::optional<RobotName>> ask_names(const std::vector<lab::RobotAddress>& robots) {
   std::vector<std::future<Result<std::string>>> answers;
   for (const lab::RobotAddress& robot : robots)
@@ -53,13 +53,13 @@ std::vector<std::optional<RobotName>> ask_names(const std::vector<lab::RobotAddr
   std::vector<std::optional<RobotName>> names;
   for (auto& answer : answers) {
     const Result<std::string> text = answer.get();
-    const Result<RobotName> name = text ? parse_robot_name(*text) : Result<RobotName>(Error{text.error()});
+    const Result<RobotName> name = text ? parse_robot_name(*text) : Result<RobotName>(text.failure());
     names.push_back(name ? std::optional(*name) : std::nullopt);
   }
   return names;
 }
 
-/// The session and the page are called after the first that answered.
+/// Returns the name of the first robot that answered. Session and page get this name.
 RobotName first_of(const std::vector<std::optional<RobotName>>& names) {
   for (const auto& name : names)
     if (name) return *name;
@@ -77,7 +77,7 @@ foresight::ClockSample sample_of(const std::string& robot, const lab::ClockOffse
   return sample;
 }
 
-/// What is recorded of pictures: those that come, as they come.
+/// Returns the recording profile that keeps the images unchanged.
 std::string_view profile_for(lab::Pictures pictures) {
   switch (pictures) {
     case lab::Pictures::raw: return "full";
@@ -91,10 +91,10 @@ std::string_view profile_for(lab::Pictures pictures) {
 
 Result<void> relay(const RelayOptions& options) {
   const auto most_offset_ns = clock_offset_ns(options.max_clock_offset);
-  if (!most_offset_ns) return Error{most_offset_ns.error()};
+  if (!most_offset_ns) return most_offset_ns.failure();
   const auto robots =
       lab::find_robots(options.robots, options.robots_file.empty() ? lab::default_robots_file() : options.robots_file);
-  if (!robots) return Error{"relay: " + robots.error()};
+  if (!robots) return robots.failure("relay");
   block_end_signals();
 
   const SessionClock clock;
@@ -104,7 +104,7 @@ Result<void> relay(const RelayOptions& options) {
   lab::TopicClaims claims;
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i]) claims.introduce(names[i]->text(), static_cast<int>(i) + 1);
-  Mutex lock;  // guards the list: it is asked for statistics while it grows
+  Mutex lock;  // guards `links`: the statistics read it while links are added
   std::vector<std::unique_ptr<lab::RobotLink>> links;
   Runtime runtime({.program = "foresight-lab",
                    .body = "relay",

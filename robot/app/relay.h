@@ -1,4 +1,4 @@
-// foresight-lab relay: live robots, each over one connection, for any number of viewers.
+// foresight-lab relay: a server that shows live robots, each read over one connection, to any number of viewers.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,22 @@
 
 namespace robot::app {
 
+/// The options of foresight-lab relay.
 struct RelayOptions {
   std::vector<std::string> robots;    // addresses, or names of the robots file
-  std::filesystem::path robots_file;  // empty: the usual one
+  std::filesystem::path robots_file;  // empty: lab::default_robots_file()
   lab::Pictures pictures = lab::Pictures::jpeg;
   bool lossless = false;
-  double max_clock_offset = 60;  // [s] a robot whose clock is further off is refused
-  bool record = false;           // from the first moment on
-  std::string name;              // of that session
+  double max_clock_offset = 60;  // [s] greatest accepted offset of a robot's clock from ours
+  bool record = false;           // from the start on
+  std::string name;              // of the recorded session
   std::filesystem::path log_folder = "logs";
   std::uint64_t log_mb = 50'000;
   ServerSettings server;
 };
 
-/// Serves what the robots serve, with the same topics and schemas, until the process is told to end. A robot that goes
-/// comes back by itself. Their times are those of this machine's clock where their own are off.
+/// Serves the channels of the robots, with the same topics and schemas, until SIGINT or SIGTERM. After a lost
+/// connection it connects again by itself. The times of a robot with a wrong clock are shifted to this machine's clock.
 Result<void> relay(const RelayOptions& options);
 
 }  // namespace robot::app

@@ -17,9 +17,9 @@ namespace {
 
 constexpr int kDone = 0, kBadInput = 2;
 
-// A picture's room goes back to the system when nobody needs it any more. Left to itself the C library of a 64-bit
-// program keeps the room of the most there ever were, for each thread that made some: it took twice as much.
-constexpr int kGivenBack_bytes = 512 * 1024;  // a 640x480 picture has 600 kB
+// Allocations of this size and more return to the system when they are freed. By default the C library of a 64-bit
+// program keeps the peak of each thread that allocated images; the process then took twice the memory.
+constexpr int kGivenBack_bytes = 512 * 1024;  // a 640x480 image has 600 kB
 
 Result<void> run(const RobotOptions& options) {
   if (!options.behaviour.empty() && options.body != "attached" && options.body != "nao")

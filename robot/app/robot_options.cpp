@@ -9,34 +9,33 @@ namespace robot::app {
 namespace {
 
 void add_body_options(CLI::App& app, RobotOptions& options) {
-  app.add_option("--body", options.body, "where sensor data come from: attached, nao, replay or sim")
+  app.add_option("--body", options.body, "source of sensor data: attached, nao, replay or sim")
       ->check(CLI::IsMember({"attached", "nao", "replay", "sim"}))
       ->capture_default_str();
-  app.add_option("--team", options.team, "number of the team; that of the session, or 14, if not given")
+  app.add_option("--team", options.team, "number of the team; default: that of the session, else 14")
       ->check(CLI::Range(0, 255));
-  app.add_option("--player", options.player, "number of the player; that of the session, or 2, if not given")
+  app.add_option("--player", options.player, "number of the player; default: that of the session, else 2")
       ->check(CLI::Range(1, 99));
-  app.add_option("--speed", options.speed, "of replay: 0.01 .. 1000, of sim: 0.1 .. 100; 1 is real time")
+  app.add_option("--speed", options.speed, "speed of body replay (0.01 .. 1000) or sim (0.1 .. 100); 1 is real time")
       ->capture_default_str();
-  app.add_flag("--loop", options.loop, "begin again at the end: the recording, or another game of the next seed");
+  app.add_flag("--loop", options.loop, "at the end begin again: the recording, or a new game with the next seed");
   app.add_option("--door", options.door,
-                 "socket by which a team's processes join body attached or nao; $FORESIGHT_DOOR, or one of this user's "
-                 "if not given");
+                 "socket for a team's processes, body attached or nao; default: $FORESIGHT_DOOR, else one per user");
   app.add_option(
       "--behaviour", options.behaviour,
-      "strategy of ours that decides 30 times a second for body attached or nao, by name or path; if not given "
-      "a team's process writes motion_command");
+      "our strategy that decides 30 times a second, body attached or nao, by name or path; default: none, a team's "
+      "process writes motion_command");
   app.add_option("--guardian", options.guardian,
-                 "link of the guardian for body nao; $FORESIGHT_GUARDIAN, or one of this user's if not given");
+                 "link of the guardian for body nao; default: $FORESIGHT_GUARDIAN, else one per user");
   app.add_option(
       "--nao-config", options.nao_config,
-      "file of calibration and cameras for body nao (robot/body/nao/config.h); a V6 as it is planned if not given");
+      "file of calibration and cameras for body nao (robot/body/nao/config.h); default: a V6 without calibration");
   app.add_option("--session", options.session, "folder of the session that body replay plays");
 }
 
 void add_simulation_options(CLI::App& app, RobotOptions& options) {
   const char* const group = "Body sim";
-  app.add_option("--side", options.side, "which team is the own one: home or away")
+  app.add_option("--side", options.side, "side of the own team: home or away")
       ->check(CLI::IsMember({"home", "away"}))
       ->capture_default_str()
       ->group(group);
@@ -44,17 +43,19 @@ void add_simulation_options(CLI::App& app, RobotOptions& options) {
       ->check(CLI::Range(0, 255))
       ->capture_default_str()
       ->group(group);
-  app.add_option("--home", options.home, "strategy of the home team: a name, or the path of a file")
+  app.add_option("--home", options.home, "strategy of the home team: a name or a file")
       ->capture_default_str()
       ->group(group);
   app.add_option("--away", options.away, "strategy of the away team")->capture_default_str()->group(group);
   app.add_option("--rules", options.rules,
-                 "of a year, in foresight too; spl2012 with body sim if not given, else spl2025")
+                 "rules of a year, also of foresight; default: spl2012 with body sim, else spl2025")
       ->group(group);
-  app.add_option("--models", options.models, "what robots can do and perceive")->capture_default_str()->group(group);
-  app.add_option("--home-models", options.home_models, "the home team's own")->group(group);
-  app.add_option("--away-models", options.away_models, "the away team's own")->group(group);
-  app.add_option("--seed", options.seed, "all chance of the game follows from it")
+  app.add_option("--models", options.models, "models of the robots' abilities and perception")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--home-models", options.home_models, "models of the home team")->group(group);
+  app.add_option("--away-models", options.away_models, "models of the away team")->group(group);
+  app.add_option("--seed", options.seed, "seed of all random numbers of the game")
       ->check(CLI::Range(std::uint64_t{0}, body::SimBody::kGreatestSeed))
       ->capture_default_str()
       ->group(group);
@@ -63,15 +64,15 @@ void add_simulation_options(CLI::App& app, RobotOptions& options) {
 void add_foresight_options(CLI::App& app, RobotOptions& options) {
   const char* const group = "Foresight";
   app.add_option("--strategies", options.strategies,
-                 "what can be chosen from, by name or path; the first is what is played at first")
+                 "strategies to choose from, by name or path; the first is played at first")
       ->delimiter(',')
       ->group(group);
   app.add_flag_callback(
-         "--foresight", [&options] { options.foresight = true; }, "the captain asks of its own accord")
+         "--foresight", [&options] { options.foresight = true; }, "the captain asks by itself")
       ->group(group);
   app.add_flag_callback(
          "--no-foresight", [&options] { options.foresight = false; },
-         "it does not; with body sim it does where nobody says otherwise")
+         "the captain does not ask by itself; this is the default except with body sim")
       ->group(group);
 }
 
@@ -80,27 +81,27 @@ void add_game_options(CLI::App& app, RobotOptions& options) {
   CLI::Option* const listen = app.add_flag("--game-controller", options.game_controller,
                                            "listen to the GameController, and record each half from READY to FINISHED")
                                   ->group(group);
-  app.add_flag("--return-packets", options.return_packets,
-               "answer the GameController; not where the team's own code does")
+  app.add_flag("--return-packets", options.return_packets, "answer the GameController; not if the team's own code does")
       ->needs(listen)
       ->group(group);
   app.add_flag("--team-messages", options.team_messages,
-               "tell the teammates, within the budget; not where the team's own code does")
+               "send team messages, within the budget; not if the team's own code does")
       ->needs(listen)
       ->group(group);
-  app.add_option("--game-port", options.game_port, "where it broadcasts to")->capture_default_str()->group(group);
-  app.add_option("--field", options.field, "which field this is, such as A: becomes part of the sessions' names")
+  app.add_option("--game-port", options.game_port, "UDP port of the GameController")
+      ->capture_default_str()
       ->group(group);
+  app.add_option("--field", options.field, "name of the field, such as A; part of the sessions' names")->group(group);
 }
 
 void add_recording_options(CLI::App& app, RobotOptions& options) {
-  app.add_option("--log-dir", options.log_folder, "where sessions are recorded")->capture_default_str();
-  app.add_option("--log-mb", options.log_mb, "what all sessions together may take [MB]; the oldest go first")
+  app.add_option("--log-dir", options.log_folder, "folder of recorded sessions")->capture_default_str();
+  app.add_option("--log-mb", options.log_mb, "[MB] limit of all sessions together; the oldest are deleted first")
       ->capture_default_str();
-  app.add_option("--profile", options.profile, "what is recorded: game, vision or full")->capture_default_str();
+  app.add_option("--profile", options.profile, "profile of recordings: game, vision or full")->capture_default_str();
   app.add_option("--name", options.name, "name of the session that --record begins");
-  app.add_flag("--record", options.record, "begin to record at once");
-  app.add_flag("--plan", options.plan, "say what each profile takes and whether it fits, then end");
+  app.add_flag("--record", options.record, "record from the start");
+  app.add_flag("--plan", options.plan, "print the size of each profile and whether it fits, then end");
 }
 
 }  // namespace
@@ -162,10 +163,9 @@ Result<bool> begin(Runtime& runtime, const RobotOptions& options) {
   for (const logging::Profile& profile : logging::profiles())
     std::printf("%s\n", runtime.recorder().room_for(profile).sentence.c_str());
   if (options.plan) return false;
-  if (Result<void> started = runtime.start(); !started) return Error{started.error()};
+  if (Result<void> started = runtime.start(); !started) return started.failure();
   if (options.record)
-    if (Result<void> recording = runtime.record(options.name, options.profile); !recording)
-      return Error{recording.error()};
+    if (Result<void> recording = runtime.record(options.name, options.profile); !recording) return recording.failure();
   return true;
 }
 

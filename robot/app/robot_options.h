@@ -14,6 +14,7 @@
 
 namespace robot::app {
 
+/// The options of foresight-robot, with their defaults.
 struct RobotOptions {
   std::string body = "replay";
   std::optional<int> team, player;
@@ -21,12 +22,12 @@ struct RobotOptions {
   bool loop = false;
 
   // bodies attached and nao
-  std::string behaviour;       // of ours, that decides on the robot; empty: a team's process decides
-  std::filesystem::path door;  // empty: where clients look for it
+  std::string behaviour;       // our strategy that decides on the robot; empty: a team's process decides
+  std::filesystem::path door;  // empty: the default path, where clients look
 
   // body nao
-  std::filesystem::path guardian;    // its link; empty: where it is by itself
-  std::filesystem::path nao_config;  // robot/body/nao/config.h; empty: a V6 as it is planned
+  std::filesystem::path guardian;    // the guardian's link; empty: the default path
+  std::filesystem::path nao_config;  // robot/body/nao/config.h; empty: a V6 without calibration
 
   // body replay
   std::filesystem::path session;
@@ -35,13 +36,13 @@ struct RobotOptions {
   std::string side = "home";
   int opponent = 5;
   std::string home = "baseline", away = "baseline";
-  std::string rules;                                       // of foresight, too; empty: rules_of()
-  std::string models = "match", home_models, away_models;  // of foresight, too
+  std::string rules;                                       // also of foresight; empty: the default of rules_of()
+  std::string models = "match", home_models, away_models;  // also of foresight
   std::uint64_t seed = 1;
 
   // foresight
   std::vector<std::string> strategies;  // empty: default_strategies()
-  std::optional<bool> foresight;        // nothing: with body sim alone
+  std::optional<bool> foresight;        // not given: true with body sim only
 
   // game
   bool game_controller = false, return_packets = false, team_messages = false;
@@ -57,24 +58,28 @@ struct RobotOptions {
   ServerSettings server;
 };
 
+/// Declares all options of foresight-robot, which set `options`.
 void add_options(CLI::App& app, RobotOptions& options);
 
-/// The rules that are played by: where the options name none, a simulation's are those of 2012, a robot's the newest.
+/// Returns the rules of the game. Without the option they are spl2012 for body sim and the newest rules for other
+/// bodies.
 std::string rules_of(const RobotOptions& options);
 
-/// What the own side of a simulation plays at first.
+/// Returns the first strategy of the own side of a simulation.
 const std::string& own_strategy_of(const RobotOptions& options);
 
-/// Objects of our robot that foresight and, as the options ask for it, following a real game write whatever the body.
+/// Returns the objects that this process writes with every body: those of foresight, and with --game-controller those
+/// of the game.
 std::set<std::string> written_by_us(const RobotOptions& options);
 
-/// The robot that the options name: 14/2 where they do not.
+/// Returns the robot that the options name, by default 14/2.
 RobotName robot_named_by(const RobotOptions& options);
 
+/// Converts the options to those of the runtime.
 RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot);
 
-/// What every body does first: says what fits on the disk, opens the port, begins to record if it should.
-/// False: that was all that was asked for (--plan).
+/// Starts the runtime, for every body: prints which profiles fit on the disk, opens the port, and begins to record with
+/// --record. Returns false with --plan, which only prints.
 Result<bool> begin(Runtime& runtime, const RobotOptions& options);
 
 }  // namespace robot::app

@@ -6,14 +6,14 @@
 
 #include "robot/agent/agent_thread.h"
 #include "robot/app/runtime.h"
-#include "robot/app/services/foresight_control.h"
-#include "robot/app/services/parameter_object.h"
+#include "robot/app/services/foresight_service.h"
+#include "robot/app/services/parameter_service.h"
 #include "robot/body/attached/door.h"
 
 namespace robot::app {
 namespace {
 
-/// Loads the behaviour of ours that decides on the robot, if one is wanted.
+/// Loads our behaviour that decides on the robot. Returns nothing without --behaviour.
 Result<std::optional<agent::Agent>> agent_of(const RobotOptions& options) {
   if (options.behaviour.empty()) return std::optional<agent::Agent>();
   const bool chooses = !options.strategies.empty();
@@ -39,10 +39,11 @@ Result<void> run_attached(const RobotOptions& options, const OwnBody& own) {
   Runtime runtime(runtime_options(options, robot), clock, own_objects(*memory));
   if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
   if (own.add_services) own.add_services(runtime.services());
-  const auto foresight = ForesightControl::open(foreseer_options(options), options.foresight.value_or(false), runtime,
+  const auto foresight = ForesightService::open(foreseer_options(options), options.foresight.value_or(false), runtime,
                                                 *memory, robot.text(), [&clock] { return clock.now_ns(); });
-  if (!foresight) return Error{foresight.error()};
-  if (Result<void> listed = list_parameters(runtime.parameters(), robot.text(), runtime.channels(), clock); !listed)
+  if (!foresight) return foresight.failure();
+  if (Result<void> listed = add_parameter_service(runtime.parameters(), robot.text(), runtime.channels(), clock);
+      !listed)
     return listed;
   std::unique_ptr<body::Door> door;
   if (!options.plan) {
@@ -50,11 +51,11 @@ Result<void> run_attached(const RobotOptions& options, const OwnBody& own) {
     at.own_objects.merge(written_by_us(options));
     at.own_objects.insert(own.objects.begin(), own.objects.end());
     auto opened = body::Door::open(std::move(at), clock, runtime.channels(), runtime.board());
-    if (!opened) return Error{opened.error()};
+    if (!opened) return opened.failure();
     door = std::move(*opened);
   }
   const Result<bool> begun = begin(runtime, options);
-  if (!begun) return Error{begun.error()};
+  if (!begun) return begun.failure();
   if (!*begun) return {};
   const std::shared_ptr<void> body = own.begin ? own.begin(*memory, clock) : nullptr;
   std::optional<agent::AgentThread> deciding;

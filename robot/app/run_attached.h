@@ -1,4 +1,4 @@
-// foresight-robot --body attached: the robot is a team's own, whose processes come in by the door.
+// foresight-robot --body attached: the robot runs a team's own processes, which connect through the door.
 #pragma once
 
 #include <functional>
@@ -14,14 +14,14 @@
 
 namespace robot::app {
 
-/// What a body of ours brings to a robot that a team's processes may join; a robot of the team's own has none.
+/// The parts of our own body (nao), for a robot that a team's processes may join as well. All empty for body attached.
 struct OwnBody {
-  std::set<std::string> objects;                     // that it writes: processes get them, and do not write them
+  std::set<std::string> objects;                     // that the body writes; processes may only read them
   std::function<void(net::Services&)> add_services;  // may be empty
-  std::function<std::shared_ptr<void>(memory::Memory&, const SessionClock&)> begin;  // lives while the robot runs
+  std::function<std::shared_ptr<void>(memory::Memory&, const SessionClock&)> begin;  // result lives until the end
 };
 
-/// Until the process is told to end. An Error if it cannot begin.
+/// Runs until SIGINT or SIGTERM. Returns an Error if it cannot begin.
 Result<void> run_attached(const RobotOptions& options, const OwnBody& own = {});
 
 }  // namespace robot::app

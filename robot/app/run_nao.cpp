@@ -14,16 +14,16 @@
 namespace robot::app {
 namespace {
 
-/// Objects that the body writes; a team's process gets them by the door, and does not write them.
+/// Objects that the body writes. A team's processes may read them through the door, but not write them.
 const char* const kOwnObjects[] = {"joints", "inertial", "fsr", "sonar", "touch", "battery", "body", "motion_status"};
 
-/// Who has LoLA or a camera, in a sentence; empty: nobody.
+/// Returns a sentence that names the owner of LoLA or of a camera, or an empty string if both are free.
 std::string whose_it_is(const body::NaoOptions& nao, const body::NaoConfig& config) {
   const std::string taken = body::NaoBody::taken_by_others(nao);
   return taken.empty() ? body::NaoCameras::taken_by_others(config) : taken;
 }
 
-/// Who stands beside the robot may always make it soft.
+/// Adds the service sit_and_soft. Every client may call it, because a person beside the robot must always be able to.
 void add_sit_and_soft(const std::filesystem::path& link, net::Services& services) {
   services.add("sit_and_soft", net::Services::For::everybody,
                [link](const nlohmann::json&, const net::ClientContext&) -> nlohmann::json {
@@ -46,7 +46,7 @@ struct BodyAndCameras {
 Result<void> run_nao(const RobotOptions& options) {
   Result<body::NaoConfig> config =
       options.nao_config.empty() ? body::NaoConfig() : body::read_nao_config(options.nao_config);
-  if (!config) return Error{config.error()};
+  if (!config) return config.failure();
   const body::NaoOptions nao{.link = options.guardian.empty() ? nao::default_link() : options.guardian,
                              .calibration = config->calibration};
   if (const std::string taken = options.plan ? "" : whose_it_is(nao, *config); !taken.empty()) {

@@ -1,4 +1,4 @@
-// foresight-robot --body nao: the robot is ours; its joints are reached by foresight-guardian.
+// foresight-robot --body nao: we drive the robot's hardware. foresight-guardian passes the commands on to the joints.
 #pragma once
 
 #include "robot/app/robot_options.h"
@@ -6,8 +6,8 @@
 
 namespace robot::app {
 
-/// Until the process is told to end. Where somebody else has the robot, says who, and goes on as body `attached`.
-/// An Error if it cannot begin.
+/// Runs until SIGINT or SIGTERM. If another process owns LoLA or a camera, it reports which one and runs as body
+/// `attached`. Returns an Error if it cannot begin.
 Result<void> run_nao(const RobotOptions& options);
 
 }  // namespace robot::app

@@ -6,33 +6,33 @@
 #include <vector>
 
 #include "robot/app/runtime.h"
-#include "robot/app/services/foresight_control.h"
+#include "robot/app/services/foresight_service.h"
 #include "robot/body/replay/replay.h"
 
 namespace robot::app {
 
 Result<void> run_replay(const RobotOptions& options) {
-  if (options.session.empty()) return Error{"--session: body replay needs the folder of a session"};
+  if (options.session.empty()) return Error{"--session: body replay needs the folder of a session, got none"};
   const auto recorded = logging::read_session(options.session);
-  if (!recorded) return Error{recorded.error()};
+  if (!recorded) return recorded.failure();
   const RobotName robot{.team = options.team.value_or(recorded->info.team),
                         .player = options.player.value_or(recorded->info.player)};
-  // these this process writes itself
+  // this process writes these objects itself
   std::vector<std::string> skipped{"runtime", "clock", "log", "what_if"};
   for (const std::string& object : written_by_us(options)) skipped.push_back(object);
   auto replay = body::Replay::open(
       {options.session},
       {.speed = options.speed, .loop = options.loop, .robot = robot.text(), .skipped_objects = std::move(skipped)});
-  if (!replay) return Error{replay.error()};
+  if (!replay) return replay.failure();
   const auto memory = std::make_shared<memory::Memory>(robot.text(), (*replay)->clock());
   Runtime runtime(runtime_options(options, robot), (*replay)->clock(), own_objects(*memory));
   if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
   const auto foresight =
-      ForesightControl::open(foreseer_options(options), options.foresight.value_or(false), runtime, *memory,
+      ForesightService::open(foreseer_options(options), options.foresight.value_or(false), runtime, *memory,
                              robot.text(), [&clock = (*replay)->clock()] { return clock.now_ns(); });
-  if (!foresight) return Error{foresight.error()};
+  if (!foresight) return foresight.failure();
   const Result<bool> begun = begin(runtime, options);
-  if (!begun) return Error{begun.error()};
+  if (!begun) return begun.failure();
   if (!*begun) return {};
   (*replay)->start(runtime.channels(), runtime.board());
   runtime.run([&] {

@@ -1,4 +1,4 @@
-// foresight-robot --body replay: the robot is a recording.
+// foresight-robot --body replay: sensor data and all other objects come from a recording.
 #pragma once
 
 #include "robot/app/robot_options.h"
@@ -6,7 +6,7 @@
 
 namespace robot::app {
 
-/// Until the process is told to end. An Error if it cannot begin.
+/// Runs until SIGINT or SIGTERM. Returns an Error if it cannot begin.
 Result<void> run_replay(const RobotOptions& options);
 
 }  // namespace robot::app

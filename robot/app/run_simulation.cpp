@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "robot/app/runtime.h"
-#include "robot/app/services/foresight_control.h"
-#include "robot/app/services/simulation_control.h"
+#include "robot/app/services/foresight_service.h"
+#include "robot/app/services/simulation_service.h"
 #include "robot/body/sim/sim_body.h"
 #include "robot/core/report.h"
 #include "robot/foresight/following.h"
@@ -19,14 +19,14 @@ namespace robot::app {
 namespace {
 
 Result<body::GameSetup> setup_of(const RobotOptions& options, sim::Side side) {
-  // everything at 30 Hz, as on a robot
+  // every robot decides at 30 Hz, as on a real robot
   const std::string rules = rules_of(options);
   auto game = sim::io::prepare({.rules = rules,
                                 .strategies = {options.home, options.away},
                                 .models = {options.home_models.empty() ? options.models : options.home_models,
                                            options.away_models.empty() ? options.models : options.away_models},
                                 .pace = sim::Pace::every_tick});
-  if (!game) return Error{game.error()};
+  if (!game) return game.failure();
   const auto own = static_cast<std::uint32_t>(robot_named_by(options).team);
   const auto opponent = static_cast<std::uint32_t>(options.opponent);
   const bool home = side == sim::Side::home;
@@ -35,20 +35,21 @@ Result<body::GameSetup> setup_of(const RobotOptions& options, sim::Side side) {
       .names = {.rules = rules, .teams = {.home = home ? own : opponent, .away = home ? opponent : own}}};
 }
 
-/// Lets the own side play what its captain chooses of `strategies`, where it plays the first of them.
+/// Makes the own side follow its captain's choice among `strategies`, if the own side plays the first of them.
+/// Otherwise reports a warning and changes nothing.
 Result<void> follow_captain(const std::vector<std::string>& strategies, const RobotOptions& options, sim::Side side,
                             sim::io::PreparedGame& game) {
   const std::string& own = own_strategy_of(options);
   if (own != strategies.front()) {
     report(Level::warning, "foresight",
-           "the own side plays " + own + ", not " + strategies.front() +
-               ", the first of the strategies to choose from: it does not follow what is chosen");
+           "the own side plays " + own + ", but the first of --strategies is " + strategies.front() +
+               ": it does not follow the captain's choice");
     return {};
   }
   std::vector<std::shared_ptr<const sim::agent::Behaviour>> behaviours;
   for (const std::string& name : strategies) {
     auto behaviour = sim::io::load_strategy(name);
-    if (!behaviour) return Error{behaviour.error()};
+    if (!behaviour) return behaviour.failure();
     behaviours.push_back(std::move(*behaviour));
   }
   constexpr auto kStale = static_cast<sim::Tick>(foreseeing::Following::kStaleNs * 30 / kSecond);
@@ -67,9 +68,9 @@ Result<void> run_simulation(const RobotOptions& options) {
   if (robot.player > sim::kMaxPlayers)
     return Error{"--player: body sim has players 1 .. " + std::to_string(sim::kMaxPlayers) + ", got " +
                  std::to_string(robot.player)};
-  if (options.game_controller) return Error{"--game-controller: body sim plays a game of its own"};
+  if (options.game_controller) return Error{"--game-controller: not with body sim, which plays a game of its own"};
   Result<body::GameSetup> setup = setup_of(options, side);
-  if (!setup) return Error{setup.error()};
+  if (!setup) return setup.failure();
   const foreseeing::ForeseerOptions foreseeing = foreseer_options(options);
   if (Result<void> led = follow_captain(foreseeing.strategies, options, side, setup->game); !led) return led;
 
@@ -78,17 +79,17 @@ Result<void> run_simulation(const RobotOptions& options) {
       std::move(*setup),
       {.robot = sim::robot_of(side, robot.player), .seed = options.seed, .speed = options.speed, .loop = options.loop},
       clock);
-  if (!body) return Error{body.error()};
+  if (!body) return body.failure();
   Runtime runtime(runtime_options(options, robot), clock, own_objects(*(*body)->memory()));
   if (Result<void> listed = (*body)->list(runtime.channels()); !listed) return listed;
-  add_simulation_control(**body, runtime.services());
-  // a game that is paused stands still for foresight, too
+  add_simulation_service(**body, runtime.services());
+  // time of foresight: it stops while the game is paused
   const auto shown_ns = [&simulation = (*body)->memory()->simulation] { return simulation.read()->capture_ns(); };
-  const auto foresight = ForesightControl::open(foreseeing, options.foresight.value_or(true), runtime,
+  const auto foresight = ForesightService::open(foreseeing, options.foresight.value_or(true), runtime,
                                                 *(*body)->memory(), robot.text(), shown_ns);
-  if (!foresight) return Error{foresight.error()};
+  if (!foresight) return foresight.failure();
   const Result<bool> begun = begin(runtime, options);
-  if (!begun) return Error{begun.error()};
+  if (!begun) return begun.failure();
   if (!*begun) return {};
   (*body)->start();
   runtime.run([] { return true; });

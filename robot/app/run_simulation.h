@@ -6,7 +6,7 @@
 
 namespace robot::app {
 
-/// Until the process is told to end. An Error if it cannot begin.
+/// Runs until SIGINT or SIGTERM. Returns an Error if it cannot begin.
 Result<void> run_simulation(const RobotOptions& options);
 
 }  // namespace robot::app

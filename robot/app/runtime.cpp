@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "robot/app/build_id.h"
-#include "robot/app/services/recording_control.h"
+#include "robot/app/services/recording_service.h"
 #include "robot/core/report.h"
 #include "robot/net/foxglove/derived_channels.h"
 
@@ -57,10 +57,10 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
           {.name = options_.program, .body = options_.body, .robots = {options_.robot}, .session_id = run_id()}, clock_,
           store_, options_.records ? &recorder_ : nullptr),
       statistics_(channels_, clock_, board_, store_, options_.records ? &recorder_ : nullptr),
-      clock_sampler_(system_ns() - monotonic_ns()) {
+      clock_service_(system_ns() - monotonic_ns()) {
   application_.play_by(options_.played);
   net::declare_image_parameters(parameters_);
-  if (options_.records) add_recording_control(recorder_, store_, parameters_, services_);
+  if (options_.records) add_recording_service(recorder_, store_, parameters_, services_);
   net::add_clock_sync(services_, clock_, [this](const net::PeerClock& peer) {
     foresight::ClockSample sample;
     sample.set_source(foresight::ClockSample::SOURCE_PEER);
@@ -97,12 +97,12 @@ void Runtime::write_log(const Report& report) {
 
 Result<void> Runtime::start() {
   Result<net::AccessOptions> access = access_options(options_.server);
-  if (!access) return Error{access.error()};
+  if (!access) return access.failure();
   server_ = std::make_unique<net::Server>(
       server_options(options_, std::move(*access)), channels_,
       [this](const memory::ChannelInfo& source) { return net::derived_channels(source, parameters_); }, streams_,
       clock_, parameters_, services_, application_);
-  if (game_)  // before anybody can ask for its status
+  if (game_)  // before the first client can ask for its status
     if (Result<void> listening = game_->start(); !listening) return listening;
   application_.count_clients_by([this] { return server_->statistics().clients.size(); });
   if (Result<void> started = server_->start(); !started) return started;
@@ -115,13 +115,13 @@ Result<void> Runtime::start() {
 
 Result<void> Runtime::record(std::string_view name, std::string_view profile) {
   const Result<std::string> session = recorder_.start(name, profile);
-  if (!session) return Error{session.error()};
+  if (!session) return session.failure();
   parameters_.update("recording", true);
   return {};
 }
 
 void Runtime::run(const std::function<bool()>& tick) {
-  // taken by sigtimedwait below instead of ending the process at once
+  // sigtimedwait below takes these signals; they do not end the process at once
   sigset_t ends;
   sigemptyset(&ends);
   sigaddset(&ends, SIGINT);
@@ -139,7 +139,7 @@ void Runtime::run(const std::function<bool()>& tick) {
 }
 
 void Runtime::every_second() {
-  own_.clock.write(clock_sampler_.sample(monotonic_ns(), system_ns()), clock_.now_ns());
+  own_.clock.write(clock_service_.sample(monotonic_ns(), system_ns()), clock_.now_ns());
   foresight::RuntimeStatistics statistics = statistics_.collect(server_->statistics());
   if (options_.add_statistics) options_.add_statistics(statistics);
   own_.runtime.write(statistics, clock_.now_ns());

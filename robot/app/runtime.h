@@ -1,32 +1,34 @@
-// Everything one process runs: who runs what, and how often.
+// Everything that one process runs: the threads, their owners, tasks and rates.
 //
 //   thread            from      does                                                          how often
 //   main              run()     statistics, clock samples, room on the disk; the body's tick,  once a second; 10 Hz
 //                             sessions of a game
-//   net               Server    sockets: HTTP, WebSocket                                       when there is something
-//   net <helper>      Server    reads downloads; starts and stops loggers; control             when asked
-//   net questions     Server    asks foresight for people and waits for the answer             when asked
+//   net               Server    sockets: HTTP, WebSocket                                       on each event
+//   net <helper>      Server    reads downloads; starts and stops loggers; control             on request
+//   net questions     Server    asks foresight for clients and waits for the answer            on request
 //   log <object>      board     carries one memory object to a file                            each version
 //   log <object>      board     carries one memory object to the server, while it is watched   each version
 //   parser            board     carries one stream of a recording into memory (replay)         each message
-//   door              Door      takes in processes of the team, clears away those that went    when one comes; 10 Hz
+//   door              Door      accepts processes of the team, removes those that have ended   on connect; 10 Hz
 //   parser            board     carries one object that such a process writes into memory      each message
 //   log <object>      board     carries one object to such a process that reads it             each version
-//   game              GameControl  hears the GameController (--game-controller)                each packet
-//   team              GameControl  answers it (--return-packets), tells the teammates          1 Hz; as the budget allows
+//   game              GameService  receives the GameController (--game-controller)             each packet
+//   team              GameService  answers it (--return-packets), sends team messages          1 Hz; within budget
 //                                  (--team-messages)
-//   nao               NaoBody   writes what LoLA tells, gives the guardian its orders (nao)    each cycle, 83 Hz
-//   camera top        NaoCameras  writes images, and where the camera was (nao)               30 Hz
+//   nao               NaoBody   writes LoLA's sensor data, commands the guardian (nao)         each cycle, 83 Hz
+//   camera top        NaoCameras  writes images and camera matrices (nao)                      30 Hz
 //   camera bottom     NaoCameras  the same
-//   relay             RobotLink  carries one robot's channels into memory (foresight-lab relay) when there is something
+//   relay             RobotLink  carries one robot's channels into memory (foresight-lab relay) each message
+//   agent             AgentThread  decides with our behaviour (--behaviour)                    30 Hz
 //   simulation        SimBody   plays the game and writes all robots' memories (sim)           30 Hz x speed
-//   advisor           Advisor   hears questions in memory, asks as the captain, follows what   when there is one; 10 Hz
-//                               the captain told, scores forecasts
+//   advisor           Advisor   reads questions in memory, asks as the captain, follows the    each question; 10 Hz
+//                               captain's choice, scores forecasts
 //   advice            Foreseer  answers each question at its deadline                          each question
-//   foresee           Foreseer  plays the futures of a question                                while one runs
+//   foresee           Foreseer  plays the rollouts of a question                               during a question
 //
-// Loggers, parsers, the advisor and the net threads run at nice 10: whoever decides and moves comes first. The futures get
-// what nobody else wants, on the lab machine as much as the loggers; their deadline is kept at normal priority.
+// Loggers, parsers, the advisor and the net threads run at nice 10, so that behaviour and motion have priority. On a
+// robot rollouts run at idle priority; on the lab machine they run at the priority of the loggers. The deadline of a
+// question is kept by a thread of normal priority.
 #pragma once
 
 #include <functional>
@@ -36,9 +38,9 @@
 
 #include "robot/app/application.h"
 #include "robot/app/server_settings.h"
-#include "robot/app/services/clock_sampler.h"
-#include "robot/app/services/game_control.h"
-#include "robot/app/services/statistics.h"
+#include "robot/app/services/clock_service.h"
+#include "robot/app/services/game_service.h"
+#include "robot/app/services/statistics_service.h"
 #include "robot/core/clock.h"
 #include "robot/core/report.h"
 #include "robot/core/result.h"
@@ -54,6 +56,7 @@
 
 namespace robot::app {
 
+/// The names and the parts of a process.
 struct RuntimeOptions {
   std::string program;  // "foresight-robot"
   std::string body;     // "replay", …
@@ -61,25 +64,26 @@ struct RuntimeOptions {
   int team = 0, player = 0;
   ServerSettings server;
   std::filesystem::path log_folder = "logs";
-  std::uint64_t log_bytes = 4'000'000'000;  // all sessions together
-  bool records = true;                      // false where recordings are only shown
-  net::Playback* playback = nullptr;        // of the recording that is played; outlives the runtime
-  std::function<net::HttpResponse(const net::PlayedRequest&)> played;  // tells parts of that recording; may be empty
-  std::optional<GameOptions> game;                                     // where a real game may be; needs `records`
-  std::function<void(foresight::RuntimeStatistics&)> add_statistics;  // adds what only this program knows; may be empty
+  std::uint64_t log_bytes = 4'000'000'000;                             // all sessions together
+  bool records = true;                                                 // false: there is no recorder
+  net::Playback* playback = nullptr;                                   // of the played recording; outlives the runtime
+  std::function<net::HttpResponse(const net::PlayedRequest&)> played;  // serves parts of that recording; may be empty
+  std::optional<GameOptions> game;                                     // follow a real game; needs `records`
+  std::function<void(foresight::RuntimeStatistics&)> add_statistics;   // adds the program's own entries; may be empty
 };
 
-/// The objects a process writes about itself.
+/// The objects that a process writes about itself.
 struct OwnObjects {
   memory::MemoryObject<foresight::RuntimeStatistics>& runtime;
   memory::MemoryObject<foresight::ClockSample>& clock;
   memory::MemoryObject<foresight::LogText>& log;
-  memory::Memory* robot = nullptr;  // all of our robot's; null on the lab machine, which hears no GameController
+  memory::Memory* robot = nullptr;  // the whole memory of our robot; null on the lab machine, which follows no game
 };
 
-/// Those of a process that has our robot's whole memory, which outlives it.
+/// Returns these objects of `memory`, which outlives them.
 OwnObjects own_objects(memory::Memory& memory);
 
+/// The recorder, the server and the services of one process. Used by the main thread.
 class Runtime {
  public:
   /// `clock` is the time base of all channels; it and `own` outlive the runtime.
@@ -93,17 +97,17 @@ class Runtime {
   net::Server& server() { return *server_; }
   net::Services& services() { return services_; }  // complete before start()
 
-  /// Opens the ports. An Error, in one sentence, if that cannot be.
+  /// Opens the ports, starts the server and prints its address. Returns an Error if a port is taken.
   Result<void> start();
 
-  /// Begins a session, as a person would by the service start_recording.
+  /// Begins a session, like the service start_recording.
   Result<void> record(std::string_view name, std::string_view profile);
 
-  /// Does the housekeeping and calls `tick` ten times a second, until `tick` returns false or the process is told to
-  /// end (SIGINT, SIGTERM).
+  /// Does the housekeeping and calls `tick` ten times a second, until `tick` returns false or SIGINT or SIGTERM
+  /// arrives.
   void run(const std::function<bool()>& tick);
 
-  /// From now on nobody is served. Once it returns no service is being called. Again is nothing.
+  /// Stops the server. After it has returned, no service runs or is called. A second call has no effect.
   void stop();
 
  private:
@@ -122,9 +126,9 @@ class Runtime {
   net::Parameters parameters_;
   net::Services services_;
   Application application_;
-  Statistics statistics_;
-  ClockSampler clock_sampler_;
-  std::optional<GameControl> game_;
+  StatisticsService statistics_;
+  ClockService clock_service_;
+  std::optional<GameService> game_;
   std::unique_ptr<net::Server> server_;
 };
 

@@ -23,18 +23,18 @@ std::filesystem::path state_folder(const ServerSettings& settings) {
   return "/var/lib/foresight";
 }
 
-/// Fills `bytes` with what nobody can guess.
+/// Fills `bytes` with random numbers of the kernel. Returns false if the system provides none.
 bool fill_randomly(std::span<unsigned char> bytes) {
   const auto all = static_cast<ssize_t>(bytes.size());
   if (getrandom(bytes.data(), bytes.size(), 0) == all) return true;
-  // the kernel of a Nao V4 or V5 is older than that call
+  // the kernel of a Nao V4 or V5 does not have getrandom
   const FileDescriptor device(open("/dev/urandom", O_RDONLY | O_CLOEXEC));
   return device && read(device.get(), bytes.data(), bytes.size()) == all;
 }
 
 Result<std::string> make_token() {
   unsigned char bytes[kTokenBytes];
-  if (!fill_randomly(bytes)) return Error{"token: the system gave no random numbers"};
+  if (!fill_randomly(bytes)) return Error{"token: the system provides no random numbers"};
   std::string token;
   for (const unsigned char byte : bytes) {
     token.push_back("0123456789abcdef"[byte >> 4]);
@@ -43,13 +43,13 @@ Result<std::string> make_token() {
   return token;
 }
 
-/// The token in `folder`, made if there is none.
+/// Reads the token in `folder`, or creates it if there is none.
 Result<std::string> token_in(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "token";
   std::error_code failed;
   if (std::filesystem::exists(path, failed)) {
     Result<std::string> text = read_file(path, kMaxTokenFileBytes);
-    if (!text) return Error{"token: " + text.error()};
+    if (!text) return text.failure("token");
     text->erase(text->find_last_not_of(" \r\n\t") + 1);
     if (text->size() < 8) return Error{"token: expected at least 8 characters in " + path.string()};
     return text;
@@ -58,40 +58,40 @@ Result<std::string> token_in(const std::filesystem::path& folder) {
   if (!token) return token;
   std::filesystem::create_directories(folder, failed);
   if (failed) return Error{"token: cannot make the folder " + folder.string() + ": " + failed.message()};
-  if (Result<void> written = replace_file(path, *token + "\n", 0600); !written)
-    return Error{"token: " + written.error()};
+  if (Result<void> written = replace_file(path, *token + "\n", 0600); !written) return written.failure("token");
   return token;
 }
 
 }  // namespace
 
 void add_server_options(CLI::App& command, ServerSettings& settings) {
-  command.add_option("--bind", settings.bind, "IP address to listen on, may be given several times; 0.0.0.0 is all")
+  command.add_option("--bind", settings.bind, "IP address to listen on; may be given several times; 0.0.0.0 is all")
       ->allow_extra_args(false)
       ->capture_default_str();
-  command.add_option("--port", settings.port, "one port for viewer, API, recordings and WebSocket; 0: any free one")
+  command.add_option("--port", settings.port, "port of viewer, API, recordings and WebSocket; 0: any free port")
       ->capture_default_str();
   command
       .add_option("--allow-host", settings.allowed_hosts,
-                  "a further host name of this machine; may be given several times")
+                  "another host name of this machine; may be given several times")
       ->allow_extra_args(false);
   command
-      .add_option("--allow-origin", settings.allowed_origins, "a further page that may connect, https://host; likewise")
+      .add_option("--allow-origin", settings.allowed_origins,
+                  "another page that may connect, https://host; may be given several times")
       ->allow_extra_args(false);
   command
       .add_option("--wireless", settings.wireless,
-                  "a network interface that stays silent during a game; those the system calls wireless if not given")
+                  "network interface that is silent during a game; default: the system's wireless interfaces")
       ->allow_extra_args(false);
-  command.add_option("--state-dir", settings.state_folder, "where the control token is kept");
+  command.add_option("--state-dir", settings.state_folder, "folder of the control token");
   command.add_flag("--protect-reading", settings.protect_reading,
-                   "watching from another machine needs the token too, not only controlling");
+                   "ask for the token also for watching from another machine, not only for control");
 }
 
 Result<net::AccessOptions> access_options(const ServerSettings& settings) {
   const Result<std::string> token = token_in(state_folder(settings));
-  if (!token) return Error{token.error()};
+  if (!token) return token.failure();
   const Result<std::string> cookie = make_token();
-  if (!cookie) return Error{cookie.error()};
+  if (!cookie) return cookie.failure();
   return net::AccessOptions{
       .origins = {.hosts = settings.allowed_hosts, .origins = settings.allowed_origins, .robots = {}},
       .control_token = *token,

@@ -1,4 +1,4 @@
-// What a person may say about serving, on the command line of every program that serves.
+// The server's options on the command line of foresight-robot and foresight-lab.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,18 +12,20 @@
 
 namespace robot::app {
 
+/// The values of these options.
 struct ServerSettings {
   std::vector<std::string> bind = {"127.0.0.1"};
   std::uint16_t port = 8765;
   std::vector<std::string> allowed_hosts, allowed_origins;
-  std::vector<std::string> wireless;   // silent during a game; empty: those the system calls wireless
+  std::vector<std::string> wireless;   // interfaces that are silent during a game; empty: the system's wireless ones
   std::filesystem::path state_folder;  // empty: $XDG_STATE_HOME/foresight, or ~/.local/state/foresight
   bool protect_reading = false;
 };
 
+/// Declares the options, which set `settings`.
 void add_server_options(CLI::App& command, ServerSettings& settings);
 
-/// Who may do what. Makes the control token on the first start, readable by this user only.
+/// Returns the access rules of the server. Creates the control token on the first start, readable by this user only.
 Result<net::AccessOptions> access_options(const ServerSettings& settings);
 
 }  // namespace robot::app

@@ -1,11 +1,12 @@
-// How a process is told to end.
+// The signals that end a process: SIGINT and SIGTERM.
 #pragma once
 
 #include <csignal>
 
 namespace robot::app {
 
-/// Keeps SIGINT and SIGTERM for Runtime::run(); to be called before any other thread starts, which then inherits it.
+/// Blocks SIGINT and SIGTERM, so that only Runtime::run() takes them. Call it before other threads start; they inherit
+/// it.
 inline void block_end_signals() {
   sigset_t ends;
   sigemptyset(&ends);

@@ -34,7 +34,7 @@ Planes split(const unsigned char* yuyv, int width, int height) {
   return planes;
 }
 
-/// Half the width and height: means of 2x2 pixels, chroma of the same area.
+/// Splits an image and halves its width and height: means of 2x2 pixels, with the chroma of the same area.
 Planes split_half(const unsigned char* yuyv, int width, int height) {
   Planes planes(width / 2, height / 2);
   const std::size_t stride = static_cast<std::size_t>(width) * 2;
@@ -68,7 +68,7 @@ struct Compressor {
   }
 };
 
-/// libjpeg's errors come by longjmp; this carries the sentence out.
+/// The error handler of libjpeg, which reports errors by longjmp. It keeps the sentence of the error.
 struct JpegErrors {
   jpeg_error_mgr manager;
   std::jmp_buf escape;
@@ -81,10 +81,10 @@ void leave(j_common_ptr decoder) {
   std::longjmp(errors->escape, 1);
 }
 
-// says nothing on stderr
+// suppresses libjpeg's messages on stderr
 void ignore(j_common_ptr, int) {}
 
-/// Reads all rows into `rows` (components interleaved). Plain data only: longjmp runs no destructors.
+/// Reads all rows into `rows`, components interleaved. It has only plain data, because longjmp runs no destructors.
 bool read_rows(jpeg_decompress_struct& decoder, JpegErrors& errors, std::vector<unsigned char>& rows) {
   if (setjmp(errors.escape)) return false;
   jpeg_start_decompress(&decoder);
@@ -107,7 +107,7 @@ bool read_header(jpeg_decompress_struct& decoder, JpegErrors& errors, std::strin
   return true;
 }
 
-/// Interleaved Y, Cb, Cr at full resolution to YUYV: chroma of a pair is the mean of its two pixels.
+/// Converts interleaved Y, Cb, Cr at full resolution to YUYV. The chroma of a pair is the mean of its two pixels.
 std::string pairs_of(const std::vector<unsigned char>& ycc) {
   std::string yuyv(ycc.size() / 3 * 2, '\0');
   for (std::size_t pair = 0; pair < yuyv.size() / 4; ++pair) {
@@ -126,7 +126,7 @@ std::string pairs_of(const std::vector<unsigned char>& ycc) {
 Result<std::string> encode_jpeg(std::string_view yuyv, int width, int height, JpegOptions options) {
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
   if (width < 4 || height < 2 || width > kMaxSide || height > kMaxSide || width % 4 != 0 || height % 2 != 0)
-    return Error{"JPEG: expected a width in 4s and a height in 2s up to 4096 px, got " + size};
+    return Error{"JPEG: expected a width in multiples of 4 and an even height up to 4096 px, got " + size};
   if (yuyv.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 2)
     return Error{"JPEG: expected 2 bytes per pixel of a " + size + " image, got " + std::to_string(yuyv.size()) +
                  " bytes"};
@@ -174,10 +174,10 @@ Result<YuyvImage> decode_jpeg(std::string_view jpeg) {
   const bool pairs = decoder.num_components == 4;
   if (!pairs && decoder.num_components != 3)
     return Error{"JPEG: expected 3 or 4 components, got " + std::to_string(decoder.num_components)};
-  // four components are stored as they are: no colour conversion must touch them
+  // four components are the pixels themselves: prevent a colour conversion
   if (pairs) decoder.jpeg_color_space = JCS_CMYK;
   decoder.out_color_space = pairs ? JCS_CMYK : JCS_YCbCr;
-  decoder.dct_method = JDCT_ISLOW;  // the exact one, so that every machine decodes the same bytes
+  decoder.dct_method = JDCT_ISLOW;  // the exact method, so that every machine decodes to the same bytes
 
   std::vector<unsigned char> rows;
   if (!read_rows(decoder, errors, rows)) return Error{std::string("JPEG: ") + errors.sentence};

@@ -13,8 +13,9 @@ struct JpegOptions {
   int quality = 75;  // 1 .. 100
 };
 
-/// A baseline 4:2:2 JPEG of the YUYV image `yuyv`: `width` x `height` [px], 2 bytes per pixel, rows without gaps.
-/// Colour values are taken as full-range BT.601, as the JPEG standard and the Nao's cameras have them. Any thread.
+/// Encodes the YUYV image `yuyv` as a baseline 4:2:2 JPEG. The image has `width` x `height` [px], 2 bytes per pixel and
+/// no gaps between rows. Colour values are full-range BT.601, as in the JPEG standard and from the Nao's cameras. Any
+/// thread.
 Result<std::string> encode_jpeg(std::string_view yuyv, int width, int height, JpegOptions options = {});
 
 struct YuyvImage {
@@ -26,12 +27,12 @@ struct ImageSize {
   int width = 0, height = 0;  // [px]
 };
 
-/// How large the picture is that decode_jpeg() makes of a JPEG, without decoding it.
+/// Returns the size of the image that decode_jpeg() would return, without decoding it.
 Result<ImageSize> size_of_jpeg(std::string_view jpeg);
 
-/// The pixels of a JPEG. Two kinds are understood: an ordinary colour JPEG, and the four-component JPEG of the 2009
-/// B-Human recordings, whose components are the Y U Y V of each pair of pixels, so that its width counts pairs.
-/// At most 4096 x 4096 px.
+/// Decodes a JPEG of at most 4096 x 4096 px. It accepts two kinds: an ordinary colour JPEG, and the four-component JPEG
+/// of the 2009 B-Human recordings. The latter has the Y U Y V of each pair of pixels as components, so its width counts
+/// pairs.
 Result<YuyvImage> decode_jpeg(std::string_view jpeg);
 
 }  // namespace robot::image

@@ -80,10 +80,7 @@ class ListCommand final : public Command {
 
 }  // namespace
 
-int fail(const std::string& sentence) {
-  std::fprintf(stderr, "foresight-sim: %s\n", sentence.c_str());
-  return kBadInput;
-}
+int fail(const std::string& sentence) { return robot::command::fail("foresight-sim", sentence); }
 
 void ChoiceOptions::add_to(CLI::App& command) {
   command.add_option("--rules", choice_.rules, "a year's: name, name:players, name,field=value or file")

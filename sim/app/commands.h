@@ -1,34 +1,20 @@
 // The commands of foresight-sim. Each adds itself to the command line and runs if it was chosen.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "robot/command/command.h"
 #include "sim/contest/lineup.h"
 #include "sim/io/playbook.h"
 
 namespace sim::app {
 
-inline constexpr int kDone = 0, kBadInput = 2;
+using robot::command::Command, robot::command::kDone, robot::command::kBadInput;
 
-/// Prints an error sentence on stderr. Returns kBadInput.
+/// Prints the sentence on stderr and returns the exit status of bad input.
 int fail(const std::string& sentence);
-
-class Command {
- public:
-  virtual ~Command() = default;
-  virtual int run() = 0;
-  bool chosen() const { return subcommand_->parsed(); }
-
- protected:
-  explicit Command(CLI::App* subcommand) : subcommand_(subcommand) {}
-  CLI::App& options() { return *subcommand_; }
-
- private:
-  CLI::App* subcommand_;
-};
 
 /// --rules, --home, --away, --home-rest, --away-rest, --changed, --models, --home-models, --away-models, --players,
 /// --every-tick: the options of every command that plays games.

@@ -1,6 +1,4 @@
 // foresight-sim: games of simulated robot soccer, played, measured and compared.
-#include <cstdio>
-
 #include "sim/app/commands.h"
 
 namespace sim::app {
@@ -10,7 +8,7 @@ int sim_main(int argc, char** argv) {
   CLI::App app{"Foresight's simulator of robot soccer"};
   app.set_version_flag("--version", std::string(FORESIGHT_VERSION));
   app.require_subcommand(1);
-  std::vector<std::unique_ptr<Command>> commands;
+  robot::command::Commands commands;
   commands.push_back(match_command(app));
   commands.push_back(situation_command(app));
   commands.push_back(compare_command(app));
@@ -21,14 +19,7 @@ int sim_main(int argc, char** argv) {
   commands.push_back(vet_command(app));
   commands.push_back(signature_command(app));
   for (const char* kind : {"rules", "models", "strategies", "situations"}) commands.push_back(list_command(app, kind));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kBadInput;
-  }
-  for (const auto& command : commands)
-    if (command->chosen()) return command->run();
-  return kBadInput;
+  return robot::command::run(app, commands, argc, argv);
 }
 
 }  // namespace

@@ -10,21 +10,20 @@
 
 namespace sim::contest {
 
-/// Calls `play(i)` for 0 <= i < games, from `threads` threads. Calls `progress` with the number of finished games,
-/// always from the calling thread.
+/// Calls `play(i)` for 0 <= i < games, from `threads` threads. `progress` gets the number of finished games, in one thread.
 void for_each_game(int games, int threads, const std::function<void(int)>& play,
                    const std::function<void(int)>& progress = {});
 
-/// Returns the number of the machine's processors, but at most `games` and at least 1.
+/// Returns the number of processors, at most `games`.
 int threads_for(int games);
 
-/// The first failure in many games. Thread-safe.
+/// The first fault in many games. Any thread.
 class Problem {
  public:
-  /// Keeps the first problem; later calls have no effect.
+  /// Notes a fault. Only the first one is kept.
   void tell(const std::string& problem);
   bool is_known() const;
-  /// Returns the problem, or an empty string without one.
+  /// Returns the fault, or an empty string.
   std::string text() const;
 
  private:
@@ -38,7 +37,7 @@ struct Mean {
   double error = 0;  // one standard error; 0 for fewer than two values
 };
 Mean mean_of(const std::vector<double>& values);
-/// Returns the median: for an even number of values the mean of the middle two, and 0 for none.
+/// Returns the median: the mean of the middle two for an even number of values, 0 for none.
 double median_of(std::vector<double> values);
 
 }  // namespace sim::contest

@@ -13,7 +13,7 @@ using Doing = Body::Doing;
 constexpr float kLying = 0.1f;             // [m/s]
 constexpr float kMoving = 0.5f;            // [m/s]
 constexpr float kAstray = 10 * kPi / 180;  // [rad]
-constexpr float kAstrayFrom = 0.5f;        // [m] nearer than that every error is a large angle
+constexpr float kAstrayFrom = 0.5f;        // [m] nearer, every error is a large angle
 
 double angle_between(Vec2 a, Vec2 b) { return std::abs(std::atan2(double(cross(a, b)), double(dot(a, b)))); }
 

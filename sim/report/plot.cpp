@@ -7,7 +7,7 @@
 namespace sim::report {
 namespace {
 
-// [px of the picture] and the room for the axes
+// [px] size of the plot and space for the axes
 constexpr double kWidth = 560, kHeight = 240;
 constexpr double kLeft = 52, kRight = 12, kTop = 14, kBottom = 40;
 
@@ -18,7 +18,7 @@ std::string text(const char* format, Values... values) {
   return buffer;
 }
 
-/// Round numbers from `low` to `high`, about `count` of them.
+/// Returns about `count` round numbers from `low` to `high`.
 std::vector<double> ticks_between(double low, double high, int count) {
   const double rough = (high - low) / count, power = std::pow(10, std::floor(std::log10(rough)));
   double step = 10 * power;

@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include "robot/core/little_endian.h"
-#include "robot/net/foxglove/foxglove_client.h"
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/from_client.h"
+#include "robot/net/foxglove/to_client.h"
 #include "robot/net/websocket/handshake.h"
 #include "robot/net/websocket/web_socket_client.h"
 #include "tests/bench/load.h"

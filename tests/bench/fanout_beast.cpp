@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/to_client.h"
 #include "tests/bench/fanout.h"
 
 namespace bench {

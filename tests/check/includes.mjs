@@ -53,6 +53,7 @@ export const rows = {
   "robot/body/replay": ["robot/core", "robot/memory", "robot/logging", "robot/logging/mcap", "robot/logging/streams", "robot/logging/sessions", "proto"],
   "robot/body/sim": ["robot/core", "robot/memory", "robot/bridge", "proto", "sim/math", "sim/world", "sim/agent", "sim/referee", "sim/match", "sim/io"],
   "robot/client": [],
+  "robot/command": [],
   "robot/lab/clocks": ["robot/core", "robot/memory", "robot/logging", "robot/logging/mcap", "robot/logging/streams", "robot/logging/sessions", "proto"],
   "robot/lab/import": ["robot/core", "robot/memory", "robot/logging", "robot/logging/mcap", "robot/logging/streams", "robot/logging/sessions", "robot/image", "proto"],
   "robot/lab/mapping": ["robot/core", "robot/memory", "robot/logging/mcap", "robot/logging/streams", "proto"],

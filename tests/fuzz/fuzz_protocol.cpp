@@ -3,9 +3,9 @@
 #include <string_view>
 
 #include "robot/core/encoding.h"
-#include "robot/net/foxglove/foxglove_client.h"
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/from_client.h"
 #include "robot/net/foxglove/services.h"
+#include "robot/net/foxglove/to_client.h"
 #include "robot/net/http/origin_policy.h"
 #include "robot/net/serve/session_page.h"
 #include "robot/net/websocket/handshake.h"

@@ -108,7 +108,7 @@ describe("body nao", { concurrency: 4 }, () => {
     await world.play();
     assert.deepEqual(await live.call("sit_and_soft"), { ok: true });
     await world.until((state) => state.stiffness === 0, "it is soft");
-    await live.until(() => newest("body").reason.includes("told to be soft"), "the reason");
+    await live.until(() => newest("body").reason.includes("asked for sit_and_soft"), "the reason");
   });
 
   test("a runtime that is stopped on purpose sits the robot down and does not count as crashed", async (t) => {

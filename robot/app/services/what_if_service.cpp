@@ -29,15 +29,15 @@ json answer(const json& request, std::uint64_t asked_ns, const std::string& own,
   Result<foresight::Forecast> forecast = ask(robot, *question);
   if (!forecast) return refused(forecast.error());
   if (!forecast->refusal().empty()) return refused(forecast->reason());
-  // whoever asks waits for others' questions too
+  // includes the time in the queue behind other questions
   forecast->set_answered_ms(static_cast<float>(monotonic_ns() - asked_ns) / 1e6f);
   return {{"ok", true}, {"robot", robot}, {"forecast", foreseeing::to_json(*forecast, true)}};
 }
 
 }  // namespace
 
-void add_what_if(net::Services& services, const std::string& robot, std::vector<std::string> strategies,
-                 AskForesight ask) {
+void add_what_if_service(net::Services& services, const std::string& robot, std::vector<std::string> strategies,
+                         AskForesight ask) {
   services.add(kName, net::Services::For::questions,
                [robot, ask = std::move(ask)](const json& request, const net::ClientContext& asker) {
                  return answer(request, asker.asked_ns, robot, ask);

@@ -1,4 +1,4 @@
-// The services of foresight: people and programs ask which strategy is best from here on.
+// The services of foresight: people and programs ask for the best strategy from the current moment on.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,21 @@
 
 namespace robot::app {
 
-/// Who answers: asks from what the robot of that name ("14/2") knows now, and waits.
+/// Answers a question from the current knowledge of the robot of that name ("14/2"). Blocks until the answer is there.
 using AskForesight = std::function<Result<foresight::Forecast>(const std::string& robot, const foresight::WhatIf&)>;
 
-/// Adds /foresight/what_if and /foresight/strategies. The request of the first is a question as robot/foresight/question.h has it, and "robot" where it is not `robot`:
+/// Adds /foresight/what_if and /foresight/strategies. A request of the first is a question
+/// (robot/foresight/question.h). Its entry "robot" is needed only for another robot than `robot`:
 ///
 ///   {"robot": "14/2", "strategies": ["baseline", "passing"], "horizon": 30, "budget_ms": 500, …}
 ///
-/// The answer is {"ok": true, "robot", "forecast": {…}}, or {"ok": false, "error": sentence} where the question makes no
-/// sense or nothing can be told: "cannot tell, because nobody has seen the ball yet". Its "answered_ms" counts from when the
-/// question came. It needs the token from beyond this machine, and in match mode there is none: "game in progress".
+/// The answer is {"ok": true, "robot", "forecast": {…}}. If the question is wrong or the robot knows too little, it is
+/// {"ok": false, "error": sentence}. "answered_ms" counts from the arrival of the question. From another machine the
+/// service needs the token. In match mode it answers no client: "game in progress".
 ///
-/// The second takes {} and answers {"ok": true, "strategies": ["baseline", "passing", …]}: `strategies`, the names that a
-/// question may use, in this order. Every client may call it, in match mode too.
-void add_what_if(net::Services& services, const std::string& robot, std::vector<std::string> strategies,
-                 AskForesight ask);
+/// The second takes {} and answers {"ok": true, "strategies": ["baseline", "passing", …]}: `strategies`, the names that
+/// a question may use, in this order. Every client may call it, also in match mode.
+void add_what_if_service(net::Services& services, const std::string& robot, std::vector<std::string> strategies,
+                         AskForesight ask);
 
 }  // namespace robot::app

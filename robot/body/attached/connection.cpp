@@ -13,7 +13,7 @@ namespace robot::body {
 namespace {
 
 constexpr std::size_t kBlockBytes = 65536;
-constexpr std::size_t kMaxWaitingFiles = 4;  // a process sends one, and the frame that speaks of it with it
+constexpr std::size_t kMaxWaitingFiles = 4;  // a process sends one together with the frame that names it
 
 void wait_for(int file, short events) {
   pollfd ready{.fd = file, .events = events, .revents = 0};
@@ -21,7 +21,7 @@ void wait_for(int file, short events) {
   }
 }
 
-/// Takes the files that came with a piece of a stream.
+/// Keeps the files that came with a piece of a stream.
 void keep_files(msghdr& piece, std::deque<FileDescriptor>& files) {
   for (cmsghdr* extra = CMSG_FIRSTHDR(&piece); extra; extra = CMSG_NXTHDR(&piece, extra)) {
     if (extra->cmsg_level != SOL_SOCKET || extra->cmsg_type != SCM_RIGHTS) continue;
@@ -77,7 +77,7 @@ Result<std::optional<logging::Frame>> Connection::next() {
   shared_ = std::move(received_.front());
   received_.pop_front();
   struct stat status {};
-  // reading anything else could block
+  // a read from any other kind of file could block
   if (::fstat(shared_.get(), &status) != 0 || !S_ISREG(status.st_mode))
     return Error{"expected an ordinary file to share messages in, got something else"};
   return frame;

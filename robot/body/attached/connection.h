@@ -1,4 +1,4 @@
-// One connection at the door: frames, and the files that come along with them.
+// One connection at the door: frames, and files that come with them.
 #pragma once
 
 #include <sys/types.h>
@@ -15,45 +15,45 @@
 
 namespace robot::body {
 
-/// Who is at the other end of a local socket.
+/// The process at the other end of a local socket.
 struct Peer {
   pid_t process = 0;
   uid_t user = 0;
 };
 
-/// Used by one thread at a time, except where said otherwise.
+/// A connection to a team's process. Used by one thread at a time, except where stated otherwise.
 class Connection {
  public:
-  /// `socket` never blocks.
+  /// Takes over `socket`, which must be non-blocking.
   explicit Connection(FileDescriptor socket);
 
   const Peer& peer() const { return peer_; }
   int file() const { return socket_.get(); }
 
-  /// Whether the other side has gone, or will at least send nothing more.
+  /// Returns whether the other side has disconnected or will send nothing more.
   bool gone() const;
 
-  /// Takes in what has come, without waiting; false when nothing will come any more.
+  /// Receives the available bytes without waiting. Returns false when the other side will send nothing more.
   bool receive();
 
-  /// The next whole frame of what was received; nothing when more is needed. After an Error nothing can be read on.
-  /// A file that shared messages lie in is kept here.
+  /// Returns the next complete frame, or nothing when bytes are missing. After an Error no more frames can be read.
+  /// The connection keeps a received file for shared messages.
   Result<std::optional<logging::Frame>> next();
 
-  /// The bytes of a shared message, copied. They come by reading the file, not by mapping it: whoever shares it may
-  /// truncate it or write to it at any time, and that must not harm us.
+  /// Returns a copy of a shared message. It reads the file instead of mapping it: the process may truncate or overwrite
+  /// the file at any time, and a truncated mapping would crash the runtime.
   Result<std::string> copy(const logging::SharedMessage& message) const;
 
-  /// Sends all of `bytes` without waiting; false when that cannot be.
+  /// Sends all of `bytes` without waiting. Returns false if that is not possible.
   bool send(std::string_view bytes);
 
-  /// Sends `bytes`, and waits while the other side does not read; false when it has gone, or after end().
+  /// Sends `bytes` and waits while the other side does not read. Returns false after a disconnect or end().
   bool send_waiting(std::string_view bytes);
 
-  /// Waits until something has come, the other side has gone, or end() was called.
+  /// Waits until bytes arrive, the other side disconnects, or end() is called.
   void wait();
 
-  /// Ends all waiting and the connection itself; it stays an object. Any thread.
+  /// Ends the connection and all waiting; the object stays valid. Any thread.
   void end();
 
  private:

@@ -17,9 +17,9 @@
 namespace robot::body {
 namespace {
 
-constexpr std::uint32_t kVersion = 1;  // of what is said at the door
-constexpr int kClearingMs = 100;       // how soon what ended is cleared away, and what is new is found
-constexpr uid_t kRoot = 0;             // who may do everything anyway
+constexpr std::uint32_t kVersion = 1;  // of the protocol at the door
+constexpr int kClearingMs = 100;       // between checks for ended streams and for new objects
+constexpr uid_t kRoot = 0;             // root has access to everything
 
 }  // namespace
 
@@ -30,13 +30,13 @@ std::filesystem::path default_door() {
 
 Result<std::unique_ptr<Door>> Door::open(DoorOptions options, const SessionClock& clock, memory::Channels& channels,
                                          logging::LoggingBoard& board) {
-  // all streams of all processes come at once after a restart
+  // after a restart all streams of all processes connect at once
   Result<FileDescriptor> listening =
       listen_locally(options.path, {.who = "door",
                                     .another = "another runtime does; end it, or choose another --door",
                                     .type = SOCK_STREAM,
                                     .backlog = kMaxConnections});
-  if (!listening) return Error{listening.error()};
+  if (!listening) return listening.failure();
   FileDescriptor bell(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
   if (!bell) return file_error("door: cannot make an event for", options.path, errno);
   return std::unique_ptr<Door>(
@@ -66,22 +66,22 @@ void Door::run() {
   become_background_thread("door");
   while (wait()) {
     take_in();
-    for (Guest& guest : guests_) hear(guest);
-    std::erase_if(guests_, [](const Guest& guest) { return guest.leaves; });
+    for (PendingConnection& pending : pending_) hear(pending);
+    std::erase_if(pending_, [](const PendingConnection& pending) { return pending.done; });
     clear_away();
   }
 }
 
-/// Until somebody comes, speaks or goes, or it is time to clear away; false when the door closes.
+/// Waits for a new connection, a frame, a disconnect or the next check. Returns false when the door closes.
 bool Door::wait() {
   std::vector<pollfd> waiting = {{.fd = bell_.get(), .events = POLLIN, .revents = 0},
                                  {.fd = listening_.get(), .events = POLLIN, .revents = 0}};
-  for (const Guest& guest : guests_)
+  for (const PendingConnection& pending : pending_)
     waiting.push_back(
-        {.fd = guest.connection->file(), .events = guest.wanted ? short{POLLRDHUP} : short{POLLIN}, .revents = 0});
+        {.fd = pending.connection->file(), .events = pending.wanted ? short{POLLRDHUP} : short{POLLIN}, .revents = 0});
   for (const Stream& stream : streams_)
     if (stream.reader) waiting.push_back({.fd = stream.reader->file(), .events = POLLRDHUP, .revents = 0});
-  const bool something_to_clear = !streams_.empty() || !guests_.empty();
+  const bool something_to_clear = !streams_.empty() || !pending_.empty();
   ::poll(waiting.data(), waiting.size(), something_to_clear ? kClearingMs : -1);
   return (waiting.front().revents & POLLIN) == 0;
 }
@@ -90,70 +90,70 @@ void Door::take_in() {
   while (true) {
     FileDescriptor socket(::accept4(listening_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (!socket) return;
-    Guest guest{.connection = std::make_shared<Connection>(std::move(socket)), .wanted = {}};
-    const Peer& peer = guest.connection->peer();
+    PendingConnection pending{.connection = std::make_shared<Connection>(std::move(socket)), .wanted = {}};
+    const Peer& peer = pending.connection->peer();
     if (peer.user != ::geteuid() && peer.user != kRoot) {
-      refuse(guest, "expected a process of user " + std::to_string(::geteuid()) + ", got one of user " +
-                        std::to_string(peer.user));
-    } else if (guests_.size() + streams_.size() >= kMaxConnections) {
-      refuse(guest, "expected at most " + std::to_string(kMaxConnections) + " streams at once, got one more");
+      refuse(pending, "expected a process of user " + std::to_string(::geteuid()) + ", got one of user " +
+                          std::to_string(peer.user));
+    } else if (pending_.size() + streams_.size() >= kMaxConnections) {
+      refuse(pending, "expected at most " + std::to_string(kMaxConnections) + " streams at once, got one more");
     } else {
-      // who has gone already does not hear it, and what he wrote counts all the same
-      guest.connection->send(logging::welcome_frame({kVersion, clock_.epoch_offset_ns()}));
-      guests_.push_back(std::move(guest));
+      // a process that has already disconnected misses this frame, but its messages are still read
+      pending.connection->send(logging::welcome_frame({kVersion, clock_.epoch_offset_ns()}));
+      pending_.push_back(std::move(pending));
     }
   }
 }
 
-/// What a guest has to say.
-void Door::hear(Guest& guest) {
-  if (guest.wanted) return serve(guest);
-  guest.leaves = !guest.connection->receive();
-  Result<std::optional<logging::Frame>> frame = guest.connection->next();
-  if (!frame) return refuse(guest, frame.error());
+/// Reads the first frame of a connection, or serves one that waits for an object.
+void Door::hear(PendingConnection& pending) {
+  if (pending.wanted) return serve(pending);
+  pending.done = !pending.connection->receive();
+  Result<std::optional<logging::Frame>> frame = pending.connection->next();
+  if (!frame) return refuse(pending, frame.error());
   if (!*frame) return;
-  if (auto* announced = std::get_if<memory::ChannelInfo>(&**frame)) return write(guest, std::move(*announced));
+  if (auto* announced = std::get_if<memory::ChannelInfo>(&**frame)) return write(pending, std::move(*announced));
   const auto* wanted = std::get_if<logging::Wanted>(&**frame);
-  if (!wanted) return refuse(guest, "expected an object to be announced or wanted first, got something else");
+  if (!wanted) return refuse(pending, "expected an object to be announced or wanted first, got something else");
   Result<std::string> topic = objects_.topic_of(wanted->topic);
-  if (!topic) return refuse(guest, topic.error());
-  guest.wanted = std::move(*topic);
-  serve(guest);
+  if (!topic) return refuse(pending, topic.error());
+  pending.wanted = std::move(*topic);
+  serve(pending);
 }
 
-void Door::write(Guest& guest, memory::ChannelInfo announced) {
+void Door::write(PendingConnection& pending, memory::ChannelInfo announced) {
   const Result<std::shared_ptr<memory::Channel>> channel = objects_.channel_of(std::move(announced));
-  if (!channel) return refuse(guest, channel.error());
-  guest.leaves = true;
+  if (!channel) return refuse(pending, channel.error());
+  pending.done = true;
   streams_.push_back(
       {.id = board_.start_parser(
-           std::make_unique<DoorInProvider>(guest.connection, (*channel)->info(), clock_.epoch_offset_ns(), turns_),
+           std::make_unique<DoorInProvider>(pending.connection, (*channel)->info(), clock_.epoch_offset_ns(), turns_),
            {.destination =
                 [channel](const memory::ChannelInfo&) { return Result<std::shared_ptr<memory::Channel>>(*channel); },
             .pace = nullptr}),
        .reader = nullptr});
 }
 
-/// Begins to send what is wanted, once it is there.
-void Door::serve(Guest& guest) {
-  guest.leaves = guest.connection->gone();
-  const std::shared_ptr<memory::Channel> channel = channels_.find(*guest.wanted);
-  if (!channel || guest.leaves) return;
-  guest.leaves = true;
+/// Starts to send the wanted object as soon as its channel exists.
+void Door::serve(PendingConnection& pending) {
+  pending.done = pending.connection->gone();
+  const std::shared_ptr<memory::Channel> channel = channels_.find(*pending.wanted);
+  if (!channel || pending.done) return;
+  pending.done = true;
   streams_.push_back(
-      {.id = board_.start_logger(channel, std::make_unique<DoorOutProvider>(guest.connection, clock_.epoch_offset_ns()),
-                                 kQueueBytes),
-       .reader = guest.connection});
+      {.id = board_.start_logger(
+           channel, std::make_unique<DoorOutProvider>(pending.connection, clock_.epoch_offset_ns()), kQueueBytes),
+       .reader = pending.connection});
 }
 
-void Door::refuse(Guest& guest, const std::string& sentence) {
-  guest.connection->send(logging::refused_frame({sentence}));
-  guest.connection->end();
-  guest.leaves = true;
+void Door::refuse(PendingConnection& pending, const std::string& sentence) {
+  pending.connection->send(logging::refused_frame({sentence}));
+  pending.connection->end();
+  pending.done = true;
   refusals_.report(Level::error, "door", sentence);
 }
 
-/// Streams whose process has gone.
+/// Removes the streams whose process has disconnected.
 void Door::clear_away() {
   std::erase_if(streams_, [this](const Stream& stream) {
     const bool ended = stream.reader ? stream.reader->gone() : board_.status(stream.id).ended;

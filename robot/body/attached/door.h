@@ -1,6 +1,6 @@
-// The door by which a team's own processes join: they write into our memory and read from it through a local socket.
+// The door for a team's own processes: a local socket through which they write and read memory.
 //
-// What is said there is robot/logging/streams/stream_format.h; what a process uses to say it is robot/client/foresight.h.
+// robot/logging/streams/stream_format.h defines the protocol. Processes use it through robot/client/foresight.h.
 #pragma once
 
 #include <filesystem>
@@ -24,28 +24,29 @@
 
 namespace robot::body {
 
+/// Path, robot and protected objects of a door.
 struct DoorOptions {
-  std::filesystem::path path;  // of the socket; default_door() is where a client looks
-  std::string robot;           // ours: "14/2"
+  std::filesystem::path path;  // of the socket; clients look at default_door()
+  std::string robot;           // this robot, such as "14/2"
 
   /// Objects of this robot that only the runtime writes.
   std::set<std::string> own_objects = {"runtime", "clock", "parameters"};
 };
 
-/// Where the door is unless somebody says otherwise: $FORESIGHT_DOOR, or a name of this user's in shared memory, which
-/// every process sees whatever its temporary folder.
+/// Returns the default path of the door: $FORESIGHT_DOOR, or a name of this user in shared memory. Every process sees
+/// that name, also with a temporary folder of its own.
 std::filesystem::path default_door();
 
-/// One connection is one stream: a parser of its own for each object that is written, a logger for each that is read.
-/// A thread of the door's own takes connections in, learns what they want, and clears away those that ended.
+/// The door: one connection is one stream. Each written object has a parser of its own, each read object a logger.
+/// The door's own thread accepts connections, reads their first frame, and removes streams that ended.
 class Door {
  public:
-  /// What waits for a process that does not read [bytes], of one stream.
+  /// Size of the queue of one stream for a process that does not read [bytes].
   static constexpr std::size_t kQueueBytes = 4 << 20;
   static constexpr std::size_t kMaxConnections = 128;
 
-  /// Opens the door for this user and nobody else. An Error if somebody else listens there. `clock` is the time base of
-  /// all channels; all given ones outlive the door.
+  /// Opens the door for this user only. Returns an Error if another program listens there. `clock` is the time base of
+  /// all channels. All arguments outlive the door.
   static Result<std::unique_ptr<Door>> open(DoorOptions options, const SessionClock& clock, memory::Channels& channels,
                                             logging::LoggingBoard& board);
 
@@ -53,11 +54,11 @@ class Door {
   ~Door();
 
  private:
-  /// Somebody who came in and has not said yet what he wants; or who wants an object that is not there yet.
-  struct Guest {
+  /// A connection before its stream starts: it has sent no first frame yet, or wants an object that does not exist yet.
+  struct PendingConnection {
     std::shared_ptr<Connection> connection;
-    std::optional<std::string> wanted;  // the topic, once it was said
-    bool leaves = false;
+    std::optional<std::string> wanted;  // the topic, after the first frame
+    bool done = false;                  // refused, disconnected, or its stream has started
   };
   struct Stream {
     logging::LoggingBoard::StreamId id = 0;
@@ -70,10 +71,10 @@ class Door {
   void run();
   bool wait();
   void take_in();
-  void hear(Guest& guest);
-  void write(Guest& guest, memory::ChannelInfo announced);
-  void serve(Guest& guest);
-  void refuse(Guest& guest, const std::string& sentence);
+  void hear(PendingConnection& pending);
+  void write(PendingConnection& pending, memory::ChannelInfo announced);
+  void serve(PendingConnection& pending);
+  void refuse(PendingConnection& pending, const std::string& sentence);
   void clear_away();
 
   const DoorOptions options_;
@@ -84,7 +85,7 @@ class Door {
 
   // of the thread
   Objects objects_;
-  std::list<Guest> guests_;
+  std::list<PendingConnection> pending_;
   std::vector<Stream> streams_;
   Throttle refusals_;
 

@@ -16,7 +16,7 @@ const google::protobuf::Descriptor* our_message(const std::string& name) {
   return google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(name);
 }
 
-/// A topic names a file, too: its parts are words, none is empty or begins with a dot.
+/// Returns whether `topic` is valid. It is also a file name: no part may be empty or begin with a dot.
 bool is_topic(std::string_view topic) {
   if (!topic.starts_with('/') || topic.ends_with('/') || topic.size() > kMaxTopicBytes) return false;
   if (topic.find("//") != topic.npos || topic.find("/.") != topic.npos) return false;
@@ -26,7 +26,7 @@ bool is_topic(std::string_view topic) {
   });
 }
 
-/// Text of others for a sentence of ours.
+/// Returns text from outside in a printable form, for an error sentence.
 std::string quoted(std::string_view text) {
   std::string shown(text.substr(0, 80));
   for (char& byte : shown)
@@ -46,7 +46,7 @@ Result<std::string> Objects::topic_of(std::string_view name) const {
                std::to_string(kMaxTopicBytes) + " bytes, got " + quoted(name)};
 }
 
-/// Fills in what we know better: a message of ours needs no schema, and one that comes must mean the same.
+/// Adds the schema of a message of ours if it is missing. Otherwise checks that the given schema means the same.
 Result<void> Objects::complete(memory::ChannelInfo& announced) const {
   const google::protobuf::Descriptor* ours =
       announced.message_encoding == "protobuf" ? our_message(announced.schema.name) : nullptr;
@@ -68,13 +68,13 @@ Result<std::shared_ptr<memory::Channel>> Objects::make(memory::ChannelInfo info)
                  " objects unknown to the runtime, got one more"};
   ++made_;
   const auto made = std::make_shared<memory::RawChannel>(std::move(info), clock_);
-  if (Result<void> added = channels_.add(made); !added) return Error{added.error()};
+  if (Result<void> added = channels_.add(made); !added) return added.failure();
   return std::shared_ptr<memory::Channel>(made);
 }
 
 Result<std::shared_ptr<memory::Channel>> Objects::channel_of(memory::ChannelInfo announced) {
   Result<std::string> topic = topic_of(announced.topic);
-  if (!topic) return Error{topic.error()};
+  if (!topic) return topic.failure();
   announced.topic = std::move(*topic);
   if (const std::string own = "/" + robot_ + "/";
       announced.topic.starts_with(own) && own_.contains(announced.topic.substr(own.size())))
@@ -83,8 +83,7 @@ Result<std::shared_ptr<memory::Channel>> Objects::channel_of(memory::ChannelInfo
   const std::shared_ptr<memory::Channel> known = channels_.find(announced.topic);
   if (known && announced.schema.name.empty() && announced.message_encoding == known->info().message_encoding)
     return known;
-  if (Result<void> completed = complete(announced); !completed)
-    return Error{announced.topic + ": " + completed.error()};
+  if (Result<void> completed = complete(announced); !completed) return completed.failure(announced.topic);
   if (!known) return make(std::move(announced));
 
   const memory::ChannelInfo& info = known->info();

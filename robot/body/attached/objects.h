@@ -1,4 +1,4 @@
-// Which memory object a team's process means.
+// Channels of the memory objects that a team's processes name.
 #pragma once
 
 #include <memory>
@@ -12,21 +12,21 @@
 
 namespace robot::body {
 
-/// Finds the channel of what is announced; makes it when nobody has it yet, whatever its type. Used by one thread.
+/// A finder of channels for announced objects. It creates missing channels, of any type. Used by one thread.
 class Objects {
  public:
-  /// So many channels are made for objects that this runtime does not know; channels stay for good.
+  /// Most channels that are created for objects unknown to this runtime. Channels are never removed.
   static constexpr int kMaxMade = 256;
 
-  /// `robot` is ours, "14/2"; `own` are objects that only the runtime writes, such as "runtime". `channels` and `clock`
-  /// outlive this.
+  /// `robot` is this robot, such as "14/2". `own` are objects that only the runtime writes, such as "runtime".
+  /// `channels` and `clock` outlive this.
   Objects(std::string robot, std::set<std::string> own, memory::Channels& channels, const Clock& clock);
 
-  /// "ball" is an object of this robot, "/14/2/ball"; what starts with '/' is a topic as it stands. An Error if that is
-  /// no name for a topic.
+  /// Returns the topic of an object: "ball" becomes "/14/2/ball" of this robot, and a name that starts with '/' is a
+  /// topic already. Returns an Error if the result is no valid topic.
   Result<std::string> topic_of(std::string_view name) const;
 
-  /// The channel that `announced`, named as above, writes to. An Error says what of it does not fit.
+  /// Returns the channel for `announced`, named as above. Returns an Error that names the part that does not fit.
   Result<std::shared_ptr<memory::Channel>> channel_of(memory::ChannelInfo announced);
 
  private:

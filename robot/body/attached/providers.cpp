@@ -7,7 +7,7 @@
 namespace robot::body {
 namespace {
 
-/// How far ahead of now a capture time may lie: whoever gives the time of another clock is off by far more.
+/// Largest lead of a capture time over now. Times of another clock are wrong by far more.
 constexpr std::uint64_t kToleranceNs = kSecond;
 
 }  // namespace
@@ -28,7 +28,7 @@ Result<memory::ChannelInfo> DoorInProvider::open() {
   return info_;
 }
 
-/// Ends the connection, and tells the other side why.
+/// Ends the connection and sends the reason to the other side.
 Error DoorInProvider::refuse(std::string sentence) {
   ended_ = true;
   connection_->send(logging::refused_frame({sentence}));
@@ -52,7 +52,7 @@ Result<std::optional<logging::Record>> DoorInProvider::read() {
   return std::optional<logging::Record>();
 }
 
-/// The message in `frame`; nothing when it holds none.
+/// Returns the message in `frame`, or nothing if it holds none.
 Result<std::optional<logging::Record>> DoorInProvider::take(logging::Frame frame) {
   if (auto* record = std::get_if<logging::Record>(&frame)) return checked(std::move(*record));
   if (std::holds_alternative<logging::SharedMemory>(frame)) return std::optional<logging::Record>();
@@ -60,7 +60,8 @@ Result<std::optional<logging::Record>> DoorInProvider::take(logging::Frame frame
   if (!shared) return refuse(info_.topic + ": expected a message, got something else");
   Result<std::string> bytes = connection_->copy(*shared);
   if (!bytes) return refuse(info_.topic + ": " + bytes.error());
-  // who has gone needs the place no more, and who does not listen has the harm himself
+  // frees the message's place; a failure is ignored: a process that has disconnected or does not read loses only its
+  // own places
   connection_->send(logging::taken_frame({shared->sequence}));
   return checked({.sequence = shared->sequence,
                   .capture_ns = shared->capture_ns,

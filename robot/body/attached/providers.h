@@ -1,4 +1,4 @@
-// The two ends of a stream at the door: what a parser reads a team's process from, what a logger writes to one.
+// Streams at the door: the source of a parser and the target of a logger.
 #pragma once
 
 #include <atomic>
@@ -12,10 +12,10 @@
 
 namespace robot::body {
 
-/// The messages that a process writes; the stream ends with the connection. Their times become those of the epoch.
+/// The messages that a process writes, with their times converted to the epoch. The stream ends with the connection.
 class DoorInProvider final : public logging::InProvider {
  public:
-  /// `info` is what the process has announced; `turns` outlives this.
+  /// `info` is the process's announcement. `turns` outlives this.
   DoorInProvider(std::shared_ptr<Connection> connection, memory::ChannelInfo info, std::uint64_t epoch_offset_ns,
                  Turns& turns);
   ~DoorInProvider() override;
@@ -38,12 +38,12 @@ class DoorInProvider final : public logging::InProvider {
   const std::uint64_t epoch_offset_ns_;
   Turns& turns_;
   bool has_turn_ = false, ended_ = false;
-  std::uint64_t last_sequence_ = 0;  // 0: nothing came yet
+  std::uint64_t last_sequence_ = 0;  // 0: no message yet
   std::atomic<std::uint64_t> lost_ = 0;
   std::atomic<bool> cancelled_ = false;
 };
 
-/// What a process reads. When it has gone, what is written goes nowhere: that is no failure of ours.
+/// The messages that a process reads. After its disconnect, messages are dropped without an error.
 class DoorOutProvider final : public logging::OutProvider {
  public:
   DoorOutProvider(std::shared_ptr<Connection> connection, std::uint64_t epoch_offset_ns)

@@ -9,9 +9,9 @@ namespace robot::body {
 
 namespace {
 
-void tell_of_two(const std::string& topic, const std::string& second) {
+void report_second_writer(const std::string& topic, const std::string& second) {
   report(Level::warning, "door",
-         topic + ": expected one process to write it, got " + second + " too, which waits until the other one ends");
+         topic + ": expected one process to write it, got " + second + " too; it waits until the first one ends");
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ bool Turns::take(const std::string& topic, const std::string& who, const std::at
       changed_.wait_until(lock_, patient_until_ns);
     } else {
       told = true;
-      tell_of_two(topic, who);
+      report_second_writer(topic, who);
     }
   }
   return !given_up && taken_.insert(topic).second;

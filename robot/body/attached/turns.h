@@ -1,4 +1,4 @@
-// One writer at a time.
+// Turns of the processes that write the same object.
 #pragma once
 
 #include <atomic>
@@ -9,17 +9,17 @@
 
 namespace robot::body {
 
-/// Who writes an object now. A process that was killed and is there again at once finds the rest of its own earlier
-/// messages before its new ones, and two frameworks by mistake never mix their images. Any thread.
+/// The objects that have a writer now; each has at most one. If a process is killed and restarts at once, its earlier
+/// messages still arrive before its new ones. Two frameworks that run by mistake never mix their images. Any thread.
 class Turns {
  public:
-  /// Waits until nobody has the turn of `topic` and takes it; false when `given_up` instead. After a second it says
-  /// whose messages wait.
+  /// Waits until `topic` has no writer, and takes the turn. Returns false if `given_up` becomes true. After a second it
+  /// reports that `who` waits.
   bool take(const std::string& topic, const std::string& who, const std::atomic<bool>& given_up);
 
   void give_back(const std::string& topic);
 
-  /// Lets those who gave up notice it.
+  /// Wakes all waiting threads, so that they check `given_up`.
   void wake();
 
  private:

@@ -22,7 +22,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-/// One line of the file.
+/// Name and value of one line of the file.
 struct Line {
   std::string name, value;
 };
@@ -32,7 +32,7 @@ Error wrong(const Line& line, const std::string& expected) {
                line.value.substr(0, 40) + "'"};
 }
 
-/// The value of `line`, times `unit`, into `number`.
+/// Reads the value of `line`, times `unit`, into `number`.
 Result<void> read_number(const Line& line, double low, double high, double unit, double& number) {
   char* end = nullptr;
   const double value = std::strtod(line.value.c_str(), &end);
@@ -58,7 +58,7 @@ Result<void> read_control(const Line& line, const std::string& name, nao::Camera
   return {};
 }
 
-/// What a line says of one camera; `name` is what stands behind "camera_top.".
+/// Reads a setting of one camera. `name` is the part after "camera_top.".
 Result<void> read_camera(const Line& line, const std::string& name, nao::CameraSettings& settings,
                          nao::Calibration::CameraOffset& offset, Projection& projection) {
   constexpr std::string_view kControl = "control.";
@@ -117,14 +117,14 @@ Result<NaoConfig> parse_nao_config(std::string_view text) {
       return Error{"nao config: expected NAME = VALUE, got '" + std::string(line.substr(0, 60)) + "'"};
     const Line parts{.name = std::string(trimmed(line.substr(0, sign))),
                      .value = std::string(trimmed(line.substr(sign + 1)))};
-    if (Result<void> read = read_line(parts, config); !read) return Error{read.error()};
+    if (Result<void> read = read_line(parts, config); !read) return read.failure();
   }
   return config;
 }
 
 Result<NaoConfig> read_nao_config(const std::filesystem::path& path) {
   const Result<std::string> text = read_file(path, kMaxBytes);
-  if (!text) return Error{text.error()};
+  if (!text) return text.failure();
   return parse_nao_config(*text);
 }
 

@@ -1,4 +1,4 @@
-// What is set for one robot: how its head and torso are mounted, its cameras and how they are driven.
+// Settings of one robot: mounting of head and torso, devices and controls of the cameras.
 #pragma once
 
 #include <filesystem>
@@ -10,34 +10,40 @@
 
 namespace robot::body {
 
-/// How a camera projects, for images of the size of its settings.
+/// Projection of a camera, for images of the size in its settings.
 struct Projection {
-  // [px] between what two teams calibrated on the V6: 619 (B-Human), 608 (HULKs)
+  // [px] between the values that two teams calibrated on the V6: 619 (B-Human), 608 (HULKs)
   double focal_x = 614, focal_y = 614;
   double centre_x = 320, centre_y = 240;
 };
 
+/// All settings of one robot.
 struct NaoConfig {
   nao::Calibration calibration;
   nao::CameraSettings top, bottom;
   Projection top_projection, bottom_projection;
 
-  /// The V6's: /dev/video-top, which is mounted upside down, and /dev/video-bottom; controls as teams start from.
+  /// Defaults of the V6: /dev/video-top, mounted upside down, /dev/video-bottom, and the usual first controls of teams.
   NaoConfig();
 };
 
-/// Reads lines such as
+/// Reads settings from lines such as
 ///
-///   # what this robot is off its plan [degrees], -20 .. 20
+///   # offsets from the model of the robot [degrees], -20 .. 20
 ///   body.pitch_deg = 1.5
 ///   camera_top.tilt_deg = -0.3
 ///   camera_top.control.gain = 40
 ///
-/// There are body.roll_deg, body.pitch_deg and, of camera_top and camera_bottom each: device (a path), turned (yes or no),
-/// roll_deg, tilt_deg, pan_deg, focal_x, focal_y, centre_x, centre_y [px], and control.NAME with the names of control_id().
-/// What is not said is as NaoConfig() has it. An Error says which line is wrong. Pure.
+/// The names are body.roll_deg and body.pitch_deg; for each of camera_top and camera_bottom:
+/// - device (a path), turned (yes or no);
+/// - roll_deg, tilt_deg, pan_deg;
+/// - focal_x, focal_y, centre_x, centre_y [px];
+/// - control.NAME, with a name of control_id().
+///
+/// Missing settings keep the values of NaoConfig(). Returns an Error that names the wrong line. Pure.
 Result<NaoConfig> parse_nao_config(std::string_view text);
 
+/// Reads the settings from a file, as parse_nao_config() does.
 Result<NaoConfig> read_nao_config(const std::filesystem::path& path);
 
 }  // namespace robot::body

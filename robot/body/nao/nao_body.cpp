@@ -18,8 +18,8 @@ constexpr int kPatience_ms = 100;
 constexpr int kFirstWord_ms = 2000;
 constexpr std::uint64_t kTryAgain_ns = kSecond;
 constexpr std::uint64_t kBody_ns = kSecond, kBattery_ns = kSecond, kSonar_ns = kSecond / 10;  // between two versions
-constexpr std::uint64_t kNear_ns = 50 * kMillisecond;  // how old joints may be for an image
-constexpr std::size_t kMoments = 64;                   // 0.75 s of them
+constexpr std::uint64_t kNear_ns = 50 * kMillisecond;  // largest distance in time between an image and its joints
+constexpr std::size_t kSamples = 64;                   // 0.75 s of them
 
 std::uint64_t distance(std::uint64_t a, std::uint64_t b) { return a > b ? a - b : b - a; }
 
@@ -53,7 +53,7 @@ void NaoBody::run() {
   while (!ends_) {
     if (!guardian_ && !find_guardian()) continue;
     Result<std::optional<nao::Report>> report = guardian_->next(kPatience_ms);
-    // all that have come go into memory, the newest is answered
+    // every report goes into memory; only the newest one is answered
     std::optional<nao::Report> newest;
     while (report && *report) {
       newest = **report;
@@ -67,7 +67,7 @@ void NaoBody::run() {
     }
     if (!newest) continue;
     const std::uint64_t capture_ns = newest->capture_ns + clock_.epoch_offset_ns();
-    // whoever does not take it is found gone with the next report
+    // if this fails, the guardian is gone, and the next report returns that error
     if (newest->has_sensors) static_cast<void>(guardian_->give(order_after(*newest, capture_ns)));
     write_body(&*newest, "");
   }
@@ -94,8 +94,8 @@ void NaoBody::take(const nao::Report& report) {
   const std::uint64_t capture_ns = report.capture_ns + clock_.epoch_offset_ns();
   write_sensors(report, capture_ns);
   const std::lock_guard guard(lock_);
-  moments_.push_back({.capture_ns = capture_ns, .position = report.sensors.position, .angles = report.sensors.angles});
-  if (moments_.size() > kMoments) moments_.pop_front();
+  samples_.push_back({.capture_ns = capture_ns, .position = report.sensors.position, .angles = report.sensors.angles});
+  if (samples_.size() > kSamples) samples_.pop_front();
 }
 
 void NaoBody::write_sensors(const nao::Report& report, std::uint64_t capture_ns) {
@@ -129,7 +129,7 @@ nao::Order NaoBody::order_after(const nao::Report& report, std::uint64_t capture
                       game ? &game->value() : nullptr);
 }
 
-/// `report` null: there is no guardian, as `problem` says.
+/// Writes the object `body`. `report` is null without a guardian; `problem` is the reason.
 void NaoBody::write_body(const nao::Report* report, const std::string& problem) {
   foresight::Body body;
   if (report) nao::fill(*report, body);
@@ -150,12 +150,12 @@ void NaoBody::say(const std::string& sentence) {
 }
 
 std::optional<nao::Transform> NaoBody::robot_from_camera(nao::Camera camera, std::uint64_t capture_ns) const {
-  std::optional<Moment> nearest;
+  std::optional<JointSample> nearest;
   {
     const std::lock_guard guard(lock_);
-    for (const Moment& moment : moments_)
-      if (!nearest || distance(moment.capture_ns, capture_ns) < distance(nearest->capture_ns, capture_ns))
-        nearest = moment;
+    for (const JointSample& sample : samples_)
+      if (!nearest || distance(sample.capture_ns, capture_ns) < distance(nearest->capture_ns, capture_ns))
+        nearest = sample;
   }
   if (!nearest || distance(nearest->capture_ns, capture_ns) > kNear_ns) return std::nullopt;
   return kinematics_.robot_from_hip(nearest->position, nearest->angles[0], nearest->angles[1]) *
@@ -164,7 +164,7 @@ std::optional<nao::Transform> NaoBody::robot_from_camera(nao::Camera camera, std
 
 Result<void> sit_and_soft(const std::filesystem::path& link) {
   Result<nao::GuardianClient> guardian = nao::GuardianClient::open(link);
-  if (!guardian) return Error{guardian.error()};
+  if (!guardian) return guardian.failure();
   return guardian->ask(nao::Request::What::sit_and_soft);
 }
 

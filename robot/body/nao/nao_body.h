@@ -1,4 +1,4 @@
-// The body that is a Nao of ours: what LoLA tells goes into memory, what memory says of motion goes to the guardian.
+// The body of a Nao without another framework: writes LoLA's values into memory, sends motion commands to the guardian.
 #pragma once
 
 #include <atomic>
@@ -20,33 +20,35 @@
 
 namespace robot::body {
 
+/// Link and calibration of one Nao.
 struct NaoOptions {
-  std::filesystem::path link;  // the guardian's; default_link()
+  std::filesystem::path link;  // to the guardian, such as default_link()
   nao::Calibration calibration;
 };
 
-/// A thread of its own, woken by each report of the guardian's. Where the guardian is gone, it looks for it once a second.
+/// The body, with a thread that each report of the guardian wakes. Without a guardian it tries to connect once a
+/// second.
 class NaoBody {
  public:
-  /// What the body needs and somebody else has: a sentence; empty if nothing. Waits at most two seconds for the
-  /// guardian's word.
+  /// Returns a sentence if another program has LoLA, else an empty string. Waits at most two seconds for the guardian's
+  /// report.
   static std::string taken_by_others(const NaoOptions& options);
 
-  /// `memory` is that of our robot; it and `clock` outlive this.
+  /// `memory` is the memory of this robot. `memory` and `clock` outlive this.
   NaoBody(NaoOptions options, memory::Memory& memory, const SessionClock& clock);
 
-  /// Says goodbye to the guardian, which then sits the robot down.
+  /// Sends a goodbye to the guardian, which then sits the robot down.
   ~NaoBody();
   NaoBody(const NaoBody&) = delete;
   NaoBody& operator=(const NaoBody&) = delete;
 
-  /// Where `camera` was at `capture_ns` [ns since the epoch]; nothing if joints of that time, give or take 50 ms, are not
-  /// known. Any thread.
+  /// Returns the pose of `camera` at `capture_ns` [ns since the epoch], or nothing without joints within 50 ms of that
+  /// time. Any thread.
   std::optional<nao::Transform> robot_from_camera(nao::Camera camera, std::uint64_t capture_ns) const;
 
  private:
-  /// The joints at one time.
-  struct Moment {
+  /// Measured joints at one time.
+  struct JointSample {
     std::uint64_t capture_ns;  // since the epoch
     nao::PerJoint<float> position;
     std::array<float, 2> angles;
@@ -68,18 +70,19 @@ class NaoBody {
   // of the thread
   std::optional<nao::GuardianClient> guardian_;
   nao::Motion motion_;
-  std::string said_;  // the last problem
+  std::string said_;  // the last reported problem
   foresight::Body body_;
   std::uint64_t body_ns_ = 0, battery_ns_ = 0, sonar_ns_ = 0, next_try_ns_ = 0;
 
   mutable Mutex lock_;
-  std::deque<Moment> moments_;
+  std::deque<JointSample> samples_;
 
   std::atomic<bool> ends_ = false;
   std::thread thread_;  // last: it uses all the others
 };
 
-/// Takes the stiffness away, whatever the runtime does otherwise. Does not wait. An Error if there is no guardian.
+/// Asks the guardian to remove the stiffness, independent of the runtime's orders. Does not wait. Returns an Error if
+/// there is no guardian.
 Result<void> sit_and_soft(const std::filesystem::path& link);
 
 }  // namespace robot::body

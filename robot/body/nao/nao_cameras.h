@@ -1,4 +1,4 @@
-// Both cameras of a Nao into memory, each image with where its camera was.
+// Both cameras of a Nao: writes each image and its camera matrix into memory.
 #pragma once
 
 #include <memory>
@@ -12,17 +12,18 @@
 
 namespace robot::body {
 
-/// Where `robot_from_camera` puts a camera that projects like that, as a message.
+/// Fills the camera matrix from the camera's pose, its image size and its projection.
 void fill(const nao::Transform& robot_from_camera, const nao::CameraSettings& settings, const Projection& projection,
           foresight::CameraMatrix& matrix);
 
-/// Two threads, one for each camera.
+/// The two cameras, each with a thread of its own.
 class NaoCameras {
  public:
-  /// The program that has one of the cameras open, in a sentence; empty if none has.
+  /// Returns a sentence that names the program that has one of the cameras open, or an empty string.
   static std::string taken_by_others(const NaoConfig& config);
 
-  /// All given ones outlive this. `body` tells where the cameras are; without its word there is an image, but no matrix.
+  /// All arguments but `config` outlive this. `body` gives the pose of each camera; without a pose an image has no
+  /// matrix.
   NaoCameras(const NaoConfig& config, const NaoBody& body, memory::Memory& memory, const SessionClock& clock);
 
  private:

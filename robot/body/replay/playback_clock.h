@@ -1,4 +1,4 @@
-// The time of a recording that is being played.
+// The clock of a recording during playback.
 #pragma once
 
 #include <cstdint>
@@ -9,31 +9,32 @@
 
 namespace robot::body {
 
-/// Runs from the start of a recording to its end at a given speed, then stands still; may be paused and moved. Tells
-/// parsers when a message is due. Capture times stay those of the recording, so what is played looks as it did when it
-/// was live. Any thread.
+/// The playhead of a recording. It runs from the start to the end at a given speed, then stops there; it may be paused
+/// and moved. Parsers wait on it until a message is due. Messages keep their recorded capture times, so a played
+/// recording looks as it did live. Any thread.
 class PlaybackClock final : public Clock, public logging::Pace {
  public:
-  /// `start_ns`, `end_ns`: capture times [ns since the epoch]; `speed` > 0, 1 is real time. Stands at the start.
+  /// `start_ns` and `end_ns` are capture times [ns since the epoch]. `speed` > 0, 1 is real time. Begins paused at the
+  /// start.
   PlaybackClock(std::uint64_t start_ns, std::uint64_t end_ns, double speed)
       : start_ns_(start_ns), end_ns_(end_ns), speed_(speed), from_ns_(start_ns) {}
 
-  /// Begins to run.
+  /// Starts to run.
   void start();
 
-  /// Lets every waiting parser end, now and later. Stands at the end.
+  /// Ends every waiting parser, now and later. Moves the playhead to the end.
   void stop();
 
-  /// Runs or stands from now on, and when it runs, at `speed`.
+  /// Runs at `speed`, or pauses.
   void set(bool running, double speed);
 
-  /// Goes on at `to_ns`, or at the end of the recording that is nearest to it: every parser goes there.
+  /// Moves the playhead and every parser to `to_ns`, limited to the range of the recording.
   void seek(std::uint64_t to_ns);
 
   bool running() const;
   double speed() const;
 
-  /// How many parsers have carried their streams to the end since the last seek.
+  /// Returns the number of parsers that have reached the end of their streams since the last seek.
   std::size_t parsers_at_end() const;
 
   std::uint64_t now_ns() const override;
@@ -51,8 +52,8 @@ class PlaybackClock final : public Clock, public logging::Pace {
   Condition changed_;
   double speed_;
   bool running_ = false, stopped_ = false;
-  std::uint64_t from_ns_;       // the position when it began to run, or where it stands
-  std::uint64_t since_ns_ = 0;  // [monotonic] when that was
+  std::uint64_t from_ns_;       // position at `since_ns_`, or the position while paused
+  std::uint64_t since_ns_ = 0;  // [monotonic clock] start of running
   Move move_{.count = 0, .to_ns = 0};
   std::size_t at_end_ = 0;
 };

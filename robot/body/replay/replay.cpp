@@ -11,7 +11,7 @@ namespace robot::body {
 
 Result<Replay::Recording> Replay::read(const std::filesystem::path& path) {
   Result<logging::Session> session = logging::open_session(path);
-  if (!session) return Error{session.error()};
+  if (!session) return session.failure();
   std::uint64_t messages = 0;
   for (const logging::StreamFile& stream : session->streams) messages += stream.messages;
   if (messages == 0) return Error{"replay: expected a session with messages, " + path.string() + " has none"};
@@ -26,17 +26,17 @@ Result<std::unique_ptr<Replay>> Replay::open(const std::vector<std::filesystem::
   std::set<std::string> topics;
   for (const std::filesystem::path& path : paths) {
     Result<Recording> recording = read(path);
-    if (!recording) return Error{recording.error()};
-    // what several hold, such as the truth, is played once
+    if (!recording) return recording.failure();
+    // a topic in several recordings, such as the truth, is played once
     std::erase_if(recording->session.streams, [&](const auto& stream) { return !topics.insert(stream.topic).second; });
     if (recording->session.streams.empty())
       return Error{"replay: expected recordings of different robots, " + path.string() +
-                   " holds nothing but what those before it do"};
+                   " has no topic beyond those before it"};
     if (recordings.size() < options.shifts_ns.size()) recording->shift_ns = options.shifts_ns[recordings.size()];
     recordings.push_back(std::move(*recording));
   }
   auto replay = std::unique_ptr<Replay>(new Replay(std::move(recordings), std::move(options)));
-  if (Result<void> makes = replay->check_made(); !makes) return Error{makes.error()};
+  if (Result<void> makes = replay->check_made(); !makes) return makes.failure();
   return replay;
 }
 
@@ -61,23 +61,23 @@ bool Replay::skipped(const std::string& topic) const {
                              [&](const std::string& object) { return topic.ends_with("/" + object); });
 }
 
-/// A topic of the recorded robot as one of the robot that it appears as here.
+/// Returns the topic under the name that the recorded robot has here.
 std::string Replay::renamed(const Recording& from, const std::string& topic) const {
   const std::string recorded = "/" + from.session.info.robot + "/";
   if (options_.robot.empty() || !topic.starts_with(recorded)) return topic;
   return "/" + options_.robot + "/" + topic.substr(recorded.size());
 }
 
-/// The channel of a stream's topic; made when nobody has it yet.
+/// Returns the channel of a stream's topic, and creates it if it is missing.
 Result<std::shared_ptr<memory::Channel>> Replay::destination(const Recording& from, memory::ChannelInfo info) {
   info.topic = renamed(from, info.topic);
   if (std::shared_ptr<memory::Channel> known = channels_->find(info.topic)) return known;
   auto made = std::make_shared<memory::RawChannel>(std::move(info), clock_);
-  if (Result<void> added = channels_->add(made); !added) return Error{added.error()};
+  if (Result<void> added = channels_->add(made); !added) return added.failure();
   return std::shared_ptr<memory::Channel>(made);
 }
 
-/// All that is played: streams as they are, and those that are made of them.
+/// Returns all streams to play: the recorded ones and those that are made from them.
 std::vector<Replay::Played> Replay::played() const {
   std::vector<Played> streams;
   for (const Recording& recording : recordings_)
@@ -118,7 +118,7 @@ Result<void> Replay::check_made() const {
     const auto found = std::ranges::find(streams, &made, &Played::made);
     if (found == streams.end())
       return Error{"expected one of the topics that have messages (" + topics + "), got '" + made.from + "'"};
-    if (const auto opened = open_stream(*found)->open(); !opened) return Error{opened.error()};
+    if (const auto opened = open_stream(*found)->open(); !opened) return opened.failure();
   }
   return {};
 }
@@ -138,7 +138,7 @@ void Replay::start(memory::Channels& channels, logging::LoggingBoard& board) {
 }
 
 Replay::Tick Replay::tick() {
-  // a parser whose file cannot be read on has ended for good
+  // a parser with a damaged file has ended and does not reach the end
   const auto gone = std::ranges::count_if(parsers_, [this](auto parser) { return board_->status(parser).ended; });
   if (clock_.parsers_at_end() + static_cast<std::size_t>(gone) < parsers_.size()) return Tick::playing;
   if (!options_.loop) return Tick::ended;

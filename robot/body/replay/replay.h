@@ -1,4 +1,4 @@
-// Plays recordings into the channels of this process, as if their robots were live.
+// Playback of recordings into the channels of this process, as if their robots were live.
 #pragma once
 
 #include <cstdint>
@@ -16,72 +16,76 @@
 
 namespace robot::body {
 
-/// A stream that is made of one of a recording.
+/// A stream that is made from a recorded one.
 struct MadeStream {
-  std::string from, to;  // topics: of the recording, and as it is played
+  std::string from, to;  // topics: in the recording, and in playback
   std::function<std::unique_ptr<logging::InProvider>(std::unique_ptr<logging::InProvider>)> make;
 };
 
+/// Options of a playback.
 struct ReplayOptions {
   double speed = 1;   // 1 is real time; 0.01 .. 1000
-  bool loop = false;  // begin again at the end
+  bool loop = false;  // restart at the end
 
-  /// The name under which the recorded robot appears here, "14/2"; empty: its own. For one session only.
+  /// Name of the recorded robot in playback, such as "14/2"; empty: its recorded name. For one session only.
   std::string robot;
 
-  /// What is to be added to the times of each recording, in the order of their paths [ns]; none: nothing to any.
+  /// Offsets that are added to the times of each recording [ns], in the order of the paths; empty: no offsets.
   std::vector<std::int64_t> shifts_ns;
 
-  /// Played beside the streams that they are made of.
+  /// Streams that are played in addition to the recorded ones.
   std::vector<MadeStream> made;
 
-  /// Objects that this process writes itself, such as "runtime": those of the recording are left out.
+  /// Objects of the recording that are not played because this process writes them itself, such as "runtime".
   std::vector<std::string> skipped_objects;
 };
 
-/// One parser per stream, all by one clock: what several robots recorded is merged by capture time. Each stream goes
-/// into the channel of its topic; a topic that nobody here knows becomes a channel of its own. Used by one thread,
-/// except the clock.
+/// A playback with one parser per stream. All parsers use one clock, so recordings of several robots are merged by
+/// capture time. Each stream goes into the channel of its topic; an unknown topic gets a new channel. Used by one
+/// thread, except the clock.
 class Replay {
  public:
-  /// Opens the sessions in the folders `paths`, or the recordings of many channels in files of that name.
-  /// An Error if there is none, if one holds no message, if one has no topic that those before it have not, if the speed
-  /// is out of range, or if a stream cannot be made: none of its topic is there, one of the other topic is, or opening it
-  /// fails.
+  /// Opens `paths`: folders of sessions, or files that hold many channels.
+  ///
+  /// Returns an Error if:
+  /// - there is no path, or the speed is out of range;
+  /// - a recording has no message, or no topic beyond those of the recordings before it;
+  /// - a made stream's source topic is missing, its target topic exists already, or it cannot be opened.
   static Result<std::unique_ptr<Replay>> open(const std::vector<std::filesystem::path>& paths, ReplayOptions options);
 
-  /// As stop().
+  /// Calls stop().
   ~Replay();
 
-  /// The stream of a topic as it is played, its times included, to be read by somebody else; null where there is none.
-  /// Any thread.
+  /// Opens the stream of a topic for another reader, with the times of the playback. Returns null if there is no such
+  /// topic. Any thread.
   std::unique_ptr<logging::InProvider> stream_of(const std::string& topic) const;
 
-  /// The robots that recorded, in the order in which their recordings were given.
+  /// Returns the robots that recorded, in the order of the paths.
   std::vector<std::string> robots() const;
 
-  /// The time base for whoever shows what is played: the recordings' own time, which may be paused and moved.
+  /// Returns the time base for viewers: the recordings' own time, which may be paused and moved.
   PlaybackClock& clock() { return clock_; }
   std::uint64_t start_ns() const { return start_ns_; }  // [ns since the epoch]
   std::uint64_t end_ns() const { return end_ns_; }
 
-  /// Begins to play into `channels`; both outlive this.
+  /// Starts to play into `channels`. Both arguments outlive this.
   void start(memory::Channels& channels, logging::LoggingBoard& board);
 
   enum class Tick { playing, ended, began_again };
 
-  /// To be called now and then: begins again at the end if it should. At the end means that all is carried.
+  /// Checks for the end, and restarts there in a loop. Call it regularly. The end is reached when every message was
+  /// played.
   Tick tick();
 
   void stop();
 
-  /// Messages played since the start.
+  /// Returns the number of messages played since the start.
   std::uint64_t messages() const;
 
  private:
   struct Recording {
     logging::Session session;
-    std::int64_t shift_ns = 0;  // to be added to its times
+    std::int64_t shift_ns = 0;  // added to its times
 
     std::uint64_t start_ns() const { return session.start_ns + static_cast<std::uint64_t>(shift_ns); }
     std::uint64_t end_ns() const { return session.end_ns + static_cast<std::uint64_t>(shift_ns); }
@@ -89,11 +93,11 @@ class Replay {
 
   Replay(std::vector<Recording> recordings, ReplayOptions options);
 
-  /// One stream that is played.
+  /// One stream of the playback.
   struct Played {
     const Recording* recording;
     const logging::StreamFile* file;
-    const MadeStream* made;  // of it; null: as it is
+    const MadeStream* made;  // the conversion; null: played unchanged
   };
 
   static Result<Recording> read(const std::filesystem::path& path);

@@ -12,12 +12,12 @@
 namespace robot::lab {
 namespace {
 
-/// What is known worse than that is not known: a ball rolls half a metre meanwhile.
+/// Greatest useful error [ns] of an offset. A ball rolls half a metre in that time.
 constexpr std::uint64_t kUselessNs = 250 * kMillisecond;
 
 constexpr const char* kLab = "lab/1";
 
-/// "10.0.14.7" of "10.0.14.7:51234": every connection has another port.
+/// Returns "10.0.14.7" for "10.0.14.7:51234", because every connection has another port.
 std::string host_of(const std::string& peer) {
   const std::size_t colon = peer.rfind(':');
   return peer.substr(0, colon);
@@ -29,7 +29,7 @@ bool is_loopback(const std::string& host) {
 
 std::uint64_t magnitude(std::int64_t ns) { return static_cast<std::uint64_t>(std::abs(ns)); }
 
-/// The one of the shortest round trip, less sure by what the others say against it.
+/// Returns the sample of the shortest round trip. Its error grows by the greatest contradiction of the other samples.
 ClockOffset best_of(const std::vector<ClockOffset>& samples) {
   ClockOffset best = *std::ranges::min_element(samples, {}, &ClockOffset::error_ns);
   std::uint64_t contradiction_ns = 0;
@@ -50,7 +50,7 @@ std::map<std::string, std::vector<ClockOffset>> samples_of(const logging::Sessio
   if (!info || info->schema.name != foresight::ClockSample::descriptor()->full_name()) return samples;
   while (true) {
     const auto record = stream->read();
-    if (!record) continue;  // what is damaged is left out; the rest counts
+    if (!record) continue;  // skip damaged records and use the rest
     if (!*record) return samples;
     foresight::ClockSample sample;
     if (!sample.ParseFromString((*record)->bytes) || sample.source() != foresight::ClockSample::SOURCE_PEER ||
@@ -62,7 +62,7 @@ std::map<std::string, std::vector<ClockOffset>> samples_of(const logging::Sessio
   }
 }
 
-/// One sentence of its parts.
+/// Joins the parts of a sentence.
 std::string joined(std::initializer_list<std::string_view> parts) {
   std::string sentence;
   for (const std::string_view part : parts) sentence += part;
@@ -78,7 +78,7 @@ RecordedClock read_clock(const logging::Session& session) {
   const auto stream_of = [&](const std::string& who) {
     return std::ranges::find(session.streams, "/" + who + "/clock", &logging::StreamFile::topic);
   };
-  // what was relayed is in the time of who relayed it
+  // a relayed recording is in the time of the machine that relayed it
   auto stream = stream_of(kLab);
   if (stream != session.streams.end() && stream->messages > 0)
     clock.who = kLab;
@@ -109,7 +109,7 @@ namespace {
 
 Result<Agreement> agree_with(const RecordedClock& reference, const RecordedClock& clock, std::uint64_t most_ns) {
   const std::string both = joined({"the clocks of ", clock.who, " and ", reference.who});
-  constexpr std::string_view kAsTheyAre = "; their times are taken as they are";
+  constexpr std::string_view kAsTheyAre = "; their times stay unchanged";
   const auto found = compare(reference, clock);
   if (!found)
     return Agreement{
@@ -117,9 +117,9 @@ Result<Agreement> agree_with(const RecordedClock& reference, const RecordedClock
   const std::string told = to_text(found->offset), by = found->by.empty() ? "" : ", by " + found->by;
   if (found->offset.error_ns > kUselessNs)
     return Agreement{.sentence =
-                         joined({both, " cannot be compared: what their samples tell is ", told, by, kAsTheyAre})};
+                         joined({both, " cannot be compared: by their samples the offset is ", told, by, kAsTheyAre})};
   const auto shift_ns = correction(found->offset, most_ns, clock.who + "'s");
-  if (!shift_ns) return Error{shift_ns.error()};
+  if (!shift_ns) return shift_ns.failure();
   if (*shift_ns == 0) return Agreement{.sentence = joined({both, " agree: ", clock.who, "'s is ", told, by})};
   return Agreement{.shift_ns = *shift_ns,
                    .sentence = joined(
@@ -136,7 +136,7 @@ Result<std::vector<Agreement>> agree(const std::vector<RecordedClock>& clocks, s
       continue;
     }
     auto one = agree_with(clocks.front(), clock, most_ns);
-    if (!one) return Error{one.error()};
+    if (!one) return one.failure();
     agreements.push_back(std::move(*one));
   }
   return agreements;

@@ -1,4 +1,4 @@
-// Whether recordings of several machines can be put side by side: what their clock samples tell of their clocks.
+// The comparison of clocks of several recordings, by their recorded clock samples.
 #pragma once
 
 #include <cstdint>
@@ -13,33 +13,35 @@
 
 namespace robot::lab {
 
-/// The clock that a session was recorded by.
+/// The clock of a recorded session.
 struct RecordedClock {
-  std::string who;                           // "14/2", or "lab/1" where a machine of the lab relayed robots
-  std::map<std::string, ClockOffset> peers;  // machines it was compared with: "10.0.14.7", "14/2"
+  std::string who;                           // "14/2", or "lab/1" if a machine of the lab relayed robots
+  std::map<std::string, ClockOffset> peers;  // compared machines: "10.0.14.7", "14/2"
 };
 
-/// Reads the clock samples of a session. Of each peer the shortest round trip counts; what other samples say against
-/// it beyond their own error, because clocks drift or were stepped, adds to its error. Peers at a loopback address are
-/// left out: that is another machine for each robot. A session without samples has no peers.
+/// Reads the clock samples of a session. For each peer the sample of the shortest round trip counts. Other samples may
+/// contradict it by more than their own error, because clocks drift or were stepped; the contradiction adds to its
+/// error. Peers at a loopback address are left out, because that is another machine for each robot. A session without
+/// samples has no peers.
 RecordedClock read_clock(const logging::Session& session);
 
-/// How far a clock is ahead of another one, and how that is known.
+/// The offset of a clock to another one, and its source.
 struct ClockComparison {
   ClockOffset offset;
-  std::string by;  // "10.0.14.7"; empty: one asked the other
+  std::string by;  // the peer that measured both, "10.0.14.7"; empty: one of the two measured the other
 };
 
-/// How far `other` is ahead of `reference`, by the peer that tells it best; nothing where no peer is of both.
+/// Returns the offset by which `other` is ahead of `reference`, with the smallest error of all peers. Returns nothing
+/// if the two have no peer in common.
 std::optional<ClockComparison> compare(const RecordedClock& reference, const RecordedClock& other);
 
-/// What follows for a session that is played with others.
+/// The result of the comparison for one session.
 struct Agreement {
-  std::int64_t shift_ns = 0;  // to add to its times
-  std::string sentence;       // for people; empty for the first
+  std::int64_t shift_ns = 0;  // to add to the session's times
+  std::string sentence;       // for people; empty for the first session
 };
 
-/// Compares all clocks with the first. An Error that names the offset where one is further off than `most_ns`.
+/// Compares all clocks with the first. Returns an Error with the offset if one differs by more than `most_ns`.
 Result<std::vector<Agreement>> agree(const std::vector<RecordedClock>& clocks, std::uint64_t most_ns);
 
 }  // namespace robot::lab

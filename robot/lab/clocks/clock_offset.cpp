@@ -6,7 +6,7 @@
 namespace robot::lab {
 
 ClockOffset offset_by(std::uint64_t sent_ns, std::uint64_t theirs_ns, std::uint64_t returned_ns) {
-  // the best guess is that they looked at their clock half-way between; it is wrong by half the round trip at most
+  // estimate: the peer read its clock half-way between; the error is half the round trip at most
   const std::uint64_t round_trip_ns = returned_ns - sent_ns;
   return {.offset_ns = static_cast<std::int64_t>(theirs_ns - (sent_ns + round_trip_ns / 2)),
           .error_ns = (round_trip_ns + 1) / 2};

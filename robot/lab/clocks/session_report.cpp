@@ -70,7 +70,7 @@ StreamReport inspect_stream(const logging::Session& session, const logging::Stre
 
 Result<SessionReport> inspect(const std::filesystem::path& path) {
   Result<logging::Session> session = logging::open_session(path);
-  if (!session) return Error{session.error()};
+  if (!session) return session.failure();
   SessionReport report{.session = std::move(*session), .streams = {}, .clock = {}};
   report.clock = read_clock(report.session);
   for (const logging::StreamFile& file : report.session.streams)

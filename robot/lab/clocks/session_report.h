@@ -1,4 +1,4 @@
-// What a session holds, told to a person or a program.
+// The report of a session's contents, for a person or a program.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,28 @@
 
 namespace robot::lab {
 
-/// One stream, read from the first message to the last.
+/// The statistics of one stream, from its first message to its last.
 struct StreamReport {
-  std::string file, topic, schema;  // the latter two are empty where the file does not tell them
+  std::string file, topic, schema;  // topic and schema are empty if the file does not contain them
   std::uint64_t messages = 0, size_bytes = 0;
   std::uint64_t start_ns = 0, end_ns = 0;  // [ns since the epoch] capture times
   double rate_hz = 0;                      // mean; 0 with fewer than two messages
-  std::uint64_t missing = 0;               // sequence numbers that were skipped: messages dropped while recording
+  std::uint64_t missing = 0;               // skipped sequence numbers: messages dropped while recording
   double longest_gap = 0;                  // [s] between two capture times
   std::string damage;                      // one sentence, or empty
 };
 
+/// The report of a whole session.
 struct SessionReport {
   logging::Session session;
   std::vector<StreamReport> streams;
   RecordedClock clock;
 };
 
-/// Reads every message of the session in a folder, or of a recording of many channels in one file.
+/// Reads every message of a session's folder or of an MCAP file with many channels.
 Result<SessionReport> inspect(const std::filesystem::path& path);
 
-/// As a table for a terminal, and as JSON.
+/// Formats the report as a table for a terminal, or as JSON.
 std::string to_text(const SessionReport& report);
 nlohmann::json to_json(const SessionReport& report);
 

@@ -19,7 +19,7 @@ struct Message {
   std::string_view payload;
 };
 
-/// Walks over the messages; stops at the end or at the first one that cannot be right.
+/// An iterator over the messages. It stops at the end or at the first message that is damaged.
 class Messages {
  public:
   explicit Messages(std::string_view file) : file_(file) {}
@@ -57,7 +57,7 @@ class Messages {
   std::string damage_;
 };
 
-/// The median of each of the gyroscope's two axes over the whole recording.
+/// Returns the median of each of the gyroscope's two axes over the whole recording.
 std::array<float, 2> gyroscope_zero(std::string_view file) {
   std::array<std::vector<float>, 2> values;
   Messages messages(file);
@@ -76,9 +76,9 @@ std::array<float, 2> gyroscope_zero(std::string_view file) {
   return zero;
 }
 
-/// What lies between process begin and finished: it was all sensed at one time.
+/// The messages between process begin and finished. They have one common time.
 struct Frame {
-  std::optional<std::uint32_t> time_ms;  // of the robot's clock; the messages without one take it over
+  std::optional<std::uint32_t> time_ms;  // of the robot's clock; also the time of messages without one
   std::optional<pb::Image> image;
   std::optional<pb::CameraMatrix> matrix;
   std::optional<std::string_view> coordinates;
@@ -101,20 +101,20 @@ class Importer {
       if (message->id != kProcessFinished) {
         read(*message);
       } else if (Result<void> sent = send(); !sent) {
-        return Error{sent.error()};
+        return sent.failure();
       }
     }
-    // what is left of a frame that the damage cut off
-    if (Result<void> sent = send(); !sent) return Error{sent.error()};
+    // the rest of a frame that the damage cut off
+    if (Result<void> sent = send(); !sent) return sent.failure();
 
     if (!messages_.damage().empty()) report_.damage = messages_.damage();
     if (report_.damage.empty() && (promised_bytes != bytes || promised_messages != messages_.count()))
-      report_.damage = "the head promises " + std::to_string(promised_messages) + " messages in " +
+      report_.damage = "the file's head names " + std::to_string(promised_messages) + " messages in " +
                        std::to_string(promised_bytes) + " bytes, found " + std::to_string(messages_.count()) + " in " +
                        std::to_string(bytes);
-    warn(unknown_, " messages of kinds not known here are left out");
-    warn(impossible_, " inertial readings say that the torso leans by more than half a turn; left out");
-    warn(doubtful_, " camera matrices were marked as not valid by the robot (feet not both on the ground); kept");
+    warn(unknown_, " messages of unknown kinds are left out");
+    warn(impossible_, " inertial readings have a torso angle beyond half a turn; left out");
+    warn(doubtful_, " camera matrices are marked as invalid by the robot (not both feet on the ground); kept");
     return std::move(report_);
   }
 
@@ -168,7 +168,7 @@ class Importer {
     if (!value) damaged(what, "a value is not a number");
   }
 
-  /// One bad message; the frame of the file is intact, so reading goes on.
+  /// Notes one bad message. The structure of the file is intact, so reading continues.
   void damaged(std::string_view what, const std::string& why) {
     if (report_.damage.empty())
       report_.damage = "message " + std::to_string(messages_.count() - 1) + " (" + std::string(what) + "): " + why;

@@ -10,12 +10,12 @@
 namespace robot::lab::bhuman2009 {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the layouts are read as they lie in the file");
+static_assert(std::endian::native == std::endian::little, "the layouts are copied from the file");
 
 constexpr double kGravity = 9.81;        // [m/s²]
-constexpr float kUnloadedFsr = 0.28f;    // [kg, about] what a sensor reads that nothing presses on
+constexpr float kUnloadedFsr = 0.28f;    // [kg, about] of a sensor without load
 constexpr float kNoEcho = 1000;          // [mm]
-constexpr std::uint32_t kMaxSide = 640;  // [px] these cameras had no more
+constexpr std::uint32_t kMaxSide = 640;  // [px] greatest side of these cameras' images
 
 template <class T, std::size_t Count>
 std::array<T, Count> array_at(std::string_view bytes, std::size_t offset) {
@@ -29,7 +29,7 @@ bool all_finite(const Numbers& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](auto number) { return std::isfinite(number); });
 }
 
-/// Where the angle of joint `to` of ours is in theirs: sign * recorded + offset.
+/// The source of our joint `to`: our angle = sign * recorded angle `from` + offset.
 struct JointMapping {
   int to, from;
   double sign, offset_deg;
@@ -48,7 +48,7 @@ void fill_joints(List& list) {
   list.Resize(25, 0);
 }
 
-/// Means of two pixels side by side: a pair of the result is made of two pairs.
+/// Halves the width by means of neighbouring pixels: a pair of the result comes from two pairs.
 std::string half_width(std::string_view yuyv) {
   std::string half(yuyv.size() / 2, '\0');
   const auto mean = [&](std::size_t a, std::size_t b) {
@@ -169,7 +169,7 @@ std::optional<pb::CameraMatrix> matrix_of(std::string_view payload) {
   const auto numbers = array_at<double, 12>(payload, 0);
   if (!all_finite(numbers)) return std::nullopt;
   pb::CameraMatrix matrix;
-  // their camera looks along x with y to the left and z up: our axes are right = -y, down = -z, forward = x
+  // their camera looks along x, with y to the left and z up; ours are right = -y, down = -z, forward = x
   for (std::size_t row = 0; row < 3; ++row) {
     matrix.add_rotation(static_cast<float>(-numbers[3 + row]));
     matrix.add_rotation(static_cast<float>(-numbers[6 + row]));
@@ -199,11 +199,11 @@ void set_projection(std::optional<std::string_view> image_coordinates, pb::Camer
 
 Result<TimedImage> image_of(std::string_view payload) {
   if (payload.size() < 16 || at<std::uint32_t>(payload, 12) != payload.size() - 16)
-    return Error{"its length is not that of the message"};
+    return Error{"its number of bytes is not that of the message"};
   const std::uint32_t width = at<std::uint32_t>(payload, 0), height = at<std::uint32_t>(payload, 4);
-  if (width > kMaxSide || height > kMaxSide) return Error{"it claims to be larger than 640x640"};
+  if (width > kMaxSide || height > kMaxSide) return Error{"it is larger than 640x640"};
   Result<image::YuyvImage> decoded = image::decode_jpeg(payload.substr(16));
-  if (!decoded) return Error{decoded.error()};
+  if (!decoded) return decoded.failure();
   if (decoded->width != static_cast<int>(2 * width) || decoded->height != static_cast<int>(height))
     return Error{"the JPEG has another size than the message says"};
 

@@ -1,4 +1,4 @@
-// The payloads of B-Human's messages of 2009 as our messages; see bhuman2009.h for the layouts.
+// The conversion of B-Human's messages of 2009 to ours. bhuman2009.h describes the layouts.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace robot::lab::bhuman2009 {
 
 namespace pb = foresight;
 
-/// What a message is; its first byte.
+/// The kind of a message: its first byte.
 enum Id : std::uint8_t {
   kProcessBegin = 1,
   kProcessFinished = 2,
@@ -29,10 +29,11 @@ enum Id : std::uint8_t {
   kImageCoordinates = 18,
 };
 
-/// Bytes that a payload of the kind `id` has; 0 for any number. The functions below expect payloads of that size.
+/// Returns the size [bytes] of a payload of the kind `id`, or 0 if any size is valid. The functions below expect
+/// payloads of that size.
 std::size_t expected_size(std::uint8_t id);
 
-/// The value at byte `offset`, which must lie within.
+/// Returns the value at byte `offset`, which must lie within `bytes`.
 template <class T>
 T at(std::string_view bytes, std::size_t offset) {
   T value;
@@ -40,32 +41,33 @@ T at(std::string_view bytes, std::size_t offset) {
   return value;
 }
 
-/// The 18 numbers that sensor data begin with; nothing if one is not a number.
+/// The 18 numbers at the beginning of sensor data. sensors_of returns nothing if one of them is not a number.
 using Sensors = std::array<float, 18>;
 std::optional<Sensors> sensors_of(std::string_view payload);
 
-/// Sets the positions; false, and nothing set, if an angle is not a number.
+/// Sets the positions. Returns false and sets nothing if an angle is not a number.
 bool read_positions(std::string_view joint_data, pb::Joints& joints);
 
 /// Sets currents and temperatures.
 void read_motors(std::string_view sensor_data, pb::Joints& joints);
 
-/// Nothing where the board failed: a torso angle beyond half a turn.
+/// Converts inertial data. Returns nothing if the board failed: a torso angle beyond half a turn.
 std::optional<pb::Inertial> inertial_of(const Sensors& sensors, std::array<float, 2> gyroscope_zero);
 
 pb::Fsr fsr_of(const Sensors& sensors);
 pb::Touch touch_of(std::string_view key_states);
 
-/// Nothing without an echo that came back to the side that sent it.
+/// Converts sonar data. Returns nothing without an echo on the side that sent.
 std::optional<pb::Sonar> sonar_of(const Sensors& sensors, std::string_view sensor_data);
 
-/// Nothing if a value is not a number.
+/// Converts odometry or a camera matrix. Returns nothing if a value is not a number.
 std::optional<pb::Odometry> odometry_of(std::string_view payload);
 std::optional<pb::CameraMatrix> matrix_of(std::string_view payload);
 
-/// The projection: from the image coordinates, or as the V3's field of view has it.
+/// Sets the projection from the image coordinates, or from the V3's field of view if they are absent or invalid.
 void set_projection(std::optional<std::string_view> image_coordinates, pb::CameraMatrix& matrix);
 
+/// An image and its time.
 struct TimedImage {
   std::uint32_t time_ms;  // of the robot's clock
   pb::Image image;

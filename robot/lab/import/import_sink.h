@@ -1,4 +1,4 @@
-// Where importers put what they read, and what they say about it.
+// The output of importers: messages and a report.
 #pragma once
 
 #include <google/protobuf/message.h>
@@ -13,26 +13,26 @@
 
 namespace robot::lab {
 
-/// Takes the messages of a recording. Used by one thread.
+/// A receiver of the messages of a recording. Used by one thread.
 class ImportSink {
  public:
   virtual ~ImportSink() = default;
 
-  /// One message of the memory object `object` ("ball"), or of the topic `object` if that starts with '/'
+  /// Takes one message of the memory object `object` ("ball"), or of the topic `object` if it starts with '/'
   /// ("/truth/world"). `capture_ns` [ns since the epoch]. Within one object times normally do not decrease, but a
-  /// damaged file may hold any. An Error ends the import.
+  /// damaged file may contain any times. An Error ends the import.
   virtual Result<void> message(std::string_view object, std::uint64_t capture_ns,
                                const google::protobuf::Message& value) = 0;
 };
 
-/// What an import found.
+/// The result of an import.
 struct ImportReport {
-  std::map<std::string, std::uint64_t> messages;  // how many went to the sink, by object
-  std::vector<std::string> warnings;              // sentences: what was left out or looks odd, the file being whole
-  std::string damage;  // one sentence: where the file is damaged and how; empty when it is whole
+  std::map<std::string, std::uint64_t> messages;  // number of messages in the sink, by object
+  std::vector<std::string> warnings;              // sentences about omitted or odd data of a file that is not damaged
+  std::string damage;                             // one sentence: place and kind of the damage; empty if there is none
 };
 
-/// Counts in `report` what it hands on to `sink`; both outlive it.
+/// A sink that passes messages on to `sink` and counts them in `report`. Both outlive it.
 class CountingSink final : public ImportSink {
  public:
   CountingSink(ImportSink& sink, ImportReport& report) : sink_(sink), report_(report) {}

@@ -18,9 +18,9 @@ using nblog::Expression;
 
 constexpr double kAccelerationPerCount = -0.017 * 9.81;  // [m/s²]
 constexpr double kMaxSide = 4096;                        // [px]
-constexpr double kMaxMicroseconds = 1e15;                // 30 years, and exact in float64
+constexpr double kMaxMicroseconds = 1e15;                // 30 years; exact in float64
 
-/// The field names of the two protobuf messages, from field 1 on, as the header writes them.
+/// The field names of the two protobuf messages, from field 1 on, as in the header.
 constexpr std::string_view kInertialFields[] = {"acc_x", "acc_y",   "acc_z",   "gyr_x",  "gyr_y",
                                                 "gyr_z", "angle_x", "angle_y", "angle_z"};
 constexpr std::string_view kJointFields[] = {
@@ -30,18 +30,18 @@ constexpr std::string_view kJointFields[] = {
     "l_knee_pitch",  "l_ankle_pitch", "l_ankle_roll",     "r_hip_roll",      "r_hip_pitch", "r_knee_pitch",
     "r_ankle_pitch", "r_ankle_roll"};
 
-/// For each of our 25 joints its index in kJointFields.
+/// The index in kJointFields for each of our 25 joints.
 constexpr std::size_t kJointSources[25] = {0,  1,  2,  3,  4,  5, 6, 14, 16, 17, 18, 19, 20,
                                            21, 22, 23, 24, 25, 8, 9, 10, 11, 12, 7,  13};
 
-/// The big-endian number at byte `offset`, which must lie within.
+/// Returns the big-endian number at byte `offset`, which must lie within `bytes`.
 std::uint32_t big_endian(std::string_view bytes, std::size_t offset) {
   std::uint32_t value = 0;
   for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[offset + i]);
   return value;
 }
 
-/// The float fields 1 .. `count` of a protobuf message whose schema we do not have; absent ones are 0.
+/// Reads the float fields 1 .. `count` of a protobuf message whose schema we do not have. Absent fields are 0.
 Result<std::vector<float>> float_fields(std::string_view bytes, std::size_t count) {
   std::vector<float> fields(count, 0);
   google::protobuf::io::CodedInputStream stream(reinterpret_cast<const std::uint8_t*>(bytes.data()),
@@ -67,13 +67,13 @@ class Importer {
       const Expression* type = block.find("type");
       const std::string name = type ? type->atom : "of unknown type";
       const auto bytes = block.number("nbytes");
-      if (!bytes || *bytes < 0) return damaged("block " + name + ": its header tells no number of bytes");
+      if (!bytes || *bytes < 0) return damaged("block " + name + ": its header has no number of bytes");
       if (*bytes > static_cast<double>(payload.size()))
         return damaged("block " + name + ": expected " + std::to_string(static_cast<std::uint64_t>(*bytes)) +
                        " bytes, the payload has " + std::to_string(payload.size()) + " more");
       const auto size = static_cast<std::size_t>(*bytes);
       const Result<void> read = read_block(name, block, payload.substr(0, size));
-      if (!read && sink_failed_) return Error{read.error()};
+      if (!read && sink_failed_) return read.failure();
       if (!read) return damaged("block " + name + ": " + read.error());
       payload.remove_prefix(size);
     }
@@ -88,7 +88,7 @@ class Importer {
  private:
   Result<void> read_block(const std::string& type, const Expression& block, std::string_view bytes) {
     const auto when = block.number("when");
-    if (!when || *when < 0 || *when > kMaxMicroseconds) return Error{"its header tells no time"};
+    if (!when || *when < 0 || *when > kMaxMicroseconds) return Error{"its header has no valid time"};
     capture_ns_ = epoch_ns_ + static_cast<std::uint64_t>(*when) * 1000;
     if (type == "YUVImage") return read_image(block, bytes);
     if (type == "InertialState") return read_inertial(block, bytes);
@@ -116,7 +116,7 @@ class Importer {
 
   Result<void> read_inertial(const Expression& block, std::string_view bytes) {
     const auto fields = float_fields(bytes, std::size(kInertialFields));
-    if (!fields) return Error{fields.error()};
+    if (!fields) return fields.failure();
     compare(block, *fields, kInertialFields);
     pb::Inertial inertial;
     inertial.set_accelerometer_x(static_cast<float>(kAccelerationPerCount * (*fields)[0]));
@@ -129,14 +129,14 @@ class Importer {
 
   Result<void> read_joints(const Expression& block, std::string_view bytes) {
     const auto fields = float_fields(bytes, std::size(kJointFields));
-    if (!fields) return Error{fields.error()};
+    if (!fields) return fields.failure();
     compare(block, *fields, kJointFields);
     pb::Joints joints;
     for (const std::size_t source : kJointSources) joints.add_position((*fields)[source]);
     return send("joints", joints);
   }
 
-  /// Warns where the header writes another value than the payload has.
+  /// Adds a warning for each value that differs between header and payload.
   template <std::size_t Count>
   void compare(const Expression& block, const std::vector<float>& fields, const std::string_view (&names)[Count]) {
     for (std::size_t i = 0; i < Count; ++i) {
@@ -175,7 +175,7 @@ Result<ImportReport> import_nblog(std::string_view file_bytes, std::uint64_t epo
   if (const std::size_t end = header.find('\0'); end != std::string_view::npos) header = header.substr(0, end);
 
   const Result<Expression> parsed = nblog::parse_expression(header);
-  if (!parsed) return Error{"nblog: header: " + parsed.error()};
+  if (!parsed) return parsed.failure("nblog: header");
   if (parsed->items.empty() || parsed->items[0].atom != "nblog" || parsed->number("version") != 7)
     return Error{"nblog: expected a header that begins with (nblog and says (version 7)"};
   std::vector<Expression> blocks;

@@ -27,7 +27,7 @@ class Parser {
   bool read(Expression& expression, int depth) {
     skip_space();
     if (at_ == text_.size()) return fail("expected more text");
-    if (text_[at_] == ')') return fail("nothing is open that could be closed");
+    if (text_[at_] == ')') return fail("a list is closed that was never opened");
     if (text_[at_] == '"') return read_quoted(expression);
     if (text_[at_] == '(') return read_list(expression, depth);
     const std::size_t end = std::min(text_.find_first_of(" \t\r\n()\"", at_), text_.size());

@@ -12,18 +12,18 @@ namespace robot::lab::nblog {
 
 /// An atom ("7", "a text") or a list.
 struct Expression {
-  std::string atom;               // of an atom; without its quotation marks
+  std::string atom;               // of an atom, without quotation marks
   std::vector<Expression> items;  // of a list
   bool is_list = false;
 
-  /// The second item of the list among `items` that begins with the atom `key`: (key value). Null without one.
+  /// Returns the second item of the first list in `items` that begins with the atom `key`: (key value). Null if absent.
   const Expression* find(std::string_view key) const;
 
-  /// The number that find(`key`) holds; nothing without one.
+  /// Returns the number in find(`key`), or nothing if there is none.
   std::optional<double> number(std::string_view key) const;
 };
 
-/// One expression, alone in `text`. At most 16 deep.
+/// Parses one expression, which must be the whole `text` and at most 16 levels deep.
 Result<Expression> parse_expression(std::string_view text);
 
 }  // namespace robot::lab::nblog

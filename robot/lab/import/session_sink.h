@@ -1,4 +1,4 @@
-// Imported messages into a session.
+// The sink that writes imported messages to a session.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace robot::lab {
 
-/// Writes each object under the topic and the schema it has in a robot's memory. Used by one thread.
+/// A sink that writes each object with its topic and schema in a robot's memory. Used by one thread.
 class SessionSink final : public ImportSink {
  public:
   /// `robot` is "<team>/<player>"; `writer` outlives this.

@@ -1,4 +1,4 @@
-// One message of theirs in our words.
+// The translation of one message of theirs to ours.
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/dynamic_message.h>
 #include <google/protobuf/message.h>
@@ -24,7 +24,7 @@ using Json = nlohmann::json;
 constexpr std::string_view kTime = "@time";
 constexpr int kChecked = 100;  // [messages]
 
-/// What stands at `path` in `json`; null where there is nothing.
+/// Returns the value at `path` in `json`, or null if there is none.
 const Json* at(const Json& json, std::string_view path) {
   const Json* place = &json;
   while (!path.empty()) {
@@ -48,7 +48,7 @@ const Json* at(const Json& json, std::string_view path) {
   return place->is_null() ? nullptr : place;
 }
 
-/// Numbers as they are, truth as 0 or 1, and the decimal texts that protobuf's JSON has for 64-bit numbers.
+/// Converts numbers, booleans (0 or 1), and the decimal texts that protobuf's JSON has for 64-bit numbers.
 std::optional<double> as_number(const Json& json) {
   if (json.is_number()) return json.get<double>();
   if (json.is_boolean()) return json.get<bool>() ? 1 : 0;
@@ -60,7 +60,7 @@ std::optional<double> as_number(const Json& json) {
   return value;
 }
 
-/// A whole number to its last digit, where it is given as one.
+/// Converts a whole number without loss, or returns nothing if the value is not a whole number in the range of T.
 template <class T>
 std::optional<T> exactly(const Json& json) {
   if (json.is_number_unsigned() &&
@@ -76,7 +76,7 @@ std::optional<T> exactly(const Json& json) {
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-/// Puts values into one message of ours.
+/// A writer of values into one message of ours.
 class Writer {
  public:
   Writer(Message& message, std::uint64_t capture_ns, bool strict)
@@ -213,11 +213,11 @@ Result<std::string> mapped(const TopicRule& rule, const Json& theirs, std::uint6
   const std::unique_ptr<Message> message(MessageFactory::generated_factory()->GetPrototype(rule.message)->New());
   Writer writer(*message, capture_ns, strict);
   for (const FieldRule& field : rule.fields)
-    if (Result<void> put = writer.put(field, theirs); !put) return Error{rule.from + ": " + put.error()};
+    if (Result<void> put = writer.put(field, theirs); !put) return put.failure(rule.from);
   return message->SerializeAsString();
 }
 
-/// Decodes what one channel of theirs holds.
+/// The decoder of one channel of theirs.
 class MappedInProvider::Reader {
  public:
   Result<void> open(const memory::ChannelInfo& info) {
@@ -226,7 +226,7 @@ class MappedInProvider::Reader {
     if (info.message_encoding != "protobuf" || info.schema.encoding != "protobuf")
       return Error{info.topic + ": expected protobuf or JSON, got '" + info.message_encoding + "'"};
     const auto message = pool_.read(info.schema);
-    if (!message) return Error{info.topic + ": " + message.error()};
+    if (!message) return message.failure(info.topic);
     prototype_ = factory_.GetPrototype(*message);
     return {};
   }
@@ -236,7 +236,7 @@ class MappedInProvider::Reader {
     const std::unique_ptr<Message> message(prototype_->New());
     if (!message->ParseFromString(bytes))
       return Error{"expected a " + prototype_->GetDescriptor()->full_name() + ", got " + std::to_string(bytes.size()) +
-                   " bytes that are none"};
+                   " bytes of something else"};
     google::protobuf::util::JsonPrintOptions options;
     options.preserve_proto_field_names = true;
     options.always_print_primitive_fields = true;
@@ -260,19 +260,20 @@ MappedInProvider::~MappedInProvider() = default;
 
 Result<memory::ChannelInfo> MappedInProvider::open() {
   const Result<memory::ChannelInfo> info = stream_->open();
-  if (!info) return Error{info.error()};
-  if (Result<void> opened = reader_->open(*info); !opened) return Error{opened.error()};
-  if (Result<void> fits = check_first(); !fits) return Error{fits.error()};
+  if (!info) return info.failure();
+  if (Result<void> opened = reader_->open(*info); !opened) return opened.failure();
+  if (Result<void> fits = check_first(); !fits) return fits.failure();
   return rule_.info;
 }
 
 Result<std::string> MappedInProvider::translate(const logging::Record& record, bool strict) const {
   const auto theirs = reader_->read(record.bytes);
-  if (!theirs) return Error{rule_.from + ": " + theirs.error()};
+  if (!theirs) return theirs.failure(rule_.from);
   return mapped(rule_, *theirs, record.capture_ns, strict);
 }
 
-/// A mapping with a slip of the pen is told of before anything is played. A single message may lack something.
+/// Reports a wrong mapping before anything is played. One fitting message is enough, because single messages may be
+/// incomplete.
 Result<void> MappedInProvider::check_first() {
   std::optional<std::string> problem;
   for (int i = 0; i < kChecked; ++i) {
@@ -296,7 +297,7 @@ Result<std::optional<logging::Record>> MappedInProvider::read() {
       (*record)->bytes = std::move(*ours);
       return record;
     }
-    if (lost_.fetch_add(1, std::memory_order_relaxed) == 0) return Error{ours.error()};
+    if (lost_.fetch_add(1, std::memory_order_relaxed) == 0) return ours.failure();
   }
 }
 

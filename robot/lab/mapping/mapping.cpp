@@ -26,7 +26,7 @@ std::string shown(const Json& json) {
   return text.size() > 60 ? text.substr(0, 57) + "..." : text;
 }
 
-/// The place `name` in the object at `where`.
+/// Returns the place `name` in the object at `where`.
 std::string below(const std::string& where, std::string_view name) {
   std::string place = where;
   place += '.';
@@ -34,7 +34,7 @@ std::string below(const std::string& where, std::string_view name) {
   return place;
 }
 
-/// Reads the file's objects and keeps the first thing that is wrong.
+/// The reader of a mapping file. It keeps the first problem.
 class MappingReader {
  public:
   explicit MappingReader(std::string name) : name_(std::move(name)) {}
@@ -59,7 +59,7 @@ class MappingReader {
  private:
   using Objects = std::map<std::string, memory::ChannelInfo>;  // by name
 
-  /// All objects there are: "ball", "/truth/world".
+  /// Returns all objects of a robot's memory: "ball", "/truth/world".
   static Objects our_objects(const std::string& robot) {
     Objects objects;
     const ManualClock clock;
@@ -146,7 +146,7 @@ class MappingReader {
     if (field.message_type()) {
       const char* const key = field.is_repeated() ? "each" : "from";
       if (!is_object(json, where, {key, "fields"})) return rule;
-      // without a source its fields are looked for where the message itself is
+      // without "from", the paths of its fields start at the enclosing message
       rule.from = field.is_repeated() || json.contains(key) ? text(json, where, key) : std::string();
       rule.fields = read_fields(json.value("fields", Json()), where + ".fields", *field.message_type());
     } else if (json.is_string()) {
@@ -188,13 +188,13 @@ class MappingReader {
 
 Result<Mapping> parse_mapping(const std::string& name, std::string_view text) {
   const Result<Json> json = parse_json(text);
-  if (!json) return Error{name + ": " + json.error()};
+  if (!json) return json.failure(name);
   return MappingReader(name).read(*json);
 }
 
 Result<Mapping> read_mapping(const std::filesystem::path& file) {
   const Result<std::string> text = read_file(file, kMostFileBytes);
-  if (!text) return Error{text.error()};
+  if (!text) return text.failure();
   return parse_mapping(file.string(), *text);
 }
 

@@ -1,4 +1,4 @@
-// Recordings of others in our words: which of their topics is which of our objects, as a file says.
+// Translation of other programs' recordings. A file says which of their topics is which of our objects:
 //
 //   {
 //     "robot": "14/2",
@@ -29,17 +29,17 @@ class FieldDescriptor;
 
 namespace robot::lab {
 
-/// Where one field of our message comes from.
+/// The source of one field of our message.
 struct FieldRule {
   const google::protobuf::FieldDescriptor* field = nullptr;
   std::string from;               // "position.x", "at[0]", "@time" (capture time [ns]); empty: `value`
   nlohmann::json value;           // a constant
   double scale = 1, add = 0;      // our value = scale * theirs + add
-  nlohmann::json names;           // of an enum: their value, as text, to our name; null: the same names
+  nlohmann::json names;           // of an enum: their value, as text → our name; null: the same names
   std::vector<FieldRule> fields;  // of a message, or of each message of a list
 };
 
-/// One topic of theirs that becomes an object of ours.
+/// One topic of theirs and the object of ours that it becomes.
 struct TopicRule {
   std::string from;          // their topic
   memory::ChannelInfo info;  // our channel
@@ -47,30 +47,32 @@ struct TopicRule {
   std::vector<FieldRule> fields;
 };
 
+/// The contents of a mapping file.
 struct Mapping {
   std::string name;   // of the file
-  std::string robot;  // "14/2": whose the objects are
+  std::string robot;  // "14/2": owner of the objects
   std::vector<TopicRule> topics;
 };
 
-/// Reads a mapping. An Error names the file, the place in it, what was expected there and what stands there.
+/// Reads a mapping. An Error names the file, the place in it, the expected and the actual value.
 Result<Mapping> parse_mapping(const std::string& name, std::string_view text);
 Result<Mapping> read_mapping(const std::filesystem::path& file);
 
-/// One message of `from`, as `theirs` decoded, in our words. With `strict` an Error names the field that is not there or
-/// not of a kind that fits ours; otherwise what is not there is left out.
+/// Translates one decoded message `theirs` of the topic `rule.from` to our serialised message. Returns an Error for a
+/// value of a type that does not fit. A missing value is an Error with `strict`; otherwise its field stays absent.
 Result<std::string> mapped(const TopicRule& rule, const nlohmann::json& theirs, std::uint64_t capture_ns, bool strict);
 
-/// The messages of a stream of theirs as our object. Protobuf and JSON are understood.
+/// A stream of theirs, in protobuf or JSON, as a stream of our object.
 class MappedInProvider final : public logging::InProvider {
  public:
   MappedInProvider(std::unique_ptr<logging::InProvider> stream, TopicRule rule);
   ~MappedInProvider() override;
 
-  /// Our channel; an Error if theirs is in another encoding, or none of its first hundred messages is as the mapping says.
+  /// Returns our channel. Returns an Error if their encoding is another one, or if none of the first 100 messages fits
+  /// the mapping.
   Result<memory::ChannelInfo> open() override;
 
-  /// A message that does not fit is left out and counted; the first one is an Error.
+  /// Returns the next message that fits. Others are skipped and counted; the first of them is returned as an Error.
   Result<std::optional<logging::Record>> read() override;
   Result<void> seek(std::uint64_t capture_ns) override { return stream_->seek(capture_ns); }
   std::uint64_t lost_before() const override { return stream_->lost_before() + lost_.load(std::memory_order_relaxed); }

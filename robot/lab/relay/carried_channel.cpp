@@ -11,7 +11,7 @@ void CarriedChannel::connected(bool new_run, std::int64_t shift_ns) {
   shift_ns_ = shift_ns;
 }
 
-/// What a connection begins with may have come over the one before.
+/// Returns whether the message arrived before: the first message of a connection may be the last of the one before.
 bool CarriedChannel::is_known(const Arrived& message) const {
   if (message.published) return message.published->sequence <= theirs_;
   return first_of_connection_ && began_ && message.capture_ns == last_.capture_ns && message.bytes == last_.bytes;
@@ -23,7 +23,7 @@ std::uint64_t CarriedChannel::enter(Arrived message) {
   if (known) return 0;
   const memory::VersionPtr newest = to_->newest();
   const std::uint64_t ours = newest ? newest->sequence() : 0;
-  // of what was before the first message nobody asked for anything
+  // messages before the first one are not lost: they were never subscribed
   const std::uint64_t lost = message.published && began_ ? message.published->sequence - theirs_ - 1 : 0;
   if (message.published) theirs_ = message.published->sequence;
   began_ = true;
@@ -36,7 +36,7 @@ std::uint64_t CarriedChannel::enter(Arrived message) {
     to_->relay(std::move(bytes), capture_ns,
                {.sequence = ours + lost + 1, .publish_ns = (*shift_)(message.published->publish_ns)});
   else
-    (void)to_->write_bytes(bytes, capture_ns);  // takes any
+    (void)to_->write_bytes(bytes, capture_ns);  // a raw channel accepts any bytes
   return lost;
 }
 

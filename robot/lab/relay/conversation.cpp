@@ -13,7 +13,7 @@
 #include "robot/core/report.h"
 #include "robot/image/image_codec.h"
 #include "robot/logging/sessions/profile.h"
-#include "robot/net/foxglove/foxglove_client.h"
+#include "robot/net/foxglove/from_client.h"
 
 namespace robot::lab {
 namespace {
@@ -21,20 +21,21 @@ namespace {
 using net::Opcode;
 using Json = nlohmann::json;
 
-constexpr std::uint32_t kFirstRounds = 8;  // of which the shortest counts
+constexpr std::uint32_t kFirstRounds = 8;  // the shortest round trip of these counts
 constexpr std::uint64_t kRoundsEvery = 10 * kSecond;
 constexpr std::uint64_t kAnswerNs = 3 * kSecond;
-constexpr std::uint64_t kIntroductionNs = kSecond;  // a server that has no clock to ask has introduced itself by then
+constexpr std::uint64_t kIntroductionNs =
+    kSecond;  // within this time a server has offered its services, clock_sync among them
 constexpr std::string_view kJpeg = "/jpeg", kCompressedImage = "foxglove.CompressedImage";
 
-/// The same picture as our own message.
+/// Converts a foxglove.CompressedImage to our own message.
 Result<std::string> as_image(std::string_view bytes) {
   foxglove::CompressedImage compressed;
   if (!compressed.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) || compressed.format() != "jpeg")
     return Error{"expected a JPEG in a foxglove.CompressedImage, got " + std::to_string(bytes.size()) +
-                 " bytes that are none"};
+                 " bytes of something else"};
   const auto size = image::size_of_jpeg(compressed.data());
-  if (!size) return Error{size.error()};
+  if (!size) return size.failure();
   foresight::Image image;
   image.set_encoding(foresight::Image::ENCODING_JPEG);
   image.set_width(static_cast<std::uint32_t>(size->width));
@@ -62,21 +63,21 @@ Result<void> Conversation::hear(const net::WebSocketClient::Message& message) {
 Result<std::uint64_t> Conversation::go_on() {
   const std::uint64_t now_ns = monotonic_ns();
   if (sent_ns_ != 0 && now_ns >= asked_ns_ + kAnswerNs) {
-    if (!agreed_) return Error{"its clock cannot be asked: clock_sync does not answer"};
+    if (!agreed_) return Error{"its clock cannot be measured: clock_sync does not answer within 3 s"};
     sent_ns_ = 0;
     next_call_ns_ = now_ns + kRoundsEvery;
   }
   if (clock_service_ && sent_ns_ == 0 && now_ns >= next_call_ns_)
-    if (Result<void> asked = ask_time(); !asked) return Error{asked.error()};
+    if (Result<void> asked = ask_time(); !asked) return asked.failure();
   if (!agreed_ && introduced_ && !clock_service_ && now_ns >= began_ns_ + kIntroductionNs)
-    if (Result<void> agreed = agree(); !agreed) return Error{agreed.error()};
+    if (Result<void> agreed = agree(); !agreed) return agreed.failure();
   if (!agreed_ && !clock_service_) return std::max(began_ns_ + kIntroductionNs, now_ns + kMillisecond);
   return sent_ns_ == 0 && clock_service_ ? next_call_ns_ : now_ns + kSecond;
 }
 
 Result<void> Conversation::hear_text(std::string_view text) {
   auto said = net::foxglove::parse_server_text(text);
-  if (!said) return Error{said.error()};
+  if (!said) return said.failure();
   if (said->info) introduce(*said->info);
   for (auto& channel : said->channels) offered_.push_back(std::move(channel));
   for (const auto& service : said->services)
@@ -87,7 +88,7 @@ Result<void> Conversation::hear_text(std::string_view text) {
 
 void Conversation::introduce(const net::foxglove::ServerInfo& info) {
   const RobotLink::Past& past = *link_.past_;
-  // another session within a connection is another time line of the same run
+  // a new session id within a connection is another time line of the same run
   if (!introduced_) new_run_ = info.session_id.empty() || info.session_id != past.session;
   session_ = info.session_id;
   introduced_ = true;
@@ -101,17 +102,17 @@ void Conversation::introduce(const net::foxglove::ServerInfo& info) {
 
 Result<void> Conversation::hear_binary(std::string_view bytes) {
   const auto answer = net::foxglove::parse_service_answer(bytes);
-  if (!answer) return Error{answer.error()};
+  if (!answer) return answer.failure();
   if (*answer) {
     const bool waited_for = sent_ns_ != 0 && (*answer)->service == clock_service_ && (*answer)->call == call_;
     return waited_for ? hear_time((*answer)->payload) : Result<void>();
   }
   const auto data = net::foxglove::parse_message_data(bytes);
-  if (!data) return Error{data.error()};
+  if (!data) return data.failure();
   return *data ? take(**data) : Result<void>();
 }
 
-/// What we measured last goes along: it is recorded on the robot's side, too.
+/// Calls clock_sync. The request carries our last measurement, so that the robot records it too.
 Result<void> Conversation::ask_time() {
   sent_ns_ = link_.clock_.now_ns();
   asked_ns_ = monotonic_ns();
@@ -148,12 +149,13 @@ Result<void> Conversation::hear_time(std::string_view answer) {
   static Throttle throttle;
   if (static_cast<std::uint64_t>(std::abs(moved_ns)) > last_->error_ns + 2 * kAgreeNs)
     throttle.report(Level::warning, "relay",
-                    link_.status().name + ": its clock is " + to_text(*last_) + " by now; its times are shifted by " +
+                    link_.status().name + ": its clock has drifted and is " + to_text(*last_) +
+                        "; its times are shifted by " +
                         std::to_string(link_.past_->shift_ns / static_cast<std::int64_t>(kMillisecond)) + " ms");
   return {};
 }
 
-/// Clocks are compared, or cannot be: from now on messages are carried.
+/// Decides on the shift of times, and begins to carry messages. Called when the clocks are compared or cannot be.
 Result<void> Conversation::agree() {
   RobotLink::Past& past = *link_.past_;
   std::int64_t shift_ns = 0;
@@ -164,15 +166,15 @@ Result<void> Conversation::agree() {
         status.state = LinkStatus::State::refused;
         status.clock = best_;
       });
-      return Error{found.error()};
+      return found.failure();
     }
-    // one run is not torn by what is only measured anew
+    // within one run of the robot a new measurement does not change the shift
     const bool as_before =
         static_cast<std::uint64_t>(std::abs(best_->offset_ns + past.shift_ns)) <= best_->error_ns + kAgreeNs;
     shift_ns = !new_run_ && as_before ? past.shift_ns : *found;
     link_.on_clock_(robot_, *best_);
   }
-  // not before: a connection that ended earlier has told the channels nothing of a new run
+  // set only here: the channels have not seen the new run if a connection ended earlier
   past.session = session_;
   past.shift_ns = shift_ns;
   agreed_ = true;
@@ -184,7 +186,7 @@ Result<void> Conversation::agree() {
     status.shift_ns = shift_ns;
     status.problem.clear();
   });
-  const std::string clock = !best_          ? "its clock cannot be asked"
+  const std::string clock = !best_          ? "its clock cannot be measured"
                             : shift_ns == 0 ? "its clock agrees with ours"
                                             : "its clock is " + to_text(*best_) + ": its times are shifted";
   report(Level::info, "relay",
@@ -192,7 +194,7 @@ Result<void> Conversation::agree() {
   return subscribe();
 }
 
-/// Where the messages of an offered channel go to, if they are to be carried at all.
+/// Returns the channel that takes the messages of an offered channel, or nothing if they are not carried.
 std::optional<memory::ChannelInfo> Conversation::wanted(const net::foxglove::Advertised& offered, bool& jpeg) const {
   const Pictures pictures = link_.options_.pictures;
   const std::string& topic = offered.info.topic;
@@ -209,21 +211,23 @@ std::optional<memory::ChannelInfo> Conversation::wanted(const net::foxglove::Adv
   return {};
 }
 
-/// The channel of that topic in this process, made when it is new; null where it is another's, or another thing.
+/// Returns the channel of that topic in this process, created if it is new. Returns null if another robot carries the
+/// topic, or if there is a channel with another schema.
 CarriedChannel* Conversation::channel_for(const memory::ChannelInfo& info) {
   RobotLink::Past& past = *link_.past_;
   if (!link_.claims_.claim(info.topic, link_.id_)) return nullptr;
   std::shared_ptr<memory::Channel> channel = link_.channels_.find(info.topic);
   if (!channel) {
     auto made = std::make_shared<memory::RawChannel>(info, link_.clock_);
-    channel = link_.channels_.add(made) ? made : link_.channels_.find(info.topic);  // another link may have been faster
+    channel = link_.channels_.add(made) ? made
+                                        : link_.channels_.find(info.topic);  // another link may have added it meanwhile
   }
   const auto raw = std::dynamic_pointer_cast<memory::RawChannel>(channel);
   if (!raw || raw->info().schema != info.schema || raw->info().message_encoding != info.message_encoding) {
     report(Level::warning, "relay",
            link_.options_.robot.name + ": " + info.topic +
-               (raw ? " has another schema than before: it is left out until the relay begins anew"
-                    : " is left out: it is the relay's own"));
+               (raw ? " has another schema than before: it is left out until the relay is restarted"
+                    : " is left out: the relay has its own topic of this name"));
     return nullptr;
   }
   const auto [at, is_new] = past.carried.try_emplace(info.topic, CarriedChannel(raw));
@@ -249,7 +253,7 @@ Result<void> Conversation::take(const net::foxglove::MessageData& data) {
   if (found == subscriptions_.end()) return {};
   const auto [to, jpeg] = found->second;
   if (!link_.claims_.holds(to->info().topic, link_.id_)) {
-    // the robot whose own it is has come
+    // the robot that owns the topic has connected
     subscriptions_.erase(found);
     return client_.send(Opcode::text, to_text(net::foxglove::Unsubscribe{{data.subscription}}));
   }
@@ -263,7 +267,7 @@ Result<void> Conversation::take(const net::foxglove::MessageData& data) {
       return {};
     }
     message.bytes = std::move(*image);
-    message.published.reset();  // the number is that of the JPEG's own stream, which begins with each subscriber
+    message.published.reset();  // the JPEG stream's own number, which starts anew for each subscriber
   } else {
     message.bytes = data.payload;
   }

@@ -1,4 +1,4 @@
-// One connection to a robot that is relayed, from its introduction to its end.
+// One connection to a relayed robot, from its server's introduction to its end.
 #pragma once
 
 #include <cstdint>
@@ -10,31 +10,31 @@
 
 #include "robot/lab/relay/carried_channel.h"
 #include "robot/lab/relay/robot_link.h"
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/to_client.h"
 
 namespace robot::lab {
 
-/// What a link knows of a robot beyond one connection.
+/// The state of a link that outlives one connection.
 struct RobotLink::Past {
-  std::string session;  // of the robot's server when messages were carried last
+  std::string session;  // session id of the robot's server when messages were carried last
   std::int64_t shift_ns = 0;
   std::map<std::string, CarriedChannel> carried;  // by topic
   std::map<std::string, memory::ChannelInfo> images;
 };
 
-/// Hears what the robot's server says and answers: clocks first, then subscriptions, then messages. Used by the link's
-/// thread.
+/// The client's side of the protocol with the robot's server: clocks first, then subscriptions, then messages. Used by
+/// the link's thread.
 class Conversation {
  public:
   Conversation(RobotLink& link, net::WebSocketClient& client) : link_(link), client_(client) {}
 
-  /// Takes in what came. An Error ends the connection.
+  /// Processes a message of the server. An Error ends the connection.
   Result<void> hear(const net::WebSocketClient::Message& message);
 
-  /// Does what is due; until when it may wait then [monotonic].
+  /// Does everything that is due. Returns the time until which it may wait then [monotonic].
   Result<std::uint64_t> go_on();
 
-  /// Whether the server said that it tells the time: then it is never silent for long.
+  /// Returns whether the server publishes the time. Such a server is never silent for long.
   bool hears_time() const { return hears_time_; }
 
  private:
@@ -66,7 +66,7 @@ class Conversation {
   // clocks
   std::optional<std::uint32_t> clock_service_;
   std::uint32_t call_ = 0;                         // the last one
-  std::uint64_t sent_ns_ = 0;                      // of the call that waits for its answer, our clock; 0: none
+  std::uint64_t sent_ns_ = 0;                      // of the call that has no answer yet, our clock; 0: none
   std::uint64_t asked_ns_ = 0, next_call_ns_ = 0;  // [monotonic]
   std::uint32_t rounds_ = 0;
   std::optional<ClockOffset> best_, last_;

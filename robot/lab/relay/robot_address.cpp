@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 constexpr std::size_t kMostFileBytes = 1 << 20;
 constexpr unsigned kPort = 8765;
 
-/// Whether a person means an address by it rather than a name: names have neither dots nor colons.
+/// Returns whether the word is an address and not a name. Names have neither dots nor colons.
 bool looks_like_address(std::string_view word) {
   return word == "localhost" || word.find_first_of(".:") != std::string_view::npos;
 }
@@ -27,7 +27,7 @@ std::string text_of(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// The robots of the file, each by its name and its player's number.
+/// One robot of the file, with its player number.
 struct Listed {
   RobotAddress robot;
   std::string player;
@@ -41,13 +41,13 @@ Result<Listed> listed(const Json& robot, const std::string& where) {
     return Error{where + ".http_port: expected a whole number 1 .. 65535, got " + port.dump()};
   Listed found{.robot = {.name = text_of(robot, "name"), .addresses = {}},
                .player = player.is_number_unsigned() ? player.dump() : std::string()};
-  // a cable is faster, and disturbs nobody
+  // a cable first: it is faster and does not load the wireless network
   for (const char* way : {"address", "wired", "wireless"}) {
     const std::string host = text_of(robot, way);
     if (host.empty()) continue;
     const bool bare_v6 = std::ranges::count(host, ':') > 1;
     auto address = web_socket_address((bare_v6 ? "[" + host + "]" : host) + ":" + port.dump());
-    if (!address) return Error{where + "." + way + ": " + address.error()};
+    if (!address) return address.failure(where + "." + way);
     found.robot.addresses.push_back(std::move(*address));
   }
   if (found.robot.addresses.empty())
@@ -57,15 +57,15 @@ Result<Listed> listed(const Json& robot, const std::string& where) {
 
 Result<std::vector<Listed>> read_robots(const std::filesystem::path& file) {
   const Result<std::string> text = read_file(file, kMostFileBytes);
-  if (!text) return Error{text.error()};
+  if (!text) return text.failure();
   const Result<Json> json = parse_json(*text);
-  if (!json) return Error{file.string() + ": " + json.error()};
+  if (!json) return json.failure(file.string());
   const Json robots = json->is_object() ? json->value("robots", Json()) : Json();
   if (!robots.is_array()) return Error{file.string() + ": expected a JSON object with a list 'robots'"};
   std::vector<Listed> all;
   for (const Json& robot : robots) {
     auto one = listed(robot, file.string() + ": $.robots[" + std::to_string(all.size()) + "]");
-    if (!one) return Error{one.error()};
+    if (!one) return one.failure();
     all.push_back(std::move(*one));
   }
   return all;
@@ -113,8 +113,8 @@ Result<std::vector<RobotAddress>> find_robots(const std::vector<std::string>& wo
     RobotAddress robot;
     if (looks_like_address(word)) {
       auto address = web_socket_address(word);
-      if (!address) return Error{address.error()};
-      // a token is no one's business
+      if (!address) return address.failure();
+      // the name is shown, so it must not contain a token
       robot = {.name = word.substr(0, word.find('?')), .addresses = {std::move(*address)}};
     } else {
       if (!listed) {
@@ -125,7 +125,7 @@ Result<std::vector<RobotAddress>> find_robots(const std::vector<std::string>& wo
         listed = std::move(*read);
       }
       auto one = named(word, *listed, file);
-      if (!one) return Error{one.error()};
+      if (!one) return one.failure();
       robot = std::move(*one);
     }
     if (std::ranges::find(found, robot.addresses, &RobotAddress::addresses) != found.end())

@@ -1,4 +1,4 @@
-// Where a robot is, as a person says it: an address, or a name of the team's robots file.
+// Addresses of robots from the command line: an address, or a name of the team's robots file.
 #pragma once
 
 #include <filesystem>
@@ -10,22 +10,22 @@
 
 namespace robot::lab {
 
-/// A robot and the ways to it, the best first.
+/// A robot and its addresses, the best first.
 struct RobotAddress {
-  std::string name;                    // as it was called
+  std::string name;                    // as on the command line, without a token
   std::vector<std::string> addresses;  // WebSocket addresses: "ws://10.0.14.22:8765/?token=…"
 };
 
-/// "10.0.14.22", "tim.local:8765", "[fe80::1]:8765", "ws://…" and "http://…", with a query or without, as a WebSocket
-/// address; an Error if it is none. The port is 8765 where none is given.
+/// Converts "10.0.14.22", "tim.local:8765", "[fe80::1]:8765", "ws://…" and "http://…", with a query or without, to a
+/// WebSocket address. The default port is 8765. Returns an Error for other texts.
 Result<std::string> web_socket_address(std::string_view text);
 
-/// The robots that `words` mean: each an address, or the name or number of a player of the robots file (as
-/// `scripts/deploy` reads it: robot/deploy/robots.example.json). `file` is read only where a word is no address.
-/// An Error names the word that means nobody, and who there is.
+/// Returns the robots that `words` name. Each word is an address, or the name or player number of a robot in the robots
+/// file of `scripts/deploy` (robot/deploy/robots.example.json). `file` is read only if a word is not an address. An
+/// Error names the unknown word and the robots of the file.
 Result<std::vector<RobotAddress>> find_robots(const std::vector<std::string>& words, const std::filesystem::path& file);
 
-/// $FORESIGHT_ROBOTS, or ~/.config/foresight/robots.json.
+/// Returns $FORESIGHT_ROBOTS, or ~/.config/foresight/robots.json.
 std::filesystem::path default_robots_file();
 
 }  // namespace robot::lab

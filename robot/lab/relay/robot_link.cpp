@@ -7,7 +7,7 @@
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
 #include "robot/lab/relay/conversation.h"
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/to_client.h"
 
 namespace robot::lab {
 namespace {
@@ -17,7 +17,7 @@ constexpr std::uint64_t kAgainNs = kSecond / 2, kAgainRefusedNs = 5 * kSecond;
 
 std::string without_query(const std::string& address) { return address.substr(0, address.find('?')); }
 
-/// A server of ours that is to number its messages.
+/// Returns the address with the queries for numbered messages and for lossless delivery, which our servers understand.
 std::string asking_for(const std::string& address, bool lossless) {
   return address + (address.find('?') == std::string::npos ? "?" : "&") + "numbered" +
          (lossless ? "&delivery=lossless" : "");
@@ -68,7 +68,7 @@ void RobotLink::run() {
   }
 }
 
-/// Says why there is no connection: once, until there was one or the reason is of another kind.
+/// Reports the reason of a failed connection, once until the next success or a reason of another kind.
 void RobotLink::ended(const std::string& sentence) {
   std::string told;
   {
@@ -78,12 +78,12 @@ void RobotLink::ended(const std::string& sentence) {
     if (status_.state == LinkStatus::State::connected) status_.state = LinkStatus::State::connecting;
     told_ = status_.state;
     status_.problem = sentence;
-    if (is_news && !stopping_) told = status_.name + ": " + sentence + "; it is tried again and again";
+    if (is_news && !stopping_) told = status_.name + ": " + sentence + "; connecting again";
   }
   if (!told.empty()) report(Level::warning, "relay", told);
 }
 
-/// False when the link is to end.
+/// Waits. Returns false if the link stops.
 bool RobotLink::wait(std::uint64_t duration_ns) {
   const std::uint64_t until_ns = monotonic_ns() + duration_ns;
   const std::lock_guard guard(lock_);
@@ -91,7 +91,7 @@ bool RobotLink::wait(std::uint64_t duration_ns) {
   return !stopping_;
 }
 
-/// Null when the link is to end.
+/// Creates the client of the next connection. Returns null if the link stops.
 std::shared_ptr<net::WebSocketClient> RobotLink::new_client() {
   const std::lock_guard guard(lock_);
   if (stopping_) return nullptr;
@@ -108,14 +108,14 @@ Result<void> RobotLink::converse(const std::string& address) {
   std::uint64_t heard_ns = monotonic_ns();
   while (true) {
     const Result<std::uint64_t> until_ns = conversation.go_on();
-    if (!until_ns) return Error{until_ns.error()};
+    if (!until_ns) return until_ns.failure();
     const std::uint64_t silent_ns = conversation.hears_time() ? heard_ns + kSilenceNs : UINT64_MAX;
     const auto message = client->receive(std::min(*until_ns, silent_ns));
     const std::uint64_t now_ns = monotonic_ns();
     if (!message) {
-      if (now_ns >= silent_ns) return Error{"nothing was heard for 3 s"};
-      if (now_ns >= *until_ns) continue;  // what was wrong otherwise is so the next time, too
-      return Error{message.error()};
+      if (now_ns >= silent_ns) return Error{"no message for 3 s"};
+      if (now_ns >= *until_ns) continue;  // any other error returns with the next call
+      return message.failure();
     }
     if (!*message) return Error{"it ended the connection" + (client->closed() ? ": " + client->closed()->reason : "")};
     heard_ns = now_ns;
@@ -128,7 +128,7 @@ Result<std::string> ask_name(const RobotAddress& robot, std::uint64_t timeout_ns
   for (const std::string& address : robot.addresses) {
     net::WebSocketClient client;
     if (const Result<void> connected = client.connect(address, timeout_ns); !connected) {
-      problem = Error{connected.error()};
+      problem = connected.failure();
       continue;
     }
     const auto message = client.receive(monotonic_ns() + timeout_ns);

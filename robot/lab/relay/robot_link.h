@@ -1,4 +1,4 @@
-// The one connection to a live robot that is relayed.
+// The only connection to a live robot that is relayed.
 #pragma once
 
 #include <cstdint>
@@ -19,61 +19,63 @@
 
 namespace robot::lab {
 
-/// How the pictures of a robot's cameras are fetched.
+/// The form in which camera images are fetched.
 enum class Pictures {
-  jpeg,  // as JPEG, as many a second as the robot makes: what a wireless network can carry
-  raw,   // as they are in its memory
+  jpeg,  // as JPEG, at the robot's rate: a wireless network can carry them
+  raw,   // unchanged from the robot's memory
   none,
 };
 
+/// The options of one link.
 struct LinkOptions {
   RobotAddress robot;
   Pictures pictures = Pictures::jpeg;
-  bool lossless = false;                        // every message, or the robot ends the connection
-  std::uint64_t most_offset_ns = 60 * kSecond;  // a clock further off is refused
+  bool lossless = false;                        // receive every message; otherwise the robot ends the connection
+  std::uint64_t most_offset_ns = 60 * kSecond;  // greatest accepted offset of the robot's clock
 };
 
-/// How one robot is doing.
+/// The state of one link.
 struct LinkStatus {
   enum class State { connecting, connected, refused };
 
   State state = State::connecting;
-  std::string name, address, robot;  // as it was called, without a token; "14/2", empty before it said so
-  std::uint64_t received = 0;        // [messages] entered
-  std::uint64_t lost = 0;            // [messages] that did not get here, as far as the robot numbers them
+  std::string name, address, robot;  // name and address without a token; "14/2", empty until the robot has sent it
+  std::uint64_t received = 0;        // [messages] written to our channels
+  std::uint64_t lost = 0;            // [messages] missing, as far as the robot numbers them
   std::uint32_t connections = 0;
-  std::optional<ClockOffset> clock;  // of the robot against ours; nothing: it cannot be asked
-  std::int64_t shift_ns = 0;         // added to its times
+  std::optional<ClockOffset> clock;  // of the robot to ours; nothing: the server has no clock_sync
+  std::int64_t shift_ns = 0;         // added to the robot's times
   std::string problem;               // one sentence, empty while connected
 };
 
-/// Carries all that a robot's server offers into channels of this process, on a thread of its own, over one connection
-/// that comes back by itself: half a second after it ended, or when nothing was heard for three. Before anything is
-/// carried the robot's clock is compared with ours. Topics, schemas and times stay as they are (unless the clock is
-/// off); what the server derives from other channels is left out, for whoever serves these derives it again.
-/// Services and parameters of the robot are not passed on.
+/// The link that carries all channels of a robot's server into channels of this process, on its own thread, over one
+/// connection. It connects again half a second after the connection ended, and after 3 s of silence. The robot's clock
+/// is compared with ours before the first message. Topics and schemas stay the same, and times unless the clock is off.
+/// Channels that the server derives from others are left out, because our server derives them again. Services and
+/// parameters of the robot are not passed on.
 class RobotLink {
  public:
-  /// Hears of each measurement of the robot's clock. Called by the link's thread.
+  /// A function that receives each measurement of the robot's clock. Called by the link's thread.
   using OnClock = std::function<void(const std::string& robot, const ClockOffset& offset)>;
 
-  /// Starts at once. The given ones outlive the link; `clock` is our time; `id` tells links apart.
+  /// Starts at once. All references outlive the link. `clock` is our time. `id` is different for each link.
   RobotLink(int id, LinkOptions options, memory::Channels& channels, TopicClaims& claims, const Clock& clock,
             OnClock on_clock);
 
-  /// As stop().
+  /// Calls stop().
   ~RobotLink();
 
+  /// Ends the connection and the thread. A second call has no effect.
   void stop();
 
-  /// Any thread.
+  /// Returns the current state. Called by any thread.
   LinkStatus status() const;
 
  private:
   friend class Conversation;
 
   void run();
-  Result<void> converse(const std::string& address);  // no Error: the link is to end
+  Result<void> converse(const std::string& address);  // returns without an Error only when the link stops
   std::shared_ptr<net::WebSocketClient> new_client();
   void ended(const std::string& sentence);
   bool wait(std::uint64_t duration_ns);
@@ -85,20 +87,21 @@ class RobotLink {
   const Clock& clock_;
   const OnClock on_clock_;
 
-  // of the link's thread: what outlives a connection
+  // used by the link's thread only: the state that outlives a connection
   struct Past;
   const std::unique_ptr<Past> past_;
 
   mutable Mutex lock_;  // guards the rest
   Condition changed_;
   LinkStatus status_;
-  LinkStatus::State told_ = LinkStatus::State::connecting;  // with the last problem
+  LinkStatus::State told_ = LinkStatus::State::connecting;  // at the last reported problem
   std::shared_ptr<net::WebSocketClient> client_;
   bool stopping_ = false;
-  std::thread thread_;  // last: it uses all the others
+  std::thread thread_;  // last, because it uses all the others
 };
 
-/// Which robot ("14/2") the server at one of these addresses is the runtime of; an Error where none answers in time.
+/// Asks the server at one of the addresses for the name of its robot ("14/2"). Returns an Error if none answers in
+/// time.
 Result<std::string> ask_name(const RobotAddress& robot, std::uint64_t timeout_ns);
 
 }  // namespace robot::lab

@@ -5,7 +5,7 @@
 namespace robot::lab {
 namespace {
 
-/// "14/2" of "/14/2/ball"; what is no robot's gives what is no robot.
+/// Returns "14/2" for "/14/2/ball". For other topics the result is not the name of a robot.
 std::string robot_of(const std::string& topic) {
   const std::size_t team_end = topic.find('/', 1);
   const std::size_t end = team_end == topic.npos ? topic.npos : topic.find('/', team_end + 1);

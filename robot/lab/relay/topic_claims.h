@@ -1,4 +1,4 @@
-// Who of several robots tells a topic, where more than one could.
+// The choice of the robot that carries a topic, if several robots offer it.
 #pragma once
 
 #include <map>
@@ -8,17 +8,19 @@
 
 namespace robot::lab {
 
-/// Each topic is carried by one robot: what is a robot's own by that robot as soon as it is known, anything else, such as
-/// the truth of a game that several simulate, by the first who offers it. Any thread.
+/// The table of topics and the links that carry them. A topic with a robot's name is carried by that robot once it is
+/// known. Any other topic, such as the truth of a game that several simulate, is carried by the first link that offers
+/// it. Used by any thread.
 class TopicClaims {
  public:
-  /// `owner` is the robot `robot`, "14/2": topics of that robot are its own. False if somebody else is that one already.
+  /// Registers the link `owner` as the robot `robot` ("14/2"), which then owns the topics of that name. Returns false
+  /// if another link is that robot already.
   bool introduce(const std::string& robot, int owner);
 
-  /// Whether `owner`, who offers `topic`, is to carry it.
+  /// Offers `topic` by `owner`. Returns whether `owner` carries it.
   bool claim(const std::string& topic, int owner);
 
-  /// Whether it still is.
+  /// Returns whether `owner` still carries `topic`.
   bool holds(const std::string& topic, int owner) const;
 
  private:

@@ -39,7 +39,7 @@ pb::LogText text_of(const Saying& saying) {
   return text;
 }
 
-/// Hands over the messages of one step until the sink fails.
+/// The messages of one step, passed on until the sink fails.
 class Step {
  public:
   Step(const Moment& moment, ImportSink& sink) : moment_(moment), sink_(sink) {}
@@ -88,7 +88,7 @@ void put_rest(Step& step, const Moment& moment) {
       step.put("log", text_of(saying));
 }
 
-/// The first step at `t` [s] or later.
+/// Returns the first step at `t` [s] or later.
 std::uint64_t first_step(double t) {
   return static_cast<std::uint64_t>(std::ceil(std::max(0.0, t) * kStepsPerSecond - 1e-6));
 }
@@ -127,7 +127,7 @@ Result<ImportReport> SyntheticRobot::write(double from, double to, ImportSink& s
     put_body(step, moment, noise_);
     if (number % kThink == 0) put_thoughts(step, moment, sights_[static_cast<std::size_t>(number / kThink)], noise_);
     put_rest(step, moment);
-    if (!step.done()) return Error{step.done().error()};
+    if (!step.done()) return step.done().failure();
   }
   return report;
 }

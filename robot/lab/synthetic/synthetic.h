@@ -1,4 +1,4 @@
-// A small recording made up from nothing, for demonstrations and tests without real data.
+// A small synthetic recording, for demonstrations and tests without real data.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace robot::lab {
 
-/// Robot 14/2, which walks, looks about, shoots and scores; see synthetic_world.h for the story, 20 s long.
-/// Every message is a function of its time: the same options give the same bytes, whole or in parts.
+/// Robot 14/2, which walks, looks around, shoots and scores. synthetic_world.h describes its story of 20 s.
+/// Every message is a function of its time, so the same options produce the same bytes, as a whole or in parts.
 ///
 /// 100 Hz: joints, inertial, fsr, touch, odometry, motion_status. 33 Hz: vision, ball, pose, decision, motion_command.
 /// 17 Hz: camera_top (YUYV, drawn) with camera_top_matrix. 10 Hz: /truth/world. 2 Hz: game. 1 Hz: battery, team.
-/// At its events: log.
+/// At each event: log.
 class SyntheticRobot {
  public:
   struct Options {
@@ -28,10 +28,10 @@ class SyntheticRobot {
   explicit SyntheticRobot(const Options& options);
   SyntheticRobot() : SyntheticRobot(Options()) {}
 
-  /// Hands all messages to `sink`, by time. An Error when the sink returns one.
+  /// Passes all messages to `sink`, ordered by time. Returns the Error of the sink, if any.
   Result<ImportReport> write(ImportSink& sink) const;
 
-  /// The same for those with from <= time < to, [s] since the start.
+  /// Passes the messages with from <= time < to, [s] since the start.
   Result<ImportReport> write(double from, double to, ImportSink& sink) const;
 
  private:

@@ -1,4 +1,4 @@
-// The synthetic robot's body: what it measures and what it does.
+// The synthetic robot's body: sensors, joints and motion status.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,18 +16,18 @@ constexpr double kMass = 5.3;         // [kg]
 
 float narrow(double value) { return static_cast<float>(value); }
 
-/// 0 standing .. 1 walking at full speed.
+/// Returns the walking speed as a share: 0 standing .. 1 full speed.
 double gait(double t) { return std::min(1.0, walker_at(t).speed / kFullSpeed); }
 
-/// Where in its two steps the walk is, as an angle.
+/// Returns the phase of the walk within two steps, as an angle.
 double phase(double t) { return kTau * t / kStepSeconds; }
 
-/// Where the head is drawn to: sideways -1 .. 1, and 1 where the ball is at the feet.
+/// The direction of the head's attention: sideways -1 .. 1; `near` is 1 if the ball is at the feet.
 struct Look {
   double aside = 0, near = 0;
 };
 
-/// The mean of half a second, so that the head does not jump with the ball when the referee moves it.
+/// Returns the mean over half a second, so that the head does not jump when the referee moves the ball.
 Look look_at_ball(double t) {
   constexpr int kSamples = 10;
   Look mean;
@@ -43,13 +43,13 @@ Look look_at_ball(double t) {
   return mean;
 }
 
-/// Leaning forward through the kick.
+/// Returns the share of the kick's movement, 0 .. 1. The robot leans forward with it.
 double kick_swing(double t) { return std::max(0.0, 1 - std::abs(t - kKick) / 0.3); }
 
 }  // namespace
 
 double Noise::operator()(Stream stream, std::uint64_t step) const {
-  // four uniform numbers by the mixing function of SplitMix64; their sum is nearly bell-shaped
+  // four uniform numbers by the mixing function of SplitMix64; their sum is nearly normal
   double sum = 0;
   for (std::uint64_t i = 0; i < 4; ++i) {
     std::uint64_t z = (seed_ * 64 + stream) * 0x9e3779b97f4a7c15 + (4 * step + i + 1) * 0xd1342543de82ef95;
@@ -128,7 +128,7 @@ pb::Inertial inertial_of(const Moment& moment, const Noise& noise) {
 }
 
 pb::Fsr fsr_of(const Moment& moment) {
-  // the weight goes from foot to foot, and onto the left one for the kick
+  // the weight moves from foot to foot, and to the left foot for the kick
   const double swing = gait(moment.t) * std::sin(phase(moment.t));
   const double left = std::clamp(0.5 - 0.5 * swing + 0.5 * kick_swing(moment.t), 0.0, 1.0);
   const float of_left = narrow(kMass * left / 4), of_right = narrow(kMass * (1 - left) / 4);
@@ -160,7 +160,7 @@ pb::Battery battery_of(const Moment& moment) {
 }
 
 pb::Odometry odometry_of(const Moment& moment) {
-  // it believes every step to be a little longer than it was, and to turn a little less
+  // odometry has a systematic error: steps are a little too long, turns a little too small
   constexpr double kTooLong = 1.05, kTooStraight = 0.97;
   const Walker start = walker_at(0), now = walker_at(moment.t);
   const Point moved = relative(now.position, start.position, start.heading);

@@ -7,7 +7,7 @@
 namespace robot::lab::synthetic {
 namespace {
 
-// lengths from the manufacturer, with bent knees; the camera before and above the neck
+// manufacturer's lengths, with bent knees; the camera is in front of and above the neck
 constexpr Vector kNeck{0, 0, 0.435}, kCameraFromNeck{0.0587, 0, 0.0636};  // [m]
 constexpr double kCameraTilt = 0.0209;                                    // [rad] down, 1.2°
 constexpr double kFocal = 610.0 / 640;                                    // of the image's width
@@ -47,7 +47,7 @@ Colour mix(const Colour& a, const Colour& b, double share) {
   return {a.y + share * (b.y - a.y), a.u + share * (b.u - a.u), a.v + share * (b.v - a.v)};
 }
 
-/// Distance of (x, y) from the nearest middle of a line [m]; both halves and sides are alike.
+/// Returns the distance [m] of (x, y) from the centre of the nearest line. Both halves and sides are symmetric.
 double line_distance(double x, double y) {
   x = std::abs(x);
   y = std::abs(y);
@@ -63,12 +63,12 @@ double line_distance(double x, double y) {
   return std::min({distance, along_x(0, kMarkX - kMarkHalf, kMarkX + kMarkHalf), along_y(kMarkX, kMarkHalf)});
 }
 
-/// The ground at (x, y), where one pixel covers about `footprint` [m].
+/// Returns the colour of the ground at (x, y), if one pixel covers about `footprint` [m].
 Colour ground(double x, double y, double footprint) {
   if (std::abs(x) > kCarpetX || std::abs(y) > kCarpetY) return kFloor;
   const Colour carpet = static_cast<int>(std::floor(x + 100)) % 2 == 0 ? kGreen : kDarkGreen;
   const double white = (kLineHalf + footprint / 2 - line_distance(x, y)) / footprint;
-  // a line narrower than a pixel only tints it
+  // a line narrower than a pixel colours it in part
   return mix(carpet, kWhite, std::clamp(white, 0.0, std::min(1.0, 2 * kLineHalf / footprint)));
 }
 
@@ -84,8 +84,8 @@ class Canvas {
       for (int u = 0; u < camera_.width; ++u) at(u, v) = seen(u + 0.5, v + 0.5);
   }
 
-  /// A bar from `from` to `to`, round in the image; a ball if both are the same. `paint` maps the place on it, from
-  /// -1 to 1 of its radius right and down, to a colour.
+  /// Draws a bar from `from` to `to` with round ends, or a ball if both are the same. `paint` maps a place on it, right
+  /// and down in radii (-1 .. 1), to a colour.
   template <class Paint>
   void bar(const Vector& from, const Vector& to, double radius, Paint&& paint) {
     const auto a = camera_.project(from), b = camera_.project(to);
@@ -141,7 +141,7 @@ class Canvas {
   std::vector<Colour> pixels_;
 };
 
-/// White with six black patches, turned as far as it has rolled.
+/// Returns the colour of the ball: white with six black patches, rotated by the rolled distance.
 Colour ball_colour(double right, double down, double rolled) {
   const double front = std::sqrt(std::max(0.0, 1 - right * right - down * down));
   const double c = std::cos(rolled / kBallRadius), s = std::sin(rolled / kBallRadius);
@@ -219,7 +219,7 @@ std::string draw(const Camera& camera, double t) {
   canvas.background();
   for (const double x : {-kFieldLength / 2, kFieldLength / 2}) draw_goal(canvas, x);
 
-  // what is nearer covers what is farther
+  // near objects cover far objects
   std::vector<OtherRobot> robots = others_at(t);
   const auto distance = [&](Point p) { return std::hypot(p.x - camera.position.x, p.y - camera.position.y); };
   std::sort(robots.begin(), robots.end(),

@@ -1,4 +1,4 @@
-// What the synthetic robot senses, believes and does, as messages.
+// The messages of the synthetic robot: its sensors, beliefs and actions.
 #pragma once
 
 #include <cstdint>
@@ -21,28 +21,28 @@ namespace robot::lab::synthetic {
 
 namespace pb = foresight;
 
-/// Noise with an address: the same (seed, stream, step) is the same value, whatever else was asked for.
+/// Noise with an address: the same (seed, stream, step) gives the same value, independent of other calls.
 class Noise {
  public:
   enum Stream : std::uint64_t { kInertial, kJoints, kBallX, kBallY, kPixel, kPoseX, kPoseY, kPoseHeading, kParticles };
 
   explicit Noise(std::uint64_t seed) : seed_(seed) {}
 
-  /// Bell-shaped, mean 0, standard deviation 1.
+  /// Returns a nearly normal number, mean 0, standard deviation 1.
   double operator()(Stream stream, std::uint64_t step) const;
 
  private:
   std::uint64_t seed_;
 };
 
-/// What the ball filter remembers at one decision.
+/// The memory of the ball filter at one decision.
 struct Sight {
   bool visible = false;
   std::optional<double> last_seen;  // [s] the newest image that showed the ball
-  unsigned run = 0;                 // [images] in a row, up to this one, that did or did not show it
+  unsigned run = 0;                 // [images] in a row, up to this one, with the same result: ball or no ball
 };
 
-/// The time of a message and what belongs to it.
+/// The time of a message, with the step and the size of images.
 struct Moment {
   double t = 0;            // [s] since the start
   std::uint64_t step = 0;  // of the body, 100 Hz
@@ -50,7 +50,7 @@ struct Moment {
   int width = 0, height = 0;  // [px] of images
 };
 
-/// How the robot holds head and torso.
+/// Returns the angles of head and torso.
 Bearing bearing_at(double t);
 
 pb::Joints joints_of(const Moment& moment, const Noise& noise);
@@ -65,7 +65,7 @@ pb::CameraMatrix camera_matrix_of(const Moment& moment);
 pb::Image image_of(const Moment& moment);
 pb::Vision vision_of(const Moment& moment, const Sight& sight, const Noise& noise);
 
-/// Nothing before the ball was seen.
+/// Returns the believed ball, or nothing before the first sight.
 std::optional<pb::Ball> ball_of(const Moment& moment, const Sight& sight, const Noise& noise);
 pb::Pose pose_of(const Moment& moment, const Noise& noise);
 pb::Team team_of(const Moment& moment);
@@ -74,7 +74,7 @@ pb::DecisionTrace decision_of(const Moment& moment, const std::optional<pb::Ball
 pb::MotionCommand motion_command_of(const Moment& moment);
 pb::GroundTruth truth_of(const Moment& moment);
 
-/// True if the image of time `t` shows the ball well enough.
+/// Returns whether the ball is detectable in the image of time `t`.
 bool ball_visible(double t, int width, int height);
 
 }  // namespace robot::lab::synthetic

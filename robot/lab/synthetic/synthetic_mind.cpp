@@ -1,4 +1,4 @@
-// The synthetic robot's mind: where it believes to be, the game, the team, its decisions; and the truth.
+// The synthetic robot's pose, game state, team and decisions, and the ground truth.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -34,7 +34,7 @@ void fill_team(std::uint32_t number, pb::TeamState::Colour colour, std::uint32_t
   for (int player = 1; player <= 3; ++player) team.add_players();
 }
 
-/// One comparison on the way through the tree.
+/// Adds one comparison to the trace of the decision tree.
 bool ask(pb::DecisionTrace& trace, const std::string& name, const std::string& condition, const std::string& feature,
          std::optional<double> value, double threshold, bool result) {
   pb::DecisionTrace::Node& node = *trace.add_visited();
@@ -61,7 +61,7 @@ void choose(pb::DecisionTrace& trace, const std::string& skill) {
 }  // namespace
 
 pb::Pose pose_of(const Moment& moment, const Noise& noise) {
-  // lost at first, found within seconds, never perfect
+  // the pose is unknown at first, found within seconds, and never exact
   const double lost = std::exp(-moment.t / 1.5), deviation = 0.08 + 0.5 * lost;
   const double drift_x = 0.05 * std::sin(0.5 * moment.t), drift_y = 0.05 * std::cos(0.37 * moment.t);
   const Walker walker = walker_at(moment.t);

@@ -1,4 +1,4 @@
-// The synthetic robot's perception: what its camera shows and where it believes the ball.
+// The synthetic robot's perception: its image, its percepts and its belief of the ball.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -9,18 +9,18 @@ namespace robot::lab::synthetic {
 namespace {
 
 constexpr double kBallPixelMargin = 4;  // [px]
-constexpr double kBallFar = 6;          // [m] beyond that vision does not find it
-constexpr double kFriction = 0.4;       // [m/s²] the filter's own
+constexpr double kBallFar = 6;          // [m] greatest distance at which vision finds the ball
+constexpr double kFriction = 0.4;       // [m/s²] in the ball filter
 
 float narrow(double value) { return static_cast<float>(value); }
 
-/// The camera of time `t` in the frame `field`.
+/// Returns the camera at time `t` in the frame `field`.
 Camera field_camera(double t, int width, int height) {
   const Walker walker = walker_at(t);
   return moved(camera_in_robot(bearing_at(t), width, height), walker.position, walker.heading);
 }
 
-/// Where it is in the robot's frame, as what all percepts have in common.
+/// Sets the fields that all percepts have in common: the place in the robot's frame.
 pb::Detection detection_of(const Camera& camera, const Walker& walker, Point place, double height,
                            const Camera::Pixel& pixel) {
   const Point seen = relative(place, walker.position, walker.heading);
@@ -74,7 +74,7 @@ void add_goal_posts(const Camera& camera, const Walker& walker, pb::Vision& visi
       const double half = camera.focal * kPostRadius / pixel->depth;
       set_box(*seen.mutable_detection(), pixel->u - half, top->v, 2 * half, pixel->v - top->v);
       seen.mutable_landmark()->set_id(x > 0 ? "opponent goal" : "own goal");
-      // as seen from the field the left post of the goal at +x has the greater y
+      // seen from the field, the left post of the goal at +x has the greater y
       seen.set_side((side > 0) == (x > 0) ? pb::VisualGoalPost::SIDE_LEFT : pb::VisualGoalPost::SIDE_RIGHT);
       seen.set_colour("white");
     }
@@ -145,7 +145,7 @@ std::optional<pb::Ball> ball_of(const Moment& moment, const Sight& sight, const 
   const double age = moment.t - *sight.last_seen;
   const double range = std::hypot(seen.position.x - then.position.x, seen.position.y - then.position.y);
 
-  // where the filter let it roll since it was seen, with the error of that image
+  // the filter's prediction since the last sight, with the error of that image
   const double speed = std::hypot(seen.velocity.x, seen.velocity.y), rolling = std::min(age, speed / kFriction);
   const double way = speed > 0 ? rolling - kFriction * rolling * rolling / (2 * speed) : 0;
   const double slowed = speed > 0 ? std::max(0.0, 1 - kFriction * age / speed) : 0;
@@ -166,7 +166,7 @@ std::optional<pb::Ball> ball_of(const Moment& moment, const Sight& sight, const 
   ball.set_visible(sight.visible);
   ball.set_velocity_deviation(narrow(0.05 + 0.1 * age));
   ball.set_stationary(slowed * speed < 0.05);
-  const double left = slowed * speed / (2 * kFriction);  // [s] times velocity: where it will rest
+  const double left = slowed * speed / (2 * kFriction);  // [s] times the velocity is the way to the place of rest
   ball.set_rest_x(narrow(place.x + left * velocity.x));
   ball.set_rest_y(narrow(place.y + left * velocity.y));
   ball.set_frames_visible(sight.visible ? sight.run : 0);

@@ -9,23 +9,23 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// the circle is closed by two walks whose speed rises and falls within kRamp; the second is half-way at kKick
+// two walks together make the whole circle; their speed rises and falls within kRamp, the second is half-way at kKick
 constexpr Point kCircleCentre{-1.5, 0.4};
 constexpr double kCircleRadius = 0.8;  // [m]
 constexpr double kRamp = 0.5;          // [s]
 constexpr double kWalkSpeed = 2 * kPi * kCircleRadius / (kSet - kReady - kRamp + kSetAgain - kPlaying - kRamp);
 
 constexpr double kFriction = 0.4;                // [m/s²]
-constexpr Point kPassTarget{-1.3, -0.4};         // where the pass comes to rest, a step ahead of 14/2 at kKick
+constexpr Point kPassTarget{-1.3, -0.4};         // end of the pass, a step in front of 14/2 at kKick
 constexpr Point kShotTarget{4.6, 0.15};          // within the goal
 constexpr double kShotSpeed = 2.3;               // [m/s]
-constexpr double kNet = kFieldLength / 2 + 0.4;  // [m] where the net stops the ball
+constexpr double kNet = kFieldLength / 2 + 0.4;  // [m] x at which the net stops the ball
 
 struct Walk {
   double distance, speed;
 };
 
-/// A walk from `start` to `end` [s].
+/// Returns the progress of a walk from `start` to `end` [s].
 Walk walk(double t, double start, double end) {
   const auto ramp = [](double since) {  // the integral of a speed that rises to 1 within kRamp
     const double rising = std::clamp(since, 0.0, kRamp);
@@ -35,7 +35,7 @@ Walk walk(double t, double start, double end) {
   return {kWalkSpeed * (ramp(t - start) - ramp(t - end + kRamp)), kWalkSpeed * (rise - fall)};
 }
 
-/// A ball that leaves `from` towards `to` with `speed`, `t` seconds later.
+/// Returns a ball `t` seconds after it left `from` towards `to` with `speed`.
 RollingBall roll(Point from, Point to, double speed, double t) {
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   const Point direction{(to.x - from.x) / length, (to.y - from.y) / length};
@@ -81,7 +81,7 @@ std::optional<RollingBall> ball_at(double t) {
 
 std::vector<OtherRobot> others_at(double t) {
   const double sway = std::min(t, kEnd);
-  // until the kick-off nobody but 14/3 is near the ball; then the opponents come closer
+  // before the kick-off only 14/3 is near the ball; then the opponents approach
   const double advance = std::clamp((t - kPlaying) / 6, 0.0, 1.0);
   return {{14, 1, {-4.3, 0.1 * std::sin(sway)}, 0},
           {14, 3, {0.25 + 0.8 * advance, 0.05 + 0.9 * advance}, normalised(kPi - 0.8 * advance)},

@@ -1,8 +1,8 @@
-// What is so in the synthetic recording, as functions of the time since its start [s].
+// The ground truth of the synthetic recording, as functions of the time since its start [s].
 //
 // Robot 14/2 walks a circle in its own half. 14/3 takes the kick-off and passes back, 14/2 shoots at kKick and scores;
-// the referee puts the ball back to the centre. Other robots stand about. Frame `field`, which is also team_field of
-// team 14. After kEnd everything stands still.
+// the referee puts the ball back to the centre. Other robots stand on the field. Frame `field`, which is also
+// team_field of team 14. After kEnd nothing moves.
 #pragma once
 
 #include <optional>
@@ -24,12 +24,13 @@ struct Point {
   double x = 0, y = 0;
 };
 
-/// `p` seen from somebody at `origin` who looks along `heading`.
+/// Converts `p` to the frame with this origin and heading.
 Point relative(Point p, Point origin, double heading);
 
-/// The angle turned into (-π, π].
+/// Wraps an angle to (-π, π].
 double normalised(double angle);
 
+/// The pose and the motion of robot 14/2.
 struct Walker {
   Point position;
   double heading = 0;    // [rad]
@@ -39,13 +40,15 @@ struct Walker {
 };
 Walker walker_at(double t);
 
+/// The true ball.
 struct RollingBall {
   Point position, velocity;
-  double rolled = 0;  // [m] since it was put down
+  double rolled = 0;  // [m] since the last placement
 };
-/// Nothing while the referee has it.
+/// Returns the ball, or nothing while the referee holds it.
 std::optional<RollingBall> ball_at(double t);
 
+/// A robot other than 14/2.
 struct OtherRobot {
   int team = 0, player = 0;
   Point position;

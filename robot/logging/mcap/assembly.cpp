@@ -14,13 +14,13 @@ namespace robot::logging {
 
 namespace {
 
-/// A chunk that was chosen, and the file it is in.
+/// A chosen chunk and its file.
 struct Chosen {
   std::uint32_t file;
   ChunkInfo chunk;
 };
 
-/// FNV-1a: tells contents apart that nobody forged.
+/// The FNV-1a hash. It distinguishes contents, but gives no protection against forgery.
 std::uint64_t hash(std::string_view bytes, std::uint64_t before = 0xcbf2'9ce4'8422'2325) {
   for (const char byte : bytes) before = (before ^ static_cast<std::uint8_t>(byte)) * 0x0000'0100'0000'01b3;
   return before;
@@ -31,11 +31,11 @@ bool is_chosen(const ChunkInfo& chunk, const AssemblyOptions& options) {
   if (options.from_ns && place.end_ns < *options.from_ns) return false;
   if (options.to_ns && place.start_ns > *options.to_ns) return false;
   if (!options.until_ns) return true;
-  // a chunk whose index is still being written would look different a moment later
+  // leave out a chunk whose index is still being written: it would look different a moment later
   return place.end_ns <= *options.until_ns && !place.message_indexes.empty();
 }
 
-/// Whether a chunk may hold messages of the channel that is wanted.
+/// Returns whether a chunk may hold messages of the wanted channel.
 bool holds_topic(const ChunkInfo& chunk, const McapIndex& index, const AssemblyOptions& options) {
   if (!options.topic || chunk.index.message_indexes.empty()) return true;
   return std::ranges::any_of(chunk.index.message_indexes, [&](const auto& of_channel) {
@@ -46,18 +46,18 @@ bool holds_topic(const ChunkInfo& chunk, const McapIndex& index, const AssemblyO
 
 }  // namespace
 
-/// Makes an assembly in four steps: files, head, chunks, end.
+/// The builder of an assembly, in four steps: files, head, chunks, end.
 class AssemblyBuilder {
  public:
   explicit AssemblyBuilder(const AssemblyOptions& options) : options_(options) {}
 
   Result<void> add_file(std::shared_ptr<const ByteSource> source) {
     Result<McapIndex> index = read_index(*source);
-    if (!index) return Error{index.error()};
+    if (!index) return index.failure();
     if (index->unchunked_messages > 0)
       return Error{source->name() + ": cannot be assembled: expected all messages in chunks, got " +
                    std::to_string(index->unchunked_messages) + " outside"};
-    // that a file which is still being written has no end is no damage
+    // a missing end is no damage in a file that is still being written
     const bool live = options_.until_ns && !index->complete;
     if (!live && !index->damage.empty()) assembly_.damage_ += (assembly_.damage_.empty() ? "" : "; ") + index->damage;
     if (header_.library.empty()) header_.library = index->header.library;
@@ -79,13 +79,13 @@ class AssemblyBuilder {
              std::tie(right.chunk.index.start_ns, right.file, right.chunk.index.offset);
     });
     for (Chosen& chosen : chosen_)
-      if (const Result<void> added = add_chunk(chosen); !added) return Error{added.error()};
+      if (const Result<void> added = add_chunk(chosen); !added) return added.failure();
     add_end();
     return std::move(assembly_);
   }
 
  private:
-  /// Channels keep their ids, since the chunks speak of them; schemas get new ones, each schema once.
+  /// Enters channels under their own ids, because the chunks refer to them. Each schema gets a new id, once.
   Result<void> add_channels(McapIndex& index, const std::string& file) {
     for (auto& [id, channel] : index.channels) {
       if (const auto [other, is_new] = channel_files_.emplace(id, file); !is_new)
@@ -101,7 +101,7 @@ class AssemblyBuilder {
   }
 
   std::uint16_t schema_id(mcap::Schema schema) {
-    // there are no more schemas than channels, so their ids suffice
+    // there are no more schemas than channels, so 16 bits suffice for the ids of both
     const auto next = static_cast<std::uint16_t>(schema_ids_.size() + 1);
     const auto [known, is_new] = schema_ids_.emplace(std::tuple(schema.name, schema.encoding, schema.data), next);
     schema.id = known->second;
@@ -125,7 +125,7 @@ class AssemblyBuilder {
     std::vector<mcap::MessageIndex> made_indexes;
     if (place.message_indexes.empty()) {
       auto made = index_messages(*assembly_.files_[chosen.file], place);
-      if (!made) return Error{assembly_.files_[chosen.file]->name() + ": " + made.error()};
+      if (!made) return made.failure(assembly_.files_[chosen.file]->name());
       made_indexes = std::move(*made);
     }
 
@@ -153,13 +153,13 @@ class AssemblyBuilder {
     statistics.channels = static_cast<std::uint32_t>(channel_files_.size());
     statistics.metadata = static_cast<std::uint32_t>(metadata_.size());
     mcap::append(groups_.statistics, statistics);
-    // the checksum of all data would mean to read them all
+    // without a checksum of all data, because it would require reading all of them
     add_made(mcap::encode_end(groups_, assembly_.size_, /*data_crc=*/0));
     assembly_.statistics_ = std::move(statistics);
     assembly_.etag_ = etag();
   }
 
-  /// Head and end say all: each chunk's times, place and sizes, what was counted, what was described.
+  /// Hashes head and end. They hold each chunk's times, place and sizes, the statistics, and the schemas and channels.
   std::string etag() const {
     std::uint64_t value = hash(assembly_.made_);
     for (const auto& file : assembly_.files_) value = hash("/", hash(file->name(), value));
@@ -184,7 +184,7 @@ class AssemblyBuilder {
   Assembly assembly_;
   mcap::Header header_;
   std::map<std::string, mcap::Metadata> metadata_;
-  std::map<std::uint16_t, std::string> channel_files_;  // channel id, the file that uses it
+  std::map<std::uint16_t, std::string> channel_files_;  // channel id → name of the file that uses it
   std::map<std::tuple<std::string, std::string, std::string>, std::uint16_t> schema_ids_;
   std::vector<Chosen> chosen_;
   mcap::SummaryGroups groups_;
@@ -193,7 +193,7 @@ class AssemblyBuilder {
 Result<Assembly> assemble(std::vector<std::shared_ptr<const ByteSource>> files, const AssemblyOptions& options) {
   AssemblyBuilder builder(options);
   for (auto& file : files)
-    if (const Result<void> added = builder.add_file(std::move(file)); !added) return Error{added.error()};
+    if (const Result<void> added = builder.add_file(std::move(file)); !added) return added.failure();
   return std::move(builder).build();
 }
 
@@ -204,7 +204,7 @@ Result<void> Assembly::read(std::uint64_t offset, std::span<char> into) const {
   const auto after = [](std::uint64_t at, const Extent& extent) { return at < extent.begin; };
   auto next = std::upper_bound(extents_.begin(), extents_.end(), offset, after);
   while (!into.empty()) {
-    // the extent before `next` holds `offset`
+    // the extent before `next` contains `offset`
     const Extent& extent = *std::prev(next);
     const std::uint64_t end = next == extents_.end() ? size_ : next->begin;
     const auto piece = into.first(static_cast<std::size_t>(std::min<std::uint64_t>(into.size(), end - offset)));

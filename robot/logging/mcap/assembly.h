@@ -1,4 +1,4 @@
-// A session's download: many stream files seen as one MCAP file that is nowhere on disk.
+// A session's download: a view of many stream files as one MCAP file that does not exist on the disk.
 #pragma once
 
 #include <cstdint>
@@ -14,43 +14,43 @@
 
 namespace robot::logging {
 
-/// Which chunks are taken; all times are capture times [ns since the epoch].
+/// The choice of chunks. All times are capture times [ns since the epoch].
 struct AssemblyOptions {
   std::optional<std::uint64_t> from_ns, to_ns;  // chunks that overlap this range, both ends included
-  /// Chunks that end at this time or earlier, and are in the file with their index: fixes what the download of a live
-  /// session is. Choose it so far back that every stream has written its chunks up to then.
+  /// Limit to chunks that end at this time or earlier and have their index in the file. It fixes the content of a live
+  /// session's download. It must be early enough that every stream has written its chunks up to this time.
   std::optional<std::uint64_t> until_ns;
-  /// The one whose messages are wanted: chunks without any are left out. Other channels' messages in chunks that hold
-  /// some of its own stay.
+  /// The topic of interest: leaves out the chunks without messages of it. The remaining chunks keep their messages of
+  /// other channels.
   std::optional<std::string> topic;
 };
 
-/// One MCAP file made of several: a head of its own, the chunks of all files byte for byte in the order of their
-/// start times, and a summary of its own. Nothing is unpacked or copied; bytes are fetched when they are read.
-/// Holds the files open. Any thread.
+/// One MCAP file made of several. It has a head and a summary of its own. Between them are the chunks of all files,
+/// byte for byte, in the order of their start times. It unpacks and copies nothing; read() fetches the bytes from the
+/// files. It keeps the files open. Any thread.
 class Assembly final : public ByteSource {
  public:
   const std::string& name() const override { return name_; }
   std::uint64_t size() const override { return size_; }
   Result<void> read(std::uint64_t offset, std::span<char> into) const override;
 
-  /// Names the content, as HTTP's strong ETag without the quotes: the same chunks of the same files give the same one.
+  /// Returns the strong ETag of HTTP, without quotes. The same chunks of the same files give the same tag.
   const std::string& etag() const { return etag_; }
 
-  /// What is in it.
+  /// Returns the counts and times of the content.
   const mcap::Statistics& statistics() const { return statistics_; }
 
-  /// What was wrong with the files, and that the rest of them is in it; empty if nothing.
+  /// Returns a sentence about damaged files, whose undamaged rest is part of the assembly; empty without damage.
   const std::string& damage() const { return damage_; }
 
  private:
   friend class AssemblyBuilder;
 
-  /// A run of bytes that is taken from one place; it reaches up to the next one.
+  /// A run of bytes from one place. It ends where the next extent begins.
   struct Extent {
     std::uint64_t begin;   // in the assembly
     std::uint64_t offset;  // in the file, or in made_
-    std::uint32_t file;    // kMade: not from a file
+    std::uint32_t file;    // index in files_; kMade: from made_
   };
   static constexpr std::uint32_t kMade = 0xffff'ffff;
 
@@ -63,10 +63,12 @@ class Assembly final : public ByteSource {
   mcap::Statistics statistics_;
 };
 
-/// Makes one MCAP file of the stream files of a session, or of one of them. Files whose writers died are taken as far
-/// as they are whole. Channels keep their ids; an Error if two files use the same one, if a file is no MCAP file, or if
-/// one holds messages outside chunks.
-/// Metadata of the same name are taken from the first file that has them; attachments are left out.
+/// Combines the stream files of a session, or some of them, into one MCAP file. From a file whose writer died it takes
+/// the complete chunks. Channels keep their ids. Metadata of the same name are from the first file that has them.
+/// Attachments are left out.
+///
+/// Returns an Error if two files use the same channel id, if one is not an MCAP file, or if one holds messages outside
+/// chunks.
 Result<Assembly> assemble(std::vector<std::shared_ptr<const ByteSource>> files, const AssemblyOptions& options = {});
 
 }  // namespace robot::logging

@@ -21,17 +21,17 @@ Result<Record> decode_inside(const RecordView& view, std::uint64_t chunk_offset)
 Result<void> add(ChunkContents& contents, const RecordView& view, std::uint64_t chunk_offset) {
   if (view.op == Op::message) {
     const Result<Message> message = decode_inside<Message>(view, chunk_offset);
-    if (!message) return Error{message.error()};
+    if (!message) return message.failure();
     MessageIndex& index = contents.indexes[message->channel_id];
     index.channel_id = message->channel_id;
     index.entries.emplace_back(message->log_time, view.offset);
   } else if (view.op == Op::schema) {
     Result<Schema> schema = decode_inside<Schema>(view, chunk_offset);
-    if (!schema) return Error{schema.error()};
+    if (!schema) return schema.failure();
     contents.schemas.push_back(std::move(*schema));
   } else if (view.op == Op::channel) {
     Result<Channel> channel = decode_inside<Channel>(view, chunk_offset);
-    if (!channel) return Error{channel.error()};
+    if (!channel) return channel.failure();
     contents.channels.push_back(std::move(*channel));
   }
   return {};
@@ -41,7 +41,7 @@ Result<void> add(ChunkContents& contents, const RecordView& view, std::uint64_t 
 
 Result<std::string_view> unpack_chunk(std::string_view content, std::uint64_t offset, std::string& room) {
   const Result<ChunkHead> head = decode<ChunkHead>(content, offset);
-  if (!head) return Error{head.error()};
+  if (!head) return head.failure();
   const std::string_view packed = content.substr(head->size_bytes());
   if (head->packed_bytes > packed.size())
     return Error{at_chunk(offset, "expected " + std::to_string(head->packed_bytes) + " bytes of records, " +
@@ -70,7 +70,7 @@ Result<ChunkContents> survey_chunk(std::string_view records, std::uint64_t offse
   for (std::size_t at = 0; at < records.size();) {
     const Result<RecordView> view = take_record(records, at);
     if (!view) return Error{at_chunk(offset, view.error())};
-    if (const Result<void> added = add(contents, *view, offset); !added) return Error{added.error()};
+    if (const Result<void> added = add(contents, *view, offset); !added) return added.failure();
   }
   return contents;
 }

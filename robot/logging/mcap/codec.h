@@ -1,4 +1,4 @@
-// The fields of an MCAP record to bytes and back. Part of mcap_format.cpp: one list of fields serves both directions.
+// The fields of an MCAP record to bytes and back. Part of format.cpp: one list of fields serves both directions.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace robot::logging::mcap {
 
-/// Sees the fields of a record one after the other and appends them.
+/// A visitor of a record's fields that appends each of them to a string.
 class Encoder {
  public:
   template <class Record>
@@ -43,7 +43,7 @@ class Encoder {
   }
 
  private:
-  /// Leaves room for a u32 that counts what is appended until end_sized.
+  /// Reserves a u32, to which end_sized() writes the number of bytes appended in between.
   std::size_t begin_sized() {
     put(out_, std::uint32_t{0});
     return out_.size();
@@ -57,7 +57,8 @@ class Encoder {
   std::string& out_;
 };
 
-/// Sees the same fields and fills them; after the first that is wrong, the others stay as they are.
+/// A visitor of the same fields that fills each of them from bytes. After the first wrong field it leaves the others
+/// unchanged.
 class Decoder {
  public:
   template <class Record>
@@ -65,7 +66,7 @@ class Decoder {
 
   explicit Decoder(std::string_view content) : left_(content) {}
 
-  /// What was wrong; empty if nothing.
+  /// Returns a sentence about the first wrong field, or an empty string.
   const std::string& wrong() const { return wrong_; }
 
   template <class Number>

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kZstdLevel = 1;
 constexpr std::size_t kFirstGrowth = 512 * 1024;  // [bytes] of a decompressed run: our chunks fit at once
-constexpr int kZstdWindowLog = 23;                // what zstd -19 writes; more would cost a reader too much memory
+constexpr int kZstdWindowLog = 23;                // the window of zstd -19; a larger one costs a reader too much memory
 
 struct FreeLz4 {
   void operator()(LZ4F_cctx* context) const { LZ4F_freeCompressionContext(context); }
@@ -31,7 +31,7 @@ LZ4F_preferences_t lz4_preferences(std::size_t size) {
   LZ4F_preferences_t preferences{};
   preferences.frameInfo.blockSizeID = LZ4F_max256KB;
   preferences.frameInfo.contentSize = size;
-  preferences.autoFlush = 1;  // compress straight from the pieces, without a copy in between
+  preferences.autoFlush = 1;  // compress directly from the pieces, without a copy between
   return preferences;
 }
 
@@ -77,8 +77,8 @@ Result<void> compress_zstd(ZSTD_CCtx* context, std::span<const std::string_view>
   return {};
 }
 
-/// Calls `step(in, out)` until the frame ends; it reads from `in`, writes to `out`, shortens both by what it used,
-/// and says whether the frame has ended. Exactly `size` bytes must come out.
+/// Calls `step(in, out)` until the frame ends, and requires exactly `size` bytes of output. `step` reads from `in`,
+/// writes to `out`, shortens both by the bytes it used, and returns whether the frame has ended.
 template <class Step>
 Result<std::string> grow_to(std::size_t size, std::string_view in, const char* what, Step&& step) {
   std::string out;
@@ -88,7 +88,7 @@ Result<std::string> grow_to(std::size_t size, std::string_view in, const char* w
     std::span<char> free(out.data() + filled, out.size() - filled);
     const std::size_t bytes_before = in.size(), free_before = free.size();
     const Result<bool> ended = step(in, free);
-    if (!ended) return Error{std::string(what) + ": " + ended.error()};
+    if (!ended) return ended.failure(what);
     filled += free_before - free.size();
     if (*ended) break;
     const bool stuck = in.size() == bytes_before && free.size() == free_before;

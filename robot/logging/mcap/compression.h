@@ -1,4 +1,4 @@
-// How the chunks of a recording are made small.
+// The compression of a recording's chunks.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@
 namespace robot::logging {
 
 enum class Compression {
-  none,  // for what is compressed already
+  none,  // for data that are compressed already
   lz4,   // frame format; cheap enough for the robot
-  zstd,  // level 1; half of lz4's size at twice its time
+  zstd,  // level 1; half the size of lz4 in twice the time
 };
 
-/// As an MCAP file says it: "", "lz4" or "zstd".
+/// Returns the compression's name in an MCAP file: "", "lz4" or "zstd".
 std::string_view name(Compression compression);
 
-/// The compression of that name; an Error for all but those three.
+/// Returns the compression of that name, or an Error for any other name than these three.
 Result<Compression> compression_named(std::string_view name);
 
-/// Compresses run after run, with the same working memory. Used by one thread.
+/// A compressor that reuses its working memory for each run of bytes. Used by one thread.
 class Compressor {
  public:
   explicit Compressor(Compression compression);
@@ -33,7 +33,8 @@ class Compressor {
 
   Compression compression() const { return compression_; }
 
-  /// `pieces`, one behind the other, compressed; the same bytes if that is none. Replaces `into`, keeps its capacity.
+  /// Compresses the concatenation of `pieces` into `into`; with Compression::none, copies it. Replaces the contents of
+  /// `into` and keeps its capacity.
   Result<void> compress(std::span<const std::string_view> pieces, std::string& into);
 
  private:
@@ -43,8 +44,8 @@ class Compressor {
   std::unique_ptr<Contexts> contexts_;
 };
 
-/// The `size` bytes that were compressed to `bytes`; an Error if they are fewer or more.
-/// Never holds more than `size` bytes, and grows only as they come: a lie about the size costs no memory.
+/// Decompresses `bytes`. Returns an Error if this does not give exactly `size` bytes.
+/// The output never holds more than `size` bytes and grows only with the data, so that a false size costs no memory.
 Result<std::string> decompress(Compression compression, std::string_view bytes, std::size_t size);
 
 }  // namespace robot::logging

@@ -12,7 +12,7 @@
 namespace robot::logging::mcap {
 namespace {
 
-// Each record's fields, once, in the order of the specification: Encoder and Decoder both go by these lists.
+// Each record's fields, once, in the order of the specification. Encoder and Decoder both use these lists.
 template <class Codec, class Record>
 using In = typename Codec::template Access<Record>;
 
@@ -214,14 +214,14 @@ Result<RecordHead> decode_record_head(std::string_view bytes, std::uint64_t offs
 Result<RecordView> take_record(std::string_view bytes, std::size_t& at, std::uint64_t base) {
   const std::string_view left = bytes.substr(std::min(at, bytes.size()));
   const Result<RecordHead> head = decode_record_head(left, base + at, left.size());
-  if (!head) return Error{head.error()};
+  if (!head) return head.failure();
   const RecordView record{head->op, base + at, left.substr(kRecordHeadBytes, static_cast<std::size_t>(head->length))};
   at += kRecordHeadBytes + record.content.size();
   return record;
 }
 
 std::uint32_t crc32(std::string_view bytes, std::uint32_t before) {
-  // zlib counts in unsigned int
+  // zlib takes sizes as unsigned int
   constexpr std::size_t kMost = std::numeric_limits<uInt>::max();
   uLong crc = before;
   for (; !bytes.empty(); bytes.remove_prefix(std::min(kMost, bytes.size())))

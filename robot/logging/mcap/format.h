@@ -1,11 +1,11 @@
-// The records of an MCAP file, to bytes and back. https://mcap.dev/spec, written down in short:
+// The records of an MCAP file, to bytes and back. A summary of https://mcap.dev/spec:
 //
 //   file    = magic Header record* DataEnd summary summary_offsets Footer magic
 //   record  = op:u8 length:u64 content          all integers little endian; length counts the content
 //   string  = length:u32 bytes                  map, array = bytes:u32 entry*
 //
-// Chunk, Message and Attachment carry bytes that are large: they are written and read beside their record's other
-// fields, not copied through it.
+// Chunk, Message and Attachment carry many bytes. These are written and read separately from the other fields of their
+// record, without a copy into it.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ namespace robot::logging::mcap {
 inline constexpr std::string_view kMagic{"\x89MCAP0\r\n", 8};
 inline constexpr std::size_t kRecordHeadBytes = 9;  // op and length
 
-/// The largest record or unpacked chunk that is read into memory [bytes]. Writers keep below it.
+/// The largest record or unpacked chunk that a reader takes into memory [bytes]. Our writers stay below it.
 inline constexpr std::uint64_t kMaxRecordBytes = 64 << 20;
 
 enum class Op : std::uint8_t {
@@ -45,12 +45,12 @@ enum class Op : std::uint8_t {
   data_end = 0x0f,
 };
 
-/// "Schema", "Chunk", …; "record 0x2a" for what the specification does not know.
+/// Returns "Schema", "Chunk", …, or for example "record 0x2a" for an op that the specification does not define.
 std::string name(Op op);
 
 using Texts = std::map<std::string, std::string>;
 template <class Key>
-using Numbers = std::vector<std::pair<Key, std::uint64_t>>;  // a map or an array of pairs, as it stands in the file
+using Numbers = std::vector<std::pair<Key, std::uint64_t>>;  // a map or an array of pairs, in the order of the file
 
 struct Header {
   static constexpr Op kOp = Op::header;
@@ -82,21 +82,21 @@ struct Message {
   static constexpr Op kOp = Op::message;
   std::uint16_t channel_id = 0;
   std::uint32_t sequence = 0;
-  std::uint64_t log_time = 0;      // [ns since the epoch] ours: capture time
+  std::uint64_t log_time = 0;      // [ns since the epoch] in our files: the capture time
   std::uint64_t publish_time = 0;  // [ns since the epoch]
-  std::string_view data;           // within what was decoded
+  std::string_view data;           // within the decoded bytes
 };
 
-/// What stands in front of the records of a chunk.
+/// The fields before the records of a chunk.
 struct ChunkHead {
   static constexpr Op kOp = Op::chunk;
   std::uint64_t start_ns = 0, end_ns = 0;  // least and greatest log_time
   std::uint64_t unpacked_bytes = 0;
   std::uint32_t unpacked_crc = 0;  // 0: not given
   std::string compression;
-  std::uint64_t packed_bytes = 0;  // so many bytes of records follow
+  std::uint64_t packed_bytes = 0;  // of the records that follow
 
-  /// How many bytes of the content this head takes.
+  /// Returns the size of this head within the content.
   std::size_t size_bytes() const { return 8 + 8 + 8 + 4 + 4 + compression.size() + 8; }
 };
 
@@ -112,7 +112,7 @@ struct ChunkIndex {
   std::uint64_t offset = 0;                // of the Chunk record in the file
   std::uint64_t record_bytes = 0;          // of the whole Chunk record
   Numbers<std::uint16_t> message_indexes;  // channel, offset of its MessageIndex in the file
-  std::uint64_t message_index_bytes = 0;   // of all of them, directly behind the chunk
+  std::uint64_t message_index_bytes = 0;   // of all of them, directly after the chunk
   std::string compression;
   std::uint64_t packed_bytes = 0, unpacked_bytes = 0;
 };
@@ -121,8 +121,8 @@ struct Attachment {
   static constexpr Op kOp = Op::attachment;
   std::uint64_t log_time = 0, create_time = 0;  // [ns since the epoch]
   std::string name, media_type;
-  std::string_view data;  // within what was decoded
-  std::uint32_t crc = 0;  // of all fields before; 0: not given
+  std::string_view data;  // within the decoded bytes
+  std::uint32_t crc = 0;  // of all earlier fields; 0: not given
 };
 
 struct AttachmentIndex {
@@ -168,8 +168,8 @@ struct DataEnd {
 template <class Record>
 void append(std::string& out, const Record& record, std::uint64_t payload_bytes = 0);
 
-/// The record in `content`; fields added by later versions of the format are left unread.
-/// `offset` is where the record stands in its file or chunk, for the sentence of an Error.
+/// Decodes the record in `content`. Ignores fields that later versions of the format add.
+/// `offset` is the record's offset in its file or chunk, for the sentence of an Error.
 template <class Record>
 Result<Record> decode(std::string_view content, std::uint64_t offset);
 
@@ -178,8 +178,8 @@ struct RecordHead {
   std::uint64_t length;  // of the content
 };
 
-/// Op and length from the first kRecordHeadBytes of `bytes`. An Error if the record at `offset` needs more bytes than
-/// the `left` ones that are there from its start on, or has the forbidden op 0.
+/// Decodes op and length from the first kRecordHeadBytes of `bytes`. `left` is the number of bytes from the record's
+/// start at `offset` to the end of the data. Returns an Error if the record is longer, or has the forbidden op 0.
 Result<RecordHead> decode_record_head(std::string_view bytes, std::uint64_t offset, std::uint64_t left);
 
 /// A record in memory.
@@ -189,13 +189,13 @@ struct RecordView {
   std::string_view content;
 };
 
-/// The record of `bytes` at `at`, which moves behind it. `base` is the offset of `bytes` itself.
+/// Returns the record at `at` in `bytes` and moves `at` to its end. `base` is the offset of `bytes` itself.
 Result<RecordView> take_record(std::string_view bytes, std::size_t& at, std::uint64_t base = 0);
 
-/// The CRC-32 (that of zlib) of `bytes` behind what gave `before`.
+/// Returns zlib's CRC-32 of `bytes`, continued from the checksum `before` of the bytes that precede them.
 std::uint32_t crc32(std::string_view bytes, std::uint32_t before = 0);
 
-/// The CRC-32 of two runs of bytes, from that of each.
+/// Returns the CRC-32 of two consecutive runs of bytes from the checksum of each.
 std::uint32_t crc32_of_both(std::uint32_t first, std::uint32_t second, std::uint64_t second_bytes);
 
 }  // namespace robot::logging::mcap

@@ -17,41 +17,41 @@ constexpr std::uint64_t kIndexEntryBytes = 8 + 8;
 Result<mcap::Header> read_header(const ByteSource& source) {
   const std::uint64_t known = std::min<std::uint64_t>(source.size(), mcap::kMagic.size() + mcap::kRecordHeadBytes);
   const Result<std::string> start = read_bytes(source, 0, known);
-  if (!start) return Error{start.error()};
+  if (!start) return start.failure();
   if (!start->starts_with(mcap::kMagic))
     return Error{source.name() + ": not an MCAP file: expected the magic bytes at its start"};
   const std::uint64_t offset = mcap::kMagic.size();
   const auto head = mcap::decode_record_head(std::string_view(*start).substr(offset), offset, source.size() - offset);
-  if (!head) return Error{source.name() + ": " + head.error()};
+  if (!head) return head.failure(source.name());
   if (head->op != mcap::Op::header || head->length > mcap::kMaxRecordBytes)
     return Error{source.name() + ": not an MCAP file: expected a Header at byte 8, got " + mcap::name(head->op)};
   const Result<std::string> content = read_bytes(source, known, head->length);
-  if (!content) return Error{content.error()};
+  if (!content) return content.failure();
   Result<mcap::Header> header = mcap::decode<mcap::Header>(*content, offset);
-  if (!header) return Error{source.name() + ": " + header.error()};
+  if (!header) return header.failure(source.name());
   return header;
 }
 
-/// How many messages the MessageIndex at `offset` lists, without reading them.
+/// Returns the number of messages in the MessageIndex at `offset`, without reading its entries.
 Result<std::uint64_t> count_entries(const ByteSource& source, std::uint64_t offset) {
   const Result<std::string> bytes = read_bytes(source, offset, kIndexHeadBytes);
-  if (!bytes) return Error{bytes.error()};
+  if (!bytes) return bytes.failure();
   const auto head = mcap::decode_record_head(*bytes, offset, source.size() - offset);
   if (!head || head->op != mcap::Op::message_index || head->length < kIndexHeadBytes - mcap::kRecordHeadBytes)
     return Error{"expected a MessageIndex at byte " + std::to_string(offset)};
   return (mcap::kRecordHeadBytes + head->length - kIndexHeadBytes) / kIndexEntryBytes;
 }
 
-/// How many messages of each channel a chunk holds.
+/// Returns the number of messages of each channel in a chunk.
 Result<mcap::Numbers<std::uint16_t>> count_messages(const ByteSource& source, const mcap::ChunkIndex& chunk) {
   mcap::Numbers<std::uint16_t> counts;
   if (chunk.message_indexes.empty()) {
     const auto indexes = index_messages(source, chunk);
-    if (!indexes) return Error{indexes.error()};
+    if (!indexes) return indexes.failure();
     for (const mcap::MessageIndex& index : *indexes) counts.emplace_back(index.channel_id, index.entries.size());
     return counts;
   }
-  // one channel, as in all our files: the length tells
+  // one channel, as in all our files: the length gives the number
   const std::uint64_t bytes = chunk.message_index_bytes;
   if (chunk.message_indexes.size() == 1 && bytes >= kIndexHeadBytes) {
     counts.emplace_back(chunk.message_indexes[0].first, (bytes - kIndexHeadBytes) / kIndexEntryBytes);
@@ -59,7 +59,7 @@ Result<mcap::Numbers<std::uint16_t>> count_messages(const ByteSource& source, co
   }
   for (const auto& [channel, offset] : chunk.message_indexes) {
     const Result<std::uint64_t> count = count_entries(source, offset);
-    if (!count) return Error{count.error()};
+    if (!count) return count.failure();
     counts.emplace_back(channel, *count);
   }
   return counts;
@@ -74,19 +74,19 @@ Result<std::vector<mcap::Metadata>> read_metadata(const ByteSource& source, std:
     const std::string where = source.name() + ": expected Metadata at byte " + std::to_string(index.offset);
     if (index.offset < free || index.record_bytes > mcap::kMaxRecordBytes) return Error{where};
     const Result<std::string> bytes = read_bytes(source, index.offset, index.record_bytes);
-    if (!bytes) return Error{bytes.error()};
+    if (!bytes) return bytes.failure();
     std::size_t at = 0;
     const auto record = mcap::take_record(*bytes, at, index.offset);
     if (!record || record->op != mcap::Op::metadata) return Error{where};
     Result<mcap::Metadata> metadata = mcap::decode<mcap::Metadata>(record->content, index.offset);
-    if (!metadata) return Error{source.name() + ": " + metadata.error()};
+    if (!metadata) return metadata.failure(source.name());
     all.push_back(std::move(*metadata));
     free = index.offset + index.record_bytes;
   }
   return all;
 }
 
-/// Whether the summary tells everything that a scan would find.
+/// Returns whether the summary holds everything that a scan would find.
 bool tells_all(const mcap::Summary& summary) {
   return summary.statistics && summary.statistics->chunks == summary.chunk_indexes.size() &&
          summary.statistics->channels == summary.channels.size() &&
@@ -104,7 +104,7 @@ Result<McapIndex> from_summary(const ByteSource& source, mcap::Summary summary) 
   index.chunks.reserve(summary.chunk_indexes.size());
   for (mcap::ChunkIndex& chunk : summary.chunk_indexes) {
     auto counts = count_messages(source, chunk);
-    if (!counts) return Error{source.name() + ": " + counts.error()};
+    if (!counts) return counts.failure(source.name());
     for (const auto& [channel, count] : *counts) in_chunks += count;
     index.chunks.push_back({std::move(chunk), std::move(*counts)});
   }
@@ -120,7 +120,7 @@ Result<McapIndex> from_summary(const ByteSource& source, mcap::Summary summary) 
   return index;
 }
 
-/// The index, without header and size.
+/// Returns the index without header and size.
 McapIndex read_body(const ByteSource& source) {
   auto summary = mcap::read_summary(source);
   std::string damage = summary ? "" : summary.error();
@@ -131,7 +131,7 @@ McapIndex read_body(const ByteSource& source) {
   }
 
   McapIndex index = scan(source);
-  // what the scan stumbled over says more than that the end is missing
+  // the scan's damage is more specific than the missing end
   if (index.damage.empty()) index.damage = damage;
   index.complete = summary && index.complete;
   return index;
@@ -141,7 +141,7 @@ McapIndex read_body(const ByteSource& source) {
 
 Result<McapIndex> read_index(const ByteSource& source) {
   Result<mcap::Header> header = read_header(source);
-  if (!header) return Error{header.error()};
+  if (!header) return header.failure();
   McapIndex index = read_body(source);
   index.header = std::move(*header);
   index.size_bytes = source.size();
@@ -150,7 +150,7 @@ Result<McapIndex> read_index(const ByteSource& source) {
 
 Result<std::vector<mcap::MessageIndex>> index_messages(const ByteSource& source, const mcap::ChunkIndex& chunk) {
   const auto contents = read_chunk(source, chunk);
-  if (!contents) return Error{contents.error()};
+  if (!contents) return contents.failure();
   std::vector<mcap::MessageIndex> indexes;
   for (const auto& [channel, index] : contents->indexes) indexes.push_back(index);
   return indexes;

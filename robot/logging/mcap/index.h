@@ -1,4 +1,4 @@
-// What an MCAP file holds and where: from its summary or, if its writer died, from what it had finished.
+// The table of contents of an MCAP file: from its summary or, if its writer died, from its complete records.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace robot::logging {
 using SchemasById = std::map<std::uint16_t, mcap::Schema>;
 using ChannelsById = std::map<std::uint16_t, mcap::Channel>;
 
-/// Where a chunk is and what is in it.
+/// The place of a chunk and the number of its messages.
 struct ChunkInfo {
   mcap::ChunkIndex index;                 // without message indexes if the file lacks them
   mcap::Numbers<std::uint16_t> messages;  // channel, number of its messages
@@ -26,27 +26,27 @@ struct McapIndex {
   mcap::Header header;
   SchemasById schemas;
   ChannelsById channels;
-  std::vector<mcap::Metadata> metadata;  // as they stand in the file
-  std::vector<ChunkInfo> chunks;         // all that are complete, by offset
-  mcap::Statistics statistics;           // of exactly these chunks, if the writer left none
-  std::uint64_t unchunked_messages = 0;  // ours have none; other writers may
+  std::vector<mcap::Metadata> metadata;  // in the order of the file
+  std::vector<ChunkInfo> chunks;         // all complete chunks, by offset
+  mcap::Statistics statistics;           // the file's own, or if it has none, of exactly these chunks
+  std::uint64_t unchunked_messages = 0;  // 0 in our files; other writers may have some
   std::uint64_t size_bytes = 0;          // of the file
-  bool complete = false;                 // it ends as its writer wanted it to
-  std::string damage;                    // what is wrong with the file; empty if nothing
+  bool complete = false;                 // its writer closed it
+  std::string damage;                    // one sentence, or empty without damage
 };
 
-/// The index of a file. From its summary, without touching the data; if that is missing or wrong, by going through
-/// the file from record to record up to the first that is not whole.
-/// An Error only if the file cannot be read or is no MCAP file at all.
+/// Reads the index of a file from its summary, without reading the data. If the summary is missing or wrong, scans the
+/// file's records up to the first incomplete one.
+/// Returns an Error only if the file cannot be read or is not an MCAP file.
 Result<McapIndex> read_index(const ByteSource& source);
 
-/// The message indexes of `chunk`, made anew from its messages. An Error if the chunk is damaged.
+/// Rebuilds the message indexes of `chunk` from its messages. Returns an Error if the chunk is damaged.
 Result<std::vector<mcap::MessageIndex>> index_messages(const ByteSource& source, const mcap::ChunkIndex& chunk);
 
-/// What a channel of a file says of itself. Without a schema, or with an unknown one, `schema` is empty.
+/// Returns the description of a file's channel. `schema` is empty if the channel has none or an unknown one.
 memory::ChannelInfo channel_info(const mcap::Channel& channel, const SchemasById& schemas);
 
-/// Numbers of messages and chunks and their time range.
+/// Returns the numbers of messages and chunks and their time range.
 mcap::Statistics statistics_of(const std::vector<ChunkInfo>& chunks);
 
 }  // namespace robot::logging

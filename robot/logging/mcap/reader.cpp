@@ -10,7 +10,7 @@ namespace {
 
 using mcap::Op;
 
-constexpr std::uint64_t kSkipBytes = 256 * 1024;  // read at once of what only the checksum wants
+constexpr std::uint64_t kSkipBytes = 256 * 1024;  // size of one read of bytes that only the checksum needs
 
 }  // namespace
 
@@ -38,7 +38,7 @@ McapReader::Next McapReader::next_in_file() {
   if (position_ == 0) {
     const auto magic = read_bytes(*source_, 0, std::min<std::uint64_t>(source_->size(), mcap::kMagic.size()));
     ended_ = !magic || *magic != mcap::kMagic;
-    if (!magic) return Error{magic.error()};
+    if (!magic) return magic.failure();
     if (ended_) return damaged("not an MCAP file: expected the magic bytes at its start");
     crc_ = mcap::crc32(*magic);
     position_ = magic->size();
@@ -58,7 +58,7 @@ McapReader::Next McapReader::next_in_file() {
   return take(head->op, head->length);
 }
 
-/// Takes in the record at position_, whose head was read.
+/// Reads and handles the record at position_, whose head was read.
 McapReader::Next McapReader::take(Op op, std::uint64_t content_bytes) {
   const std::uint64_t offset = position_;
   position_ += mcap::kRecordHeadBytes;
@@ -77,7 +77,8 @@ McapReader::Next McapReader::take(Op op, std::uint64_t content_bytes) {
   return take_from({op, offset, content_});
 }
 
-/// Whether the record at position_ - kRecordHeadBytes holds nothing for us; an Error if it is too large to take in.
+/// Returns whether the reader does not need the record at position_ - kRecordHeadBytes, or an Error if it is too large
+/// to read.
 Result<bool> McapReader::can_skip(Op op, std::uint64_t content_bytes) const {
   const bool wanted =
       op == Op::schema || op == Op::channel || op == Op::message || op == Op::chunk || op == Op::data_end;
@@ -88,17 +89,17 @@ Result<bool> McapReader::can_skip(Op op, std::uint64_t content_bytes) const {
                  std::to_string(content_bytes)};
   if (op != Op::chunk || from_ns_ == 0) return false;
 
-  // a chunk that ends before the wanted time need not even be read
+  // a chunk that ends before the wanted time is not read at all
   const auto start = read_bytes(*source_, position_, std::min<std::uint64_t>(content_bytes, 64));
-  const auto head = start ? mcap::decode<mcap::ChunkHead>(*start, position_) : Error{start.error()};
+  const auto head = start ? mcap::decode<mcap::ChunkHead>(*start, position_) : start.failure();
   return head && head->end_ns < from_ns_;
 }
 
-/// Passes `bytes` of the file; reads them only if the checksum wants them.
+/// Skips `bytes` of the file. Reads them only if the checksum needs them.
 Result<void> McapReader::skip(std::uint64_t bytes) {
   for (; whole_ && bytes > 0;) {
     content_.resize(static_cast<std::size_t>(std::min(bytes, kSkipBytes)));
-    if (const auto read = source_->read(position_, content_); !read) return Error{read.error()};
+    if (const auto read = source_->read(position_, content_); !read) return read.failure();
     crc_ = mcap::crc32(content_, crc_);
     position_ += content_.size();
     bytes -= content_.size();
@@ -107,7 +108,7 @@ Result<void> McapReader::skip(std::uint64_t bytes) {
   return {};
 }
 
-/// What a record tells, be it within a chunk or not.
+/// Handles one record, inside or outside a chunk.
 McapReader::Next McapReader::take_from(const mcap::RecordView& record) {
   switch (record.op) {
     case Op::schema: {
@@ -148,7 +149,7 @@ McapReader::Next McapReader::open_chunk(const mcap::RecordView& record) {
   return std::optional<McapMessage>();
 }
 
-/// What can be said of a file that was read to its end: whether all its bytes are as they were written.
+/// Handles the end of the data: compares the checksum over all bytes, if all were read.
 McapReader::Next McapReader::end_of_data(const mcap::RecordView& record) {
   ended_ = true;
   const auto end = mcap::decode<mcap::DataEnd>(record.content, record.offset);
@@ -156,12 +157,12 @@ McapReader::Next McapReader::end_of_data(const mcap::RecordView& record) {
   if (whole_ && end->data_crc != 0 && end->data_crc != crc_)
     return damaged("the data before byte " + std::to_string(record.offset) + " are damaged: their checksum is wrong");
   const auto summary = mcap::read_summary(*source_);
-  if (!summary) return Error{summary.error()};
+  if (!summary) return summary.failure();
   return std::optional<McapMessage>();
 }
 
-/// The records from position_ on make no sense: goes on at the next chunk that the summary knows, or ends.
-/// The record before may be at fault, by a length that is too large: chunks that it swallowed are found again.
+/// Handles invalid records at position_: continues at the next chunk of the summary, or ends. The cause may be a too
+/// large length of the record before, so the search also finds the chunks that this record seemed to include.
 McapReader::Next McapReader::lost_track(const std::string& sentence) {
   ended_ = true;
   if (summary()) {
@@ -175,7 +176,7 @@ McapReader::Next McapReader::lost_track(const std::string& sentence) {
   return damaged(sentence);
 }
 
-/// The summary, for what the data do not tell; its schemas and channels are learned.
+/// Reads the summary at the first call and enters its schemas and channels. For facts that the data do not give.
 const std::optional<mcap::Summary>& McapReader::summary() {
   if (summary_read_) return summary_;
   summary_read_ = true;
@@ -193,7 +194,7 @@ McapReader::Next McapReader::unknown_channel(std::uint16_t id) {
   return damaged("channel " + std::to_string(id) + " is not described: its messages are left out");
 }
 
-/// Something was left out.
+/// Notes that bytes were skipped, and returns the Error of this damage.
 Error McapReader::damaged(const std::string& sentence) {
   whole_ = false;
   return Error{source_->name() + ": " + sentence};
@@ -202,7 +203,7 @@ Error McapReader::damaged(const std::string& sentence) {
 Result<void> McapReader::need_index() {
   if (index_) return {};
   auto index = read_index(*source_);
-  if (!index) return Error{index.error()};
+  if (!index) return index.failure();
   index_ = std::move(*index);
   for (const auto& [id, schema] : index_->schemas) schemas_.emplace(id, schema);
   for (const auto& [id, channel] : index_->channels) channels_.emplace(id, channel);
@@ -210,7 +211,7 @@ Result<void> McapReader::need_index() {
 }
 
 Result<std::vector<std::uint64_t>> McapReader::chunk_starts_until(std::uint64_t capture_ns) {
-  if (Result<void> indexed = need_index(); !indexed) return Error{indexed.error()};
+  if (Result<void> indexed = need_index(); !indexed) return indexed.failure();
   std::vector<std::uint64_t> starts;
   if (index_->unchunked_messages > 0) starts.push_back(0);
   for (const ChunkInfo& chunk : index_->chunks)
@@ -228,7 +229,7 @@ Result<void> McapReader::seek(std::uint64_t capture_ns) {
   chunk_at_ = 0;
   ended_ = false;
   position_ = mcap::kMagic.size();
-  // messages outside chunks have no index: these are sought from the start on
+  // messages outside chunks have no index: search for them from the start of the file
   if (index_->unchunked_messages > 0) return {};
   const auto& chunks = index_->chunks;
   const auto first = std::find_if(chunks.begin(), chunks.end(),

@@ -1,4 +1,4 @@
-// Reads the messages of an MCAP file one after the other, around whatever is damaged.
+// A reader of the messages of an MCAP file, one after the other, that skips damaged parts.
 #pragma once
 
 #include <cstdint>
@@ -23,29 +23,29 @@ struct McapMessage {
   Record record;
 };
 
-/// The messages of an MCAP file with any channels, in chunks or not, as they stand in the file.
-/// Holds one chunk at a time, so the file may be of any size. Used by one thread.
+/// The messages of an MCAP file with any number of channels, inside and outside chunks, in the order of the file.
+/// It holds one chunk at a time, so the file may have any size. Used by one thread.
 ///
-/// Every message before a damage is delivered. The damage is told once, by an Error with its place in the file;
-/// the next call goes on behind it: a chunk with a wrong checksum is left out, and if even the sizes of the records
-/// make no sense, reading goes on at the next chunk that the summary knows. What only the checksum over all data shows
-/// is told at the end.
+/// The reader delivers every message before a damage. It reports each damage once, by an Error with the place in the
+/// file, and the next call continues after it. A chunk with a wrong checksum is left out. If the sizes of records are
+/// wrong too, the reader continues at the next chunk of the summary. It reports at the end of the file a damage that
+/// only the checksum over all data shows.
 class McapReader {
  public:
   explicit McapReader(std::shared_ptr<const ByteSource> source) : source_(std::move(source)) {}
 
-  /// The next message; nothing at the end of the file, and ever after.
+  /// Returns the next message, or nothing from the end of the file on.
   Result<std::optional<McapMessage>> next();
 
-  /// From now on the messages captured at `capture_ns` or later, in the order of the file, from the first chunk on
-  /// that holds one. May go back. An Error if the file is not an MCAP file.
+  /// Continues with the messages captured at `capture_ns` or later, in the order of the file, from the first chunk that
+  /// holds one. May move backwards. Returns an Error if the file is not an MCAP file.
   Result<void> seek(std::uint64_t capture_ns);
 
-  /// When the chunks begin that begin at `capture_ns` or before, the earliest first [ns since the epoch]; 0 stands for
-  /// messages outside chunks.
+  /// Returns the start times at `capture_ns` or before of all chunks, the earliest first [ns since the epoch]. An entry
+  /// 0 means messages outside chunks.
   Result<std::vector<std::uint64_t>> chunk_starts_until(std::uint64_t capture_ns);
 
-  /// What was described so far. A message's channel is always among them.
+  /// The schemas and channels read up to now. They always include the channel of a returned message.
   const SchemasById& schemas() const { return schemas_; }
   const ChannelsById& channels() const { return channels_; }
 
@@ -73,21 +73,21 @@ class McapReader {
   bool ended_ = false;
   std::uint64_t from_ns_ = 0;
 
-  std::string content_;             // the record that was read last
+  std::string content_;             // of the last record
   std::string unpacked_;            // the chunk, if it is not in content_
   std::string_view chunk_;          // its records
   std::size_t chunk_at_ = 0;        // of the next record in it
   std::uint64_t chunk_offset_ = 0;  // of the chunk in the file
 
-  bool whole_ = true;      // nothing was left out so far: the checksum over all data is worth comparing
+  bool whole_ = true;      // no byte was skipped up to now, so the checksum over all data can be compared
   std::uint32_t crc_ = 0;  // of the file up to position_, while whole_
 
-  std::optional<mcap::Summary> summary_;  // asked for where the data do not tell enough
+  std::optional<mcap::Summary> summary_;  // read only if the data are not sufficient
   bool summary_read_ = false;
-  std::optional<McapIndex> index_;  // asked for by seek
+  std::optional<McapIndex> index_;  // read by the first seek()
   SchemasById schemas_;
   ChannelsById channels_;
-  std::set<std::uint16_t> unknown_channels_;  // told of already
+  std::set<std::uint16_t> unknown_channels_;  // reported already
 };
 
 }  // namespace robot::logging

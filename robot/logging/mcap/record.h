@@ -6,9 +6,9 @@
 
 namespace robot::logging {
 
-/// One message as a file or a stream holds it.
+/// One message of a file or a stream.
 struct Record {
-  std::uint64_t sequence = 0;    // as it was written; a gap means that messages were dropped
+  std::uint64_t sequence = 0;    // given by its writer; a gap means that messages were dropped
   std::uint64_t capture_ns = 0;  // [ns since the epoch] when the data were sensed
   std::uint64_t publish_ns = 0;  // [ns since the epoch] when it entered the memory that wrote it
   std::string bytes;

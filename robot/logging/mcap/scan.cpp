@@ -37,21 +37,21 @@ class Scan {
   }
 
  private:
-  /// Takes in the record at `at_`; false at the end of the data.
+  /// Handles the record at `at_`. Returns false at the end of the data.
   Result<bool> next_record() {
     if (at_ == source_.size())
       return Error{"ends at byte " + std::to_string(at_) + " without a DataEnd: its writer was interrupted"};
     const std::uint64_t left = source_.size() - at_;
     const auto bytes = read_bytes(source_, at_, std::min<std::uint64_t>(left, mcap::kRecordHeadBytes));
-    if (!bytes) return Error{bytes.error()};
+    if (!bytes) return bytes.failure();
     const auto head = mcap::decode_record_head(*bytes, at_, left);
-    if (!head) return Error{head.error()};
+    if (!head) return head.failure();
     if (head->op == Op::footer) return Error{"expected a DataEnd before the Footer at byte " + std::to_string(at_)};
     index_.complete = head->op == Op::data_end;
     if (index_.complete) return false;
 
     const Result<void> taken = take(head->op, head->length);
-    if (!taken) return Error{taken.error()};
+    if (!taken) return taken.failure();
     at_ += mcap::kRecordHeadBytes + head->length;
     return true;
   }
@@ -74,7 +74,7 @@ class Scan {
   template <class Record, class Keep>
   Result<void> take_whole(std::uint64_t length, Keep&& keep) {
     auto record = decode_start<Record>(length, mcap::kMaxRecordBytes);
-    if (!record) return Error{record.error()};
+    if (!record) return record.failure();
     keep(*record);
     return {};
   }
@@ -83,7 +83,7 @@ class Scan {
   template <class Record>
   Result<Record> decode_start(std::uint64_t length, std::uint64_t most) {
     const auto content = read_bytes(source_, at_ + mcap::kRecordHeadBytes, std::min(length, most));
-    if (!content) return Error{content.error()};
+    if (!content) return content.failure();
     return mcap::decode<Record>(*content, at_);
   }
 
@@ -95,7 +95,7 @@ class Scan {
 
   Result<void> take_chunk(std::uint64_t length) {
     const auto head = decode_start<mcap::ChunkHead>(length, kChunkHeadBytes);
-    if (!head) return Error{head.error()};
+    if (!head) return head.failure();
     if (head->packed_bytes > length - head->size_bytes())
       return Error{"Chunk at byte " + std::to_string(at_) + ": expected " + std::to_string(head->packed_bytes) +
                    " bytes of records, its record has " + std::to_string(length - head->size_bytes())};
@@ -115,10 +115,10 @@ class Scan {
     if (index_.chunks.empty()) return {};
     ChunkInfo& chunk = index_.chunks.back();
     mcap::ChunkIndex& place = chunk.index;
-    // one that does not follow its chunk is of no use to anybody
+    // ignore a message index that does not follow its chunk
     if (at_ != place.offset + place.record_bytes + place.message_index_bytes) return {};
     const auto start = read_bytes(source_, at_ + mcap::kRecordHeadBytes, std::min<std::uint64_t>(length, 2));
-    if (!start) return Error{start.error()};
+    if (!start) return start.failure();
     if (length < 6) return Error{"MessageIndex at byte " + std::to_string(at_) + ": expected at least 6 bytes"};
     const auto low = static_cast<std::uint8_t>((*start)[0]), high = static_cast<std::uint8_t>((*start)[1]);
     const auto channel = static_cast<std::uint16_t>(low | high << 8);
@@ -133,10 +133,10 @@ class Scan {
     return !chunk.messages.empty() && std::all_of(chunk.messages.begin(), chunk.messages.end(), known);
   }
 
-  /// Completes what is known of a chunk from its messages; forgets message indexes that do not fit them.
+  /// Completes the facts about a chunk from its messages. Discards message indexes that do not match them.
   Result<void> look_into(ChunkInfo& chunk) {
     auto contents = read_chunk(source_, chunk.index);
-    if (!contents) return Error{contents.error()};
+    if (!contents) return contents.failure();
     for (mcap::Schema& schema : contents->schemas) keep(index_.schemas, schema);
     for (mcap::Channel& channel : contents->channels) keep(index_.channels, channel);
 
@@ -175,14 +175,14 @@ Result<mcap::ChunkContents> read_chunk(const ByteSource& source, const mcap::Chu
     return Error{where + ": expected at most " + std::to_string(mcap::kMaxRecordBytes) + " bytes, got " +
                  std::to_string(chunk.record_bytes)};
   const auto bytes = read_bytes(source, chunk.offset, chunk.record_bytes);
-  if (!bytes) return Error{bytes.error()};
+  if (!bytes) return bytes.failure();
   std::size_t at = 0;
   const auto record = mcap::take_record(*bytes, at, chunk.offset);
-  if (!record) return Error{record.error()};
+  if (!record) return record.failure();
   if (record->op != Op::chunk) return Error{where + ": expected a Chunk, got " + mcap::name(record->op)};
   std::string room;
   const auto records = mcap::unpack_chunk(record->content, chunk.offset, room);
-  if (!records) return Error{records.error()};
+  if (!records) return records.failure();
   return mcap::survey_chunk(*records, chunk.offset);
 }
 

@@ -1,4 +1,4 @@
-// Going through an MCAP file whose summary is missing or wrong.
+// The scan of an MCAP file whose summary is missing or wrong.
 #pragma once
 
 #include "robot/core/byte_source.h"
@@ -7,9 +7,11 @@
 
 namespace robot::logging {
 
-/// What the file holds up to the first record that is not whole; that one is named in `damage`.
-/// Reads heads only, and unpacks a chunk where these do not tell enough: the last one of an interrupted file,
-/// one without message indexes, one with channels that were not described before. `header` and `size_bytes` stay empty.
+/// Returns the index of the file up to the first incomplete record, which `damage` names. `header` and `size_bytes`
+/// stay empty.
+///
+/// It reads heads only, and unpacks a chunk if the heads are not sufficient. These are the last chunk of an interrupted
+/// file, chunks without message indexes, and chunks with channels that were not described before.
 McapIndex scan(const ByteSource& source);
 
 /// Reads and unpacks one chunk.

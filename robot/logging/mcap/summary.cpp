@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint64_t kFooterBytes = kRecordHeadBytes + 8 + 8 + 4;
 constexpr std::uint64_t kDataEndBytes = kRecordHeadBytes + 4;
 
-/// Where the parts of a file's end are.
+/// The offsets of the parts of a file's end.
 struct End {
   Footer footer;
   std::uint64_t footer_offset = 0, data_end = 0;
@@ -17,7 +17,7 @@ struct End {
 
 Result<Footer> read_footer(const ByteSource& source, std::uint64_t offset) {
   const Result<std::string> bytes = read_bytes(source, offset, kFooterBytes + kMagic.size());
-  if (!bytes) return Error{bytes.error()};
+  if (!bytes) return bytes.failure();
   const std::string_view view = *bytes;
   std::size_t at = 0;
   const Result<RecordView> record = take_record(view.substr(0, kFooterBytes), at, offset);
@@ -27,7 +27,7 @@ Result<Footer> read_footer(const ByteSource& source, std::uint64_t offset) {
   return decode<Footer>(record->content, offset);
 }
 
-/// The end of the file, its parts in an order that makes sense.
+/// Reads the end of the file and verifies the order of its parts.
 Result<End> read_end(const ByteSource& source) {
   constexpr std::uint64_t kLeast = kMagic.size() + kDataEndBytes + kFooterBytes + kMagic.size();
   if (source.size() < kLeast)
@@ -36,17 +36,17 @@ Result<End> read_end(const ByteSource& source) {
   End end;
   end.footer_offset = source.size() - kMagic.size() - kFooterBytes;
   const Result<Footer> footer = read_footer(source, end.footer_offset);
-  if (!footer) return Error{footer.error()};
+  if (!footer) return footer.failure();
   end.footer = *footer;
 
-  // the DataEnd record stands directly before the summary
+  // the DataEnd record is directly before the summary
   const std::uint64_t start = footer->summary_start == 0 ? end.footer_offset : footer->summary_start;
   if (start < kMagic.size() + kDataEndBytes || start > end.footer_offset)
     return Error{"Footer: expected the summary before byte " + std::to_string(end.footer_offset) + ", got byte " +
                  std::to_string(start)};
   end.data_end = start - kDataEndBytes;
   const Result<std::string> bytes = read_bytes(source, end.data_end, kDataEndBytes);
-  if (!bytes) return Error{bytes.error()};
+  if (!bytes) return bytes.failure();
   std::size_t at = 0;
   const Result<RecordView> record = take_record(*bytes, at, end.data_end);
   if (!record || record->op != Op::data_end || at != kDataEndBytes)
@@ -57,7 +57,7 @@ Result<End> read_end(const ByteSource& source) {
 template <class Record>
 Result<void> decode_into(std::vector<Record>& records, const RecordView& view) {
   Result<Record> record = decode<Record>(view.content, view.offset);
-  if (!record) return Error{record.error()};
+  if (!record) return record.failure();
   records.push_back(std::move(*record));
   return {};
 }
@@ -70,7 +70,7 @@ Result<void> add(Summary& summary, const RecordView& view) {
     case Op::chunk_index: return decode_into(summary.chunk_indexes, view);
     case Op::statistics: {
       const Result<Statistics> statistics = decode<Statistics>(view.content, view.offset);
-      if (!statistics) return Error{statistics.error()};
+      if (!statistics) return statistics.failure();
       summary.statistics = *statistics;
       return {};
     }
@@ -78,7 +78,7 @@ Result<void> add(Summary& summary, const RecordView& view) {
   }
 }
 
-/// Sorts the chunks by offset; an Error if one reaches out of the data or over the next.
+/// Sorts the chunks by offset. Returns an Error if one exceeds the data or overlaps the next.
 Result<void> order_chunks(Summary& summary) {
   auto& chunks = summary.chunk_indexes;
   std::sort(chunks.begin(), chunks.end(),
@@ -102,10 +102,10 @@ Result<Summary> decode_summary(std::string_view records, const End& end) {
   summary.data_end = end.data_end;
   for (std::size_t at = 0; at < records.size();) {
     const Result<RecordView> record = take_record(records, at, end.footer.summary_start);
-    if (!record) return Error{record.error()};
-    if (const Result<void> added = add(summary, *record); !added) return Error{added.error()};
+    if (!record) return record.failure();
+    if (const Result<void> added = add(summary, *record); !added) return added.failure();
   }
-  if (const Result<void> ordered = order_chunks(summary); !ordered) return Error{ordered.error()};
+  if (const Result<void> ordered = order_chunks(summary); !ordered) return ordered.failure();
   return summary;
 }
 
@@ -132,7 +132,7 @@ std::string encode_end(const SummaryGroups& groups, std::uint64_t offset, std::u
   out += offsets;
   append(out, footer);
 
-  // the checksum is the footer's last field and covers all before it
+  // the checksum is the footer's last field and covers all bytes of the summary before it
   out.resize(out.size() - sizeof footer.summary_crc);
   const std::uint32_t crc = crc32(std::string_view(out).substr(summary_begin));
   for (unsigned shift = 0; shift < 32; shift += 8) out.push_back(static_cast<char>(crc >> shift));
@@ -141,7 +141,7 @@ std::string encode_end(const SummaryGroups& groups, std::uint64_t offset, std::u
 
 Result<std::optional<Summary>> read_summary(const ByteSource& source) {
   const Result<End> end = read_end(source);
-  if (!end) return Error{source.name() + ": " + end.error()};
+  if (!end) return end.failure(source.name());
   const Footer& footer = end->footer;
   if (footer.summary_start == 0) return std::optional<Summary>();
 
@@ -151,14 +151,14 @@ Result<std::optional<Summary>> read_summary(const ByteSource& source) {
                  std::to_string(summary_bytes)};
   constexpr std::uint64_t kCoveredFooterBytes = kFooterBytes - sizeof footer.summary_crc;
   const Result<std::string> bytes = read_bytes(source, footer.summary_start, summary_bytes + kCoveredFooterBytes);
-  if (!bytes) return Error{bytes.error()};
+  if (!bytes) return bytes.failure();
   if (footer.summary_crc != 0 && crc32(*bytes) != footer.summary_crc)
     return Error{source.name() + ": the summary at byte " + std::to_string(footer.summary_start) +
                  " is damaged: its checksum is wrong"};
 
   Result<Summary> summary =
       decode_summary(std::string_view(*bytes).substr(0, static_cast<std::size_t>(summary_bytes)), *end);
-  if (!summary) return Error{source.name() + ": " + summary.error()};
+  if (!summary) return summary.failure(source.name());
   return std::optional<Summary>(std::move(*summary));
 }
 

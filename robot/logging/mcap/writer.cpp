@@ -9,7 +9,7 @@ namespace robot::logging {
 namespace {
 
 constexpr std::uint16_t kSchemaId = 1;
-// leaves room for the messages before it in its chunk, and for what compression may add
+// leaves room for earlier messages of the chunk and for growth by compression
 constexpr std::uint64_t kMaxMessageBytes = mcap::kMaxRecordBytes / 2;
 
 std::uint64_t total(std::span<const std::string_view> pieces) {
@@ -37,11 +37,11 @@ McapWriter::McapWriter(std::unique_ptr<ByteSink> sink, const McapOptions& option
 Result<McapWriter> McapWriter::open(std::unique_ptr<ByteSink> sink, const memory::ChannelInfo& channel,
                                     const McapOptions& options) {
   McapWriter writer(std::move(sink), options);
-  if (const Result<void> written = writer.write_head(channel, options); !written) return Error{written.error()};
+  if (const Result<void> written = writer.write_head(channel, options); !written) return written.failure();
   return writer;
 }
 
-/// Magic, Header, Metadata, Schema, Channel; and the same for the summary.
+/// Writes Magic, Header, Metadata, Schema and Channel, and enters them into the summary.
 Result<void> McapWriter::write_head(const memory::ChannelInfo& channel, const McapOptions& options) {
   std::string head(mcap::kMagic);
   mcap::append(head, mcap::Header{"", options.library});
@@ -84,7 +84,7 @@ Result<void> McapWriter::write(const OutMessage& message, std::uint64_t now_ns) 
       channel_id_, static_cast<std::uint32_t>(message.sequence), message.capture_ns, message.publish_ns, {}};
   mcap::append(records_, head, message.bytes.size());
 
-  // the message that fills a chunk is not copied into it: an image goes straight to the file
+  // the message that fills a chunk is not copied into it: an image is written directly to the file
   const bool due = now_ns >= flush_due_ns_ || records_.size() + message.bytes.size() >= chunk_bytes_;
   if (due) return write_chunk(message.bytes);
   records_.append(message.bytes);
@@ -96,11 +96,11 @@ Result<void> McapWriter::flush() {
   return write_chunk({});
 }
 
-/// Writes the collected records, and `last_bytes` as the data of the last of them, with their index.
+/// Writes the collected records and their index. `last_bytes` are the data of the last record.
 Result<void> McapWriter::write_chunk(std::string_view last_bytes) {
   const std::array<std::string_view, 2> records = {records_, last_bytes};
   const Result<mcap::ChunkHead> head = pack(records);
-  Result<void> written = head ? Result<void>() : Result<void>(Error{head.error()});
+  Result<void> written = head ? Result<void>() : Result<void>(head.failure());
   if (head) {
     std::string chunk_head, index;
     mcap::append(chunk_head, *head, head->packed_bytes);
@@ -109,7 +109,7 @@ Result<void> McapWriter::write_chunk(std::string_view last_bytes) {
     const std::array<std::string_view, 4> pieces = {chunk_head, packed ? std::string_view(packed_) : records[0],
                                                     packed ? std::string_view() : records[1], index};
 
-    // bytes that stand in the file as they were checked need not be checked twice
+    // the bytes of an uncompressed chunk have a checksum already: combine it instead of computing it again
     const std::uint32_t records_crc = packed ? mcap::crc32(packed_) : head->unpacked_crc;
     std::uint32_t crc = mcap::crc32_of_both(mcap::crc32(chunk_head, crc_), records_crc, head->packed_bytes);
     crc = mcap::crc32(index, crc);
@@ -125,7 +125,8 @@ Result<void> McapWriter::write_chunk(std::string_view last_bytes) {
   return Error{written.error() + "; messages lost: " + std::to_string(messages)};
 }
 
-/// Compresses `records` into packed_ and says what stands in front of them; leaves them as they are if that is smaller.
+/// Compresses `records` into packed_ and returns the head of their chunk. The chunk stays uncompressed if that is
+/// smaller.
 Result<mcap::ChunkHead> McapWriter::pack(std::span<const std::string_view> records) {
   mcap::ChunkHead head;
   head.start_ns = chunk_start_ns_;
@@ -134,14 +135,14 @@ Result<mcap::ChunkHead> McapWriter::pack(std::span<const std::string_view> recor
   head.unpacked_crc = crc_behind(0, records);
   if (compressor_.compression() == Compression::none) return head;
 
-  if (const Result<void> done = compressor_.compress(records, packed_); !done) return Error{done.error()};
+  if (const Result<void> done = compressor_.compress(records, packed_); !done) return done.failure();
   if (packed_.size() >= head.unpacked_bytes) return head;
   head.packed_bytes = packed_.size();
   head.compression = name(compressor_.compression());
   return head;
 }
 
-/// Enters the chunk that now ends the file into the summary.
+/// Enters the last chunk of the file into the summary.
 void McapWriter::count_chunk(const mcap::ChunkHead& head, std::uint64_t record_bytes, std::uint64_t index_bytes) {
   const std::uint64_t index_offset = good_end_ - index_bytes;
   mcap::append(summary_.chunk_indexes, mcap::ChunkIndex{head.start_ns,
@@ -167,14 +168,14 @@ void McapWriter::forget_chunk() {
   flush_due_ns_ = kNever;
 }
 
-/// Appends `pieces`, all or none of them. `crc_after` is the checksum of the file with them.
+/// Appends all of `pieces`, or none after an Error. `crc_after` is the checksum of the file including them.
 Result<void> McapWriter::append(std::span<const std::string_view> pieces, std::uint32_t crc_after) {
   if (torn_) {
     if (Result<void> cut = sink_->truncate(good_end_); !cut) return cut;
     torn_ = false;
   }
   if (Result<void> written = sink_->append(pieces); !written) {
-    // if this fails as well, it is tried again before the next write
+    // if the truncation fails too, it is tried again before the next write
     torn_ = !sink_->truncate(good_end_);
     return written;
   }

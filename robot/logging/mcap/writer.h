@@ -1,4 +1,5 @@
-// Writes one channel into an MCAP file, so that whoever pulls the plug loses one second at most.
+// A writer of one channel into an MCAP file. The death of the process costs one second of messages at most. It does not
+// call fsync: a loss of power may also cost written chunks that the system has not stored yet.
 #pragma once
 
 #include <cstdint>
@@ -18,55 +19,57 @@
 
 namespace robot::logging {
 
-/// What is written about a session: records by name, each with its entries.
+/// The metadata of a session: records by name, each with its entries.
 using MetadataByName = std::map<std::string, std::map<std::string, std::string>>;
 
 struct McapOptions {
   std::uint16_t channel_id = 1;  // unique within a session
   MetadataByName metadata;
-  std::string library = "foresight";  // the program that writes, and its version
+  std::string library = "foresight";  // name and version of the writing program
   Compression compression = Compression::none;
-  std::size_t chunk_bytes = 256 * 1024;   // a chunk is written when it has so many bytes,
-  std::uint64_t chunk_time_ns = kSecond;  // or when its first message is so old
+  std::size_t chunk_bytes = 256 * 1024;   // size of a chunk that is written at once
+  std::uint64_t chunk_time_ns = kSecond;  // age of a chunk's first message at which the chunk is written
 };
 
-/// One message to be written. `bytes` need to live only as long as the call.
+/// One message for the writer. `bytes` must be valid only during the call.
 struct OutMessage {
   std::uint64_t sequence = 0;  // the file keeps the lower 32 bits
   std::uint64_t capture_ns = 0, publish_ns = 0;
   std::string_view bytes;
 };
 
-/// A recording of one channel. What the file says of itself is written at once; messages are collected into chunks, and
-/// each chunk is written with its index in one go. A writer that is destroyed without close() leaves a file like one
-/// whose process was killed: everything up to the last chunk can be read.
+/// A recording of one channel. The writer writes the file's description at once. It collects messages into chunks and
+/// appends each chunk with its index in one operation. Without close() the file is readable up to its last chunk, as
+/// after the death of the process.
 ///
-/// When writing fails, the file is cut back to its last good end, the messages of that chunk are lost and counted,
-/// and the next ones are tried again: a disk that was full goes on recording when there is room.
-/// It has no clock: `now_ns` is any time that does not run backwards, such as monotonic_ns(). Used by one thread.
+/// After a failed write the writer truncates the file to its last good end. It counts the messages of that chunk as
+/// lost and tries again with the next chunk, so that recording continues when a full disk has space again.
+///
+/// The writer has no clock: `now_ns` is any time that never decreases, such as monotonic_ns(). Used by one thread.
 class McapWriter {
  public:
   static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
 
-  /// Starts the file; an Error leaves nothing behind but an empty file.
+  /// Writes the head of the file. After an Error the file is empty.
   static Result<McapWriter> open(std::unique_ptr<ByteSink> sink, const memory::ChannelInfo& channel,
                                  const McapOptions& options);
 
-  /// Adds a message; writes the chunk if that fills it or if it is old.
-  /// An Error tells how many messages are lost, this one among them.
+  /// Adds a message. Writes the chunk if it is full or old.
+  /// An Error contains the number of lost messages, including this one.
   Result<void> write(const OutMessage& message, std::uint64_t now_ns);
 
-  /// When flush() is wanted at the latest; kNever while nothing is collected.
+  /// Returns the latest time for the next flush(), or kNever while no message is collected.
   std::uint64_t flush_due_ns() const { return flush_due_ns_; }
 
-  /// Writes what is collected.
+  /// Writes the collected messages.
   Result<void> flush();
 
-  /// Writes what is collected, then the summary. May be tried again after an Error; does nothing when it succeeded.
+  /// Writes the collected messages, then the summary. After an Error it may be called again. After a success a further
+  /// call has no effect.
   Result<void> close();
 
   std::uint64_t messages() const { return statistics_.messages; }  // in the file
-  std::uint64_t lost() const { return lost_; }                     // messages that could not be written
+  std::uint64_t lost() const { return lost_; }                     // messages of failed writes
   std::uint64_t size_bytes() const { return good_end_; }           // of the file
 
  private:
@@ -85,13 +88,13 @@ class McapWriter {
   std::uint64_t chunk_time_ns_;
   Compressor compressor_;
 
-  std::uint64_t good_end_ = 0;  // so many bytes of the file are in good order
-  std::uint32_t crc_ = 0;       // of these bytes
-  bool torn_ = false;           // there may be bytes behind them, of a write that failed
+  std::uint64_t good_end_ = 0;  // [bytes] end of the last complete write
+  std::uint32_t crc_ = 0;       // of the file up to good_end_
+  bool torn_ = false;           // the file may have more bytes after good_end_, from a failed write
   bool closed_ = false;
 
-  std::string records_;  // of the chunk that is being collected
-  std::string packed_;   // the same, compressed
+  std::string records_;  // of the unwritten chunk
+  std::string packed_;   // the same records, compressed
   mcap::MessageIndex index_;
   std::uint64_t chunk_start_ns_ = 0, chunk_end_ns_ = 0;
   std::uint64_t flush_due_ns_ = kNever;

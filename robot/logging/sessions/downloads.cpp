@@ -20,7 +20,7 @@ Result<std::shared_ptr<const Assembly>> Downloads::open(const Session& session,
   for (const StreamFile& file : session.streams) {
     if (stream && file.file != *stream) continue;
     what += ' ' + file.file + ' ' + std::to_string(file.size_bytes);
-    // a file that holds nothing yet, not even what it is, cannot be part of another
+    // a file without a complete head cannot be part of an assembly yet
     if (!file.topic.empty()) files.push_back(session.folder / file.file);
   }
   if (files.empty())
@@ -30,11 +30,11 @@ Result<std::shared_ptr<const Assembly>> Downloads::open(const Session& session,
   std::vector<std::shared_ptr<const ByteSource>> sources;
   for (const auto& file : files) {
     Result<std::shared_ptr<const FileSource>> source = FileSource::open(file);
-    if (!source) return Error{source.error()};
+    if (!source) return source.failure();
     sources.push_back(std::move(*source));
   }
   Result<Assembly> assembled = assemble(std::move(sources), options);
-  if (!assembled) return Error{assembled.error()};
+  if (!assembled) return assembled.failure();
   auto assembly = std::make_shared<const Assembly>(std::move(*assembled));
   const std::lock_guard guard(lock_);
   kept_.push_front({std::move(what), assembly});

@@ -1,4 +1,4 @@
-// Sessions as they are sent away: one MCAP file each, put together when somebody asks.
+// Downloads of sessions: one MCAP file each, assembled on request.
 #pragma once
 
 #include <list>
@@ -13,14 +13,14 @@
 
 namespace robot::logging {
 
-/// Opens downloads, and keeps the last few: a viewer asks for many ranges of the same one. Any thread.
+/// The open downloads. It keeps the last kKept, because a viewer requests many ranges of the same one. Any thread.
 class Downloads {
  public:
-  /// How far back a download of a live session ends [ns]: chunks are written at most a second after their first message,
-  /// and a slow disk or a late message has another second.
+  /// The distance from now to the end of a live session's download [ns]. A chunk is written at most one second after
+  /// its first message. The other second is for a slow disk or a late message.
   static constexpr std::uint64_t kLiveMarginNs = 2'000'000'000;
 
-  /// The whole of `session`, or its stream in the file `stream` ("14.2.ball.mcap").
+  /// Opens the whole of `session`, or its stream in the file `stream` ("14.2.ball.mcap").
   Result<std::shared_ptr<const Assembly>> open(const Session& session, const std::optional<std::string>& stream,
                                                const AssemblyOptions& options);
 
@@ -35,7 +35,7 @@ class Downloads {
   std::shared_ptr<const Assembly> kept(const std::string& what);
 
   Mutex lock_;
-  std::list<Kept> kept_;  // the one used last in front
+  std::list<Kept> kept_;  // the most recently used first
 };
 
 }  // namespace robot::logging

@@ -30,7 +30,7 @@ constexpr std::array kProfiles{
             .mb_per_minute = 2220},
 };
 
-/// Passes on one image in a while, as JPEG.
+/// A stream that passes on images at a limited rate, as JPEG.
 class ThinnedImages final : public OutProvider {
  public:
   ThinnedImages(const Profile& profile, std::unique_ptr<OutProvider> stream)
@@ -43,7 +43,7 @@ class ThinnedImages final : public OutProvider {
   Result<void> write(const memory::VersionPtr& version) override {
     if (!image_.ParseFromArray(version->bytes().data(), static_cast<int>(version->bytes().size())))
       return Error{"camera image: expected a foresight.Image, got " + std::to_string(version->size_bytes()) +
-                   " bytes that are none"};
+                   " bytes of something else"};
     if (image_.encoding() == foresight::Image::ENCODING_YUYV)
       if (Result<void> encoded = encode(); !encoded) return encoded;
     return stream_->write(memory::with_bytes(*version, ++sequence_, image_.SerializeAsString()));
@@ -57,8 +57,8 @@ class ThinnedImages final : public OutProvider {
   void cancel() override { stream_->cancel(); }
 
  private:
-  /// So many a second, without drifting away from a camera whose frames come a little early or late; what a camera that
-  /// was held up left out may follow.
+  /// Returns whether an image is due, for `images_per_second` on average. It does not drift against a camera whose
+  /// frames are a little early or late. After a delay of the camera, the images it missed may follow faster.
   bool due(std::uint64_t capture_ns) {
     const auto period_ns = static_cast<std::uint64_t>(1e9f / profile_.images_per_second);
     const bool went_back = capture_ns + period_ns < next_ns_;
@@ -71,10 +71,10 @@ class ThinnedImages final : public OutProvider {
   Result<void> encode() {
     const int width = static_cast<int>(image_.width()), height = static_cast<int>(image_.height());
     image::JpegOptions options = profile_.jpeg;
-    // a camera that delivers small images already is recorded as it is
+    // if the camera's images are small already, keep their size
     if (options.width >= width) options.width = 0;
     Result<std::string> jpeg = image::encode_jpeg(image_.data(), width, height, options);
-    if (!jpeg) return Error{jpeg.error()};
+    if (!jpeg) return jpeg.failure();
     const bool half = options.width != 0;
     image_.set_encoding(foresight::Image::ENCODING_JPEG);
     image_.set_width(static_cast<std::uint32_t>(half ? width / 2 : width));
@@ -85,7 +85,7 @@ class ThinnedImages final : public OutProvider {
 
   const Profile profile_;
   const std::unique_ptr<OutProvider> stream_;
-  std::uint64_t next_ns_ = 0;  // of the writer's thread, see wants(); the rest is the logger's
+  std::uint64_t next_ns_ = 0;  // used only by wants(), in the writer's thread; the logger's thread uses the rest
   foresight::Image image_;
   std::uint64_t sequence_ = 0;
 };

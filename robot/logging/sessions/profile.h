@@ -1,4 +1,4 @@
-// What is recorded, and how much room that takes.
+// Recording profiles: the choice of camera images, and the disk space that it takes.
 #pragma once
 
 #include <memory>
@@ -12,10 +12,11 @@
 
 namespace robot::logging {
 
-/// The schema of camera images, which are recorded without compression: raw ones are noise to it, JPEG has its own.
+/// The schema of camera images. Their chunks are not compressed: raw images hardly get smaller, and JPEG is compressed
+/// already.
 inline constexpr std::string_view kImageSchema = "foresight.Image";
 
-/// A way of recording. All objects are always recorded; profiles differ in what becomes of the camera images.
+/// A profile of recording. Every profile records all objects; profiles differ in the camera images.
 struct Profile {
   std::string_view name;
   std::string_view purpose;
@@ -26,14 +27,14 @@ struct Profile {
       mb_per_minute;  // [10^6 bytes] what both cameras at 30 Hz and all objects take; measured by `scripts/bench half`
 };
 
-/// All profiles, the smallest first.
+/// Returns all profiles, the smallest first.
 std::span<const Profile> profiles();
 
-/// The profile of that name; an Error that names all there are.
+/// Returns the profile of that name, or an Error that lists all names.
 Result<Profile> profile_named(std::string_view name);
 
-/// Wraps the stream of a camera so that it takes the images as `profile` wants them: fewer, smaller, as JPEG.
-/// Messages of a thinned stream are numbered anew, so that a gap still tells of a loss.
+/// Wraps the stream of a camera to write the images of `profile`: fewer, smaller, as JPEG.
+/// The wrapper numbers the messages itself, so that a gap in the numbers still means a loss.
 std::unique_ptr<OutProvider> thin_images(const Profile& profile, std::unique_ptr<OutProvider> stream);
 
 }  // namespace robot::logging

@@ -12,7 +12,7 @@
 namespace robot::logging {
 namespace {
 
-/// For how long room is made when a session begins: a half with its breaks.
+/// The recording time for which a new session makes room: a half with its breaks.
 constexpr double kMinutesWanted = 15;
 
 }  // namespace
@@ -29,7 +29,7 @@ std::string_view name(RecordingStatus::State state) {
 Recorder::Recorder(memory::Channels& channels, LoggingBoard& board, SessionStore& store, const Clock& clock,
                    Origin origin)
     : channels_(channels), board_(board), store_(store), clock_(clock), origin_(std::move(origin)) {
-  // objects that turn up while a session is being recorded join it
+  // objects that appear during a session join it
   watcher_ = channels_.watch([this](const std::shared_ptr<memory::Channel>& channel) {
     const std::lock_guard guard(lock_);
     if (recording_) add(channel);
@@ -55,7 +55,7 @@ Recorder::Room Recorder::room_for(const Profile& profile) const {
 
 Result<std::string> Recorder::start(std::string_view name, std::string_view profile_name) {
   const Result<Profile> profile = profile_named(profile_name);
-  if (!profile) return Error{profile.error()};
+  if (!profile) return profile.failure();
   const std::lock_guard guard(lock_);
   if (recording_) return Error{"recording: the session " + folder_.filename().string() + " is being recorded already"};
   const Room room = room_for(*profile);
@@ -76,7 +76,7 @@ Result<std::string> Recorder::start(std::string_view name, std::string_view prof
   std::filesystem::create_directories(folder_, failed);
   if (failed) return Error{"recording: cannot make the folder " + folder_.string() + ": " + failed.message()};
   if (Result<void> written = replace_file(folder_ / "session.json", to_json(info_)); !written)
-    return Error{"recording: " + written.error()};
+    return written.failure("recording");
 
   profile_ = *profile;
   advice_ = room.minutes < kMinutesWanted ? room.sentence : "";
@@ -92,13 +92,13 @@ void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
   const memory::ChannelInfo& info = channel->info();
   const bool image = info.schema.name == kImageSchema;
   const std::filesystem::path path = folder_ / stream_file_name(info.topic);
-  // a channel that turns up while a session begins is met twice
+  // a channel that appears while a session begins is added twice: ignore the second time
   if (std::ranges::find(streams_, path, &Stream::path) != streams_.end()) return;
   std::unique_ptr<OutProvider> provider = std::make_unique<FileOutProvider>(
       path, McapOptions{.channel_id = static_cast<std::uint16_t>(streams_.size() + 1),
                         .metadata = metadata_of(info_),
                         .compression = image ? Compression::none : origin_.compression,
-                        // together one second: so much is lost at most when somebody pulls the plug
+                        // together one second, the most that the death of the process costs
                         .chunk_time_ns = kSecond - FileOutProvider::kPatience.time_ns});
   if (image && !profile_.raw_images) provider = thin_images(profile_, std::move(provider));
   streams_.push_back({board_.start_logger(channel, std::move(provider)), path});
@@ -111,12 +111,12 @@ Result<std::string> Recorder::stop() {
   for (const Stream& stream : streams_) board_.stop(stream.id);
   recording_ = false;
   store_.set_recording("");
-  // a person may have asked to keep the session while it was being recorded
+  // a person may have marked the session as kept while it was being recorded
   const Result<Session> session = read_session(folder_);
   if (session) info_.kept = session->info.kept;
   info_.complete = true;
   if (Result<void> written = replace_file(folder_ / "session.json", to_json(info_)); !written)
-    return Error{"recording: " + written.error()};
+    return written.failure("recording");
   return folder_.filename().string();
 }
 

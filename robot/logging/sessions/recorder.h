@@ -1,4 +1,4 @@
-// Records every channel of this process into a session.
+// The recorder of every channel of this process into a session.
 #pragma once
 
 #include <cstdint>
@@ -21,46 +21,48 @@ struct RecordingStatus {
   enum class State { off, recording, disk_full };
 
   State state = State::off;
-  std::string session;  // its id; the last one when off
+  std::string session;  // id of the present session, or of the last one when off
   std::string profile;
   std::uint64_t messages = 0, dropped = 0;
   std::uint64_t size_bytes = 0;
   double mb_per_minute = 0;  // [10^6 bytes] as announced by the profile
-  std::string message;       // what is wrong or worth knowing, one sentence, or empty
+  std::string message;       // one sentence about a problem or advice, or empty
 };
 
 std::string_view name(RecordingStatus::State state);
 
-/// Starts a logger per channel with a file of its own, and ends them in good order. Any thread.
+/// The owner of one logger and one file per channel. It starts them and closes them. Any thread.
 ///
-/// A disk that is full or broken ends nothing: what it refuses is counted, the state says so, and recording goes on
-/// when the disk takes bytes again.
+/// A full or broken disk does not end the recording. The recorder counts the refused messages and reports the state,
+/// and it continues when the disk accepts bytes again.
 class Recorder {
  public:
-  /// What the sessions are said to come from. `name`, `profile`, `start_ns` are set by start().
+  /// The origin that is written into the sessions. start() sets `name`, `profile` and `start_ns`.
   struct Origin {
     SessionInfo info;
     Compression compression = Compression::lz4;
   };
 
-  /// The given ones outlive the recorder.
+  /// All references must outlive the recorder.
   Recorder(memory::Channels& channels, LoggingBoard& board, SessionStore& store, const Clock& clock, Origin origin);
 
   /// As stop().
   ~Recorder();
 
-  /// How many minutes of `profile` fit now, after deleting what may be deleted; a sentence for people.
+  /// The space for a recording.
   struct Room {
     double minutes = 0;
-    std::string sentence;
+    std::string sentence;  // for people
   };
+
+  /// Returns how many minutes of `profile` fit now, if all deletable sessions are deleted.
   Room room_for(const Profile& profile) const;
 
-  /// Begins a session, after making room; its id. An Error when one is being recorded already, or when not even a
-  /// minute of it would fit.
+  /// Makes room, begins a session and returns its id. Returns an Error if a session is being recorded already, or if
+  /// less than one minute fits.
   Result<std::string> start(std::string_view name, std::string_view profile);
 
-  /// Ends the session in good order; its id. An Error if none is being recorded.
+  /// Closes the session and returns its id. Returns an Error if none is being recorded.
   Result<std::string> stop();
 
   RecordingStatus status() const;

@@ -23,7 +23,7 @@ constexpr const char* kSessionMetadata = "foresight.session";
 constexpr std::size_t kPieceBytes = 1 << 18;
 using Type = nlohmann::json::value_t;
 
-/// Letters, digits and a few signs stay; anything else becomes '_'.
+/// Replaces everything but letters, digits and a few signs by '_'.
 std::string tame(std::string_view text) {
   std::string tame(text);
   for (char& c : tame)
@@ -57,7 +57,7 @@ StreamFile read_stream(const std::filesystem::path& path) {
   return stream;
 }
 
-/// "14/2" of "/14/2/ball"; empty where a topic is not a robot's.
+/// Returns the robot of a topic, "14/2" for "/14/2/ball", or an empty string for a topic without a robot.
 std::string robot_of(const std::string& topic) {
   if (topic.size() < 2 || !std::isdigit(static_cast<unsigned char>(topic[1]))) return {};
   const std::size_t player = topic.find('/', 1);
@@ -65,7 +65,7 @@ std::string robot_of(const std::string& topic) {
   return end == topic.npos ? std::string() : topic.substr(1, end - 1);
 }
 
-/// What the file itself tells, or what its name and topics suggest.
+/// Returns the facts in the file's metadata, or without them, facts derived from its name and topics.
 SessionInfo info_of(const McapIndex& index, const std::filesystem::path& file) {
   SessionInfo info{.name = file.stem().string(), .robot = "", .profile = "import", .complete = index.complete};
   for (const mcap::Metadata& metadata : index.metadata)
@@ -114,7 +114,7 @@ MetadataByName metadata_of(const SessionInfo& info) {
 
 Result<SessionInfo> parse_session_info(std::string_view text) {
   const Result<nlohmann::json> parsed = parse_json(text);
-  if (!parsed) return Error{"session.json: " + parsed.error()};
+  if (!parsed) return parsed.failure("session.json");
   const nlohmann::json& json = *parsed;
   if (!json.is_object()) return Error{"session.json: expected a JSON object"};
   SessionInfo info;
@@ -163,11 +163,11 @@ Result<std::vector<SessionFile>> read_session_files(const std::filesystem::path&
   std::error_code failed;
   for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
     const auto source = FileSource::open(entry.path());
-    if (!source) return Error{source.error()};
+    if (!source) return source.failure();
     SessionFile file{.name = entry.path().filename().string(), .size_bytes = (*source)->size()};
     for (std::uint64_t at = 0; at < file.size_bytes; at += kPieceBytes) {
       piece.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kPieceBytes, file.size_bytes - at)));
-      if (const Result<void> read = (*source)->read(at, piece); !read) return Error{read.error()};
+      if (const Result<void> read = (*source)->read(at, piece); !read) return read.failure();
       file.crc32 = mcap::crc32(piece, file.crc32);
     }
     files.push_back(std::move(file));
@@ -188,9 +188,9 @@ std::string session_folder_name(std::uint64_t start_ns, std::string_view name, s
 
 Result<Session> read_session(const std::filesystem::path& folder, bool being_written) {
   const Result<std::string> text = read_file(folder / "session.json", kMaxSessionJsonBytes);
-  if (!text) return Error{"session " + folder.string() + ": " + text.error()};
+  if (!text) return text.failure("session " + folder.string());
   Result<SessionInfo> info = parse_session_info(*text);
-  if (!info) return Error{"session " + folder.string() + ": " + info.error()};
+  if (!info) return info.failure("session " + folder.string());
 
   Session session{.folder = folder, .info = std::move(*info)};
   std::error_code failed;
@@ -220,9 +220,9 @@ Result<Session> read_session(const std::filesystem::path& folder, bool being_wri
 
 Result<Session> read_recording(const std::filesystem::path& file) {
   const Result<std::shared_ptr<const FileSource>> source = FileSource::open(file);
-  if (!source) return Error{source.error()};
+  if (!source) return source.failure();
   const Result<McapIndex> index = read_index(**source);
-  if (!index) return Error{index.error()};
+  if (!index) return index.failure();
 
   Session session{.folder = file.parent_path(), .info = info_of(*index, file)};
   session.one_file = true;

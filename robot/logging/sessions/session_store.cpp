@@ -26,7 +26,7 @@ std::vector<fs::path> session_folders(const fs::path& folder) {
   return folders;
 }
 
-/// Changes whenever a file of the session does.
+/// Returns a text that changes when a file of the session changes.
 std::string fingerprint(const fs::path& folder) {
   std::string print;
   std::error_code failed;
@@ -81,7 +81,7 @@ Result<Session> SessionStore::find(std::string_view id) const {
 
 Result<void> SessionStore::keep(std::string_view id, bool keep) {
   Result<Session> session = find(id);
-  if (!session) return Error{session.error()};
+  if (!session) return session.failure();
   session->info.kept = keep;
   const std::lock_guard guard(lock_);
   cache_.erase(session->id());
@@ -90,7 +90,7 @@ Result<void> SessionStore::keep(std::string_view id, bool keep) {
 
 Result<void> SessionStore::remove(std::string_view id) {
   const Result<Session> session = find(id);
-  if (!session) return Error{session.error()};
+  if (!session) return session.failure();
   const std::lock_guard guard(lock_);
   const std::string who = "session " + session->id() + ": ";
   if (session->id() == recording_) return Error{who + "it is being recorded, and cannot be deleted yet"};
@@ -144,7 +144,7 @@ std::vector<std::string> SessionStore::make_room(std::uint64_t bytes, std::uint6
 }
 
 std::uint64_t SessionStore::disk_free_bytes() const {
-  // the folder may not be there yet; then it will be made on the disk of the nearest one that is
+  // if the folder does not exist yet, it will be on the disk of its nearest existing parent
   fs::path folder = fs::absolute(folder_);
   std::error_code failed;
   while (!fs::exists(folder, failed) && folder.has_relative_path()) folder = folder.parent_path();

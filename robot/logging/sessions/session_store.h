@@ -1,4 +1,4 @@
-// All sessions in one log folder.
+// The store of all sessions in one log folder.
 #pragma once
 
 #include <cstdint>
@@ -13,45 +13,45 @@
 
 namespace robot::logging {
 
-/// Lists, keeps and deletes sessions. Any thread.
+/// The sessions of a folder: it lists, keeps and deletes them. Any thread.
 class SessionStore {
  public:
-  /// A session younger than this is never deleted to make room [ns].
+  /// make_room() never deletes a session younger than this [ns].
   static constexpr std::uint64_t kSafeAgeNs = 24ull * 3600 * 1'000'000'000;
 
-  /// `folder` is made when it is missing. All sessions together are to take at most `max_bytes`.
+  /// `folder` may be missing; recording creates it. All sessions together may take at most `max_bytes`.
   SessionStore(std::filesystem::path folder, std::uint64_t max_bytes)
       : folder_(std::move(folder)), max_bytes_(max_bytes) {}
 
   const std::filesystem::path& folder() const { return folder_; }
   std::uint64_t max_bytes() const { return max_bytes_; }
 
-  /// All sessions, the newest first. A folder that is none is left out.
+  /// Returns all sessions, the newest first. Leaves out folders without a session.
   std::vector<Session> list() const;
 
-  /// The session called `id`; an Error if there is none. An id with a path in it is refused.
+  /// Returns the session `id`, or an Error if there is none. Refuses an id that contains a path.
   Result<Session> find(std::string_view id) const;
 
-  /// Says whether the session may be deleted to make room.
+  /// Sets whether the session is kept, so that make_room() never deletes it.
   Result<void> keep(std::string_view id, bool keep);
 
-  /// Deletes a session, the last 24 h or not; an Error for one that is kept or being written.
+  /// Deletes a session of any age. Returns an Error for one that is kept or being written.
   Result<void> remove(std::string_view id);
 
-  /// Names the session that is being written now, or none.
+  /// Sets the session that is being written now; empty for none.
   void set_recording(std::string id);
 
-  /// Deletes the oldest sessions until all of them leave `bytes` of the cap: never one of the last 24 h before `now_ns`,
-  /// a kept one or the one being written. Returns the ids of what went.
+  /// Deletes the oldest sessions until `bytes` of the cap are free. Never deletes a kept session, one of the last 24 h
+  /// before `now_ns`, or the one that is being written. Returns the ids of the deleted sessions.
   std::vector<std::string> make_room(std::uint64_t bytes, std::uint64_t now_ns);
 
-  /// What make_room() could free at `now_ns` [bytes].
+  /// Returns how much make_room() could free at `now_ns` [bytes].
   std::uint64_t deletable_bytes(std::uint64_t now_ns) const;
 
-  /// Free space of the disk the folder is on [bytes]; 0 if that cannot be told.
+  /// Returns the free space on the folder's disk [bytes], or 0 if it is unknown.
   std::uint64_t disk_free_bytes() const;
 
-  /// What all sessions take [bytes].
+  /// Returns the size of all sessions [bytes].
   std::uint64_t size_bytes() const;
 
  private:
@@ -63,7 +63,7 @@ class SessionStore {
 
   mutable Mutex lock_;
   std::string recording_;
-  // reading a session opens all its files: kept until a file's size or time changes
+  // reading a session opens all its files, so the result is kept until the size or time of a file changes
   mutable std::map<std::string, std::pair<std::string, Session>> cache_;
 };
 

@@ -15,7 +15,7 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(std::filesystem::pa
   std::filesystem::create_directories(folder, failed);
   if (failed) return Error{"session: cannot make the folder " + folder.string() + ": " + failed.message()};
   if (Result<void> written = replace_file(folder / "session.json", to_json(info)); !written)
-    return Error{"session: " + written.error()};
+    return written.failure("session");
   return std::unique_ptr<SessionWriter>(new SessionWriter(std::move(folder), std::move(info), compression));
 }
 
@@ -28,13 +28,13 @@ Result<SessionWriter::Stream*> SessionWriter::stream_of(const memory::ChannelInf
                     McapOptions{.channel_id = static_cast<std::uint16_t>(streams_.size() + 1),
                                 .metadata = metadata_of(info_),
                                 .compression = image ? Compression::none : compression_})};
-  if (Result<void> opened = stream.file->open(info); !opened) return Error{opened.error()};
+  if (Result<void> opened = stream.file->open(info); !opened) return opened.failure();
   return &streams_.emplace(info.topic, std::move(stream)).first->second;
 }
 
 Result<void> SessionWriter::write(const memory::ChannelInfo& info, std::uint64_t capture_ns, std::string_view bytes) {
   Result<Stream*> stream = stream_of(info);
-  if (!stream) return Error{stream.error()};
+  if (!stream) return stream.failure();
   clock_.set(capture_ns);
   if (Result<void> entered = (*stream)->channel->write_bytes(bytes, capture_ns); !entered) return entered;
   return (*stream)->file->write((*stream)->channel->newest());

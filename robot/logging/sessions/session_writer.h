@@ -1,4 +1,4 @@
-// A whole session written at once, without threads: imported and synthetic recordings.
+// The writer of a whole session without threads, for imported and synthetic recordings.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,18 @@
 
 namespace robot::logging {
 
-/// Writes messages as they come into one stream per topic. Used by one thread.
+/// A session in writing, with one stream per topic. Used by one thread.
 class SessionWriter {
  public:
-  /// Makes the folder and begins the session; an Error if there is one already.
+  /// Creates the folder and begins the session. Returns an Error if the folder holds one already.
   static Result<std::unique_ptr<SessionWriter>> create(std::filesystem::path folder, SessionInfo info,
                                                        Compression compression = Compression::zstd);
 
-  /// Writes one message; a topic's first one begins its stream, and its channel stays as it was announced then.
-  /// Messages of a stream are numbered as they come.
+  /// Writes one message. The first message of a topic begins its stream; later ones do not change its channel.
+  /// Numbers the messages of a stream in the order of the calls.
   Result<void> write(const memory::ChannelInfo& info, std::uint64_t capture_ns, std::string_view bytes);
 
-  /// Ends all streams and the session in good order.
+  /// Closes all streams and the session.
   Result<void> close();
 
   const std::filesystem::path& folder() const { return folder_; }
@@ -47,7 +47,7 @@ class SessionWriter {
   const std::filesystem::path folder_;
   SessionInfo info_;
   const Compression compression_;
-  ManualClock clock_;  // what is imported enters memory when it was captured
+  ManualClock clock_;  // an imported message enters memory at its capture time
   std::map<std::string, Stream> streams_;
 };
 

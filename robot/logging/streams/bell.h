@@ -1,4 +1,4 @@
-// Wakes readers, so that writers need not.
+// A thread that wakes the readers of queues, so that writers do not have to.
 #pragma once
 
 #include <thread>
@@ -10,9 +10,10 @@
 
 namespace robot::logging {
 
-/// Rings at the queues it knows every few milliseconds, on a thread of its own; sleeps while it knows none.
-/// One thread that wakes up so often costs less than all writers waking all readers for each version: a robot's thread
-/// that writes makes no system call. Any thread.
+/// A thread that calls ring() on each of its queues every kPeriodNs. It sleeps while it has no queue.
+///
+/// One thread with this period costs less than writers that wake a reader for each version: a robot's thread that
+/// writes makes no system call. Any thread.
 class Bell {
  public:
   static constexpr std::uint64_t kPeriodNs = 4 * kMillisecond;
@@ -24,7 +25,7 @@ class Bell {
 
   void add(VersionQueue& queue);
 
-  /// After return `queue` is not being rung at and will not be again.
+  /// Removes `queue`. After the return no ring() of it is running and none follows.
   void remove(VersionQueue& queue);
 
  private:

@@ -21,7 +21,7 @@ LoggingBoard::StreamId LoggingBoard::add(Stream stream) {
 }
 
 StreamStatus LoggingBoard::stop(StreamId id) {
-  std::shared_ptr<Stream> stream;  // stopped outside the lock: a slow device must not hold up the others
+  std::shared_ptr<Stream> stream;  // stopped outside the lock, so that a slow device does not delay other streams
   {
     const std::lock_guard guard(lock_);
     const auto found = streams_.find(id);

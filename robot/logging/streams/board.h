@@ -1,4 +1,4 @@
-// The logging board: which memory object is carried by which logger or parser.
+// The logging board: the list of all loggers and parsers, and their memory objects.
 #pragma once
 
 #include <cstdint>
@@ -13,29 +13,30 @@
 
 namespace robot::logging {
 
-/// Starts and stops streams while the robot runs. Any thread.
+/// The streams of a process, which start and stop while the robot runs. Any thread.
 class LoggingBoard {
  public:
   using StreamId = std::uint64_t;
 
-  /// What may wait for a slow device [bytes]: four seconds of raw images at 30 Hz would be 74 MB, too much for a Nao;
-  /// this is about half a second of them, two and a half of the images of profile `game`, minutes of anything else.
+  /// The bound of each queue to a slow device [bytes]. Four seconds of raw images at 30 Hz would take 74 MB, too much
+  /// for a Nao. This bound holds about half a second of raw images, or 2.5 s of the images of profile `game`. It holds
+  /// minutes of any other object.
   static constexpr std::size_t kQueueBytes = 8 << 20;
 
-  /// Carries `channel` to `provider` from now on.
+  /// Starts a logger that carries `channel` to `provider`.
   StreamId start_logger(std::shared_ptr<memory::Channel> channel, std::unique_ptr<OutProvider> provider,
                         std::size_t queue_bytes = kQueueBytes);
 
-  /// Carries `provider` into the channel that `options` name, from now on.
+  /// Starts a parser that carries `provider` into the channel that `options` name.
   StreamId start_parser(std::unique_ptr<InProvider> provider, ParserOptions options);
 
-  /// Ends the stream in good order and forgets it; returns how it ended. A stream that is not there: an empty status.
+  /// Closes the stream and removes it. Returns its last status, or an empty one if there is no such stream.
   StreamStatus stop(StreamId stream);
 
-  /// How `stream` is doing; empty if it is not there.
+  /// Returns the status of `stream`, or an empty one if there is no such stream.
   StreamStatus status(StreamId stream) const;
 
-  /// How all streams are doing, in the order in which they were started.
+  /// Returns the status of every stream, in the order in which they were started.
   std::vector<StreamStatus> statuses() const;
 
  private:
@@ -43,7 +44,7 @@ class LoggingBoard {
 
   StreamId add(Stream stream);
 
-  Bell bell_;  // before the loggers: it outlives them
+  Bell bell_;  // declared before the loggers, because it must outlive them
   mutable Mutex lock_;
   std::map<StreamId, std::shared_ptr<Stream>> streams_;
   StreamId last_id_ = 0;

@@ -16,13 +16,13 @@ FileOutProvider::FileOutProvider(std::filesystem::path path, McapOptions options
 Result<void> FileOutProvider::open(const memory::ChannelInfo& info) {
   assert(!writer_ && "a stream is opened once");
   Result<std::unique_ptr<FileSink>> sink = FileSink::create(path_);
-  if (!sink) return Error{sink.error()};
+  if (!sink) return sink.failure();
   Result<McapWriter> writer = McapWriter::open(std::move(*sink), info, options_);
   if (!writer) {
-    // the file is ours and empty: it must not be in the way of the next try
+    // the file is ours and empty: remove it, or the next attempt would find an existing file
     std::error_code ignored;
     std::filesystem::remove(path_, ignored);
-    return Error{writer.error()};
+    return writer.failure();
   }
   writer_ = std::move(*writer);
   return counted({});
@@ -42,20 +42,20 @@ Result<void> FileOutProvider::flush() { return writer_ ? counted(writer_->flush(
 
 Result<void> FileOutProvider::close() { return writer_ ? counted(writer_->close()) : Result<void>(); }
 
-/// Makes the writer's counts visible to other threads.
+/// Publishes the writer's counts to other threads.
 Result<void> FileOutProvider::counted(Result<void> result) {
   size_bytes_.store(writer_->size_bytes(), std::memory_order_relaxed);
   messages_.store(writer_->messages(), std::memory_order_relaxed);
-  // a message that fills a chunk is told of by its write(), those before it in the chunk are not
+  // write() itself reports the message that fills a chunk, but not the earlier messages of this chunk
   lost_.store(writer_->lost() - refused_, std::memory_order_relaxed);
   return result;
 }
 
 Result<memory::ChannelInfo> FileInProvider::open() {
   Result<std::shared_ptr<const FileSource>> source = FileSource::open(path_);
-  if (!source) return Error{source.error()};
+  if (!source) return source.failure();
   const Result<McapIndex> index = read_index(**source);
-  if (!index) return Error{index.error()};
+  if (!index) return index.failure();
   if (topic_) return open_topic(std::move(*source), *index);
   if (index->channels.size() != 1)
     return Error{path_.string() + ": expected the recording of one channel, got " +
@@ -64,7 +64,8 @@ Result<memory::ChannelInfo> FileInProvider::open() {
   return channel_info(index->channels.begin()->second, index->schemas);
 }
 
-/// Of the file, only the chunks that matter. Other writers may have several channels of one topic, and no chunks.
+/// Opens only the chunks of the file that hold the topic. Files of other writers may have several channels of one
+/// topic, and no chunks.
 Result<memory::ChannelInfo> FileInProvider::open_topic(std::shared_ptr<const ByteSource> source,
                                                        const McapIndex& index) {
   std::optional<memory::ChannelInfo> info;
@@ -80,7 +81,7 @@ Result<memory::ChannelInfo> FileInProvider::open_topic(std::shared_ptr<const Byt
     return *info;
   }
   Result<Assembly> chunks = assemble({std::move(source)}, {.topic = *topic_});
-  if (!chunks) return Error{chunks.error()};
+  if (!chunks) return chunks.failure();
   reader_.emplace(std::make_shared<const Assembly>(std::move(*chunks)));
   return *info;
 }
@@ -96,7 +97,7 @@ Result<std::optional<Record>> FileInProvider::read() {
 Result<std::optional<Record>> FileInProvider::read_on() {
   while (!cancelled_.load(std::memory_order_relaxed)) {
     Result<std::optional<McapMessage>> message = reader_->next();
-    if (!message) return Error{message.error()};
+    if (!message) return message.failure();
     if (!*message) break;
     if (topic_ && !channel_ids_.contains((*message)->channel_id)) continue;
     return std::optional<Record>(std::move((*message)->record));
@@ -108,15 +109,15 @@ Result<void> FileInProvider::seek(std::uint64_t capture_ns) {
   assert(reader_ && "a stream is opened before it is read");
   ahead_.clear();
   Result<std::vector<std::uint64_t>> starts = reader_->chunk_starts_until(capture_ns);
-  if (!starts) return Error{starts.error()};
-  // from the last chunk on that begins early enough; what it begins with may be of another channel
+  if (!starts) return starts.failure();
+  // begin at the last chunk that starts early enough; its first messages may belong to another channel
   std::ranges::reverse(*starts);
   for (const std::uint64_t start_ns : *starts) {
     if (Result<void> sought = reader_->seek(start_ns); !sought) return sought;
     std::optional<Record> newest;
     while (!cancelled_.load(std::memory_order_relaxed)) {
       Result<std::optional<Record>> record = read_on();
-      if (!record) continue;  // damage was told when it was first met
+      if (!record) continue;  // read() reported this damage before
       if (!*record) break;
       if ((*record)->capture_ns > capture_ns) {
         if (newest) ahead_.push_back(std::move(**record));

@@ -1,4 +1,4 @@
-// Streams that are files: one MCAP file for one memory object.
+// Providers for files: one MCAP file holds one memory object.
 #pragma once
 
 #include <atomic>
@@ -18,10 +18,10 @@
 
 namespace robot::logging {
 
-/// Records one channel into a new file. An existing file is never overwritten.
+/// The recording of one channel into a new file. It never overwrites an existing file.
 class FileOutProvider final : public OutProvider {
  public:
-  /// Messages are collected into chunks anyway: nobody is woken at once for less than a quarter of one.
+  /// The logger's thread wakes for a quarter of a chunk at least: the writer collects messages into chunks anyway.
   static constexpr Patience kPatience{.time_ns = 100 * kMillisecond, .bytes = 64 * 1024};
 
   FileOutProvider(std::filesystem::path path, McapOptions options);
@@ -33,7 +33,7 @@ class FileOutProvider final : public OutProvider {
   Result<void> flush() override;
   Result<void> close() override;
 
-  /// What came of it so far. Any thread.
+  /// Sizes and counts up to now. Any thread.
   std::uint64_t size_bytes() const { return size_bytes_.load(std::memory_order_relaxed); }
   std::uint64_t messages() const { return messages_.load(std::memory_order_relaxed); }  // in the file
   std::uint64_t lost_afterwards() const override { return lost_.load(std::memory_order_relaxed); }
@@ -48,18 +48,19 @@ class FileOutProvider final : public OutProvider {
   std::atomic<std::uint64_t> size_bytes_ = 0, messages_ = 0, lost_ = 0;
 };
 
-/// Reads the file of one channel, also one whose writer died, or one channel of a file that holds many.
+/// The stream of a file with one channel, or of one channel of a file with many. The file's writer may have died.
 class FileInProvider final : public InProvider {
  public:
-  /// `topic` names the channel of a file with many.
+  /// `topic` selects the channel in a file with many.
   explicit FileInProvider(std::filesystem::path path, std::optional<std::string> topic = {})
       : path_(std::move(path)), topic_(std::move(topic)) {}
 
-  /// An Error if the file does not hold exactly one channel, or not the one of the topic.
+  /// Returns the channel. Returns an Error if the file has no channel of the topic, or without a topic, if it does not
+  /// hold exactly one channel.
   Result<memory::ChannelInfo> open() override;
 
-  /// As InProvider::read. An Error names a damage, once, after everything before it was delivered;
-  /// the next call goes on behind it.
+  /// As InProvider::read. Returns an Error once for each damage, after all messages before it. The next call continues
+  /// after the damage.
   Result<std::optional<Record>> read() override;
 
   void cancel() override { cancelled_.store(true, std::memory_order_relaxed); }
@@ -74,7 +75,7 @@ class FileInProvider final : public InProvider {
   std::optional<std::string> topic_;
   std::set<std::uint16_t> channel_ids_;  // of the topic
   std::optional<McapReader> reader_;
-  std::deque<Record> ahead_;  // read already by seek()
+  std::deque<Record> ahead_;  // records that seek() has read already
   std::atomic<bool> cancelled_ = false;
 };
 

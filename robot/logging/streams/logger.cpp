@@ -69,7 +69,7 @@ void Logger::write(const memory::VersionPtr& version) {
   ++(written ? status_.messages : status_.dropped);
 }
 
-/// Notes how the device does; tells of a failure when it begins, not with every message.
+/// Stores the outcome in the status. Reports a failure when it begins, not with every message.
 bool Logger::succeeded(const Result<void>& outcome) {
   const std::lock_guard guard(lock_);
   if (!outcome && !status_.failing) report(Level::error, "logging", outcome.error());

@@ -1,4 +1,4 @@
-// A logger: the thread that carries one memory object out to a stream.
+// A logger: the thread that carries one memory object to a stream.
 #pragma once
 
 #include <cstdint>
@@ -14,36 +14,36 @@
 
 namespace robot::logging {
 
-/// How one stream is doing.
+/// The status of one stream.
 struct StreamStatus {
   std::string topic;
-  std::uint64_t messages = 0;      // handed to the device, or read from it
-  std::uint64_t dropped = 0;       // lost: the queue was full, the device refused, or the stream says so
-  std::uint64_t queued_bytes = 0;  // waiting now
-  bool failing = false;            // the last attempt failed; `problem` says why
-  bool ended = false;              // nothing more will come
-  std::string problem;             // one sentence, empty while all is well
+  std::uint64_t messages = 0;      // written to the device, or read from it
+  std::uint64_t dropped = 0;       // lost: the queue was full, the device refused them, or the stream reports a loss
+  std::uint64_t queued_bytes = 0;  // in the queue now
+  bool failing = false;            // the last attempt failed; `problem` gives the reason
+  bool ended = false;              // no more messages will follow
+  std::string problem;             // one sentence, or empty without a problem
 };
 
-/// Carries every version of a channel that an OutProvider wants to it, on a thread of its own, until stopped.
-/// A device that fails is tried again with the next version; what it refused is counted as dropped.
+/// A thread that hands to an OutProvider every version of a channel that the provider wants, until it is stopped.
+/// After a failure of the device the logger tries again with the next version. Refused versions count as dropped.
 class Logger {
  public:
-  /// Starts at once, with the newest version there is. At most `queue_bytes` wait while the device is slow.
-  /// With a `bell`, which outlives the logger, no writer ever wakes its thread.
+  /// Starts at once with the newest version. The queue to a slow device holds at most `queue_bytes`.
+  /// With a `bell`, no writer wakes the logger's thread. The bell must outlive the logger.
   Logger(std::shared_ptr<memory::Channel> channel, std::unique_ptr<OutProvider> provider, std::size_t queue_bytes,
          Bell* bell = nullptr);
 
   /// As stop().
   ~Logger();
 
-  /// Takes in nothing more, hands on what is queued, closes the stream and ends the thread.
+  /// Closes the queue, writes the queued versions, closes the stream and ends the thread.
   void stop();
 
   StreamStatus status() const;
 
  private:
-  /// Lets into the queue what the provider wants.
+  /// The listener that puts into the queue only the versions that the provider wants.
   class Gate final : public memory::Listener {
    public:
     Gate(OutProvider& provider, VersionQueue& queue) : provider_(provider), queue_(queue) {}
@@ -66,12 +66,12 @@ class Logger {
   Bell* const bell_;
   VersionQueue queue_;
   Gate gate_;
-  bool open_ = false;               // used by the thread alone
-  std::uint64_t next_open_ns_ = 0;  // [monotonic], likewise
+  bool open_ = false;               // used only by the logger's thread
+  std::uint64_t next_open_ns_ = 0;  // [ns, monotonic] used only by the logger's thread
 
   mutable Mutex lock_;  // guards status_
   StreamStatus status_;
-  std::thread thread_;  // last: it uses all the others
+  std::thread thread_;  // declared last, because it uses all other members
 };
 
 }  // namespace robot::logging

@@ -36,7 +36,7 @@ void Parser::run() {
   status_.ended = true;
 }
 
-/// Tells of something wrong with the stream, unless that is only because it is being stopped.
+/// Reports a problem of the stream, unless stop() caused it.
 void Parser::note(const std::string& problem) {
   const std::lock_guard guard(lock_);
   if (stopping_) return;
@@ -47,13 +47,13 @@ void Parser::note(const std::string& problem) {
 
 Result<void> Parser::carry() {
   Result<memory::ChannelInfo> info = provider_->open();
-  if (!info) return Error{info.error()};
+  if (!info) return info.failure();
   {
     const std::lock_guard guard(lock_);
     status_.topic = info->topic;
   }
   const Result<std::shared_ptr<memory::Channel>> channel = options_.destination(*info);
-  if (!channel) return Error{channel.error()};
+  if (!channel) return channel.failure();
 
   std::uint64_t moves = 0;
   while (true) {
@@ -63,7 +63,7 @@ Result<void> Parser::carry() {
       continue;
     }
     const Result<Pace::Due> due = keep_pace(*record, moves);
-    if (!due) return Error{due.error()};
+    if (!due) return due.failure();
     if (*due == Pace::Due::never) return {};
     if (*due == Pace::Due::elsewhere) continue;
     {
@@ -74,7 +74,7 @@ Result<void> Parser::carry() {
   }
 }
 
-/// Waits until `record` is due, or at the end of the stream for a move; goes where that leads.
+/// Waits until `record` is due; at the end of the stream, waits for a move. Follows a move with a seek.
 Result<Pace::Due> Parser::keep_pace(const std::optional<Record>& record, std::uint64_t& moves) {
   if (!options_.pace) return record ? Pace::Due::now : Pace::Due::never;
   const Pace::Due due =
@@ -82,7 +82,7 @@ Result<Pace::Due> Parser::keep_pace(const std::optional<Record>& record, std::ui
   if (due != Pace::Due::elsewhere) return due;
   const Pace::Move move = options_.pace->last_move();
   moves = move.count;
-  if (const Result<void> sought = provider_->seek(move.to_ns); !sought) return Error{sought.error()};
+  if (const Result<void> sought = provider_->seek(move.to_ns); !sought) return sought.failure();
   return due;
 }
 

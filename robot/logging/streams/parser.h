@@ -12,42 +12,46 @@
 
 namespace robot::logging {
 
-/// Says when the messages of a recording are due. Shared by the parsers of one recording. Any thread.
+/// The timing of a recording's messages. The parsers of one recording share one pace. Any thread.
 class Pace {
  public:
   virtual ~Pace() = default;
 
   enum class Due {
     now,
-    elsewhere,  // the recording was moved: the parser goes where last_move() says
-    never,      // the parser is to end
+    elsewhere,  // the playhead was moved: the parser seeks the time of last_move()
+    never,      // the parser must end
   };
 
-  /// Where the recording was moved to, and how often it was moved so far.
+  /// A move of the playhead: how many there were up to this one, and its target time [ns].
   struct Move {
     std::uint64_t count = 0, to_ns = 0;
   };
 
-  /// Waits until a message captured at `capture_ns` is due. `moves` is the count of the last move the parser knows of.
+  /// Waits until a message captured at `capture_ns` is due. `moves` is the count of the last move that the parser
+  /// knows.
   virtual Due wait_until_due(std::uint64_t capture_ns, std::uint64_t moves) = 0;
 
-  /// For a parser at the end of its stream: waits for another move.
+  /// Waits for the next move. A parser calls it at the end of its stream.
   virtual Due wait_for_move(std::uint64_t moves) = 0;
 
   virtual Move last_move() const = 0;
 };
 
 struct ParserOptions {
-  /// The channel the messages go to, once the stream has said what it is. An Error ends the parser.
+  /// Returns the channel for the messages of the stream with this description. An Error ends the parser.
   std::function<Result<std::shared_ptr<memory::Channel>>(const memory::ChannelInfo&)> destination;
 
-  /// When each message is due; at once where there is none.
+  /// The timing of the messages; null: each message is due at once.
   std::shared_ptr<Pace> pace;
 };
 
-/// Carries the messages of an InProvider into a channel, on a thread of its own, to the end of the stream or until
-/// stopped; with a pace, until that says so. When the recording is moved, the newest message from before that time comes
-/// first: a memory object has a value also where none was recorded. What the channel refuses is counted as dropped; a damage of the stream is told and what is behind it carried on.
+/// A thread that carries the messages of an InProvider into a channel. It ends at the end of the stream or by stop();
+/// with a pace, it ends when the pace returns `never`.
+///
+/// After a move of the playhead the first message is the newest one before the new time, so that the memory object has
+/// its value of that time. Messages that the channel refuses count as dropped. The parser reports a damage of the
+/// stream and continues after it.
 class Parser {
  public:
   Parser(std::unique_ptr<InProvider> provider, ParserOptions options);
@@ -55,7 +59,8 @@ class Parser {
   /// As stop().
   ~Parser();
 
-  /// Ends the thread as soon as the message at hand is written. A pace that keeps it waiting is ended by its owner first.
+  /// Ends the thread after the present message. If the thread may be waiting for a pace, the pace's owner must end the
+  /// pace first.
   void stop();
 
   StreamStatus status() const;
@@ -70,10 +75,10 @@ class Parser {
   const std::unique_ptr<InProvider> provider_;
   const ParserOptions options_;
 
-  mutable Mutex lock_;  // guards the next two
+  mutable Mutex lock_;  // guards status_ and stopping_
   StreamStatus status_;
   bool stopping_ = false;
-  std::thread thread_;  // last: it uses all the others
+  std::thread thread_;  // declared last, because it uses all other members
 };
 
 }  // namespace robot::logging

@@ -1,4 +1,4 @@
-// What hides the device a stream goes to or comes from: a file, a local socket, a WebSocket.
+// Interfaces to the device of a stream: a file, a local socket or a WebSocket.
 #pragma once
 
 #include <cstdint>
@@ -13,59 +13,59 @@
 
 namespace robot::logging {
 
-/// Where a logger takes the versions of one channel. Used by one thread.
+/// The destination of one channel's versions; a logger writes to it. Used by one thread, except where noted.
 class OutProvider {
  public:
   static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
 
   virtual ~OutProvider() = default;
 
-  /// Opens the device for the channel `info`. Tried again later if it fails.
+  /// Opens the device for the channel `info`. After an Error the logger calls it again later.
   virtual Result<void> open(const memory::ChannelInfo& info) = 0;
 
-  /// Whether `version` is to be carried at all: what is not wanted takes no room in a queue. Called by the writer's
-  /// thread for each version, in order; returns at once. What it remembers is its own.
+  /// Returns whether the logger must carry `version`. Unwanted versions take no room in the queue. The thread of the
+  /// channel's writer calls it for each version, in order, so it must not block. No other function may use its state.
   virtual bool wants(const memory::Version& /*version*/) { return true; }
 
-  /// Takes one version; may block. On an Error this version is lost to the stream, later ones may succeed.
+  /// Writes one version; may block. After an Error the stream has lost this version; later ones may succeed.
   virtual Result<void> write(const memory::VersionPtr& version) = 0;
 
-  /// How long versions may gather before write() is called for them.
+  /// Returns how long versions may collect before the logger calls write() for them.
   virtual Patience patience() const { return {}; }
 
-  /// When flush() is wanted at the latest [ns, monotonic]; kNever while nothing is held back.
+  /// Returns the latest time for the next flush() [ns, monotonic], or kNever while the buffer is empty.
   virtual std::uint64_t flush_due_ns() const { return kNever; }
 
-  /// Hands what was held back to the device.
+  /// Writes the buffer to the device.
   virtual Result<void> flush() { return {}; }
 
-  /// Ends the stream in good order. Nothing is written afterwards.
+  /// Completes and closes the stream. No write() follows.
   virtual Result<void> close() = 0;
 
-  /// How many messages write() took and the device lost afterwards. Any thread.
+  /// Returns how many messages the device lost after a successful write(). Any thread.
   virtual std::uint64_t lost_afterwards() const { return 0; }
 
-  /// Ends a blocked write(); later ones fail at once. Any thread.
+  /// Ends a blocked write(). Later ones fail at once. Any thread.
   virtual void cancel() {}
 };
 
-/// Where a parser gets the messages of one stream. Used by one thread, except `cancel`.
+/// The source of one stream's messages; a parser reads from it. Used by one thread, except where noted.
 class InProvider {
  public:
   virtual ~InProvider() = default;
 
-  /// Opens the device; what the stream says of itself.
+  /// Opens the device. Returns the stream's own description of its channel.
   virtual Result<memory::ChannelInfo> open() = 0;
 
-  /// The next message; nothing at the end of the stream or after cancel(). Blocks until there is one.
-  /// An Error names a damage, once; the next call goes on behind it, or returns nothing where that cannot be.
+  /// Waits for the next message and returns it, or nothing at the end of the stream or after cancel().
+  /// Returns an Error once for each damage. The next call continues after the damage, or returns nothing if it cannot.
   virtual Result<std::optional<Record>> read() = 0;
 
-  /// Goes to another time: the next message is the newest captured at `capture_ns` or before, or the first of all if
-  /// there is none. An Error where that cannot be.
+  /// Moves to another time. The next message is then the newest captured at `capture_ns` or before, or without one, the
+  /// first of the stream. Returns an Error if the stream cannot seek.
   virtual Result<void> seek(std::uint64_t /*capture_ns*/) { return Error{"a stream that is live has no other times"}; }
 
-  /// How many messages were lost on their way here, as far as the stream tells. Any thread.
+  /// Returns how many messages were lost before they arrived here, as far as the stream reports it. Any thread.
   virtual std::uint64_t lost_before() const { return 0; }
 
   /// Ends a blocked read() and all later ones. Any thread.

@@ -22,7 +22,7 @@ Result<std::optional<Record>> ShiftedInProvider::read() {
 }
 
 Result<void> ShiftedInProvider::seek(std::uint64_t capture_ns) {
-  // a time before 0 by that clock is its beginning
+  // a time before 0 of the other clock means the beginning of the stream
   const auto theirs_ns = static_cast<std::int64_t>(capture_ns) - by_ns_;
   return stream_->seek(theirs_ns < 0 ? 0 : static_cast<std::uint64_t>(theirs_ns));
 }

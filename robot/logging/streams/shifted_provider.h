@@ -1,4 +1,4 @@
-// A stream of a machine whose clock is off, told in another clock's time.
+// A stream from a machine whose clock differs, with its times converted to another clock.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace robot::logging {
 
-/// The messages of another stream with every time moved, those within the messages too.
+/// The messages of another stream with every time shifted, also the times inside the messages.
 class ShiftedInProvider final : public InProvider {
  public:
-  /// `by_ns` is added to every time.
+  /// Adds `by_ns` to every time.
   ShiftedInProvider(std::unique_ptr<InProvider> stream, std::int64_t by_ns)
       : stream_(std::move(stream)), by_ns_(by_ns) {}
 

@@ -42,7 +42,7 @@ Result<std::optional<Frame>> parse_message(ByteReader body) {
   return std::optional<Frame>(std::move(record));
 }
 
-/// A frame of a fixed form, or of one text.
+/// Returns the frame `content` if all of `body` was read, otherwise an Error with the expected form.
 template <class Content>
 Result<std::optional<Frame>> whole(Content content, const ByteReader& body, const char* expected) {
   if (!body.finished()) return Error{std::string("stream: expected ") + expected + ", got another length"};
@@ -132,7 +132,7 @@ Result<std::optional<Frame>> FrameParser::next() {
       return Error{"stream: expected a frame of kind 1 .. 8, got " + std::to_string(kind)};
   }
   if (!head.ok() || head.rest().size() < length) {
-    // what was taken makes room only now, so that many small frames do not move the buffer each
+    // erase read bytes only here, so that the buffer is not moved for each of many small frames
     buffer_.erase(0, std::exchange(begin_, 0));
     return std::optional<Frame>();
   }

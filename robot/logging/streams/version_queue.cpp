@@ -19,13 +19,13 @@ void VersionQueue::on_version(const memory::VersionPtr& version) {
     bytes_ += version->size_bytes();
     versions_.push_back(version);
   }
-  // whoever wakes up finds the lock free: to hand it over would hold the writer up
+  // notify after the unlock: the reader finds the lock free, and the writer does not wait for a handover
   if (!patience_) filled_.notify_one();
 }
 
 void VersionQueue::ring(std::uint64_t now_ns) {
   {
-    // a writer or reader is at it now: next time
+    // a writer or reader holds the lock: try again at the next ring
     const std::unique_lock guard(lock_, std::try_to_lock);
     if (!guard || versions_.empty()) return;
     if (noticed_ns_ == 0) noticed_ns_ = now_ns;

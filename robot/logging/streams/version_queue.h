@@ -1,4 +1,4 @@
-// Versions on their way from a writer, who must not wait, to a thread that may.
+// A queue of versions from a writer that must not wait to a thread that may wait.
 #pragma once
 
 #include <cstddef>
@@ -11,41 +11,41 @@
 
 namespace robot::logging {
 
-/// How long versions may gather before their reader is woken.
+/// How long versions may collect before the queue wakes their reader.
 struct Patience {
   std::uint64_t time_ns = 0;
-  std::size_t bytes = 0;  // so many end it
+  std::size_t bytes = 0;  // this many queued bytes wake the reader earlier
 };
 
-/// A queue bounded in bytes: when it is full the oldest make room for the newest and are counted.
-/// One version larger than the bound still passes, alone.
+/// A queue bounded in bytes. When it is full, it drops and counts the oldest versions to make room for the newest.
+/// One version that is larger than the bound still passes, alone.
 ///
-/// To wake a thread is by far the dearest part of a write, and the thread may push the writer off its processor.
-/// With `Patience` a write wakes nobody: somebody else calls ring() every now and then, see Bell.
+/// The wake-up of a thread is by far the most expensive part of a write, and that thread may displace the writer from
+/// its processor. With `Patience` a write wakes no thread: a Bell calls ring() periodically instead.
 class VersionQueue final : public memory::Listener {
  public:
   explicit VersionQueue(std::size_t max_bytes, std::optional<Patience> patience = {})
       : max_bytes_(max_bytes), patience_(patience) {}
 
-  /// Puts in `version`; without patience wakes the reader. Does not wait. Any thread.
+  /// Appends `version`. Without patience, wakes the reader. Does not wait. Any thread.
   void on_version(const memory::VersionPtr& version) override;
 
-  /// Wakes the reader if the patience is over. Any thread.
+  /// Wakes the reader if a limit of the patience is reached. Any thread.
   void ring(std::uint64_t now_ns);
 
-  /// The oldest version; waits for one until monotonic_ns() reaches `deadline_ns`, then null.
-  /// Null at once when the queue is closed and empty.
+  /// Removes and returns the oldest version. Waits for one until monotonic_ns() reaches `deadline_ns`, then returns
+  /// null. Returns null at once when the queue is closed and empty.
   memory::VersionPtr pop(std::uint64_t deadline_ns);
 
-  /// Nothing more is taken in; a waiting pop() returns. What is queued can still be popped. Any thread.
+  /// Stops accepting versions and wakes a waiting pop(). Queued versions can still be popped. Any thread.
   void close();
 
   bool closed() const;
 
-  /// How many versions had to make room since the beginning. Any thread.
+  /// Returns how many versions were dropped since the beginning. Any thread.
   std::uint64_t dropped() const;
 
-  /// What waits now [bytes]. Any thread.
+  /// Returns the size of the queued versions [bytes]. Any thread.
   std::size_t queued_bytes() const;
 
  private:
@@ -55,7 +55,7 @@ class VersionQueue final : public memory::Listener {
   Condition filled_;
   std::deque<memory::VersionPtr> versions_;
   std::size_t bytes_ = 0;
-  std::uint64_t noticed_ns_ = 0;  // when ring() first saw what waits; 0: not yet
+  std::uint64_t noticed_ns_ = 0;  // when ring() first saw the waiting versions; 0: not yet
   std::uint64_t dropped_ = 0;
   bool closed_ = false;
 };

@@ -46,14 +46,14 @@ void CameraThread::run() {
   }
 }
 
-/// Until it shall be tried again; false: the thread shall end.
+/// Waits until the next try. Returns false if the thread must end.
 bool CameraThread::rest() {
   const std::uint64_t end_ns = monotonic_ns() + try_again_ns_;
   while (!ends_ && monotonic_ns() < end_ns) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   return !ends_;
 }
 
-/// Why it ended: a sentence, or nothing when the thread shall end.
+/// Streams until an error or the end of the thread. Returns the error's sentence, or "" at the end of the thread.
 std::string CameraThread::stream(VideoCapture& capture) {
   std::uint64_t last_ns = monotonic_ns();
   while (!ends_) {

@@ -1,4 +1,4 @@
-// One camera into memory, as long as it is there.
+// A thread that writes the images of one camera into memory.
 #pragma once
 
 #include <atomic>
@@ -15,13 +15,13 @@
 
 namespace robot::nao {
 
-/// A thread of its own. A camera that is not there, is somebody else's or vanishes is tried again once a second; what is
-/// wrong is told when it changes.
+/// A camera with a thread of its own. If the camera is missing, taken by another program or lost, the thread tries
+/// again once a second. It reports a problem when the problem changes.
 class CameraThread {
  public:
-  static constexpr std::uint64_t kSilence_ns = 2'000'000'000;  // without frames a device counts as gone
+  static constexpr std::uint64_t kSilence_ns = 2'000'000'000;  // after this time without frames a device counts as gone
 
-  /// Called after each image with its capture time [ns since the epoch], by this thread.
+  /// Callback after each image with its capture time [ns since the epoch], on this thread.
   using OnImage = std::function<void(std::uint64_t capture_ns)>;
 
   /// `image` and `clock` outlive this.

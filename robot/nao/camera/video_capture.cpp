@@ -73,9 +73,9 @@ Result<VideoCapture> VideoCapture::open(VideoDevice& device, const CameraSetting
                                         std::vector<std::string>& warnings) {
   VideoCapture capture(device, settings);
   if (const int error = device.open(settings.device)) return capture.refused("a video device", error);
-  if (Result<void> set = capture.set_format(); !set) return Error{set.error()};
+  if (Result<void> set = capture.set_format(); !set) return set.failure();
   capture.set_controls(warnings);
-  if (Result<void> shared = capture.share_buffers(); !shared) return Error{shared.error()};
+  if (Result<void> shared = capture.share_buffers(); !shared) return shared.failure();
   int type = static_cast<int>(kType);
   if (const int error = device.control(VIDIOC_STREAMON, &type)) return capture.refused("it to start", error);
   return capture;
@@ -104,7 +104,7 @@ Result<void> VideoCapture::set_format() {
   format.fmt.pix.pixelformat = V4L2_PIX_FMT_YUYV;
   format.fmt.pix.field = V4L2_FIELD_NONE;
   if (const int error = device_->control(VIDIOC_S_FMT, &format)) return refused("it to take a format", error);
-  // a driver answers with what it can
+  // the driver answers with the nearest format that it supports
   const v4l2_pix_format& got = format.fmt.pix;
   if (got.width != settings_.width || got.height != settings_.height || got.pixelformat != V4L2_PIX_FMT_YUYV ||
       got.bytesperline < 2 * settings_.width)
@@ -116,7 +116,7 @@ Result<void> VideoCapture::set_format() {
   v4l2_streamparm rate{};
   rate.type = kType;
   rate.parm.capture.timeperframe = {1, settings_.rate};
-  // one that does not know rates has its own
+  // a driver without rates uses its own
   static_cast<void>(device_->control(VIDIOC_S_PARM, &rate));
   return {};
 }
@@ -163,7 +163,7 @@ Result<std::optional<VideoCapture::Frame>> VideoCapture::newest(int patience_ms)
                       .stride = stride_,
                       .capture_ns = capture_ns_of(buffer),
                       .buffer = buffer.index};
-    // a frame that came over the cable damaged, or only in part
+    // the frame is damaged or incomplete
     const bool damaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || buffer.bytesused < stride_ * settings_.height;
     if (damaged) {
       give_back(frame);
@@ -179,7 +179,7 @@ Result<std::optional<VideoCapture::Frame>> VideoCapture::newest(int patience_ms)
 
 void VideoCapture::give_back(const Frame& frame) {
   v4l2_buffer buffer = buffer_of(frame.buffer);
-  // one that does not take it back is gone, which the next frame tells
+  // a device that does not take it back is gone; the next call of newest() returns that error
   static_cast<void>(device_->control(VIDIOC_QBUF, &buffer));
 }
 
@@ -190,7 +190,7 @@ void VideoCapture::copy(const Frame& frame, std::string& image) const {
       image.append(frame.pixels + row * frame.stride, row_bytes);
     return;
   }
-  // from the last pixel to the first; two pixels that share their colour keep it and change places
+  // from the last pixel to the first: two pixels that share a colour swap their places and keep it
   const std::size_t start = image.size();
   image.resize(start + row_bytes * settings_.height);
   char* to = image.data() + start;

@@ -1,4 +1,4 @@
-// Frames of one Video4Linux device: the newest wins.
+// Frames of one Video4Linux device. The newest frame replaces older ones.
 #pragma once
 
 #include <cstdint>
@@ -17,22 +17,23 @@ struct CameraSettings {
   std::filesystem::path device;
   std::uint32_t width = 640, height = 480;  // [px]
   std::uint32_t rate = 30;                  // [1/s]
-  bool turned = false;                      // it is mounted upside down
+  bool turned = false;                      // the camera is mounted upside down
 
-  /// What the driver is told, by the names of kControls; one that the device lacks is told once and left out.
+  /// Values of the driver's controls, by the names in kControls. A control that the device lacks causes one warning.
   std::map<std::string, std::int32_t> controls;
 };
 
-/// The number by which the kernel knows a control ("exposure", "gain", "auto_white_balance", …); nothing for another name.
+/// Returns the kernel's number of a control ("exposure", "gain", "auto_white_balance", …), or nothing for an unknown
+/// name.
 std::optional<std::uint32_t> control_id(const std::string& name);
 
-/// A device that streams YUYV into buffers which the kernel and we share. Used by one thread; the device outlives it.
+/// A device that streams YUYV into buffers shared with the kernel. Used by one thread; the device outlives it.
 class VideoCapture {
  public:
   static constexpr std::uint32_t kBuffers = 3;
 
-  /// Sets the device up and starts it. An Error says what it refused, and whose it is where somebody else has it.
-  /// `warnings`: controls that it lacks.
+  /// Sets the device up and starts it. Returns an Error that names the refused step, or the program that has the
+  /// device. Adds a warning for each control that the device lacks.
   static Result<VideoCapture> open(VideoDevice& device, const CameraSettings& settings,
                                    std::vector<std::string>& warnings);
   VideoCapture(VideoCapture&& other) noexcept;
@@ -40,21 +41,21 @@ class VideoCapture {
   ~VideoCapture();
 
   struct Frame {
-    const char* pixels = nullptr;  // rows of `stride` bytes, in the order of the sensor
+    const char* pixels = nullptr;  // rows of `stride` bytes, in the sensor's order
     std::uint32_t stride = 0;
-    std::uint64_t capture_ns = 0;  // [ns, monotonic clock] as the kernel stamped it
+    std::uint64_t capture_ns = 0;  // [ns, monotonic clock] time stamp of the kernel
     std::uint32_t buffer = 0;
   };
 
-  /// The newest frame, once there is one; older ones go back to the device unseen. Nothing if none came within
-  /// `patience_ms`. An Error: the device is gone. Each frame is given back before the next one is asked for.
+  /// Returns the newest frame, or nothing if none came within `patience_ms`. Older frames go back to the device unread.
+  /// Returns an Error if the device is gone. Give each frame back before the next call.
   Result<std::optional<Frame>> newest(int patience_ms);
   void give_back(const Frame& frame);
 
-  /// Appends the frame to `image`, upright and without padding: the only copy there is.
+  /// Appends the frame to `image`, upright and without padding. This is the only copy.
   void copy(const Frame& frame, std::string& image) const;
 
-  std::uint64_t passed_over() const { return passed_over_; }  // frames that a newer one replaced
+  std::uint64_t passed_over() const { return passed_over_; }  // frames replaced by a newer one
 
  private:
   struct Buffer {

@@ -1,4 +1,4 @@
-// A video device of the kernel's, or what stands in for one.
+// A video device of the kernel, or a stand-in for one.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace robot::nao {
 
-/// The calls by which a Video4Linux device is used. One that fails says so by its error number (errno); 0: done.
+/// The calls to a Video4Linux device. They return 0, or an error number (errno) if they fail.
 class VideoDevice {
  public:
   virtual ~VideoDevice() = default;
@@ -17,9 +17,9 @@ class VideoDevice {
   virtual int open(const std::filesystem::path& path) = 0;
   virtual void close() = 0;
   virtual int control(unsigned long request, void* argument) = 0;  // ioctl
-  virtual void* map(std::size_t bytes, std::int64_t offset) = 0;   // nullptr: it failed
+  virtual void* map(std::size_t bytes, std::int64_t offset) = 0;   // nullptr: failure
   virtual void unmap(void* memory, std::size_t bytes) = 0;
-  virtual bool wait(int patience_ms) = 0;  // until there is a frame, or something is wrong; false: neither came
+  virtual bool wait(int patience_ms) = 0;  // for a frame or an error; false: timeout
 };
 
 class KernelVideoDevice final : public VideoDevice {

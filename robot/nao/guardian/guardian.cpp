@@ -8,8 +8,8 @@
 namespace robot::nao {
 namespace {
 
-constexpr float kHasStiffness = 0.1f;  // [0..1] mean of the joints that we find when we begin
-constexpr float kInStand = 0.03f;      // [rad] that a joint may be off the stand
+constexpr float kHasStiffness = 0.1f;  // [0..1] mean of the joints in the first cycle
+constexpr float kInStand = 0.03f;      // [rad] largest error of a joint in the stand
 
 bool is_driven(const Order& order, std::size_t joint) {
   return order.drives[joint] == 1 && std::isfinite(order.position[joint]) && std::isfinite(order.stiffness[joint]);
@@ -60,7 +60,8 @@ const Actuators& Guardian::step(const Cycle& cycle) {
   return actuators_;
 }
 
-/// A robot that we find stiff and upright was somebody's: it holds still until it is clear what it shall do.
+/// Takes over the pose of the first frame. A stiff and upright robot was under control, so it keeps its stiffness and
+/// holds still until its task is known.
 void Guardian::begin(const Cycle& cycle) {
   if (!cycle.sensors) return;
   begun_ = true;
@@ -113,7 +114,7 @@ void Guardian::take_click(std::uint64_t now_ns) {
   waits_for_game_ = false;
   feet_missed_ = false;
   if (crashed_) {
-    // one click says that somebody has seen it; the next one stands it up
+    // the first click acknowledges the crashes; the next one makes the robot stand up
     crashed_ = false;
     crash_ns_ = {};
     mode_ = Mode::unstiff;
@@ -122,11 +123,11 @@ void Guardian::take_click(std::uint64_t now_ns) {
   }
   switch (mode_) {
     case Mode::unstiff:
-      // nobody is there who could tell it anything, and it must not begin to move when somebody comes
+      // there is no runtime, and the robot must not begin to move when one connects
       if (!has_runtime_ || now_ns - last_order_ns_ >= kHoldAfter_ns) return;
       mode_ = Mode::initial;
       softened_ = false;
-      game_.reset();  // what the GameController says now holds
+      game_.reset();  // the current state of the GameController applies
       break;
     case Mode::initial:
     case Mode::playing: mode_ = Mode::penalised; break;
@@ -155,7 +156,8 @@ Guardian::Wish Guardian::wish_without_order(std::uint64_t silent_ns, Reason why)
   return silent_ns >= kSitAfter_ns ? Wish::sit : Wish::hold;
 }
 
-/// What the rules ask for, falls aside; and why, where it is not what the order says.
+/// Returns the action that the rules ask for, and sets the reason if it differs from the order. Falls are handled
+/// elsewhere.
 Guardian::Wish Guardian::wish(const Cycle& cycle) {
   const auto because = [&](Reason reason, Wish wish) {
     reason_ = reason;
@@ -181,7 +183,7 @@ Guardian::Wish Guardian::wish(const Cycle& cycle) {
     case Order::Posture::soft: return Wish::soft;
     case Order::Posture::freeze: return Wish::hold;
   }
-  return Wish::hold;  // an order that we do not know
+  return Wish::hold;  // an unknown posture
 }
 
 void Guardian::follow(Wish wish) {
@@ -190,7 +192,7 @@ void Guardian::follow(Wish wish) {
     return;
   }
   if (wish != Wish::stand) feet_missed_ = false;
-  // nobody stops half way down
+  // sitting down is never interrupted
   if (soft() ? wish != Wish::stand : doing_ == Doing::sitting_down) return;
   switch (wish) {
     case Wish::sit: return start(Doing::sitting_down, sit());
@@ -203,7 +205,7 @@ void Guardian::follow(Wish wish) {
   }
 }
 
-/// Stands up, or goes on doing so, or says why not.
+/// Starts or continues to stand up, or sets the reason why not.
 void Guardian::rise() {
   if (doing_ == Doing::standing_up) {
     if (!player_.needs_feet() || watch_.on_feet()) return;
@@ -217,13 +219,13 @@ void Guardian::rise() {
     reason_ = Reason::not_upright;
     return;
   }
-  // who held it up without weight on its feet puts it down first
+  // a person held the robot up and its feet had no weight: they must put it down first
   if (soft() && feet_missed_ && !watch_.on_feet()) {
     reason_ = Reason::feet_unloaded;
     return;
   }
   feet_missed_ = false;
-  // it was only held up
+  // it only held still in the stand: no motion is needed
   if (doing_ == Doing::holding && holds_stand_ && !calm) {
     doing_ = Doing::standing;
     return;
@@ -243,7 +245,7 @@ bool Guardian::in_stand() const {
   return true;
 }
 
-/// The stand, and what the order drives.
+/// Returns the stand, with the joints that the order drives.
 Pose Guardian::standing_pose() const {
   Pose pose{.position = stand_pose().position, .stiffness = {}};
   pose.stiffness.fill(stand_pose().stiffness);

@@ -1,4 +1,4 @@
-// Decides in every cycle of 12 ms what reaches the joints, whatever anybody asks for. Pure: no clock, no files, no sockets.
+// The rules that decide in every cycle of 12 ms which values reach the joints. Pure: no clock, no files, no sockets.
 #pragma once
 
 #include <array>
@@ -15,48 +15,50 @@
 
 namespace robot::nao {
 
-/// All that a cycle brings.
+/// The inputs of one cycle.
 struct Cycle {
   std::uint64_t now_ns = 0;          // [ns, monotonic clock]
-  const Sensors* sensors = nullptr;  // null: what came could not be read
+  const Sensors* sensors = nullptr;  // null: the frame could not be read
   const Order* order = nullptr;      // the newest since the last cycle; null: none came
-  bool asked_soft = false;           // somebody asked to sit and soften
-  bool runtime_left = false;         // its connection ended, on purpose
-  bool runtime_crashed = false;      // it ended otherwise
-  bool stop = false;                 // the guardian shall end, as soon as the robot sits
+  bool asked_soft = false;           // a client asked to sit and soften
+  bool runtime_left = false;         // its connection ended after a goodbye
+  bool runtime_crashed = false;      // it ended without a goodbye
+  bool stop = false;                 // end the guardian as soon as the robot sits
 };
 
-/// The rules, the first that holds:
+/// The guardian of the joints. In each cycle it follows the first of these rules that applies:
 ///
 ///   the three head sensors held, or sit_and_soft   no joint has stiffness from that cycle on, until the chest button
-///   it falls                                       tucks in, then is soft; once it is upright again it may stand up
+///   it falls                                       tucks in, then is soft; when it is upright again it may stand up
 ///   told to end; a joint too hot; battery empty    sits down, then is soft
 ///   the third crash of the runtime in a minute     the same, with red eyes, until the chest button
 ///   no order, or no readable frame                 for 0.1 s: holds still; for 3 s: sits down, then is soft
-///   the runtime has restarted, or we have          holds still, until the GameController or the chest button say on
-///   mode initial, penalised                        stands; nobody moves it
+///   the runtime or the guardian has restarted      holds still, until the GameController or the chest button allows
+/// more
+///   mode initial, penalised                        stands; no order moves it
 ///   mode playing                                   as the order says
 ///
-/// The chest button leads from unstiff to initial, penalised, playing, and from there back and forth between penalised
-/// and playing; what the GameController says holds from when it says another thing than before. It never ends the mode
-/// unstiff, and nor does the button while there is no runtime. The robot stands up only with its torso upright and, before it stretches its legs, weight on its feet.
-/// A robot that has stiffness when we begin holds still.
+/// The chest button leads from unstiff to initial, penalised and playing, and then switches between penalised and
+/// playing. A state of the GameController counts from the moment it changes. It never ends the mode unstiff. The button
+/// does not end that mode either while there is no runtime. The robot stands up only with its torso upright. Before it
+/// stretches its legs it also needs weight on its feet. A robot that has stiffness at the guardian's first cycle holds
+/// still.
 class Guardian {
  public:
   static constexpr std::uint64_t kHoldAfter_ns = 100'000'000;
   static constexpr std::uint64_t kSitAfter_ns = 3'000'000'000;
-  static constexpr std::uint64_t kTuckFor_ns = 1'000'000'000;  // a fall, from its beginning
+  static constexpr std::uint64_t kTuckFor_ns = 1'000'000'000;  // from the beginning of a fall
   static constexpr std::uint64_t kCrashWindow_ns = 60'000'000'000;
   static constexpr std::size_t kCrashes = 3;
-  static constexpr float kLongestStep = 0.012f;  // [s] that the joints move for in one cycle, however late it is
+  static constexpr float kLongestStep = 0.012f;  // [s] longest motion of the joints in one cycle, also when it is late
 
   explicit Guardian(WatchBounds bounds = {}) : watch_(bounds) {}
 
-  /// The answer to this cycle. Times never decrease.
+  /// Returns the answer to this cycle. Times must never decrease.
   const Actuators& step(const Cycle& cycle);
 
-  /// LoLA was gone for a while: how the body is, is found out anew, and nobody moves it before the GameController or the
-  /// chest button say on.
+  /// Forgets the state of the body, because LoLA was gone for a while. The next cycle determines it again. Then no
+  /// order moves the body until the GameController or the chest button allows it.
   void lose_lola();
 
   Mode mode() const { return mode_; }
@@ -65,10 +67,10 @@ class Guardian {
   bool limited() const { return limited_; }
   bool soft() const { return doing_ == Doing::soft || doing_ == Doing::fallen; }
 
-  /// How the torso was when it fell [rad]: roll, pitch; nothing while it does not fall or lie.
+  /// Returns roll and pitch of the torso when it fell [rad], or nothing while the robot does not fall or lie.
   std::optional<std::array<float, 2>> fell() const;
 
-  /// [s] until the motion that is under way ends.
+  /// Returns the time until the current motion ends [s].
   float remaining() const;
 
  private:
@@ -106,12 +108,12 @@ class Guardian {
   bool softened_ = false;  // by people, until they press the chest button
   bool waits_for_game_ = false;
   bool has_runtime_ = false;
-  bool begun_ = false;        // false: how the body is, is not known
-  bool holds_stand_ = false;  // what it holds is the stand
-  bool feet_missed_ = false;  // it sat down again since it had no weight on its feet
+  bool begun_ = false;        // false: the state of the body is unknown
+  bool holds_stand_ = false;  // the held pose is the stand
+  bool feet_missed_ = false;  // it sat down again because there was no weight on its feet
 
   std::uint64_t last_ns_ = 0, last_order_ns_ = 0, last_sensors_ns_ = 0, falls_since_ns_ = 0;
-  std::array<std::uint64_t, kCrashes> crash_ns_{};  // the last ones, the newest first; 0: none
+  std::array<std::uint64_t, kCrashes> crash_ns_{};  // the last crashes, the newest first; 0: none
   std::optional<GameWord> game_;                    // the last word of this runtime
   std::array<float, 2> fell_{};
 };

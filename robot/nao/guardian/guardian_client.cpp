@@ -13,7 +13,7 @@ namespace robot::nao {
 
 Result<GuardianClient> GuardianClient::open(const std::filesystem::path& path) {
   const auto address = LocalAddress::of(path, "guardian");
-  if (!address) return Error{address.error()};
+  if (!address) return address.failure();
   FileDescriptor socket(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   if (!socket || !address->connect(socket.get()))
     return Error{"guardian: expected foresight-guardian to listen at " + path.string() + ", got " +
@@ -27,10 +27,11 @@ Result<std::optional<Report>> GuardianClient::next(int patience_ms) {
   char message[sizeof(Report) + 1];
   const ssize_t n = ::recv(socket_.get(), message, sizeof message, 0);
   if (n < 0 && (errno == EAGAIN || errno == EINTR)) return std::optional<Report>();
-  if (n <= 0) return Error{"guardian: it is gone"};
+  if (n <= 0) return Error{"guardian: the connection ended"};
   std::uint32_t layout = 0;
   if (n == sizeof(Report)) std::memcpy(&layout, message, sizeof layout);
-  if (layout != kReportLayout) return Error{"guardian: expected one of the same build, got another; restart it"};
+  if (layout != kReportLayout)
+    return Error{"guardian: expected a guardian of the same build, got one of another build; restart it"};
   std::optional<Report> report(std::in_place);
   std::memcpy(&*report, message, sizeof(Report));
   return report;
@@ -38,7 +39,7 @@ Result<std::optional<Report>> GuardianClient::next(int patience_ms) {
 
 Result<void> GuardianClient::send(const void* bytes, std::size_t size) {
   const ssize_t n = ::send(socket_.get(), bytes, size, MSG_NOSIGNAL | MSG_DONTWAIT);
-  if (n < 0 && errno != EAGAIN && errno != EINTR) return Error{"guardian: it is gone"};
+  if (n < 0 && errno != EAGAIN && errno != EINTR) return Error{"guardian: the connection ended"};
   return {};
 }
 

@@ -1,4 +1,4 @@
-// The other end of the link: what the runtime, or a person at a shell, uses.
+// The client's end of the link, for the runtime or a person at a shell.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,18 @@
 
 namespace robot::nao {
 
+/// A connection to the guardian.
 class GuardianClient {
  public:
-  /// An Error if there is no guardian.
+  /// Connects to the guardian. Returns an Error if there is none.
   static Result<GuardianClient> open(const std::filesystem::path& path);
 
-  /// The next report; waits at most `patience_ms` for one, nothing if none came. An Error: the guardian is gone, or of
-  /// another build.
+  /// Returns the next report, or nothing if none came within `patience_ms`. Returns an Error if the guardian is gone or
+  /// is of another build.
   Result<std::optional<Report>> next(int patience_ms);
 
-  /// Without waiting; an Error if the guardian is gone. One that does not read loses it, which it notices by itself.
+  /// Sends without waiting. Returns an Error if the guardian is gone. A guardian that does not read loses the message,
+  /// and notices by itself that orders are missing.
   Result<void> give(const Order& order);
   Result<void> ask(Request::What what);
 

@@ -1,4 +1,4 @@
-// foresight-guardian: owns LoLA's socket on a Nao V6 and decides what reaches the joints.
+// foresight-guardian: owns LoLA's socket on a Nao V6 and decides which values reach the joints.
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/signalfd.h>
@@ -14,10 +14,10 @@ namespace robot::nao {
 namespace {
 
 constexpr int kDone = 0, kNo = 1, kBadInput = 2;
-constexpr int kPriority = 40;       // above all of the runtime's, below the kernel's own threads
-constexpr int kPatience_ms = 2000;  // for a report; there is one a second at least
+constexpr int kPriority = 40;       // above all threads of the runtime, below those of the kernel
+constexpr int kPatience_ms = 2000;  // for a report; at least one a second is sent
 
-/// Signals that end us can be read from the file.
+/// Returns a file from which the signals that end the process can be read.
 FileDescriptor end_signals() {
   sigset_t ends;
   sigemptyset(&ends);
@@ -50,7 +50,7 @@ int run(const GuardianOptions& options) {
   return kDone;
 }
 
-/// Prints how the robot is; 0: it has no stiffness, so that a new guardian may be installed.
+/// Prints the robot's state. Returns 0 if it has no stiffness, so that a new guardian may be installed.
 int tell_status(const GuardianOptions& options) {
   Result<GuardianClient> client = GuardianClient::open(options.link);
   if (!client) return fail(client.error());
@@ -75,14 +75,15 @@ int ask_soft(const GuardianOptions& options) {
 }
 
 int guardian_main(int argc, char** argv) {
-  CLI::App app{"Owns LoLA's socket on a Nao V6: answers it in time, and decides what reaches the joints"};
+  CLI::App app{
+      "Owns LoLA's socket on a Nao V6: answers every frame in time, and decides which values reach the joints"};
   GuardianOptions options{.link = default_link()};
   bool status = false, soft = false;
   app.add_option("--lola", options.lola, "LoLA's socket")->capture_default_str();
-  app.add_option("--link", options.link, "where the runtime finds us: $FORESIGHT_GUARDIAN, or one of this user's")
+  app.add_option("--link", options.link, "socket for the runtime; default: $FORESIGHT_GUARDIAN, or a name of this user")
       ->capture_default_str();
-  app.add_flag("--status", status, "say how the robot is; exit status 0: it has no stiffness, 1: it has");
-  app.add_flag("--sit-and-soft", soft, "take the stiffness away, at once and until the chest button is pressed");
+  app.add_flag("--status", status, "print the robot's state; exit status 0: it has no stiffness, 1: it has stiffness");
+  app.add_flag("--sit-and-soft", soft, "remove the stiffness at once, until the chest button is pressed");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

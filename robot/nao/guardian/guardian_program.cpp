@@ -11,9 +11,9 @@ namespace robot::nao {
 namespace {
 
 constexpr const char* kSource = "guardian";
-constexpr std::uint64_t kTryAgain_ns = kSecond;     // to connect to LoLA
-constexpr std::uint64_t kTellProblem_ns = kSecond;  // while there is none
-constexpr std::uint64_t kSilence_ns = kSecond;      // after which a connection without frames is none
+constexpr std::uint64_t kTryAgain_ns = kSecond;     // between attempts to connect to LoLA
+constexpr std::uint64_t kTellProblem_ns = kSecond;  // between reports without LoLA
+constexpr std::uint64_t kSilence_ns = kSecond;      // longest time without frames before reconnecting
 constexpr int kPatience_ms = 100;
 
 template <std::size_t Size>
@@ -26,7 +26,7 @@ void copy_text(const std::string& text, std::array<char, Size>& to) {
 
 Result<GuardianProgram> GuardianProgram::open(GuardianOptions options) {
   Result<RuntimeLink> link = RuntimeLink::open(options.link);
-  if (!link) return Error{link.error()};
+  if (!link) return link.failure();
   return GuardianProgram(std::move(options), std::move(*link));
 }
 
@@ -34,14 +34,14 @@ void GuardianProgram::run(int end_file) {
   while (!ends_ || (lola_ && !guardian_.soft())) {
     if (!lola_ && monotonic_ns() >= next_try_ns_) find_lola();
     wait(end_file);
-    // what is said between two frames holds from the next one on
+    // messages between two frames apply from the next frame on
     remember(link_.hear());
     if (lola_) serve_lola();
     if (!lola_ && monotonic_ns() - told_ns_ >= kTellProblem_ns) tell_problem();
   }
 }
 
-/// Until something has come from anybody.
+/// Waits until any file is readable, or a timeout.
 void GuardianProgram::wait(int end_file) {
   files_.clear();
   link_.add_to(files_);
@@ -69,7 +69,7 @@ void GuardianProgram::find_lola() {
   silent_ = true;
 }
 
-/// There is no LoLA; says why, and whether it is somebody else's, when that is news.
+/// Drops the connection to LoLA. Reports the problem, and the program that has LoLA, if the sentence is a new one.
 void GuardianProgram::lose_lola(const std::string& why) {
   if (lola_) guardian_.lose_lola();
   lola_.reset();

@@ -1,4 +1,4 @@
-// The guardian as a process: LoLA on one side, the runtime on the other, one thread that waits for neither.
+// The guardian as a process: one thread between LoLA and the runtime that blocks on neither.
 #pragma once
 
 #include <poll.h>
@@ -23,14 +23,14 @@ struct GuardianOptions {
   std::filesystem::path link;  // default_link()
 };
 
-/// Answers every frame of LoLA's with what the guardian decides, tells the runtime what there is, and finds LoLA again
-/// when it was gone.
+/// The loop of the guardian's process. It answers every frame of LoLA with the guardian's decision, sends reports to
+/// the runtime, and reconnects to LoLA after a loss.
 class GuardianProgram {
  public:
-  /// An Error if another guardian is there.
+  /// Opens the link. Returns an Error if another guardian runs.
   static Result<GuardianProgram> open(GuardianOptions options);
 
-  /// Until `end_file` can be read and the robot sits; at once where there is no LoLA.
+  /// Runs until `end_file` is readable and the robot sits. Without LoLA it ends as soon as `end_file` is readable.
   void run(int end_file);
 
  private:
@@ -56,7 +56,7 @@ class GuardianProgram {
   std::vector<pollfd> files_;
 
   bool ends_ = false;
-  bool silent_ = true;  // LoLA has not sent a frame since it was connected
+  bool silent_ = true;  // no frame since LoLA was connected
   std::uint64_t next_try_ns_ = 0, connected_ns_ = 0, frame_ns_ = 0, told_ns_ = 0;
   std::uint64_t frames_ = 0;
   std::string problem_;

@@ -6,7 +6,7 @@
 namespace robot::nao {
 namespace {
 
-/// A pose that is the same left and right.
+/// A pose with left and right alike.
 struct Halves {
   float head_yaw = 0, head_pitch = 0;                                                         // [rad]
   float shoulder_pitch, shoulder_roll, elbow_yaw, elbow_roll, wrist_yaw = 0;                  // [rad] of the left arm
@@ -45,7 +45,7 @@ constexpr PerJoint<float> kStand = both({.shoulder_pitch = 1.5f,
                                          .knee_pitch = 0.8f,
                                          .ankle_pitch = -0.39f});
 
-// calves and thighs touch: it stays like this without stiffness
+// calves and thighs touch, so the robot keeps this pose without stiffness
 constexpr PerJoint<float> kSquat = both({.shoulder_pitch = 1.5f,
                                          .shoulder_roll = 0.2f,
                                          .elbow_yaw = -0.6f,
@@ -71,7 +71,7 @@ constexpr KeyFrame kToStand[] = {{.position = kStand, .stiffness = 0.9f, .second
 constexpr KeyFrame kSit[] = {{.position = kSquat, .stiffness = 0.8f, .seconds = 1.8f}};
 constexpr KeyFrame kTuckIn[] = {{.position = kTuck, .stiffness = 0.3f, .seconds = 0.4f}};
 
-/// From 0 to 1 as `part` goes from 0 to 1, at rest at both ends.
+/// Returns a smooth step from 0 to 1 for `part` from 0 to 1, with speed 0 at both ends.
 float smooth(float part) { return part * part * (3 - 2 * part); }
 
 }  // namespace

@@ -6,12 +6,12 @@
 namespace robot::nao {
 namespace {
 
-/// The pitch at which the head is clear of the shoulders.
+/// Limits the head's pitch so that the head is clear of the shoulders.
 void keep_head_clear(PerJoint<float>& position) {
   position[head_pitch] = clamp(position[head_pitch], head_pitch_range(position[head_yaw]));
 }
 
-/// `to`, or one step nearer; never beyond it, whatever is rounded.
+/// Returns `from` moved by at most `step` towards `to`, never beyond it, also with rounding.
 float towards(float from, float to, float step) {
   if (std::abs(to - from) <= step) return to;
   return to > from ? std::min(from + step, to) : std::max(from - step, to);
@@ -49,11 +49,11 @@ const Pose& Limiter::next(const Pose& target, const PerJoint<float>& measured, f
       pose_.stiffness[joint] =
           std::min(clamp(target.stiffness[joint], {0, 1}), from.stiffness[joint] + kStiffnessRise * dt);
   }
-  // with one of them soft, a hand could turn it where the other must not be
+  // if only one of them were soft, a hand could turn it to where the other one is not allowed
   if (pose_.stiffness[head_yaw] == 0 || pose_.stiffness[head_pitch] == 0)
     pose_.stiffness[head_yaw] = pose_.stiffness[head_pitch] = 0;
 
-  // the pitch makes way for the yaw, and the yaw waits until it has
+  // the pitch moves out of the way first, and the yaw waits for it
   const float yaw = pose_.position[head_yaw];
   const float step = limits_of(head_pitch).speed * speed_share * dt;
   const float wanted =

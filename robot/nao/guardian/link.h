@@ -1,7 +1,7 @@
-// What the guardian and the runtime say to each other, each message a datagram of a local socket (SOCK_SEQPACKET).
+// Messages between guardian and runtime, each a datagram of a local socket (SOCK_SEQPACKET).
 //
-// Both are programs of one build on one machine, so messages travel as they lie in memory; each begins with the number of
-// its layout, and one of another layout or length is refused.
+// Both programs come from one build and run on one machine, so a message is sent as its bytes in memory. Each message
+// begins with the number of its layout. A message of another layout or length is refused.
 #pragma once
 
 #include <array>
@@ -12,21 +12,21 @@
 
 namespace robot::nao {
 
-/// What people and referee say the robot is.
+/// State of the robot in the game, set by the chest button and the referee.
 enum class Mode : std::uint8_t { unstiff, initial, penalised, playing };
 
-/// What the body does.
+/// Current action of the body.
 enum class Doing : std::uint8_t {
   soft,  // no joint has stiffness
   standing_up,
   standing,
-  holding,  // all joints stay where they are
+  holding,  // all joints keep their positions
   sitting_down,
   falling,  // tucks in
-  fallen,   // soft, and lies
+  fallen,   // lies without stiffness
 };
 
-/// Why the body does not do what it is asked to; the first that holds.
+/// Reason why the body does not obey: the first that applies.
 enum class Reason : std::uint8_t {
   none,
   stopping,
@@ -47,28 +47,27 @@ enum class Reason : std::uint8_t {
   battery_low,
 };
 
-/// The same in words, for people: "a joint is too hot: it sits until that has cooled".
+/// Returns the reason as a sentence for people, such as "there is no runtime: the robot holds still, then sits".
 const char* sentence_of(Reason reason);
 
 const char* name_of(Mode mode);
 const char* name_of(Doing doing);
 
-/// How the GameController's state shows on the chest.
+/// State of the GameController, as the chest shows it.
 enum class GameState : std::uint8_t { none, initial, standby, ready, set, playing, finished };
 
-/// What the GameController said of this robot.
+/// The GameController's data about this robot.
 struct GameWord {
-  std::uint8_t heard = 0;  // 1: a packet came since the runtime started
+  std::uint8_t heard = 0;  // 1: a packet arrived since the runtime started
   std::uint8_t penalised = 0;
   GameState state = GameState::none;
-  std::uint8_t player = 0;  // our number in it
+  std::uint8_t player = 0;  // this robot's number in it
   friend bool operator==(const GameWord&, const GameWord&) = default;
 };
 
 inline constexpr std::uint32_t kOrderLayout = 0x4f01, kReportLayout = 0x5201, kRequestLayout = 0x5101;
 
-/// What the runtime wants, with every report it gets. When it stops saying so, the body holds still, then sits, then
-/// softens.
+/// The runtime's order, sent after every report. Without new orders the body holds still, then sits, then softens.
 struct Order {
   enum class Posture : std::uint8_t { stand, sit, freeze, soft };
 
@@ -76,36 +75,36 @@ struct Order {
   Posture posture = Posture::stand;
   GameWord game;
 
-  /// Joints with a 1 go where `position` says while the robot stands in the mode `playing`; others stay in the stand.
+  /// Joints with a 1 follow `position` while the robot stands in the mode `playing`. The others stay in the stand.
   PerJoint<std::uint8_t> drives{};
   PerJoint<float> position{};   // [rad]; hands 0 closed .. 1 open
   PerJoint<float> stiffness{};  // [0..1]
 };
 
-/// What anybody may ask for; no order needs to have come before.
+/// A request, which any client may send, also without an order before it.
 struct Request {
   enum class What : std::uint8_t {
     sit_and_soft,  // take the stiffness away at once
-    goodbye,       // this connection ends on purpose: no crash
+    goodbye,       // this connection ends normally: no crash
   };
   std::uint32_t layout = kRequestLayout;
   What what = What::sit_and_soft;
 };
 
-/// What the guardian tells: with every frame of LoLA's, and once a second while there is none.
+/// The guardian's report, sent after every frame of LoLA, and once a second while there is no LoLA.
 struct Report {
   std::uint32_t layout = kReportLayout;
   Mode mode = Mode::unstiff;
   Doing doing = Doing::soft;
   Reason reason = Reason::none;
   bool has_sensors = false;      // false: there is no LoLA, `problem` says why
-  bool lola_is_taken = false;    // somebody else has it
+  bool lola_is_taken = false;    // another program has it
   bool limited = false;          // a warm joint or a low battery: half the speed
-  bool lies_known = false;       // `lies_*` mean something
+  bool lies_known = false;       // `lies_*` are valid
   float lies_roll = 0;           // [rad] of the torso when it fell
   float lies_pitch = 0;          // [rad]
-  float remaining = 0;           // [s] of the motion that is under way
-  std::uint64_t capture_ns = 0;  // [ns, monotonic clock] when the frame came
+  float remaining = 0;           // [s] until the current motion ends
+  std::uint64_t capture_ns = 0;  // [ns, monotonic clock] arrival of the frame
   std::uint64_t frames = 0;      // answered since the guardian started
   Sensors sensors;
   PerJoint<float> commanded{};            // [rad] in the answer to this frame

@@ -16,7 +16,7 @@ Error gone(const char* how) { return Error{std::string("LoLA is gone: ") + how};
 
 Result<LolaConnection> LolaConnection::open(const std::filesystem::path& path) {
   const auto address = LocalAddress::of(path, "LoLA");
-  if (!address) return Error{address.error()};
+  if (!address) return address.failure();
   FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   if (!socket || !address->connect(socket.get())) return file_error("LoLA: cannot connect to", path, errno);
   return LolaConnection(std::move(socket));
@@ -34,7 +34,7 @@ Result<void> LolaConnection::take_in() {
 Result<std::string_view> LolaConnection::frame() const {
   if (received_.empty()) return std::string_view();
   const Result<std::size_t> size = frames_.size_of_first(received_);
-  if (!size) return Error{size.error()};
+  if (!size) return size.failure();
   return std::string_view(received_).substr(0, *size);
 }
 
@@ -43,7 +43,7 @@ Result<void> LolaConnection::answer(std::string_view bytes) {
   if (answered) received_.erase(0, answered->size());
   const ssize_t n = ::send(socket_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
   if (n == static_cast<ssize_t>(bytes.size())) return {};
-  if (n >= 0 || errno == EAGAIN) return gone("it does not take our answers");
+  if (n >= 0 || errno == EAGAIN) return gone("it does not read the answers");
   return gone(std::strerror(errno));
 }
 

@@ -1,4 +1,4 @@
-// One connection to LoLA: frames in, answers out.
+// One connection to LoLA: receives frames, sends answers.
 #pragma once
 
 #include <filesystem>
@@ -11,27 +11,29 @@
 
 namespace robot::nao {
 
-/// Where LoLA listens on a Nao V6.
+/// Path of LoLA's socket on a Nao V6.
 inline constexpr const char* kLolaPath = "/tmp/robocup";
 
+/// A connection to LoLA's socket that never blocks.
 class LolaConnection {
  public:
-  /// An Error if nobody listens at `path`, or not for us.
+  /// Connects to `path`. Returns an Error if no program listens there or the connection is refused.
   static Result<LolaConnection> open(const std::filesystem::path& path);
 
   int file() const { return socket_.get(); }
 
-  /// Takes in what has come, without waiting. An Error: LoLA is gone, or sends what is no frame; this connection is of no
-  /// use any more.
+  /// Receives the available bytes without waiting. Returns an Error if LoLA is gone; then this connection is of no more
+  /// use.
   Result<void> take_in();
 
-  /// The oldest whole frame that has not been answered; empty when more is needed. An Error as above.
+  /// Returns the oldest complete frame without an answer, or an empty view if bytes are missing. Returns an Error if
+  /// the bytes are no frame; then this connection is of no more use.
   Result<std::string_view> frame() const;
 
-  /// Reads that frame; an Error says why it cannot be read. It needs an answer all the same.
+  /// Reads that frame into `sensors`. Returns an Error if it cannot be read. Such a frame needs an answer, too.
   Result<void> read(std::string_view frame, Sensors& sensors) { return frames_.read(frame, sensors); }
 
-  /// Answers that frame, and lets go of it. An Error: LoLA is gone, or does not take it.
+  /// Answers that frame and removes it. Returns an Error if LoLA is gone or does not take the answer.
   Result<void> answer(std::string_view bytes);
 
   const RobotIdentity& identity() const { return frames_.identity(); }

@@ -14,7 +14,7 @@ namespace robot::nao {
 namespace {
 
 constexpr int kBacklog = 8;
-// of reports that wait for one who does not read [bytes]; the kernel doubles it, and counts its own beside
+// [bytes] of reports queued for a client that does not read; the kernel doubles it and counts its own overhead
 constexpr int kSendBuffer = 16384;
 
 }  // namespace
@@ -29,7 +29,7 @@ Result<RuntimeLink> RuntimeLink::open(const std::filesystem::path& path) {
                                          .another = "another guardian does; end it, or choose another --link",
                                          .type = SOCK_SEQPACKET,
                                          .backlog = kBacklog});
-  if (!listening) return Error{listening.error()};
+  if (!listening) return listening.failure();
   return RuntimeLink(std::move(*listening));
 }
 
@@ -55,11 +55,11 @@ void RuntimeLink::take_in() {
 
 void RuntimeLink::hear(Connection& connection, Heard& heard) {
   while (!connection.ended) {
-    // room for one byte more than any message, so that a longer one is noticed
+    // one byte more than any message, so that a longer one is noticed
     alignas(Order) char message[std::max(sizeof(Order), sizeof(Request)) + 1];
     const ssize_t n = ::recv(connection.socket.get(), message, sizeof message, 0);
     if (n < 0 && (errno == EAGAIN || errno == EINTR)) return;
-    // it left before it had read every report; the kernel says so once, before the messages that it sent
+    // the client closed with unread reports; the kernel returns this error once, before the client's last messages
     if (n < 0 && errno == ECONNRESET) continue;
     std::uint32_t layout = 0;
     if (n >= static_cast<ssize_t>(sizeof layout)) std::memcpy(&layout, message, sizeof layout);
@@ -73,7 +73,7 @@ void RuntimeLink::hear(Connection& connection, Heard& heard) {
       connection.is_runtime = true;
       std::memcpy(&heard.order.emplace(), message, sizeof(Order));
     } else {
-      // it ended, or is of another build
+      // the connection ended, or the client is of another build
       connection.ended = true;
     }
   }

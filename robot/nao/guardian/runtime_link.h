@@ -1,4 +1,4 @@
-// The guardian's end of the link: whom it tells, and who tells it.
+// The guardian's end of the link: connections of the runtime and of other clients.
 #pragma once
 
 #include <poll.h>
@@ -14,27 +14,27 @@
 
 namespace robot::nao {
 
-/// Where guardian and runtime meet: $FORESIGHT_GUARDIAN, or a name of this user's in shared memory.
+/// Returns the path of the link: $FORESIGHT_GUARDIAN, or a name of this user in shared memory.
 std::filesystem::path default_link();
 
-/// Nothing here waits: who does not read misses reports, who says nothing is not heard.
+/// The listening socket and its connections. No call waits: a client that does not read misses reports.
 ///
-/// The first connection that gives an order is the runtime's, until it ends; orders of others count for nothing. Requests
-/// are everybody's.
+/// The first connection that sends an order is the runtime, until it ends. Orders of other connections are ignored.
+/// Every client may send requests.
 class RuntimeLink {
  public:
   static constexpr std::size_t kMaxConnections = 8;
 
-  /// What was said since the last time.
+  /// Messages and events since the last call of hear().
   struct Heard {
     std::optional<Order> order;  // the newest
     bool asked_soft = false, runtime_left = false, runtime_crashed = false;
   };
 
-  /// For this user's programs only; an Error if another guardian listens there.
+  /// Listens at `path` for programs of this user only. Returns an Error if another guardian listens there.
   static Result<RuntimeLink> open(const std::filesystem::path& path);
 
-  /// Adds what must be waited for.
+  /// Adds the files to poll.
   void add_to(std::vector<pollfd>& files) const;
 
   Heard hear();

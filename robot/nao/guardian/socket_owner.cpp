@@ -20,13 +20,13 @@ namespace {
 
 constexpr std::size_t kMaxCommBytes = 64;
 
-/// "name (process 123)" of the first process but us that has an open file whose link in /proc is as `is_it` says.
+/// Returns "name (process 123)" of the first other process with an open file whose link in /proc satisfies `is_it`.
 std::string process_with(const std::function<bool(const std::string&)>& is_it) {
   std::error_code error;
   for (const auto& process : std::filesystem::directory_iterator("/proc", error)) {
     const std::string id = process.path().filename();
     if (id.find_first_not_of("0123456789") != std::string::npos || id == std::to_string(::getpid())) continue;
-    // those of other users cannot be looked at, and processes end while we look
+    // files of other users are unreadable, and processes may end during the search
     std::error_code gone;
     for (std::filesystem::directory_iterator file(process.path() / "fd", gone), end; !gone && file != end;
          file.increment(gone)) {
@@ -39,10 +39,10 @@ std::string process_with(const std::function<bool(const std::string&)>& is_it) {
   return "";
 }
 
-/// One local socket, as the kernel describes it.
+/// The kernel's description of one local socket.
 struct Described {
   std::string_view name;
-  std::uint32_t peer = 0;  // the number of the socket at the other end; 0: none
+  std::uint32_t peer = 0;  // number of the socket at the other end; 0: none
 };
 
 Described describe(const nlmsghdr* header) {
@@ -51,14 +51,14 @@ Described describe(const nlmsghdr* header) {
   auto left = static_cast<unsigned>(NLMSG_PAYLOAD(header, sizeof *message));
   for (auto* extra = reinterpret_cast<const rtattr*>(message + 1); RTA_OK(extra, left); extra = RTA_NEXT(extra, left)) {
     const char* data = static_cast<const char*>(RTA_DATA(extra));
-    // a path ends with a zero, or not
+    // the path may end with a zero byte or not
     if (extra->rta_type == UNIX_DIAG_NAME) socket.name = {data, ::strnlen(data, RTA_PAYLOAD(extra))};
     if (extra->rta_type == UNIX_DIAG_PEER && RTA_PAYLOAD(extra) >= 4) std::memcpy(&socket.peer, data, 4);
   }
   return socket;
 }
 
-/// The numbers of the sockets that are connected to one which has the name `path`.
+/// Returns the numbers of the sockets that are connected to a socket named `path`.
 std::set<std::uint32_t> connected_to(const std::filesystem::path& path) {
   std::set<std::uint32_t> peers;
   const FileDescriptor kernel(::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_SOCK_DIAG));

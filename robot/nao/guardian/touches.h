@@ -1,4 +1,4 @@
-// What people say by touching the robot.
+// Commands that people give by touching the robot.
 #pragma once
 
 #include <cstdint>
@@ -7,20 +7,19 @@
 
 namespace robot::nao {
 
-/// A single frame that reads wrong says nothing.
+/// A filter for the chest button and the head sensors. A single wrong frame has no effect.
 class Touches {
  public:
-  static constexpr int kPressFrames = 2;  // the chest button counts from here on
-  static constexpr std::uint64_t kLongPress_ns =
-      1'500'000'000;                     // and no longer: that means something else to the robot
-  static constexpr int kHeldFrames = 3;  // 36 ms of all three head sensors
+  static constexpr int kPressFrames = 2;                         // shortest press of the chest button
+  static constexpr std::uint64_t kLongPress_ns = 1'500'000'000;  // and longest: beyond it the robot itself reacts
+  static constexpr int kHeldFrames = 3;                          // 36 ms of all three head sensors
 
   void see(const Sensors& sensors, std::uint64_t now_ns);
 
-  /// The chest button was pressed and has just been released.
+  /// Returns whether the chest button was released in this frame after a press.
   bool clicked() const { return clicked_; }
 
-  /// All three head sensors are held.
+  /// Returns whether all three head sensors are held.
   bool head_held() const { return held_frames_ >= kHeldFrames; }
 
  private:

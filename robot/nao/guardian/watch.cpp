@@ -7,7 +7,7 @@
 namespace robot::nao {
 namespace {
 
-constexpr int kCharging = 0x80;  // of the battery's status
+constexpr int kCharging = 0x80;  // bit of the battery's status
 constexpr std::uint64_t kUprightLasts_ns = 1'000'000'000;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How the body is: whether it falls, lies or stands upright, its joints are too hot, its battery lasts.
+// The state of the body: falling, lying or upright, heat of the joints, charge of the battery.
 #pragma once
 
 #include <cstdint>
@@ -7,20 +7,21 @@
 
 namespace robot::nao {
 
-/// Bounds of our choice, from what teams use; none was tried on a robot of ours.
+/// Thresholds of our choice, based on those of other teams; none was tried on a robot of ours.
 struct WatchBounds {
-  float upright = 0.4f;     // [rad] the torso leans less: it may stand up
-  float falls = 0.65f;      // [rad] it leans more: it falls
-  float falls_soon = 0.9f;  // [rad] it would lean so much in `ahead`, at the rate it turns, and leans half as much now
+  float upright = 0.4f;     // [rad] it may stand up if the torso leans less
+  float falls = 0.65f;      // [rad] it falls if the torso leans more
+  float falls_soon = 0.9f;  // [rad] it falls if it will lean this much after `ahead` at its rate, and half as much now
   float ahead = 0.25f;      // [s]
   float warm = 70, cool = 66;            // [°C] half the speed from here on, until here
   float hot = 76, cooled = 68;           // [°C] sits from here on, until here
   float low = 0.1f;                      // [0..1] of the battery: half the speed below
   float empty = 0.05f;                   // [0..1] sits below, until it is charged or above `low`
   float on_feet = 1;                     // [kg] that the foot sensors must carry together
-  std::uint64_t lasts_ns = 500'000'000;  // what lasts shorter is taken for a wrong reading
+  std::uint64_t lasts_ns = 500'000'000;  // shorter states count as wrong readings
 };
 
+/// The watch over falls, heat and battery.
 class Watch {
  public:
   explicit Watch(WatchBounds bounds = {}) : bounds_(bounds) {}
@@ -37,7 +38,7 @@ class Watch {
   bool battery_empty() const { return empty_.value; }
 
  private:
-  /// Becomes what it is told when that lasts.
+  /// A state that changes only when the new value lasts.
   struct Lasting {
     bool value = false;
     std::uint64_t since_ns = 0;

@@ -16,7 +16,7 @@ struct Key {
   std::size_t numbers;
 };
 
-// as compose() writes them
+// in the order in which compose() writes them
 constexpr std::array<Key, 10> kKeys{{
     {"Position", kJoints},
     {"Stiffness", kJoints},
@@ -69,7 +69,7 @@ std::string_view ActuatorFrame::compose(const Actuators& actuators) {
     at_ = fields_[field++];
     for (const float number : numbers) put(number);
   };
-  // eight reds, eight greens, eight blues
+  // eight red values, eight green, eight blue
   const auto write_eye = [&](const Colour& colour) {
     at_ = fields_[field++];
     for (const float share : colour)

@@ -1,4 +1,4 @@
-// What LoLA is told every 12 ms, and the frame that tells it.
+// Actuator values for LoLA, sent every 12 ms, and their frame.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace robot::nao {
 
-/// A light of three colours, each 0 .. 1.
+/// The colour of a light, each part 0 .. 1.
 using Colour = std::array<float, 3>;
 
-/// All lights of a robot; those of one eye shine alike.
+/// All lights of a robot. All lights of one eye have the same colour.
 struct Lights {
   Colour chest{}, l_foot{}, r_foot{}, l_eye{}, r_eye{};
   std::array<float, 10> l_ear{}, r_ear{};  // [0..1]
@@ -25,17 +25,17 @@ struct Actuators {
   PerJoint<float> position{};   // [rad]; hands 0 closed .. 1 open
   PerJoint<float> stiffness{};  // [0..1]
   Lights lights;
-  bool sonar = true;  // both sides listen
+  bool sonar = true;  // turns both sonars on
 };
 
-/// One frame that is made once; from then on only its numbers are written anew, in place.
+/// A frame that is laid out once. Later calls only overwrite its numbers in place.
 class ActuatorFrame {
  public:
   static constexpr std::size_t kBytes = 786;
 
   ActuatorFrame();
 
-  /// The bytes that tell `actuators`; good until the next call. Allocates nothing.
+  /// Returns the frame for `actuators`, valid until the next call. Allocates nothing.
   std::string_view compose(const Actuators& actuators);
 
  private:
@@ -43,8 +43,8 @@ class ActuatorFrame {
   void put(float value);
 
   std::string bytes_;
-  std::vector<std::size_t> fields_;  // where the first number of each field is, in the order they are composed
-  std::size_t at_ = 0;               // where the next number goes
+  std::vector<std::size_t> fields_;  // offset of each field's first number, in the order of compose()
+  std::size_t at_ = 0;               // offset of the next number
 };
 
 }  // namespace robot::nao

@@ -43,7 +43,7 @@ struct ShellRow {
   float yaw_deg, low_deg, high_deg;
 };
 
-// to one side; the other is the same
+// for one side; the other side is its mirror image
 constexpr std::array<ShellRow, 7> kShell{{
     {0, -38.5f, 29.51f},
     {27.85f, -38.5f, 24.18f},
@@ -68,7 +68,7 @@ Range head_pitch_range(float yaw) {
   const float part = (yaw_deg - from.yaw_deg) / (to.yaw_deg - from.yaw_deg);
   const Range shell =
       degrees(from.low_deg + part * (to.low_deg - from.low_deg), from.high_deg + part * (to.high_deg - from.high_deg));
-  // the joint itself ends a hundredth of a degree earlier
+  // the joint's own range ends a hundredth of a degree earlier
   const Range joint = kLimits[head_pitch].range;
   return {std::max(shell.low, joint.low), std::min(shell.high, joint.high)};
 }

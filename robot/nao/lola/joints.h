@@ -1,4 +1,4 @@
-// The joints of a Nao in LoLA's order: their names, how far they turn and how fast.
+// The joints of a Nao in LoLA's order: names, ranges and speeds.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace robot::nao {
 
-/// LoLA's order. There is no r_hip_yaw_pitch: one motor moves both legs, and the right one equals the left.
+/// Joints in LoLA's order. There is no r_hip_yaw_pitch: one motor moves both legs, and the right value equals the left.
 enum Joint : std::size_t {
   head_yaw,
   head_pitch,
@@ -40,26 +40,29 @@ inline constexpr std::size_t kJoints = 25;
 template <class T>
 using PerJoint = std::array<T, kJoints>;
 
-/// From `low` to `high`, both included [rad; hands 0 closed .. 1 open].
+/// A range from `low` to `high`, both included [rad; hands 0 closed .. 1 open].
 struct Range {
   float low, high;
 };
 
-/// What a joint can do.
+/// Name, range and speed of a joint.
 struct JointLimits {
   const char* name;  // as in proto/foresight/sensors.proto
   Range range;
-  float speed;  // [rad/s; hands 1/s] that the motor reaches without load
+  float speed;  // [rad/s; hands 1/s] of the motor without load
 };
 
-/// Ranges as in proto/foresight/sensors.proto; speeds as in Aldebaran's model of the robot.
+/// Returns the limits of a joint: ranges from proto/foresight/sensors.proto, speeds from Aldebaran's model of the
+/// robot.
 const JointLimits& limits_of(std::size_t joint);
 
-/// The nearest value within the range.
+/// Returns the nearest value within the range.
 float clamp(float value, Range range);
 
-/// How far head_pitch may turn at that head_yaw [rad], so that the head does not meet the shoulders: Aldebaran's table of
-/// the shells ("anti collision limitation"), straight lines between its rows. Beyond ±119.5° as at the end.
+/// Returns the range of head_pitch at `head_yaw` [rad] in which the head does not touch the shoulders.
+///
+/// Source: Aldebaran's table of the shells ("anti collision limitation"), interpolated linearly. Beyond ±119.5° the
+/// last row applies.
 Range head_pitch_range(float yaw);
 
 }  // namespace robot::nao

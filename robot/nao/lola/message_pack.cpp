@@ -36,7 +36,7 @@ std::uint64_t read_big_endian(std::string_view bytes, std::size_t at, std::size_
   return value;
 }
 
-/// The lowest `bytes` bytes of `value` as a number with a sign.
+/// Returns the lowest `bytes` bytes of `value` as a signed number.
 std::int64_t with_sign(std::uint64_t value, std::size_t bytes) {
   const std::size_t unused = 64 - 8 * bytes;
   return static_cast<std::int64_t>(value << unused) >> unused;
@@ -74,7 +74,8 @@ std::string_view MessagePackReader::take(std::uint64_t bytes) {
 
 std::uint8_t MessagePackReader::marker() { return static_cast<std::uint8_t>(big_endian(1)); }
 
-/// Of a map or an array: in the lowest four bits of `fix`, or in two or four bytes behind `sixteen` or its successor.
+/// Reads the count of a map or an array. It is in the lowest bits of `fix`, or in two or four bytes after `sixteen` or
+/// the next marker.
 std::uint32_t MessagePackReader::count(std::uint8_t fix, std::uint8_t fix_bits, std::uint8_t sixteen) {
   const std::uint8_t found = marker();
   if (state_ != State::good) return 0;
@@ -132,7 +133,7 @@ void MessagePackReader::skip(int depth) {
   } else if (found >= kBinary8 && found < kBinary8 + 3) {
     take(big_endian(std::size_t{1} << (found - kBinary8)));
   } else if (found >= kExtension8 && found < kExtension8 + 3) {
-    // the length is followed by a type of one byte
+    // after the length comes a type of one byte
     take(big_endian(std::size_t{1} << (found - kExtension8)) + 1);
   } else if (found == kFloat32 || found == kFloat64) {
     take(found == kFloat32 ? 4 : 8);

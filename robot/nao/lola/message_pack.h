@@ -1,4 +1,4 @@
-// MessagePack, as far as LoLA's frames need it: read from front to back, without copying.
+// A reader for the part of MessagePack that LoLA's frames use. It reads from front to back without copying.
 #pragma once
 
 #include <bit>
@@ -8,18 +8,18 @@
 
 namespace robot::nao {
 
-/// Where a number lies in a frame, and how it is written.
+/// Position and encoding of a number in a frame.
 struct NumberSlot {
-  enum class Kind : std::uint8_t { in_marker, whole, counting, floating };  // `whole` has a sign, `counting` has none
+  enum class Kind : std::uint8_t { in_marker, whole, counting, floating };  // `whole` is signed, `counting` unsigned
   std::uint16_t offset = 0;                                                 // of its marker
-  std::uint8_t bytes = 0;                                                   // behind the marker: 0, 1, 2, 4 or 8
+  std::uint8_t bytes = 0;                                                   // after the marker: 0, 1, 2, 4 or 8
   Kind kind = Kind::in_marker;
 };
 
-/// Those that are no float of four bytes.
+/// Reads a number that is not a float of four bytes.
 float read_other_number(std::string_view bytes, NumberSlot slot);
 
-/// The number at `slot`, which was found in bytes laid out like these.
+/// Returns the number at `slot`, which was found in bytes of the same layout.
 inline float read_number(std::string_view bytes, NumberSlot slot) {
   if (slot.kind != NumberSlot::Kind::floating || slot.bytes != 4) return read_other_number(bytes, slot);
   std::uint32_t bits = 0;
@@ -27,22 +27,23 @@ inline float read_number(std::string_view bytes, NumberSlot slot) {
   return std::bit_cast<float>(bits);
 }
 
-/// After the first thing that is not as asked for, all is 0 or empty, and state() says what was wrong.
+/// A reader of MessagePack. After the first value of an unexpected type, every result is 0 or empty, and state() says
+/// why.
 class MessagePackReader {
  public:
   enum class State { good, truncated, wrong };
 
-  /// At most 65535 bytes (asserted).
+  /// Reads `bytes`, at most 65535 of them (asserted).
   explicit MessagePackReader(std::string_view bytes);
 
-  /// How many pairs, or elements, follow.
+  /// Returns the number of pairs, or of elements, that follow.
   std::uint32_t map();
   std::uint32_t array();
 
   std::string_view text();
   NumberSlot number();
 
-  /// Passes over one value, whatever it is; beyond eight levels within each other it is wrong.
+  /// Skips one value of any type. More than eight nested levels are wrong.
   void skip() { skip(0); }
 
   std::size_t position() const { return at_; }

@@ -11,7 +11,7 @@ constexpr const char* kIdentityKey = "RobotConfig";
 constexpr std::size_t kIdentityTexts = 4;
 constexpr std::size_t kMaxTextBytes = 64;  // of an id or a version
 
-/// A field that is looked for: what it is called and which numbers are its.
+/// A field to find: its key and the indices of its numbers.
 struct Field {
   std::string_view key;
   std::size_t first, count;
@@ -32,7 +32,7 @@ Error wrong(std::string_view key, const std::string& expected, const std::string
   return Error{"LoLA: " + std::string(key) + ": expected " + expected + ", got " + got};
 }
 
-/// The key itself, or what can be shown of it.
+/// Returns the printable part of the key, at most 20 letters.
 std::string shown(std::string_view key) {
   std::string text(key.substr(0, 20));
   for (char& letter : text)
@@ -40,13 +40,13 @@ std::string shown(std::string_view key) {
   return text;
 }
 
-/// Bits of the marker that are the same for all numbers written like this one.
+/// Returns the bits of the marker that all numbers of this encoding share.
 std::uint8_t fixed_bits(std::uint8_t marker, NumberSlot slot) {
   if (slot.kind != NumberSlot::Kind::in_marker) return 0xff;
   return marker < 0x80 ? 0x80 : 0xe0;
 }
 
-/// The words of eight bytes that `bytes` are made of; the last is filled up with zeroes.
+/// Returns `bytes` as words of eight bytes; the last one is padded with zeroes.
 std::vector<std::uint64_t> words_of(std::string_view bytes) {
   std::vector<std::uint64_t> words((bytes.size() + 7) / 8);
   std::memcpy(words.data(), bytes.data(), bytes.size());
@@ -129,7 +129,7 @@ Result<void> SensorFrames::learn(std::string_view frame) {
     if (!field.found) return wrong(field.key, "it in every frame", "a frame without it");
   if (!has_identity) return wrong(kIdentityKey, "it in every frame", "a frame without it");
 
-  // from here on nothing fails
+  // nothing can fail after this line
   std::string fixed(frame.size(), '\xff');
   for (const NumberSlot& slot : slots) {
     fixed[slot.offset] = static_cast<char>(fixed_bits(static_cast<std::uint8_t>(frame[slot.offset]), slot));

@@ -30,7 +30,7 @@ LegJoints leg_of(const PerJoint<float>& joints, Side side) {
           joints[r_knee_pitch],    joints[r_ankle_pitch], joints[r_ankle_roll]};
 }
 
-/// robot axes (forward, left, up) from camera axes (right, down, forward).
+/// Rotation from camera axes (right, down, forward) to robot axes (forward, left, up).
 const Eigen::Matrix3d kForwardLeftUpFromRightDownForward =
     (Eigen::Matrix3d() << 0, 0, 1, -1, 0, 0, 0, -1, 0).finished();
 
@@ -39,7 +39,7 @@ const Eigen::Matrix3d kForwardLeftUpFromRightDownForward =
 Transform Kinematics::hip_from_sole(const PerJoint<float>& joints, Side side) const {
   const LegJoints leg = leg_of(joints, side);
   const double left = side == Side::left ? 1 : -1;
-  // the axis lies between that of a yaw and that of a pitch
+  // the axis is half way between a yaw axis and a pitch axis
   const Vector3d axis = Vector3d(0, 1, -left).normalized();
   return shift(0, left * dimensions_.hip_half_width, 0) * turn(leg.hip_yaw_pitch, axis) * about_x(leg.hip_roll) *
          about_y(leg.hip_pitch) * shift(0, 0, -dimensions_.thigh) * about_y(leg.knee_pitch) *
@@ -86,12 +86,12 @@ Kinematics::HeadTurn Kinematics::look_at(const Vector3d& point_in_hip, Camera ca
   const Transform in_head = neck_from_camera(camera);
   const Vector3d eye = in_head.translation(), axis = in_head.linear().col(2);
 
-  // the point of the camera's axis that is as far from the neck as the one looked for
+  // the point of the camera's axis with the same distance from the neck as the target
   const double along = eye.dot(axis);
   const double ahead = std::sqrt(std::max(along * along + point.squaredNorm() - eye.squaredNorm(), 0.0)) - along;
   const Vector3d seen = eye + ahead * axis;
 
-  // a pitch that brings it to the right height, then a yaw that brings it there
+  // a pitch that moves it to the target's height, then a yaw that moves it to the target
   const double reach = std::hypot(seen.x(), seen.z());
   const double height = std::asin(std::clamp(point.z() / reach, -1.0, 1.0));
   return {.yaw = std::remainder(std::atan2(point.y(), point.x()) - std::atan2(seen.y(), reach * std::cos(height)),

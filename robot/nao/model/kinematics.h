@@ -1,8 +1,10 @@
-// Where the parts of a Nao are, told by its joints and the lean of its torso.
+// Kinematics of a Nao: the poses of its parts from its joints and the lean of its torso.
 //
-// Frames: `hip` — the middle between the hip joints, +x forward, +y left, +z to the head, turning with the torso;
-// `robot` — on the ground in the middle between the feet, turned as the torso is around the vertical, +z up;
-// `camera` — right, down, forward; `sole` — under the ankle, on the underside of the foot, axes as the hip's when standing.
+// Frames:
+// - `hip`: the middle between the hip joints, +x forward, +y left, +z to the head. It turns with the torso.
+// - `robot`: on the ground in the middle between the feet, +z up. It has the torso's direction around the vertical.
+// - `camera`: +x right, +y down, +z forward.
+// - `sole`: under the ankle, on the underside of the foot. Its axes equal the hip's when standing.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,12 +18,12 @@ using Transform = Eigen::Isometry3d;
 enum class Camera { top, bottom };
 enum class Side { left, right };
 
-/// Where a camera sits in the head: before and above the neck [m], and how far it looks down [rad].
+/// Mounting of a camera in the head: in front of and above the neck [m], and its angle downwards [rad].
 struct CameraMount {
   double x, z, tilt;
 };
 
-/// The lengths of a Nao [m]; those of V4, V5 and V6 are the same (B-Human, HULKs, Aldebaran's documentation).
+/// The lengths of a Nao [m]. V4, V5 and V6 have the same ones (B-Human, HULKs, Aldebaran's documentation).
 struct Dimensions {
   double thigh = 0.1, tibia = 0.1029, foot_height = 0.04519;
   double hip_half_width = 0.05;  // from the hip frame to a leg
@@ -32,7 +34,8 @@ struct Dimensions {
   const CameraMount& camera(Camera which) const { return which == Camera::top ? top : bottom; }
 };
 
-/// What one robot is off its plan [rad]: measured for each robot, since heads and inertial units are never mounted alike.
+/// Offsets of one robot from the model [rad], measured for each robot: heads and inertial units are never mounted
+/// alike.
 struct Calibration {
   struct CameraOffset {
     double roll = 0;  // > 0: the image turns clockwise around its axis
@@ -40,12 +43,12 @@ struct Calibration {
     double pan = 0;   // > 0: it looks further left
   };
   CameraOffset top, bottom;
-  double body_roll = 0, body_pitch = 0;  // added to what the inertial unit tells
+  double body_roll = 0, body_pitch = 0;  // added to the angles of the inertial unit
 
   const CameraOffset& camera(Camera which) const { return which == Camera::top ? top : bottom; }
 };
 
-/// Pure, any thread. `joints` are positions in LoLA's order [rad].
+/// The kinematics of one robot. Pure, any thread. `joints` are positions in LoLA's order [rad].
 class Kinematics {
  public:
   explicit Kinematics(Calibration calibration = {}, Dimensions dimensions = {})
@@ -54,25 +57,26 @@ class Kinematics {
   Transform hip_from_sole(const PerJoint<float>& joints, Side side) const;
   Transform hip_from_camera(const PerJoint<float>& joints, Camera camera) const;
 
-  /// With a torso that leans by `roll` and `pitch` [rad], as LoLA's angles have it: the lower foot is on the ground.
+  /// Returns the pose of the hip for a torso that leans by `roll` and `pitch` [rad], as in LoLA's angles. The lower
+  /// foot is on the ground.
   Transform robot_from_hip(const PerJoint<float>& joints, double roll, double pitch) const;
 
   struct Lean {
     double roll, pitch;  // [rad]
   };
 
-  /// How the torso leans if that foot stands flat on the ground, calibration aside.
+  /// Returns the lean of the torso if that foot is flat on the ground, without calibration.
   Lean lean_on(const PerJoint<float>& joints, Side side) const;
 
-  /// The foot that is lower.
+  /// Returns the lower foot.
   Side support_foot(const PerJoint<float>& joints, double roll, double pitch) const;
 
   struct HeadTurn {
-    double yaw, pitch;  // [rad]; may be beyond what the head can
+    double yaw, pitch;  // [rad]; may be outside the range of the head
   };
 
-  /// How the head must turn so that `camera` looks straight at `point_in_hip` [m]. A point within the reach of the head
-  /// itself, nearer to the neck than a camera can look past, gets the nearest there is.
+  /// Returns the turn of the head with which `camera` looks straight at `point_in_hip` [m]. If the point is so near the
+  /// neck that this is impossible, returns the nearest solution.
   HeadTurn look_at(const Eigen::Vector3d& point_in_hip, Camera camera) const;
 
  private:

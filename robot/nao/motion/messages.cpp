@@ -7,11 +7,11 @@
 namespace robot::nao {
 namespace {
 
-constexpr int kCharging = 0x80;        // of the battery's status
-constexpr float kFootLoaded = 0.3f;    // [kg] that a foot carries when it stands
-constexpr float kOnGround = 1;         // [kg] that both carry
+constexpr int kCharging = 0x80;        // bit of the battery's status
+constexpr float kFootLoaded = 0.3f;    // [kg] smallest load of a foot that stands
+constexpr float kOnGround = 1;         // [kg] smallest load of both feet on the ground
 constexpr float kNearestEcho = 0.01f;  // [m]
-constexpr float kFarthestEcho = 2.5f;  // [m] beyond that LoLA means that nothing came back
+constexpr float kFarthestEcho = 2.5f;  // [m] greater values mean that there was no echo
 
 template <class List>
 void add(const PerJoint<float>& numbers, List& list) {
@@ -50,7 +50,7 @@ const char* motion_of(Doing doing) {
   }
 }
 
-/// Where to the torso leans most.
+/// Returns the side to which the torso leans most.
 pb::MotionStatus::FallSide side_of(float roll, float pitch) {
   if (std::abs(pitch) >= std::abs(roll))
     return pitch > 0 ? pb::MotionStatus::FALL_SIDE_FRONT : pb::MotionStatus::FALL_SIDE_BACK;
@@ -160,7 +160,7 @@ void fill(const Report& report, pb::MotionStatus& status) {
   const bool moves = *motion_of(report.doing) != '\0';
   status.set_body_active(moves);
   status.set_standing(report.doing == Doing::standing);
-  status.set_calibrated(true);  // LoLA's inertial unit does that itself
+  status.set_calibrated(true);  // LoLA's inertial unit calibrates itself
   status.set_running(motion_of(report.doing));
   status.set_remaining(report.remaining);
   status.set_support_foot(support_of(report));

@@ -1,4 +1,4 @@
-// What the guardian reports, as messages of memory.
+// Conversion of the guardian's reports into messages of memory.
 #pragma once
 
 #include "proto/foresight/motion.pb.h"
@@ -9,7 +9,7 @@ namespace robot::nao {
 
 namespace pb = foresight;
 
-/// Each fills an empty message with what LoLA told, in the units and with the signs that the message asks for.
+/// Each of these fills an empty message with LoLA's values, in the units and with the signs of the message.
 void fill(const Report& report, pb::Joints& joints);
 void fill(const Report& report, pb::Inertial& inertial);
 void fill(const Report& report, pb::Fsr& fsr);
@@ -17,10 +17,11 @@ void fill(const Report& report, pb::Sonar& sonar);
 void fill(const Report& report, pb::Touch& touch);
 void fill(const Report& report, pb::Battery& battery);
 
-/// Without `refused`, which the guardian knows nothing of. Modes and identity are absent while there is no LoLA.
+/// Fills all fields but `refused`, which the guardian does not know. Modes and identity are absent while there is no
+/// LoLA.
 void fill(const Report& report, pb::Body& body);
 
-/// Without what only the motion knows: head_active.
+/// Fills all fields but head_active, which only the motion knows.
 void fill(const Report& report, pb::MotionStatus& status);
 
 }  // namespace robot::nao

@@ -9,17 +9,17 @@
 namespace robot::nao {
 namespace {
 
-constexpr float kLongestStep = 0.1f;  // [s] that the head moves for after a gap
-constexpr float kArrived = 0.03f;     // [rad] from where the head shall be
+constexpr float kLongestStep = 0.1f;  // [s] longest step of the head after a gap
+constexpr float kArrived = 0.03f;     // [rad] largest error of a head that has arrived
 
 float towards(float from, float to, float step) { return from + clamp(to - from, {-step, step}); }
 
-/// A speed that was asked for, within what the joint can; `otherwise` where none that means something was.
+/// Returns the commanded speed, limited to the joint's speed, or kHeadSpeed if no positive speed was given.
 float speed_of(bool given, float speed, std::size_t joint) {
   return given && speed > 0 ? std::min(speed, limits_of(joint).speed) : Motion::kHeadSpeed;
 }
 
-/// "" if the body can do it.
+/// Returns why the body cannot do this, or "" if it can.
 std::string refusal_of(const pb::MotionCommand& command, Doing doing) {
   const auto stops = [](const pb::WalkSpeed& walk) { return walk.x() == 0 && walk.y() == 0 && walk.turn_rate() == 0; };
   if (command.has_walk_speed() && !stops(command.walk_speed())) return "body nao does not walk yet: it stands";
@@ -28,7 +28,7 @@ std::string refusal_of(const pb::MotionCommand& command, Doing doing) {
   if (command.has_scripted())
     return "body nao has no motion '" + command.scripted().name().substr(0, 40) + "': it stands";
   if (command.posture() == pb::MotionCommand::POSTURE_GET_UP && (doing == Doing::fallen || doing == Doing::falling))
-    return "body nao does not get up from the ground yet: it waits until somebody puts it upright";
+    return "body nao does not get up from the ground yet: the robot waits until a person puts it upright";
   return "";
 }
 
@@ -111,7 +111,7 @@ void Motion::aim(const Report& report, const pb::MotionCommand& command) {
   head_ = target;
 }
 
-/// With the upper camera, or with the lower one where the head cannot be lowered so far.
+/// Uses the upper camera, or the lower one if the head cannot be lowered far enough.
 Motion::HeadTarget Motion::look_to(const Report& report, const pb::LookTo& place) const {
   const Transform robot =
       kinematics_.robot_from_hip(report.sensors.position, report.sensors.angles[0], report.sensors.angles[1]);

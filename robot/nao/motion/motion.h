@@ -1,4 +1,4 @@
-// From motion commands to what the guardian is asked for.
+// Conversion of motion commands into orders for the guardian.
 #pragma once
 
 #include <optional>
@@ -13,30 +13,30 @@ namespace robot::nao {
 
 namespace pb = foresight;
 
-/// The head goes where it is told, the body stands, sits, freezes and softens. It does not walk, kick or get up from the
-/// ground yet: it stands instead, and refused() says so. Pure; used by one thread.
+/// The motions of the body `nao`: it turns the head, stands, sits, freezes and softens. It does not walk, kick or get
+/// up from the ground yet: it stands instead, and refused() says so. Pure; used by one thread.
 class Motion {
  public:
-  static constexpr std::uint64_t kCommandLasts_ns = 1'000'000'000;  // without a newer one the body stands
-  static constexpr float kHeadSpeed = 3;                            // [rad/s] unless the command says otherwise
+  static constexpr std::uint64_t kCommandLasts_ns = 1'000'000'000;  // age of a command after which the body stands
+  static constexpr float kHeadSpeed = 3;                            // [rad/s] if the command has no speed
   static constexpr float kHeadStiffness = 0.6f;                     // [0..1]
 
   explicit Motion(Kinematics kinematics = Kinematics()) : kinematics_(kinematics) {}
 
-  /// The order for the cycle after `report`. `command` is the newest, null if there was none; it is `command_age_ns` old.
-  /// `game` is what the GameController said, null if nothing.
+  /// Returns the order for the cycle after `report`. `command` is the newest one, `command_age_ns` old, or null before
+  /// the first. `game` is the GameController's state, or null without one.
   Order next(const Report& report, const pb::MotionCommand* command, std::uint64_t command_age_ns,
              const pb::GameState* game);
 
-  /// One sentence when the command asks for what this body cannot do; else empty.
+  /// Returns one sentence if the command asks for a motion that this body does not have, else an empty string.
   const std::string& refused() const { return refused_; }
 
-  /// What the body does, head included.
+  /// Fills the status of the body and the head.
   void fill_status(const Report& report, pb::MotionStatus& status) const;
 
  private:
   struct HeadTarget {
-    float yaw = 0, pitch = 0;                                // [rad] that the head can reach
+    float yaw = 0, pitch = 0;                                // [rad] within the range of the head
     float yaw_speed = kHeadSpeed, pitch_speed = kHeadSpeed;  // [rad/s]
   };
 
@@ -45,13 +45,13 @@ class Motion {
   HeadTarget look_to(const Report& report, const pb::LookTo& place) const;
 
   const Kinematics kinematics_;
-  std::optional<HeadTarget> head_;  // nothing: nobody has said anything about the head
+  std::optional<HeadTarget> head_;  // nothing: no command for the head yet
   Order::Posture posture_ = Order::Posture::stand;
   std::string refused_;
   std::uint64_t last_capture_ns_ = 0;
 };
 
-/// What the GameController said of the robot that `game` is about.
+/// Returns the GameController's data about this robot, from `game`.
 GameWord word_of(const pb::GameState& game);
 
 }  // namespace robot::nao

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "robot/core/report.h"
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/to_client.h"
 
 namespace robot::net {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/to_client.h"
 #include "robot/net/websocket/frames.h"
 
 namespace robot::net {

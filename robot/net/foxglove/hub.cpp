@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/to_client.h"
 #include "robot/net/websocket/frames.h"
 
 namespace robot::net {
@@ -76,9 +76,10 @@ void Hub::leave(Client& client) {
   for (const auto& [subscription, channel] : client.channel_of) remove_subscriber(*channels_.find(channel), client);
   client.channel_of.clear();
   if (!questions_.empty())  // the first is running
-    questions_.erase(std::remove_if(questions_.begin() + 1, questions_.end(),
-                                    [&](const Question& question) { return question.client.lock().get() == &client; }),
-                     questions_.end());
+    questions_.erase(
+        std::remove_if(questions_.begin() + 1, questions_.end(),
+                       [&](const PendingCall& question) { return question.client.lock().get() == &client; }),
+        questions_.end());
   std::erase_if(clients_, [&](const auto& other) { return other.get() == &client; });
 }
 

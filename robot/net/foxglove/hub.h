@@ -13,7 +13,7 @@
 #include "robot/core/clock.h"
 #include "robot/net/foxglove/channel_table.h"
 #include "robot/net/foxglove/client.h"
-#include "robot/net/foxglove/foxglove_client.h"
+#include "robot/net/foxglove/from_client.h"
 #include "robot/net/foxglove/inbox.h"
 #include "robot/net/foxglove/parameters.h"
 #include "robot/net/foxglove/playback.h"
@@ -131,12 +131,12 @@ class Hub {
   std::uint64_t last_time_ns_ = 0;
   foxglove::Playback told_ = foxglove::Playback::playing;  // of the playback, last
 
-  struct Question {
+  struct PendingCall {
     std::weak_ptr<Client> client;
     foxglove::ServiceCall call;
     std::uint64_t asked_ns = 0;  // [monotonic]
   };
-  std::deque<Question> questions_;  // of all clients: the first runs, one more may wait
+  std::deque<PendingCall> questions_;  // of all clients: the first runs, one more may wait
 };
 
 }  // namespace robot::net

@@ -173,7 +173,7 @@ void Hub::run_question() {
         *text = services_.call(call.service, call.payload, context);
       },
       [this, text] {
-        const Question done = std::move(questions_.front());
+        const PendingCall done = std::move(questions_.front());
         questions_.pop_front();
         if (const std::shared_ptr<Client> present = done.client.lock()) answer(*present, done.call, *text);
         if (!questions_.empty()) run_question();

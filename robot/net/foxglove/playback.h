@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "robot/net/foxglove/foxglove_client.h"
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/from_client.h"
+#include "robot/net/foxglove/to_client.h"
 
 namespace robot::net {
 

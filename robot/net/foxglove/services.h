@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "robot/core/clock.h"
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/to_client.h"
 
 namespace robot::net {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "robot/net/foxglove/foxglove_client.h"
+#include "robot/net/foxglove/from_client.h"
 
 namespace robot::net {
 namespace {

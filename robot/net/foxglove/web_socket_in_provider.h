@@ -8,7 +8,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/logging/streams/provider.h"
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/to_client.h"
 #include "robot/net/websocket/web_socket_client.h"
 
 namespace robot::net {

@@ -12,7 +12,7 @@ std::string_view without_slash(std::string_view path) {
   return path;
 }
 
-// an explicit refusal ("gzip;q=0") is rare, and inflating for it is right
+// "gzip;q=0" refuses gzip explicitly; it is rare, and inflating is the right answer
 bool takes_gzip(const HttpRequest& request) {
   return request.has_token("accept-encoding", "gzip") || request.has_token("accept-encoding", "*");
 }
@@ -29,7 +29,7 @@ std::optional<HttpResponse> asset_response(std::span<const Asset> assets, const 
   // the two forms are different bytes and so have different ETags
   const bool gzip = takes_gzip(request);
   const std::string etag = "\"" + std::string(asset->etag) + (gzip ? "-gzip\"" : "\"");
-  // names under assets/ contain a hash of their content: they never change
+  // names under assets/ contain a hash of their content, so these files never change
   const bool immutable = without_slash(path).starts_with("assets/");
   HttpResponse response{.headers = {{"Content-Type", std::string(asset->content_type)},
                                     {"Cache-Control", immutable ? "public, max-age=31536000, immutable" : "no-cache"},

@@ -1,4 +1,4 @@
-// The viewer's files over HTTP.
+// HTTP responses with the viewer's files.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace robot::net {
 
-/// The response to GET or HEAD of `path` if it is one of `assets` ("/" is index.html); nothing if it is none.
-/// Sent as they are stored, in gzip; inflated for a client that does not take that.
+/// Returns the response to GET or HEAD of `path`, or nothing if it is none of `assets`. "/" is index.html.
+/// The files are sent as stored, in gzip, or inflated for a client that does not accept gzip.
 std::optional<HttpResponse> asset_response(std::span<const Asset> assets, const HttpRequest& request,
                                            std::string_view path);
 
-/// The bytes within gzip `packed`.
+/// Returns the inflated bytes of the gzip data `packed`.
 Result<std::string> inflate_gzip(std::string_view packed);
 
 }  // namespace robot::net

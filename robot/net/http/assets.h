@@ -1,4 +1,4 @@
-// The files of the viewer, part of the program. Generated when the viewer is built, or no_viewer_assets.cpp.
+// The viewer's files, embedded in the program. The viewer's build generates them; without it, no_viewer_assets.cpp does.
 #pragma once
 
 #include <cstddef>

@@ -62,7 +62,7 @@ std::optional<std::uint64_t> number(std::string_view text) {
   return value;
 }
 
-// nothing if an encoding is malformed
+// returns nothing if an encoding is malformed
 std::optional<std::string> percent_decoded(std::string_view text, bool plus_is_space) {
   std::string decoded;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -175,7 +175,7 @@ std::pair<RangeOutcome, ByteRange> parse_range(std::string_view header, std::uin
   const auto first = number(first_text), last = number(last_text);
   if ((!first && !first_text.empty()) || (!last && !last_text.empty()) || (!first && !last)) return whole;
 
-  if (!first) {  // the last so many bytes
+  if (!first) {  // a suffix range: the last `*last` bytes
     if (*last == 0 || size == 0) return {RangeOutcome::unsatisfiable, {}};
     const std::uint64_t count = std::min(*last, size);
     return {RangeOutcome::part, {size - count, count}};
@@ -198,7 +198,7 @@ HttpResponse body_response(const HttpRequest& request, std::shared_ptr<const Byt
     return response;
   }
 
-  // If-Range: the rest of what the client has, but only if it is still the same
+  // If-Range: send the rest only if the client's part is of the same version
   const auto if_range = request.header("if-range");
   const auto range_header = if_range && *if_range != etag ? std::nullopt : request.header("range");
   const auto [outcome, range] = parse_range(range_header.value_or(""), size);

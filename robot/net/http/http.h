@@ -1,4 +1,4 @@
-// HTTP requests and responses as plain data: what the server answers is a function from one to the other.
+// HTTP requests and responses as plain data. The server's answer is a function from request to response.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +24,14 @@ struct HttpRequest {
   Headers headers;     // names in lower case
   bool keep_alive = true;
 
-  /// The first header called `name` (lower case).
+  /// Returns the first header called `name` (lower case).
   std::optional<std::string_view> header(std::string_view name) const;
 
-  /// Whether one of the elements of the comma-separated header `name` is `token` (lower case), whatever its case.
+  /// Returns whether the comma-separated header `name` has the element `token` (lower case). Ignores the element's case.
   bool has_token(std::string_view name, std::string_view token) const;
 };
 
-/// A part of bytes that are read piece by piece while they are sent.
+/// A range of a source that is read piece by piece during sending.
 struct BodyPart {
   std::shared_ptr<const ByteSource> source;
   std::uint64_t offset = 0, size = 0;
@@ -45,45 +45,45 @@ struct HttpResponse {
   std::uint64_t body_size() const;
 };
 
-/// A response with a text of its own.
+/// Returns a response that owns its text.
 HttpResponse text_response(int status, std::string_view content_type, std::string body);
 
-/// A response that refuses: `sentence` as plain text.
+/// Returns a refusing response with `sentence` as plain text.
 HttpResponse error_response(int status, std::string sentence);
 
-/// Status line and headers with the empty line after them; adds Content-Length, Connection and the security headers.
+/// Returns status line, headers and the empty line. Adds Content-Length, Connection and the security headers.
 std::string response_head(const HttpResponse& response, bool keep_alive);
 
-/// A request target, taken apart and decoded.
+/// A parsed and decoded request target.
 struct Target {
   std::string path;   // "/logs/a.mcap"
   std::string query;  // as it came, without '?'
   std::map<std::string, std::string> parameters;
 
-  /// The parameter `name`; empty if it is not there.
+  /// Returns the parameter `name`, or an empty string if it is missing.
   std::string parameter(const std::string& name) const;
 };
 
-/// Takes `target` apart. Refused are paths that do not begin with '/', that step up ("..", "."), and that hide a
-/// separator, a '%' or a control character behind an encoding: nothing we serve needs them.
+/// Parses `target`. Refuses paths that do not begin with '/', that contain ".." or "." steps, and that encode a
+/// separator, a '%' or a control character. Our routes need none of these.
 Result<Target> parse_target(std::string_view target);
 
-/// Which bytes of a body of `size` bytes a Range header asks for.
+/// The bytes of a body that a Range header requests.
 struct ByteRange {
   std::uint64_t offset = 0, size = 0;
 };
 
 enum class RangeOutcome { whole, part, unsatisfiable };
 
-/// Reads a Range header of one range; several ranges and other units are answered with the whole, as RFC 9110 allows.
+/// Parses a Range header for a body of `size` bytes. Several ranges and other units give the whole, as RFC 9110 allows.
 std::pair<RangeOutcome, ByteRange> parse_range(std::string_view header, std::uint64_t size);
 
-/// The response to GET or HEAD of `source`: whole, part (206) or neither (416), by Range, If-Range and If-None-Match.
-/// `etag` comes with its quotes.
+/// Returns the response to GET or HEAD of `source`: whole, part (206), not modified (304) or unsatisfiable (416).
+/// Reads Range, If-Range and If-None-Match. `etag` includes its quotes.
 HttpResponse body_response(const HttpRequest& request, std::shared_ptr<const ByteSource> source,
                            const std::string& etag, std::string_view content_type);
 
-/// Whether If-None-Match of `request` names `etag`, so that 304 is the answer.
+/// Returns whether If-None-Match of `request` names `etag`, so that the answer is 304.
 bool not_modified(const HttpRequest& request, std::string_view etag);
 
 }  // namespace robot::net

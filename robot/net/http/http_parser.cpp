@@ -54,7 +54,7 @@ Result<std::optional<HttpRequest>> HttpParser::next() {
     if (error) return Error{"HTTP request: " + error.message()};
     if (taken == 0) break;
   }
-  // what the parser could not take yet is the unfinished line of a header
+  // the parser leaves an unfinished header line in the buffer
   if (!parser_->is_header_done()) {
     if (request_bytes_ + bytes_.size() > kMaxHeaderBytes)
       return Error{"HTTP request: expected a header of at most " + std::to_string(kMaxHeaderBytes) + " bytes"};

@@ -1,4 +1,4 @@
-// HTTP/1.1 requests out of the bytes of a connection. The only place that knows Boost.Beast.
+// Parser of HTTP/1.1 requests from the bytes of a connection. Only this file uses Boost.Beast.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace robot::net {
 
-/// Takes the bytes of one connection and gives out its requests, one after the other. We serve nothing that has a body.
+/// A parser that takes the bytes of one connection and returns its requests in order. Requests have no body.
 class HttpParser {
  public:
   static constexpr std::uint32_t kMaxHeaderBytes = 16 << 10;
@@ -18,23 +18,23 @@ class HttpParser {
   HttpParser();
   ~HttpParser();
 
-  /// Adds what has come in.
+  /// Adds received bytes.
   void add(std::string_view bytes);
 
-  /// The next request; nothing while it is incomplete. After an Error the connection is of no use any more.
+  /// Returns the next request, or nothing while it is incomplete. After an Error the connection must be closed.
   Result<std::optional<HttpRequest>> next();
 
-  /// Whether part of a request is here.
+  /// Returns whether a part of a request has arrived.
   bool begun() const;
 
-  /// What came after the last request: the first frames of an upgraded connection.
+  /// Returns the bytes after the last request: the first frames of an upgraded connection.
   std::string take_rest();
 
  private:
   struct Parser;
   std::unique_ptr<Parser> parser_;
   std::string bytes_;
-  std::size_t request_bytes_ = 0;  // of the request being read, in the parser already
+  std::size_t request_bytes_ = 0;  // of the current request, already in the parser
 };
 
 }  // namespace robot::net

@@ -44,7 +44,7 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
 
 bool is_localhost(const std::string& name) { return name == "localhost" || is_loopback(name); }
 
-// as it may stand in a sentence: what comes from outside is cut and has nothing but printable ASCII
+// makes outside text safe for an error sentence: cuts it and keeps only printable ASCII
 std::string shown(std::string_view text) {
   std::string result(text.substr(0, 100));
   std::ranges::replace_if(
@@ -66,7 +66,7 @@ Result<void> check_host(const OriginPolicy& policy, std::string_view host) {
 Result<void> check_origin(const OriginPolicy& policy, std::optional<std::string_view> origin, std::string_view host) {
   if (!origin) return {};
   const std::string page = lower(*origin);
-  // browsers give pages from disk this one; "null" may be any page's sandboxed frame and is refused
+  // browsers send file:// for pages from disk; "null" may be a sandboxed frame of any page and is refused
   if (page == "file://" || page == "https://app.foxglove.dev" || contains(policy.origins, page)) return {};
 
   const std::size_t scheme_end = page.find("://");

@@ -27,7 +27,7 @@ struct ServedSession : ::testing::Test {
       {.name = "foresight-test", .body = "none", .robots = {"14/2"}, .session_id = "7"}, clock, store, nullptr};
 };
 
-TEST_F(ServedSession, StatusTellsWhoWeAre) {
+TEST_F(ServedSession, StatusReportsTheNamesOfTheProcess) {
   application.count_clients_by([] { return std::size_t{3}; });
   const json status = json::parse(application.status_json());
   EXPECT_EQ(status["name"], "foresight-test");
@@ -36,7 +36,7 @@ TEST_F(ServedSession, StatusTellsWhoWeAre) {
   EXPECT_EQ(status["recording"]["state"], "off");
 }
 
-TEST_F(ServedSession, StatusTellsOfTheGame) {
+TEST_F(ServedSession, StatusReportsTheGame) {
   EXPECT_EQ(json::parse(application.status_json())["game"],
             json({{"state", ""}, {"in_progress", false}, {"match_mode", false}, {"stopped", ""}}));
   EXPECT_FALSE(application.match_mode());
@@ -46,13 +46,13 @@ TEST_F(ServedSession, StatusTellsOfTheGame) {
   EXPECT_TRUE(application.match_mode());
 }
 
-// a browser's numbers end at 2^53
-TEST_F(ServedSession, TimesAreExact) {
+// a browser's numbers are exact up to 2^53
+TEST_F(ServedSession, TimesKeepAllTheirDigits) {
   EXPECT_EQ(json::parse(application.status_json())["time_ns"], "9007199254740993");
   EXPECT_EQ(json::parse(application.sessions_json())["sessions"][0]["start_ns"], "9007199254740993");
 }
 
-TEST_F(ServedSession, SessionsAreListedWhateverTheirNames) {
+TEST_F(ServedSession, SessionsOfAnyNameAreListed) {
   const json session = json::parse(application.sessions_json())["sessions"][0];
   EXPECT_EQ(session["session"], "one");
   EXPECT_EQ(session["url"], "/logs/one.mcap");
@@ -60,7 +60,7 @@ TEST_F(ServedSession, SessionsAreListedWhateverTheirNames) {
   EXPECT_EQ(session["streams"][0]["messages"], 1);
 }
 
-TEST_F(ServedSession, ABodyIsReadFromAnywhere) {
+TEST_F(ServedSession, ADownloadIsReadFromAnyOffset) {
   const auto file = application.open_log({.session = "one"});
   ASSERT_TRUE(file) << file.error();
   std::string whole(file->body->size(), '\0');
@@ -74,7 +74,7 @@ TEST_F(ServedSession, ABodyIsReadFromAnywhere) {
   EXPECT_FALSE(file->body->read(whole.size(), {&beyond, 1}));
 }
 
-TEST_F(ServedSession, ALiveOneRedirectsToWhatIsSureToBeWritten) {
+TEST_F(ServedSession, ADownloadOfARunningSessionRedirectsToATimeThatIsWritten) {
   store.set_recording("one");
   const auto file = application.open_log({.session = "one"});
   ASSERT_TRUE(file);
@@ -82,7 +82,7 @@ TEST_F(ServedSession, ALiveOneRedirectsToWhatIsSureToBeWritten) {
   EXPECT_TRUE(application.open_log({.session = "one", .until_ns = 9'007'199'254'740'993})->body);
 }
 
-TEST_F(ServedSession, ItsFilesAreHadAsTheyLieOnTheDisk) {
+TEST_F(ServedSession, ItsFilesAreServedUnchanged) {
   const json files = json::parse(std::get<std::string>(application.session_files("one").body))["files"];
   ASSERT_EQ(files.size(), 2u);
   for (const json& listed : files) {
@@ -99,7 +99,7 @@ TEST_F(ServedSession, ItsFilesAreHadAsTheyLieOnTheDisk) {
   EXPECT_EQ(application.open_log({.session = "one", .file = "token"}).error(), "session one: there is no file 'token'");
 }
 
-TEST_F(ServedSession, IsNotHadNorDeletedWhileItIsRecorded) {
+TEST_F(ServedSession, IsNeitherServedNorDeletedDuringItsRecording) {
   store.set_recording("one");
   EXPECT_EQ(application.session_files("one").status, 409);
   EXPECT_FALSE(application.open_log({.session = "one", .file = "session.json"}));
@@ -109,7 +109,7 @@ TEST_F(ServedSession, IsNotHadNorDeletedWhileItIsRecorded) {
   EXPECT_EQ(application.delete_session("one").status, 404);
 }
 
-TEST_F(ServedSession, WhatIsNotThereIsSaid) {
+TEST_F(ServedSession, AnUnknownSessionOrFileIsNamed) {
   EXPECT_EQ(application.open_log({.session = "two"}).error(), "session: there is none called 'two'");
   EXPECT_EQ(application.open_log({.session = "one", .stream = "b"}).error(),
             "session one: there is no stream 'b.mcap'");

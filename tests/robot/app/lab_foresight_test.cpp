@@ -10,7 +10,7 @@
 namespace robot::app {
 namespace {
 
-/// Two moments of 14/2 in a game, ten seconds apart, and nothing between.
+/// A recording of 14/2 with two moments of a game, ten seconds apart, and no messages between.
 struct LabForesightOf : ::testing::Test {
   LabForesightOf() {
     bridge::test::Played game;
@@ -56,11 +56,11 @@ struct LabForesightOf : ::testing::Test {
   };
   Moment moments[2];
   const tests::TemporaryFolder folder;
-  std::unique_ptr<body::Replay> replay;  // which does not play: no stream has got anywhere
+  std::unique_ptr<body::Replay> replay;  // not started: no stream has played a message
   LabForesight lab{{.rules = "spl2012", .strategies = {}}};
 };
 
-TEST_F(LabForesightOf, AMomentIsWhatWasRecordedByThenHoweverFarThePlayingIs) {
+TEST_F(LabForesightOf, AnswersFromTheValuesRecordedBeforeTheMomentWhereverThePlaybackIs) {
   for (const int i : {1, 0, 1}) {
     const std::uint64_t at_ns = played(moments[i].at_ns);
     const auto forecast = ask(at_ns);
@@ -72,30 +72,30 @@ TEST_F(LabForesightOf, AMomentIsWhatWasRecordedByThenHoweverFarThePlayingIs) {
   }
   EXPECT_GT(moments[0].remaining - moments[1].remaining, 5);
 
-  // half a second later nothing else is known
+  // half a second later there is no newer value
   const auto later = ask(played(moments[0].at_ns) + kSecond / 2);
   ASSERT_TRUE(later) << later.error();
   EXPECT_NEAR(later->situation().seconds_remaining(), moments[0].remaining, 1);
 }
 
-TEST_F(LabForesightOf, WhatComesLaterIsNotKnownYet) {
+TEST_F(LabForesightOf, LaterValuesAreUnknown) {
   const auto forecast = ask(played(moments[0].at_ns) - 1);
   ASSERT_TRUE(forecast) << forecast.error();
   EXPECT_EQ(forecast->refusal(), "the robot does not know of a game: there is no object game yet");
 }
 
-TEST_F(LabForesightOf, ARobotThatTheRecordingHasNotIsNone) {
+TEST_F(LabForesightOf, RefusesARobotThatIsNotInTheRecording) {
   EXPECT_EQ(ask(played(moments[0].at_ns), "77/1").error(), "there is no robot '77/1'");
 }
 
-TEST_F(LabForesightOf, WhoIsInAHurryIsAnsweredByWhatThereIs) {
+TEST_F(LabForesightOf, AfterHurryAnswersWithTheRolloutsDoneSoFar) {
   lab.hurry();
   const auto forecast = ask(played(moments[0].at_ns), "14/2", 10'000);
   ASSERT_TRUE(forecast) << forecast.error();
   EXPECT_LT(forecast->answered_ms(), 9'000);
 }
 
-TEST_F(LabForesightOf, TheCommandAnswersTheSame) {
+TEST_F(LabForesightOf, TheCommandGivesTheSameAnswer) {
   WhatIfOptions options{.session = folder / "game", .robot = "", .at = 10, .foresight = {.rules = "spl2012"}};
   options.question.set_budget_ms(10);
   const auto forecast = what_if(options);

@@ -19,7 +19,7 @@ struct PlayedRange : testing::Test {
     for (std::uint64_t i = 0; i < 100; ++i)
       EXPECT_TRUE(
           (*writer)->write({.topic = "/14/2/x", .message_encoding = "json", .schema = {}}, at(i), std::to_string(i)));
-    for (std::uint64_t i = 0; i < 40; ++i)  // 20 MB, two of each time
+    for (std::uint64_t i = 0; i < 40; ++i)  // 20 MB, two messages of each time
       EXPECT_TRUE((*writer)->write({.topic = "/14/2/large", .message_encoding = "json", .schema = {}}, at(i / 2),
                                    std::string(512 * 1024, 'x')));
     EXPECT_TRUE((*writer)->close());
@@ -28,7 +28,7 @@ struct PlayedRange : testing::Test {
     replay = std::move(*opened);
   }
   static std::uint64_t at(std::uint64_t i) { return kStart + i * kSecond; }
-  /// By the clock that it is played by.
+  /// Returns the time of message `i` by the clock of the playback.
   static std::uint64_t played(std::uint64_t i) { return at(i) + static_cast<std::uint64_t>(kShift); }
 
   struct Answer {
@@ -57,7 +57,7 @@ struct PlayedRange : testing::Test {
   std::unique_ptr<body::Replay> replay;
 };
 
-TEST_F(PlayedRange, IsWhatIsPlayedInThatTimeBothEndsIncluded) {
+TEST_F(PlayedRange, ContainsTheMessagesOfTheRangeIncludingBothEnds) {
   const Answer some = ask("/14/2/x", played(10), played(12));
   EXPECT_EQ(some.times_ns, (std::vector<std::uint64_t>{played(10), played(11), played(12)}));
   EXPECT_EQ(some.bytes, (std::vector<std::string>{"10", "11", "12"}));
@@ -67,7 +67,7 @@ TEST_F(PlayedRange, IsWhatIsPlayedInThatTimeBothEndsIncluded) {
   EXPECT_EQ(ask("/14/2/x", played(200), UINT64_MAX).times_ns.size(), 0u);
 }
 
-TEST_F(PlayedRange, WhatIsTooMuchForOneAnswerIsHadInSeveral) {
+TEST_F(PlayedRange, ALargeRangeTakesSeveralAnswers) {
   std::vector<std::uint64_t> times_ns;
   std::uint64_t from_ns = 0;
   int answers = 0;
@@ -84,7 +84,7 @@ TEST_F(PlayedRange, WhatIsTooMuchForOneAnswerIsHadInSeveral) {
   EXPECT_GT(answers, 1);
 }
 
-TEST_F(PlayedRange, ATopicThatIsNotPlayedIsNotFound) {
+TEST_F(PlayedRange, ATopicThatIsNotPlayedGives404) {
   EXPECT_EQ(played_range(*replay, {.topic = "/14/2/y"}).status, 404);
 }
 

@@ -1,4 +1,4 @@
-// A recording goes through live memory and comes out as it went in.
+// A recording that is played through live memory stays the same.
 #include "robot/body/replay/replay.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ struct Replaying : ::testing::Test {
     return std::move(*replay);
   }
 
-  /// When the newest message of a topic was captured; 0 if there is none.
+  /// Returns the capture time of a topic's newest message, or 0 if there is none.
   std::uint64_t newest_ns(const char* topic) const {
     const auto channel = channels.find(topic);
     const auto newest = channel ? channel->newest() : nullptr;
@@ -98,7 +98,7 @@ TEST_F(Replaying, KeepsThePaceOfTheCaptureTimes) {
   replay->start(channels, board);
   const std::uint64_t began = monotonic_ns();
   wait_for_the_end(*replay);
-  // never early; how late it may be depends on the machine
+  // never early; the delay depends on the machine
   EXPECT_GE(monotonic_ns() - began + 50 * kMillisecond, 2990 * kMillisecond / 5);
 }
 
@@ -112,7 +112,7 @@ TEST_F(Replaying, ItsClockIsTheTimeOfTheRecording) {
   EXPECT_EQ(replay->clock().now_ns(), kStart + 2990 * kMillisecond);
 }
 
-TEST_F(Replaying, BeginsAgainWhereItShould) {
+TEST_F(Replaying, RestartsAtTheEndInALoop) {
   const auto replay = open({.speed = 1000, .loop = true});
   replay->start(channels, board);
   EXPECT_TRUE(tests::eventually([&] { return replay->tick() == Replay::Tick::began_again; }));
@@ -124,7 +124,7 @@ void wait_for_ball(const memory::Memory& memory, float x) {
   ASSERT_TRUE(tests::eventually_equal(newest, x));
 }
 
-TEST_F(Replaying, StandsWhereItIsPausedAndGoesOn) {
+TEST_F(Replaying, StopsWherePausedAndContinues) {
   const auto replay = open({.speed = 1});
   const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
   ASSERT_TRUE(list(memory, channels));
@@ -148,10 +148,10 @@ TEST_F(Replaying, AfterASeekEveryObjectIsAsItWasThen) {
   for (const std::uint64_t i : {200u, 3u, 299u, 0u, 150u}) {
     replay->clock().seek(kStart + i * 10 * kMillisecond + 5 * kMillisecond);
     wait_for_ball(*memory, static_cast<float>(i));
-    const std::uint64_t third = i - i % 3;  // of the other stream the newest from before
+    const std::uint64_t third = i - i % 3;  // the newest message of the other stream before it
     ASSERT_TRUE(tests::eventually_equal([&] { return newest_ns("/14/2/vortex"); }, kStart + third * 10 * kMillisecond));
   }
-  // beyond its ends it stays within the recording
+  // seeks beyond the ends stay within the recording
   replay->clock().seek(0);
   EXPECT_EQ(replay->clock().now_ns(), kStart);
   replay->clock().seek(UINT64_MAX);
@@ -159,7 +159,7 @@ TEST_F(Replaying, AfterASeekEveryObjectIsAsItWasThen) {
   wait_for_ball(*memory, 299);
 }
 
-TEST_F(Replaying, AfterTheEndItMayBeSeenAgain) {
+TEST_F(Replaying, AfterTheEndASeekPlaysItAgain) {
   const auto replay = open({.speed = 1000});
   const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
   ASSERT_TRUE(list(memory, channels));
@@ -188,9 +188,9 @@ TEST_F(Replaying, SeveralRobotsAreMergedByTime) {
   (*replay)->clock().seek(kStart + 2 * kSecond);
   ASSERT_TRUE(tests::eventually_equal([&] { return newest_ns("/14/3/vortex"); }, kStart + kSecond));
   ASSERT_TRUE(tests::eventually_equal([&] { return newest_ns("/14/2/ball"); }, kStart + 2 * kSecond));
-  EXPECT_EQ(Replay::open({recorded, recorded}, {}).error(), "replay: expected recordings of different robots, " +
-                                                                recorded.string() +
-                                                                " holds nothing but what those before it do");
+  EXPECT_EQ(
+      Replay::open({recorded, recorded}, {}).error(),
+      "replay: expected recordings of different robots, " + recorded.string() + " has no topic beyond those before it");
 }
 
 TEST_F(Replaying, CanBeStoppedAtAnyTime) {
@@ -200,7 +200,7 @@ TEST_F(Replaying, CanBeStoppedAtAnyTime) {
   EXPECT_LT(replay->messages(), 400u);
 }
 
-TEST_F(Replaying, LeavesOutWhatThisProcessWritesItself) {
+TEST_F(Replaying, SkipsObjectsThatThisProcessWrites) {
   const auto replay = open({.speed = 1000, .skipped_objects = {"ball"}});
   replay->start(channels, board);
   wait_for_the_end(*replay);
@@ -227,7 +227,7 @@ TEST_F(Replaying, SaysWhatIsWrong) {
 }
 
 TEST_F(Replaying, ARecordingWhoseClockIsOffIsPlayedInTheTimeOfTheOther) {
-  // another robot that saw its ball at the same times, by a clock 0.35 s ahead
+  // another robot saw its ball at the same times, with a clock 0.35 s ahead
   const fs::path other = folder / "other";
   auto writer = logging::SessionWriter::create(other, {.robot = "14/3", .team = 14, .player = 3});
   const memory::ChannelInfo info = memory::Memory("14/3", ManualClock()).ball.info();
@@ -251,7 +251,7 @@ TEST_F(Replaying, ARecordingWhoseClockIsOffIsPlayedInTheTimeOfTheOther) {
   };
   EXPECT_EQ(newest_ns("/14/3/ball"), newest_ns("/14/2/ball"));
   EXPECT_EQ(shown(), newest_ns("/14/3/ball")) << "times within messages are moved, too";
-  // wherever it is moved to, both show the same moment
+  // after every seek both show the same time
   (*replay)->clock().set(false, 1);
   (*replay)->clock().seek(kStart + 1000 * kMillisecond);
   for (const char* topic : {"/14/2/ball", "/14/3/ball"})

@@ -7,7 +7,7 @@
 namespace robot::image {
 namespace {
 
-/// A smooth picture: what a JPEG of good quality keeps almost unchanged.
+/// A smooth picture, which a JPEG of good quality keeps almost unchanged.
 std::string gradient(int width, int height) {
   std::string yuyv;
   for (int y = 0; y < height; ++y)
@@ -20,7 +20,7 @@ std::string gradient(int width, int height) {
 
 int difference(char a, char b) { return std::abs(static_cast<unsigned char>(a) - static_cast<unsigned char>(b)); }
 
-TEST(Jpeg, ItsSizeIsToldWithoutDecodingIt) {
+TEST(Jpeg, ReturnsItsSizeWithoutDecoding) {
   const Result<std::string> jpeg = encode_jpeg(gradient(320, 240), 320, 240, {.width = 160});
   ASSERT_TRUE(jpeg);
   const Result<ImageSize> size = size_of_jpeg(*jpeg);
@@ -31,7 +31,7 @@ TEST(Jpeg, ItsSizeIsToldWithoutDecodingIt) {
   EXPECT_FALSE(size_of_jpeg(""));
 }
 
-TEST(Jpeg, GivesBackAlmostTheSamePicture) {
+TEST(Jpeg, DecodesToAlmostTheSamePicture) {
   const std::string picture = gradient(320, 240);
   const Result<std::string> jpeg = encode_jpeg(picture, 320, 240, {.width = 0, .quality = 95});
   ASSERT_TRUE(jpeg);
@@ -49,7 +49,7 @@ TEST(Jpeg, GivesBackAlmostTheSamePicture) {
     }
 }
 
-TEST(Jpeg, HalvesAPictureByItsMeans) {
+TEST(Jpeg, HalvesAPictureByMeansOfItsPixels) {
   const std::string grey(640 * 480 * 2, '\x80');
   const Result<std::string> jpeg = encode_jpeg(grey, 640, 480, {.width = 320, .quality = 60});
   ASSERT_TRUE(jpeg);
@@ -60,11 +60,11 @@ TEST(Jpeg, HalvesAPictureByItsMeans) {
   for (const char value : decoded->yuyv) ASSERT_LE(difference(value, '\x80'), 1);
 }
 
-TEST(Jpeg, SaysWhichValueIsWrong) {
+TEST(Jpeg, NamesTheWrongValue) {
   EXPECT_EQ(encode_jpeg(std::string(10, 'x'), 640, 480).error(),
             "JPEG: expected 2 bytes per pixel of a 640x480 image, got 10 bytes");
   EXPECT_EQ(encode_jpeg("", 3, 480).error(),
-            "JPEG: expected a width in 4s and a height in 2s up to 4096 px, got 3x480");
+            "JPEG: expected a width in multiples of 4 and an even height up to 4096 px, got 3x480");
   EXPECT_EQ(encode_jpeg(gradient(8, 8), 8, 8, {.width = 5}).error(), "JPEG: expected the width 8 or half of it, got 5");
   EXPECT_EQ(encode_jpeg(gradient(8, 8), 8, 8, {.quality = 0}).error(), "JPEG: quality must be 1 .. 100, got 0");
 }

@@ -15,7 +15,7 @@
 
 #include "robot/core/files.h"
 #include "robot/memory/channels.h"
-#include "robot/net/foxglove/foxglove_client.h"
+#include "robot/net/foxglove/from_client.h"
 #include "robot/net/serve/board_streams.h"
 #include "robot/net/serve/server.h"
 #include "robot/net/websocket/web_socket_client.h"

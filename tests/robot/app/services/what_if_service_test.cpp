@@ -14,12 +14,12 @@ using nlohmann::json;
 
 struct WhatIfService : ::testing::Test {
   WhatIfService() {
-    add_what_if(services, "14/2", {"baseline", "a, b"},
-                [this](const std::string& robot, const foresight::WhatIf& question) {
-                  asked_robot = robot;
-                  asked = question;
-                  return answer;
-                });
+    add_what_if_service(services, "14/2", {"baseline", "a, b"},
+                        [this](const std::string& robot, const foresight::WhatIf& question) {
+                          asked_robot = robot;
+                          asked = question;
+                          return answer;
+                        });
   }
 
   json call(const std::string& request, net::ClientContext asker = {.loopback = true, .may_control = true}) const {
@@ -39,7 +39,7 @@ struct WhatIfService : ::testing::Test {
   std::optional<foresight::WhatIf> asked;
 };
 
-TEST_F(WhatIfService, AsksForItsRobotWhereNoOtherIsNamed) {
+TEST_F(WhatIfService, AsksForItsOwnRobotByDefault) {
   answer->set_choice("passing");
   const json said = call(R"({"strategies": ["baseline", "passing"], "horizon": 20})");
   EXPECT_EQ(said["ok"], true);
@@ -55,13 +55,13 @@ TEST_F(WhatIfService, AsksForItsRobotWhereNoOtherIsNamed) {
   EXPECT_EQ(call("")["robot"], "14/2");
 }
 
-TEST_F(WhatIfService, ItsAnswerCountsFromWhenTheQuestionCame) {
+TEST_F(WhatIfService, AnsweredMsCountsFromTheArrivalOfTheQuestion) {
   answer->set_answered_ms(50);
-  came_ns -= 7 * kSecond;  // it waited for another question
+  came_ns -= 7 * kSecond;  // time in the queue behind another question
   EXPECT_GE(call("{}")["forecast"]["answered_ms"], 7000);
 }
 
-TEST_F(WhatIfService, OffersTheNamesOfItsStrategiesToEveryClientInMatchModeToo) {
+TEST_F(WhatIfService, OffersItsStrategiesToEveryClientAlsoInMatchMode) {
   const net::ClientContext stranger{.address = "10.0.0.9:1", .match_mode = true};
   EXPECT_EQ(json::parse(services.call(2, "{}", stranger)),
             json::parse(R"({"ok": true, "strategies": ["baseline", "a, b"]})"));
@@ -69,7 +69,7 @@ TEST_F(WhatIfService, OffersTheNamesOfItsStrategiesToEveryClientInMatchModeToo) 
   EXPECT_FALSE(asked);
 }
 
-TEST_F(WhatIfService, WhatMakesNoSenseIsNotAsked) {
+TEST_F(WhatIfService, AWrongQuestionIsRefused) {
   EXPECT_EQ(refusal(R"({"robot": 14})"), "/foresight/what_if: 'robot' must be a text such as 14/2, got something else");
   EXPECT_EQ(refusal(R"({"rollouts": 1000000000})"), "/foresight/what_if: 'rollouts' is nothing that a question has");
   EXPECT_EQ(refusal("[]"), "/foresight/what_if: expected a JSON object, got something else");
@@ -80,7 +80,7 @@ TEST_F(WhatIfService, WhatMakesNoSenseIsNotAsked) {
   EXPECT_FALSE(asked);
 }
 
-TEST_F(WhatIfService, WhatCannotBeToldIsASentence) {
+TEST_F(WhatIfService, AQuestionWithoutAnswerGetsASentence) {
   answer = Error{"there is no robot '14/2'"};
   EXPECT_EQ(refusal("{}"), "/foresight/what_if: there is no robot '14/2'");
   foresight::Forecast untold;
@@ -90,7 +90,7 @@ TEST_F(WhatIfService, WhatCannotBeToldIsASentence) {
   EXPECT_EQ(refusal("{}"), "/foresight/what_if: cannot tell, because nobody has seen the ball yet");
 }
 
-TEST_F(WhatIfService, NeedsTheTokenFromBeyondThisMachineAndInMatchModeThereIsNone) {
+TEST_F(WhatIfService, NeedsTheTokenFromAnotherMachineAndIsOffInMatchMode) {
   const auto error = [&](const net::ClientContext& asker) { return call("{}", asker).value("error", ""); };
   EXPECT_NE(error({.address = "10.0.0.9:1"}).find("needs the control token"), std::string::npos);
   for (const bool loopback : {false, true}) {

@@ -1,5 +1,5 @@
-// A team's process comes in by the door: what it writes is in memory, what is in memory it can read, and whatever else
-// it does harms nobody.
+// A team's process connects to the door. Its messages enter memory, and it can read memory. Wrong input harms no other
+// process.
 #include "robot/body/attached/door.h"
 
 #include <fcntl.h>
@@ -64,13 +64,13 @@ struct TheDoor : ::testing::Test {
     return channel ? channel->newest() : nullptr;
   }
 
-  /// The next message of `reader`; waits for it.
+  /// Waits for the next message of `reader` and returns it.
   static std::string read(const Reader& reader, ForesightMessage& message) {
     while (!foresight_read(reader.get(), &message)) foresight_wait(reader.get(), 100);
     return {static_cast<const char*>(message.bytes), message.size};
   }
 
-  /// Somebody who comes in and says `bytes`, with `file` along, then goes or stays.
+  /// Connects and sends `bytes`, with `file`, then disconnects or stays.
   FileDescriptor stranger(std::string_view bytes, int file = -1) {
     FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
     sockaddr_un address{};
@@ -95,11 +95,11 @@ struct TheDoor : ::testing::Test {
     return socket;
   }
 
-  /// The sentence with which the door sends `guest` away.
-  static std::string refusal(const FileDescriptor& guest) {
+  /// Returns the sentence with which the door refuses `client`.
+  static std::string refusal(const FileDescriptor& client) {
     logging::FrameParser parser;
     char block[4096];
-    for (ssize_t n = 0; (n = ::read(guest.get(), block, sizeof block)) > 0;) {
+    for (ssize_t n = 0; (n = ::read(client.get(), block, sizeof block)) > 0;) {
       parser.feed({block, static_cast<std::size_t>(n)});
       for (auto frame = parser.next(); frame && *frame; frame = parser.next())
         if (const auto* refused = std::get_if<logging::Refused>(&**frame)) return refused->sentence;
@@ -107,12 +107,12 @@ struct TheDoor : ::testing::Test {
     return "";
   }
 
-  /// A well-behaved process finds everything in order.
+  /// Checks that a correct process can still write and read.
   void expect_all_well() {
     const Writer ball = announce("ball", "foresight.Ball");
     foresight::Ball message;
     message.set_x(++last_x);
-    // again and again: at first the door may still be full of others
+    // retries: at first the door may still be full of other connections
     ASSERT_TRUE(tests::eventually([&] {
       write(ball, message.SerializeAsString());
       return memory->ball.read() && memory->ball.read()->value().x() == last_x;
@@ -144,7 +144,7 @@ std::string ball_channel() {
       {.topic = "ball", .schema = {.name = "foresight.Ball", .encoding = "protobuf", .bytes = ""}});
 }
 
-TEST_F(TheDoor, WhatAProcessWritesIsInMemoryWithItsCaptureTimeOfTheEpoch) {
+TEST_F(TheDoor, MessagesOfAProcessEnterMemoryWithTheirCaptureTimeOfTheEpoch) {
   const Writer ball = announce("ball", "foresight.Ball");
   unsigned char room[32];
   ForesightBytes message = foresight_bytes(room, sizeof room);
@@ -156,7 +156,7 @@ TEST_F(TheDoor, WhatAProcessWritesIsInMemoryWithItsCaptureTimeOfTheEpoch) {
   EXPECT_EQ(memory->ball.read()->value().x(), 1.5f);
   EXPECT_TRUE(memory->ball.read()->value().visible());
   EXPECT_EQ(memory->ball.read()->capture_ns(), now_ns + 5 * kSecond);
-  // by now it has heard how far the epoch is away
+  // by now the process knows the offset of the epoch
   ASSERT_TRUE(foresight_write(ball.get(), now_ns, message.bytes, message.size));
   EXPECT_EQ(foresight_epoch_ns(ball.get(), 7), 7 + 5 * kSecond);
 }
@@ -188,7 +188,7 @@ TEST_F(TheDoor, ImagesComeThroughSharedMemoryWholeAndInOrder) {
   constexpr int kImages = 60;
   for (int i = 0; i < kImages; ++i) {
     pixels.assign(pixels.size(), static_cast<char>(i));
-    // a place for it is free again when the runtime has taken one of those before
+    // a place is free again when the runtime has taken an earlier message
     ASSERT_TRUE(tests::eventually([&] {
       return foresight_write_image(camera.get(), static_cast<std::uint64_t>(i + 1), FORESIGHT_YUYV, 640, 480,
                                    pixels.data(), pixels.size()) == 1;
@@ -206,7 +206,7 @@ TEST_F(TheDoor, ImagesComeThroughSharedMemoryWholeAndInOrder) {
   }
 }
 
-TEST_F(TheDoor, WhatWasWrittenBeforeAProcessWentArrives) {
+TEST_F(TheDoor, MessagesOfAProcessThatDisconnectedArrive) {
   const std::string image(614'400, 'i');
   for (int i = 1; i <= 20; ++i) {
     Writer camera = announce("camera_top", "foresight.Image");
@@ -236,7 +236,7 @@ TEST_F(TheDoor, AProcessReadsTheNewestAndWhatFollows) {
   const Reader reader = want("motion_command");
   ForesightMessage message;
   EXPECT_EQ(read(reader, message), command.SerializeAsString());
-  EXPECT_EQ(message.capture_ns, 1 * kSecond);  // by the monotonic clock
+  EXPECT_EQ(message.capture_ns, 1 * kSecond);  // on the monotonic clock
   EXPECT_STREQ(foresight_object(reader.get())->topic, "/14/2/motion_command");
   EXPECT_STREQ(foresight_object(reader.get())->type, "foresight.MotionCommand");
   EXPECT_STREQ(foresight_object(reader.get())->message_encoding, "protobuf");
@@ -255,12 +255,12 @@ TEST_F(TheDoor, AnObjectMayBeWantedBeforeItIsThere) {
   EXPECT_EQ(read(reader, message), "soon");
 }
 
-TEST_F(TheDoor, WhoWaitsNoTimeOrLessGoesOnAtOnce) {
+TEST_F(TheDoor, AWaitOfNoTimeOrLessReturnsAtOnce) {
   const Reader reader = want("ball"), nobody(foresight_want_from("ball", "/nowhere"), &foresight_end);
   ForesightMessage message;
   EXPECT_FALSE(foresight_read(reader.get(), &message));
   for (const int timeout_ms : {0, -1, -1000}) {
-    foresight_wait(reader.get(), timeout_ms);  // a failure shows as the test's time-out
+    foresight_wait(reader.get(), timeout_ms);  // a failure is the test's timeout
     foresight_wait(nobody.get(), timeout_ms);
   }
 }
@@ -273,7 +273,7 @@ TEST_F(TheDoor, ADeadlineThatHasPassedIsNotWaitedFor) {
   EXPECT_EQ(foresight_ms_until(UINT64_MAX, 0), 60'000) << "whoever waits looks at the clock again";
 }
 
-TEST_F(TheDoor, WhoAsksIsAnsweredByTheForecastOfThatQuestionOrNotAtAll) {
+TEST_F(TheDoor, AQuestionIsAnsweredByItsOwnForecastOrNotAtAll) {
   ForesightAdviser adviser = foresight_adviser(path.c_str());
   const Writer questions(adviser.questions, &foresight_close);
   const Reader forecasts(adviser.forecasts, &foresight_end);
@@ -283,7 +283,7 @@ TEST_F(TheDoor, WhoAsksIsAnsweredByTheForecastOfThatQuestionOrNotAtAll) {
   ASSERT_TRUE(tests::eventually([&] { return memory->what_if.read() != nullptr; }));
   EXPECT_EQ(memory->what_if.read()->value().id(), adviser.asked);
 
-  // by now somebody answers, and tells of another question before
+  // now a runtime answers, with a forecast of another question first
   foresight::Forecast forecast;
   forecast.mutable_question()->set_id(adviser.asked - 1);
   memory->forecast.write(forecast, 1);
@@ -296,7 +296,7 @@ TEST_F(TheDoor, WhoAsksIsAnsweredByTheForecastOfThatQuestionOrNotAtAll) {
   EXPECT_STREQ(advice.choice, "passing");
 }
 
-TEST_F(TheDoor, TheNewestIsGivenOutWhole) {
+TEST_F(TheDoor, TheNewestMessageIsReadWhole) {
   memory->log.write({}, 1);
   const Reader reader = want("log");
   ForesightMessage message;
@@ -327,7 +327,7 @@ TEST_F(TheDoor, ARenumberedFieldIsRefusedWithASentence) {
   EXPECT_EQ(memory->ball.read(), nullptr);
 }
 
-TEST_F(TheDoor, SaysWhatDoesNotFit) {
+TEST_F(TheDoor, NamesThePartThatDoesNotFit) {
   const auto sentence = [&](const char* topic, const char* type, const std::string& schema, const char* encoding) {
     const Writer writer = announce(topic, type, schema, encoding);
     EXPECT_TRUE(tests::eventually([&] { return write(writer, "") == 0; }));
@@ -384,7 +384,7 @@ TEST_F(TheDoor, ASecondWriterWaitsUntilTheFirstHasGone) {
   for (std::size_t i = 0; i < 41; ++i) EXPECT_EQ(arrivals->records[i].bytes, i < 21 ? "first" : "second") << i;
 }
 
-TEST_F(TheDoor, WhatWasLostOnTheWayIsCounted) {
+TEST_F(TheDoor, LostMessagesAreCounted) {
   const std::string message =
       ball_channel() + frame(2, integer(1, 8) + integer(1, 16)) + frame(2, integer(5, 8) + integer(1, 16));
   const FileDescriptor process = stranger(message);
@@ -443,7 +443,7 @@ TEST_F(TheDoor, AWriterGoesOnWhenTheRuntimeIsThereAgain) {
 }
 
 TEST_F(TheDoor, AWriterNeverWaitsForARuntimeThatDoesNotRead) {
-  // whoever listens here never accepts, as a stopped runtime
+  // this listener never accepts, like a stopped runtime
   door.reset();
   const FileDescriptor stopped(::socket(AF_UNIX, SOCK_STREAM, 0));
   sockaddr_un address{};
@@ -463,7 +463,7 @@ TEST_F(TheDoor, AWriterNeverWaitsForARuntimeThatDoesNotRead) {
     write(third, bytes);
     EXPECT_FALSE(foresight_read(reader.get(), &message));
   }
-  // it may wait for the processor, but for nothing else
+  // the writer may wait for the processor only
   EXPECT_LT(monotonic_ns() - before_ns, thread_cpu_ns() - cpu_before_ns + 5 * kSecond);
   EXPECT_GE(foresight_lost(large.get()), 1900u);
   EXPECT_GT(foresight_lost(small.get()), 0u);
@@ -473,7 +473,7 @@ TEST_F(TheDoor, AWriterNeverWaitsForARuntimeThatDoesNotRead) {
 TEST_F(TheDoor, SurvivesEveryTruncation) {
   const std::string whole = ball_channel() + frame(2, integer(1, 8) + integer(1, 16));
   for (std::size_t size = 0; size <= whole.size(); ++size) stranger(std::string_view(whole).substr(0, size));
-  ASSERT_TRUE(tests::eventually([&] { return memory->ball.read() != nullptr; }));  // the last one was whole
+  ASSERT_TRUE(tests::eventually([&] { return memory->ball.read() != nullptr; }));  // the last message was complete
   EXPECT_EQ(memory->ball.read()->sequence(), 1u);
   expect_all_well();
 }
@@ -483,7 +483,7 @@ TEST_F(TheDoor, SurvivesRandomBytes) {
   for (int i = 0; i < 300; ++i) {
     std::string bytes = i % 2 ? ball_channel() : "";
     for (int n = 0; n < 60; ++n) {
-      // mostly frames of a kind and of a length that there are
+      // mostly frames with a valid kind and length
       if (random() % 3 == 0) bytes += frame(static_cast<int>(random() % 9), std::string(random() % 50, '\3'));
       bytes.push_back(static_cast<char>(random()));
     }
@@ -511,7 +511,7 @@ TEST_F(TheDoor, SaysWhatIsWrongWithSharedMemory) {
   expect_all_well();
 }
 
-TEST_F(TheDoor, ManyMayComeButNotMoreThanFit) {
+TEST_F(TheDoor, ManyProcessesConnectUpToTheLimit) {
   std::vector<FileDescriptor> crowd;
   for (std::size_t i = 0; i < Door::kMaxConnections; ++i) crowd.push_back(stranger(""));
   EXPECT_EQ(refusal(stranger("")), "expected at most 128 streams at once, got one more");

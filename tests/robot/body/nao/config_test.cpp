@@ -13,7 +13,7 @@ std::string why_not(std::string_view text) {
   return config ? "read" : config.error();
 }
 
-TEST(NaoConfig, IsThatOfAV6WhereNothingIsSaid) {
+TEST(NaoConfig, HasTheDefaultsOfAV6) {
   const auto config = parse_nao_config("\n# nothing\n");
   ASSERT_TRUE(config);
   EXPECT_EQ(config->top.device, "/dev/video-top");
@@ -23,7 +23,7 @@ TEST(NaoConfig, IsThatOfAV6WhereNothingIsSaid) {
   EXPECT_EQ(config->calibration.body_pitch, 0);
 }
 
-TEST(NaoConfig, HasWhatIsSaid) {
+TEST(NaoConfig, ReadsEverySetting) {
   const auto config = parse_nao_config(
       "body.roll_deg = 1\n  body.pitch_deg=-2  \r\ncamera_top.device = /dev/video0\ncamera_top.turned = no\n"
       "camera_top.tilt_deg = 3\ncamera_top.pan_deg = -0.5\n# a comment\ncamera_top.focal_x = 600.5\n"

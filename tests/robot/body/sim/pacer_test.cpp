@@ -16,7 +16,7 @@ TEST(Pacer, TicksComeThirtyTimesASecondWithoutDrift) {
     Pacer pacer;
     pacer.restart(speed, kStart);
     std::uint64_t due = 0;
-    // whoever takes them comes late every time, as threads do
+    // the thread takes each tick late, as real threads do
     for (int tick = 0; tick < 30'000; ++tick) due = pacer.take(pacer.next_ns() + 60'000);
     const double seconds = static_cast<double>(due - kStart) * 1e-9;
     EXPECT_NEAR(seconds, 1000 / speed, 1e-6) << speed;

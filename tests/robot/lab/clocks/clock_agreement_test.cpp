@@ -1,4 +1,4 @@
-// Sessions made with a planted offset between their clocks.
+// Sessions with a planted offset between their clocks.
 #include "robot/lab/clocks/clock_agreement.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ struct Planted : testing::Test {
     std::uint64_t round_trip_ns;
   };
 
-  /// A session of `robot` with clock samples, one a second.
+  /// Writes a session of `robot` with clock samples, one a second.
   logging::Session session(const std::string& robot, const std::vector<Measured>& samples,
                            const std::string& clock_of = "") {
     const auto path = folder / (robot.substr(0, 2) + "-" + robot.substr(3));
@@ -48,8 +48,8 @@ struct Planted : testing::Test {
   }
 };
 
-TEST_F(Planted, TheOffsetOfTwoRobotsFollowsFromTheMachineThatAskedBoth) {
-  // 14/3 is 0.35 s ahead of 14/2; long round trips are off by half of them
+TEST_F(Planted, TheOffsetOfTwoRobotsFollowsFromAMachineThatMeasuredBoth) {
+  // 14/3 is 0.35 s ahead of 14/2; long round trips have an error of half of them
   const RecordedClock two = read_clock(session("14/2", {{"10.0.14.7:50001", 90'000'000, 180'000'000},
                                                         {"10.0.14.7:50001", 1'000'000, 2'000'000},
                                                         {"10.0.14.7:50009", -40'000'000, 90'000'000}}));
@@ -81,7 +81,7 @@ TEST_F(Planted, TheOffsetOfTwoRobotsFollowsFromTheMachineThatAskedBoth) {
       "allow more");
 }
 
-TEST_F(Planted, WhatARelayRecordedIsInItsOwnTimeAndItAskedTheRobot) {
+TEST_F(Planted, ARelaysRecordingIsInTheRelaysTimeAndComparedWithTheRobots) {
   const RecordedClock robot = read_clock(session("14/2", {}));
   const RecordedClock lab = read_clock(session("14/9", {{"14/2", -2'000'000'000, 400'000}}, "lab/1"));
   EXPECT_EQ(lab.who, "lab/1");
@@ -91,7 +91,7 @@ TEST_F(Planted, WhatARelayRecordedIsInItsOwnTimeAndItAskedTheRobot) {
   EXPECT_EQ(agree({robot, lab}, 60 * kSecond)->at(1).shift_ns, -2'000'000'000);
 }
 
-TEST_F(Planted, ClocksThatAgreeAreLeftAlone) {
+TEST_F(Planted, ClocksThatAgreeAreNotShifted) {
   const RecordedClock two = read_clock(session("14/2", {{"10.0.14.7:1", 1'000'000, 1'000'000}}));
   const RecordedClock three = read_clock(session("14/3", {{"10.0.14.7:1", 4'000'000, 1'000'000}}));
   const auto agreements = agree({two, three}, kSecond);
@@ -101,26 +101,26 @@ TEST_F(Planted, ClocksThatAgreeAreLeftAlone) {
             "the clocks of 14/3 and 14/2 agree: 14/3's is 0.003 s behind (± 1.0 ms), by 10.0.14.7");
 }
 
-TEST_F(Planted, WhatCannotBeComparedIsTakenAsItIsAndSaid) {
+TEST_F(Planted, ClocksThatCannotBeComparedAreNotShiftedAndTheSentenceSaysSo) {
   const RecordedClock two = read_clock(session("14/2", {{"10.0.14.7:1", 0, 10}, {"127.0.0.1:1", 0, 10}}));
   const RecordedClock three =
       read_clock(session("14/3", {{"10.0.14.8:1", 5, 10}, {"127.0.0.1:1", 5 * 1'000'000'000ll, 10}}));
-  EXPECT_FALSE(two.peers.contains("127.0.0.1")) << "that is another machine for each robot";
+  EXPECT_FALSE(two.peers.contains("127.0.0.1")) << "a loopback address is another machine for each robot";
   EXPECT_FALSE(compare(two, three));
   EXPECT_NE(agree({two, three}, kSecond)->at(1).sentence.find("cannot be compared: no clock samples of one machine"),
             std::string::npos);
-  // the peer's own clock was stepped by 3 s: what is said against the best sample makes it less sure
+  // the peer's clock was stepped by 3 s: samples that contradict the best one increase its error
   const RecordedClock stepped =
       read_clock(session("14/4", {{"10.0.14.7:1", 0, 10}, {"10.0.14.7:2", 3'000'000'000, 10}}));
   EXPECT_GE(stepped.peers.at("10.0.14.7").error_ns, 2'999'999'000u);
   const auto unsure = agree({two, stepped}, kSecond);
   ASSERT_TRUE(unsure);
   EXPECT_EQ(unsure->at(1).shift_ns, 0);
-  EXPECT_NE(unsure->at(1).sentence.find("cannot be compared: what their samples tell is 0.000 s ahead (± "),
+  EXPECT_NE(unsure->at(1).sentence.find("cannot be compared: by their samples the offset is 0.000 s ahead (± "),
             std::string::npos);
 }
 
-TEST_F(Planted, InfoTellsThePeers) {
+TEST_F(Planted, InfoReportsThePeers) {
   const auto planted = session("14/2", {{"10.0.14.7:50001", 350'000'000, 2'000'000}});
   const auto report = inspect(planted.folder);
   ASSERT_TRUE(report);

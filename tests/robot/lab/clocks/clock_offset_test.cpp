@@ -8,7 +8,7 @@
 namespace robot::lab {
 namespace {
 
-TEST(ClockOffset, IsWrongByHalfTheRoundTripAtMost) {
+TEST(ClockOffset, HasAnErrorOfHalfTheRoundTripAtMost) {
   std::mt19937_64 random(1);
   std::uniform_int_distribution<std::uint64_t> delay(0, 50 * kMillisecond), start(kSecond, 1'000'000 * kSecond);
   std::uniform_int_distribution<std::int64_t> ahead(-900'000'000, 900'000'000);
@@ -21,14 +21,14 @@ TEST(ClockOffset, IsWrongByHalfTheRoundTripAtMost) {
   }
 }
 
-TEST(ClockOffset, OfManyTheShortestRoundTripCounts) {
+TEST(ClockOffset, TheShortestRoundTripCounts) {
   const ClockOffset rough{.offset_ns = 5, .error_ns = 900}, fine{.offset_ns = 7, .error_ns = 100};
   EXPECT_EQ(better({}, rough).offset_ns, 5);
   EXPECT_EQ(better(rough, fine).offset_ns, 7);
   EXPECT_EQ(better(fine, rough).offset_ns, 7);
 }
 
-TEST(ClockOffset, ClocksThatAgreeAreLeftAloneOthersSetRightAndFarOnesRefused) {
+TEST(ClockOffset, SmallOffsetsStayOthersAreCorrectedAndLargeOnesRefused) {
   const std::uint64_t most_ns = 2 * kSecond;
   EXPECT_EQ(*correction({.offset_ns = 9'000'000, .error_ns = 0}, most_ns, "its"), 0);
   EXPECT_EQ(*correction({.offset_ns = -30'000'000, .error_ns = 20'000'000}, most_ns, "its"), 0);

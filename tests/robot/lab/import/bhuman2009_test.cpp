@@ -97,7 +97,7 @@ TEST(Bhuman2009, TurnsSensorsIntoSiUnitsAndOurSigns) {
   EXPECT_NEAR(inertial.accelerometer_z(), 9.81, 1e-5);
   EXPECT_FLOAT_EQ(inertial.torso_roll(), 0.1f);
   EXPECT_FLOAT_EQ(inertial.torso_pitch(), -0.2f);
-  EXPECT_EQ(inertial.gyroscope_x(), 0) << "a gyroscope that never changes is at its zero";
+  EXPECT_EQ(inertial.gyroscope_x(), 0) << "a constant gyroscope is at its zero";
   EXPECT_FALSE(inertial.has_gyroscope_z());
 
   const auto fsr = only<pb::Fsr>(writer, "fsr");
@@ -181,7 +181,7 @@ TEST(Bhuman2009, EveryTruncationGivesTheMessagesBeforeItAndNamesTheDamage) {
     ASSERT_EQ(static_cast<bool>(report), size >= 8) << size;
     if (!report) continue;
     EXPECT_NE(report->damage, "") << size;
-    // a frame that was cut has fewer objects, and its joints may lack the motors that come later
+    // an incomplete frame has fewer objects, and its joints may lack the motors, which come later
     std::erase_if(sink.entries, [&](const auto& entry) { return entry.object == "joints"; });
     RecordingSink same = whole;
     std::erase_if(same.entries, [&](const auto& entry) { return entry.object == "joints"; });
@@ -234,7 +234,7 @@ const RealLog& real_log(const std::filesystem::path& path) {
   return log;
 }
 
-/// Where the ray of pixel (u, v) meets the height `z` above ground.
+/// Returns the point where the ray of pixel (u, v) reaches the height `z` above ground.
 std::array<double, 2> on_ground(const pb::CameraMatrix& camera, double u, double v, double z) {
   const double q[] = {(u - camera.centre_x()) / camera.focal_x(), (v - camera.centre_y()) / camera.focal_y(), 1};
   double ray[3];
@@ -249,7 +249,7 @@ struct Blob {
   int width = 0, pixels = 0;
 };
 
-/// The orange pixels of an image, above the robot's own red chest at its lower edge.
+/// Finds the orange pixels of an image, above the robot's own red chest at its lower edge.
 Blob orange(const pb::Image& image) {
   Blob blob;
   int left = 1000, right = 0;
@@ -275,7 +275,7 @@ TEST(Bhuman2009Recording, HasTheKnownNumberOfMessages) {
   REAL_DATA_OR_SKIP(path, "bhuman2009/logfile.log");
   const RealLog& log = real_log(path);
   EXPECT_EQ(log.report.damage, "");
-  EXPECT_EQ(log.report.messages.at("inertial"), 273u) << "one of 274 is nonsense";
+  EXPECT_EQ(log.report.messages.at("inertial"), 273u) << "one of 274 is invalid";
   for (const char* object : {"joints", "fsr", "battery", "touch", "odometry"})
     EXPECT_EQ(log.report.messages.at(object), 274u) << object;
   for (const char* object : {"camera_bottom", "camera_bottom_matrix"})
@@ -304,7 +304,7 @@ TEST(Bhuman2009Recording, HasPlausibleSensors) {
   EXPECT_EQ(std::count_if(touches.begin(), touches.end(), [](auto* touch) { return touch->chest_button(); }), 8);
 }
 
-// The laws that tell signs and order of joints and sensors apart: they hold only if all of them are right.
+// These laws hold only if the signs and the order of all joints and sensors are right.
 TEST(Bhuman2009Recording, LeaningOnOneFootAgreesWithGravityAndTheLeg) {
   REAL_DATA_OR_SKIP(path, "bhuman2009/logfile.log");
   const RealLog& log = real_log(path);

@@ -35,7 +35,7 @@ std::string small_file(std::string_view inertial_values = "(acc_x 1.0) (angle_x 
   return writer.file();
 }
 
-TEST(Nblog, HandsOverEachBlockAtItsTime) {
+TEST(Nblog, PassesEachBlockOnWithItsTime) {
   RecordingSink sink;
   const auto report = import_nblog(small_file(), 7, sink);
   ASSERT_TRUE(report) << report.error();
@@ -81,7 +81,7 @@ TEST(Nblog, SaysWhereHeaderAndPayloadDisagree) {
             std::vector<std::string>{"the header says acc_x 1.500000, the payload 1.000000; the payload is taken"});
 }
 
-TEST(Nblog, LeavesOutWhatItDoesNotKnow) {
+TEST(Nblog, LeavesOutUnknownBlocks) {
   NblogWriter writer;
   writer.block("SonarState", "robot", 1, "", "xyz");
   writer.block("JointAngles", "robot", 2, "", tests::float_fields(twenty_six_angles()));
@@ -148,7 +148,7 @@ TEST(NblogHeader, ReadsNestedListsAndQuotedAtoms) {
   EXPECT_EQ(parsed->find("absent"), nullptr);
 }
 
-TEST(NblogHeader, SaysWhatIsWrong) {
+TEST(NblogHeader, NamesTheProblemAndItsPlace) {
   const auto error = [](std::string_view text) { return nblog::parse_expression(text).error(); };
   EXPECT_EQ(error(""), "at character 0: expected more text");
   EXPECT_EQ(error("(a (b)"), "at character 6: a list is never closed");
@@ -157,7 +157,7 @@ TEST(NblogHeader, SaysWhatIsWrong) {
   EXPECT_EQ(error(std::string(100000, '(')), "at character 16: lists are nested too deep");
 }
 
-TEST(NblogRecording, HoldsOneMomentOfAV4) {
+TEST(NblogRecording, ContainsOneMomentOfAV4) {
   REAL_DATA_OR_SKIP(path, "nblog/testLog2.nblog");
   const Result<std::string> bytes = read_file(path, 1 << 22);
   ASSERT_TRUE(bytes);

@@ -21,7 +21,7 @@ std::string problem(const std::string& text) {
   return mapping ? "" : mapping.error();
 }
 
-/// A mapping of the topic /theirs to `object` with these fields.
+/// Returns a mapping of the topic /theirs to `object` with these fields.
 TopicRule rule(const std::string& object, const Json& fields) {
   const auto mapping = parse_mapping(
       "map.json", Json{{"robot", "14/2"}, {"topics", {{"/theirs", {{"object", object}, {"fields", fields}}}}}}.dump());
@@ -72,7 +72,7 @@ TEST(Mapping, TakesListsOfMessagesAndNamesOfEnums) {
             foresight::GameState::STATE_SET);
 }
 
-TEST(Mapping, WhatIsNotThereIsLeftOutAndWhatDoesNotFitRefused) {
+TEST(Mapping, AMissingValueIsLeftOutAndAWrongTypeRefused) {
   const TopicRule ball = rule("ball", {{"x", "position.x"}, {"seen_ns", "seen"}});
   EXPECT_EQ(mapped(ball, {{"seen", 5}}, 0, true).error(), "/theirs: expected 'position.x' for x, it is not there");
   const auto lenient = mapped(ball, {{"seen", 5}}, 0, false);
@@ -144,7 +144,7 @@ class Records final : public logging::InProvider {
   std::size_t next_ = 0;
 };
 
-TEST(MappedStream, TellsJsonAndProtobufAsOurObject) {
+TEST(MappedStream, TranslatesJsonAndProtobufToOurObject) {
   MappedInProvider json(
       std::make_unique<Records>(memory::ChannelInfo{.topic = "/theirs", .message_encoding = "json", .schema = {}},
                                 std::vector<std::string>{R"({"x": 1})", R"({"x": 2})"}),
@@ -163,7 +163,7 @@ TEST(MappedStream, TellsJsonAndProtobufAsOurObject) {
   }
   EXPECT_FALSE(json.read()->has_value());
 
-  // "theirs" in protobuf: any message will do
+  // their message in protobuf: any message type
   foresight::Odometry odometry;
   odometry.set_x(1.25f);
   MappedInProvider protobuf(
@@ -176,7 +176,7 @@ TEST(MappedStream, TellsJsonAndProtobufAsOurObject) {
   EXPECT_FLOAT_EQ(ball.x(), 2.5f);
 }
 
-TEST(MappedStream, ASlipInTheMappingIsToldBeforeAnythingIsPlayed) {
+TEST(MappedStream, AWrongMappingIsReportedBeforeAnythingIsPlayed) {
   MappedInProvider wrong(
       std::make_unique<Records>(memory::ChannelInfo{.topic = "/theirs", .message_encoding = "json", .schema = {}},
                                 std::vector<std::string>{R"({"x": 1})"}),
@@ -189,7 +189,7 @@ TEST(MappedStream, ASlipInTheMappingIsToldBeforeAnythingIsPlayed) {
   EXPECT_EQ(ros.open().error(), "/theirs: expected protobuf or JSON, got 'ros1'");
 }
 
-TEST(MappedStream, WhatDoesNotFitLaterIsToldOnceAndCounted) {
+TEST(MappedStream, ALaterMessageThatDoesNotFitIsReportedOnceAndCounted) {
   MappedInProvider stream(
       std::make_unique<Records>(memory::ChannelInfo{.topic = "/theirs", .message_encoding = "json", .schema = {}},
                                 std::vector<std::string>{R"({"x": 1})", R"({"x": "a"})", "{", R"({"x": 4})"}),

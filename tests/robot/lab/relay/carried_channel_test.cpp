@@ -23,7 +23,7 @@ struct Carried : testing::Test {
 
 TEST_F(Carried, AGapInTheNumbersIsCountedAndStaysAGap) {
   carried.connected(true, 0);
-  EXPECT_EQ(numbered(500), 0u) << "what was before nobody asked for";
+  EXPECT_EQ(numbered(500), 0u) << "messages before the subscription are not lost";
   EXPECT_EQ(newest(), 1u);
   EXPECT_EQ(numbered(501), 0u);
   EXPECT_EQ(numbered(505), 3u);
@@ -32,25 +32,25 @@ TEST_F(Carried, AGapInTheNumbersIsCountedAndStaysAGap) {
   EXPECT_EQ(to->newest()->bytes(), "505");
 }
 
-TEST_F(Carried, WhatANewConnectionBeginsWithEntersOnce) {
+TEST_F(Carried, TheFirstMessageOfANewConnectionIsWrittenOnce) {
   carried.connected(true, 0);
   numbered(7);
   carried.connected(false, 0);
   EXPECT_EQ(numbered(7), 0u);
   EXPECT_EQ(newest(), 1u);
-  EXPECT_EQ(numbered(9), 1u) << "8 came while there was no connection";
+  EXPECT_EQ(numbered(9), 1u) << "8 was published while there was no connection";
   EXPECT_EQ(newest(), 3u);
 }
 
-TEST_F(Carried, NumbersGoOnWhereTheRobotBeganAnew) {
+TEST_F(Carried, NumbersContinueAfterARestartOfTheRobot) {
   carried.connected(true, 0);
   numbered(500);
   carried.connected(true, 0);
-  EXPECT_EQ(numbered(3), 2u) << "1 and 2 of the new run did not get here";
+  EXPECT_EQ(numbered(3), 2u) << "1 and 2 of the new run were lost";
   EXPECT_EQ(newest(), 4u);
 }
 
-TEST_F(Carried, WithoutNumbersOnlyWhatAConnectionBeginsWithIsCompared) {
+TEST_F(Carried, WithoutNumbersOnlyTheFirstMessageOfAConnectionIsCompared) {
   carried.connected(true, 0);
   for (int i = 0; i < 2; ++i) carried.enter({.capture_ns = 5, .published = {}, .bytes = "same"});
   EXPECT_EQ(newest(), 2u);
@@ -62,18 +62,18 @@ TEST_F(Carried, WithoutNumbersOnlyWhatAConnectionBeginsWithIsCompared) {
   EXPECT_EQ(to->newest()->publish_ns(), 1000u);
 }
 
-TEST_F(Carried, TimesAreMovedByWhatTheClockIsOff) {
+TEST_F(Carried, TimesAreShiftedByTheOffsetOfTheClock) {
   carried.connected(true, -100);
   numbered(1, 1000);
   EXPECT_EQ(to->newest()->capture_ns(), 900u);
   EXPECT_EQ(to->newest()->publish_ns(), 901u);
 }
 
-TEST(TopicClaims, WhatIsARobotsOwnIsItsAndTheRestIsOfTheFirst) {
+TEST(TopicClaims, ARobotOwnsItsTopicsAndOthersBelongToTheFirstLink) {
   TopicClaims claims;
   EXPECT_TRUE(claims.introduce("14/2", 1));
   EXPECT_TRUE(claims.claim("/truth/world", 1));
-  EXPECT_TRUE(claims.claim("/14/3/ball", 1)) << "nobody knows of 14/3 yet";
+  EXPECT_TRUE(claims.claim("/14/3/ball", 1)) << "14/3 is not known yet";
   EXPECT_TRUE(claims.introduce("14/3", 2));
   EXPECT_FALSE(claims.holds("/14/3/ball", 1));
   EXPECT_FALSE(claims.claim("/14/3/pose", 1));
@@ -82,8 +82,8 @@ TEST(TopicClaims, WhatIsARobotsOwnIsItsAndTheRestIsOfTheFirst) {
   EXPECT_FALSE(claims.claim("/14/2/ball", 2));
   EXPECT_FALSE(claims.claim("/truth/world", 2));
   EXPECT_TRUE(claims.holds("/truth/world", 1));
-  EXPECT_FALSE(claims.introduce("14/3", 3)) << "one robot is relayed once";
-  EXPECT_TRUE(claims.introduce("", 3)) << "a server that is no robot";
+  EXPECT_FALSE(claims.introduce("14/3", 3)) << "each robot is relayed once";
+  EXPECT_TRUE(claims.introduce("", 3)) << "a server without a robot";
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace robot::lab {
 namespace {
 
-TEST(RobotAddress, WhatPeopleCallAnAddressIsOne) {
+TEST(RobotAddress, AcceptsTheUsualFormsOfAnAddress) {
   const std::pair<const char*, const char*> cases[] = {
       {"10.0.14.22", "ws://10.0.14.22:8765/"},
       {"10.0.14.22:9000", "ws://10.0.14.22:9000/"},
@@ -42,7 +42,7 @@ struct RobotsFile : testing::Test {
   }
 };
 
-TEST_F(RobotsFile, NamesAndPlayersMeanRobotsAndTheCableComesFirst) {
+TEST_F(RobotsFile, NamesAndPlayerNumbersGiveRobotsWithTheCableFirst) {
   write(R"({"team": 14, "robots": [
     {"name": "tim", "wired": "10.1.14.22", "wireless": "10.0.14.22", "player": 2},
     {"name": "lea", "address": "fe80::2", "http_port": 9000, "player": 3}]})");
@@ -51,11 +51,11 @@ TEST_F(RobotsFile, NamesAndPlayersMeanRobotsAndTheCableComesFirst) {
   EXPECT_EQ(found->at(0).addresses, (std::vector<std::string>{"ws://10.1.14.22:8765/", "ws://10.0.14.22:8765/"}));
   EXPECT_EQ(found->at(1).name, "lea");
   EXPECT_EQ(found->at(1).addresses, std::vector<std::string>{"ws://[fe80::2]:9000/"});
-  EXPECT_EQ(found->at(2).name, "10.0.0.9") << "a token is no one's business";
+  EXPECT_EQ(found->at(2).name, "10.0.0.9") << "the name does not contain the token";
   EXPECT_EQ(find_robots({"tim", "2"}, file).error(), "expected each robot once, got tim twice");
 }
 
-TEST_F(RobotsFile, WhatIsWrongIsSaid) {
+TEST_F(RobotsFile, AWrongFileOrNameGivesASentence) {
   EXPECT_EQ(
       problem("tim").find("expected an address such as 10.0.14.22:8765, or a name of the robots file, got 'tim': "),
       0u);

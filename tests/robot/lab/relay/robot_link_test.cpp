@@ -1,4 +1,4 @@
-// A robot's server on loopback, and what a link makes of it.
+// A link to a robot's server on loopback.
 #include "robot/lab/relay/robot_link.h"
 
 #include <gtest/gtest.h>
@@ -23,10 +23,10 @@ namespace {
 
 using memory::Delivery;
 
-/// Longest wait for a name; only a failure takes this long.
+/// Longest wait for a name. Only a failure takes this long.
 constexpr std::uint64_t kPatience = 60 * kSecond;
 
-/// A clock that may be set right.
+/// A clock with an offset that can be corrected.
 class SettableClock final : public Clock {
  public:
   explicit SettableClock(std::int64_t ahead_ns) : ahead_ns_(ahead_ns) {}
@@ -38,7 +38,7 @@ class SettableClock final : public Clock {
   std::atomic<std::int64_t> ahead_ns_;
 };
 
-/// A robot's runtime as far as others see it.
+/// The server, the channels and the clock of a robot's runtime.
 class Robot {
  public:
   explicit Robot(const std::string& name, std::int64_t ahead_ns = 0, std::uint16_t port = 0)
@@ -89,7 +89,7 @@ class Robot {
   std::vector<net::PeerClock> measured_;
 };
 
-/// Keeps all that enters a channel.
+/// A listener that keeps all versions of a channel.
 class Kept final : public memory::Listener {
  public:
   explicit Kept(memory::Channel& channel) : channel_(channel) { channel.attach(*this); }
@@ -135,7 +135,7 @@ struct Relaying : testing::Test {
   }
 };
 
-TEST_F(Relaying, TopicsSchemasAndEveryMessageAreThoseOfTheRobotAlsoOfObjectsNobodyKnows) {
+TEST_F(Relaying, KeepsTopicsSchemasAndEveryMessageAlsoOfUnknownObjects) {
   Robot robot("14/2");
   const auto ball = robot.add({.topic = "/14/2/ball", .schema = memory::schema_of(*foresight::Ball::descriptor())});
   const auto vortex = robot.add({.topic = "/14/2/vortex",
@@ -150,7 +150,7 @@ TEST_F(Relaying, TopicsSchemasAndEveryMessageAreThoseOfTheRobotAlsoOfObjectsNobo
   wait_for("/14/2/vortex", "0");
   const Kept kept(*channels.find("/14/2/vortex"));
   for (std::uint64_t i = 1; i <= 500; ++i) EXPECT_TRUE(vortex->write_bytes(std::to_string(i), i * 1000));
-  // an object that comes later is relayed, too
+  // an object that is offered later is relayed too
   const auto late =
       robot.add({.topic = "/14/2/late", .message_encoding = "json", .schema = {}, .delivery = Delivery::fifo});
   EXPECT_TRUE(late->write_bytes("{}", 7));
@@ -174,7 +174,7 @@ TEST_F(Relaying, TopicsSchemasAndEveryMessageAreThoseOfTheRobotAlsoOfObjectsNobo
   EXPECT_EQ(status.received, 503u);
 }
 
-TEST_F(Relaying, ARobotThatGoesComesBackAndWhatWasMissedIsCounted) {
+TEST_F(Relaying, ConnectsAgainAndCountsTheLostMessages) {
   auto robot = std::make_unique<Robot>("14/2");
   const memory::ChannelInfo info{
       .topic = "/14/2/x", .message_encoding = "json", .schema = {}, .delivery = Delivery::reliable};
@@ -194,12 +194,12 @@ TEST_F(Relaying, ARobotThatGoesComesBackAndWhatWasMissedIsCounted) {
   for (const char* text : {"missed", "missed, too", "after"}) EXPECT_TRUE(channel->write_bytes(text, 2));
   robot->start();
   wait_for("/14/2/x", "after");
-  ASSERT_TRUE(tests::eventually([&] { return relayed->status().lost == 2; })) << "what was missed";
+  ASSERT_TRUE(tests::eventually([&] { return relayed->status().lost == 2; })) << "the lost messages";
   EXPECT_EQ(relayed->status().connections, 2u);
   EXPECT_EQ(channels.find("/14/2/x")->newest()->sequence(), 4u);
 }
 
-TEST_F(Relaying, AClockThatIsOffIsSetRightAndBothSidesAreTold) {
+TEST_F(Relaying, AWrongClockIsCorrectedAndBothSidesGetTheMeasurement) {
   Robot robot("14/2", 2'000'000'000);
   const auto ball = robot.add({.topic = "/14/2/ball", .schema = memory::schema_of(*foresight::Ball::descriptor())});
   robot.start();
@@ -220,7 +220,7 @@ TEST_F(Relaying, AClockThatIsOffIsSetRightAndBothSidesAreTold) {
   seen.set_seen_ns(shown_ns);
   wait_for("/14/2/ball", seen.SerializeAsString());
   EXPECT_EQ(channels.find("/14/2/ball")->newest()->capture_ns(), shown_ns);
-  // the robot is told what was measured, to be recorded there
+  // the robot receives the measurement, to record it
   ASSERT_FALSE(robot.measured().empty());
   const net::PeerClock peer = robot.measured().back();
   EXPECT_LE(std::abs(peer.offset_ns + 2'000'000'000),
@@ -229,7 +229,7 @@ TEST_F(Relaying, AClockThatIsOffIsSetRightAndBothSidesAreTold) {
   EXPECT_FALSE(offsets.empty());
 }
 
-TEST_F(Relaying, AClockThatIsTooFarOffIsRefusedWithTheOffset) {
+TEST_F(Relaying, AClockWithATooLargeOffsetIsRefusedWithTheOffset) {
   Robot robot("14/2", 5'000'000'000);
   const auto channel = robot.add({.topic = "/14/2/x", .message_encoding = "json", .schema = {}});
   robot.start();
@@ -242,7 +242,7 @@ TEST_F(Relaying, AClockThatIsTooFarOffIsRefusedWithTheOffset) {
   EXPECT_EQ(channels.find("/14/2/x"), nullptr);
 }
 
-TEST_F(Relaying, ARunThatWasRefusedAtFirstIsStillANewRun) {
+TEST_F(Relaying, ARunThatWasRefusedFirstIsStillANewRun) {
   auto robot = std::make_unique<Robot>("14/2");
   const memory::ChannelInfo info{
       .topic = "/14/2/x", .message_encoding = "json", .schema = {}, .delivery = Delivery::reliable};
@@ -263,7 +263,7 @@ TEST_F(Relaying, ARunThatWasRefusedAtFirstIsStillANewRun) {
   wait_for("/14/2/x", "of the new run");
 }
 
-TEST_F(Relaying, PicturesComeAsJpegUnderTheirOwnTopicOrRawOrNotAtAll) {
+TEST_F(Relaying, ImagesArriveAsJpegUnderTheirOwnTopicOrRawOrNotAtAll) {
   Robot robot("14/2");
   const memory::ChannelInfo info{.topic = "/14/2/camera_top",
                                  .schema = memory::schema_of(*foresight::Image::descriptor())};
@@ -282,7 +282,7 @@ TEST_F(Relaying, PicturesComeAsJpegUnderTheirOwnTopicOrRawOrNotAtAll) {
       return channels.find("/14/2/camera_top") && channels.find("/14/2/camera_top")->newest();
     })) << "a picture";
     EXPECT_EQ(channels.find("/14/2/camera_top")->info(), info);
-    EXPECT_EQ(channels.all().size(), 1u) << "what is derived is derived here again";
+    EXPECT_EQ(channels.all().size(), 1u) << "derived channels are left out";
     const auto newest = channels.find("/14/2/camera_top")->newest();
     foresight::Image jpeg;
     ASSERT_TRUE(jpeg.ParseFromString(std::string(newest->bytes())));
@@ -315,7 +315,7 @@ TEST_F(Relaying, PicturesComeAsJpegUnderTheirOwnTopicOrRawOrNotAtAll) {
   }
 }
 
-TEST_F(Relaying, WhatIsARobotsOwnItTellsItself) {
+TEST_F(Relaying, ARobotsOwnTopicsComeFromThatRobot) {
   Robot two("14/2"), three("14/3");
   const memory::ChannelInfo info{
       .topic = "/14/3/x", .message_encoding = "json", .schema = {}, .delivery = Delivery::reliable};
@@ -335,7 +335,7 @@ TEST_F(Relaying, WhatIsARobotsOwnItTellsItself) {
   for (const auto& version : kept.versions()) EXPECT_NE(version->bytes(), "rumour");
 }
 
-TEST_F(Relaying, AnotherSchemaUnderTheSameNameIsNotMixedIn) {
+TEST_F(Relaying, AnotherSchemaUnderTheSameTopicIsLeftOut) {
   Robot robot("14/2");
   robot.add({.topic = "/14/2/x",
              .message_encoding = "json",
@@ -352,7 +352,7 @@ TEST_F(Relaying, AnotherSchemaUnderTheSameNameIsNotMixedIn) {
   EXPECT_EQ(known->newest(), nullptr);
 }
 
-TEST(AskName, IsTheRobotsOrASentence) {
+TEST(AskName, ReturnsTheNameOfTheRobotOrAnError) {
   Robot robot("14/7");
   robot.start();
   const auto name = ask_name(robot.address(), kPatience);

@@ -14,7 +14,7 @@ namespace {
 using namespace synthetic;
 using tests::RecordingSink;
 
-/// All of it but the images, which take long: they are tested by themselves.
+/// Returns the recording with the smallest images, because images take long to draw and have their own test.
 const RecordingSink& whole() {
   static const RecordingSink sink = [] {
     RecordingSink all;
@@ -47,7 +47,7 @@ TEST(SyntheticRobot, HasEveryObjectAtItsRate) {
                                             {"log", 8},
                                             {"ball", counts["ball"]}};
   EXPECT_EQ(counts, expected);
-  EXPECT_GT(counts["ball"], 450) << "once it was seen the belief stays";
+  EXPECT_GT(counts["ball"], 450) << "the belief stays after the first sight";
 }
 
 TEST(SyntheticRobot, GivesTheSameBytesWholeOrInParts) {
@@ -62,7 +62,7 @@ TEST(SyntheticRobot, GivesTheSameBytesWholeOrInParts) {
   EXPECT_TRUE(tests::is_start_of(parts.entries, all.entries));
 }
 
-TEST(SyntheticRobot, AnotherSeedIsAnotherNoiseButTheSameStory) {
+TEST(SyntheticRobot, AnotherSeedGivesOtherNoiseButTheSameStory) {
   RecordingSink one, two;
   ASSERT_TRUE(SyntheticRobot({.seconds = 1, .seed = 1, .image_width = 64}).write(one));
   ASSERT_TRUE(SyntheticRobot({.seconds = 1, .seed = 2, .image_width = 64}).write(two));
@@ -82,7 +82,7 @@ TEST(SyntheticRobot, EndsWithTheErrorOfTheSink) {
   EXPECT_EQ(report.error(), "disk full");
 }
 
-TEST(SyntheticRobot, PlaysTheGameItTellsOf) {
+TEST(SyntheticRobot, PlaysTheGameOfItsLog) {
   std::vector<int> states;
   for (const auto* game : whole().of<pb::GameState>("game")) {
     if (states.empty() || states.back() != game->state()) states.push_back(game->state());

@@ -16,7 +16,7 @@ using tests::all_bytes;
 using tests::words_of;
 using Sources = std::vector<std::shared_ptr<const ByteSource>>;
 
-/// One stream whose words are captured `step_ns` apart from `first_ns` on, two in a chunk.
+/// One stream with two words in each chunk. The first is captured at `first_ns`, the others `step_ns` apart.
 std::string stream(std::uint16_t channel, const std::string& words, std::uint64_t first_ns, std::uint64_t step_ns,
                    bool finished = true, Compression compression = Compression::none) {
   tests::Disk disk;
@@ -45,7 +45,7 @@ Sources session() {
           named(stream(3, "c5 c25 c45 c65", 5, 20, false), "c.mcap")};
 }
 
-/// The words of an assembly; the test fails if the assembly cannot be made.
+/// Returns the words of an assembly. The test fails if the assembly fails.
 std::string assembled(Sources files, const AssemblyOptions& options = {}) {
   auto assembly = assemble(std::move(files), options);
   if (!assembly) return assembly.error();
@@ -59,7 +59,7 @@ TEST(Assembly, HoldsTheChunksOfAllFilesInTheOrderOfTheirStart) {
 TEST(Assembly, OfATopicHoldsOnlyTheChunksWithIt) {
   EXPECT_EQ(assembled(session(), {.topic = "/14/2/word2"}), "B15 B35 B55");
   EXPECT_EQ(assembled(session(), {.topic = "/14/2/none"}), "");
-  // the same out of one file with all of them
+  // the same from one file with all streams
   const auto whole = assemble(session());
   ASSERT_TRUE(whole);
   const auto one = named(all_bytes(*whole), "whole.mcap");
@@ -82,7 +82,7 @@ TEST(Assembly, IsAValidFileOfItsOwn) {
   EXPECT_EQ(index->schemas.size(), 1u);
   EXPECT_EQ(index->channels.at(3).topic, "/14/2/word3");
 
-  // each message index is where the summary says, and is that of the chunk before it
+  // each message index is at the offset in the summary, and belongs to the chunk before it
   for (const ChunkInfo& chunk : index->chunks) {
     const auto expected = index_messages(*assembly, chunk.index);
     ASSERT_TRUE(expected) << expected.error();
@@ -93,7 +93,7 @@ TEST(Assembly, IsAValidFileOfItsOwn) {
   }
 }
 
-TEST(Assembly, TellsWhichFileIsDamaged) {
+TEST(Assembly, NamesTheDamagedFile) {
   const auto assembly = assemble(session());
   EXPECT_EQ(assembly->damage(), "c.mcap: ends at byte " + std::to_string(session()[2]->size()) +
                                     " without a DataEnd: its writer was interrupted");
@@ -130,7 +130,7 @@ TEST(Assembly, ChoosesTheChunksThatOverlapATimeRange) {
   EXPECT_EQ(assembled(session(), {.until_ns = 40}), "c5 c25 a10 a20 B15 B35 a30 a40");
 }
 
-TEST(Assembly, PiecesPutTogetherAreTheWhole) {
+TEST(Assembly, PiecesTogetherAreTheWhole) {
   const auto assembly = assemble(session());
   const std::string whole = all_bytes(*assembly);
   std::mt19937 random(1);
@@ -150,7 +150,7 @@ TEST(Assembly, PiecesPutTogetherAreTheWhole) {
 }
 
 TEST(Assembly, OfALiveSessionStaysTheSameWhileItsFilesGrow) {
-  // the same writers, seen earlier and later; the later one is even finished
+  // the same writers at two times; at the later time they are closed
   const Sources early = {named(stream(1, "a10 a20 a30 a40", 10, 10, false), "a.mcap"),
                          named(stream(2, "B15 B35", 15, 20, false), "b.mcap")};
   const Sources later = {named(stream(1, "a10 a20 a30 a40 a50 a60", 10, 10), "a.mcap"),
@@ -168,7 +168,7 @@ TEST(Assembly, OfALiveSessionLeavesOutAChunkThatIsBeingWritten) {
     EXPECT_EQ(assembled({named(whole.substr(0, size), "a.mcap")}, {.until_ns = 40}), "a10 a20") << size;
 }
 
-TEST(Assembly, TheTagNamesTheContent) {
+TEST(Assembly, TheTagDependsOnTheContent) {
   EXPECT_EQ(assemble(session())->etag(), assemble(session())->etag());
   EXPECT_NE(assemble(session())->etag(), assemble(session(), {.until_ns = 40})->etag());
   EXPECT_NE(assemble({session()[0]})->etag(), assemble({session()[1]})->etag());
@@ -180,7 +180,7 @@ TEST(Assembly, RefusesTwoChannelsWithOneId) {
             "a.mcap and x.mcap: cannot be assembled: both use channel id 1");
 }
 
-TEST(Assembly, RefusesWhatIsNoMcapFile) {
+TEST(Assembly, RefusesAFileThatIsNotMcap) {
   EXPECT_EQ(assembled({named("hello", "x.mcap")}), "x.mcap: not an MCAP file: expected the magic bytes at its start");
 }
 

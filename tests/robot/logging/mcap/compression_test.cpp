@@ -25,7 +25,7 @@ std::string packed(Compression compression, std::string_view bytes) {
   return into;
 }
 
-TEST(Compression, ThereAndBackIsTheSame) {
+TEST(Compression, RoundTripsGiveTheSameBytes) {
   std::mt19937 random(1);
   for (const Compression compression : kAll) {
     Compressor compressor(compression);
@@ -41,13 +41,13 @@ TEST(Compression, ThereAndBackIsTheSame) {
   }
 }
 
-TEST(Compression, MakesSmall) {
+TEST(Compression, ReducesTheSize) {
   const std::string zeros(100'000, 0);
   EXPECT_LT(packed(Compression::lz4, zeros).size(), 1000u);
   EXPECT_LT(packed(Compression::zstd, zeros).size(), 100u);
 }
 
-TEST(Compression, ExactlyTheExpectedSizeComesOut) {
+TEST(Compression, RequiresExactlyTheExpectedSize) {
   const std::string bytes(1000, 'x');
   for (const Compression compression : kAll)
     for (const std::size_t size : {0u, 1u, 999u, 1001u, 100'000u})
@@ -65,21 +65,22 @@ TEST(Compression, SurvivesEveryTruncationAndEveryBrokenByte) {
     for (std::size_t i = 0; i < small.size(); ++i) {
       std::string broken = small;
       broken[i] = static_cast<char>(broken[i] ^ 0x55);
-      const auto back = decompress(compression, broken, 300);  // may succeed: the chunk's checksum tells then
+      const auto back =
+          decompress(compression, broken, 300);  // may succeed: then the chunk's checksum finds the damage
       EXPECT_TRUE(!back || back->size() == 300) << i;
     }
     EXPECT_FALSE(decompress(compression, small + "x", 300));
   }
 }
 
-TEST(Compression, ALieAboutTheSizeCostsNoMemory) {
+TEST(Compression, AFalseSizeCostsNoMemory) {
   EXPECT_FALSE(
       decompress(Compression::lz4, packed(Compression::lz4, "x"), std::numeric_limits<std::size_t>::max() / 2));
   EXPECT_FALSE(
       decompress(Compression::zstd, packed(Compression::zstd, "x"), std::numeric_limits<std::size_t>::max() / 2));
 }
 
-TEST(Compression, HasTheNamesOfMcap) {
+TEST(Compression, UsesTheNamesOfMcap) {
   for (const Compression compression : kAll) EXPECT_EQ(*compression_named(name(compression)), compression);
   EXPECT_EQ(compression_named("bz2").error(), "compression: expected \"\", \"lz4\" or \"zstd\", got \"bz2\"");
 }

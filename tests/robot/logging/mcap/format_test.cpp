@@ -34,8 +34,8 @@ void each_record(See&& see) {
   see(DataEnd{0x12345678});
 }
 
-// written out by hand from the specification
-TEST(McapFormat, ASchemaLooksAsTheSpecificationSays) {
+// written by hand from the specification
+TEST(McapFormat, ASchemaHasTheBytesOfTheSpecification) {
   EXPECT_EQ(encoded(Schema{0x0102, "N", "E", "D"}),
             "\x03"s                // op
             "\x11\0\0\0\0\0\0\0"s  // length
@@ -47,7 +47,7 @@ TEST(McapFormat, ASchemaLooksAsTheSpecificationSays) {
             "D"s);
 }
 
-TEST(McapFormat, AChannelLooksAsTheSpecificationSays) {
+TEST(McapFormat, AChannelHasTheBytesOfTheSpecification) {
   EXPECT_EQ(encoded(Channel{1, 2, "T", "M", {{"k", "v"}}}),
             "\x04\x1c\0\0\0\0\0\0\0"s
             "\x01\0\x02\0"s
@@ -58,7 +58,7 @@ TEST(McapFormat, AChannelLooksAsTheSpecificationSays) {
             "\x01\0\0\0v"s);
 }
 
-TEST(McapFormat, AMessageLooksAsTheSpecificationSays) {
+TEST(McapFormat, AMessageHasTheBytesOfTheSpecification) {
   EXPECT_EQ(encoded(Message{1, 2, 3, 4, "x"}),
             "\x05\x17\0\0\0\0\0\0\0"s
             "\x01\0"s
@@ -67,7 +67,7 @@ TEST(McapFormat, AMessageLooksAsTheSpecificationSays) {
             "\x04\0\0\0\0\0\0\0x"s);
 }
 
-TEST(McapFormat, AMessageIndexLooksAsTheSpecificationSays) {
+TEST(McapFormat, AMessageIndexHasTheBytesOfTheSpecification) {
   EXPECT_EQ(encoded(MessageIndex{1, {{2, 3}}}),
             "\x07\x16\0\0\0\0\0\0\0"s
             "\x01\0"s
@@ -76,7 +76,7 @@ TEST(McapFormat, AMessageIndexLooksAsTheSpecificationSays) {
             "\x03\0\0\0\0\0\0\0"s);
 }
 
-TEST(McapFormat, EveryRecordComesBackAsItWas) {
+TEST(McapFormat, EveryRecordRoundTrips) {
   each_record([](const auto& record) {
     using Record = std::decay_t<decltype(record)>;
     const std::string bytes = encoded(record);
@@ -102,12 +102,12 @@ TEST(McapFormat, SurvivesEveryTruncation) {
   });
 }
 
-TEST(McapFormat, LeavesFieldsOfLaterVersionsUnread) {
+TEST(McapFormat, IgnoresFieldsOfLaterVersions) {
   EXPECT_TRUE(decode<DataEnd>("\x01\0\0\0 and more"s, 0));
   EXPECT_EQ(decode<Header>(encoded(Header{"p", "l"}).substr(kRecordHeadBytes) + "more", 0)->library, "l");
 }
 
-TEST(McapFormat, SaysWhatIsMissingWhere) {
+TEST(McapFormat, NamesTheMissingFieldAndItsPlace) {
   EXPECT_EQ(decode<Schema>("\x01\0\x09\0\0\0foresi"s, 31).error(), "Schema at byte 31: name: expected 9 bytes, got 6");
   EXPECT_EQ(decode<MessageIndex>("\x01\0\x03\0\0\0abc"s, 8).error(),
             "MessageIndex at byte 8: entries: expected entries of 16 bytes, got 3");

@@ -12,7 +12,7 @@ using tests::McapText;
 
 const McapOptions kOptions{.channel_id = 7, .metadata = {{"session", {{"team", "14"}}}}};
 
-/// Everything an index says of chunks, as text.
+/// Returns all facts of an index about chunks, as text.
 std::string told(const McapIndex& index) {
   std::string text;
   for (const ChunkInfo& chunk : index.chunks) {
@@ -33,7 +33,7 @@ std::string told(const McapIndex& index) {
          std::to_string(statistics.metadata);
 }
 
-TEST(McapIndex, TellsWhatTheFileHoldsAndWhere) {
+TEST(McapIndex, ListsTheContentsOfTheFileAndTheirPlaces) {
   const McapText text("one two | three", kOptions);
   const auto index = read_index(*text.source());
   ASSERT_TRUE(index) << index.error();
@@ -51,7 +51,7 @@ TEST(McapIndex, TellsWhatTheFileHoldsAndWhere) {
   EXPECT_EQ(index->statistics.messages, 3u);
 }
 
-TEST(McapIndex, AScanFindsWhatTheSummarySays) {
+TEST(McapIndex, AScanGivesTheSameIndexAsTheSummary) {
   const McapText finished("one two | three | four five six", kOptions);
   const McapText interrupted("one two | three | four five six", kOptions, /*finished=*/false);
   const auto index = read_index(*finished.source()), scanned = read_index(*interrupted.source());
@@ -95,20 +95,20 @@ TEST(McapIndex, SurvivesEveryBrokenByte) {
       broken.increment_byte(i, delta);
       const auto index = read_index(*broken.source());
       if (i < data_end) continue;
-      // a broken summary is made again from the data, which are whole
+      // a broken summary is rebuilt from the data, which are undamaged
       ASSERT_TRUE(index) << i << index.error();
       EXPECT_EQ(told(*index), told_whole) << i;
       EXPECT_NE(index->damage, "") << i;
     }
 }
 
-TEST(McapIndex, RefusesWhatIsNoMcapFile) {
+TEST(McapIndex, RefusesAFileThatIsNotMcap) {
   EXPECT_EQ(read_index(MemorySource("", "a.mcap")).error(),
             "a.mcap: not an MCAP file: expected the magic bytes at its start");
   EXPECT_FALSE(read_index(MemorySource("{\"some\": \"JSON\"}")));
 }
 
-TEST(McapIndex, DropsTheLastChunkOfAnInterruptedFileIfItIsTorn) {
+TEST(McapIndex, LeavesOutTheLastChunkOfAnInterruptedFileIfItIsDamaged) {
   McapText text("one two | three", kOptions, /*finished=*/false);
   text.increment_byte(text.chunks()[1] + 9 + 40 + 31);  // in the word "three"
   const auto index = read_index(*text.source());
@@ -117,7 +117,7 @@ TEST(McapIndex, DropsTheLastChunkOfAnInterruptedFileIfItIsTorn) {
   EXPECT_EQ(index->statistics.messages, 2u);
 }
 
-/// A file of another writer: two channels that are described within the chunk, no message indexes, a loose message.
+/// A file of another writer: two channels described inside the chunk, no message indexes, one message outside chunks.
 std::string foreign_file(bool loose) {
   using namespace mcap;
   std::string records;
@@ -136,7 +136,7 @@ std::string foreign_file(bool loose) {
   return file.append(kMagic);
 }
 
-TEST(McapIndex, ReadsWhatOtherWritersLeaveOut) {
+TEST(McapIndex, CompletesFactsThatOtherWritersLeaveOut) {
   const auto index = read_index(MemorySource(foreign_file(true)));
   ASSERT_TRUE(index) << index.error();
   EXPECT_TRUE(index->complete);

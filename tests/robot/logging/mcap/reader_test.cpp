@@ -15,7 +15,7 @@ using tests::words_of;
 
 constexpr Compression kAll[] = {Compression::none, Compression::lz4, Compression::zstd};
 
-// words long enough that each compression takes them
+// words that are long enough to be compressed
 const std::string kText =
     "one-one-one-one-one-one-one-one-one-one-one-one-one two | "
     "three-three-three-three-three-three-three-three-three-three-three-three | four five five-five-five-five-five-five";
@@ -28,7 +28,7 @@ std::vector<std::string> split(const std::string& text) {
   return words;
 }
 
-/// How many messages are in chunks that end at `size` or before.
+/// Returns the number of messages in chunks that end at `size` or before.
 std::size_t messages_before(const McapIndex& index, std::uint64_t size) {
   std::size_t count = 0;
   for (const ChunkInfo& chunk : index.chunks)
@@ -36,7 +36,7 @@ std::size_t messages_before(const McapIndex& index, std::uint64_t size) {
   return count;
 }
 
-TEST(McapReader, DeliversTheMessagesAsTheyStandInTheFile) {
+TEST(McapReader, DeliversTheMessagesInTheOrderOfTheFile) {
   std::vector<std::string> damages;
   EXPECT_EQ(words_of(McapText("one two | three").source(), &damages), "one two three");
   EXPECT_TRUE(damages.empty());
@@ -70,7 +70,7 @@ TEST(McapReader, DeliversEverythingBeforeEveryTruncation) {
   }
 }
 
-TEST(McapReader, DeliversEverythingBeforeEveryBrokenByteAndTellsOfIt) {
+TEST(McapReader, DeliversEverythingBeforeEveryBrokenByteAndReportsIt) {
   for (const Compression compression : kAll)
     for (const int delta : {1, 0x80, 0xff}) {
       const McapText text(kText, {.compression = compression});
@@ -94,7 +94,7 @@ TEST(McapReader, DeliversEverythingBeforeEveryBrokenByteAndTellsOfIt) {
     }
 }
 
-TEST(McapReader, LeavesADamagedChunkOutAndGoesOn) {
+TEST(McapReader, LeavesOutADamagedChunkAndContinues) {
   McapText text("one two | three | four");
   text.increment_byte(text.chunks()[1] + 9 + 40 + 31);  // in the word "three"
   std::vector<std::string> damages;
@@ -103,7 +103,7 @@ TEST(McapReader, LeavesADamagedChunkOutAndGoesOn) {
             "memory: Chunk at byte " + std::to_string(text.chunks()[1]) + ": its checksum is wrong, it is damaged");
 }
 
-TEST(McapReader, GoesOnWithTheSummaryWhenTheSizesMakeNoSense) {
+TEST(McapReader, ContinuesWithTheSummaryWhenSizesAreInvalid) {
   for (int byte = 1; byte <= 8; ++byte) {
     McapText text("one two | three | four");
     text.increment_byte(text.chunks()[1] + static_cast<unsigned>(byte), 0x40);  // in the length of the chunk
@@ -120,7 +120,7 @@ TEST(McapReader, TheSummaryDescribesAChannelWhoseOwnRecordIsDamaged) {
   EXPECT_EQ(words_of(text.source(), &damages), "! one two three");
 }
 
-TEST(McapReader, TheChecksumOverAllTellsWhatNoOtherDoes) {
+TEST(McapReader, TheChecksumOverAllDataFindsADamageThatNoOtherFinds) {
   McapText text("one two | three");
   text.increment_byte(text.chunks()[0] + 9 + 40 + 31);
   text.fix_chunk_crcs();
@@ -129,7 +129,7 @@ TEST(McapReader, TheChecksumOverAllTellsWhatNoOtherDoes) {
   EXPECT_NE(damages[0].find("the data before byte"), std::string::npos) << damages[0];
 }
 
-TEST(McapReader, RefusesWhatIsNoMcapFile) {
+TEST(McapReader, RefusesAFileThatIsNotMcap) {
   for (const std::string bytes : {"", "x", "{\"some\": \"JSON\"}"}) {
     std::vector<std::string> damages;
     EXPECT_EQ(words_of(std::make_shared<MemorySource>(bytes), &damages), "!");
@@ -137,7 +137,7 @@ TEST(McapReader, RefusesWhatIsNoMcapFile) {
   }
 }
 
-TEST(McapReader, AnUnknownChannelIsADamageToldOnce) {
+TEST(McapReader, ReportsAnUnknownChannelOnce) {
   std::string bytes(mcap::kMagic);
   mcap::append(bytes, mcap::Header{});
   mcap::append(bytes, mcap::Message{3, 1, 1, 1, "x"});

@@ -19,7 +19,7 @@ using namespace tests;
 
 std::uint32_t crc(std::string_view bytes) { return mcap::crc32(bytes); }
 
-/// Writes little-endian numbers and strings as one does by hand.
+/// A writer of little-endian numbers and strings that shares no code with ours.
 struct Hand {
   std::string bytes;
   Hand& u8(unsigned value) { return number(value, 1); }
@@ -42,8 +42,8 @@ struct Hand {
   }
 };
 
-// every byte by hand, from the specification
-TEST(McapWriter, ASmallFileLooksAsTheSpecificationSays) {
+// every byte is written by hand from the specification
+TEST(McapWriter, ASmallFileHasTheBytesOfTheSpecification) {
   Disk disk;
   McapOptions options;
   options.channel_id = 7;
@@ -108,7 +108,7 @@ TEST(McapWriter, ASmallFileLooksAsTheSpecificationSays) {
   EXPECT_EQ(disk.bytes, file.bytes);
 }
 
-TEST(McapWriter, WhatIsWrittenIsReadBack) {
+TEST(McapWriter, ReadingReturnsTheWrittenMessages) {
   std::mt19937 random(1);
   for (const auto compression : {Compression::none, Compression::lz4, Compression::zstd})
     for (const std::size_t chunk_bytes : {1u, 100u, 5000u, 1u << 20}) {
@@ -179,23 +179,23 @@ TEST(McapWriter, AChunkIsWrittenWhenItsFirstMessageIsOld) {
   EXPECT_EQ(writer.flush_due_ns(), McapWriter::kNever);
 }
 
-TEST(McapWriter, FlushWritesWhatIsCollected) {
+TEST(McapWriter, FlushWritesTheCollectedMessages) {
   Disk disk;
   McapWriter writer = writer_to(disk);
   ASSERT_TRUE(writer.flush());
   ASSERT_TRUE(writer.write(word("a", 1), 0));
   ASSERT_TRUE(writer.flush());
-  EXPECT_EQ(words_of(std::make_shared<MemorySource>(disk.bytes)), "a !");  // there is no end yet
+  EXPECT_EQ(words_of(std::make_shared<MemorySource>(disk.bytes)), "a !");  // the file has no end yet
 }
 
-TEST(McapWriter, WhatDoesNotGetSmallerIsNotCompressed) {
+TEST(McapWriter, AChunkThatDoesNotGetSmallerIsNotCompressed) {
   McapOptions options;
   options.compression = Compression::lz4;
   const McapText small("a", options);
   EXPECT_EQ(read_index(*small.source())->chunks[0].index.compression, "");
 }
 
-TEST(McapWriter, RefusesAMessageThatNobodyWouldRead) {
+TEST(McapWriter, RefusesAMessageThatIsTooLargeForReaders) {
   Disk disk;
   McapWriter writer = writer_to(disk);
   const std::string huge(mcap::kMaxRecordBytes / 2 + 1, 'x');
@@ -206,7 +206,7 @@ TEST(McapWriter, RefusesAMessageThatNobodyWouldRead) {
   EXPECT_EQ(words_of(std::make_shared<MemorySource>(disk.bytes)), "a");
 }
 
-TEST(McapWriter, StartsOnAFullDiskWithAnError) {
+TEST(McapWriter, OpeningOnAFullDiskIsAnError) {
   const std::size_t head_bytes = [] {
     Disk disk;
     writer_to(disk);
@@ -222,7 +222,7 @@ TEST(McapWriter, StartsOnAFullDiskWithAnError) {
   }
 }
 
-/// Writes "a b", "c d", "e f" as three chunks on a disk that is full at `room` bytes until `e` comes.
+/// Writes "a b", "c d", "e f" as three chunks on a disk that is full at `room` bytes until the message `e`.
 void write_on_full_disk(std::uint64_t room, bool can_truncate, Compression compression) {
   Disk disk;
   McapOptions options;
@@ -251,15 +251,15 @@ void write_on_full_disk(std::uint64_t room, bool can_truncate, Compression compr
   EXPECT_EQ(words_of(std::make_shared<MemorySource>(disk.bytes)), expected) << room;
 }
 
-TEST(McapWriter, GoesOnWhenAFullDiskHasRoomAgain) {
+TEST(McapWriter, ContinuesWhenAFullDiskHasRoomAgain) {
   for (std::uint64_t room = 0; room < 400; ++room) {
     write_on_full_disk(room, true, Compression::none);
-    write_on_full_disk(room, false, Compression::none);  // cutting fails as well, for a while
+    write_on_full_disk(room, false, Compression::none);  // truncation fails too, for a while
     write_on_full_disk(room, true, Compression::zstd);
   }
 }
 
-TEST(McapWriter, CloseMayBeTriedAgain) {
+TEST(McapWriter, CloseMayBeCalledAgainAfterAnError) {
   for (std::uint64_t room = 0; room < 400; room += 7) {
     Disk disk;
     McapWriter writer = writer_to(disk);

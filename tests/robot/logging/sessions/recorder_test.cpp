@@ -1,4 +1,4 @@
-// Recording whole sessions: what goes in comes out, whatever happens to the disk or the process.
+// Recording of whole sessions: every message is readable afterwards, also after a full disk or a killed process.
 #include "robot/logging/sessions/recorder.h"
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ TEST_F(Recording, RefusesAProfileItDoesNotKnow) {
   EXPECT_EQ(recorder.start("", "all").error(), "recording profile: expected one of game, vision, full, got 'all'");
 }
 
-TEST_F(Recording, ObjectsThatTurnUpLaterJoin) {
+TEST_F(Recording, ObjectsThatAppearLaterJoin) {
   const std::string id = *recorder.start("", "game");
   const auto late = tests::make_channel(clock, "/14/2/late");
   ASSERT_TRUE(channels.add(late));
@@ -104,7 +104,7 @@ TEST_F(Recording, ObjectsThatTurnUpLaterJoin) {
   EXPECT_EQ(tests::read_stream(folder.path() / id / "14.2.late.mcap").at(0).bytes, "unknown to us");
 }
 
-TEST_F(Recording, TwoSessionsOfOneSecondDoNotMeet) {
+TEST_F(Recording, TwoSessionsOfOneSecondHaveTheirOwnFolders) {
   const std::string first = *recorder.start("", "game");
   ASSERT_TRUE(recorder.stop());
   const std::string second = *recorder.start("", "game");
@@ -113,7 +113,7 @@ TEST_F(Recording, TwoSessionsOfOneSecondDoNotMeet) {
   EXPECT_EQ(store.list().size(), 2u);
 }
 
-TEST_F(Recording, InAGameImagesAreSmallAndFew) {
+TEST_F(Recording, ProfileGameRecordsSmallAndFewImages) {
   const std::string id = *recorder.start("", "game");
   for (int i = 0; i < 61; ++i) {
     auto image = memory->camera_top.draft();
@@ -123,7 +123,7 @@ TEST_F(Recording, InAGameImagesAreSmallAndFew) {
     image->set_data(std::string(614'400, '\x80'));
     memory->camera_top.write(std::move(image), kNow + static_cast<std::uint64_t>(i) * kSecond / 30);
   }
-  ASSERT_TRUE(recorder.stop());  // all eleven fit into the queue, whether the logger keeps up or not
+  ASSERT_TRUE(recorder.stop());  // all eleven fit into the queue, even if the logger is slow
   const std::vector<Record> records = tests::read_stream(folder.path() / id / "14.2.camera_top.mcap");
   ASSERT_EQ(records.size(), 11u) << "two seconds at 5 Hz, both ends";
   for (std::size_t i = 0; i < records.size(); ++i) {
@@ -136,8 +136,8 @@ TEST_F(Recording, InAGameImagesAreSmallAndFew) {
   }
 }
 
-// a thread that was held up writes its images late and close together: no image of a 30 Hz camera is one too many
-TEST_F(Recording, ForVisionLateImagesAreRecordedToo) {
+// a delayed thread writes its images late and close together: profile `vision` must take each image of a 30 Hz camera
+TEST_F(Recording, ProfileVisionRecordsLateImagesToo) {
   const std::string id = *recorder.start("", "vision");
   std::mt19937 random(1);
   std::uint64_t last = 0;
@@ -153,8 +153,8 @@ TEST_F(Recording, ForVisionLateImagesAreRecordedToo) {
   EXPECT_EQ(tests::read_stream(folder.path() / id / "14.2.camera_top.mcap").size(), 60u);
 }
 
-// the system clock does not matter: capture times come from the session's own clock
-TEST_F(Recording, KeepsItsOrderWhateverTheSystemClockDoes) {
+// capture times are from the session's own clock, not from the system clock
+TEST_F(Recording, KeepsTheOrderOfTheSessionClock) {
   const SessionClock session_clock(kNow);  // monotonic plus a fixed offset, as on the robot
   std::uint64_t last = 0;
   const std::string id = *recorder.start("", "game");
@@ -168,7 +168,7 @@ TEST_F(Recording, KeepsItsOrderWhateverTheSystemClockDoes) {
   }
 }
 
-/// In a process of its own: records balls, says when `count` are written, then waits to be killed.
+/// Runs in a process of its own: records balls, reports when `count` are written, then waits until it is killed.
 [[noreturn]] void record_until_killed(const fs::path& folder, int ready, int count) {
   const SessionClock clock;
   const auto memory = std::make_shared<memory::Memory>("14/2", clock);
@@ -183,12 +183,12 @@ TEST_F(Recording, KeepsItsOrderWhateverTheSystemClockDoes) {
     ball.set_x(static_cast<float>(i));
     memory->ball.write(ball, clock.now_ns());
   }
-  usleep(1'200'000);  // what is promised: everything older than one second is on the disk
+  usleep(1'200'000);  // the promise: every message older than one second is on the disk
   (void)!write(ready, "x", 1);
   while (true) pause();
 }
 
-TEST(RecordingKilled, IsReadableAndItsIndexIsMadeAnew) {
+TEST(RecordingKilled, IsReadableAndItsIndexIsRebuilt) {
   const tests::TemporaryFolder folder;
   int ready[2];
   ASSERT_EQ(pipe(ready), 0);
@@ -208,7 +208,7 @@ TEST(RecordingKilled, IsReadableAndItsIndexIsMadeAnew) {
   EXPECT_EQ(tests::read_stream(sessions[0].folder / "14.2.ball.mcap").size(), 500u);
 }
 
-/// A small disk of its own, where this is allowed.
+/// A small disk of its own, if the system allows it.
 struct SmallDisk {
   SmallDisk(const fs::path& where, const char* size) : path(where) {
     mounted = mount("tmpfs", path.c_str(), "tmpfs", 0, size) == 0;
@@ -220,7 +220,7 @@ struct SmallDisk {
   bool mounted = false;
 };
 
-TEST_F(Recording, IsRefusedWhereNotEvenAMinuteFits) {
+TEST_F(Recording, IsRefusedIfLessThanOneMinuteFits) {
   const SmallDisk disk(folder.path(), "size=1m");
   if (!disk.mounted) GTEST_SKIP() << "needs the right to mount a small tmpfs";
   EXPECT_EQ(recorder.start("", "vision").error(),
@@ -229,7 +229,7 @@ TEST_F(Recording, IsRefusedWhereNotEvenAMinuteFits) {
                 " MB per minute; 0 minutes of it fit");
 }
 
-TEST_F(Recording, AFullDiskIsSaidAndRecordingGoesOnWhenThereIsRoom) {
+TEST_F(Recording, ReportsAFullDiskAndContinuesWhenThereIsRoom) {
   const SmallDisk disk(folder.path(), "size=60m");
   if (!disk.mounted) GTEST_SKIP() << "needs the right to mount a small tmpfs";
   const std::string part(4'000'000, 'x');
@@ -239,7 +239,7 @@ TEST_F(Recording, AFullDiskIsSaidAndRecordingGoesOnWhenThereIsRoom) {
   const Result<std::string> session = recorder.start("", "game");
   ASSERT_TRUE(session) << session.error();
 
-  std::mt19937 random(1);  // does not compress
+  std::mt19937 random(1);  // random bytes do not compress
   const auto write_until = [&](RecordingStatus::State state) {
     for (int i = 0; recorder.status().state != state; ++i) {
       ASSERT_LT(i, 100'000);
@@ -262,7 +262,7 @@ TEST_F(Recording, AFullDiskIsSaidAndRecordingGoesOnWhenThereIsRoom) {
 }
 
 struct OldSessions : Recording {
-  /// A complete session that ended `age_hours` before now and takes about `bytes`.
+  /// Makes a complete session of about `bytes` that ended `age_hours` ago.
   std::string make(std::uint64_t age_hours, std::size_t bytes, bool kept) {
     const std::uint64_t start = kNow - age_hours * 3600 * kSecond;
     const fs::path path = folder.path() / session_folder_name(start, "old", "game");
@@ -275,7 +275,7 @@ struct OldSessions : Recording {
   bool there(const std::string& id) { return fs::exists(folder.path() / id); }
 };
 
-TEST_F(OldSessions, TheOldestGoFirstAndNeverAYoungOrAKeptOne) {
+TEST_F(OldSessions, TheOldestAreDeletedFirstAndNeverAYoungOrAKeptOne) {
   const std::string kept = make(96, 1'000'000, true);
   const std::string oldest = make(72, 1'000'000, false);
   const std::string older = make(48, 1'000'000, false);
@@ -296,7 +296,7 @@ TEST_F(OldSessions, APersonMayKeepAndRelease) {
   EXPECT_EQ(small.make_room(0, kNow), std::vector<std::string>{id});
 }
 
-TEST_F(OldSessions, NamesWithAPathInThemAreRefused) {
+TEST_F(OldSessions, NamesThatContainAPathAreRefused) {
   make(1, 10, false);
   for (const char* id : {"", ".", "..", "../etc", "/etc", "a/b", ".hidden"})
     EXPECT_EQ(store.find(id).error(), "session: expected the name of a session, got '" + std::string(id) + "'");

@@ -28,7 +28,7 @@ SessionInfo example() {
           .complete = true};
 }
 
-TEST(SessionInfo, ComesBackFromItsJson) { EXPECT_EQ(*parse_session_info(to_json(example())), example()); }
+TEST(SessionInfo, RoundTripsThroughItsJson) { EXPECT_EQ(*parse_session_info(to_json(example())), example()); }
 
 TEST(SessionInfo, SurvivesEveryTruncation) {
   const std::string text = to_json(example());
@@ -36,7 +36,7 @@ TEST(SessionInfo, SurvivesEveryTruncation) {
   for (std::size_t size = 0; size <= last; ++size) EXPECT_FALSE(parse_session_info(text.substr(0, size)));
 }
 
-TEST(SessionInfo, SaysWhichValueIsWrong) {
+TEST(SessionInfo, NamesTheWrongValue) {
   EXPECT_EQ(parse_session_info("[]").error(), "session.json: expected a JSON object");
   EXPECT_EQ(parse_session_info(R"({"name": 3})").error(), "session.json: 'name' is missing or of the wrong type");
   std::string text = to_json(example());
@@ -44,13 +44,13 @@ TEST(SessionInfo, SaysWhichValueIsWrong) {
   EXPECT_EQ(parse_session_info(text).error(), "session.json: 'team' is missing or of the wrong type");
 }
 
-TEST(SessionInfo, OfANameThatIsNoTextIsStillJson) {
+TEST(SessionInfo, IsValidJsonAlsoIfTheNameIsNotUtf8) {
   SessionInfo info = example();
   info.name = "\xff\xfe";
   EXPECT_TRUE(parse_session_info(to_json(info)));
 }
 
-TEST(SessionNames, AreTame) {
+TEST(SessionNames, HoldOnlySafeCharacters) {
   EXPECT_EQ(stream_file_name("/14/2/camera_top"), "14.2.camera_top.mcap");
   EXPECT_EQ(stream_file_name("/../../etc/passwd"), "......etc.passwd.mcap");
   EXPECT_EQ(stream_file_name("/a b\n\"<>"), "a_b____.mcap");
@@ -84,7 +84,7 @@ TEST_F(WrittenSession, IsReadWithItsStreamsAndTimes) {
   EXPECT_EQ(session->streams[1].messages, 5u);
 }
 
-TEST_F(WrittenSession, ItsFilesAreListedWithWhatTellsThemApart) {
+TEST_F(WrittenSession, ItsFilesAreListedWithSizesAndChecksums) {
   const auto files = read_session_files(folder / "s");
   ASSERT_TRUE(files) << files.error();
   ASSERT_EQ(files->size(), 3u);
@@ -116,7 +116,7 @@ TEST_F(WrittenSession, IsNotOverwritten) {
             "session " + (folder / "s").string() + ": there is one already");
 }
 
-TEST_F(WrittenSession, OpensWithWhatIsReadableAndSaysWhatIsNot) {
+TEST_F(WrittenSession, OpensItsReadablePartAndNamesTheDamage) {
   std::ofstream(folder / "s/14.2.a.mcap", std::ios::trunc) << "no recording at all";
   const Result<Session> session = read_session(folder / "s");
   ASSERT_TRUE(session);
@@ -126,7 +126,7 @@ TEST_F(WrittenSession, OpensWithWhatIsReadableAndSaysWhatIsNot) {
   EXPECT_EQ(session->streams[1].messages, 5u);
 }
 
-TEST_F(WrittenSession, IsOneDownloadAndEachStreamToo) {
+TEST_F(WrittenSession, IsOneDownloadAndSoIsEachStream) {
   Downloads downloads;
   const Session session = *read_session(folder / "s");
   const auto whole = downloads.open(session, {}, {});
@@ -136,7 +136,7 @@ TEST_F(WrittenSession, IsOneDownloadAndEachStreamToo) {
   EXPECT_EQ(downloads.open(session, "x.mcap", {}).error(), "session s: there is no stream 'x.mcap'");
 }
 
-TEST_F(WrittenSession, IsPutTogetherOnceForManyRanges) {
+TEST_F(WrittenSession, IsAssembledOnceForManyRanges) {
   Downloads downloads;
   const Session session = *read_session(folder / "s");
   EXPECT_EQ(*downloads.open(session, {}, {}), *downloads.open(session, {}, {}));
@@ -157,7 +157,7 @@ TEST_F(WrittenSession, AsOneFileIsTheSameSession) {
   EXPECT_EQ(recording->end_ns, session.end_ns);
   ASSERT_EQ(recording->streams.size(), session.streams.size());
 
-  // each stream reads as it does from its own file
+  // each stream has the same messages as in its own file
   for (const StreamFile& stream : session.streams) {
     FileInProvider own(folder / "s" / stream.file), shared(folder / "whole.mcap", stream.topic);
     EXPECT_EQ(own.open().value(), shared.open().value());
@@ -172,7 +172,7 @@ TEST_F(WrittenSession, AsOneFileIsTheSameSession) {
   }
 }
 
-TEST_F(WrittenSession, ATopicThatAFileDoesNotHoldIsNamed) {
+TEST_F(WrittenSession, NamesATopicThatAFileDoesNotHold) {
   const Session session = *read_session(folder / "s");
   const auto file = folder / "s" / session.streams.front().file;
   FileInProvider in(file, "/14/2/none");

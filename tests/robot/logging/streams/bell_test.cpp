@@ -27,7 +27,7 @@ TEST(Bell, WakesTheReadersOfAllItsQueues) {
   }
 }
 
-TEST(Bell, SleepsWithoutQueuesAndBeginsAgain) {
+TEST(Bell, SleepsWithoutQueuesAndStartsAgain) {
   ManualClock clock;
   const auto channel = tests::make_channel(clock);
   Bell bell;

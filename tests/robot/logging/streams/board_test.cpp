@@ -58,7 +58,7 @@ TEST_F(Board, StreamsStartAndStopAtAnyTime) {
   EXPECT_TRUE(board.statuses().empty());
 }
 
-TEST_F(Board, ASlowDeviceNeverBlocksTheWriterAndWhatIsLostIsCounted) {
+TEST_F(Board, ASlowDeviceNeverBlocksTheWriterAndLostMessagesAreCounted) {
   arrivals->blocked = true;
   const auto stream = log(100);
   constexpr std::uint64_t kWrites = 1000;
@@ -70,7 +70,7 @@ TEST_F(Board, ASlowDeviceNeverBlocksTheWriterAndWhatIsLostIsCounted) {
   EXPECT_EQ(arrivals->records.back().sequence, kWrites) << "the newest is kept";
 }
 
-TEST_F(Board, AFailingDeviceIsVisibleAndTriedAgain) {
+TEST_F(Board, AFailingDeviceIsReportedAndTriedAgain) {
   arrivals->refuse = true;
   const auto stream = log();
   write("lost");
@@ -85,9 +85,9 @@ TEST_F(Board, AFailingDeviceIsVisibleAndTriedAgain) {
   EXPECT_EQ(status.problem, "");
 }
 
-TEST_F(Board, StoppingAStreamThatIsNotThereIsHarmless) { EXPECT_EQ(board.stop(99).topic, ""); }
+TEST_F(Board, StoppingAnUnknownStreamHasNoEffect) { EXPECT_EQ(board.stop(99).topic, ""); }
 
-/// A stream of given records.
+/// An input stream of given records.
 class GivenProvider final : public InProvider {
  public:
   explicit GivenProvider(std::vector<Record> records) : records_(std::move(records)) {}

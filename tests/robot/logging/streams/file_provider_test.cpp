@@ -17,7 +17,7 @@ namespace {
 
 using tests::TemporaryFolder;
 
-/// The records of a file until its end, the first error as one more record.
+/// Returns the records of a file, and the first error as one more record.
 std::vector<Record> records_of(FileInProvider& file) {
   std::vector<Record> records;
   while (true) {
@@ -39,7 +39,7 @@ memory::ChannelInfo write_words(FileOutProvider& file, int count) {
   return channel->info();
 }
 
-TEST(FileProvider, WhatGoesOutComesIn) {
+TEST(FileProvider, ReadsTheMessagesThatItWrote) {
   const TemporaryFolder folder;
   FileOutProvider out(folder / "a.mcap", {.channel_id = 5});
   const memory::ChannelInfo info = write_words(out, 3);
@@ -64,7 +64,7 @@ TEST(FileProvider, AnExistingFileIsNeverOverwritten) {
   EXPECT_EQ(opened.error(), "cannot make " + (folder / "a.mcap").string() + ": File exists");
 }
 
-TEST(FileProvider, OpenMayBeTriedAgain) {
+TEST(FileProvider, OpenMayBeCalledAgainAfterAnError) {
   const TemporaryFolder folder;
   FileOutProvider out(folder / "session/a.mcap", {});
   EXPECT_FALSE(out.open({}));
@@ -91,7 +91,7 @@ TEST(FileProvider, ReadsAFileWhoseWriterDied) {
   {
     FileOutProvider out(folder / "a.mcap", {});
     write_words(out, 2);
-    ASSERT_TRUE(out.flush());  // and no close()
+    ASSERT_TRUE(out.flush());  // without close()
   }
   FileInProvider in(folder / "a.mcap");
   ASSERT_TRUE(in.open());
@@ -101,7 +101,7 @@ TEST(FileProvider, ReadsAFileWhoseWriterDied) {
   EXPECT_TRUE(records[2].bytes.starts_with("damage: a.mcap: ends at byte ")) << records[2].bytes;
 }
 
-TEST(FileProvider, GoesToTheNewestFromBeforeATime) {
+TEST(FileProvider, SeeksTheNewestMessageBeforeATime) {
   const TemporaryFolder folder;
   for (const std::size_t chunk_bytes : {std::size_t{1}, std::size_t{1'000'000}}) {
     const auto path = folder / ("a" + std::to_string(chunk_bytes) + ".mcap");
@@ -133,14 +133,14 @@ TEST(FileProvider, CancelEndsReading) {
   EXPECT_TRUE(records_of(in).empty());
 }
 
-TEST(FileProvider, SaysWhyAFileCannotBeRead) {
+TEST(FileProvider, GivesTheReasonWhyAFileCannotBeRead) {
   const TemporaryFolder folder;
   FileInProvider missing(folder / "a.mcap"), directory(folder.path());
   EXPECT_EQ(missing.open().error(), "cannot read " + (folder / "a.mcap").string() + ": No such file or directory");
   EXPECT_EQ(directory.open().error(), "cannot read " + folder.path().string() + ": expected a file");
 }
 
-// the real device, full at every possible byte: a limit on the size of files stands for the end of the disk
+// a real file, on a disk that is full at every possible byte: a limit on the size of files simulates the full disk
 TEST(FileProvider, AFullDiskIsAnErrorAndLeavesAGoodFile) {
   const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
   rlimit old_limit{};

@@ -14,7 +14,7 @@ struct Stream : ::testing::Test {
     bytes = channel_frame(channel->info()) + message_frame_head(*version) + std::string(version->bytes());
   }
 
-  /// Reads all frames there are; false after an Error.
+  /// Reads all complete frames. Returns false after an Error.
   static bool drain(FrameParser& parser, std::vector<Frame>& frames) {
     while (true) {
       Result<std::optional<Frame>> frame = parser.next();
@@ -29,7 +29,7 @@ struct Stream : ::testing::Test {
   std::string bytes;
 };
 
-TEST_F(Stream, GivesBackWhatWentInWhateverThePieces) {
+TEST_F(Stream, ReturnsTheSameFramesForPiecesOfAnySize) {
   for (std::size_t piece = 1; piece <= bytes.size(); ++piece) {
     FrameParser parser;
     std::vector<Frame> frames;

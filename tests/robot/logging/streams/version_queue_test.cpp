@@ -23,7 +23,7 @@ struct Queue : ::testing::Test {
   VersionQueue queue{100};
 };
 
-TEST_F(Queue, GivesVersionsInOrder) {
+TEST_F(Queue, ReturnsVersionsInOrder) {
   channel->attach(queue);
   for (int i = 0; i < 3; ++i) write(10);
   channel->detach(queue);
@@ -40,7 +40,7 @@ TEST_F(Queue, DropsTheOldestWhenFullAndCountsThem) {
   EXPECT_EQ(queue.pop(kNever)->sequence(), 4u);
 }
 
-TEST_F(Queue, LetsOneTooLargeVersionPassAlone) {
+TEST_F(Queue, PassesOneTooLargeVersionAlone) {
   channel->attach(queue);
   write(10);
   write(1000);
@@ -49,7 +49,7 @@ TEST_F(Queue, LetsOneTooLargeVersionPassAlone) {
   EXPECT_EQ(queue.pop(kNever)->size_bytes(), 1000u);
 }
 
-TEST_F(Queue, GivesWhatIsLeftAfterItWasClosedAndTakesNothingMore) {
+TEST_F(Queue, ReturnsTheRestAfterClosingAndAcceptsNothingMore) {
   channel->attach(queue);
   write(10);
   queue.close();
@@ -60,7 +60,7 @@ TEST_F(Queue, GivesWhatIsLeftAfterItWasClosedAndTakesNothingMore) {
   EXPECT_EQ(queue.dropped(), 0u);
 }
 
-TEST_F(Queue, WakesAReaderThatWaits) {
+TEST_F(Queue, WakesAWaitingReader) {
   std::thread reader([&] { EXPECT_NE(queue.pop(kNever), nullptr); });
   channel->attach(queue);
   write(10);
@@ -68,7 +68,7 @@ TEST_F(Queue, WakesAReaderThatWaits) {
   channel->detach(queue);
 }
 
-TEST_F(Queue, TheBellWakesAPatientReaderWhenItsTimeIsOver) {
+TEST_F(Queue, TheBellWakesAReaderWhenThePatienceIsOver) {
   VersionQueue patient{1000, Patience{.time_ns = 50, .bytes = 100}};
   channel->attach(patient);
   std::atomic<bool> woken = false;
@@ -77,14 +77,14 @@ TEST_F(Queue, TheBellWakesAPatientReaderWhenItsTimeIsOver) {
     woken = true;
   });
   write(10);
-  patient.ring(1000);  // from now on it has waited
-  // until the reader sleeps there is nobody to be woken
+  patient.ring(1000);  // the waiting time begins here
+  // a ring before the reader sleeps wakes no thread
   while (!woken) patient.ring(1050);
   reader.join();
   channel->detach(patient);
 }
 
-TEST_F(Queue, MuchThatWaitsEndsPatience) {
+TEST_F(Queue, ManyWaitingBytesEndThePatience) {
   VersionQueue patient{1000, Patience{.time_ns = kSecond, .bytes = 100}};
   channel->attach(patient);
   std::atomic<bool> woken = false;
@@ -98,14 +98,14 @@ TEST_F(Queue, MuchThatWaitsEndsPatience) {
   channel->detach(patient);
 }
 
-TEST_F(Queue, ClosingWakesAReaderThatWaits) {
+TEST_F(Queue, ClosingWakesAWaitingReader) {
   std::thread reader([&] { EXPECT_EQ(queue.pop(kNever), nullptr); });
   queue.close();
   reader.join();
 }
 
-// every version is either popped or counted as dropped, whatever the threads do
-TEST_F(Queue, LosesNothingUncounted) {
+// every version is either popped or counted as dropped, in any order of the threads
+TEST_F(Queue, CountsEveryLostVersion) {
   constexpr std::uint64_t kWrites = 20'000;
   channel->attach(queue);
   std::uint64_t popped = 0;

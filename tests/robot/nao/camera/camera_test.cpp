@@ -1,4 +1,4 @@
-// Frames of a camera that is none: the newest wins, upright, stamped by the driver; it may be pulled out and come back.
+// Frames of a fake camera: the newest one, upright, with the driver's time stamp. The camera may vanish and come back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using tests::FakeVideo;
 
 constexpr std::uint64_t kFrame_ns = 33'333'000;
 
-/// A picture of which every byte is told by its place and by `seed`.
+/// Returns a picture whose bytes depend on their position and on `seed`.
 std::string picture(std::uint32_t width, std::uint32_t height, int seed) {
   std::string rows;
   for (std::uint32_t i = 0; i < 2 * width * height; ++i)
@@ -38,7 +38,7 @@ struct NaoCamera : ::testing::Test {
   }
   Result<VideoCapture> open(const CameraSettings& with) { return VideoCapture::open(video, with, warnings); }
 
-  /// The newest image, upright.
+  /// Returns the newest image, upright.
   std::string next(VideoCapture& capture, std::uint64_t* capture_ns = nullptr) {
     const auto frame = capture.newest(0);
     if (!frame || !*frame) return "none";
@@ -49,7 +49,7 @@ struct NaoCamera : ::testing::Test {
     return image;
   }
 
-  FakeCamera camera{8, 4, 6};  // with padding behind each row
+  FakeCamera camera{8, 4, 6};  // with padding after each row
   FakeVideo video{camera};
   std::vector<std::string> warnings;
 };
@@ -64,7 +64,7 @@ TEST_F(NaoCamera, GivesTheNewestFrameAndItsTime) {
   EXPECT_EQ(capture_ns, 3 * kFrame_ns);
   EXPECT_EQ(capture->passed_over(), 2u);
   EXPECT_EQ(next(*capture), "none");
-  // all buffers have gone back
+  // all buffers are back at the device
   for (int i = 4; i <= 100; ++i) {
     camera.deliver(picture(8, 4, i), static_cast<std::uint64_t>(i) * kFrame_ns);
     ASSERT_EQ(next(*capture), picture(8, 4, i));
@@ -72,7 +72,7 @@ TEST_F(NaoCamera, GivesTheNewestFrameAndItsTime) {
   EXPECT_EQ(camera.lost, 0u);
 }
 
-TEST_F(NaoCamera, TurnsWhatIsMountedUpsideDown) {
+TEST_F(NaoCamera, TurnsImagesOfACameraMountedUpsideDown) {
   CameraSettings turned = settings();
   turned.turned = true;
   auto capture = open(turned);
@@ -100,7 +100,7 @@ TEST_F(NaoCamera, LeavesDamagedFramesOut) {
   EXPECT_EQ(next(*capture), picture(8, 4, 1));
 }
 
-TEST_F(NaoCamera, SetsControlsAndTellsWhichTheDeviceLacks) {
+TEST_F(NaoCamera, SetsControlsAndNamesTheMissingOnes) {
   camera.known_controls = {V4L2_CID_GAIN};
   CameraSettings with = settings();
   with.controls = {{"gain", 16}, {"focus", 0}};
@@ -109,7 +109,7 @@ TEST_F(NaoCamera, SetsControlsAndTellsWhichTheDeviceLacks) {
   EXPECT_EQ(warnings, std::vector<std::string>{"camera /dev/video-test: focus = 0 was not taken: Invalid argument"});
 }
 
-TEST_F(NaoCamera, SaysWhatTheDeviceRefuses) {
+TEST_F(NaoCamera, NamesTheStepThatTheDeviceRefuses) {
   camera.format = V4L2_PIX_FMT_MJPEG;
   EXPECT_EQ(open(settings()).error(), "camera /dev/video-test: expected YUYV 8x4, got MJPG 8x4");
   camera.format = V4L2_PIX_FMT_YUYV;
@@ -175,11 +175,11 @@ TEST_F(NaoCameraThread, WritesImagesWithTheDriversTime) {
   EXPECT_EQ(image->value().encoding(), foresight::Image::ENCODING_YUYV);
   EXPECT_LE(image->capture_ns(), clock.now_ns());
   EXPECT_GE(images, 1);
-  // the driver's own time, not that of the thread
+  // the driver's time, not the thread's
   const std::uint64_t long_ago_ns = monotonic_ns() - 5 * kSecond;
   ASSERT_TRUE(tests::eventually([&] {
     camera.deliver(picture(8, 4, 2), long_ago_ns);
-    // the driver tells whole microseconds
+    // the driver's times are whole microseconds
     const std::uint64_t early_ns = long_ago_ns + clock.epoch_offset_ns() - memory.camera_top.read()->capture_ns();
     return early_ns < 1000;
   }));

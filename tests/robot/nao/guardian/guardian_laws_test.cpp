@@ -1,4 +1,4 @@
-// No order, no touch and no reading leads the guardian beyond what the body may do.
+// No order, touch or sensor value makes the guardian break the body's limits.
 #include "tests/support/guardian_laws.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ TEST(NaoGuardianLaws, HoldWhateverHappens) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     std::mt19937 random(seed);
     tests::GuardianLaws laws;
-    // in some lives much happens, in others little; now and then all is well again and the chest button is pressed
+    // the seed sets how often events happen; at times all is well again and the chest button is pressed
     const unsigned calm = 1 + seed % 8 * 10;
     for (int i = 0; i < 10'000; ++i) {
       auto byte = static_cast<std::uint8_t>(i % 1000 > 300 && random() % calm == 0 ? random() : 39);

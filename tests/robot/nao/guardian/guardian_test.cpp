@@ -1,4 +1,4 @@
-// Every rule of the guardian, with the runtime alive, hung and dead.
+// The rules of the guardian, with the runtime alive, hung and dead.
 #include "robot/nao/guardian/guardian.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ struct NaoGuardian : ::testing::Test {
   tests::FakeBody body;
   Guardian guardian;
   Order order;
-  bool alive = true;  // the runtime gives its order in every cycle
+  bool alive = true;  // the runtime sends its order in every cycle
   std::uint64_t now_ns = 1'000'000'000;
 
   const Actuators& cycle(Cycle extra = {}) {
@@ -31,7 +31,7 @@ struct NaoGuardian : ::testing::Test {
   void run(double seconds) {
     for (double passed = 0; passed < seconds; passed += 0.012) cycle();
   }
-  /// Cycles until `doing`; at most ten seconds.
+  /// Runs cycles until `doing`, at most ten seconds.
   void until(Doing doing) {
     for (int i = 0; i < 833 && guardian.doing() != doing; ++i) cycle();
     ASSERT_EQ(guardian.doing(), doing) << sentence_of(guardian.reason());
@@ -46,7 +46,7 @@ struct NaoGuardian : ::testing::Test {
     order.game = {.heard = true, .penalised = penalised, .state = state, .player = 2};
     run(0.03);
   }
-  /// Stands in the mode `playing`, the runtime is there.
+  /// Brings the robot to stand in the mode `playing`, with a runtime.
   void play() {
     cycle();
     click();
@@ -85,7 +85,7 @@ TEST_F(NaoGuardian, GoesWhereTheChestButtonLeads) {
   EXPECT_TRUE(stands());
 }
 
-TEST_F(NaoGuardian, StandsInInitialAndPenalisedAndNobodyMovesIt) {
+TEST_F(NaoGuardian, StandsInInitialAndPenalisedAndIgnoresOrders) {
   cycle();
   click();
   order.drives.fill(1);
@@ -140,7 +140,7 @@ TEST_F(NaoGuardian, TakesPosturesFromTheRuntimeWhilePlaying) {
   EXPECT_FALSE(has_stiffness()) << "an order that nobody knows is not obeyed";
 }
 
-TEST_F(NaoGuardian, DoesWhatTheGameControllerSaysWhenItSaysSomethingNew) {
+TEST_F(NaoGuardian, FollowsTheGameControllerWhenItsStateChanges) {
   play();
   hear(true, GameState::playing);
   EXPECT_EQ(guardian.mode(), Mode::penalised);
@@ -156,7 +156,7 @@ TEST_F(NaoGuardian, DoesWhatTheGameControllerSaysWhenItSaysSomethingNew) {
   EXPECT_EQ(guardian.mode(), Mode::playing);
 }
 
-TEST_F(NaoGuardian, TakesWhatTheGameControllerSaysWhenItIsSwitchedOn) {
+TEST_F(NaoGuardian, FollowsTheGameControllerWhenTheRobotIsSwitchedOn) {
   hear(true, GameState::playing);
   click();
   EXPECT_EQ(guardian.mode(), Mode::penalised);
@@ -172,11 +172,11 @@ TEST_F(NaoGuardian, DoesNotBeginWithoutARuntime) {
   EXPECT_FALSE(has_stiffness()) << "it does not stand up by itself when one comes";
 }
 
-/// What the runtime may be while people and gravity act.
+/// State of the runtime during an event.
 enum class Runtime { alive, hung, dead };
 
 struct NaoGuardianWith : NaoGuardian, ::testing::WithParamInterface<Runtime> {
-  /// From now on the runtime is as the parameter says.
+  /// Sets the state of the runtime to the test's parameter.
   void befall() {
     if (GetParam() == Runtime::alive) return;
     alive = false;
@@ -199,7 +199,7 @@ TEST_P(NaoGuardianWith, TheHeadHeldTakesTheStiffnessWithin100ms) {
     run(20);
     EXPECT_FALSE(has_stiffness()) << "and it stays soft";
     EXPECT_EQ(guardian.reason(), Reason::head_touched);
-    // for the next round
+    // restores the start for the next round
     alive = true;
     order = {};
     cycle();
@@ -335,7 +335,7 @@ TEST_F(NaoGuardian, AfterARestartOfTheRuntimeWaitsForTheGameController) {
   EXPECT_NEAR(body.sensors.position[head_yaw], 1, 0.01) << "and plays on when that says so";
 }
 
-TEST_F(NaoGuardian, AfterARestartAPersonMaySayOnToo) {
+TEST_F(NaoGuardian, AfterARestartTheChestButtonAllowsMotionToo) {
   play();
   cycle({.runtime_left = true});
   run(1);
@@ -465,7 +465,7 @@ TEST_F(NaoGuardian, HoldsThenSitsWhenFramesCannotBeRead) {
   EXPECT_TRUE(seated());
 }
 
-TEST_F(NaoGuardian, HoldsAStiffRobotThatItFindsWhenItBegins) {
+TEST_F(NaoGuardian, HoldsARobotThatIsStiffAtTheStart) {
   body.sensors = tests::FakeBody().sensors;
   body.sensors.position = stand()[0].position;
   body.sensors.stiffness.fill(0.8f);
@@ -479,7 +479,7 @@ TEST_F(NaoGuardian, HoldsAStiffRobotThatItFindsWhenItBegins) {
   EXPECT_EQ(guardian.mode(), Mode::playing);
 }
 
-TEST_F(NaoGuardian, FindsOutAnewHowTheBodyIsAfterLolaWasGone) {
+TEST_F(NaoGuardian, ChecksTheBodyAgainAfterALossOfLola) {
   play();
   hear(false, GameState::playing);
   guardian.lose_lola();
@@ -492,7 +492,7 @@ TEST_F(NaoGuardian, FindsOutAnewHowTheBodyIsAfterLolaWasGone) {
   hear(false, GameState::playing);
   until(Doing::standing);
 
-  // whom people made soft stays soft, whatever LoLA says of its joints
+  // a robot that people made soft stays soft, also when LoLA reports stiff joints
   cycle({.asked_soft = true});
   guardian.lose_lola();
   body.sensors.stiffness.fill(0.8f);
@@ -502,7 +502,7 @@ TEST_F(NaoGuardian, FindsOutAnewHowTheBodyIsAfterLolaWasGone) {
   until(Doing::standing);
 }
 
-TEST_F(NaoGuardian, LeavesALyingRobotThatItFindsSoft) {
+TEST_F(NaoGuardian, LeavesARobotSoftThatLiesAtTheStart) {
   body.sensors.stiffness.fill(0.8f);
   body.sensors.angles[1] = 1.4f;
   run(1);

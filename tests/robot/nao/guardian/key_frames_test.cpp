@@ -1,4 +1,4 @@
-// The motions of the whole body keep the laws that a robot needs to stay on its feet.
+// The motions of the whole body keep the robot on its feet.
 #include "robot/nao/guardian/key_frames.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ struct Named {
 };
 const Named kAll[] = {{"stand_up", stand_up()}, {"stand", stand()}, {"sit", sit()}, {"tuck", tuck()}};
 
-TEST(KeyFrames, AreWithinWhatJointsCan) {
+TEST(KeyFrames, AreWithinTheLimitsOfTheJoints) {
   for (const Named& named : kAll)
     for (const KeyFrame& frame : named.motion) {
       EXPECT_GT(frame.seconds, 0) << named.name;
@@ -49,14 +49,14 @@ TEST(KeyFrames, AreTheSameLeftAndRight) {
     }
 }
 
-/// How far the hips are before the ankles [m], feet flat.
+/// Returns the distance of the hips in front of the ankles [m], with flat feet.
 float hips_before_ankles(const PerJoint<float>& p, float torso_pitch) {
   const float thigh = torso_pitch + p[l_hip_pitch], tibia = thigh + p[l_knee_pitch];
   return 0.1f * std::sin(thigh) + 0.1029f * std::sin(tibia);
 }
 
 TEST(KeyFrames, OfStandingAndSittingKeepFeetFlatAndWeightAboveThem) {
-  // at every moment of the way, since the poses between are straight lines in the joints
+  // at all times: the poses between key frames are straight lines in the joints
   for (const Named& named : {kAll[1], kAll[2]}) {
     Player player;
     player.play(named.motion, named.name == std::string("sit") ? stand()[0].position : sit()[0].position);
@@ -64,7 +64,7 @@ TEST(KeyFrames, OfStandingAndSittingKeepFeetFlatAndWeightAboveThem) {
       const PerJoint<float> p = player.next(kCycle).position;
       const float torso = -(p[l_hip_pitch] + p[l_knee_pitch] + p[l_ankle_pitch]);
       EXPECT_LT(std::abs(torso), 0.1f) << named.name << ": the torso stays upright";
-      // the foot reaches from 45 mm behind the ankle to 115 mm before it; most of the weight is in the torso
+      // the foot reaches from 45 mm behind the ankle to 115 mm in front of it; most of the weight is in the torso
       EXPECT_GT(hips_before_ankles(p, torso), -0.02f) << named.name;
       EXPECT_LT(hips_before_ankles(p, torso), 0.06f) << named.name;
     }

@@ -1,4 +1,4 @@
-// Whatever is asked for, joints stay within what they can.
+// Joints stay within their limits for every target.
 #include "robot/nao/guardian/limiter.h"
 
 #include <gtest/gtest.h>
@@ -50,12 +50,12 @@ TEST(Limiter, NeverLetsAJointBeyondItsRangeOrItsSpeed) {
   }
 }
 
-TEST(Limiter, ReachesWhatCanBeReached) {
+TEST(Limiter, ReachesEveryTargetWithinTheLimits) {
   Limiter limiter;
   limiter.start({});
   Pose target;
   target.stiffness.fill(0.8f);
-  // the head to the shoulder and far down: the pitch that the shell allows there
+  // the head at the shoulder and far down: the pitch stops at the limit of the shell
   target.position[head_yaw] = 1.5f;
   target.position[head_pitch] = 0.5f;
   target.position[l_knee_pitch] = 3;
@@ -66,7 +66,7 @@ TEST(Limiter, ReachesWhatCanBeReached) {
   EXPECT_FLOAT_EQ(limiter.pose().stiffness[r_hand], 0.8f);
 }
 
-TEST(Limiter, CommandsASoftJointToWhereItIs) {
+TEST(Limiter, CommandsASoftJointToItsMeasuredPosition) {
   Limiter limiter;
   limiter.start({});
   PerJoint<float> measured{};

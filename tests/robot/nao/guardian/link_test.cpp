@@ -1,4 +1,4 @@
-// Guardian and runtime hear each other, and nobody waits for anybody.
+// Guardian and runtime exchange messages, and neither waits for the other.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -18,7 +18,7 @@ struct NaoLink : ::testing::Test {
 
   GuardianClient client() { return std::move(*GuardianClient::open(path)); }
 
-  /// Somebody who sends whatever he likes.
+  /// Returns a connection that may send any bytes.
   FileDescriptor stranger() {
     FileDescriptor socket(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0));
     EXPECT_TRUE(LocalAddress::of(path, "test")->connect(socket.get()));
@@ -65,7 +65,7 @@ TEST_F(NaoLink, KnowsAGoodbyeFromACrash) {
   EXPECT_FALSE(heard.runtime_crashed || heard.runtime_left) << "who gave no order was no runtime";
 }
 
-TEST_F(NaoLink, HearsToTheEndWhoLeftBeforeReadingItsReports) {
+TEST_F(NaoLink, ReadsAllMessagesOfAClientThatLeftWithUnreadReports) {
   for (const auto what : {Request::What::sit_and_soft, Request::What::goodbye}) {
     {
       GuardianClient runtime = client();
@@ -93,7 +93,7 @@ TEST_F(NaoLink, ObeysOneRuntimeAtATime) {
   EXPECT_TRUE(link.hear().order);
 }
 
-TEST_F(NaoLink, DropsWhoeverSpeaksAnotherLayout) {
+TEST_F(NaoLink, DropsAClientWithAnotherLayout) {
   Order wrong = order(1);
   wrong.layout = 99;
   const std::string long_one(5000, 'x');
@@ -107,7 +107,7 @@ TEST_F(NaoLink, DropsWhoeverSpeaksAnotherLayout) {
   }
 }
 
-TEST_F(NaoLink, TellsEveryReportAndNeverWaitsForOneWhoDoesNotRead) {
+TEST_F(NaoLink, SendsEveryReportAndNeverWaitsForAClientThatDoesNotRead) {
   GuardianClient sleeper = client(), runtime = client();
   link.hear();
   Report report;
@@ -130,7 +130,7 @@ TEST_F(NaoLink, SaysThatThereIsNoGuardian) {
                               ", got No such file or directory; start it first");
   GuardianClient runtime = client();
   link = std::move(*RuntimeLink::open(folder / "another"));
-  EXPECT_EQ(runtime.next(0).error(), "guardian: it is gone");
+  EXPECT_EQ(runtime.next(0).error(), "guardian: the connection ended");
   EXPECT_FALSE(runtime.give({}));
 }
 

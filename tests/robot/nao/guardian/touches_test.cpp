@@ -14,7 +14,7 @@ struct NaoTouches : ::testing::Test {
   Touches touches;
   std::uint64_t now_ns = 0;
 
-  /// Whether the button clicked in one of so many cycles.
+  /// Returns whether the button clicked in one of `cycles` cycles.
   bool see(int cycles) {
     bool clicked = false;
     for (int i = 0; i < cycles; ++i) {
@@ -51,7 +51,7 @@ TEST_F(NaoTouches, TakeASingleFrameForAWrongReading) {
 
 TEST_F(NaoTouches, LeaveALongPressToTheRobot) { EXPECT_FALSE(press(130)); }
 
-TEST_F(NaoTouches, FeelTheHeadHeldByAllThree) {
+TEST_F(NaoTouches, NoticeThatAllThreeHeadSensorsAreHeld) {
   body.hold_head(true);
   see(Touches::kHeldFrames);
   EXPECT_TRUE(touches.head_held());

@@ -53,7 +53,7 @@ TEST_F(NaoWatch, ShakesAreNoFalls) {
   EXPECT_FALSE(watch.falls());
 }
 
-TEST_F(NaoWatch, TellsHeatWithHysteresisAndPatience) {
+TEST_F(NaoWatch, ReportsLastingHeatWithHysteresis) {
   body.sensors.temperature[r_knee_pitch] = 71;
   see(0.3f);
   EXPECT_FALSE(watch.warm()) << "not yet";
@@ -73,7 +73,7 @@ TEST_F(NaoWatch, TellsHeatWithHysteresisAndPatience) {
   EXPECT_FALSE(watch.hot() || watch.warm());
 }
 
-TEST_F(NaoWatch, TellsALowBatteryUnlessItIsCharged) {
+TEST_F(NaoWatch, ReportsALowBatteryUnlessItIsCharged) {
   body.sensors.battery[0] = 0.08f;
   see(1);
   EXPECT_TRUE(watch.battery_low());
@@ -84,7 +84,7 @@ TEST_F(NaoWatch, TellsALowBatteryUnlessItIsCharged) {
   body.sensors.battery[0] = 0.06f;
   see(1);
   EXPECT_TRUE(watch.battery_empty()) << "until it is well above";
-  body.sensors.battery[1] = -32552;  // as a robot on its charger told
+  body.sensors.battery[1] = -32552;  // recorded from a robot on its charger
   see(1);
   EXPECT_FALSE(watch.battery_empty() || watch.battery_low());
 }

@@ -1,4 +1,4 @@
-// What LoLA is told is what a reader of MessagePack that is none of ours finds in the frame.
+// An independent reader of MessagePack finds the actuator values in the frame.
 #include "robot/nao/lola/actuators.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-TEST(LolaActuators, ArriveAsTheyWereSaid) {
+TEST(LolaActuators, AreReadAsTheyWereSent) {
   Actuators said;
   for (std::size_t i = 0; i < kJoints; ++i) {
     said.position[i] = 0.125f * static_cast<float>(i) - 1;
@@ -26,7 +26,7 @@ TEST(LolaActuators, ArriveAsTheyWereSaid) {
   said.lights.skull[11] = 0.75f;
 
   ActuatorFrame frame;
-  static_cast<void>(frame.compose({}));  // what was there before does not show through
+  static_cast<void>(frame.compose({}));  // values of the previous frame are overwritten
   const std::string_view bytes = frame.compose(said);
   EXPECT_EQ(bytes.size(), 786u);
   const json heard = json::from_msgpack(bytes);
@@ -36,7 +36,7 @@ TEST(LolaActuators, ArriveAsTheyWereSaid) {
   EXPECT_EQ(heard["Chest"], json({1, 0.5, 0.25}));
   EXPECT_EQ(heard["LFoot"], json({0, 0, 1}));
   EXPECT_EQ(heard["RFoot"], json({0, 1, 0}));
-  // eight reds, eight greens, eight blues
+  // eight red values, eight green, eight blue
   EXPECT_EQ(heard["LEye"], json({1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, .5, .5, .5, .5, .5, .5, .5, .5}));
   EXPECT_EQ(heard["REye"], json({0, 0, 0, 0, 0, 0, 0, 0, .5, .5, .5, .5, .5, .5, .5, .5, 1, 1, 1, 1, 1, 1, 1, 1}));
   EXPECT_EQ(heard["LEar"], json({0, 0, 0, 1, 0, 0, 0, 0, 0, 0}));

@@ -26,7 +26,7 @@ TEST(NaoJoints, AreMirroredLeftAndRight) {
     EXPECT_EQ(limits_of(left).speed, limits_of(right).speed) << name;
     const bool turns_over = name.ends_with("roll") || name.ends_with("yaw");
     const Range range = limits_of(right).range;
-    // the legs of a real one differ by up to 0.6 degrees
+    // the legs of a real robot differ by up to 0.6 degrees
     EXPECT_NEAR(limits_of(left).range.low, turns_over ? -range.high : range.low, 0.7f * kDegree) << name;
     EXPECT_NEAR(limits_of(left).range.high, turns_over ? -range.low : range.high, 0.7f * kDegree) << name;
   }
@@ -48,7 +48,7 @@ TEST(NaoJoints, TheHeadPitchesLessWhereTheShouldersAre) {
   }
 }
 
-TEST(NaoJoints, AreClampedToWhatTheyCan) {
+TEST(NaoJoints, AreClampedToTheirRanges) {
   EXPECT_EQ(clamp(3, {-1, 2}), 2);
   EXPECT_EQ(clamp(-3, {-1, 2}), -1);
   EXPECT_EQ(clamp(0.5f, {-1, 2}), 0.5f);

@@ -1,4 +1,4 @@
-// A frame of LoLA is read as it was sent, wherever its keys stand; whatever is no frame is refused with a sentence.
+// A frame of LoLA is read as it was sent, with its keys in any order. Other bytes are refused with a sentence.
 #include "robot/nao/lola/sensors.h"
 
 #include <gtest/gtest.h>
@@ -27,14 +27,14 @@ Sensors random_sensors(unsigned seed) {
   return sensors;
 }
 
-/// All numbers, in one order.
+/// Returns all numbers in the order of visit().
 std::vector<float> numbers_of(Sensors sensors) {
   std::vector<float> all;
   sensors.visit([&](std::string_view, const auto& numbers) { all.insert(all.end(), numbers.begin(), numbers.end()); });
   return all;
 }
 
-/// `frame` without the key `left_out`, its other keys in another order.
+/// Returns `frame` without the key `left_out`, with its other keys in another order.
 std::string reordered(Sensors sensors, std::string_view left_out = "") {
   LolaFrame frame;
   sensors.visit([&](std::string_view key, const auto& numbers) {
@@ -66,7 +66,7 @@ TEST(LolaSensors, AreReadAsTheyWereSent) {
   EXPECT_EQ(frames.identity().head_version, "6.0.0");
 }
 
-TEST(LolaSensors, AreReadAnewWhenAFrameLooksOtherwise) {
+TEST(LolaSensors, AreParsedAgainWhenTheLayoutChanges) {
   SensorFrames frames;
   for (unsigned seed = 0; seed < 20; ++seed) {
     Sensors sent = random_sensors(seed), got;
@@ -77,7 +77,7 @@ TEST(LolaSensors, AreReadAnewWhenAFrameLooksOtherwise) {
   }
 }
 
-TEST(LolaSensors, AreNumbersHoweverTheyAreWritten) {
+TEST(LolaSensors, AreReadInEveryEncodingOfNumbers) {
   Sensors sent = random_sensors(1), got;
   sent.battery = {1, -32552, 200, 3.5f};
   LolaFrame frame;
@@ -91,27 +91,27 @@ TEST(LolaSensors, AreNumbersHoweverTheyAreWritten) {
     return whole.key("Battery").array(4).bytes(written).frame();
   };
   SensorFrames frames;
-  // one byte, two with a sign, one without, eight of a double
+  // one byte, two signed bytes, one unsigned, a double
   ASSERT_TRUE(frames.read(battery("\x01\xd1\x80\xd8\xcc\xc8\xcb\x40\x0c\0\0\0\0\0\0"s), got));
   EXPECT_EQ(got.battery, sent.battery);
-  // a negative one in its marker, four and eight without a sign, eight with one
+  // a negative number in its marker, four and eight unsigned bytes, eight signed
   ASSERT_TRUE(frames.read(battery("\xff\xce\0\0\1\0\xcf\0\0\0\0\0\0\0\7\xd3\xff\xff\xff\xff\xff\xff\xff\xfe"s), got));
   EXPECT_EQ(got.battery, (std::array<float, 4>{-1, 256, 7, -2}));
   ASSERT_TRUE(frames.read(battery("\xe0\xcd\1\0\xd0\x80\xd2\xff\xff\xff\xfd"s), got));
   EXPECT_EQ(got.battery, (std::array<float, 4>{-32, 256, -128, -3}));
-  // the same layout again, other values
+  // the same layout with other values
   ASSERT_TRUE(frames.read(battery("\xe1\xcd\1\1\xd0\x81\xd2\xff\xff\xff\xfc"s), got));
   EXPECT_EQ(got.battery, (std::array<float, 4>{-31, 257, -127, -4}));
 }
 
-TEST(LolaSensors, PassOverWhatTheyDoNotKnow) {
+TEST(LolaSensors, SkipUnknownKeys) {
   using namespace std::string_literals;
   LolaFrame frame;
   frame.key("New").bytes("\x82\xa1x\x92\xc0\xc3\xa1y\xc4\x02\1\2"s).key("Newer").bytes("\xd6\1\1\2\3\4"s);
   frame.key("Newest").bytes("\xc7\x02\5\1\2"s).key("Other").bytes("\xdf\0\0\0\1\xd9\1z\xdd\0\0\0\0"s);
   Sensors sent = random_sensors(2), got;
   sent.visit([&](std::string_view key, const auto& numbers) {
-    // a map of more than 15 pairs has another head, so what is not looked at is left to its zeroes
+    // a map of more than 15 pairs needs another header, which replaces the first byte below
     if (key != "Sonar") frame.floats(key, {numbers.begin(), numbers.end()});
   });
   frame.floats("Sonar", {0.5f, 0.6f}).identity();
@@ -148,7 +148,7 @@ TEST(LolaSensors, SurviveEveryChangedByte) {
       std::string damaged = frame;
       damaged[at] = static_cast<char>(random());
       sensors = {};
-      // whether or not it is still a frame: a reader that has seen others says the same as one that has not
+      // a reader that has seen other frames returns the same as a new reader, also for damaged frames
       SensorFrames fresh;
       Sensors by_fresh;
       const bool read = static_cast<bool>(frames.read(damaged, sensors));
@@ -184,11 +184,11 @@ TEST(LolaSensors, SayWhatIsWrong) {
   EXPECT_EQ(why_not(tests::lola_frame(sensors)), "LoLA: Gyroscope: expected finite numbers, got one that is not");
 }
 
-TEST(LolaSensors, FindNoFrameInWhatIsNone) {
+TEST(LolaSensors, RefuseBytesThatAreNoFrame) {
   const SensorFrames frames;
   EXPECT_EQ(frames.size_of_first("HTTP/1.1").error(),
             "LoLA: expected a MessagePack map with texts as keys, got something else");
-  // a text that claims to be huge, a map that claims to be, arrays within arrays without end
+  // a text with a huge length, a map with a huge count, endlessly nested arrays
   using namespace std::string_literals;
   EXPECT_FALSE(frames.size_of_first("\x81\xdb\xff\xff\xff\xff"s));
   EXPECT_EQ(*frames.size_of_first("\xdf\xff\xff\xff\xff"s), 0u);
@@ -209,7 +209,7 @@ TEST(LolaSensors, KeepTheOldOnesAfterAnError) {
   EXPECT_EQ(numbers_of(sensors), numbers_of(random_sensors(9)));
 }
 
-TEST(LolaSensors, OfARealRobotAreAsItsOwnersHaveThem) {
+TEST(LolaSensors, OfARealRobotEqualItsOwnersValues) {
   REAL_DATA_OR_SKIP(path, "lola/lola_sensor_dump_berlin_united.msgpack");
   const auto frame = read_file(path, SensorFrames::kMaxBytes);
   SensorFrames frames;

@@ -1,4 +1,4 @@
-// Where parts are, told by joints: laws of the geometry, and a real robot's cameras.
+// Poses of the parts from the joints: laws of the geometry, and a real robot's cameras.
 #include "robot/nao/model/kinematics.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ PerJoint<float> random_joints(std::mt19937& random) {
   return joints;
 }
 
-/// As seen in a mirror between left and right.
+/// Returns the mirror image between left and right.
 PerJoint<float> mirrored(const PerJoint<float>& p) {
   PerJoint<float> m = p;
   m[head_yaw] = -p[head_yaw];
@@ -56,7 +56,7 @@ TEST(NaoKinematics, OfStraightLegsIsTheSumOfTheLengths) {
   const Transform camera = kinematics.robot_from_hip({}, 0, 0) * kinematics.hip_from_camera({}, Camera::top);
   EXPECT_NEAR(camera.translation().z(), 0.24809 + 0.2115 + 0.06364, 1e-9);
   EXPECT_NEAR(camera.translation().x(), 0.05871, 1e-9);
-  // it looks forward, 1.2 degrees down
+  // the camera looks forward, 1.2 degrees down
   EXPECT_NEAR(camera.linear()(2, 2), -std::sin(1.2 * kDegree), 1e-5);
   EXPECT_NEAR(camera.linear()(0, 2), std::cos(1.2 * kDegree), 1e-5);
 }
@@ -119,7 +119,7 @@ TEST(NaoKinematics, ALeanForwardLowersTheView) {
                           .linear()(2, 2));
   };
   EXPECT_NEAR(down(0, 0.1) - down(0, 0), 0.1, 1e-6);
-  // leaning to the right, what was to the right of the camera's axis goes down
+  // with a lean to the right, a point to the right of the camera's axis moves down
   EXPECT_LT(kinematics.robot_from_hip(joints, 0.1, 0).linear()(2, 1), 0.2);
   EXPECT_GT((kinematics.robot_from_hip(joints, 0.1, 0) * Vector3d(0, 1, 0)).z(),
             (kinematics.robot_from_hip(joints, 0.1, 0) * Vector3d(0, -1, 0)).z());
@@ -155,7 +155,7 @@ TEST(NaoKinematics, TheHeadTurnsBackToWhereACameraLooks) {
     for (const Camera camera : {Camera::top, Camera::bottom}) {
       const Vector3d seen = kinematics.hip_from_camera(joints, camera) * Vector3d(0, 0, distance(random));
       const auto head = kinematics.look_at(seen, camera);
-      // straight above the neck every yaw is as good
+      // for a point straight above the neck every yaw is right
       if (std::hypot(seen.x(), seen.y()) < 0.1) continue;
       worst = std::max({worst, std::abs(std::remainder(head.yaw - joints[head_yaw], 2 * std::numbers::pi)),
                         std::abs(head.pitch - joints[head_pitch])});
@@ -164,43 +164,43 @@ TEST(NaoKinematics, TheHeadTurnsBackToWhereACameraLooks) {
   EXPECT_LT(worst, 1e-4);
 }
 
-TEST(NaoKinematics, LooksAtWhatIsWithinItsReachAsWellAsItCan) {
+TEST(NaoKinematics, LooksAtANearPointAsWellAsPossible) {
   for (const Vector3d& point : {Vector3d(0, 0, 0.2115), Vector3d(0.01, 0, 0.22), Vector3d(0, 0, 0)}) {
     const auto head = Kinematics().look_at(point, Camera::top);
     EXPECT_TRUE(std::isfinite(head.yaw) && std::isfinite(head.pitch)) << point.transpose();
   }
 }
 
-/// What the recording of 2009 tells at one moment.
-struct Moment {
+/// One sample of the recording of 2009.
+struct BodySample {
   double time_s;
   PerJoint<float> joints;
   double roll, pitch;
 };
 
 struct Offset {
-  double height, tilt;  // [m], [rad] medians of how far we are off, without sign
+  double height, tilt;  // [m], [rad] medians of the absolute errors
 };
 
-TEST(NaoKinematics, SeesARealRobotsCameraWhereItsOwnersSawIt) {
+TEST(NaoKinematics, MatchesTheCameraMatricesOfARealRobot) {
   REAL_DATA_OR_SKIP(path, "bhuman2009/logfile.log");
   tests::RecordingSink sink;
   ASSERT_TRUE(lab::import_bhuman2009(*read_file(path, 10'000'000), 0, sink));
-  std::vector<Moment> moments;
+  std::vector<BodySample> samples;
   std::vector<std::pair<double, const foresight::CameraMatrix*>> matrices;
   for (const auto& entry : sink.entries) {
     const double time_s = static_cast<double>(entry.capture_ns) * 1e-9;
     if (const auto* matrix = dynamic_cast<const foresight::CameraMatrix*>(entry.value.get()))
       matrices.emplace_back(time_s, matrix);
     if (const auto* joints = dynamic_cast<const foresight::Joints*>(entry.value.get())) {
-      moments.push_back({.time_s = time_s});
+      samples.push_back({.time_s = time_s});
       for (std::size_t joint = 0; joint < kJoints; ++joint)
-        moments.back().joints[joint] = joints->position(static_cast<int>(joint));
+        samples.back().joints[joint] = joints->position(static_cast<int>(joint));
     }
     if (const auto* inertial = dynamic_cast<const foresight::Inertial*>(entry.value.get());
-        inertial && !moments.empty()) {
-      moments.back().roll = inertial->torso_roll();
-      moments.back().pitch = inertial->torso_pitch();
+        inertial && !samples.empty()) {
+      samples.back().roll = inertial->torso_roll();
+      samples.back().pitch = inertial->torso_pitch();
     }
   }
   ASSERT_EQ(matrices.size(), 160u);
@@ -212,20 +212,20 @@ TEST(NaoKinematics, SeesARealRobotsCameraWhereItsOwnersSawIt) {
     std::sort(values.begin(), values.end());
     return values[values.size() / 2];
   };
-  // joints were noted eight times a second: those at the image's time lie between two notes
+  // joints were recorded at 8 Hz, so those at the image's time are interpolated
   const auto at = [&](double time_s) {
     std::size_t i = 0;
-    while (i + 2 < moments.size() && moments[i + 1].time_s <= time_s) ++i;
-    const Moment &from = moments[i], &to = moments[i + 1];
+    while (i + 2 < samples.size() && samples[i + 1].time_s <= time_s) ++i;
+    const BodySample &from = samples[i], &to = samples[i + 1];
     const double part = std::clamp((time_s - from.time_s) / (to.time_s - from.time_s), 0.0, 1.0);
-    Moment moment = from;
+    BodySample sample = from;
     for (std::size_t joint = 0; joint < kJoints; ++joint)
-      moment.joints[joint] += static_cast<float>(part) * (to.joints[joint] - from.joints[joint]);
-    moment.roll += part * (to.roll - from.roll);
-    moment.pitch += part * (to.pitch - from.pitch);
-    return moment;
+      sample.joints[joint] += static_cast<float>(part) * (to.joints[joint] - from.joints[joint]);
+    sample.roll += part * (to.roll - from.roll);
+    sample.pitch += part * (to.pitch - from.pitch);
+    return sample;
   };
-  // the lean is the inertial unit's, or that of a flat support foot; its mounting is calibrated by one angle
+  // the lean comes from the inertial unit or from a flat support foot; one angle calibrates the mounting
   const auto judge = [&](bool by_foot) {
     Calibration calibration;
     std::vector<double> heights, tilts;
@@ -234,15 +234,15 @@ TEST(NaoKinematics, SeesARealRobotsCameraWhereItsOwnersSawIt) {
       heights.clear();
       tilts.clear();
       for (const auto& [time_s, matrix] : matrices) {
-        Moment moment = at(time_s);
+        BodySample sample = at(time_s);
         if (by_foot) {
           const auto lean =
-              kinematics.lean_on(moment.joints, kinematics.support_foot(moment.joints, moment.roll, moment.pitch));
-          moment.roll = lean.roll;
-          moment.pitch = lean.pitch;
+              kinematics.lean_on(sample.joints, kinematics.support_foot(sample.joints, sample.roll, sample.pitch));
+          sample.roll = lean.roll;
+          sample.pitch = lean.pitch;
         }
-        const Transform camera = kinematics.robot_from_hip(moment.joints, moment.roll, moment.pitch) *
-                                 kinematics.hip_from_camera(moment.joints, Camera::bottom);
+        const Transform camera = kinematics.robot_from_hip(sample.joints, sample.roll, sample.pitch) *
+                                 kinematics.hip_from_camera(sample.joints, Camera::bottom);
         heights.push_back(camera.translation().z() - matrix->z());
         tilts.push_back(std::asin(matrix->rotation(8)) - std::asin(camera.linear()(2, 2)));
       }
@@ -259,7 +259,7 @@ TEST(NaoKinematics, SeesARealRobotsCameraWhereItsOwnersSawIt) {
   EXPECT_LT(by_foot.height, 0.010);
   EXPECT_LT(by_foot.tilt, 1 * kDegree);
   EXPECT_LT(by_inertial.height, 0.010);
-  // its raw angles are noisier than the filtered ones that the recorded matrices were made from
+  // the raw angles are noisier than the filtered ones behind the recorded matrices
   EXPECT_LT(by_inertial.tilt, 1.2 * kDegree);
 }
 

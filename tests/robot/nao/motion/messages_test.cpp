@@ -1,4 +1,4 @@
-// What LoLA told is in the messages, in their units and with their signs.
+// Messages hold LoLA's values in their own units and signs.
 #include "robot/nao/motion/messages.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST_F(NaoMessages, HaveEveryJoint) {
   EXPECT_EQ(joints.status(7), 7u);
 }
 
-TEST_F(NaoMessages, TurnTheAccelerometerAndNothingElse) {
+TEST_F(NaoMessages, ChangeTheSignOfTheAccelerometerOnly) {
   report.sensors.accelerometer = {1, 2, -9.81f};
   report.sensors.gyroscope = {0.1f, 0.2f, 0.3f};
   report.sensors.angles = {0.01f, -0.02f};
@@ -61,7 +61,7 @@ TEST_F(NaoMessages, TurnTheAccelerometerAndNothingElse) {
 }
 
 TEST_F(NaoMessages, ReadTheBatteryInLolasOwnOrder) {
-  report.sensors.battery = {0.99f, -32552, 0.016f, 3.6f};  // as a robot on its charger told
+  report.sensors.battery = {0.99f, -32552, 0.016f, 3.6f};  // recorded from a robot on its charger
   const auto battery = filled<pb::Battery>();
   EXPECT_EQ(battery.charge(), 0.99f);
   EXPECT_EQ(battery.status(), -32552);
@@ -80,7 +80,7 @@ TEST_F(NaoMessages, KeepTheFeetAndFieldsApart) {
     report.sensors.touch.fill(0);
     report.sensors.touch[touched] = 1;
     const auto touch = filled<pb::Touch>();
-    // numbered in LoLA's order, too
+    // numbers in LoLA's order, too
     int set = 0;
     for (int field = 0; field < pb::Touch::descriptor()->field_count(); ++field)
       if (pb::Touch::GetReflection()->GetBool(touch, pb::Touch::descriptor()->field(field))) set += field + 1;
@@ -94,7 +94,7 @@ TEST_F(NaoMessages, HaveNoEchoWhereNoneCameBack) {
   EXPECT_FALSE(filled<pb::Sonar>().has_right());
 }
 
-TEST_F(NaoMessages, TellTheBodysState) {
+TEST_F(NaoMessages, HoldTheBodysState) {
   report.mode = Mode::penalised;
   report.doing = Doing::sitting_down;
   report.reason = Reason::hot;
@@ -103,7 +103,7 @@ TEST_F(NaoMessages, TellTheBodysState) {
   auto body = filled<pb::Body>();
   EXPECT_EQ(body.mode(), pb::Body::MODE_PENALISED);
   EXPECT_EQ(body.doing(), pb::Body::DOING_SITTING_DOWN);
-  EXPECT_EQ(body.reason(), "a joint is too hot: it sits until that has cooled");
+  EXPECT_EQ(body.reason(), "a joint is too hot: the robot sits until the joint has cooled");
   EXPECT_TRUE(body.limited());
   EXPECT_EQ(body.head_id(), "P0000074A03S84F00006");
   report.has_sensors = false;
@@ -113,7 +113,7 @@ TEST_F(NaoMessages, TellTheBodysState) {
   EXPECT_EQ(body.reason(), "LoLA is gone");
 }
 
-TEST_F(NaoMessages, TellWhatTheBodyDoes) {
+TEST_F(NaoMessages, HoldTheBodysCurrentMotion) {
   report.doing = Doing::standing;
   auto status = filled<pb::MotionStatus>();
   EXPECT_TRUE(status.standing() && status.ground_contact() && !status.body_active());

@@ -1,4 +1,4 @@
-// Motion commands become orders; what the body cannot do is refused with a sentence.
+// Motion commands become orders. Motions that the body does not have are refused with a sentence.
 #include "robot/nao/motion/motion.h"
 
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ TEST_F(NaoMotion, KeepsTheHeadClearOfTheShoulders) {
   EXPECT_NEAR(next().position[head_yaw], limits_of(head_yaw).range.high, 1e-5) << "what is no number is not obeyed";
 }
 
-TEST_F(NaoMotion, LooksToAPlaceWithTheCameraThatCan) {
+TEST_F(NaoMotion, LooksAtAPlaceWithTheCameraThatCanSeeIt) {
   const Kinematics kinematics;
   for (const auto& [x, y, camera] : {std::tuple{3.0f, 1.0f, Camera::top}, {0.25f, -0.1f, Camera::bottom}}) {
     command.mutable_look_to()->set_x(x);
@@ -90,7 +90,7 @@ TEST_F(NaoMotion, LooksToAPlaceWithTheCameraThatCan) {
   }
 }
 
-TEST_F(NaoMotion, KeepsTheHeadWhereTheCommandSaysNothingOfIt) {
+TEST_F(NaoMotion, KeepsTheHeadWhenTheCommandDoesNotMentionIt) {
   command.mutable_head_angles()->set_yaw(0.5f);
   for (int i = 0; i < 100; ++i) next();
   command.clear_head_angles();
@@ -117,7 +117,7 @@ TEST_F(NaoMotion, TakesPosturesAndKeepsThem) {
   EXPECT_EQ(next(2 * Motion::kCommandLasts_ns).posture, Order::Posture::stand) << "nobody commands any more";
 }
 
-TEST_F(NaoMotion, RefusesVisiblyWhatItCannot) {
+TEST_F(NaoMotion, RefusesMissingMotionsWithASentence) {
   command.mutable_walk_speed()->set_x(0.1f);
   EXPECT_EQ(next().posture, Order::Posture::stand);
   EXPECT_EQ(motion.refused(), "body nao does not walk yet: it stands");
@@ -136,10 +136,11 @@ TEST_F(NaoMotion, RefusesVisiblyWhatItCannot) {
   command.set_posture(pb::MotionCommand::POSTURE_GET_UP);
   report.doing = Doing::fallen;
   next();
-  EXPECT_EQ(motion.refused(), "body nao does not get up from the ground yet: it waits until somebody puts it upright");
+  EXPECT_EQ(motion.refused(),
+            "body nao does not get up from the ground yet: the robot waits until a person puts it upright");
 }
 
-TEST_F(NaoMotion, TellsWhatTheGameControllerSaid) {
+TEST_F(NaoMotion, SendsTheGameControllersState) {
   pb::GameState game;
   game.set_own_player(2);
   game.set_state(pb::GameState::STATE_SET);

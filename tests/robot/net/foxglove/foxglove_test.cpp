@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "robot/net/foxglove/foxglove_client.h"
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/from_client.h"
+#include "robot/net/foxglove/to_client.h"
 
 namespace robot::net::foxglove {
 namespace {

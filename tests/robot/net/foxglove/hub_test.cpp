@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "robot/net/foxglove/foxglove_server.h"
+#include "robot/net/foxglove/to_client.h"
 #include "robot/net/websocket/frames.h"
 #include "tests/robot/net/net_support.h"
 

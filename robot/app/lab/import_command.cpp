@@ -1,0 +1,65 @@
+// foresight-lab import: a recording in another format becomes a session.
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "robot/app/import.h"
+#include "robot/app/lab/commands.h"
+#include "robot/logging/sessions/session.h"
+
+namespace robot::app {
+namespace {
+
+class ImportCommand final : public Command {
+ public:
+  explicit ImportCommand(CLI::App& app)
+      : Command(app.add_subcommand("import", "make a session from another program's recording")) {
+    options().add_option("format", format_, "bhuman2009, nblog, or auto")->required();
+    options().add_option("file", file_, "file of the recording")->required();
+    auto* folder = options().add_option_group("where", "one of")->require_option(1);
+    folder->add_option("--out", out_, "log folder; the session becomes a new folder in it");
+    folder->add_option("--session", session_, "folder of the session");
+    options().add_option("--robot", robot_, "<team>/<player>: name of the robot in the session")->capture_default_str();
+    options().add_option("--name", name_, "name of the session");
+    options().add_flag("--json", json_, "report as JSON");
+  }
+
+  int run() override {
+    const Result<RobotName> robot_name = parse_robot_name(robot_);
+    if (!robot_name) return fail(robot_name.error());
+    const std::string shown = name_.empty() ? std::filesystem::path(file_).stem().string() : name_;
+    const std::filesystem::path folder =
+        session_.empty() ? std::filesystem::path(out_) / logging::session_folder_name(kUndatedEpochNs, shown, "import")
+                         : std::filesystem::path(session_);
+    const auto report =
+        import_recording({.format = format_, .file = file_, .session = folder, .robot = *robot_name, .name = shown});
+    if (!report) return fail(report.error());
+    print(folder, *report);
+    return kDone;
+  }
+
+ private:
+  void print(const std::filesystem::path& folder, const lab::ImportReport& report) const {
+    if (json_) {
+      const nlohmann::json said = {{"session", folder.string()},
+                                   {"messages", report.messages},
+                                   {"warnings", report.warnings},
+                                   {"damage", report.damage}};
+      std::printf("%s\n", said.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+      return;
+    }
+    for (const auto& [object, count] : report.messages)
+      std::printf("%8llu  %s\n", static_cast<unsigned long long>(count), object.c_str());
+    for (const std::string& warning : report.warnings) std::printf("note: %s\n", warning.c_str());
+    if (!report.damage.empty()) std::printf("damaged: %s\n", report.damage.c_str());
+    std::printf("%s\n", folder.c_str());
+  }
+
+  std::string format_, file_, out_, session_, robot_ = "0/1", name_;
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> import_command(CLI::App& app) { return std::make_unique<ImportCommand>(app); }
+
+}  // namespace robot::app

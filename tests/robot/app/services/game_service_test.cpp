@@ -1,0 +1,130 @@
+#include "robot/app/services/game_service.h"
+
+#include <gtest/gtest.h>
+
+#include "robot/app/build_id.h"
+#include "robot/app/services/recording_service.h"
+#include "robot/memory/memory.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robot::app {
+namespace {
+
+using foresight::GameState;
+
+struct Game : ::testing::Test {
+  Game() {
+    EXPECT_TRUE(list(memory, channels));
+    add_recording_service(recorder, store, parameters, services);
+  }
+
+  /// Writes the game state like the GameController, and lets the service follow it.
+  void hear(GameState::State state, std::uint32_t half = 1) {
+    GameState game;
+    game.set_source(GameState::SOURCE_GAME_CONTROLLER);
+    game.set_received_ns(clock.now_ns());
+    game.set_state(state);
+    game.set_half(half);
+    game.set_own_team(14);
+    game.set_own_player(3);
+    game.mutable_opponent()->set_number(5);
+    memory->game.write(game, clock.now_ns());
+    service().follow();
+  }
+
+  GameService& service() {
+    if (!service_)
+      service_.emplace(GameOptions{.link = {.team = 14, .player = 3}, .field = "A"}, *memory, clock, recorder,
+                       parameters);
+    return *service_;
+  }
+
+  bool recording() const { return recorder.status().state == logging::RecordingStatus::State::recording; }
+
+  const tests::TemporaryFolder folder;
+  ManualClock clock{1'700'000'000 * kSecond};
+  std::shared_ptr<memory::Memory> memory = std::make_shared<memory::Memory>("14/3", clock);
+  memory::Channels channels;
+  logging::LoggingBoard board;
+  logging::SessionStore store{folder.path(), 4'000'000'000};
+  logging::Recorder recorder{channels, board, store, clock, {.info = {.robot = "14/3", .team = 14, .player = 3}}};
+  net::Parameters parameters;
+  net::Services services;
+  std::optional<GameService> service_;
+};
+
+TEST_F(Game, IsRecordedFromReadyToFinished) {
+  hear(GameState::STATE_INITIAL);
+  EXPECT_FALSE(recording());
+  hear(GameState::STATE_READY);
+  EXPECT_TRUE(recording());
+  EXPECT_TRUE(parameters.flag("recording"));
+  hear(GameState::STATE_PLAYING);
+  hear(GameState::STATE_FINISHED);
+  EXPECT_FALSE(recording());
+  EXPECT_FALSE(parameters.flag("recording"));
+  ASSERT_EQ(store.list().size(), 1u);
+  EXPECT_EQ(store.list()[0].info.name, "A_vs-5_half-1_14-3_" + std::string(kBuildId));
+  EXPECT_EQ(store.list()[0].info.profile, "game");
+  EXPECT_EQ(store.list()[0].state, logging::SessionState::complete);
+}
+
+TEST_F(Game, EachHalfIsItsOwnSession) {
+  hear(GameState::STATE_READY, 1);
+  hear(GameState::STATE_READY, 2);  // FINISHED was lost
+  hear(GameState::STATE_FINISHED, 2);
+  EXPECT_EQ(store.list().size(), 2u);
+}
+
+TEST_F(Game, ASessionThatAClientBeganIsNotTouched) {
+  const std::string id = *recorder.start("mine", "game");
+  hear(GameState::STATE_READY);
+  hear(GameState::STATE_FINISHED);
+  EXPECT_TRUE(recording());
+  EXPECT_EQ(recorder.status().session, id);
+  EXPECT_EQ(store.list().size(), 1u);
+}
+
+TEST_F(Game, ASessionThatAClientEndedIsNotEndedAgain) {
+  hear(GameState::STATE_READY);
+  ASSERT_TRUE(recorder.stop());
+  const std::string id = *recorder.start("mine", "game");
+  hear(GameState::STATE_FINISHED);
+  EXPECT_TRUE(recording());
+  EXPECT_EQ(recorder.status().session, id);
+}
+
+TEST_F(Game, MatchModeLastsAsLongUnlessItsParameterIsOff) {
+  hear(GameState::STATE_SET);
+  EXPECT_TRUE(service().status().match_mode);
+  ASSERT_TRUE(parameters.set("match_mode", false));
+  EXPECT_FALSE(service().status().match_mode);
+  EXPECT_TRUE(service().status().in_progress);
+  ASSERT_TRUE(parameters.set("match_mode", true));
+  hear(GameState::STATE_FINISHED);
+  EXPECT_FALSE(service().status().match_mode);
+}
+
+TEST_F(Game, FollowsTheGameThatTheTeamsOwnCodeWrites) {
+  GameState game;
+  game.set_state(GameState::STATE_READY);
+  game.set_half(2);
+  memory->game.write(game, clock.now_ns());
+  service().follow();
+  EXPECT_TRUE(recording());
+  EXPECT_EQ(store.list()[0].info.name, "A_half-2_14-3_" + std::string(kBuildId));
+}
+
+TEST_F(Game, StatusSaysWhetherAMatchIsInProgress) {
+  EXPECT_EQ(service().status().state, "");
+  EXPECT_FALSE(service().status().in_progress);
+  hear(GameState::STATE_PLAYING);
+  EXPECT_EQ(service().status().state, "playing");
+  EXPECT_TRUE(service().status().in_progress);
+  hear(GameState::STATE_FINISHED);
+  EXPECT_EQ(service().status().state, "finished");
+  EXPECT_FALSE(service().status().in_progress);
+}
+
+}  // namespace
+}  // namespace robot::app
