@@ -1,5 +1,6 @@
 #include "robot/app/robot_options.h"
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "robot/body/sim/sim_body.h"

@@ -1,7 +1,6 @@
 // The command line of foresight-robot.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <optional>

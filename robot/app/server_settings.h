@@ -1,7 +1,6 @@
 // The server's options on the command line of foresight-robot and foresight-lab.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -9,6 +8,11 @@
 
 #include "robot/core/result.h"
 #include "robot/net/serve/routes.h"
+
+// forward declaration: each file that includes CLI11 compiles its constants, 2 s of processor time
+namespace CLI {
+class App;
+}
 
 namespace robot::app {
 

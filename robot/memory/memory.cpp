@@ -9,6 +9,8 @@ Memory::Memory(std::string_view robot, const Clock& time) {
   });
 }
 
+Memory::~Memory() = default;
+
 Result<void> list(const std::shared_ptr<Memory>& memory, Channels& channels) {
   Result<void> listed;
   memory->visit([&](std::string_view, auto& object, Delivery) {

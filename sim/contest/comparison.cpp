@@ -18,9 +18,9 @@ using robot::Result;
 using Kind = referee::Event::Kind;
 
 constexpr int kProbeSteps = 3000;
-constexpr std::uint64_t kOtherLuck = std::uint64_t{1} << 40;  // offset to seeds that no other pair has
+constexpr std::uint64_t kOtherLuck = std::uint64_t{1} << 40;  // offset to seeds that no pair uses
 
-/// Returns a hash of the file that a name means, or 0 if it means no file.
+/// Returns a hash of the text of the file that a name refers to, or 0 if the name is no file.
 std::uint64_t content_of(const std::string& name) {
   if (guest::is_guest(name)) return guest::content_of(name);
   const std::string path = name.substr(0, name.find_first_of(",:"));
@@ -152,7 +152,7 @@ Result<Comparison::Score> Comparison::play(const Seat& seat, std::uint64_t seed)
     case Metric::conceded: score.value = -score.other; break;
     case Metric::score_within: score.value = score.own > 0 ? 1 : 0; break;
     case Metric::ball_advance: {
-      // after a goal the ball is in the middle at once, so its place at the line counts
+      // after a goal the ball is back in the middle at once, so its way ends at the goal line
       const float line = static_cast<float>(winner) * params.rules.field.length / 2;
       const float ball_to = winner != 0 ? line : sign * state.world.ball.position.x;
       score.value = static_cast<int>(std::lround(100 * (ball_to - ball_from)));
@@ -168,7 +168,7 @@ Result<PlayedPair> Comparison::play(std::int64_t number) const {
     const std::uint64_t seed = seed_of(number) + (choice_.unpaired && place == 1 ? kOtherLuck : 0);
     const auto b = play(b_[index], seed);
     if (!b) return Error{b.error()};
-    Score a{.own = b->other, .other = b->own};  // against each other: the same game, seen from the other side
+    Score a{.own = b->other, .other = b->own};  // against each other: the same game from A's side
     a.cost[0] = b->cost[1];
     int gain = b->value;
     if (!a_.empty()) {

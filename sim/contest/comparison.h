@@ -1,4 +1,4 @@
-// A comparison of two behaviours, against each other or each against a third, in games with the same luck.
+// A comparison of two behaviours: against each other, or each against a third, in games with the same seeds.
 #pragma once
 
 #include <cstdint>
@@ -16,41 +16,41 @@
 
 namespace sim::contest {
 
-/// The measure by which one behaviour is better.
+/// The measure by which one behaviour is better than the other.
 enum class Metric {
   goals,         // the difference of goals
-  first_goal,    // the first goal: 1, -1, or 0 without one; the game ends with it
+  first_goal,    // the first goal: 1 own, -1 of the other, 0 none; it ends the game
   conceded,      // fewer goals against; only with a third behaviour
-  score_within,  // an own goal within the given time
-  ball_advance,  // gain of the ball's place towards the opponents' goal line after the given time; a goal ends the game
+  score_within,  // an own goal scored within the given time
+  ball_advance,  // way of the ball towards the opponents' goal line in the given time; a goal ends the game
 };
 const char* name_of(Metric metric);
-/// Returns the number of smallest units in one unit of the metric: advances are counted in centimetres.
+/// Returns the number of the metric's smallest units in one: advances are counted in centimetres.
 constexpr double unit_of(Metric metric) { return metric == Metric::ball_advance ? 100 : 1; }
 
 struct ComparisonChoice {
   std::string a, b;
-  std::string opponent;  // both play against it; empty: they play against each other
+  std::string opponent;  // A and B play against this one; empty: against each other
   std::string rules = "spl2012", models = "match";
-  int players = 0;  // a side; 0: as in the rules
-  int changed = 0;  // B's players 1 .. `changed` play B, the others A; 0: all play B
+  int players = 0;  // per side; 0: by the rules
+  int changed = 0;  // B's players 1 .. `changed` play B, its others A; 0: all play B
   Pace pace = Pace::thinned;
-  std::string situation;  // the start of the games (Openings)
+  std::string situation;  // start of the games (Openings)
   bool fuzz = false;
-  double seconds = 0;  // longest time of a game [s]; 0: to its end
+  double seconds = 0;  // [s] longest game; 0: to its end
   Metric metric = Metric::goals;
   std::uint64_t seed = 1;  // of the first pair
-  bool unpaired = false;   // the second game of a pair has other luck: a test of the two ends of the field
+  bool unpaired = false;   // the second game of a pair has another seed: tests the ends of the field
   Conditions conditions;
 };
 
-/// A pair and the cost of its decisions.
+/// A pair, and the cost of the decisions in it.
 struct PlayedPair {
   compare::Pair pair;
   DecisionCost cost[2];  // of A, of B
 };
 
-/// The games of a comparison. Any thread may play any pair.
+/// A prepared comparison. Thread-safe: any thread can play any pair.
 class Comparison {
  public:
   static robot::Result<Comparison> prepare(const ComparisonChoice& choice);
@@ -58,18 +58,18 @@ class Comparison {
   const ComparisonChoice& choice() const { return choice_; }
   double unit() const { return unit_of(choice_.metric); }
 
-  /// Plays pair `number`, always with the same result. Returns an Error if a behaviour from outside does not answer.
+  /// Plays pair `number`. The result is always the same. Returns an Error if a behaviour from outside does not answer.
   robot::Result<PlayedPair> play(std::int64_t number) const;
 
   /// Returns the seed of a pair's games.
   std::uint64_t seed_of(std::int64_t number) const { return choice_.seed + static_cast<std::uint64_t>(number); }
 
-  /// Returns the identity of the run as one line of JSON: the choice, hashes of the files, and a hash of a game with these
-  /// behaviours on this build.
+  /// The facts that determine every result, as one line of JSON: the choice, hashes of the files' contents, and a hash
+  /// of games that these behaviours play on this build.
   const std::string& specification() const { return specification_; }
 
  private:
-  /// A game between two behaviours, and the side of the judged one.
+  /// One game of a pair: its players, and the side of the behaviour that is judged.
   struct Seat {
     Lineup lineup;
     Side side;
@@ -78,8 +78,8 @@ class Comparison {
 
   struct Score {
     int own = 0, other = 0;  // goals
-    int value = 0;           // [smallest units] of the metric
-    DecisionCost cost[2];    // of the judged side, of the other
+    int value = 0;           // by the metric
+    DecisionCost cost[2];    // of the judged side, of the other side
   };
 
   robot::Result<Score> play(const Seat& seat, std::uint64_t seed) const;

@@ -17,14 +17,14 @@ using Clock = Crew::Clock;
 using Pairs = std::vector<compare::Pair>;
 
 constexpr std::int64_t kPerBlock = RunFolder::kPairsPerBlock;
-constexpr std::size_t kDecisive = 5;  // listed pairs of either behaviour
+constexpr std::size_t kDecisive = 5;  // kept per behaviour
 constexpr std::size_t kMostMarks = 400;
-constexpr std::int64_t kAhead = 4;  // blocks per job that are played before their judgement
-constexpr std::size_t kListed = 8;  // missing blocks that are named
+constexpr std::int64_t kAhead = 4;  // blocks per job that are played ahead of the judged one
+constexpr std::size_t kListed = 8;  // missing blocks in an error
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Keeps the pairs with the largest gain of either behaviour.
+/// Adds a pair, and keeps the pairs with the largest gains of each behaviour.
 void note(std::vector<DecisivePair>& decisive, DecisivePair pair) {
   if (pair.gain == 0) return;
   const auto larger = [](const DecisivePair& a, const DecisivePair& b) {
@@ -36,7 +36,7 @@ void note(std::vector<DecisivePair>& decisive, DecisivePair pair) {
   std::erase_if(decisive, [&](const DecisivePair& each) { return (each.gain > 0) == for_b && ++same > kDecisive; });
 }
 
-/// Removes every second mark when there are too many. The last one stays.
+/// Adds a mark. Removes every second one when there are too many; the last always stays.
 void add_mark(std::vector<Mark>& marks, const Mark& mark) {
   marks.push_back(mark);
   if (marks.size() <= kMostMarks) return;
@@ -46,7 +46,7 @@ void add_mark(std::vector<Mark>& marks, const Mark& mark) {
   marks = std::move(fewer);
 }
 
-/// Judges blocks in their order.
+/// Adds blocks in their order and holds the verdict so far.
 class Judge {
  public:
   Judge(const Comparison& comparison, const ContestOptions& options)
@@ -93,13 +93,13 @@ class Judge {
   Outcome outcome_;
 };
 
-/// Provides blocks from the disk or from workers, which play a few blocks ahead.
+/// Blocks from the disk or from workers. A limited number is played ahead of the requested one.
 class Blocks {
  public:
   Blocks(const Comparison& comparison, const RunFolder* folder, std::int64_t from, std::int64_t to, int jobs)
       : crew_(comparison, jobs), folder_(folder), next_(from), to_(to), ahead_(kAhead * jobs) {}
 
-  /// Returns the pairs of `block`, or nothing if it is not finished by `deadline`.
+  /// Returns the pairs of `block`, or nothing if they are not there by `deadline`.
   std::optional<Result<Pairs>> take(std::int64_t block, Clock::time_point deadline) {
     while (!done_.contains(block)) {
       if (auto given = give_out(block + ahead_); !given) return Error{given.error()};
@@ -137,7 +137,7 @@ class Blocks {
   std::map<std::int64_t, Pairs> done_;
   std::int64_t next_;
   const std::int64_t to_;
-  const std::int64_t ahead_;  // most blocks that wait, so that memory does not grow
+  const std::int64_t ahead_;  // largest number of waiting blocks, so that memory does not grow
   DecisionCost cost_[2];
 };
 
@@ -191,7 +191,7 @@ Result<Outcome> merge(const Comparison& comparison, const ContestOptions& option
   for (std::int64_t block = 0; block < blocks; ++block) {
     const auto pairs = folder.read(block);
     if (!pairs) return Error{pairs.error()};
-    // later blocks are read but not judged
+    // blocks after the answer are checked but not judged
     if (judge.undecided()) judge.take(block, *pairs);
   }
   return judge.finish(since(start), {});

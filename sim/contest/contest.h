@@ -1,4 +1,4 @@
-// Plays a comparison to its end: blocks of pairs on all processors, judged in order.
+// Plays a comparison to its end: blocks of pairs on all processors, judged in their order.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ namespace sim::contest {
 
 struct ContestOptions {
   compare::Hypothesis question;
-  std::optional<std::int64_t> pairs;  // length of the run; absent: until the sequential test answers
-  double seconds = 0;                 // time limit [s]; 0: none
+  std::optional<std::int64_t> pairs;  // fixed length of the run; absent: until the sequential test has an answer
+  double seconds = 0;                 // [s] time limit; 0: none
   std::int64_t most_pairs = 200'000;  // limit of the sequential test
   int jobs = 1;                       // processes
 
@@ -33,41 +33,41 @@ struct Mark {
   double llr = 0;
 };
 
-/// A pair that one behaviour clearly won.
+/// A pair that one behaviour won clearly.
 struct DecisivePair {
   std::int64_t number = 0;
-  int gain = 0;  // sum of its two games [smallest units of the metric]
+  int gain = 0;  // of its two games [smallest units of the metric]
 };
 
 struct Outcome {
   compare::PairStatistics tally;
   compare::Verdict verdict = compare::Verdict::undecided;
-  bool sequential = false;             // the sequential test has answered
-  std::vector<Mark> marks;             // one per block, thinned to a few hundred at most
-  std::vector<DecisivePair> decisive;  // the largest gains of either behaviour
+  bool sequential = false;             // the test itself has answered
+  std::vector<Mark> marks;             // one per block, thinned to at most 400
+  std::vector<DecisivePair> decisive;  // at most 5 per behaviour, with the largest gains
   std::vector<std::int64_t>
-      histogram;         // of the pairs' gains, from -kWidest to kWidest columns; larger gains are at the ends
-  DecisionCost cost[2];  // of A, of B, in the games played now
+      histogram;         // of the pairs' gains, from -kWidest to kWidest columns; the ends hold larger gains
+  DecisionCost cost[2];  // of A, of B; without blocks that were read from the disk
   double seconds = 0;    // duration [s]
 
   static constexpr int kWidest = 20;
 };
 
-/// Returns the width of a histogram column [units of the metric].
+/// Returns the width of a column of the histogram, in the metric's unit.
 constexpr double column_of(Metric metric) { return metric == Metric::ball_advance ? 0.5 : 1; }
 
-/// Plays until the run or the sequential test ends. `progress` is called after each block. The result depends only on the
-/// comparison and the question, not on the speed of the blocks, unless the time limit ends the run. Blocks in `folder` are
-/// not played again.
+/// Plays blocks until there is a verdict. Calls `progress` after each block. The result depends only on the comparison
+/// and the options, not on the order in which blocks finish, unless the time limit ends the run. Blocks that are in
+/// `folder` are not played again; `folder` may be null.
 robot::Result<Outcome> play_contest(const Comparison& comparison, const ContestOptions& options,
                                     const RunFolder* folder,
                                     const std::function<void(const Mark&, double games_per_minute)>& progress);
 
-/// Plays the missing blocks among from .. to - 1, without a verdict. Other processes may play other blocks of the run.
+/// Plays those of the blocks from .. to - 1 that are not in `folder`, without a verdict: one part of a shared run.
 robot::Result<void> play_blocks(const Comparison& comparison, std::int64_t from, std::int64_t to, int jobs,
                                 const RunFolder& folder);
 
-/// Returns the verdict of all blocks in `folder`. Returns an Error for a gap or a block of another run.
+/// Returns the outcome of the blocks in `folder`. An Error names missing and damaged blocks and blocks of another run.
 robot::Result<Outcome> merge(const Comparison& comparison, const ContestOptions& options, const RunFolder& folder);
 
 }  // namespace sim::contest

@@ -20,9 +20,9 @@ using robot::Error;
 using robot::Result;
 
 constexpr auto kPerBlock = static_cast<std::size_t>(RunFolder::kPairsPerBlock);
-constexpr int kMostKilled = 100, kMostCrashes = 2;  // of one block
+constexpr int kMostKilled = 100, kMostCrashes = 2;  // during one block
 
-/// A worker's message, which the same program reads.
+/// A worker's answer. The same program reads it, so its layout is free.
 struct Message {
   bool good = false;
   DecisionCost cost[2];
@@ -31,7 +31,7 @@ struct Message {
 };
 static_assert(std::is_trivially_copyable_v<Message>);
 
-/// Reads all bytes, or returns false when the other end is closed.
+/// Sends all bytes. Returns false if the other end is closed.
 bool send_all(int line, const void* bytes, std::size_t size) {
   const char* at = static_cast<const char*>(bytes);
   while (size > 0) {
@@ -96,7 +96,7 @@ Result<void> Crew::hire(Worker& worker) {
   const pid_t self = getpid(), pid = fork();
   if (pid < 0) return Error{std::string("cannot start a worker: ") + std::strerror(errno)};
   if (pid == 0) {
-    // the worker ends with its parent, even if the parent died before this call
+    // end with the parent, also if it ended before this call
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != self) _exit(0);
     work(theirs.get());
@@ -117,12 +117,12 @@ void Crew::work(int line) const {
 Result<void> Crew::hand_out(Worker& worker) {
   if (worker.pid < 0)
     if (auto hired = hire(worker); !hired) return hired;
-  // a worker that died in the meantime is noticed when it should answer
+  // a worker that has died meanwhile is noticed when its answer is read
   send_all(worker.line.get(), &worker.block, sizeof worker.block);
   return {};
 }
 
-/// Handles the death of a worker during its block.
+/// Replaces a worker that died during its block.
 Result<void> Crew::replace(Worker& worker) {
   int status = 0;
   waitpid(worker.pid, &status, 0);

@@ -1,4 +1,4 @@
-// Processes that play blocks of pairs. A process that dies is replaced, and its block is played again.
+// Worker processes that play blocks of pairs. A worker that dies is replaced, and the new one plays its block again.
 #pragma once
 
 #include <sys/types.h>
@@ -15,29 +15,29 @@
 
 namespace sim::contest {
 
-/// A finished block.
+/// A block of played pairs.
 struct PlayedBlock {
   std::int64_t number = 0;
   std::vector<compare::Pair> pairs;
   DecisionCost cost[2];  // of A, of B
 };
 
-/// The workers of a run. Used by the only thread of its process.
+/// The worker processes. Used by one thread, in a process without other threads, because it forks.
 class Crew {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Starts no worker before the first block. `comparison` outlives this.
+  /// Starts no process before the first block. `comparison` outlives this.
   Crew(const Comparison& comparison, int jobs) : comparison_(comparison), workers_(static_cast<std::size_t>(jobs)) {}
-  /// Ends all workers.
+  /// Kills the workers that still play.
   ~Crew();
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
 
   bool has_somebody_idle() const;
-  /// Gives a block to an idle worker.
+  /// Gives a block to an idle worker; there must be one.
   robot::Result<void> give(std::int64_t block);
-  /// Returns the next finished block, or nothing at the deadline. Returns an Error if a game cannot be played.
+  /// Waits for the next finished block. Returns nothing after `deadline`, and an Error if a game cannot be played.
   std::optional<robot::Result<PlayedBlock>> wait(Clock::time_point deadline);
 
  private:

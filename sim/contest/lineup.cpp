@@ -14,7 +14,7 @@ using robot::Error;
 using robot::Result;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t kSampled = 17;  // of a tree every 17th decision is timed; not a multiple of a team's size
+constexpr std::uint64_t kSampled = 17;  // every 17th decision of a tree is timed: no multiple of a team's size
 
 Result<Named> find(const std::string& name, const io::Matchup& game, Side side) {
   if (guest::is_guest(name)) {
@@ -32,7 +32,7 @@ Result<Named> find(const std::string& name, const io::Matchup& game, Side side) 
 Result<Lineup> Lineup::prepare(const LineupChoice& choice) {
   Lineup lineup;
   lineup.changed_ = choice.changed;
-  // a behaviour from outside is started anew for each game
+  // "idle" keeps the place of a guest until the game begins
   io::Matchup warm = choice.game;
   for (const int side : {0, 1}) {
     const std::string& rest = choice.rest[side];
@@ -51,7 +51,7 @@ Result<Lineup> Lineup::prepare(const LineupChoice& choice) {
   return lineup;
 }
 
-/// A behaviour that measures the time of its decisions.
+/// A behaviour that times its decisions.
 class Cast::Player final : public agent::Behaviour {
  public:
   Player(const Named& named, std::uint64_t seed, Side side)
@@ -79,7 +79,7 @@ class Cast::Player final : public agent::Behaviour {
   const std::shared_ptr<const agent::Behaviour> tree_;
   const std::unique_ptr<guest::GuestBehaviour> guest_;
   const Side side_;
-  // used by the thread that plays this game
+  // used only by the thread that plays this game
   mutable std::uint64_t decisions_ = 0;
   mutable DecisionCost cost_;
 };

@@ -1,4 +1,4 @@
-// The behaviours of a game: trees, behaviours from outside, or both in one team; and the players of a single game.
+// The lineup of a game: trees, behaviours from outside, or a team of both; and the players of a single game.
 #pragma once
 
 #include <cstdint>
@@ -17,37 +17,37 @@
 
 namespace sim::contest {
 
-/// The wall-clock time of decisions: a sample for trees, all for guests.
+/// The cost of decisions in wall time. Every decision of a guest is timed, and a sample of those of trees.
 struct DecisionCost {
-  std::uint64_t timed = 0;
-  double ns = 0;  // total time
+  std::uint64_t timed = 0;  // number of timed decisions
+  double ns = 0;            // [ns] sum over the timed decisions
 
   double mean_us() const { return timed == 0 ? 0 : ns / static_cast<double>(timed) / 1000; }
   void add(const DecisionCost& other) { timed += other.timed, ns += other.ns; }
 };
 
-/// A named behaviour: a tree, or a factory of players from outside.
+/// A behaviour found by its name: a tree, or the factory of a guest. Exactly one is set.
 struct Named {
   std::shared_ptr<const agent::Behaviour> tree;
   std::shared_ptr<const guest::GuestFactory> guest;
 };
 
-/// The choice of behaviours. The first players of a side may play another behaviour than the rest.
+/// A game in which the first players of a side may play another behaviour than the rest.
 struct LineupChoice {
   io::Matchup game;
-  std::string rest[2];        // by Side: behaviour of players changed + 1 ..; empty: as the others
-  int changed = kMaxPlayers;  // number of players of game.strategies
+  std::string rest[2];        // by Side: behaviour of players changed + 1 ..; empty: as the first
+  int changed = kMaxPlayers;  // number of players per side that play game.strategies
 };
 
-/// Prepared behaviours. Any thread may make games from it.
+/// A prepared lineup. Any thread may make games (Cast) from it.
 class Lineup {
  public:
   static robot::Result<Lineup> prepare(const LineupChoice& choice);
 
-  /// Returns parameters for inspecting a situation. Games have behaviours of their own.
+  /// The parameters of the game. Their behaviours serve only to inspect a situation; each game has its own.
   const Params& params() const { return setup_.params; }
   Params& params() { return setup_.params; }
-  /// Reports whether the side plays a behaviour from outside.
+  /// Returns true if the side plays a behaviour from outside.
   bool has_guest(Side side) const { return has_guest_[static_cast<int>(side)]; }
 
  private:
@@ -67,15 +67,15 @@ class Cast {
   Cast(const Cast&) = delete;
   Cast& operator=(const Cast&) = delete;
 
-  /// Returns the parameters of the game, with its own behaviours.
+  /// The parameters of this game, with its own behaviours.
   const Params& params() const { return params_; }
-  /// Reports a fault of a behaviour from outside. The game is then worthless.
+  /// Returns true if a behaviour from outside has failed. The game is then invalid.
   bool failed() const;
-  /// Returns the fault in one sentence, or an empty string.
+  /// Returns the failure as a sentence, or an empty string without one.
   std::string problem() const;
   DecisionCost cost(Side side) const;
 
-  /// Returns the guests' memory, or nothing if a guest cannot save it.
+  /// Returns the guests' memory, or nothing if one of the guests cannot save its own.
   std::optional<std::string> save() const;
   robot::Result<void> load(std::string_view bytes);
 
@@ -86,15 +86,15 @@ class Cast {
 
   Params params_;
   std::vector<std::unique_ptr<Player>> players_;
-  std::vector<guest::GuestBehaviour*> guests_;  // those among players_
+  std::vector<guest::GuestBehaviour*> guests_;  // among these
   std::unique_ptr<agent::Mixed> mixed_[2];
 };
 
-/// The decision costs of many games. Any thread.
+/// The cost of decisions over many games. Thread-safe.
 class Costs {
  public:
   void add(const Cast& cast);
-  /// Returns cost_text of both sides.
+  /// Returns cost_text() of both sides.
   std::string text() const;
 
  private:
@@ -102,7 +102,7 @@ class Costs {
   DecisionCost cost_[2];  // by Side
 };
 
-/// Returns a line such as "a decision costs  home 0.62 us, away 41.30 us".
+/// Returns "a decision costs  home 0.62 us, away 41.30 us"
 std::string cost_text(const DecisionCost& home, const DecisionCost& away);
 
 }  // namespace sim::contest

@@ -1,4 +1,4 @@
-// Moments in the middle of games, for questions about their continuation.
+// Moments in the middle of games, as starting points of forecasts.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,9 @@
 
 namespace sim::contest {
 
-/// Plays a game and calls `see` at most `count` times, evenly spaced, while the ball is in play. Each time `robot` (its
-/// index) has just had its turn, like a captain that asks. Between two turns its beliefs would be up to half a second old.
+/// Plays a game and calls `see` at most `count` times, evenly spaced, while the ball is in play. At each call `robot`
+/// (an index) has just had its turn, as a captain that asks for a forecast has. Between two turns its beliefs can be
+/// half a second old.
 void for_each_moment(const Params& params, std::uint64_t seed, int count, int robot,
                      const std::function<void(const State&)>& see);
 

@@ -14,7 +14,7 @@ namespace {
 using robot::Error;
 using robot::Result;
 
-/// Returns the descriptions below a folder, by name, or the name itself if it is not a folder.
+/// Returns the situation files in a folder, sorted by name, or `from` itself if it is no folder.
 Result<std::vector<std::string>> names_below(const std::string& from) {
   std::error_code failed;
   if (!std::filesystem::is_directory(from, failed)) return std::vector<std::string>{from};
@@ -41,7 +41,7 @@ Result<Openings> Openings::read(const std::string& from, bool fuzz, const Params
     if (!source) return Error{source.error()};
     auto state = io::parse_situation(source->text, source->called, params);
     if (!state) return Error{state.error()};
-    openings.starts_.push_back({std::move(source->text), std::move(source->called), *state});
+    openings.descriptions_.push_back({std::move(source->text), std::move(source->called), *state});
   }
   return openings;
 }
@@ -53,13 +53,13 @@ State Openings::begin(const Params& params, std::uint64_t seed) const {
 
 State Openings::begin(const Params& params, std::uint64_t seed, referee::Events& events) const {
   events.count = 0;
-  if (starts_.empty()) return sim::begin(params, {.seed = seed}, events);
-  const Start& moment = starts_[seed % starts_.size()];
-  State state = moment.state;
+  if (descriptions_.empty()) return sim::begin(params, {.seed = seed}, events);
+  const Description& description = descriptions_[seed % descriptions_.size()];
+  State state = description.state;
   if (fuzz_) {
-    // a description that could be read once can be read with fuzz
+    // a description that was valid without fuzz is valid with it
     const RandomKey luck{state.world.key.seed + seed};
-    state = io::parse_situation(moment.text, moment.called, params, &luck).value();
+    state = io::parse_situation(description.text, description.called, params, &luck).value();
   }
   state.world.key.seed += seed;
   return state;
@@ -67,8 +67,8 @@ State Openings::begin(const Params& params, std::uint64_t seed, referee::Events&
 
 std::uint64_t Openings::content() const {
   Hash hash;
-  for (const Start& moment : starts_)
-    for (const char c : moment.text) hash.add(static_cast<unsigned char>(c));
+  for (const Description& description : descriptions_)
+    for (const char c : description.text) hash.add(static_cast<unsigned char>(c));
   return hash.value();
 }
 

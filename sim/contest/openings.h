@@ -1,4 +1,4 @@
-// The start of games: the kick-off, a described moment, or the moments of a folder in turn.
+// The start of games: the kick-off, one situation, or the situations of a folder in turn.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace sim::contest {
 
-/// The starts of a run's games. Any thread.
+/// The situations in which games begin. Thread-safe.
 class Openings {
  public:
-  /// Reads the starts. `from` names an embedded situation, a file or a folder of files; empty means the kick-off. With `fuzz`
-  /// each game begins with slightly other places. Each moment must be possible by the rules in `params`.
+  /// Reads `from`: the name of an embedded situation, a file, a folder of files, or empty for the kick-off. With `fuzz`
+  /// each game begins with slightly shifted robots and ball. Each situation must be possible by the rules in `params`.
   static robot::Result<Openings> read(const std::string& from, bool fuzz, const Params& params);
 
-  /// Returns the first state of the game with that seed, and the referee's events.
+  /// Returns the state in which the game with this seed begins, and fills `events` with the referee's first decisions.
   State begin(const Params& params, std::uint64_t seed, referee::Events& events) const;
   State begin(const Params& params, std::uint64_t seed) const;
 
@@ -27,12 +27,12 @@ class Openings {
   std::uint64_t content() const;
 
  private:
-  struct Start {
+  struct Description {
     std::string text, called;
     State state;
   };
 
-  std::vector<Start> starts_;  // by file name; empty: the kick-off
+  std::vector<Description> descriptions_;  // ordered by file name; empty: the kick-off
   bool fuzz_ = false;
 };
 

@@ -66,7 +66,7 @@ robot::Result<RunFolder> RunFolder::open(const std::filesystem::path& folder, co
   return run;
 }
 
-/// Locks the folder until this object or its process ends.
+/// Locks the folder until this object is destroyed or its process ends.
 robot::Result<void> RunFolder::lock(Use use) {
   const std::filesystem::path path = folder_ / "lock";
   lock_ = robot::FileDescriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));

@@ -1,4 +1,4 @@
-// A comparison on the disk: its specification and the results of each block. A killed run continues from there.
+// A comparison on the disk: its specification, and the results block by block. A killed run resumes from it.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +12,34 @@
 
 namespace sim::contest {
 
-/// The folder of a run. Each block is a file that exists completely or not at all. Any thread; each block by one thread.
+/// The folder of a run. Each block is a file that is complete or absent. Thread-safe if each block has one writer.
 class RunFolder {
  public:
   static constexpr std::int64_t kPairsPerBlock = 25;
 
-  /// The purpose of opening a run.
+  /// The use of a run's folder.
   enum class Use {
-    begin,  // a new run
-    go_on,  // the folder holds this run
-    share,  // the same, and other processes write other blocks at the same time
+    begin,  // the folder holds no run
+    go_on,  // the folder may hold this run
+    share,  // likewise, and other processes write other blocks meanwhile
   };
 
-  /// Opens or creates the folder of a run. Returns an Error if it holds another run, or if another process uses it and not
-  /// both share it.
+  /// Opens or creates the folder of a run. Refuses a folder that holds another run, or that another process uses,
+  /// unless all processes share it.
   static robot::Result<RunFolder> open(const std::filesystem::path& folder, const std::string& specification, Use use);
 
   /// Returns the pairs of a block, or an Error if it is missing, damaged or of another run.
   robot::Result<std::vector<compare::Pair>> read(std::int64_t block) const;
 
-  /// Reports whether the block has a file, of any content.
+  /// Returns true if there is a file for this block, valid or not.
   bool has(std::int64_t block) const;
 
   robot::Result<void> write(std::int64_t block, const std::vector<compare::Pair>& pairs) const;
 
-  /// Returns the number of the last block plus one.
+  /// Returns the number of the last block plus one: the number of blocks if none is missing.
   std::int64_t blocks() const;
 
-  /// Writes result.json: the result without the figures that depend on the machine.
+  /// Writes result.json: the results without figures that depend on the machine.
   robot::Result<void> write_result(const std::string& json) const;
 
   const std::filesystem::path& path() const { return folder_; }

@@ -10,20 +10,21 @@
 
 namespace sim::contest {
 
-/// Calls `play(i)` for 0 <= i < games, from `threads` threads. `progress` gets the number of finished games, in one thread.
+/// Calls `play(i)` for 0 <= i < games, from `threads` threads. Calls `progress` with the number of finished games,
+/// always from the calling thread.
 void for_each_game(int games, int threads, const std::function<void(int)>& play,
                    const std::function<void(int)>& progress = {});
 
-/// Returns the number of processors, at most `games`.
+/// Returns the number of the machine's processors, but at most `games` and at least 1.
 int threads_for(int games);
 
-/// The first fault in many games. Any thread.
+/// The first failure in many games. Thread-safe.
 class Problem {
  public:
-  /// Notes a fault. Only the first one is kept.
+  /// Keeps the first problem; later calls have no effect.
   void tell(const std::string& problem);
   bool is_known() const;
-  /// Returns the fault, or an empty string.
+  /// Returns the problem, or an empty string without one.
   std::string text() const;
 
  private:
@@ -37,7 +38,7 @@ struct Mean {
   double error = 0;  // one standard error; 0 for fewer than two values
 };
 Mean mean_of(const std::vector<double>& values);
-/// Returns the median: the mean of the middle two for an even number of values, 0 for none.
+/// Returns the median: for an even number of values the mean of the middle two, and 0 for none.
 double median_of(std::vector<double> values);
 
 }  // namespace sim::contest

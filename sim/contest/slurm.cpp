@@ -13,7 +13,7 @@ namespace {
 using robot::Error;
 using robot::Result;
 
-constexpr double kTaskSeconds = 60;  // shortest task: Slurm needs about half a second to start one
+constexpr double kTaskSeconds = 60;  // [s] shortest task: Slurm needs about half a second to start one
 constexpr std::int64_t kMostTasks = 1000;
 
 std::string quoted(const std::string& word) {
@@ -30,7 +30,7 @@ std::string command_line(const std::vector<std::string>& words) {
 
 constexpr const char* kHead = "#!/bin/sh\n#SBATCH --ntasks=1\n";
 
-/// Returns the job number in sbatch's answer.
+/// Runs sbatch. Returns the number of the job.
 Result<std::string> sbatch(const std::string& arguments) {
   const std::string command = "sbatch --parsable " + arguments;
   const std::unique_ptr<FILE, int (*)(FILE*)> output(popen((command + " 2>&1").c_str(), "r"), pclose);
@@ -56,7 +56,7 @@ Division divide(std::int64_t blocks, double seconds_per_block) {
 
 std::string array_script(const std::vector<std::string>& words, const Division& division) {
   const std::string per_task = std::to_string(division.blocks_per_task), blocks = std::to_string(division.blocks);
-  // a killed task starts again and continues after its last written block; Slurm replaces a lost node
+  // a killed task is started again and resumes after its last written block; Slurm itself handles a lost node
   return kHead + std::string("#SBATCH --array=0-") + std::to_string(division.tasks() - 1) +
          "\n#SBATCH --requeue\nfrom=$((SLURM_ARRAY_TASK_ID * " + per_task + "))\nto=$((from + " + per_task +
          "))\n[ \"$to\" -le " + blocks + " ] || to=" + blocks +
@@ -66,13 +66,13 @@ std::string array_script(const std::vector<std::string>& words, const Division& 
 }
 
 std::string merge_script(const std::vector<std::string>& words) {
-  // "not better" and "undecided" are not failures of the job
+  // the verdicts "not better" and "undecided" are no failure of the job
   return kHead + command_line(words) + " --merge\nstatus=$?\n[ \"$status\" -ne 2 ]\n";
 }
 
 Result<Submitted> submit(const std::vector<std::string>& words, const Division& division, const RunFolder& folder) {
   const std::filesystem::path where = std::filesystem::absolute(folder.path());
-  // submits a script with its options; its log is beside the blocks
+  // writes and submits a script; `before` are further options; its log is in the run's folder
   const auto hand_over = [&](const char* name, const std::string& script,
                              const std::string& before) -> Result<std::string> {
     const std::filesystem::path path = where / (std::string(name) + ".sh"),

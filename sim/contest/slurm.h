@@ -1,4 +1,4 @@
-// A comparison on a Slurm cluster: an array of jobs that play blocks, and one job that merges them at the end.
+// A comparison on a Slurm cluster: an array of jobs plays the blocks, and one more job merges them at the end.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace sim::contest {
 
-/// The division of a run into tasks.
+/// The division of a run's blocks into tasks.
 struct Division {
   std::int64_t blocks = 0;
   std::int64_t blocks_per_task = 1;
@@ -18,18 +18,18 @@ struct Division {
   std::int64_t tasks() const { return (blocks + blocks_per_task - 1) / blocks_per_task; }
 };
 
-/// Divides a run. A task plays for at least a minute, and there are at most 1000 tasks, Slurm's usual limit.
+/// Divides a run so that a task plays for at least a minute, with at most 1000 tasks: Slurm's usual limit.
 Division divide(std::int64_t blocks, double seconds_per_block);
 
-/// Return the scripts of the array and of the merging job. `words` is this command line without the engine.
+/// Return the scripts of the array and of the job that merges. `words` is this command line without the engine.
 std::string array_script(const std::vector<std::string>& words, const Division& division);
 std::string merge_script(const std::vector<std::string>& words);
 
 struct Submitted {
-  std::string array, merge;  // Slurm's job numbers
+  std::string array, merge;  // job numbers from Slurm
 };
 
-/// Writes both scripts into the run's folder, which all machines must see, and submits them with sbatch.
+/// Writes both scripts into the run's folder and submits them with sbatch. All machines must see the folder.
 robot::Result<Submitted> submit(const std::vector<std::string>& words, const Division& division,
                                 const RunFolder& folder);
 

@@ -63,7 +63,7 @@ std::string text(const char* format, Values... values) {
 
 double number(const Json& json) { return json.is_number() ? json.get<double>() : NAN; }
 
-/// Returns a figure with its name in the JSON, so that the two can be compared.
+/// Returns a figure marked with its key in the JSON, so that tests can compare the two.
 std::string figure(const char* key, const char* format, const Json& value) {
   const std::string shown = value.is_number() ? text(format, value.get<double>()) : "–";
   return text("<span data-of=\"%s\">%s</span>", key, shown.c_str());
@@ -102,7 +102,7 @@ std::string verdict_plot(const Json& report) {
     path.emplace_back(mark.at(0).get<double>(), mark.at(2).get<double>());
     bottom = std::min(bottom, path.back().second), top = std::max(top, path.back().second);
   }
-  // far beyond a bound there is nothing to see
+  // the plot ends a little beyond the bounds: the test has ended there
   bottom = std::max(bottom, 2.5 * low), top = std::min(top, 2.5 * high);
   const double room = 0.12 * (top - bottom);
   Plot plot(0, path.back().first, bottom - room, top + room);
@@ -123,7 +123,7 @@ std::string mean_plot(const Json& report) {
     pairs.push_back(mark.at(0)), low.push_back(mark.at(3)), high.push_back(mark.at(4));
   }
   if (mean.empty()) return "";
-  // the first intervals are wider than the range of interest
+  // the first few intervals are too wide for the scale
   const std::size_t settled = std::min(mean.size() - 1, mean.size() / 8);
   double bottom = 0;
   for (std::size_t i = settled; i < mean.size(); ++i)
@@ -141,7 +141,7 @@ std::string histogram_plot(const Json& report) {
   const Json& histogram = report.at("histogram");
   const double from = histogram.at("from"), column = histogram.at("column");
   const auto counts = histogram.at("pairs").get<std::vector<double>>();
-  // only the used columns, symmetric about zero
+  // only the columns that hold pairs, and the same number on both sides
   std::size_t middle = counts.size() / 2, reach = 2;
   for (std::size_t i = 0; i < counts.size(); ++i)
     if (counts[i] > 0) reach = std::max(reach, i > middle ? i - middle : middle - i);
@@ -239,7 +239,7 @@ std::string page_of(const Json& report) {
   const std::string verdict = report.at("verdict"), sentence = report.at("sentence");
   std::string style = verdict;
   std::ranges::replace(style, ' ', '-');
-  // the sentence's figures have their own places below
+  // the sentence's figures are shown below
   const std::string headline = sentence.substr(0, sentence.find(": "));
   std::string all =
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"

@@ -1,4 +1,4 @@
-// A comparison as one HTML page: a file to open, keep and send, without scripts and external resources.
+// A comparison as one HTML page: a single file without scripts and without links to other files.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace sim::report {
 
-/// Returns the page of a to_whole_json(report). Each figure on the page is one of that JSON.
+/// Returns the page for the JSON of to_whole_json(report). Each figure on the page is a figure of that JSON.
 std::string page_of(const Json& report);
 
 }  // namespace sim::report

@@ -28,7 +28,7 @@ double per_game(const contest::Outcome& outcome, std::int64_t sum) {
   return outcome.tally.pairs == 0 ? 0 : static_cast<double>(sum) / static_cast<double>(games_of(outcome));
 }
 
-/// Shortens a name and keeps its end, which says more than its beginning.
+/// Shortens a name from its beginning: the ends of paths differ.
 std::string shortened(const std::string& name) {
   constexpr std::size_t kMost = 11;
   return name.size() <= kMost ? name : ".." + name.substr(name.size() - kMost + 2);
@@ -49,7 +49,7 @@ const char* noun(contest::Metric metric) {
   return "";
 }
 
-/// Quotes a word for the shell.
+/// Quotes a word for the shell, if it needs quotes.
 std::string quoted(const std::string& word) {
   const auto plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || std::strchr("_-+=.,:/%", c);
@@ -60,7 +60,7 @@ std::string quoted(const std::string& word) {
   return all + "'";
 }
 
-/// Returns the command that plays the pair's game with B at home.
+/// Returns the command that plays the game of a pair in which B is at home.
 std::string replay_of(const ContestReport& report, const contest::DecisivePair& pair) {
   const contest::ComparisonChoice& choice = report.comparison.choice();
   const std::string& against = choice.opponent.empty() ? choice.a : choice.opponent;
@@ -76,14 +76,14 @@ std::string replay_of(const ContestReport& report, const contest::DecisivePair& 
   return command + " --seed " + std::to_string(report.comparison.seed_of(pair.number)) + " --mcap game.mcap";
 }
 
-/// Returns null for an infinite value, which means unknown; JSON has no infinity.
+/// Returns null for an unknown bound: it is infinite, and JSON has no infinity.
 Json bound_json(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json to_json(const Interval& interval) {
   return {{"mean", interval.mean}, {"low", bound_json(interval.low)}, {"high", bound_json(interval.high)}};
 }
 
-/// Returns the gain corrected for the early stop, after a sequential test that answered.
+/// Returns the unbiased gain, or nothing unless a sequential test has answered.
 std::optional<Interval> unbiased(const ContestReport& report) {
   const double unit = report.comparison.unit();
   if (!report.outcome.sequential || compare::pair_variance(report.outcome.tally, unit) <= 0) return {};
@@ -214,7 +214,7 @@ struct Needed {
 Needed needed_by(const ContestReport& pilot) {
   const double variance = compare::pair_variance(pilot.outcome.tally, pilot.comparison.unit());
   compare::Plan plan = compare::plan(variance, pilot.options.question.h1 - pilot.options.question.h0);
-  // the sequential test gives no earlier answer
+  // the sequential test gives no answer before this number of pairs
   const auto fewest = static_cast<double>(pilot.options.question.fewest_pairs);
   for (double* const pairs : {&plan.sequential, &plan.sequential_worst}) *pairs = std::max(*pairs, fewest);
   return {.variance = variance,

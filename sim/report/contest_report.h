@@ -1,4 +1,4 @@
-// The result of a comparison as text and JSON.
+// The outcome of a comparison, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -8,6 +8,7 @@
 
 namespace sim::report {
 
+/// A comparison with its outcome. The three objects must outlive it.
 struct ContestReport {
   const contest::Comparison& comparison;
   const contest::ContestOptions& options;
@@ -17,14 +18,14 @@ struct ContestReport {
 /// Returns the verdict in one sentence.
 std::string sentence_of(const ContestReport& report);
 
-/// Returns everything except the figures that depend on the machine.
+/// Returns the report without figures that depend on the machine.
 Json to_json(const ContestReport& report);
-/// Returns everything, with the duration and the cost of a decision.
+/// Returns to_json() and the figures of this machine: the duration and the cost of a decision.
 Json to_whole_json(const ContestReport& report);
-/// Returns the text, with `explain` also the decisive pairs and the commands that show them.
+/// Returns the report as text. With `explain` it lists the decisive pairs and the commands that replay them.
 std::string to_text(const ContestReport& report, bool explain);
 
-/// Return the number of games for an answer, estimated from a pilot run.
+/// Return the number of games that an answer needs, estimated from a pilot run.
 Json plan_json(const ContestReport& pilot);
 std::string plan_text(const ContestReport& pilot);
 

@@ -41,7 +41,7 @@ std::string game_line(const Params& params, std::uint64_t seed) {
   std::copy(&events[0][0], &events[0][0] + 2 * kEventKinds, &report.result.events[0][0]);
 
   Json json = to_json(report, params.rules.players);
-  json.erase("events");  // hundreds of them
+  json.erase("events");  // there are hundreds
   json["first_goal_seconds"] = first_goal;
   json["out"] = outs;
   json["home"].update(census.of(Side::home));

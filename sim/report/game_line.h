@@ -1,4 +1,4 @@
-// A game as one line of JSON, for the evaluation of thousands.
+// A game in one line of JSON, for the evaluation of thousands of games.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace sim::report {
 
-/// Plays a game and returns its figures, with a newline at the end. They are those of its report, the time of the first goal,
-/// the number of balls out, how often each robot saw the ball, and those of a Census.
+/// Plays a game and returns its figures: those of its report, the time of the first goal and the number of balls out.
+/// Each robot's share of time with the ball in view and the figures of a Census follow. The line ends with a newline.
 std::string game_line(const Params& params, std::uint64_t seed);
 
 }  // namespace sim::report

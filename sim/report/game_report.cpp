@@ -10,11 +10,11 @@ using Kind = referee::Event::Kind;
 
 constexpr std::array kSides = {"home", "away"};
 
-/// One line of the table: a figure of each side.
+/// One row of the table: a figure of each side.
 struct Row {
   const char* key;
   const char* shown;
-  const char* format;  // for a double
+  const char* format;  // of a double
   double (*value)(const Result& result, int side, int players);
 };
 
@@ -33,7 +33,7 @@ double penalties(const Result& result, int side, int) {
   return sum;
 }
 
-// shares are in [0..1]: their formats end in "%%" and show hundredths
+// shares are in [0..1]; their formats end in "%%" and show hundredths
 constexpr Row kRows[] = {
     {"goals", "goals", "%.0f", [](const Result& result, int side, int) { return double(result.score[side]); }},
     {"shots", "shots", "%.0f", [](const Result& result, int side, int) { return double(result.counts.shots[side]); }},
@@ -59,7 +59,7 @@ std::string text(const char* format, Values... values) {
 
 std::string shown(const Row& row, double value) { return text(row.format, is_share(row) ? 100 * value : value); }
 
-/// Reports whether the event is shown in the text. Phases are in the JSON only.
+/// Returns true for events of the text report. Changes of the phase are only in the JSON.
 bool is_news(Kind kind) { return kind >= Kind::goal && kind != Kind::placed; }
 
 double goals(const GameReport& report) { return report.result.score[0] + report.result.score[1]; }

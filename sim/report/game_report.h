@@ -1,4 +1,4 @@
-// The report of a game as text and JSON.
+// The report of a game, as text and as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,11 +13,11 @@ namespace sim::report {
 
 using Json = nlohmann::ordered_json;
 
-/// A decision of the referee and its time on the match clock.
+/// A decision of the referee and its time on the game clock.
 struct Decision {
   referee::Event event;
   int half;
-  float clock;   // [s] of the half that had run
+  float clock;   // [s] since the start of the half, without stopped time
   int score[2];  // after it
 };
 
@@ -27,16 +27,16 @@ struct GameReport {
   std::vector<Decision> decisions;
 };
 
-/// Returns the robot or side of the event, such as "home 3" or "away", or an empty string.
+/// Returns "home 3", "away", …, or an empty string for an event of no side.
 std::string who(const referee::Event& event);
 /// Returns "07:31" for 451 s.
 std::string clock_text(float seconds);
 
 Json to_json(const GameReport& report, int players);
-/// Returns the score, a table of both sides, and the events with their times.
+/// Returns the score, a table of both sides, and the list of events.
 std::string to_text(const GameReport& report, const io::Matchup& choice, const Params& params);
 
-/// Return means with standard errors of several games.
+/// Return the means of several games with their standard errors.
 Json to_json(const std::vector<GameReport>& reports, int players);
 std::string to_text(const std::vector<GameReport>& reports, const io::Matchup& choice, const Params& params);
 

@@ -1,4 +1,4 @@
-// Small plots as SVG; the page's style sets the colours.
+// Small plots as SVG. The page's style sets their colours.
 #pragma once
 
 #include <string>
@@ -7,24 +7,24 @@
 
 namespace sim::report {
 
-/// Escapes text for HTML: "&lt;" for "<" and so on.
+/// Escapes text for a page: "&lt;" for "<" and so on.
 std::string escaped(const std::string& text);
 
-/// A plot with axes, drawn piece by piece in the units of the data.
+/// A plot with axes. Coordinates are in the units of the data.
 class Plot {
  public:
-  /// Sets the range of the axes. An empty range is widened.
+  /// Takes the ranges of the axes. An empty range is widened to 1.
   Plot(double left, double right, double bottom, double top);
 
-  /// Draws a line. `style` is a CSS class: "path", "bound", "zero", "mean" …
+  /// `style` is a CSS class of the page: "path", "zero", "mean" …
   void line(const std::string& style, const std::vector<std::pair<double, double>>& points);
-  /// Fills the area between two lines with the same places.
+  /// Fills the area between two lines with the same x.
   void band(const std::string& style, const std::vector<double>& x, const std::vector<double>& low,
             const std::vector<double>& high);
   void level(const std::string& style, double y, const std::string& label);
   void bar(const std::string& style, double left, double right, double height, const std::string& title);
 
-  /// Returns the plot. `about` is its text for screen readers.
+  /// Returns the whole plot. Screen readers read `about`.
   std::string svg(const std::string& about, const std::string& x_label, bool y_axis = true) const;
 
  private:

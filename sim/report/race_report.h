@@ -1,4 +1,4 @@
-// The answer of foresight as a table and as JSON.
+// The result of a foresight race, as a table and as JSON.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace sim::report {
 
-/// Prints one line per strategy, and the advice in a sentence.
+/// Prints one line per strategy, and the advice as a sentence.
 void print_race(const foresight::Forecast& forecast, const foresight::Question& question,
                 const std::vector<std::string>& names);
 

@@ -1,4 +1,4 @@
-// A verdict under other models: does it depend on the robots?
+// A verdict repeated under other models: does it depend on the models of the robots?
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace sim::report {
 
-/// The result under one condition.
+/// The outcome under one of the conditions.
 struct UnderConditions {
-  std::string conditions;  // such as "walk x0.8"; empty: unchanged models
+  std::string conditions;  // "walk x0.8"; empty: the models as they are
   compare::Verdict verdict = compare::Verdict::undecided;
   compare::Interval gain;
   std::int64_t pairs = 0;
 };
 
-/// Returns the conditions that change the verdict. The unchanged models are the first of the list.
+/// Returns the conditions with another verdict than the first of the list, the models as they are.
 std::vector<std::string> turned_by(const std::vector<UnderConditions>& found);
 
-/// Returns a sentence such as "passing against baseline: better throughout, under all 7 models".
+/// "passing is better than baseline throughout: under all 7 models", "… under these models, but not with walk x0.8".
 std::string robust_sentence(const contest::ComparisonChoice& choice, const std::vector<UnderConditions>& found);
 
 Json robust_json(const contest::ComparisonChoice& choice, const std::vector<UnderConditions>& found);
