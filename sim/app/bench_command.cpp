@@ -1,4 +1,4 @@
-// foresight-sim bench: what a game costs. The bar: a whole spl2012 game at most 150 cycles per robot and tick, 12 ms.
+// foresight-sim bench: the cost of a game. Budget of a whole spl2012 game: 150 cycles per robot and tick, 12 ms.
 #include <chrono>
 #include <cstdio>
 
@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::uint64_t kFirstSeed = 1;
 
-/// What one game cost.
+/// The cost of one game.
 struct Cost {
-  double ns = 0;             // of the thread that played it
-  double cycles_per_ns = 0;  // of the clock just before it
+  double ns = 0;             // computing time of the thread that played it
+  double cycles_per_ns = 0;  // clock rate just before the game
   double robot_ticks = 0;
 };
 
@@ -39,13 +39,17 @@ std::vector<double> values_of(const std::vector<Cost>& costs, double (*value)(co
 
 class BenchCommand final : public Command {
  public:
-  explicit BenchCommand(CLI::App& app) : Command(app.add_subcommand("bench", "what a game costs on this machine")) {
+  explicit BenchCommand(CLI::App& app)
+      : Command(app.add_subcommand("bench", "measure the cost of a game on this machine")) {
     choice_.add_to(options());
     options()
-        .add_option("--games", games_, "how many, one after the other on each thread")
+        .add_option("--games", games_, "number of games, one after the other on each thread")
         ->check(CLI::Range(1, 100'000))
         ->capture_default_str();
-    options().add_option("--threads", threads_, "how many at once")->check(CLI::Range(1, 256))->capture_default_str();
+    options()
+        .add_option("--threads", threads_, "number of games at once")
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
     options().add_flag("--json", json_, "report as JSON");
   }
 
@@ -53,7 +57,7 @@ class BenchCommand final : public Command {
     const auto lineup = choice_.line_up();
     if (!lineup) return fail(lineup.error());
     contest::Problem problem;
-    cost_of(*lineup, 0, problem);  // caches and clock warm
+    cost_of(*lineup, 0, problem);  // warms the caches and the clock
 
     std::vector<Cost> costs(static_cast<std::size_t>(games_));
     const auto begin = std::chrono::steady_clock::now();

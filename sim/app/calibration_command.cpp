@@ -1,5 +1,5 @@
-// foresight-sim calibration: do forecasts come true as often as they say? Asked in the middle of whole games, from what
-// one robot believes, and compared with how the game went on.
+// foresight-sim calibration: do forecasts come true as often as they say? One robot asks in the middle of whole games,
+// from its beliefs. The forecast is compared with the rest of the game.
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -19,11 +19,11 @@ namespace {
 
 using foresight::Reliability;
 
-constexpr int kAsked = 1;    // home 2, the captain as a rule
+constexpr int kAsked = 1;    // home 2, usually the captain
 constexpr int kPerGame = 8;  // situations
 constexpr std::uint64_t kFirstSeed = 2'000'001;
 
-/// One forecast of one event, and whether it came.
+/// A forecast of an event, and whether the event came.
 struct Case {
   double foretold = 0;  // [0..1]
   bool came = false;
@@ -31,7 +31,7 @@ struct Case {
 
 struct Cases {
   std::vector<Case> score, concede;
-  int untold = 0;  // situations in which nothing could be told
+  int untold = 0;  // situations without a forecast
 
   void add(const Cases& other) {
     score.insert(score.end(), other.score.begin(), other.score.end());
@@ -76,15 +76,15 @@ class CalibrationCommand final : public Command {
       : Command(app.add_subcommand("calibration", "do forecasts come true as often as they say?")) {
     choice_.add_to(options());
     options()
-        .add_option("--situations", situations_, "how many are asked about")
+        .add_option("--situations", situations_, "number of situations")
         ->check(CLI::Range(kPerGame, 1'000'000))
         ->capture_default_str();
     options()
-        .add_option("--rollouts", rollouts_, "how many futures each forecast comes from")
+        .add_option("--rollouts", rollouts_, "number of futures per forecast")
         ->check(CLI::Range(foresight::kFewestStripes, 100'000))
         ->capture_default_str();
     options()
-        .add_option("--seconds", seconds_, "how far each forecast looks")
+        .add_option("--seconds", seconds_, "[s] horizon of each forecast")
         ->check(CLI::Range(1., 300.))
         ->capture_default_str();
     options().add_flag("--json", json_, "report as JSON");
@@ -115,7 +115,7 @@ class CalibrationCommand final : public Command {
   }
 
  private:
-  /// The moments of a game: what is foretold then, and how it goes on.
+  /// Plays a game. Returns the forecasts at its moments and the events that followed.
   Cases play(const Params& params, const io::Playbook& playbook, std::uint64_t seed) const {
     Cases cases;
     const Tick horizon = ticks(static_cast<float>(seconds_));
@@ -158,8 +158,8 @@ class CalibrationCommand final : public Command {
       std::printf("%s\n", json.dump(2).c_str());
       return;
     }
-    std::printf("%zu situations, %d futures of %g s each; in %d others it could not tell\n\n", cases.score.size(),
-                rollouts_, seconds_, cases.untold);
+    std::printf("%zu situations, %d futures of %g s each; %d others had no forecast\n\n", cases.score.size(), rollouts_,
+                seconds_, cases.untold);
     print("own goal next", score);
     print("goal of the others next", concede);
   }

@@ -1,10 +1,11 @@
 // foresight-sim choosing: what is it worth to choose between strategies during a game?
 //
-// At moments of games that the first strategy plays, each of the others is played for a while, and then the first again,
-// in many futures of what truly is. That tells what the best of them gains there, for whom knows all, and what the one gains
-// that a captain chooses by its few futures of what it believes. Over a game such gains add up: the difference between two
-// policies is the sum of the advantages of one over the other (Kakade and Langford, ICML 2002), here at the first
-// strategy's moments instead of the captain's own. So minutes tell apart what whole games would need days for.
+// The first strategy plays games. At moments of these games each other strategy plays for a while, and then the first
+// one again, in many futures of the true state. This measures two gains. One is that of the best strategy, for a
+// captain that knows everything. The other is that of the strategy that a captain chooses by a few futures of its
+// beliefs. Over a game such gains add up: the difference between two policies is the sum of the advantages of one over
+// the other (Kakade and Langford, ICML 2002). Here the sum is over the first strategy's moments instead of the
+// captain's own. So minutes are enough for a difference that whole games would show after days.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -25,10 +26,10 @@ namespace {
 
 constexpr int kCaptain = 1;         // home 2
 constexpr int kPerGame = 10;        // moments
-constexpr Tick kAfter = ticks(30);  // how long goals count after all play the first strategy again
+constexpr Tick kAfter = ticks(30);  // goals still count this long after the return to the first strategy
 constexpr std::uint64_t kFirstSeed = 3'000'001;
 
-/// What captains know.
+/// The knowledge of each captain.
 constexpr struct {
   const char* name;
   foresight::Insight insight;
@@ -43,7 +44,8 @@ constexpr struct {
 /// Goals gained over the first strategy, by strategy.
 using Gains = std::vector<double>;
 
-/// What a moment's futures came to, in two halves: what one of them finds best, the other one judges.
+/// The gains in the futures of a moment, in two halves. The strategy that is best in one half is judged by the other
+/// half.
 struct Trial {
   Gains halves[2];
   Gains errors;             // one standard error of the mean of both halves
@@ -60,7 +62,8 @@ struct Trial {
   }
 };
 
-/// All play the leaves of another tree from now on. Done to the first strategy, too, so that a copy of it gains nothing.
+/// Resets the leaves of all home robots for another tree. Also done for the first strategy, so that a copy of it gains
+/// 0.
 void begin_anew(State& state) {
   for (int player = 1; player <= state.world.players; ++player)
     state.robots[robot_of(Side::home, player)].mind.leaf = agent::kNoLeaf;
@@ -82,7 +85,7 @@ class ChoosingCommand final : public Command {
         ->check(CLI::Range(kPerGame, 1'000'000))
         ->capture_default_str();
     options()
-        .add_option("--futures", futures_, "of each strategy in each moment, for what is truly best")
+        .add_option("--futures", futures_, "number per strategy and moment, for the truly best strategy")
         ->check(CLI::Range(4, 100'000))
         ->capture_default_str();
     options()
@@ -102,7 +105,7 @@ class ChoosingCommand final : public Command {
         ->check(CLI::Range(0.5, 0.999))
         ->capture_default_str();
     options()
-        .add_option("--switching-cost", terms_.switching_cost, "[goals] what a change costs")
+        .add_option("--switching-cost", terms_.switching_cost, "[goals] cost of a change")
         ->check(CLI::Range(0., 1.))
         ->capture_default_str();
     options().add_flag("--insights", insights_,
@@ -139,13 +142,13 @@ class ChoosingCommand final : public Command {
   Trial look_at(const io::Playbook& playbook, const State& state, std::uint64_t seed) const {
     const RandomKey key{seed * 1'000'000 + state.world.tick};
     Trial trial = futures_of(playbook, state, key);
-    // luck of its own: a captain that foresaw the very futures it is judged by would look wise
+    // another seed: a captain that saw the futures by which it is judged would look too good
     for (int i = 0; i < captains(); ++i)
       trial.chosen.push_back(choice_of(playbook, state, kCaptains[i].insight, {~key.seed}));
     return trial;
   }
 
-  /// The truth: how each strategy would do from here on.
+  /// Plays each strategy on from the true state.
   Trial futures_of(const io::Playbook& playbook, const State& state, RandomKey key) const {
     const std::size_t count = playbook.params.size();
     Trial trial{.halves = {Gains(count), Gains(count)}, .errors = Gains(count)};
@@ -175,7 +178,7 @@ class ChoosingCommand final : public Command {
 
   int captains() const { return insights_ ? static_cast<int>(std::size(kCaptains)) : 1; }
 
-  /// What the captain would choose, by what it believes and the insight that it has; 0 also where it cannot tell.
+  /// Returns the captain's choice by its beliefs and its insight, or 0 when it has no forecast.
   int choice_of(const io::Playbook& playbook, const State& state, foresight::Insight insight, RandomKey key) const {
     const Params& params = playbook.params.front();
     foresight::Believed believed = foresight::believe(params, foresight::knowledge_of(params, state, kCaptain));
@@ -241,7 +244,7 @@ class ChoosingCommand final : public Command {
                   100 * captain["changes"].get<double>());
   }
 
-  /// [goals] Standard deviation of a strategy's true gains, those of chance taken off.
+  /// Returns the standard deviation of a strategy's true gains [goals], without the part of chance.
   static double spread_of(const std::vector<Trial>& trials, std::size_t strategy) {
     if (trials.empty()) return 0;
     double sum = 0, squares = 0, chance = 0;

@@ -15,7 +15,8 @@ namespace {
 class SignatureCommand final : public Command {
  public:
   explicit SignatureCommand(CLI::App& app)
-      : Command(app.add_subcommand("signature", "one number for all that the simulator does: the same everywhere")) {}
+      : Command(app.add_subcommand("signature",
+                                   "print the hash of all that the simulator does: the same on every machine")) {}
 
   int run() override {
     const auto ingredients = io::embedded_ingredients();
@@ -28,9 +29,9 @@ class SignatureCommand final : public Command {
 class ListCommand final : public Command {
  public:
   ListCommand(CLI::App& app, std::string kind)
-      : Command(app.add_subcommand(kind, "the " + kind + " there are; --show prints one to start from")),
+      : Command(app.add_subcommand(kind, "the " + kind + " that are built in; --show prints one as a template")),
         kind_(std::move(kind)) {
-    options().add_option("--show", show_, "name: its description, variations worked in");
+    options().add_option("--show", show_, "name: prints its description with the changes in the name");
     options().add_flag("--json", json_, "report as JSON");
   }
 
@@ -48,7 +49,7 @@ class ListCommand final : public Command {
  private:
   std::string noun() const { return kind_ == "strategies" ? "strategy" : kind_ == "situations" ? "situation" : kind_; }
 
-  /// As it is written, with its sources; or, where something differs from that, what comes of it.
+  /// Prints the description with its sources. With changes in the name it prints the changed values.
   int print_one() {
     const bool varies = kind_ == "rules" || kind_ == "models";
     if (varies && show_.find_first_of(",:") != show_.npos) return print_variation();
@@ -88,17 +89,17 @@ void ChoiceOptions::add_to(CLI::App& command) {
       .add_option("--home", choice_.strategies[0], "behaviour of the home side: name, file, library or pipe:command")
       ->capture_default_str();
   command.add_option("--away", choice_.strategies[1], "behaviour of the away side")->capture_default_str();
-  command.add_option("--home-rest", rest_[0], "behaviour of the home players behind the first --changed");
-  command.add_option("--away-rest", rest_[1], "behaviour of the away players behind the first --changed");
-  command.add_option("--changed", changed_, "so many players of a side with a rest play --home or --away")
+  command.add_option("--home-rest", rest_[0], "behaviour of the home players after the first --changed");
+  command.add_option("--away-rest", rest_[1], "behaviour of the away players after the first --changed");
+  command.add_option("--changed", changed_, "number of players that play --home or --away, on a side with a rest")
       ->check(CLI::Range(1, kMaxPlayers));
-  command.add_option("--models", models_, "what robots can do: name, name,effect=off,walk.forward=0.2 or file")
+  command.add_option("--models", models_, "models of the robots: name, name,effect=off,walk.forward=0.2 or file")
       ->capture_default_str();
   command.add_option("--home-models", home_models_, "those of the home side; ball and contacts are theirs");
   command.add_option("--away-models", away_models_, "those of the away side");
-  command.add_option("--players", choice_.players, "a side; as the rules say when not given")
+  command.add_option("--players", choice_.players, "players per side; by the rules if not given")
       ->check(CLI::Range(1, kMaxPlayers));
-  command.add_flag("--every-tick", every_tick_, "everybody decides 30 times a second, also far from the ball");
+  command.add_flag("--every-tick", every_tick_, "all robots decide 30 times a second, also far from the ball");
 }
 
 io::Matchup ChoiceOptions::choice() const {

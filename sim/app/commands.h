@@ -1,4 +1,4 @@
-// The commands of foresight-sim: each adds itself to the command line and runs if it was chosen.
+// The commands of foresight-sim. Each adds itself to the command line and runs if it was chosen.
 #pragma once
 
 #include <memory>
@@ -17,15 +17,16 @@ using robot::command::Command, robot::command::kDone, robot::command::kBadInput;
 int fail(const std::string& sentence);
 
 /// --rules, --home, --away, --home-rest, --away-rest, --changed, --models, --home-models, --away-models, --players,
-/// --every-tick: who plays what how.
+/// --every-tick: the options of every command that plays games.
 class ChoiceOptions {
  public:
   void add_to(CLI::App& command);
-  /// As they were typed.
+  /// Returns the options as they were typed.
   io::Matchup choice() const;
-  /// Who that is.
+  /// Prepares the lineup.
   robot::Result<contest::Lineup> line_up() const;
-  /// What the home side may choose between, the first of it the incumbent, against what the away side plays.
+  /// Prepares the strategies between which the home side may choose, against the away side's. The first is the current
+  /// one.
   robot::Result<io::Playbook> playbook(const std::vector<std::string>& strategies) const;
 
  private:
@@ -45,7 +46,7 @@ std::unique_ptr<Command> choosing_command(CLI::App& app);
 std::unique_ptr<Command> outlook_command(CLI::App& app);
 std::unique_ptr<Command> vet_command(CLI::App& app);
 std::unique_ptr<Command> signature_command(CLI::App& app);
-/// rules, models, strategies and situations: what there is.
+/// Lists the embedded rules, models, strategies or situations.
 std::unique_ptr<Command> list_command(CLI::App& app, const std::string& kind);
 
 }  // namespace sim::app

@@ -18,18 +18,19 @@ class CompareCommand final : public Command {
   explicit CompareCommand(CLI::App& app)
       : Command(app.add_subcommand("compare", "is behaviour B better than A? pairs of games with the same luck")) {
     options().add_option("a", choice_.a, "behaviour: name, file, library or pipe:command");
-    options().add_option("b", choice_.b, "behaviour; A against itself if not given, which must come out as identical");
+    options().add_option("b", choice_.b, "behaviour; A against itself if not given, which must be identical");
     options().add_option("--vs", choice_.opponent, "a third behaviour that both play against, instead of each other");
     options()
-        .add_option("--changed", choice_.changed, "of B's side only players 1 .. so many play B, the others A")
+        .add_option("--changed", choice_.changed, "number N: on B's side players 1 .. N play B, the others A")
         ->check(CLI::Range(1, kMaxPlayers));
     add_world();
     add_length();
     add_kinds();
-    options().add_option("--out", task_.out, "folder that keeps what was played");
-    options().add_flag("--resume", resume_, "go on with what is in --out");
-    options().add_option("--html", html_, "file for a page with pictures, to be kept and sent");
-    options().add_flag("--explain", explain_, "name the pairs that one of them won most clearly, and how to see them");
+    options().add_option("--out", task_.out, "folder that keeps the played games");
+    options().add_flag("--resume", resume_, "go on with the run in --out");
+    options().add_option("--html", html_, "file for an HTML page with plots");
+    options().add_flag("--explain", explain_,
+                       "list the pairs with the largest gains, and the commands that replay them");
     options().add_flag("--json", task_.json, "report as JSON");
     options().footer("Exit status: 0 B is better, 1 it is not, 3 undecided, 2 bad usage or input.");
   }
@@ -66,15 +67,15 @@ class CompareCommand final : public Command {
         .add_option("--rules", choice_.rules, "a year's: name, name:players, name,field=value or file")
         ->capture_default_str();
     options()
-        .add_option("--models", choice_.models, "what robots can do: name, name,effect=off or file")
+        .add_option("--models", choice_.models, "models of the robots: name, name,effect=off or file")
         ->capture_default_str();
     options()
-        .add_option("--players", choice_.players, "a side; as the rules say when not given")
+        .add_option("--players", choice_.players, "players per side; by the rules if not given")
         ->check(CLI::Range(1, kMaxPlayers));
-    options().add_flag("--every-tick", every_tick_, "everybody decides 30 times a second, also far from the ball");
+    options().add_flag("--every-tick", every_tick_, "all robots decide 30 times a second, also far from the ball");
     options().add_option("--from", choice_.situation,
                          "where games begin: a described moment, its name or file, or a folder of them, evenly");
-    options().add_flag("--fuzz", choice_.fuzz, "with --from: in each pair everybody stands a little elsewhere");
+    options().add_flag("--fuzz", choice_.fuzz, "with --from: each pair begins with slightly shifted robots and ball");
     options()
         .add_option("--seconds", choice_.seconds, "how long a game goes on at most, getting ready included")
         ->check(CLI::Range(1., 36000.));
@@ -93,34 +94,37 @@ class CompareCommand final : public Command {
                                   .add_option("--sprt", question_, "H0,H1: a sequential test of these gains per game")
                                   ->capture_default_str();
     CLI::Option* const pairs = options()
-                                   .add_option("--pairs", task_.pairs, "so many pairs of games instead")
+                                   .add_option("--pairs", task_.pairs, "a fixed number of pairs instead")
                                    ->check(CLI::Range(2, 10'000'000));
     options()
-        .add_option("--most-pairs", contest_.most_pairs, "undecided when --sprt has no answer after so many")
+        .add_option("--most-pairs", contest_.most_pairs,
+                    "undecided when --sprt has no answer after this number of pairs")
         ->check(CLI::Range(2, 10'000'000))
         ->capture_default_str()
         ->excludes(pairs);
     options()
-        .add_option("--time", contest_.seconds, "stop after so many seconds, answer or not")
+        .add_option("--time", contest_.seconds, "[s] stop after this time, with or without an answer")
         ->check(CLI::Range(1., 1e6));
     options()
         .add_option("--jobs", contest_.jobs, "processes; as many as there are processors if not given")
         ->check(CLI::Range(1, 256));
     options()
-        .add_option("--engine", engine_, "who plays: processes here (local), or a cluster's jobs (slurm, with --pairs)")
+        .add_option("--engine", engine_,
+                    "processes on this machine (local), or jobs of a cluster (slurm, with --pairs)")
         ->check(CLI::IsMember({"local", "slurm"}))
         ->capture_default_str();
     pairs->excludes(sprt);
     contest_.jobs = contest::threads_for(1 << 20);
   }
 
-  /// What else there is to do than to give the verdict.
+  /// Adds the other kinds of runs.
   void add_kinds() {
     CLI::Option_group* const kinds = options().add_option_group("instead of the plain verdict");
     kinds->require_option(0, 1);
-    kinds->add_flag("--robust", robust_, "the verdict again with other walks, kicks and eyes: does it hang on these?");
-    kinds->add_option("--aa", itself_, "behaviour: against itself, which must gain nothing, and neither end must");
-    kinds->add_flag("--plan", plan_, "say how many games an answer takes, from a pilot of 200 pairs");
+    kinds->add_flag("--robust", robust_, "repeat the verdict with other walks, kicks and ball noise");
+    kinds->add_option("--aa", itself_,
+                      "behaviour: compare it with itself; neither it nor an end of the field may gain");
+    kinds->add_flag("--plan", plan_, "estimate the number of games for an answer, from a pilot of 200 pairs");
     options()
         .add_option("--delta", task_.delta, "with --plan: the gain per game that is looked for, instead of --sprt's")
         ->check(CLI::Range(1e-6, 100.));
@@ -129,7 +133,7 @@ class CompareCommand final : public Command {
         ->check(CLI::ExistingDirectory);
     kinds->add_flag("--verify", verify_, "play two blocks of --out again and compare them");
     kinds->add_option("--blocks", task_.blocks, "FROM..TO: play blocks FROM to TO - 1 of --out, which others share");
-    kinds->add_flag("--merge", merge_, "the verdict of the blocks in --out, of which none may be missing");
+    kinds->add_flag("--merge", merge_, "the verdict of the blocks in --out; none may be missing");
   }
 
   contest::RunFolder::Use use() const {
@@ -137,7 +141,7 @@ class CompareCommand final : public Command {
     return resume_ || verify_ ? contest::RunFolder::Use::go_on : contest::RunFolder::Use::begin;
   }
 
-  /// The report, wherever it is wanted; the exit status.
+  /// Writes the report to each requested place. Returns the exit status.
   int tell(const report::ContestReport& report, const contest::RunFolder* folder) const {
     const report::Json json = report::to_whole_json(report);
     if (folder)
@@ -153,7 +157,7 @@ class CompareCommand final : public Command {
     return status_of(report.outcome.verdict);
   }
 
-  /// What CLI11 leaves as text; a sentence if it makes no sense.
+  /// Parses the options that CLI11 leaves as text. Returns an error sentence, or an empty string.
   std::string read_words() {
     if (!itself_.empty()) {
       if (!choice_.a.empty()) return "--aa names the behaviour; got another one: '" + choice_.a + "'";
@@ -205,7 +209,7 @@ class CompareCommand final : public Command {
     return "";
   }
 
-  /// This command line, for somebody who plays a part of it: one process, and no engine.
+  /// Returns this command line for a job of a cluster: with one process and without an engine.
   std::vector<std::string> words_for_jobs() {
     std::vector<std::string> words = {std::filesystem::read_symlink("/proc/self/exe").string(), "compare"};
     for (const CLI::Option* option : options().get_options()) {

@@ -16,10 +16,10 @@ namespace sim::app {
 namespace {
 
 constexpr std::int64_t kPilotPairs = 200;
-constexpr std::int64_t kPairedPairs = 50, kUnpairedPairs = 1000;  // of a behaviour against itself
-constexpr int kVerified = 2;                                      // blocks
+constexpr std::int64_t kPairedPairs = 50, kUnpairedPairs = 1000;  // for a behaviour against itself
+constexpr int kVerified = 2;                                      // number of verified blocks
 
-/// How many pairs are still to be played; of a sequential test, if it goes on as it went so far.
+/// Estimates the number of pairs still to be played. A sequential test is assumed to go on at its rate so far.
 double pairs_left(const contest::ContestOptions& options, const contest::Mark& mark) {
   const auto played = static_cast<double>(mark.pairs);
   if (options.pairs) return static_cast<double>(*options.pairs) - played;
@@ -39,7 +39,6 @@ int status_of(compare::Verdict verdict) {
   }
 }
 
-/// What is known so far, on a terminal.
 std::function<void(const contest::Mark&, double)> progress_line(const contest::ContestOptions& options) {
   if (isatty(STDERR_FILENO) == 0) return {};
   return [options](const contest::Mark& mark, double games_per_minute) {
@@ -59,7 +58,7 @@ void clear_line() {
 int run_plan(const CompareTask& task, const contest::Comparison& comparison) {
   contest::ContestOptions pilot = task.contest;
   if (task.delta > 0) pilot.question.h1 = pilot.question.h0 + task.delta;
-  // of a run that was, the variance; what a pair takes here, a few tell
+  // --pilot gives the variance; a few pairs played here give the time of a pair
   const bool played_before = !task.pilot.empty();
   pilot.pairs = played_before ? contest::RunFolder::kPairsPerBlock : task.pairs > 0 ? task.pairs : kPilotPairs;
   auto outcome = contest::play_contest(comparison, pilot, nullptr, progress_line(task.contest));
@@ -77,7 +76,7 @@ int run_plan(const CompareTask& task, const contest::Comparison& comparison) {
   }
   if (outcome->tally.gain_squares == 0)
     return fail("--plan: the pilot's " + std::to_string(outcome->tally.pairs) +
-                " pairs all came out even, which tells nothing; try more with --pairs");
+                " pairs all came out even, so the variance is unknown; try more with --pairs");
   const report::ContestReport report{comparison, pilot, *outcome};
   if (task.json)
     std::printf("%s\n", report::plan_json(report).dump(2).c_str());
@@ -181,7 +180,7 @@ int run_verify(const CompareTask& task, const contest::Comparison& comparison, c
 
 int run_slurm(const CompareTask& task, const contest::Comparison& comparison, const contest::RunFolder& folder,
               const std::vector<std::string>& words) {
-  // how long a block takes tells how many a task gets
+  // the time of a block decides the number of blocks per task
   const auto start = std::chrono::steady_clock::now();
   if (const auto played = comparison.play(0); !played) return fail(played.error());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

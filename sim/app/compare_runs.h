@@ -1,4 +1,4 @@
-// What compare does with a question: what else there is than the plain verdict.
+// The kinds of runs of compare, beside the plain verdict.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace sim::app {
 
-/// What compare was asked.
+/// The options of compare.
 struct CompareTask {
   contest::ComparisonChoice choice;
   contest::ContestOptions contest;
@@ -21,29 +21,29 @@ struct CompareTask {
 };
 
 inline constexpr int kNo = 1, kUndecided = 3;
-/// The exit status that a verdict ends with.
+/// Returns the exit status of a verdict.
 int status_of(compare::Verdict verdict);
 
-/// What is known so far, on a terminal; nothing elsewhere.
+/// Returns a function that prints the state of the test on a terminal, or an empty one without a terminal.
 std::function<void(const contest::Mark&, double games_per_minute)> progress_line(
     const contest::ContestOptions& options);
-/// Takes it away.
+/// Clears that line.
 void clear_line();
 
-// Each tells what it found and returns the exit status.
+// Each function prints its result and returns the exit status.
 
-/// How many games an answer takes.
+/// Estimates the number of games that an answer needs.
 int run_plan(const CompareTask& task, const contest::Comparison& comparison);
-/// The verdict under the models as they are, then with one thing after the other changed.
+/// Repeats the verdict under other models, with one change at a time.
 int run_robust(CompareTask task);
-/// A behaviour against itself: the free test that nothing but the behaviour decides. Pairs must come out even, and games
-/// of luck of their own must favour neither end of the field.
+/// Compares a behaviour with itself, as a test that only the behaviour decides. Each pair must have a gain of 0. Games
+/// with different seeds must favour neither end of the field.
 int run_itself(CompareTask task);
-/// Plays the blocks of a run that were asked for.
+/// Plays the requested blocks of a run.
 int run_blocks(const CompareTask& task, const contest::Comparison& comparison, const contest::RunFolder& folder);
 /// Plays two blocks again and compares them.
 int run_verify(const CompareTask& task, const contest::Comparison& comparison, const contest::RunFolder& folder);
-/// Hands the run to a Slurm cluster; `words`: the command line of a job but for what part it plays.
+/// Submits the run to a Slurm cluster. `words` is the command line of a job without its part of the blocks.
 int run_slurm(const CompareTask& task, const contest::Comparison& comparison, const contest::RunFolder& folder,
               const std::vector<std::string>& words);
 

@@ -1,4 +1,4 @@
-// sim_cost [GAMES]: what a spl2012 game and a State cost, with no library but the standard one. One line of JSON.
+// sim_cost [GAMES]: the cost of a spl2012 game and of a State, as one line of JSON. Needs only the standard library.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -17,9 +17,9 @@ double median_of(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// [ns] to copy a state in the middle of a game, from one of many to another.
+/// Returns the time of a copy of a state in the middle of a game [ns], among many states.
 double copy_ns(const Params& params) {
-  constexpr std::size_t kStates = 32;  // 256 kB: as rollouts have them, in the second cache
+  constexpr std::size_t kStates = 32;  // 256 kB: they fit the second cache, as in rollouts
   constexpr int kCopies = 1'000'000;
   referee::Events events;
   State state = begin(params, {.seed = 1}, events);
@@ -47,7 +47,7 @@ int main(int count, char** words) {
     return 2;
   }
 
-  play_game(setup->params, {.seed = 0});  // caches and clock warm
+  play_game(setup->params, {.seed = 0});  // warms the caches and the clock
   std::vector<double> game_ms, cycles;
   for (int game = 1; game <= games; ++game) {
     const double clock = app::cycles_per_ns();

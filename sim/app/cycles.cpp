@@ -9,9 +9,9 @@ namespace {
 
 constexpr int kTries = 5;
 constexpr int kRounds = 20'000;
-constexpr int kAdditions = 32;  // in a round: the loop's own counting runs beside them
+constexpr int kAdditions = 32;  // per round; the loop's counter runs in parallel
 
-/// An addition as wide as a register, which the compiler cannot see through.
+/// Adds in a whole register. The compiler cannot optimise it away.
 inline void add(std::uintptr_t& sum, std::uintptr_t number) {
   sum += number;
   asm volatile("" : "+r"(sum));

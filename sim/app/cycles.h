@@ -1,15 +1,15 @@
-// How fast this processor's clock ticks just now, without asking it.
+// Measures the clock rate of this processor without a system call for it.
 #pragma once
 
 #include <cstdint>
 
 namespace sim::app {
 
-/// [ns] that the calling thread has computed: what others do on this machine meanwhile does not count.
+/// Returns the computing time of the calling thread [ns]. Other threads and processes do not count.
 std::uint64_t computed_ns();
 
-/// [1/ns] cycles, by a loop of additions that wait for each other, one a cycle on every processor this runs on.
-/// Takes about a millisecond; the best of a few tries, since others can only slow it down.
+/// Measures the cycles per nanosecond with a loop of dependent additions: one per cycle on every supported processor.
+/// Takes about a millisecond. Uses the fastest of 5 tries, because other load can only slow a try down.
 double cycles_per_ns();
 
 }  // namespace sim::app

@@ -30,13 +30,13 @@ void count_events(report::GameReport& report) {
     ++report.result.events[static_cast<int>(decision.event.kind)][static_cast<int>(decision.event.side)];
 }
 
-/// How long a game takes at least; with dead time it is longer.
+/// Returns the shortest length of a game; dead time makes it longer.
 Tick expected_ticks(const field::Rules& rules) { return ticks(rules.half_duration) * static_cast<Tick>(rules.halves); }
 
-/// When a game that lasts at most so long ends [s]; 0: whenever it does.
+/// Returns the last tick of a game of at most `seconds`; 0: no limit.
 Tick end_of(const State& state, float seconds) { return seconds > 0 ? state.world.tick + ticks(seconds) : kNever; }
 
-/// A recording that is wanted, and its size when the game is over.
+/// A requested recording, and its size after the game.
 struct Recording {
   std::string path;
   robot::bridge::GameNames names;
@@ -103,12 +103,12 @@ class MatchCommand final : public Command {
         ->capture_default_str();
     options().add_option("--from", from_,
                          "where it begins: a described moment, its name or file, or a folder of them, evenly");
-    options().add_flag("--fuzz", fuzz_, "with --from: everybody stands a little elsewhere");
+    options().add_flag("--fuzz", fuzz_, "with --from: begins with slightly shifted robots and ball");
     options()
         .add_option("--seconds", seconds_, "how long it goes on at most, getting ready included")
         ->check(CLI::Range(1., 36000.));
     options().add_flag("--json", json_, "report as JSON");
-    options().add_flag("--lines", lines_, "of each game a line of JSON, with what robots believed beside what was so");
+    options().add_flag("--lines", lines_, "print a line of JSON per game, with the errors of the robots' beliefs");
     options().add_option("--mcap", mcap_, "new file for a recording of the game: truth, beliefs and decisions");
     options()
         .add_option("--home-team", teams_.home, "team number in the recording")
@@ -136,7 +136,7 @@ class MatchCommand final : public Command {
   }
 
  private:
-  // beyond 2^53 a seed would not survive a browser
+  // a browser cannot represent every integer above 2^53
   static constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;
 
   int run_one(const contest::Lineup& lineup, const contest::Openings& openings) {
@@ -188,7 +188,7 @@ class MatchCommand final : public Command {
     return kDone;
   }
 
-  /// Calls play(game, seed, cast) for each game; what is wrong with a behaviour from outside, or empty.
+  /// Calls play(game, seed, cast) for each game. Returns the failure of a behaviour from outside, or an empty string.
   std::string play_all(const contest::Lineup& lineup,
                        const std::function<void(int, std::uint64_t, const contest::Cast&)>& play) const {
     Progress progress("playing", static_cast<std::uint64_t>(games_));

@@ -1,4 +1,4 @@
-// foresight-sim outlook: fits what the ball's place is worth to games of equal teams.
+// foresight-sim outlook: fits the value of the ball's place to games of equal teams.
 #include <cstdio>
 
 #include "sim/app/commands.h"
@@ -14,11 +14,11 @@ namespace {
 
 using foresight::Outlook;
 
-constexpr Tick kApart = ticks(5);                // from one moment that is looked at to the next
-constexpr Tick kReach = ticks(60);               // how long the goals after it are counted
-constexpr std::uint64_t kFirstSeed = 1'000'001;  // games that no comparison begins with
+constexpr Tick kApart = ticks(5);                // time between two counted moments
+constexpr Tick kReach = ticks(60);               // goals count this long after a moment
+constexpr std::uint64_t kFirstSeed = 1'000'001;  // seeds that comparisons do not begin with
 
-/// The moments of games by the ball's place, and the goals that came after them.
+/// The moments of games by the ball's place, and the goals after them.
 struct Moments {
   double counts[Outlook::kZones][2] = {};
   double goals[Outlook::kZones][2] = {};
@@ -36,12 +36,12 @@ struct Moments {
   }
 };
 
-/// A moment whose goals are not all scored yet.
+/// A moment whose time for goals has not passed yet.
 struct Open {
   Tick tick;
   foresight::Place home;
   foresight::Place away;
-  int difference;  // home's goals less away's, then
+  int difference;  // goals of home minus away, at the moment
 };
 
 Moments moments_of(const Params& params, std::uint64_t seed) {
@@ -69,7 +69,7 @@ Moments moments_of(const Params& params, std::uint64_t seed) {
   return moments;
 }
 
-/// Means, together with those of the other side: what is good for one is as bad for the other.
+/// Returns the means of both sides together: a gain of one side is a loss of the other.
 Outlook outlook_of(const Moments& moments) {
   Outlook outlook;
   for (int zone = 0; zone < Outlook::kZones; ++zone) {
@@ -86,12 +86,9 @@ Outlook outlook_of(const Moments& moments) {
 class OutlookCommand final : public Command {
  public:
   explicit OutlookCommand(CLI::App& app)
-      : Command(app.add_subcommand("outlook", "fits what the ball's place is worth, for sim/data/outlooks")) {
+      : Command(app.add_subcommand("outlook", "fit the value of the ball's place, for sim/data/outlooks")) {
     choice_.add_to(options());
-    options()
-        .add_option("--games", games_, "how many are looked at")
-        ->check(CLI::Range(1, 1'000'000))
-        ->capture_default_str();
+    options().add_option("--games", games_, "number of games")->check(CLI::Range(1, 1'000'000))->capture_default_str();
   }
 
   int run() override {

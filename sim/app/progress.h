@@ -1,4 +1,4 @@
-// How far something is, on a terminal.
+// A progress bar on a terminal.
 #pragma once
 
 #include <cstdint>
@@ -6,12 +6,12 @@
 
 namespace sim::app {
 
-/// A bar on stderr where that is a terminal, else nothing. Used by one thread.
+/// A progress bar on stderr, or nothing if stderr is no terminal. Used by one thread.
 class Progress {
  public:
-  /// `what` is being done, `all` times.
+  /// `what` is the activity, `all` the number of its steps.
   Progress(std::string what, std::uint64_t all);
-  /// Takes the bar away.
+  /// Clears the bar.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

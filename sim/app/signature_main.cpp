@@ -1,4 +1,4 @@
-// sim_signature: the simulator's signature and nothing else, with no library but the standard one.
+// sim_signature: prints the simulator's signature. Needs only the standard library.
 #include <cstdio>
 
 #include "sim/io/ingredients.h"

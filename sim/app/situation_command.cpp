@@ -1,4 +1,4 @@
-// foresight-sim situation: what becomes of a moment of a game.
+// foresight-sim situation: plays on from a described moment of a game, many times.
 #include <algorithm>
 #include <cstdio>
 #include <map>
@@ -16,13 +16,13 @@ namespace {
 
 using Kind = referee::Event::Kind;
 
-/// What one continuation came to.
+/// The result of one continuation.
 struct Rollout {
   int goals[2] = {0, 0};
   int shots[2] = {0, 0};
   int outs = 0;
   int first = -1;              // side of the first goal; -1: there was none
-  double first_seconds = 0;    // until it
+  double first_seconds = 0;    // [s] time of the first goal
   double possession_home = 0;  // [0..1]
 };
 
@@ -47,9 +47,9 @@ Rollout roll_out(const contest::Cast& cast, State state, Tick end) {
   return rollout;
 }
 
-/// Over all rollouts.
+/// The summary of all rollouts.
 struct Summary {
-  std::map<int, int> goals[2];    // how often each number was scored
+  std::map<int, int> goals[2];    // rollouts by the number of goals
   std::vector<double> counts[2];  // goals
   std::vector<double> shots[2];
   std::vector<double> outs, possession_home;
@@ -71,7 +71,7 @@ struct Summary {
 
 report::Json json_of(const contest::Mean& mean) { return {{"mean", mean.mean}, {"standard_error", mean.error}}; }
 
-/// Of a share: as of a mean of zeros and ones.
+/// Returns a share with its error, as the mean of zeros and ones.
 contest::Mean share_of(std::size_t yes, std::size_t all) {
   std::vector<double> values(all, 0);
   std::fill_n(values.begin(), yes, 1);
@@ -145,20 +145,20 @@ class SituationCommand final : public Command {
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
     options()
-        .add_option("--seconds", seconds_, "how long each is")
+        .add_option("--seconds", seconds_, "[s] length of each")
         ->check(CLI::Range(0.1, 36000.))
         ->capture_default_str();
-    options().add_flag("--fuzz", fuzz_, "in each everybody stands a little elsewhere");
+    options().add_flag("--fuzz", fuzz_, "each begins with slightly shifted robots and ball");
     options()
         .add_option("--strategies", strategies_,
                     "which of these should the home side play from here on? The first is what it plays now")
         ->delimiter(',');
     options()
-        .add_option("--measure", measure_, "by what --strategies are compared")
+        .add_option("--measure", measure_, "the measure that compares --strategies")
         ->check(CLI::IsMember(listed(foresight::kMeasureNames)))
         ->capture_default_str();
     options()
-        .add_option("--until", until_, "how far --strategies look; horizon: --seconds")
+        .add_option("--until", until_, "end of the futures of --strategies; horizon: --seconds")
         ->check(CLI::IsMember(listed(foresight::kUntilNames)))
         ->capture_default_str();
     options().add_flag("--json", json_, "report as JSON");
@@ -167,7 +167,7 @@ class SituationCommand final : public Command {
   int run() override { return strategies_.empty() ? play_on() : choose(); }
 
  private:
-  /// What becomes of the moment.
+  /// Plays on from the moment and prints a summary.
   int play_on() {
     const auto lineup = choice_.line_up();
     if (!lineup) return fail(lineup.error());
@@ -204,14 +204,14 @@ class SituationCommand final : public Command {
     return kDone;
   }
 
-  /// Which strategy to play.
+  /// Compares the strategies of --strategies.
   int choose() {
     const auto playbook = choice_.playbook(strategies_);
     if (!playbook) return fail(playbook.error());
     const auto openings = contest::Openings::read(file_, fuzz_, playbook->params.front());
     if (!openings) return fail(openings.error());
 
-    // what is described is certain
+    // a description has no doubt
     const foresight::Situation situation{.state = openings->begin(playbook->params.front(), 0), .doubt = {}};
     const foresight::Question question{
         .measure = static_cast<foresight::Measure>(index_of(measure_, foresight::kMeasureNames)),

@@ -1,5 +1,5 @@
-// foresight-sim vet: is a behaviour fit to be compared? Are its games the same each time, can they be taken back, and what
-// does a decision cost?
+// foresight-sim vet: checks that a behaviour can be compared. Its games must repeat and must return to an earlier
+// state; the cost of a decision is measured.
 #include <cstdio>
 
 #include "sim/app/commands.h"
@@ -10,8 +10,7 @@
 namespace sim::app {
 namespace {
 
-/// How a game went.
-
+/// The result of a game.
 struct Played {
   std::uint64_t hash = 0;
   contest::DecisionCost cost;
@@ -21,10 +20,11 @@ struct Played {
 class VetCommand final : public Command {
  public:
   explicit VetCommand(CLI::App& app)
-      : Command(app.add_subcommand("vet", "is a behaviour fit to be compared? twice the same, and what it costs")) {
+      : Command(
+            app.add_subcommand("vet", "is a behaviour fit to be compared? it must repeat its games; and its cost")) {
     options().add_option("behaviour", name_, "name, file, library or pipe:command")->required();
     options()
-        .add_option("--seconds", seconds_, "of the game that is played")
+        .add_option("--seconds", seconds_, "[s] length of the game")
         ->check(CLI::Range(1., 3600.))
         ->capture_default_str();
     options().add_option("--seed", seed_, "of the game")->capture_default_str();
@@ -48,12 +48,12 @@ class VetCommand final : public Command {
  private:
   struct TakenBack {
     std::uint64_t hash = 0;
-    bool by_memory = false;  // not by playing it again
+    bool by_memory = false;  // false: by playing again from the seed
   };
 
   Tick length() const { return ticks(static_cast<float>(seconds_)); }
 
-  /// Plays on to that tick.
+  /// Plays on to the tick `end`.
   static void play_on(const contest::Cast& cast, State& state, Tick end) {
     referee::Events events;
     while (state.world.tick < end && !finished(state) && !cast.failed()) step(cast.params(), state, events);
@@ -71,7 +71,7 @@ class VetCommand final : public Command {
     return {.hash = hash_of(state), .cost = cast.cost(Side::home), .problem = cast.problem()};
   }
 
-  /// To the end, back to the middle, and to the end again.
+  /// Plays to the end, back to the middle, and to the end again.
   robot::Result<TakenBack> take_back(const contest::Lineup& lineup) const {
     contest::Cast cast(lineup, seed_);
     State state = begun(cast);
@@ -86,7 +86,7 @@ class VetCommand final : public Command {
       play_on(cast, state, length());
       return TakenBack{.hash = hash_of(state), .by_memory = true};
     }
-    // what cannot be loaded is played again from its seed
+    // a behaviour without memory to load is played again from its seed
     const contest::Cast second(lineup, seed_);
     State from_start = begun(second);
     play_on(second, from_start, length() / 2);
@@ -108,7 +108,8 @@ class VetCommand final : public Command {
       return;
     }
     std::printf("%s, %g s of a game against baseline\n", name_.c_str(), seconds_);
-    std::printf("  the same each time   %s\n", same ? "yes" : "NO: its decisions hang on something else than the game");
+    std::printf("  the same each time   %s\n",
+                same ? "yes" : "NO: its decisions depend on something other than the game");
     std::printf("  taken back           %s%s\n", by_memory ? "by its memory" : "by playing again from the seed",
                 returns ? "" : ", and then it is ANOTHER game");
     std::printf("  a decision costs     %.2f us\n", cost.mean_us());
