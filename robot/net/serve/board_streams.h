@@ -1,4 +1,4 @@
-// The logging board as the server sees it.
+// The logging board as an implementation of Streams.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,10 @@
 
 namespace robot::net {
 
-/// A logger thread of the board for each channel that somebody watches.
+/// Streams that run one logger thread of the board per watched channel.
 class BoardStreams final : public Streams {
  public:
-  /// `board` outlives it.
+  /// `board` must outlive it.
   explicit BoardStreams(logging::LoggingBoard& board) : board_(board) {}
 
   Id start(std::shared_ptr<memory::Channel> channel, std::unique_ptr<logging::OutProvider> provider) override {

@@ -12,7 +12,7 @@ std::string Remote::text() const {
 }
 
 void set_low_latency(Socket& socket) {
-  // best effort: without them it is slower, not wrong
+  // errors are ignored: without these options it is slower, but correct
   const int on = 1, unsent_bytes = 32 << 10;
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &unsent_bytes, sizeof unsent_bytes);

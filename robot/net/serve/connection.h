@@ -1,4 +1,4 @@
-// The socket side of the server: what HTTP and WebSocket connections share. Only for the server's own files.
+// The common part of HTTP and WebSocket connections. Only for the server's own files.
 #pragma once
 
 #include <utility>  // before Asio: Boost 1.74 uses std::exchange without it
@@ -25,7 +25,7 @@ using Socket = boost::asio::basic_stream_socket<boost::asio::ip::tcp, boost::asi
 class HttpConnection;
 class WebSocketConnection;
 
-/// The other end of a connection.
+/// The address of a connection's client.
 struct Remote {
   std::string address;  // "10.0.14.7"
   std::uint16_t port = 0;
@@ -33,7 +33,7 @@ struct Remote {
   std::string text() const;  // "10.0.14.7:51234", "[::1]:51234"
 };
 
-/// What connections need of the server. Used by the I/O thread.
+/// The parts of the server that connections use. Used by the I/O thread.
 struct ConnectionContext {
   const ServerOptions& options;
   const Routes& routes;
@@ -41,13 +41,13 @@ struct ConnectionContext {
   boost::asio::io_context& io;
   Worker& disk;
 
-  // connections are kept alive by these and by their pending operations
+  // these sets and their pending operations keep connections alive
   std::set<std::shared_ptr<HttpConnection>> http = {};
   std::set<std::shared_ptr<WebSocketConnection>> web_sockets = {};
 };
 
-/// Turns off Nagle's algorithm and keeps what the kernel holds back unsent at 32 kB: old data wait with us, where newer
-/// ones can replace them.
+/// Turns off Nagle's algorithm and limits the kernel's unsent data to 32 kB. Old data wait in our queue, where newer
+/// data can replace them.
 void set_low_latency(Socket& socket);
 
 }  // namespace robot::net

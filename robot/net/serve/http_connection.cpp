@@ -20,7 +20,7 @@ HttpConnection::HttpConnection(Socket socket, Remote remote, ConnectionContext& 
 
 void HttpConnection::start() { wait_for_request(context_.options.request_timeout_ns); }
 
-// the deadline is for the whole header: who sends it byte by byte gains nothing
+// the deadline is for the whole header: sending it byte by byte gains no time
 void HttpConnection::wait_for_request(std::uint64_t timeout_ns) {
   state_ = State::waiting;
   deadline_ns_ = monotonic_ns() + timeout_ns;
@@ -31,9 +31,9 @@ void HttpConnection::read() {
   socket_.async_read_some(boost::asio::buffer(input_), [self = shared_from_this()](error_code error, std::size_t size) {
     if (self->state_ == State::closed) return;
     if (error) return self->close();
-    if (self->state_ == State::leaving) return self->read();  // what still comes is ignored
+    if (self->state_ == State::leaving) return self->read();  // later bytes are ignored
 
-    // between two requests waiting is cheap; once one has begun, it has to come
+    // waiting between two requests is cheap; a request that has begun must arrive in time
     if (!self->parser_.begun())
       self->deadline_ns_ = std::min(self->deadline_ns_, monotonic_ns() + self->context_.options.request_timeout_ns);
     self->parser_.add({self->input_.data(), size});
@@ -53,7 +53,7 @@ void HttpConnection::take_requests() {
 
 void HttpConnection::handle(HttpRequest request) {
   state_ = State::answering;
-  deadline_ns_ = UINT64_MAX;  // our own work is not timed
+  deadline_ns_ = UINT64_MAX;  // our own work has no deadline
   request_ = std::move(request);
   if (wants_web_socket(request_)) return upgrade(request_);
   if (!Routes::may_wait(request_)) return respond(context_.routes.answer(request_, remote_.address));
@@ -90,7 +90,7 @@ void HttpConnection::upgrade(const HttpRequest& request) {
   context_.http.erase(shared_from_this());
 }
 
-// an Error with `refusal` untouched is a bad request
+// an Error that leaves `refusal` unchanged means a bad request
 Result<Upgrade> HttpConnection::agree(const HttpRequest& request, const Target& target, HttpResponse& refusal) const {
   const auto refuse = [&](int status, const std::string& sentence) {
     refusal = error_response(status, sentence);
@@ -147,7 +147,7 @@ void HttpConnection::on_written() {
   wait_for_request(context_.options.idle_timeout_ns);
 }
 
-// the disk thread reads a piece, then the I/O thread writes it: neither waits for the other's device
+// the disk thread reads a piece, then the I/O thread writes it; neither waits for the device of the other
 void HttpConnection::read_piece() {
   deadline_ns_ = UINT64_MAX;
   if (!piece_) piece_ = std::make_shared<std::string>();
@@ -168,7 +168,7 @@ void HttpConnection::read_piece() {
       });
 }
 
-// closing at once would make the kernel throw away an answer that the client has not read yet
+// after an immediate close the kernel would discard an answer that the client has not read yet
 void HttpConnection::leave() {
   state_ = State::leaving;
   deadline_ns_ = monotonic_ns() + kSecond;

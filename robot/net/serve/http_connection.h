@@ -1,4 +1,4 @@
-// One HTTP connection: requests in, responses out, until it becomes a WebSocket or ends.
+// One HTTP connection: reads requests and writes responses until it becomes a WebSocket or ends.
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void start();
 
-  /// Ends the connection if what it waits for takes too long.
+  /// Ends the connection if its deadline has passed.
   void check_deadline(std::uint64_t now_ns);
 
-  /// Whether it holds a place without having asked for anything; of two such the earlier made is dropped first.
+  /// Returns whether it waits without a request. The server drops the oldest such connection first.
   bool waits_for_request() const { return state_ == State::waiting; }
   std::uint64_t made_ns() const { return made_ns_; }
 
@@ -59,7 +59,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   HttpResponse response_;
   std::string head_;
   std::uint64_t body_sent_ = 0;
-  std::shared_ptr<std::string> piece_;  // filled by the disk thread, which may outlive this
+  std::shared_ptr<std::string> piece_;  // filled by the disk thread, which may outlive this connection
 };
 
 }  // namespace robot::net

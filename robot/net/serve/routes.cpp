@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kLogs = "/logs/";
 
-// what tells about the robot; the rest is the viewer
+// data of the robot; all other paths belong to the viewer
 bool is_data(std::string_view path) { return path.starts_with("/api/") || path.starts_with("/logs"); }
 
 bool is_safe_name(std::string_view name) {
@@ -32,12 +32,12 @@ Result<std::optional<std::uint64_t>> parse_time(const Target& target, const char
   return std::optional(value);
 }
 
-// the same request once more, for what is recorded up to `until_ns`
+// the address of the same request, limited to the records until `until_ns`
 std::string location(const Target& target, std::uint64_t until_ns) {
   return target.path + "?" + (target.query.empty() ? "" : target.query + "&") + "until=" + std::to_string(until_ns);
 }
 
-/// The cookie called `name`; empty if there is none.
+/// Returns the cookie called `name`, or an empty string.
 std::string_view cookie(const HttpRequest& request, std::string_view name) {
   std::string_view rest = request.header("cookie").value_or("");
   while (!rest.empty()) {
@@ -52,7 +52,7 @@ std::string_view cookie(const HttpRequest& request, std::string_view name) {
 
 constexpr std::string_view kCookie = "foresight_reader", kMethods = "GET, HEAD, DELETE, OPTIONS";
 
-/// The safe name between `before` and `after` in `path`, if that is all there is.
+/// Returns the safe name between `before` and `after` if `path` consists of exactly these three parts.
 std::optional<std::string> between(std::string_view before, std::string_view path, std::string_view after) {
   if (path.size() <= before.size() + after.size() || !path.starts_with(before) || !path.ends_with(after)) return {};
   const std::string_view name = path.substr(before.size(), path.size() - before.size() - after.size());
@@ -83,7 +83,7 @@ bool Routes::may_wait(const HttpRequest& request) {
 }
 
 HttpResponse Routes::answer(const HttpRequest& request, std::string_view address) const {
-  // a second Host header could be the one somebody else goes by
+  // with two Host headers, a proxy might check one and we the other
   if (std::ranges::count(request.headers, "host", &Headers::value_type::first) != 1)
     return error_response(400, "HTTP request: expected one Host header");
   if (auto accepted = check_host(access_.origins, *request.header("host")); !accepted)
@@ -100,7 +100,7 @@ HttpResponse Routes::answer(const HttpRequest& request, std::string_view address
   return response;
 }
 
-// whoever came with a token need not bring it again to read: it stays out of links that people pass on
+// the cookie replaces the token for reading, so that the token stays out of links that people share
 void Routes::add_cookie(const Target& target, HttpResponse& response) const {
   const std::string token = target.parameter("token");
   if (access_.read_cookie.empty()) return;
@@ -118,7 +118,7 @@ HttpResponse Routes::route(const HttpRequest& request, const Target& target, std
     return refused;
   }
 
-  // the viewer itself is no secret, what it shows may be
+  // the viewer itself is public; the data that it shows may be protected
   if (auto asset = reads ? asset_response(assets_, request, target.path) : std::nullopt) return *std::move(asset);
   if (!is_data(target.path)) return error_response(404, "there is nothing at this path");
   const Access access = access_of(access_, address, request, target);
@@ -140,7 +140,7 @@ HttpResponse Routes::answer_data(const HttpRequest& request, const Target& targe
 }
 
 HttpResponse Routes::delete_session(const HttpRequest& request, const Target& target, const Access& access) const {
-  // a browser of this machine needs no token: no page of others may use it
+  // a browser on this machine needs no token, so a foreign page must not use it to delete
   if (auto accepted = check_origin(access_.origins, request.header("origin"), request.header("host").value_or(""));
       !accepted)
     return error_response(403, accepted.error());
@@ -181,7 +181,7 @@ HttpResponse Routes::answer_played(const Target& target) const {
   return request ? backend_.played(*request) : error_response(400, request.error());
 }
 
-// pages of accepted origins may read what we serve: Lichtblick opens recordings by their address
+// pages of accepted origins may read our responses: Lichtblick opens recordings by their address
 void Routes::add_cross_origin_headers(const HttpRequest& request, HttpResponse& response) const {
   const auto origin = request.header("origin");
   if (!origin || !check_origin(access_.origins, origin, request.header("host").value_or(""))) return;

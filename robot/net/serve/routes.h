@@ -1,4 +1,4 @@
-// Which request gets which answer.
+// The HTTP routes and the access rules.
 #pragma once
 
 #include <span>
@@ -12,39 +12,39 @@
 
 namespace robot::net {
 
-/// Who may do what from beyond this machine.
+/// Access rules for clients on other machines.
 struct AccessOptions {
   OriginPolicy origins;
-  std::string control_token;  // for parameters and services; empty: nobody from beyond loopback
-  std::string read_token;     // for watching and recordings; empty: everybody
+  std::string control_token;  // for parameters and services; empty: loopback clients only
+  std::string read_token;     // for watching and recordings; empty: no token is needed
 
-  /// What a browser that came with a good token is given as a cookie, so that it may go on reading without the token
-  /// in every address; gives no control. A secret of this run; empty: no cookies.
+  /// The cookie for a browser that came with a valid token. With it the browser may read without the token in every
+  /// address, but may not control. A secret of this run; empty: no cookies.
   std::string read_cookie;
 };
 
-/// What the other end of a connection may do.
+/// The rights of the client of a connection.
 struct Access {
   bool loopback = false;
   bool may_watch = false;
   bool may_control = false;
 };
 
-/// Decides by the address of the other end and by the token or the cookie it brings.
+/// Returns the rights of a client at `address`, by the token or the cookie of its request.
 Access access_of(const AccessOptions& options, std::string_view address, const HttpRequest& request,
                  const Target& target);
 
-/// Answers everything but WebSocket upgrades. Any thread.
+/// The answers to all requests except WebSocket upgrades. Any thread.
 class Routes {
  public:
-  /// All three outlive the routes.
+  /// All three arguments must outlive the routes.
   Routes(const AccessOptions& access, std::span<const Asset> assets, Backend& backend)
       : access_(access), assets_(assets), backend_(backend) {}
 
-  /// Whether answer() may wait for the disk.
+  /// Returns whether answer() may wait for the disk.
   static bool may_wait(const HttpRequest& request);
 
-  /// The answer to `request` from `address`.
+  /// Returns the answer to `request` from a client at `address`.
   HttpResponse answer(const HttpRequest& request, std::string_view address) const;
 
  private:
@@ -62,10 +62,10 @@ class Routes {
   Backend& backend_;
 };
 
-/// Reads the query of `GET /api/played`.
+/// Parses the query of `GET /api/played`.
 Result<PlayedRequest> parse_played_request(const Target& target);
 
-/// Reads the path and query of `GET /logs/…mcap`.
+/// Parses the path and query of `GET /logs/…mcap`.
 Result<LogRequest> parse_log_request(const Target& target);
 
 }  // namespace robot::net

@@ -30,7 +30,7 @@ using Timer = asio::basic_waitable_timer<std::chrono::steady_clock, asio::wait_t
 constexpr auto kTick = std::chrono::milliseconds(100);  // Time frames go out at 10 Hz
 constexpr std::uint64_t kStopTimeout = kSecond / 2;     // for goodbyes when the server stops
 
-/// Ends a connection at once and throws away what waits to be sent.
+/// Ends a connection at once and discards its unsent data.
 void reset(Socket& socket) {
   error_code ignored;
   socket.set_option(asio::socket_base::linger(true, 0), ignored);
@@ -39,7 +39,7 @@ void reset(Socket& socket) {
 
 }  // namespace
 
-/// All that lives as long as the server runs. Its functions are the I/O thread's, where nothing else is said.
+/// The state of a running server. The I/O thread calls all functions that name no other thread.
 class Server::Core {
  public:
   Core(ServerOptions options, memory::Channels& channels, Derive derive, Streams& streams, const Clock& clock,
@@ -109,7 +109,7 @@ class Server::Core {
 
   std::vector<std::unique_ptr<Acceptor>> acceptors_;
   bool match_mode_ = false;
-  Wireless wireless_;                       // in match mode: what stays silent
+  Wireless wireless_;                       // the interfaces that stay silent in match mode
   std::vector<Acceptor*> tired_acceptors_;  // out of file descriptors: tried again with the next tick
   std::uint16_t port_ = 0;
   Timer timer_;
@@ -120,7 +120,7 @@ class Server::Core {
   mutable Mutex statistics_lock_;
   ServerStatistics statistics_;
 
-  std::thread thread_;  // last: it uses all the others
+  std::thread thread_;  // last: it uses all other members
 };
 
 Result<void> Server::Core::start() {
@@ -152,12 +152,12 @@ Result<void> Server::Core::listen(const std::string& address) {
   if (!error) acceptor->bind(endpoint, error);
   if (!error) acceptor->listen(Acceptor::max_listen_connections, error);
   if (error) return Error{"cannot listen on " + where + ": " + error.message()};
-  port_ = acceptor->local_endpoint().port();  // if it was 0, all addresses get the same
+  port_ = acceptor->local_endpoint().port();  // if it was 0, all addresses share this one
   acceptors_.push_back(std::move(acceptor));
   return {};
 }
 
-// both lists call for as long as they live; the inbox outlives us and then forgets what comes
+// both lists keep their callbacks for life; the inbox outlives us and then discards everything
 void Server::Core::watch() {
   channels_.watch([this, inbox = inbox_](const std::shared_ptr<memory::Channel>& channel) {
     inbox->post([this, channel] { hub_.add_channel(channel, derive_); });
@@ -182,10 +182,10 @@ void Server::Core::accept(Acceptor& acceptor) {
 void Server::Core::admit(Socket socket) {
   error_code error;
   const auto remote = socket.remote_endpoint(error);
-  if (error) return;                                                    // gone already
-  if (wireless_.carries(socket.native_handle())) return reset(socket);  // it came a moment before the game
+  if (error) return;                                                    // the client has gone already
+  if (wireless_.carries(socket.native_handle())) return reset(socket);  // it connected just before the game
   if (context_.http.size() >= options_.max_http_connections) {
-    // the oldest that has not asked for anything makes room
+    // the oldest connection without a request makes room
     std::shared_ptr<HttpConnection> oldest;
     for (const auto& connection : context_.http)
       if (connection->waits_for_request() && (!oldest || connection->made_ns() < oldest->made_ns()))
@@ -205,12 +205,12 @@ void Server::Core::tick() {
   hub_.send_time();
   if (now >= next_second_ns_) {
     next_second_ns_ = now + kSecond;
-    if (match_mode_) keep_silence(true);  // an interface may have come since
+    if (match_mode_) keep_silence(true);  // an interface may be new
     hub_.every_second(now);
     const std::lock_guard guard(statistics_lock_);
     statistics_ = hub_.statistics();
   }
-  // copies: a connection whose time is over leaves the set
+  // copies: a connection that times out leaves the set
   for (const auto& connection : std::vector(context_.http.begin(), context_.http.end()))
     connection->check_deadline(now);
   for (const auto& connection : std::vector(context_.web_sockets.begin(), context_.web_sockets.end()))
@@ -233,8 +233,8 @@ void Server::Core::follow_match() {
   keep_silence(match_mode);
 }
 
-// what arrives at a listening socket over a wireless interface is dropped before the kernel answers it; a connection
-// that is there already ends with one packet, and what its other end still sends meets the same silence
+// At a listening socket the kernel drops packets from a wireless interface before it answers them.
+// An open connection ends with one packet. Later packets of its client get no answer either.
 void Server::Core::keep_silence(bool silent) {
   wireless_ = silent ? Wireless(options_.wireless) : Wireless();
   for (const auto& acceptor : acceptors_)

@@ -1,4 +1,4 @@
-// The server: viewer, API, recordings and live data at one port.
+// The server of viewer, API, recordings and live data at one port.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +22,14 @@
 namespace robot::net {
 
 struct ServerOptions {
-  std::vector<std::string> bind = {"127.0.0.1"};  // IP addresses to listen on; "0.0.0.0" and "::" are all
-  std::uint16_t port = 8765;                      // 0: any that is free
+  std::vector<std::string> bind = {"127.0.0.1"};  // IP addresses to listen on; "0.0.0.0" and "::" mean all
+  std::uint16_t port = 8765;                      // 0: any free port
   HubOptions hub;
   AccessOptions access;
   std::vector<std::string>
       wireless;  // interfaces that stay silent during a game; empty: those the system calls wireless
 
-  // bounds on what others can make us hold
+  // limits of the memory and time that clients can take
   std::size_t max_clients = 64;                     // WebSocket connections
   std::size_t max_http_connections = 256;           // others; the oldest without a request goes first
   std::size_t max_message_bytes = 1 << 20;          // from a client
@@ -41,30 +41,30 @@ struct ServerOptions {
   std::span<const Asset> assets = {kViewerAssets, kViewerAssetCount};
 };
 
-/// Serves HTTP and the Foxglove protocol on one thread of its own, with three helpers: one waits for the disk, one for
-/// loggers that start and stop, one does what people ask for.
+/// A server of HTTP and the Foxglove protocol with an I/O thread of its own and three helper threads.
+/// One waits for the disk, one for loggers that start and stop, one runs questions of clients.
 class Server {
  public:
-  /// What is referenced outlives the server, and `services` are complete. Channels may come later.
+  /// All references must outlive the server, and `services` must be complete. Channels may come later.
   Server(ServerOptions options, memory::Channels& channels, Derive derive, Streams& streams, const Clock& clock,
          Parameters& parameters, const Services& services, Backend& backend);
 
-  /// As stop().
+  /// Calls stop().
   ~Server();
 
-  /// Listens and serves from now on; an Error if an address cannot be had. Once.
+  /// Listens and serves from now on. Returns an Error if an address is not available. Call it once.
   Result<void> start();
 
-  /// Tells the clients, closes all connections and ends the threads. Nothing of it is used any more afterwards.
+  /// Sends a goodbye to the clients, closes all connections and ends the threads. It uses no reference afterwards.
   void stop();
 
-  /// The port it listens on, after start().
+  /// Returns the port on which it listens, after start().
   std::uint16_t port() const;
 
-  /// How the clients are doing, at most a second ago. Any thread.
+  /// Returns statistics of the clients, at most a second old. Any thread.
   ServerStatistics statistics() const;
 
-  /// Another time line begins, see Hub::restart_time(). Any thread.
+  /// Begins another time line, see Hub::restart_time(). Any thread.
   void restart_time();
 
  private:

@@ -47,7 +47,7 @@ std::string streams(const Json& session) {
   std::string html = "<details><summary>" + std::to_string(list->size()) + " streams</summary><ul>\n";
   for (const Json& stream : *list) {
     if (!stream.is_object()) continue;
-    const std::string topic = text(stream, "topic");  // empty where the file does not tell
+    const std::string topic = text(stream, "topic");  // empty if the file does not contain it
     html += "<li>" + link(text(stream, "url"), topic.empty() ? text(stream, "file") : topic) + " " +
             std::to_string(static_cast<long long>(number(stream, "messages"))) + " messages, " +
             megabytes(number(stream, "size_bytes")) + "\n";

@@ -59,7 +59,7 @@ bool WebSocketConnection::on_message(Opcode opcode, const std::string& payload) 
       return true;
     }
     case Opcode::close: {
-      // answered with the same code; both have said goodbye then
+      // answer with the same code; both sides have then sent a close frame
       const std::uint16_t code = parse_close(payload).code;
       peer_closed_ = true;
       client_->queue.finish(close_frame(code == kNoCodeGiven ? std::uint16_t{kNormalClosure} : code, {}));
@@ -88,10 +88,10 @@ void WebSocketConnection::flush() {
 }
 
 void WebSocketConnection::on_written() {
-  batch_.keeper.reset();  // a large message is not held longer than needed
+  batch_.keeper.reset();  // do not hold a large message longer than needed
   if (!client_->queue.finished() || !client_->queue.empty()) return flush();
 
-  // the close frame is out; the other side closes the connection when it has read it
+  // the close frame is sent; the client closes the connection after reading it
   sent_all_ = true;
   error_code ignored;
   socket_.shutdown(Socket::shutdown_send, ignored);

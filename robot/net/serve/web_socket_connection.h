@@ -1,4 +1,4 @@
-// One WebSocket connection: frames in, batches out of the client's queue.
+// One WebSocket connection: reads frames and writes batches from the client's queue.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
  public:
   WebSocketConnection(Socket socket, ConnectionContext& context);
 
-  /// Sends `response`, the answer to the handshake, then speaks frames; `begun` are the first bytes of them.
+  /// Sends `response`, the answer to the handshake, then exchanges frames. `begun` has the first received frame bytes.
   void start(ClientIdentity identity, std::string response, std::string begun);
 
-  /// Writes what waits in the client's queue, unless a write is under way.
+  /// Writes the client's queue, unless a write is in progress.
   void flush();
 
-  /// Ends a goodbye that takes too long.
+  /// Ends a close handshake that takes too long.
   void check_deadline(std::uint64_t now_ns);
 
-  /// Says goodbye: the server stops.
+  /// Starts the close handshake because the server stops.
   void go_away();
 
   /// Ends the connection at once.

@@ -28,7 +28,7 @@ std::vector<std::string> wireless_names() {
   return names;
 }
 
-/// The address alone: four bytes, or sixteen; an IPv4 address within IPv6 counts as itself.
+/// Returns the address bytes: four or sixteen. An IPv4 address within IPv6 gives four.
 std::string bytes_of(const sockaddr& address) {
   if (address.sa_family == AF_INET) {
     const auto& v4 = reinterpret_cast<const sockaddr_in&>(address).sin_addr;

@@ -1,4 +1,4 @@
-// Silence on wireless networks, as the rules of the league ask for during a game.
+// Silence on wireless networks during a game, as the league's rules demand.
 #pragma once
 
 #include <string>
@@ -11,17 +11,18 @@ namespace robot::net {
 /// Some network interfaces of this machine, as they are now.
 class Wireless {
  public:
-  /// None.
+  /// No interfaces.
   Wireless() = default;
 
-  /// Those called so; all that the system says are wireless if no name is given. Names that do not exist are left out.
+  /// The interfaces called `names`; names that do not exist are ignored. If `names` is empty: all interfaces that the
+  /// system reports as wireless.
   explicit Wireless(const std::vector<std::string>& names);
 
-  /// From now on the kernel drops what `socket`, which listens, receives over these, and answers nothing. With none it
-  /// takes everything again.
+  /// Makes the kernel drop all packets from these interfaces to the listening `socket`, without an answer.
+  /// Without interfaces the socket accepts everything again.
   Result<void> silence(int socket) const;
 
-  /// Whether the own end of the connection `socket` has an address of one of these.
+  /// Returns whether the local address of the connection `socket` belongs to one of these interfaces.
   bool carries(int socket) const;
 
  private:
