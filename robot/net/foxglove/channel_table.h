@@ -26,9 +26,9 @@ struct OfferedChannel {
   std::vector<Client*> subscribers;
   std::uint64_t stream = 0;         // that carries it now; 0: nobody watches
   std::uint64_t last_sequence = 0;  // of that stream
-  memory::VersionPtr newest;        // of that stream, if derived: what a late subscriber gets first
+  memory::VersionPtr newest;        // of that stream, if derived: the first message of a late subscriber
 
-  /// What a new subscriber of a running stream gets at once; may be null.
+  /// Returns the first message of a new subscriber to a running stream, or null.
   memory::VersionPtr last_value() const { return derived ? newest : source->newest(); }
 };
 

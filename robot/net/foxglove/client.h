@@ -13,7 +13,7 @@
 
 namespace robot::net {
 
-/// What is known of a client when it comes.
+/// The facts about a client at its arrival.
 struct ClientIdentity {
   ClientContext context;  // the id is given by the hub
   std::string user_agent, subprotocol;

@@ -1,4 +1,4 @@
-// What waits for one client: the decision what it gets next, and what it does not get.
+// The queue of one client. It decides which message is sent next and which is dropped.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct QueueLimits {
   std::size_t control_bytes = 16 << 20;   // of answers and announcements
 };
 
-/// What is written to the socket next: first `bytes`, then `large`, which is not copied but kept alive by `keeper`.
+/// The next write to the socket: first `bytes`, then `large`, which is not copied. `keeper` keeps it alive.
 struct Batch {
   std::string bytes;
   std::string_view large;
@@ -29,9 +29,9 @@ struct Batch {
 };
 
 /// The messages that wait for one client, one slot per channel. A slot keeps what its delivery asks for: `latest` the
-/// newest message, `fifo` the last few, `reliable` all. What is next is decided when the socket can take it, not when it
-/// was produced: answers, then events, then small messages, then large ones; channels of a class take turns.
-/// Old data are worse than none; what is passed over is counted. Used by one thread.
+/// newest message, `fifo` the last few, `reliable` all. The queue decides what to send when the socket has room, not
+/// when a message is produced. Order: answers, events, small messages, large messages; channels of a class take turns.
+/// Old data are worse than none. Dropped messages are counted. Used by one thread.
 class ClientQueue {
  public:
   static constexpr std::size_t kBatchBytes = 64 << 10;  // small frames copied together
@@ -40,7 +40,7 @@ class ClientQueue {
   enum class Pushed {
     queued,
     known,     // this version or a later one was taken before, or nobody subscribed to the channel
-    overflow,  // it may not be left out and there is no room: the client has to go
+    overflow,  // it must not be dropped and there is no room: the client must be disconnected
   };
 
   /// A `lossless` client gets every message of every channel; a `numbered` one is told the numbers of the messages.
@@ -67,14 +67,14 @@ class ClientQueue {
   /// Takes a Time; only the newest is sent.
   void push_time(std::uint64_t time_ns) { time_ns_ = time_ns; }
 
-  /// Forgets what waits and may be left out: it belongs to a time line that is over.
+  /// Drops all waiting messages that may be dropped, because their time line is over.
   void forget();
 
-  /// Throws away the messages, sends what control frames there are, then `close_frame`, then nothing any more.
+  /// Drops the messages, sends the waiting control frames, then `close_frame`, then nothing more.
   void finish(std::string close_frame);
   bool finished() const { return finished_; }
 
-  /// Takes out what is to be written next; false if nothing waits.
+  /// Takes out the next batch to write. Returns false if nothing waits.
   bool fill(Batch& batch);
 
   bool empty() const { return control_.empty() && !time_ns_ && messages_ == 0; }

@@ -31,7 +31,7 @@ Result<pb::Image> parse_image(const memory::Version& source) {
   return image;
 }
 
-/// Lets so many versions a second through, by their capture times: playback at double speed shows as much.
+/// A limit of versions per second of capture time, so that playback at double speed shows as many images.
 class RateLimit {
  public:
   bool passes(std::uint64_t capture_ns, double rate_hz) {
@@ -78,7 +78,7 @@ Bytes to_jpeg(const memory::Version& source, const std::string& frame_id, const 
   std::string jpeg = std::move(*image->mutable_data());
   if (image->encoding() != pb::Image::ENCODING_JPEG) {
     const int width = static_cast<int>(image->width());
-    // whatever the camera's size, the JPEG has all of it or half: what comes nearer to the parameter
+    // the JPEG has the camera's size or half of it, the one that is nearer to the parameter
     const bool half = parameters.integer("jpeg_width") * 4 < width * 3;
     auto encoded = image::encode_jpeg(
         jpeg, width, static_cast<int>(image->height()),

@@ -1,4 +1,4 @@
-// What other viewers can draw of our channels: foxglove.* messages, made only while somebody watches.
+// Channels of foxglove.* messages that other viewers can draw. They are made only while a client watches.
 #pragma once
 
 #include <vector>

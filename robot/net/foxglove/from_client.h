@@ -1,4 +1,4 @@
-// What a Foxglove client says to a server (Foxglove WebSocket protocol v1): parsed and written, pure.
+// Messages from a Foxglove client to a server (Foxglove WebSocket protocol v1): pure parsers and writers.
 #pragma once
 
 #include <cstdint>

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t kChannelsPerAdvertise = 100;
 constexpr std::uint64_t kDropsEvery = 5 * kSecond;  // between two statuses about drops
-// newest wins is how it should be: a page that opens or a busy machine passes over a few
-constexpr std::uint64_t kDropsWorthTelling = 10, kPartWorthTelling = 20;  // so many messages, a twentieth of all
+// dropping a few is normal when a page opens or the machine is busy: newest wins
+constexpr std::uint64_t kDropsWorthTelling = 10, kPartWorthTelling = 20;  // 10 messages, and a twentieth of all
 constexpr std::string_view kDropsId = "drops";
 
 }  // namespace
@@ -161,7 +161,7 @@ std::string Hub::playback_state(bool did_seek, std::string_view request_id) cons
   return foxglove::playback_state(state.status, state.time_ns, state.speed, did_seek, request_id);
 }
 
-/// Tells those who understand it how the playback is going; the one who asked for it by the id of the request.
+/// Sends the state of the playback to clients that understand it. The message to `asker` carries the request's id.
 void Hub::tell_playback(bool did_seek, const Client* asker, const std::string& request_id) {
   told_ = options_.playback->state().status;
   for (const auto& client : clients_)

@@ -1,4 +1,4 @@
-// The live protocol without sockets: clients, channels, and who gets what.
+// The live protocol without sockets: clients, channels and subscriptions.
 #pragma once
 
 #include <cstdint>
@@ -27,59 +27,60 @@ struct HubOptions {
   std::string name = "foresight";
   std::map<std::string, std::string> metadata;  // {"build", "body", "robots"}
   QueueLimits queues;
-  Playback* playback = nullptr;                  // of the recording that is played, if there is one; outlives the hub
-  std::uint64_t pong_timeout_ns = 30 * kSecond;  // a client that does not answer a ping for so long is gone
+  Playback* playback = nullptr;                  // of the played recording, if any; outlives the hub
+  std::uint64_t pong_timeout_ns = 30 * kSecond;  // without an answer to a ping in this time, the client is gone
 };
 
-/// Speaks the Foxglove protocol with any number of clients. What it says waits in the clients' queues; whoever owns
-/// the sockets looks into all of them after each call. Used by one thread, the server's I/O thread.
+/// A server of the Foxglove protocol for any number of clients. It writes into the clients' queues. The owner of the
+/// sockets must look into all queues after each call. Used by one thread, the server's I/O thread.
 class Hub {
  public:
-  /// Orders do not wait for questions, which may take seconds. There is one question at a time, and one more may wait.
+  /// The kind of a client's call. Orders do not wait for questions, which may take seconds. One question runs at a time,
+  /// and one more may wait.
   enum class Kind { order, question };
-  /// Does `work` on a thread of its kind that may wait, one piece after the other, then `then` on the hub's own.
+  /// Runs `work` in order on the thread of its kind, which may wait, and afterwards `then` on the hub's thread.
   using InBackground = std::function<void(Kind kind, std::function<void()> work, std::function<void()> then)>;
 
-  /// What is referenced outlives the hub.
+  /// All references must outlive the hub.
   Hub(HubOptions options, Parameters& parameters, const Services& services, const Clock& clock, StreamControl& streams,
       InBackground in_background);
 
-  /// Offers `channel`, and what `derive` makes of it, to everybody.
+  /// Offers `channel` and the channels that `derive` makes of it to all clients.
   void add_channel(const std::shared_ptr<memory::Channel>& channel, const Derive& derive);
 
-  /// A client came; it is told who we are and what there is.
+  /// Adds a client, and sends it our name, channels and services.
   std::shared_ptr<Client> join(ClientIdentity identity);
 
-  /// The client went. It is forgotten, what only it watched is no longer carried, and what it asked is not begun any more.
+  /// Removes a client that has gone. Streams that only it watched end, and its waiting calls are not begun.
   void leave(Client& client);
 
-  /// A client said something. What we do not understand is answered with a status.
+  /// Handles a message of a client. A message that we do not understand is answered with a status.
   void on_text(Client& client, std::string_view text);
   void on_binary(Client& client, std::string_view bytes);
   void on_pong(Client& client, std::uint64_t now_ns);
 
-  /// A stream brought a message for everybody who watches its channel.
+  /// Queues a stream's message for all clients that watch its channel.
   void deliver(const Inbox::Item& item);
 
-  /// Tells everybody the time. It never goes back, except after restart_time() and where a client moved the playback.
+  /// Sends the time to all clients. It goes back only after restart_time() or when a client moved the playback.
   void send_time();
 
-  /// Another time line begins (playback went back): everybody gets a new session id and may see a smaller time.
+  /// Begins another time line (playback went back). All clients get a new session id and may see a smaller time.
   void restart_time();
 
-  /// Match mode began or ended: see ClientContext::refusal().
+  /// Begins or ends match mode, see ClientContext::refusal().
   void set_match_mode(bool match_mode);
 
-  /// Pings, gives up on clients that do not answer, tells who loses messages. Once a second.
+  /// Sends pings, disconnects clients that do not answer, and warns clients that lose messages. Call it once a second.
   void every_second(std::uint64_t now_ns);
 
-  /// Tells those who watch it the value of a parameter.
+  /// Sends the value of a parameter to the clients that watch it.
   void parameter_changed(const std::string& name);
 
-  /// Sends a whole frame before any message; a client that has too many of them waiting is disconnected.
+  /// Sends a whole frame before any message. A client with too many waiting frames is disconnected.
   void send(Client& client, std::string frame);
 
-  /// Says why, then closes the connection.
+  /// Sends the reason, then closes the connection.
   void disconnect(Client& client, std::uint16_t close_code, std::string_view sentence);
 
   ServerStatistics statistics() const;
@@ -98,7 +99,7 @@ class Hub {
   void tell_playback(bool did_seek, const Client* asker, const std::string& request_id);
   void tell_parameters(Client& client, const std::vector<std::string>& names, const std::optional<std::string>& id);
 
-  // what a client asks for
+  // requests of a client
   void handle(Client& client, const Result<foxglove::ClientMessage>& message);
   void handle(Client& client, const foxglove::Subscribe& message);
   void handle(Client& client, const foxglove::Unsubscribe& message);
@@ -127,9 +128,9 @@ class Hub {
   std::vector<std::shared_ptr<Client>> clients_;
   std::uint64_t last_client_ = 0;
   bool match_mode_ = false;
-  std::uint64_t session_ = 0;  // [ms since the epoch] its begin
+  std::uint64_t session_ = 0;  // [ms since the epoch] begin of the time line
   std::uint64_t last_time_ns_ = 0;
-  foxglove::Playback told_ = foxglove::Playback::playing;  // of the playback, last
+  foxglove::Playback told_ = foxglove::Playback::playing;  // the state of the playback that was sent last
 
   struct PendingCall {
     std::weak_ptr<Client> client;

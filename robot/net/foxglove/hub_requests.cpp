@@ -1,4 +1,4 @@
-// What the hub does when a client asks for something.
+// The hub's reaction when a client asks for something.
 #include <algorithm>
 #include <utility>
 
@@ -136,7 +136,7 @@ void Hub::handle(Client& client, const foxglove::ServiceCall& message) {
     return answer(client, message, failure("service: expected the encoding 'json'").dump());
   ClientContext context = client.identity.context;
   context.asked_ns = monotonic_ns();
-  // who may not call does not wait to hear it
+  // a refusal is sent at once, without waiting in the queue
   if (const std::string refusal = services_.refusal(message.service, context); !refusal.empty())
     return answer(client, message, failure(refusal).dump());
   switch (services_.whom(message.service)) {
@@ -194,11 +194,11 @@ void Hub::handle(Client& client, const foxglove::PlaybackControl& message) {
     return complain(client, "playback: " + refusal);
   if (!(message.speed >= 0.01F && message.speed <= 1000))
     return complain(client, "playback: expected a speed of 0.01 .. 1000, got " + std::to_string(message.speed));
-  client.identity.playback = true;  // who asks understands the answer
+  client.identity.playback = true;  // a client that controls the playback understands its state
   const bool did_seek = options_.playback->control(message);
   if (did_seek) {
     last_time_ns_ = 0;
-    for (const auto& each : clients_) each->queue.forget();  // what still waits is of the time before
+    for (const auto& each : clients_) each->queue.forget();  // waiting messages are from the time before the move
   }
   tell_playback(did_seek, &client, message.request_id);
 }

@@ -1,4 +1,4 @@
-// The way into the server's I/O thread: messages from the logger threads, tasks from anybody.
+// The queue into the server's I/O thread: messages from the logger threads, tasks from any thread.
 #pragma once
 
 #include <cstdint>

@@ -17,7 +17,7 @@ namespace robot::net {
 
 using ParameterValue = std::variant<bool, std::int64_t, double, std::string>;
 
-/// What a parameter may be, beside its type, which is that of its first value.
+/// The rule for a parameter's values. The type is that of its first value.
 struct ParameterRule {
   std::optional<double> min, max;    // of numbers, both included
   std::vector<std::string> choices;  // of texts; empty: any
@@ -37,7 +37,7 @@ class Parameters {
   /// A whole number passes where a number is expected, and 3.0 where a whole number is.
   Result<void> set(std::string_view name, const ParameterValue& value);
 
-  /// Stores what has become true by other means (a recording that ended by itself) and tells the listeners. No checks.
+  /// Stores a value that changed by other means, such as a recording that ended, and notifies the listeners. No checks.
   void update(std::string_view name, ParameterValue value);
 
   /// The value of `name`; nothing if there is no such parameter.

@@ -14,28 +14,29 @@
 
 namespace robot::net {
 
-/// Who asks, and when.
+/// The client of a call, and the call's time.
 struct ClientContext {
   std::uint64_t id = 0;        // counts up; never used twice in one run
   std::string address;         // "10.0.14.7:51234"
   bool loopback = false;       // it runs on this machine
   bool may_control = false;    // it is on loopback or gave the token
-  bool match_mode = false;     // a real game is in progress: only what runs on this machine may control
-  std::uint64_t asked_ns = 0;  // [monotonic] when what it asks for came
+  bool match_mode = false;     // a real game is in progress: only clients on this machine may control
+  std::uint64_t asked_ns = 0;  // [monotonic] arrival of the call
 
-  /// Why it may not control now, one sentence; empty if it may.
+  /// Returns why it may not control now in one sentence, or an empty string if it may.
   std::string refusal() const;
 };
 
-/// {"ok": false, "error": sentence}: how a service says that it could not do it.
+/// Returns {"ok": false, "error": sentence}, the answer of a service that failed.
 nlohmann::json failure(std::string_view sentence);
 
 /// The list of services. Added before the server starts, then only read.
 class Services {
  public:
-  /// Gets a JSON object and gives one. Services for everybody run on the server's I/O thread and must not wait for
-  /// anything; those for control run one after the other on a thread that may wait for the disk, and so do questions on
-  /// one that may take seconds, of which nobody asks any during a game, not even on this machine.
+  /// A function from a JSON object to a JSON object. Services for everybody run on the server's I/O thread and must not
+  /// wait. Services for control run one after the other on a thread that may wait for the disk.
+  /// Questions run one after the other on a thread that may take seconds. During a game no client may ask, not even on
+  /// this machine.
   using Handler = std::function<nlohmann::json(const nlohmann::json& request, const ClientContext& client)>;
 
   enum class For { everybody, control, questions };  // the latter two need the token beyond loopback
@@ -49,10 +50,11 @@ class Services {
   For whom(std::uint32_t id) const { return services_.at(id - 1).whom; }
   const std::string& name(std::uint32_t id) const { return services_.at(id - 1).name; }
 
-  /// Why `client` may not call service `id` (it exists) now, one sentence that begins with its name; empty if it may.
+  /// Returns why `client` may not call the existing service `id` now, in one sentence that begins with its name.
+  /// Returns an empty string if it may.
   std::string refusal(std::uint32_t id, const ClientContext& client) const;
 
-  /// The answer of service `id` to `request`, as JSON text. What goes wrong, goes into the answer, and so does a refusal.
+  /// Returns the answer of service `id` to `request`, as JSON text. Errors and refusals are part of the answer.
   std::string call(std::uint32_t id, std::string_view request, const ClientContext& client) const;
 
  private:
@@ -66,7 +68,7 @@ class Services {
   std::vector<Entry> services_;
 };
 
-/// What a client measured of its clock against ours.
+/// A client's measurement of its clock against ours.
 struct PeerClock {
   std::string peer;            // its address
   std::int64_t offset_ns = 0;  // to add to our time to get the client's
@@ -74,8 +76,8 @@ struct PeerClock {
 };
 
 /// Adds `clock_sync`, one half of an NTP-like exchange: {"sent_ns"} -> {"ok", "sent_ns", "received_ns"}, where
-/// `received_ns` is the time of `clock`. What the client measured last it may add to its next call as "offset_ns" and
-/// "round_trip_ns"; `on_measured` is told.
+/// `received_ns` is the time of `clock`. The client may add its last measurement to its next call as "offset_ns"
+/// and "round_trip_ns"; it is passed to `on_measured`.
 void add_clock_sync(Services& services, const Clock& clock, std::function<void(const PeerClock&)> on_measured);
 
 }  // namespace robot::net

@@ -1,4 +1,4 @@
-// What the server knows of its clients, for the memory object `runtime` and for /api/status.
+// Statistics of the server's clients, for the memory object `runtime` and for /api/status.
 #pragma once
 
 #include <cstdint>

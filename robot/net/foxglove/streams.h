@@ -1,4 +1,4 @@
-// What the hub needs of the logging board: carrying channels to providers.
+// The hub's interface to the logging board, which carries channels to providers.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace robot::net {
 
-/// Who carries channels to providers: the logging board. Called by one thread of the server, never by its I/O thread.
+/// The carrier of channels: the logging board. Called by one thread of the server, never by its I/O thread.
 class Streams {
  public:
   using Id = std::uint64_t;

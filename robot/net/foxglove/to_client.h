@@ -1,4 +1,4 @@
-// What a Foxglove server says to its clients (Foxglove WebSocket protocol v1): written and, for our client, parsed. Pure.
+// Messages from a Foxglove server to its clients (Foxglove WebSocket protocol v1): writers, and parsers for our client.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct ServerInfo {
   std::vector<std::string> capabilities;
   std::vector<std::string> encodings;  // of service requests
   std::map<std::string, std::string> metadata;
-  std::string session_id;  // another one tells the client to forget the data it has
+  std::string session_id;  // a new id makes the client forget its data
   std::optional<std::pair<std::uint64_t, std::uint64_t>> data_span_ns = {};  // of a recording: its first and last time
 };
 
@@ -65,8 +65,8 @@ inline constexpr std::size_t kMessageDataHeaderBytes = 13;
 /// Appends the header of a MessageData; the payload follows.
 void append_message_data_header(std::string& out, std::uint32_t subscription, std::uint64_t log_time_ns);
 
-/// Beyond the protocol, for clients that ask for `?numbered`: the header of a MessageData that also tells the number of
-/// the version and when it entered memory, so that they can count what they miss and record what was.
+/// Appends the header of a MessageData with the version's number and the time at which it entered memory.
+/// This extends the protocol, for clients that ask for `?numbered`. They can count missing messages and record exactly.
 inline constexpr std::size_t kNumberedDataHeaderBytes = 29;
 void append_numbered_data_header(std::string& out, std::uint32_t subscription, std::uint64_t log_time_ns,
                                  memory::Published published);
@@ -85,7 +85,7 @@ std::string playback_state(Playback playback, std::uint64_t time_ns, float speed
 /// The channels of an `advertise`; nothing if `text` is another message, an Error if it is none of the protocol.
 Result<std::vector<Advertised>> parse_advertise(std::string_view text);
 
-/// What a server says in text, as far as our client minds.
+/// The parts of a server's text message that our client uses.
 struct ServerText {
   std::optional<ServerInfo> info;  // without encodings and the span of a recording
   std::vector<Advertised> channels;

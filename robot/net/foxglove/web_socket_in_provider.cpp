@@ -21,7 +21,7 @@ Result<memory::ChannelInfo> WebSocketInProvider::open() {
   return std::move(channel->info);
 }
 
-// the server lists its channels at once; what it sends after them, such as a Time, says that the list is over
+// the server lists its channels at once; a later message, such as a Time, ends the list
 Result<foxglove::Advertised> WebSocketInProvider::find_channel() {
   const std::uint64_t deadline_ns = monotonic_ns() + timeout_ns_;
   std::string offered;

@@ -1,4 +1,4 @@
-// The viewer's files, embedded in the program. The viewer's build generates them; without it, no_viewer_assets.cpp does.
+// The viewer's files in the program. The viewer's build generates them; without it, no_viewer_assets.cpp has one page.
 #pragma once
 
 #include <cstddef>

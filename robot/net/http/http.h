@@ -27,7 +27,7 @@ struct HttpRequest {
   /// Returns the first header called `name` (lower case).
   std::optional<std::string_view> header(std::string_view name) const;
 
-  /// Returns whether the comma-separated header `name` has the element `token` (lower case). Ignores the element's case.
+  /// Returns whether the comma-separated header `name` has the element `token` (lower case), in any case.
   bool has_token(std::string_view name, std::string_view token) const;
 };
 

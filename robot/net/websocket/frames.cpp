@@ -18,7 +18,7 @@ void append_length(std::string& out, std::uint64_t size, unsigned char mask_bit)
   for (int i = bytes - 1; i >= 0; --i) out += static_cast<char>((size >> (8 * i)) & 0xff);
 }
 
-// which codes may travel in a close frame: RFC 6455, sections 7.4.1 and 7.4.2, and the registry it opens
+// returns whether a close frame may carry the code: RFC 6455, sections 7.4.1 and 7.4.2, and its registry
 bool may_be_sent(std::uint16_t code) {
   if (code >= 3000) return code < 5000;
   return code >= 1000 && code <= 1014 && code != 1004 && code != 1005 && code != 1006;
@@ -42,7 +42,7 @@ FrameParser::FrameParser(Sender sender, std::size_t max_message_bytes)
 std::optional<Violation> FrameParser::feed(std::string_view bytes, const Sink& sink) {
   while (!ended_) {
     if (!in_payload_) {
-      // the header's size shows in its first two bytes
+      // the first two bytes give the header's size
       while (header_filled_ < header_size() && !bytes.empty()) {
         header_[header_filled_++] = static_cast<unsigned char>(bytes.front());
         bytes.remove_prefix(1);
@@ -118,7 +118,7 @@ std::optional<Violation> FrameParser::check_header(std::uint64_t length) const {
 }
 
 void FrameParser::take_payload(std::string_view& bytes) {
-  // what the header promises is not reserved: a peer pays for memory with bytes
+  // do not reserve the announced size: a peer must send bytes to make us use memory
   const std::size_t n = static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), payload_size_ - payload_read_));
   std::string& target = is_control() ? control_ : message_;
   const std::size_t begin = target.size();

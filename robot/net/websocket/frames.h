@@ -1,4 +1,4 @@
-// WebSocket frames (RFC 6455, section 5), both directions, as text in and text out: no sockets here.
+// Parser and writer of WebSocket frames (RFC 6455, section 5) for client and server. No sockets.
 #pragma once
 
 #include <array>
@@ -20,20 +20,20 @@ enum CloseCode : std::uint16_t {
   kNotUtf8 = 1007,
   kPolicyViolation = 1008,
   kMessageTooBig = 1009,
-  kNoCodeGiven = 1005,  // only ever seen, never sent
+  kNoCodeGiven = 1005,  // only received, never sent
 };
 
-/// What the other side did that the protocol forbids, and the close code that says so.
+/// A violation of the protocol by the peer, with the close code for it.
 struct Violation {
   std::uint16_t close_code = kProtocolError;
   std::string sentence;
 };
 
-/// Who sends the frames that are parsed: a client must mask them, a server must not.
+/// The sender of parsed frames. A client must mask its frames, a server must not.
 enum class Sender { client, server };
 
-/// Takes the bytes of a connection in any portions and gives out whole messages: fragments are put together,
-/// masks removed, control frames given out between the fragments of a message.
+/// A parser that takes the bytes of a connection in any portions and returns whole messages. It joins fragments and
+/// removes masks. Control frames may come between the fragments of a message.
 class FrameParser {
  public:
   /// Called with text, binary, ping, pong or close and the payload. Returning false ends the parsing.
@@ -67,7 +67,7 @@ class FrameParser {
   std::array<unsigned char, 4> mask_{};
   std::uint64_t payload_size_ = 0, payload_read_ = 0;
 
-  // the message being put together, and a control frame that may come between its fragments
+  // the message so far, and a control frame that may come between its fragments
   std::optional<Opcode> message_opcode_;
   std::string message_, control_;
 };
@@ -82,19 +82,19 @@ void append_frame(std::string& out, Opcode opcode, std::string_view payload);
 void append_masked_frame(std::string& out, Opcode opcode, std::string_view payload, std::uint32_t mask,
                          bool final = true);
 
-/// The payload of a close frame; `reason` is cut to the 123 bytes that fit.
+/// Returns the payload of a close frame. Cuts `reason` to the 123 bytes that fit.
 std::string close_payload(std::uint16_t code, std::string_view reason);
 
-/// A whole close frame of a server.
+/// Returns a whole close frame of a server.
 std::string close_frame(std::uint16_t code, std::string_view reason);
 
-/// Why the other side closes: the code (1005 if it gave none) and its reason.
+/// The peer's reason for closing: the code (1005 if it gave none) and a text.
 struct CloseInfo {
   std::uint16_t code = kNoCodeGiven;
   std::string reason;
 };
 
-/// Reads the payload of a close frame that FrameParser let through.
+/// Parses the payload of a close frame that FrameParser has accepted.
 CloseInfo parse_close(std::string_view payload);
 
 }  // namespace robot::net

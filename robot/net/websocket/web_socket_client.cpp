@@ -76,10 +76,10 @@ WebSocketClient::WebSocketClient() : wake_up_(::eventfd(0, EFD_CLOEXEC | EFD_NON
 
 void WebSocketClient::cancel() {
   const std::uint64_t one = 1;
-  [[maybe_unused]] const ssize_t written = ::write(wake_up_.get(), &one, sizeof one);  // stays readable for good
+  [[maybe_unused]] const ssize_t written = ::write(wake_up_.get(), &one, sizeof one);  // stays readable forever
 }
 
-// false when cancelled; an Error when the time is up
+// returns false when cancelled, an Error at the deadline
 Result<bool> WebSocketClient::wait(short events, std::uint64_t deadline_ns) {
   while (true) {
     pollfd fds[] = {{socket_.get(), events, 0}, {wake_up_.get(), POLLIN, 0}};
@@ -121,7 +121,7 @@ Result<void> WebSocketClient::open_socket(const WebSocketUrl& url, std::uint64_t
 }
 
 Result<void> WebSocketClient::connect(std::string_view text, std::uint64_t timeout_ns) {
-  // the token is no one's business
+  // the token must not appear in error sentences
   name_ = std::string(text.substr(0, std::min(text.find('?'), text.size())));
   const std::uint64_t deadline_ns = monotonic_ns() + timeout_ns;
   const auto url = parse_web_socket_url(text);
@@ -142,7 +142,7 @@ Result<void> WebSocketClient::connect(std::string_view text, std::uint64_t timeo
   }
   const auto agreed = check_web_socket_response(std::string_view(head).substr(0, end + 2), key);
   if (!agreed) {
-    // our servers tell in the body why not
+    // our servers give the reason in the body
     const std::string_view body = std::string_view(head).substr(end + 4);
     return Error{name_ + ": " + agreed.error() + (body.empty() ? "" : ": ") +
                  std::string(body.substr(0, body.find('\n')))};
@@ -154,7 +154,7 @@ Result<void> WebSocketClient::connect(std::string_view text, std::uint64_t timeo
   return {};
 }
 
-// 0 at the end of the connection
+// returns 0 at the end of the connection
 Result<std::size_t> WebSocketClient::read_some(char* to, std::size_t size, std::uint64_t deadline_ns) {
   while (true) {
     const auto ready = wait(POLLIN, deadline_ns);
@@ -183,7 +183,7 @@ Result<void> WebSocketClient::write_all(std::string_view bytes) {
 }
 
 Result<void> WebSocketClient::send(Opcode opcode, std::string_view payload) {
-  // masks hide our bytes from proxies that take them for something else; between us they need not be secret
+  // a mask keeps proxies from misreading our bytes; it need not be secret
   static std::atomic<std::uint32_t> mask = 0x9d2c5681;
   std::string frame;
   append_masked_frame(frame, opcode, payload, mask.fetch_add(0x9e3779b9, std::memory_order_relaxed));
@@ -205,7 +205,7 @@ bool WebSocketClient::on_frame(Opcode opcode, std::string payload) {
 Result<std::optional<WebSocketClient::Message>> WebSocketClient::receive(std::uint64_t deadline_ns) {
   while (true) {
     if (!pongs_.empty())
-      // a server that is gone is noticed when it is read
+      // the next read notices a server that has gone
       static_cast<void>(write_all(std::exchange(pongs_, {})).operator bool());
     if (!received_.empty()) {
       Message message = std::move(received_.front());

@@ -1,4 +1,4 @@
-// A small WebSocket client that waits: for the lab and the tests.
+// A small blocking WebSocket client for the lab and the tests.
 #pragma once
 
 #include <atomic>
@@ -15,19 +15,19 @@
 
 namespace robot::net {
 
-/// "ws://10.0.14.2:8765/?delivery=lossless", taken apart.
+/// "ws://10.0.14.2:8765/?delivery=lossless", parsed.
 struct WebSocketUrl {
   std::string host;  // without brackets
   std::string port = "80";
   std::string target = "/";  // path and query
 
-  std::string authority() const;  // as the Host header has it
+  std::string authority() const;  // as in the Host header
 };
 
-/// Reads a ws:// address; wss is not spoken here.
+/// Parses a ws:// address. wss is not supported.
 Result<WebSocketUrl> parse_web_socket_url(std::string_view url);
 
-/// One connection, over plain sockets. Used by one thread, except `cancel`.
+/// One client connection over plain sockets. Used by one thread, except `cancel`.
 class WebSocketClient {
  public:
   struct Message {
@@ -39,22 +39,22 @@ class WebSocketClient {
 
   WebSocketClient();
 
-  /// Connects to `url` and agrees on the Foxglove subprotocol. Once; may be cancelled.
+  /// Connects to `url` and agrees on the Foxglove subprotocol. Call it once. cancel() ends it.
   Result<void> connect(std::string_view url, std::uint64_t timeout_ns);
 
-  /// The next message. Nothing when the server has closed the connection in good order or cancel() was called; then
-  /// closed() may tell why. An Error when none has come until monotonic_ns() is `deadline_ns`. Pings are answered here.
+  /// Returns the next message, or nothing when the server has closed the connection normally or cancel() was called.
+  /// closed() may then give the reason. Returns an Error when monotonic_ns() reaches `deadline_ns`. Answers pings.
   Result<std::optional<Message>> receive(std::uint64_t deadline_ns = UINT64_MAX);
 
   Result<void> send(Opcode opcode, std::string_view payload);
 
-  /// Ends a waiting connect() or receive() and all later ones. Any thread.
+  /// Ends a waiting connect() or receive() and all later calls. Any thread.
   void cancel();
 
-  /// What the server's close frame said; nothing before it came.
+  /// Returns the server's close frame, or nothing before it came.
   const std::optional<CloseInfo>& closed() const { return closed_; }
 
-  /// The file descriptor of the connection, for tests that treat it badly.
+  /// Returns the file descriptor of the connection, for tests that disturb it.
   int socket() const { return socket_.get(); }
 
  private:
@@ -65,7 +65,7 @@ class WebSocketClient {
   bool on_frame(Opcode opcode, std::string payload);
 
   FileDescriptor socket_, wake_up_;
-  std::string name_;  // the url, for sentences
+  std::string name_;  // the url, for error sentences
   FrameParser parser_{Sender::server, kMaxMessageBytes};
   std::deque<Message> received_;
   std::string pongs_;  // frames to send before the next wait

@@ -1,4 +1,4 @@
-// What several tests of robot/net need.
+// Helpers of several tests of robot/net.
 #pragma once
 
 #include <atomic>

@@ -136,7 +136,7 @@ class HubTest : public testing::Test {
     return client;
   }
 
-  /// What waits for a client: JSON texts, and data as {"op":"data"…}, "time", "ping", "close".
+  /// Returns the messages that wait for a client: JSON texts, and data as {"op":"data"…}, "time", "ping", "close".
   static std::vector<Json> said(Client& client) {
     std::vector<Json> all;
     std::string bytes;
@@ -364,7 +364,7 @@ TEST_F(HubTest, ARecordingIsPausedAndMovedByWhoMayControl) {
   wish(*owner, 2, 5000);
   EXPECT_EQ(said(*owner).back()["bytes"],
             foxglove::playback_state(foxglove::Playback::paused, 5000, 2, true, "r1").substr(1));
-  const auto told = said(*stranger);  // what had not gone out yet does not come any more
+  const auto told = said(*stranger);  // unsent messages are dropped
   ASSERT_EQ(told.size(), 1u);
   EXPECT_EQ(told[0]["bytes"], foxglove::playback_state(foxglove::Playback::paused, 5000, 2, true, "").substr(1));
 
@@ -481,7 +481,7 @@ TEST_F(HubTest, DuringAGameNobodyAsksNotEvenOnThisMachine) {
   hub->set_match_mode(true);
   const std::vector<Json> refused{
       {{"ok", false}, {"error", "think: game in progress: until it has finished only the team's own code may ask"}}};
-  do_next();  // what was running is answered, what waited is not begun
+  do_next();  // the running call is answered, the waiting one is not begun
   EXPECT_EQ(answered(*other), (std::vector<Json>{{{"ok", true}, {"about", "a"}}}));
   do_next();
   EXPECT_EQ(answered(*local), refused);

@@ -328,7 +328,7 @@ TEST_F(ServerTest, StopsWithClientsThatWatchStallOrDownload) {
     while (!done) write(*state, image);
   });
   EXPECT_TRUE(peer.next_data());
-  // the goodbye reaches whoever reads on while the server stops
+  // the goodbye reaches a client that reads on while the server stops
   std::thread stopping([&] {
     server->stop();
     server->stop();
@@ -339,7 +339,7 @@ TEST_F(ServerTest, StopsWithClientsThatWatchStallOrDownload) {
   writer.join();
   EXPECT_TRUE(silent.wait_closed());
   EXPECT_TRUE(board.statuses().empty());
-  write(*state, "nobody is there");  // what the server watched still lives
+  write(*state, "nobody is there");  // the objects that the server watched still live
   add("/16/1/late", memory::Delivery::latest);
   parameters.update("quality", std::int64_t{3});
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kCap = 1000;
 
-/// What a parser made of some bytes, as text: "text:abc ping: !1002" — one word per event, "!" and the code of a violation.
+/// Returns a parser's events as text: "text:abc ping: !1002" — one word per event, "!" and the code of a violation.
 std::string events(Sender sender, std::string_view bytes, std::size_t portion = SIZE_MAX) {
   FrameParser parser(sender, kCap);
   std::string log;
