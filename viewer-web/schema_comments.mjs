@@ -1,4 +1,4 @@
-// What the schemas' comments say of each field, for the viewer: descriptors on the wire carry no comments.
+// The comments of the schemas' fields for the viewer: descriptors on the wire carry no comments.
 //
 // A plugin for Vite: `import comments from "virtual:schema_comments"` gives {message: {field: [unit, comment]}}.
 

@@ -419,8 +419,8 @@ def _take_varint(message, at):
 
 
 def fields(message):
-    """Yields the fields of a message as pairs of number and value: an int for numbers, bool and enum, 4 or 8 bytes for
-    float and double, bytes for all other types. Ends at the first byte that is not protobuf."""
+    """Yields the fields of a message as pairs of number and value. The value is an int for numbers, bool and enum, 4 or 8
+    bytes for float and double, and bytes for all other types. Ends at the first byte that is not protobuf."""
     at = 0
     try:
         while at < len(message):

@@ -92,8 +92,9 @@ class Taken {
 }
 
 /**
- * Parses `text` of the robots file: [{name, addresses, model, body, player, team, colour, key, head_id, body_id, user,
- * ssh_port, http_port, rules, strategies, foresight}]; colour, key, ids, rules, strategies and foresight may be absent.
+ * Parses `text` of the robots file. Returns [{name, addresses, model, body, player, team, colour, key, head_id, body_id,
+ * user, ssh_port, http_port, rules, strategies, foresight}].
+ * The members colour, key, ids, rules, strategies and foresight may be absent.
  * `file` is its name in errors, and its folder is that of the files of strategies. `home` replaces ~.
  */
 export function parseTeam(file, text, home = homedir()) {

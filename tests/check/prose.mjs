@@ -15,22 +15,14 @@ export const notYet = [
   // first
   ".",
   "proto/foresight",
-  "robot/client",
   "robot/core",
-  "robot/deploy",
   "sim/agent",
-  "sim/compare",
   "sim/foresight",
-  "sim/guest/examples",
   "sim/io",
   "sim/match",
   "sim/math",
   "sim/perception",
   "sim/world",
-  "viewer-web",
-  "viewer-web/src/app",
-  "viewer-web/src/draw",
-  "viewer-web/src/views",
   // last
 ];
 

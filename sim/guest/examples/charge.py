@@ -3,7 +3,7 @@
 
     foresight-sim match --home 'pipe:python3 sim/guest/examples/charge.py'
 
-It answers one line for each line it is asked; sim/guest/wire.h says what is in them. What it prints to stderr is seen.
+It answers each line with one line; sim/guest/wire.h documents them. Its output to stderr is shown.
 Metres, seconds, radians; ticks are 1/30 s of game time.
 """
 import json

@@ -6,7 +6,7 @@ import { kSkillColours } from "./phases";
 import { kLineStyles } from "./plot";
 import { distance, kSights } from "./test_sight";
 
-/** The two of a palette that look most alike to whoever sees them least. */
+/** Returns the two colours of a palette that look most alike in the sight that separates them least. */
 function nearest(colours: string[]): { apart: number; who: string } {
   let found = { apart: Infinity, who: "" };
   for (const [name, sight] of Object.entries(kSights))

@@ -54,7 +54,7 @@ export function testPen(): TestPen {
   return pen;
 }
 
-/** What was drawn on, without the width of pens. */
+/** Returns the bounding box of the drawing, without the width of pens. */
 export function boxOf({ points }: TestPen) {
   const [xs, ys] = [points.map(({ x }) => x), points.map(({ y }) => y)];
   return { left: Math.min(...xs), right: Math.max(...xs), top: Math.min(...ys), bottom: Math.max(...ys) };

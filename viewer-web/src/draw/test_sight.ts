@@ -1,9 +1,9 @@
-// For tests: how colours look to those who do not see red or green, and how far apart two of them are.
+// For tests: colours as people with colour blindness see them, and the distance of two colours.
 
 type Rgb = [number, number, number];
 type Matrix = [Rgb, Rgb, Rgb];
 
-/** Of linear RGB, for a sight without the one kind of cones (Machado, Oliveira and Fernandes, 2009). */
+/** Matrices for linear RGB, for a sight without one kind of cones (Machado, Oliveira and Fernandes, 2009). */
 export const kSights: Record<string, Matrix> = {
   "all colours": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
   protanopia: [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],

@@ -123,7 +123,7 @@ export function drawStrip(pen: Pen, width: number, height: number, strip: Strip,
     pen.fillRect(left, top, Math.max(least, Math.min(width, x(to)) - left), high);
   };
 
-  // what there is, and of that what is at hand
+  // the whole span, and the part of it that is loaded
   pen.fillStyle = colours.line;
   pen.fillRect(0, bar.top, width, bar.height);
   pen.fillStyle = colours.fill;

@@ -1,8 +1,8 @@
-// YUYV (Y0 U Y1 V per pair of pixels) to RGB: the numbers, and the conversion that defines what is right.
+// YUYV (Y0 U Y1 V per pair of pixels) to RGB: the coefficients, and the reference conversion.
 //
-// BT.601 with full range, as in JPEG (JFIF). The Nao's cameras use the full range of Y (pictures have values down to 0
-// and up to 255, not 16..235), and the robot compresses its JPEGs from these very bytes, so with any other choice the
-// same picture would look different in the two encodings.
+// BT.601 with full range, as in JPEG (JFIF). The Nao's cameras use the full range of Y: pictures have values from 0 to 255,
+// not 16..235. The robot compresses its JPEGs from these same bytes. With another choice the same picture would look
+// different in the two encodings.
 
 export const kRedFromV = 1.402;
 export const kGreenFromU = -0.344136;

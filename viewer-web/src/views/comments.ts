@@ -1,4 +1,4 @@
-// What the schemas' comments say of fields. Fetched when first asked for: first sight does not need it.
+// The comments of the schemas' fields, fetched at the first use because the first page does not need them.
 
 type Comments = Record<string, Record<string, [unit: string, comment: string]>>;
 let fetched: Promise<Comments> | undefined;
