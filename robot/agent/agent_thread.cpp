@@ -47,8 +47,8 @@ void AgentThread::decide() {
                    .epoch = static_cast<std::uint8_t>(chosen->value().epoch())});
 
   Agent::Decision decision = agent_.decide(bridge::recollect(channels_, robot_, now_ns));
-  memory_.motion_command.write(std::move(decision.command), now_ns);
-  if (decision.trace) memory_.decision.write(std::move(*decision.trace), now_ns);
+  memory_.motion_command.write(decision.command, now_ns);
+  if (decision.trace) memory_.decision.write(*decision.trace, now_ns);
   if (decision.problem != problem_) {
     problem_ = std::move(decision.problem);
     if (problem_.empty())

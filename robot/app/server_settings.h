@@ -10,7 +10,7 @@
 #include "robot/net/serve/routes.h"
 
 // forward declaration: each file that includes CLI11 compiles its constants, 2 s of processor time
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): a library's name
 class App;
 }
 

@@ -11,9 +11,9 @@
 namespace sim::agent {
 namespace {
 
-template <motion::Command (*function)(const View&)>
+template <motion::Command (*Function)(const View&)>
 motion::Command plain(const View& view, Mind&, const NoArguments&) {
-  return function(view);
+  return Function(view);
 }
 
 constexpr SkillInfo searching(SkillInfo row) {

@@ -51,7 +51,7 @@ struct NoArguments {
 };
 
 /// Makes the row of a skill from its arguments' list of parameters and its function.
-template <class Arguments, motion::Command (*function)(const View&, Mind&, const Arguments&)>
+template <class Arguments, motion::Command (*Function)(const View&, Mind&, const Arguments&)>
 constexpr SkillInfo skill(const char* name, const char* about) {
   SkillInfo row{.name = name, .about = about, .run = [](const float* values, const View& view, Mind& mind) {
                   Arguments arguments;
@@ -64,7 +64,7 @@ constexpr SkillInfo skill(const char* name, const char* about) {
                       member = static_cast<Member>(static_cast<int>(*values));
                     ++values;
                   });
-                  return function(view, mind, arguments);
+                  return Function(view, mind, arguments);
                 }};
   const Arguments standard;
   Arguments::visit(standard, [&](const char* parameter, const auto& member, const Range& range, const char* text) {

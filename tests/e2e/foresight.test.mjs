@@ -141,7 +141,7 @@ test("forecasts are scored live, and the recording gives the same scores", async
 
   const [session] = readdirSync(join(folder, "logs")).filter((name) => name.includes("scored"));
   const { stdout: text } = await run("foresight-lab", "info", join(folder, "logs", session));
-  assert.match(text, /14\/2 foretold:\n(baseline|kick_now), \d+ of 1 s +came +foretold +Brier +of the rate +log-loss\n {2}own goal .*\n/);
+  assert.match(text, /forecasts of 14\/2:\n(baseline|kick_now), \d+ of 1 s +came +foretold +Brier +of the rate +log-loss\n {2}own goal .*\n/);
   const { stdout } = await run("foresight-lab", "info", join(folder, "logs", session), "--json");
   const { entries } = JSON.parse(stdout).forecasts["14/2"];
   assert.ok(entries.reduce((sum, { forecasts }) => sum + forecasts, 0) >= 2);

@@ -142,7 +142,8 @@ test("the page shows the field of a simulated game, and its buttons pause, step 
   await until(async () => (await live.call("/sim/state")).seconds > 40, "play");
   const { page, problems } = await open(t, server.http);
   await page.getByRole("region", { name: "Field" }).waitFor();
-  assert.equal(await page.title(), "14/2 · field · Foresight");
+  const title = "14/2 · field · Foresight"; // the robot's name comes with its first data
+  await until(async () => (await page.title()) === title, `the title ${title}`);
   await page.getByRole("button", { name: "Pause" }).click();
   await page.getByRole("button", { name: "Play" }).waitFor();
   const { tick } = await live.call("/sim/state");

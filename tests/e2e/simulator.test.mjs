@@ -182,23 +182,28 @@ test("a recorded game holds the truth and every robot's memory, and is the same 
   assert.ok(bytes.equals(readFileSync(second)), "the same seed, the same bytes");
   assert.deepEqual(game, await json("match", ...kShort, "--seed", "7"), "recording changes nothing");
 
-  // every robot's memory, and nothing else
+  // the objects of a live game, and nothing else
   const { topics, metadata, chunks } = readStreamed(bytes);
-  const objects = ["ball", "pose", "team", "game", "motion_command", "motion_status", "decision"];
+  const objects = ["odometry", "ball", "pose", "team", "opponents", "game", "motion_command", "motion_status", "decision"];
   const robots = ["14/1", "14/2", "5/1", "5/2"];
-  const expected = ["/truth/world", ...robots.flatMap((robot) => objects.map((object) => `/${robot}/${object}`))];
+  const expected = ["/truth/world", "/sim/state", ...robots.flatMap((robot) => objects.map((object) => `/${robot}/${object}`))];
   assert.deepEqual([...topics.keys()].sort(), expected.sort());
   assert.equal(metadata.get("foresight.game").seed, "7");
   assert.ok(chunks.length > 10);
 
-  // one message per tick of what changes always, the truth also of the end
+  // one message per tick of beliefs; body, truth and state also at the beginning
   const ticks = Math.round(game.seconds * 30);
   const count = (topic) => topics.get(topic).messages.length;
-  assert.equal(count("/truth/world"), ticks + 1);
+  for (const topic of ["/truth/world", "/sim/state"]) assert.equal(count(topic), ticks + 1, topic);
   for (const robot of robots) {
-    for (const object of ["pose", "motion_status"]) assert.equal(count(`/${robot}/${object}`), ticks, object);
+    for (const object of ["motion_status", "odometry"]) assert.equal(count(`/${robot}/${object}`), ticks + 1, object);
+    // a robot beside the field gets no new beliefs
+    for (const object of ["pose", "motion_command"]) {
+      assert.ok(count(`/${robot}/${object}`) > ticks / 20 && count(`/${robot}/${object}`) <= ticks + 1, `${object}: ${count(`/${robot}/${object}`)} of ${ticks} ticks`);
+    }
+    assert.ok(count(`/${robot}/opponents`) > 0, "opponents");
     for (const object of ["ball", "decision"]) assert.ok(count(`/${robot}/${object}`) > ticks / 20, object);
-    for (const object of ["team", "game", "motion_command"]) assert.ok(count(`/${robot}/${object}`) > 0, object);
+    for (const object of ["team", "game"]) assert.ok(count(`/${robot}/${object}`) > 0, object);
   }
 
   // times grow, 30 ticks a second from a fixed epoch on, and the index leads to the same messages
@@ -209,7 +214,9 @@ test("a recorded game holds the truth and every robot's memory, and is the same 
     assert.ok(schema.name.startsWith("foresight."), schema.name);
     for (const [i, { logTime, sequence }] of messages.entries()) {
       assert.equal(sequence, i + 1);
-      assert.ok(i === 0 || logTime > messages[i - 1].logTime, topic);
+      // the beliefs at the kick-off and those of its first image have the same time
+      const grows = i === 0 || logTime > messages[i - 1].logTime || (i === 1 && logTime === messages[0].logTime);
+      assert.ok(grows, `${topic}, message ${i}`);
     }
     assert.deepEqual(indexed.get(topic).map(({ logTime }) => logTime), messages.map(({ logTime }) => logTime));
   }
