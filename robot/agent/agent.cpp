@@ -2,20 +2,15 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "robot/bridge/to_messages.h"
-#include "sim/agent/behaviour.h"
 #include "sim/agent/follower.h"
 #include "sim/io/strategy.h"
 
 namespace robot::agent {
-namespace {
 
-constexpr sim::Tick kStaleChoice = 30 * 20;  // [ticks] a captain that is silent for longer is no longer followed
-
-/// Returns a behaviour that follows the captain's choice between the strategies.
-Result<std::shared_ptr<const sim::agent::Behaviour>> follower_of(const std::vector<std::string>& strategies) {
+Result<std::shared_ptr<const sim::agent::Behaviour>> follower_of(const std::vector<std::string>& strategies,
+                                                                 sim::Tick stale) {
   std::vector<std::shared_ptr<const sim::agent::Behaviour>> behaviours;
   for (const std::string& name : strategies) {
     auto behaviour = sim::io::load_strategy(name);
@@ -24,10 +19,8 @@ Result<std::shared_ptr<const sim::agent::Behaviour>> follower_of(const std::vect
   }
   const std::string name = behaviours.front()->name();
   return std::shared_ptr<const sim::agent::Behaviour>(
-      std::make_shared<sim::agent::Follower>(name, std::move(behaviours), kStaleChoice));
+      std::make_shared<sim::agent::Follower>(name, std::move(behaviours), stale));
 }
-
-}  // namespace
 
 Result<Agent> Agent::load(const AgentChoice& choice) {
   auto game = sim::io::prepare({.rules = choice.rules,
@@ -35,7 +28,7 @@ Result<Agent> Agent::load(const AgentChoice& choice) {
                                 .models = {choice.models, choice.models}});
   if (!game) return game.failure();
   if (choice.strategies.size() > 1) {
-    auto follower = follower_of(choice.strategies);
+    auto follower = follower_of(choice.strategies, choice.stale);
     if (!follower) return follower.failure();
     game->behaviours[0] = std::move(*follower);
     game->params.teams[0].behaviour = game->behaviours[0].get();

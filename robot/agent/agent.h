@@ -5,11 +5,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "proto/foresight/agent.pb.h"
 #include "proto/foresight/motion.pb.h"
 #include "robot/bridge/from_messages.h"
 #include "robot/core/result.h"
+#include "sim/agent/behaviour.h"
 #include "sim/agent/choice.h"
 #include "sim/agent/mind.h"
 #include "sim/agent/trace.h"
@@ -23,8 +25,14 @@ namespace pb = ::foresight;
 struct AgentChoice {
   std::string behaviour = "baseline";
   std::vector<std::string> strategies;  // that a captain may choose from, `behaviour` first; empty: only `behaviour`
+  sim::Tick stale = 0;                  // [ticks] a captain that is silent for longer is no longer followed
   std::string rules = "spl2025", models = "match";
 };
+
+/// Loads a behaviour that follows the captain's choice among `strategies`, at least one, by name or path. It plays the first
+/// one when the captain has been silent for `stale` [ticks]. Returns an Error that names a strategy that cannot be loaded.
+Result<std::shared_ptr<const sim::agent::Behaviour>> follower_of(const std::vector<std::string>& strategies,
+                                                                 sim::Tick stale);
 
 /// The memory of one agent between its decisions. The same recollections in the same order give the same commands.
 /// No clock, no thread: times are given. Used by one thread at a time.

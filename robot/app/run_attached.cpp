@@ -9,6 +9,7 @@
 #include "robot/app/services/foresight_service.h"
 #include "robot/app/services/parameter_service.h"
 #include "robot/body/attached/door.h"
+#include "robot/foresight/following.h"
 
 namespace robot::app {
 namespace {
@@ -22,6 +23,7 @@ Result<std::optional<agent::Agent>> agent_of(const RobotOptions& options) {
                  options.behaviour + "'"};
   auto agent = agent::Agent::load({.behaviour = options.behaviour,
                                    .strategies = options.strategies,
+                                   .stale = foreseeing::Following::kStaleTicks,
                                    .rules = rules_of(options),
                                    .models = options.models});
   if (!agent) return agent.failure("--behaviour");

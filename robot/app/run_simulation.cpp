@@ -5,15 +5,14 @@
 #include <utility>
 #include <vector>
 
+#include "robot/agent/agent.h"
 #include "robot/app/runtime.h"
 #include "robot/app/services/foresight_service.h"
 #include "robot/app/services/simulation_service.h"
 #include "robot/body/sim/sim_body.h"
 #include "robot/core/report.h"
 #include "robot/foresight/following.h"
-#include "sim/agent/follower.h"
 #include "sim/io/matchup.h"
-#include "sim/io/strategy.h"
 
 namespace robot::app {
 namespace {
@@ -46,16 +45,10 @@ Result<void> follow_captain(const std::vector<std::string>& strategies, const Ro
                ": it does not follow the captain's choice");
     return {};
   }
-  std::vector<std::shared_ptr<const sim::agent::Behaviour>> behaviours;
-  for (const std::string& name : strategies) {
-    auto behaviour = sim::io::load_strategy(name);
-    if (!behaviour) return behaviour.failure();
-    behaviours.push_back(std::move(*behaviour));
-  }
-  constexpr auto kStale = static_cast<sim::Tick>(foreseeing::Following::kStaleNs * 30 / kSecond);
+  auto follower = agent::follower_of(strategies, foreseeing::Following::kStaleTicks);
+  if (!follower) return follower.failure();
   const auto index = static_cast<std::size_t>(side);
-  const std::string name = behaviours.front()->name();
-  game.behaviours[index] = std::make_shared<sim::agent::Follower>(name, std::move(behaviours), kStale);
+  game.behaviours[index] = std::move(*follower);
   game.params.teams[index].behaviour = game.behaviours[index].get();
   return {};
 }

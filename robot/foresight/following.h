@@ -6,6 +6,7 @@
 #include "proto/foresight/team.pb.h"
 #include "robot/bridge/moment.h"
 #include "sim/agent/choice.h"
+#include "sim/math/tick.h"
 
 namespace robot::foreseeing {
 
@@ -16,6 +17,7 @@ class Following {
  public:
   /// Game time after which an unconfirmed choice is dropped [ns].
   static constexpr std::uint64_t kStaleNs = 20'000'000'000;
+  static constexpr sim::Tick kStaleTicks = kStaleNs * 30 / 1'000'000'000;  // the same [ticks]
 
   /// `strategies` is the number of strategies in the robot's list [1..8].
   explicit Following(int strategies) : strategies_(strategies) {}
