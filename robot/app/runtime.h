@@ -7,7 +7,8 @@
 //   net <helper>      Server    reads downloads; starts and stops loggers; control             on request
 //   net questions     Server    asks foresight for clients and waits for the answer            on request
 //   log <object>      board     carries one memory object to a file                            each version
-//   log <object>      board     carries one memory object to the server, while it is watched   each version
+//   log watched       board     three threads carry the watched memory objects to the server   each version
+//   log bell          board     wakes these threads when versions wait                         250 Hz
 //   parser            board     carries one stream of a recording into memory (replay)         each message
 //   door              Door      accepts processes of the team, removes those that have ended   on connect; 10 Hz
 //   parser            board     carries one object that such a process writes into memory      each message

@@ -15,28 +15,28 @@ Bell::~Bell() {
   if (thread_.joinable()) thread_.join();
 }
 
-void Bell::add(VersionQueue& queue) {
+void Bell::add(Sleeper& sleeper) {
   const std::lock_guard guard(lock_);
-  queues_.push_back(&queue);
+  sleepers_.push_back(&sleeper);
   if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
   changed_.notify_all();
 }
 
-void Bell::remove(VersionQueue& queue) {
+void Bell::remove(Sleeper& sleeper) {
   const std::lock_guard guard(lock_);
-  std::erase(queues_, &queue);
+  std::erase(sleepers_, &sleeper);
 }
 
 void Bell::run() {
   become_background_thread("log bell");
   std::unique_lock guard(lock_);
   while (!ended_) {
-    if (queues_.empty()) {
+    if (sleepers_.empty()) {
       changed_.wait(lock_);
       continue;
     }
     const std::uint64_t now = monotonic_ns();
-    for (VersionQueue* queue : queues_) queue->ring(now);
+    for (Sleeper* sleeper : sleepers_) sleeper->ring(now);
     const std::uint64_t next = now + kPeriodNs;
     while (!ended_ && monotonic_ns() < next) changed_.wait_until(lock_, next);
   }

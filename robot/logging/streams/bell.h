@@ -1,16 +1,25 @@
 // A thread that wakes the readers of queues, so that writers do not have to.
 #pragma once
 
+#include <cstdint>
 #include <thread>
 #include <vector>
 
 #include "robot/core/clock.h"
 #include "robot/core/lock.h"
-#include "robot/logging/streams/version_queue.h"
 
 namespace robot::logging {
 
-/// A thread that calls ring() on each of its queues every kPeriodNs. It sleeps while it has no queue.
+/// A reader of queues that sleeps until it is woken.
+class Sleeper {
+ public:
+  virtual ~Sleeper() = default;
+
+  /// Wakes the reader if its queues are due at `now_ns` [monotonic]. Must return at once.
+  virtual void ring(std::uint64_t now_ns) = 0;
+};
+
+/// A thread that calls ring() on each sleeper every kPeriodNs. It waits while it has no sleeper.
 ///
 /// One thread with this period costs less than writers that wake a reader for each version: a robot's thread that
 /// writes makes no system call. Any thread.
@@ -23,19 +32,19 @@ class Bell {
   Bell(const Bell&) = delete;
   Bell& operator=(const Bell&) = delete;
 
-  void add(VersionQueue& queue);
+  void add(Sleeper& sleeper);
 
-  /// Removes `queue`. After the return no ring() of it is running and none follows.
-  void remove(VersionQueue& queue);
+  /// Removes `sleeper`. After the return no ring() of it is running and none follows.
+  void remove(Sleeper& sleeper);
 
  private:
   void run();
 
   Mutex lock_;
   Condition changed_;
-  std::vector<VersionQueue*> queues_;
+  std::vector<Sleeper*> sleepers_;
   bool ended_ = false;
-  std::thread thread_;  // starts with the first queue
+  std::thread thread_;  // starts with the first sleeper
 };
 
 }  // namespace robot::logging

@@ -7,7 +7,12 @@ namespace robot::logging {
 
 LoggingBoard::StreamId LoggingBoard::start_logger(std::shared_ptr<memory::Channel> channel,
                                                   std::unique_ptr<OutProvider> provider, std::size_t queue_bytes) {
-  return add(std::make_unique<Logger>(std::move(channel), std::move(provider), queue_bytes, &bell_));
+  return add(std::make_unique<Logger>(std::move(channel), std::move(provider), queue_bytes, bell_));
+}
+
+LoggingBoard::StreamId LoggingBoard::start_pooled(std::shared_ptr<memory::Channel> channel,
+                                                  std::unique_ptr<OutProvider> provider, std::size_t queue_bytes) {
+  return add(std::make_unique<LoggerPool::Stream>(pool_, std::move(channel), std::move(provider), queue_bytes));
 }
 
 LoggingBoard::StreamId LoggingBoard::start_parser(std::unique_ptr<InProvider> provider, ParserOptions options) {
@@ -30,9 +35,9 @@ StreamStatus LoggingBoard::stop(StreamId id) {
     streams_.erase(found);
   }
   return std::visit(
-      [](auto& carrier) {
-        carrier->stop();
-        return carrier->status();
+      [](auto& one) {
+        one->stop();
+        return one->status();
       },
       *stream);
 }
@@ -41,14 +46,14 @@ StreamStatus LoggingBoard::status(StreamId id) const {
   const std::lock_guard guard(lock_);
   const auto found = streams_.find(id);
   if (found == streams_.end()) return {};
-  return std::visit([](const auto& carrier) { return carrier->status(); }, *found->second);
+  return std::visit([](const auto& one) { return one->status(); }, *found->second);
 }
 
 std::vector<StreamStatus> LoggingBoard::statuses() const {
   const std::lock_guard guard(lock_);
   std::vector<StreamStatus> statuses;
   for (const auto& [id, stream] : streams_)
-    statuses.push_back(std::visit([](const auto& carrier) { return carrier->status(); }, *stream));
+    statuses.push_back(std::visit([](const auto& one) { return one->status(); }, *stream));
   return statuses;
 }
 

@@ -9,6 +9,7 @@
 
 #include "robot/core/lock.h"
 #include "robot/logging/streams/logger.h"
+#include "robot/logging/streams/logger_pool.h"
 #include "robot/logging/streams/parser.h"
 
 namespace robot::logging {
@@ -23,8 +24,12 @@ class LoggingBoard {
   /// minutes of any other object.
   static constexpr std::size_t kQueueBytes = 8 << 20;
 
-  /// Starts a logger that carries `channel` to `provider`.
+  /// Starts a logger that carries `channel` to `provider`. It has a thread of its own.
   StreamId start_logger(std::shared_ptr<memory::Channel> channel, std::unique_ptr<OutProvider> provider,
+                        std::size_t queue_bytes = kQueueBytes);
+
+  /// As start_logger(), but all streams that are started here share the few threads of a LoggerPool.
+  StreamId start_pooled(std::shared_ptr<memory::Channel> channel, std::unique_ptr<OutProvider> provider,
                         std::size_t queue_bytes = kQueueBytes);
 
   /// Starts a parser that carries `provider` into the channel that `options` name.
@@ -40,11 +45,13 @@ class LoggingBoard {
   std::vector<StreamStatus> statuses() const;
 
  private:
-  using Stream = std::variant<std::unique_ptr<Logger>, std::unique_ptr<Parser>>;
+  using Stream = std::variant<std::unique_ptr<Logger>, std::unique_ptr<LoggerPool::Stream>, std::unique_ptr<Parser>>;
 
   StreamId add(Stream stream);
 
-  Bell bell_;  // declared before the loggers, because it must outlive them
+  // declared before the streams, because they must outlive them
+  Bell bell_;
+  LoggerPool pool_{bell_};
   mutable Mutex lock_;
   std::map<StreamId, std::shared_ptr<Stream>> streams_;
   StreamId last_id_ = 0;

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "robot/core/lock.h"
-#include "robot/logging/streams/logger.h"
 #include "robot/logging/streams/provider.h"
+#include "robot/logging/streams/stream_status.h"
 #include "robot/memory/channel.h"
 
 namespace robot::logging {

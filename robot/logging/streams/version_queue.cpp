@@ -8,30 +8,22 @@
 namespace robot::logging {
 
 void VersionQueue::on_version(const memory::VersionPtr& version) {
-  {
-    const std::lock_guard guard(lock_);
-    if (closed_) return;
-    while (!versions_.empty() && bytes_ + version->size_bytes() > max_bytes_) {
-      bytes_ -= versions_.front()->size_bytes();
-      versions_.pop_front();
-      ++dropped_;
-    }
-    bytes_ += version->size_bytes();
-    versions_.push_back(version);
+  const std::lock_guard guard(lock_);
+  if (closed_) return;
+  while (!versions_.empty() && bytes_ + version->size_bytes() > max_bytes_) {
+    bytes_ -= versions_.front()->size_bytes();
+    versions_.pop_front();
+    ++dropped_;
   }
-  // notify after the unlock: the reader finds the lock free, and the writer does not wait for a handover
-  if (!patience_) filled_.notify_one();
+  bytes_ += version->size_bytes();
+  versions_.push_back(version);
 }
 
-void VersionQueue::ring(std::uint64_t now_ns) {
-  {
-    // a writer or reader holds the lock: try again at the next ring
-    const std::unique_lock guard(lock_, std::try_to_lock);
-    if (!guard || versions_.empty()) return;
-    if (noticed_ns_ == 0) noticed_ns_ = now_ns;
-    if (patience_ && bytes_ < patience_->bytes && now_ns < noticed_ns_ + patience_->time_ns) return;
-  }
-  filled_.notify_one();
+bool VersionQueue::due(std::uint64_t now_ns) {
+  const std::unique_lock guard(lock_, std::try_to_lock);
+  if (!guard || versions_.empty()) return false;
+  if (noticed_ns_ == 0) noticed_ns_ = now_ns;
+  return bytes_ >= patience_.bytes || now_ns >= noticed_ns_ + patience_.time_ns;
 }
 
 memory::VersionPtr VersionQueue::pop(std::uint64_t deadline_ns) {

@@ -4,34 +4,36 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <optional>
 
 #include "robot/core/lock.h"
 #include "robot/memory/channel.h"
 
 namespace robot::logging {
 
-/// How long versions may collect before the queue wakes their reader.
+/// How long versions may collect before they are due.
 struct Patience {
   std::uint64_t time_ns = 0;
-  std::size_t bytes = 0;  // this many queued bytes wake the reader earlier
+  std::size_t bytes = 0;  // this many queued bytes are due earlier
 };
 
 /// A queue bounded in bytes. When it is full, it drops and counts the oldest versions to make room for the newest.
 /// One version that is larger than the bound still passes, alone.
 ///
 /// The wake-up of a thread is by far the most expensive part of a write, and that thread may displace the writer from
-/// its processor. With `Patience` a write wakes no thread: a Bell calls ring() periodically instead.
+/// its processor. A write therefore wakes no thread: a Bell asks periodically whether versions are due.
 class VersionQueue final : public memory::Listener {
  public:
-  explicit VersionQueue(std::size_t max_bytes, std::optional<Patience> patience = {})
-      : max_bytes_(max_bytes), patience_(patience) {}
+  explicit VersionQueue(std::size_t max_bytes, Patience patience = {}) : max_bytes_(max_bytes), patience_(patience) {}
 
-  /// Appends `version`. Without patience, wakes the reader. Does not wait. Any thread.
+  /// Appends `version`. Does not wait. Any thread.
   void on_version(const memory::VersionPtr& version) override;
 
-  /// Wakes the reader if a limit of the patience is reached. Any thread.
-  void ring(std::uint64_t now_ns);
+  /// Returns whether a limit of the patience is reached at `now_ns` [monotonic]. The waiting time begins with the first
+  /// call that finds versions. Does not wait: returns false while another thread uses the queue. Any thread.
+  bool due(std::uint64_t now_ns);
+
+  /// Wakes a waiting pop(). Any thread.
+  void wake() { filled_.notify_one(); }
 
   /// Removes and returns the oldest version. Waits for one until monotonic_ns() reaches `deadline_ns`, then returns
   /// null. Returns null at once when the queue is closed and empty.
@@ -50,12 +52,12 @@ class VersionQueue final : public memory::Listener {
 
  private:
   const std::size_t max_bytes_;
-  const std::optional<Patience> patience_;
+  const Patience patience_;
   mutable Mutex lock_;
   Condition filled_;
   std::deque<memory::VersionPtr> versions_;
   std::size_t bytes_ = 0;
-  std::uint64_t noticed_ns_ = 0;  // when ring() first saw the waiting versions; 0: not yet
+  std::uint64_t noticed_ns_ = 0;  // when due() first saw the waiting versions; 0: not yet
   std::uint64_t dropped_ = 0;
   bool closed_ = false;
 };

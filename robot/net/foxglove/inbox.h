@@ -1,4 +1,4 @@
-// The queue into the server's I/O thread: messages from the logger threads, tasks from any thread.
+// The queue into the server's I/O thread.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,9 @@
 
 namespace robot::net {
 
-/// Takes messages from any thread and wakes the I/O thread once for all that come before it looks. Bounded in bytes:
-/// a logger thread waits when it is full, so that the logger's own bounded queue drops and counts. Any thread.
+/// A queue of messages from loggers and of tasks from any thread. It wakes the I/O thread once for all items until the
+/// next take(). It is bounded in bytes: a logger waits while it is full, and the logger's own queue drops and counts.
+/// Any thread.
 class Inbox {
  public:
   struct Item {
@@ -26,23 +27,23 @@ class Inbox {
     std::vector<Task> tasks;
   };
 
-  /// `wake` is called, under a lock, when something comes into an inbox that was taken last: it must return at once.
+  /// `wake` is called for the first item after a take(), under a lock. It must return at once.
   Inbox(std::size_t max_bytes, std::function<void()> wake) : max_bytes_(max_bytes), wake_(std::move(wake)) {}
 
-  /// Puts in `item`; waits while the inbox is full. False, and nothing is put in, when `cancelled` has been set by
-  /// cancel() or the inbox is closed.
+  /// Appends `item`; waits while the inbox is full. Returns false, without the item, if `cancelled` was set by cancel()
+  /// or the inbox is closed.
   bool put(Item item, const bool& cancelled);
 
   /// Sets `cancelled`, which belongs to one producer, and ends its wait.
   void cancel(bool& cancelled);
 
-  /// Has the I/O thread run `task`; never waits. A closed inbox forgets it.
+  /// Appends `task` for the I/O thread. Does not wait. A closed inbox ignores it.
   void post(Task task);
 
-  /// Swaps what is there with `contents`, which is emptied first.
+  /// Empties `contents`, then swaps it with the queued items and tasks.
   void take(Contents& contents);
 
-  /// Nothing gets in any more, nobody waits any more, and `wake` is not called any more.
+  /// Refuses further items, ends all waits, and calls `wake` no more.
   void close();
 
  private:

@@ -11,7 +11,7 @@ std::uint64_t StreamControl::start(std::uint32_t channel, std::shared_ptr<memory
   if (derived)
     provider = std::make_unique<ConvertingOutProvider>(std::move(provider), derived->info, derived->make_convert());
 
-  // std::function wants what it holds to be copyable
+  // std::function needs a copyable target
   auto shared = std::make_shared<std::unique_ptr<logging::OutProvider>>(std::move(provider));
   worker_.post([this, stream, source = std::move(source), shared] {
     running_[stream] = streams_.start(source, std::move(*shared));

@@ -1,4 +1,4 @@
-// Which channels are being carried to the server: started with their first subscriber, stopped with their last.
+// The streams of watched channels: each starts with its channel's first subscriber and stops with the last.
 #pragma once
 
 #include <cstdint>
@@ -13,31 +13,31 @@
 
 namespace robot::net {
 
-/// Starts and stops streams on a thread of its own: stopping waits for a logger thread, which may be waiting for the
-/// I/O thread to empty the inbox. Used by the I/O thread.
+/// The control of streams. It starts and stops them on a thread of its own, because a stop waits for the stream's
+/// logger, which may wait for the I/O thread to empty the inbox. Used by the I/O thread.
 class StreamControl {
  public:
-  /// `streams` outlives it.
+  /// `streams` must outlive it.
   StreamControl(Streams& streams, std::shared_ptr<Inbox> inbox)
       : streams_(streams), inbox_(std::move(inbox)), worker_("net streams") {}
 
   /// As finish().
   ~StreamControl() { finish(); }
 
-  /// Carries `source`, or what `derived` makes of it, to the inbox as `channel`. Returns the number of the stream.
+  /// Carries `source` to the inbox as `channel`, converted by `derived` if that is given. Returns the stream's number.
   std::uint64_t start(std::uint32_t channel, std::shared_ptr<memory::Channel> source, const Derived* derived);
 
   void stop(std::uint64_t stream);
 
-  /// Stops all streams. The inbox is closed before, or nobody empties it for the loggers that wait.
+  /// Stops all streams. Close the inbox before, because loggers may wait for room in it.
   void finish();
 
  private:
   Streams& streams_;
   const std::shared_ptr<Inbox> inbox_;
   std::uint64_t last_stream_ = 0;
-  std::map<std::uint64_t, Streams::Id> running_;  // used by the worker's thread alone
-  Worker worker_;                                 // last: its tasks use all the others
+  std::map<std::uint64_t, Streams::Id> running_;  // used only by the worker's thread
+  Worker worker_;                                 // declared last, because its tasks use all other members
 };
 
 }  // namespace robot::net

@@ -16,11 +16,11 @@ class Streams {
 
   virtual ~Streams() = default;
 
-  /// Carries every version of `channel` to `provider` from now on, beginning with the newest there is,
-  /// on a thread of its own.
+  /// Carries every version of `channel` to `provider` from now on, beginning with the newest version, on a thread of the
+  /// logging board.
   virtual Id start(std::shared_ptr<memory::Channel> channel, std::unique_ptr<logging::OutProvider> provider) = 0;
 
-  /// Ends the stream. When this returns the provider is not being used any more.
+  /// Ends the stream. After the return the provider is no longer used.
   virtual void stop(Id id) = 0;
 };
 

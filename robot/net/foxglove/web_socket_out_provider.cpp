@@ -3,8 +3,8 @@
 namespace robot::net {
 
 Result<void> WebSocketOutProvider::write(const memory::VersionPtr& version) {
-  version->bytes();                                       // serialised here, not by the I/O thread
-  inbox_->put({channel_, stream_, version}, cancelled_);  // when cancelled nobody watches any more: nothing is lost
+  version->bytes();                                       // serialises here instead of on the I/O thread
+  inbox_->put({channel_, stream_, version}, cancelled_);  // after cancel() no client watches: nothing is lost
   return {};
 }
 

@@ -1,4 +1,4 @@
-// OutProviders whose device is the server: what a logger gives them goes to every client that watches the channel.
+// OutProviders whose device is the server: it sends each version to every client that watches the channel.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace robot::net {
 
-/// Puts the versions of one channel into the server's inbox.
+/// The device of one watched channel: the server's inbox.
 class WebSocketOutProvider final : public logging::OutProvider {
  public:
-  /// `channel` is the server's number of the channel, `stream` that of this stream.
+  /// `channel` and `stream` are the server's numbers of the channel and of this stream.
   WebSocketOutProvider(std::shared_ptr<Inbox> inbox, std::uint32_t channel, std::uint64_t stream)
       : inbox_(std::move(inbox)), channel_(channel), stream_(stream) {}
 
@@ -35,19 +35,19 @@ class WebSocketOutProvider final : public logging::OutProvider {
   bool cancelled_ = false;  // guarded by the inbox
 };
 
-/// Makes the bytes of a derived channel from a version of its source, or nothing when this version gives none.
+/// Makes the bytes of a derived channel from a version of its source, or returns nothing to skip this version.
 using Convert = std::function<Result<std::optional<std::string>>(const memory::Version& source)>;
 
-/// A channel that is made from another one, only while somebody watches it.
+/// A channel that is made from another one while a client watches it.
 struct Derived {
   memory::ChannelInfo info;
-  std::function<Convert()> make_convert;  // a new one for each stream; used by that stream's logger thread
+  std::function<Convert()> make_convert;  // called for each stream; its result is used by one thread at a time
 };
 
-/// The channels that are to be derived from a channel; may be empty.
+/// Returns the channels that are derived from a channel, possibly none.
 using Derive = std::function<std::vector<Derived>(const memory::ChannelInfo& source)>;
 
-/// Converts what it is given, in the logger's thread, and hands on the result.
+/// A converter of versions before another provider, in the logger's thread.
 class ConvertingOutProvider final : public logging::OutProvider {
  public:
   ConvertingOutProvider(std::unique_ptr<logging::OutProvider> target, memory::ChannelInfo info, Convert convert)

@@ -1,4 +1,4 @@
-// A thread that does one thing after the other, for those who must not wait.
+// A thread that runs tasks for callers that must not wait.
 #pragma once
 
 #include <deque>
@@ -10,6 +10,7 @@
 
 namespace robot::net {
 
+/// A thread that runs its tasks one after the other, in the order of post().
 class Worker {
  public:
   explicit Worker(std::string name);
@@ -17,13 +18,13 @@ class Worker {
   /// As finish().
   ~Worker() { finish(); }
 
-  /// Does `task` after all tasks before it. Ignored once finish() was called. Any thread.
+  /// Appends `task`. After finish() it has no effect. Any thread.
   void post(std::function<void()> task);
 
-  /// Forgets what has not begun. Any thread.
+  /// Removes the tasks that have not begun. Any thread.
   void forget();
 
-  /// Does what is left and ends the thread.
+  /// Runs the remaining tasks and ends the thread.
   void finish();
 
  private:
@@ -33,7 +34,7 @@ class Worker {
   Condition changed_;
   std::deque<std::function<void()>> tasks_;
   bool finishing_ = false;
-  std::thread thread_;  // last: it uses all the others
+  std::thread thread_;  // declared last, because it uses all other members
 };
 
 }  // namespace robot::net

@@ -9,14 +9,14 @@
 
 namespace robot::net {
 
-/// Streams that run one logger thread of the board per watched channel.
+/// Streams of watched channels, which share a few threads of the board.
 class BoardStreams final : public Streams {
  public:
   /// `board` must outlive it.
   explicit BoardStreams(logging::LoggingBoard& board) : board_(board) {}
 
   Id start(std::shared_ptr<memory::Channel> channel, std::unique_ptr<logging::OutProvider> provider) override {
-    return board_.start_logger(std::move(channel), std::move(provider));
+    return board_.start_pooled(std::move(channel), std::move(provider));
   }
   void stop(Id id) override { board_.stop(id); }
 

@@ -2,43 +2,48 @@
 
 #include <gtest/gtest.h>
 
-#include "robot/logging/streams/provider.h"
-#include "tests/support/test_channel.h"
+#include <atomic>
+
+#include "tests/support/eventually.h"
 
 namespace robot::logging {
 namespace {
 
-TEST(Bell, WakesTheReadersOfAllItsQueues) {
-  ManualClock clock;
-  const auto channel = tests::make_channel(clock);
-  VersionQueue first{100, Patience{}}, second{100, Patience{}};
+struct CountingSleeper final : Sleeper {
+  void ring(std::uint64_t now_ns) override {
+    EXPECT_GE(now_ns, last_ns);
+    last_ns = now_ns;
+    ++rings;
+  }
+  bool rung(int times) {
+    return tests::eventually([&] { return rings >= times; });
+  }
+
+  std::uint64_t last_ns = 0;  // used only by the bell's thread
+  std::atomic<int> rings = 0;
+};
+
+TEST(Bell, RingsForAllItsSleepersAgainAndAgain) {
+  CountingSleeper first, second;
   Bell bell;
-  for (VersionQueue* queue : {&first, &second}) {
-    bell.add(*queue);
-    channel->attach(*queue);
-  }
-  for (int i = 0; i < 3; ++i) {
-    ASSERT_TRUE(channel->write_bytes("x", 1));
-    for (VersionQueue* queue : {&first, &second}) EXPECT_NE(queue->pop(OutProvider::kNever), nullptr);
-  }
-  for (VersionQueue* queue : {&first, &second}) {
-    channel->detach(*queue);
-    bell.remove(*queue);
-  }
+  bell.add(first);
+  bell.add(second);
+  EXPECT_TRUE(first.rung(3));
+  EXPECT_TRUE(second.rung(3));
+  bell.remove(first);
+  const int rings = first.rings;
+  EXPECT_TRUE(second.rung(second.rings + 3));
+  EXPECT_EQ(first.rings, rings) << "no ring follows a removal";
+  bell.remove(second);
 }
 
-TEST(Bell, SleepsWithoutQueuesAndStartsAgain) {
-  ManualClock clock;
-  const auto channel = tests::make_channel(clock);
+TEST(Bell, RestsWithoutSleepersAndStartsAgain) {
   Bell bell;
   for (int i = 0; i < 3; ++i) {
-    VersionQueue queue{100, Patience{}};
-    bell.add(queue);
-    channel->attach(queue);
-    ASSERT_TRUE(channel->write_bytes("x", 1));
-    EXPECT_NE(queue.pop(OutProvider::kNever), nullptr);
-    channel->detach(queue);
-    bell.remove(queue);
+    CountingSleeper sleeper;
+    bell.add(sleeper);
+    EXPECT_TRUE(sleeper.rung(1));
+    bell.remove(sleeper);
   }
 }
 

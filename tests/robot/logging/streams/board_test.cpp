@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <future>
+#include <iterator>
 
 #include "tests/support/eventually.h"
 #include "tests/support/test_channel.h"
@@ -14,9 +16,18 @@ namespace {
 using tests::Arrivals;
 using tests::KeepingProvider;
 
-struct Board : ::testing::Test {
+enum class Kind { own_thread, pooled };
+
+/// A board whose loggers are of the kind that the parameter names.
+struct Board : ::testing::TestWithParam<Kind> {
   LoggingBoard::StreamId log(std::size_t queue_bytes = LoggingBoard::kQueueBytes) {
-    return board.start_logger(channel, std::make_unique<KeepingProvider>(arrivals), queue_bytes);
+    return log(channel, arrivals, queue_bytes);
+  }
+  LoggingBoard::StreamId log(const std::shared_ptr<memory::Channel>& from, const std::shared_ptr<Arrivals>& to,
+                             std::size_t queue_bytes = LoggingBoard::kQueueBytes) {
+    auto provider = std::make_unique<KeepingProvider>(to);
+    return GetParam() == Kind::pooled ? board.start_pooled(from, std::move(provider), queue_bytes)
+                                      : board.start_logger(from, std::move(provider), queue_bytes);
   }
   void write(std::string_view bytes, std::uint64_t capture_ns = 1) {
     ASSERT_TRUE(channel->write_bytes(bytes, capture_ns));
@@ -28,7 +39,7 @@ struct Board : ::testing::Test {
   LoggingBoard board;
 };
 
-TEST_F(Board, LoggerCarriesEveryVersionWithItsNumberAndTimes) {
+TEST_P(Board, LoggerCarriesEveryVersionWithItsNumberAndTimes) {
   const auto stream = log();
   write("one", 10);
   write("two", 20);
@@ -41,7 +52,7 @@ TEST_F(Board, LoggerCarriesEveryVersionWithItsNumberAndTimes) {
   EXPECT_TRUE(arrivals->closed);
 }
 
-TEST_F(Board, LoggerBeginsWithTheNewestVersion) {
+TEST_P(Board, LoggerBeginsWithTheNewestVersion) {
   write("before");
   const auto stream = log();
   board.stop(stream);
@@ -49,7 +60,7 @@ TEST_F(Board, LoggerBeginsWithTheNewestVersion) {
   EXPECT_EQ(arrivals->records[0].bytes, "before");
 }
 
-TEST_F(Board, StreamsStartAndStopAtAnyTime) {
+TEST_P(Board, StreamsStartAndStopAtAnyTime) {
   for (std::uint64_t round = 0; round < 50; ++round) {
     const auto stream = log();
     write("x");
@@ -58,7 +69,7 @@ TEST_F(Board, StreamsStartAndStopAtAnyTime) {
   EXPECT_TRUE(board.statuses().empty());
 }
 
-TEST_F(Board, ASlowDeviceNeverBlocksTheWriterAndLostMessagesAreCounted) {
+TEST_P(Board, ASlowDeviceNeverBlocksTheWriterAndLostMessagesAreCounted) {
   arrivals->blocked = true;
   const auto stream = log(100);
   constexpr std::uint64_t kWrites = 1000;
@@ -70,7 +81,7 @@ TEST_F(Board, ASlowDeviceNeverBlocksTheWriterAndLostMessagesAreCounted) {
   EXPECT_EQ(arrivals->records.back().sequence, kWrites) << "the newest is kept";
 }
 
-TEST_F(Board, AFailingDeviceIsReportedAndTriedAgain) {
+TEST_P(Board, AFailingDeviceIsReportedAndTriedAgain) {
   arrivals->refuse = true;
   const auto stream = log();
   write("lost");
@@ -85,7 +96,86 @@ TEST_F(Board, AFailingDeviceIsReportedAndTriedAgain) {
   EXPECT_EQ(status.problem, "");
 }
 
-TEST_F(Board, StoppingAnUnknownStreamHasNoEffect) { EXPECT_EQ(board.stop(99).topic, ""); }
+TEST_P(Board, AStreamThatNobodyWritesStillOpensAndClosesItsDevice) {
+  board.stop(log());
+  EXPECT_TRUE(arrivals->closed);
+  EXPECT_TRUE(arrivals->records.empty());
+}
+
+TEST_P(Board, ABlockedDeviceDelaysNoOtherStream) {
+  arrivals->blocked = true;
+  const auto blocked = log();
+  write("waits");
+  const auto other_channel = tests::make_channel(clock);
+  const auto other = std::make_shared<Arrivals>();
+  const auto stream = log(other_channel, other);
+  for (std::size_t i = 1; i <= 5; ++i) {
+    ASSERT_TRUE(other_channel->write_bytes("passes", i));
+    other->wait_for(i);
+  }
+  board.stop(blocked);  // ends the blocked write
+  board.stop(stream);
+  EXPECT_EQ(arrivals->records.size(), 1u);
+}
+
+// more streams than threads of a pool: each version arrives once, in the order of its stream
+TEST_P(Board, ManyStreamsKeepTheirOrderAndLoseNothing) {
+  constexpr std::size_t kStreams = 20, kWrites = 200;
+  std::vector<std::shared_ptr<memory::RawChannel>> channels;
+  std::vector<std::shared_ptr<Arrivals>> kept;
+  std::vector<LoggingBoard::StreamId> streams;
+  for (std::size_t i = 0; i < kStreams; ++i) {
+    channels.push_back(tests::make_channel(clock));
+    kept.push_back(std::make_shared<Arrivals>());
+    streams.push_back(log(channels[i], kept[i]));
+  }
+  for (std::size_t n = 1; n <= kWrites; ++n)
+    for (const auto& one : channels) ASSERT_TRUE(one->write_bytes("x", n));
+  for (std::size_t i = 0; i < kStreams; ++i) {
+    if (i % 2 == 0) kept[i]->wait_for(kWrites);  // the others are stopped while they work
+    EXPECT_EQ(board.stop(streams[i]).messages, kWrites);
+    ASSERT_EQ(kept[i]->records.size(), kWrites);
+    for (std::size_t n = 0; n < kWrites; ++n) EXPECT_EQ(kept[i]->records[n].sequence, n + 1);
+  }
+}
+
+TEST_P(Board, StoppingAnUnknownStreamHasNoEffect) { EXPECT_EQ(board.stop(99).topic, ""); }
+
+INSTANTIATE_TEST_SUITE_P(Loggers, Board, ::testing::Values(Kind::own_thread, Kind::pooled),
+                         [](const auto& test) { return test.param == Kind::pooled ? "Pooled" : "OwnThread"; });
+
+/// The number of threads of this process, as the system counts them.
+std::size_t threads() {
+  const std::filesystem::directory_iterator tasks("/proc/self/task");
+  return static_cast<std::size_t>(std::distance(begin(tasks), end(tasks)));
+}
+
+TEST(BoardThreads, PooledStreamsShareAFewThreadsAndAnUnwrittenLoggerHasNone) {
+  ManualClock clock;
+  LoggingBoard board;
+  std::vector<LoggingBoard::StreamId> streams;
+  const std::size_t before = threads();
+  const auto start = [&](bool pooled) {
+    const auto channel = tests::make_channel(clock);
+    if (pooled) {
+      EXPECT_TRUE(channel->write_bytes("x", 1));
+    }
+    auto provider = std::make_unique<KeepingProvider>(std::make_shared<Arrivals>());
+    streams.push_back(pooled ? board.start_pooled(channel, std::move(provider))
+                             : board.start_logger(channel, std::move(provider)));
+  };
+  for (int i = 0; i < 30; ++i) start(true);
+  for (int i = 0; i < 30; ++i) start(false);
+  EXPECT_LE(threads(), before + LoggerPool::kThreads + 1) << "those of the pool, and the bell's";
+  for (const auto stream : streams) board.stop(stream);
+}
+
+struct ParserBoard : ::testing::Test {
+  ManualClock clock{50};
+  std::shared_ptr<memory::RawChannel> channel = tests::make_channel(clock);
+  std::shared_ptr<Arrivals> arrivals = std::make_shared<Arrivals>();
+  LoggingBoard board;
+};
 
 /// An input stream of given records.
 class GivenProvider final : public InProvider {
@@ -102,8 +192,8 @@ class GivenProvider final : public InProvider {
   std::size_t next_ = 0;
 };
 
-TEST_F(Board, ParserCarriesAStreamIntoAChannelToItsEnd) {
-  const auto log_stream = log();
+TEST_F(ParserBoard, CarriesAStreamIntoAChannelToItsEnd) {
+  const auto log_stream = board.start_logger(channel, std::make_unique<KeepingProvider>(arrivals));
   std::promise<std::string> topic;
   const auto stream = board.start_parser(
       std::make_unique<GivenProvider>(
@@ -123,7 +213,7 @@ TEST_F(Board, ParserCarriesAStreamIntoAChannelToItsEnd) {
   EXPECT_EQ(arrivals->records[1].capture_ns, 2u);
 }
 
-TEST_F(Board, ParserWithoutADestinationEndsWithTheReason) {
+TEST_F(ParserBoard, WithoutADestinationEndsWithTheReason) {
   const auto stream =
       board.start_parser(std::make_unique<GivenProvider>(std::vector<Record>{{.bytes = "a"}}),
                          {.destination = [](const memory::ChannelInfo&) -> Result<std::shared_ptr<memory::Channel>> {

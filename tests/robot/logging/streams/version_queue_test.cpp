@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
 #include <thread>
 
 #include "robot/core/clock.h"
 #include "robot/logging/streams/provider.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_channel.h"
 
 namespace robot::logging {
@@ -60,41 +60,44 @@ TEST_F(Queue, ReturnsTheRestAfterClosingAndAcceptsNothingMore) {
   EXPECT_EQ(queue.dropped(), 0u);
 }
 
-TEST_F(Queue, WakesAWaitingReader) {
-  std::thread reader([&] { EXPECT_NE(queue.pop(kNever), nullptr); });
+TEST_F(Queue, WakeWakesAWaitingReader) {
+  std::atomic<bool> woken = false;
+  std::thread reader([&] {
+    EXPECT_NE(queue.pop(kNever), nullptr);
+    woken = true;
+  });
   channel->attach(queue);
   write(10);
+  EXPECT_TRUE(tests::eventually([&] {
+    queue.wake();  // a call before the reader waits has no effect
+    return woken.load();
+  }));
+  queue.close();
   reader.join();
   channel->detach(queue);
 }
 
-TEST_F(Queue, TheBellWakesAReaderWhenThePatienceIsOver) {
+TEST_F(Queue, VersionsAreDueWhenThePatienceIsOver) {
   VersionQueue patient{1000, Patience{.time_ns = 50, .bytes = 100}};
   channel->attach(patient);
-  std::atomic<bool> woken = false;
-  std::thread reader([&] {
-    EXPECT_NE(patient.pop(kNever), nullptr);
-    woken = true;
-  });
+  EXPECT_FALSE(patient.due(900)) << "empty";
   write(10);
-  patient.ring(1000);  // the waiting time begins here
-  // a ring before the reader sleeps wakes no thread
-  while (!woken) patient.ring(1050);
-  reader.join();
+  EXPECT_FALSE(patient.due(1000)) << "the waiting time begins here";
+  EXPECT_FALSE(patient.due(1049));
+  EXPECT_TRUE(patient.due(1050));
+  EXPECT_NE(patient.pop(0), nullptr);
+  write(10);
+  EXPECT_FALSE(patient.due(1060)) << "the next version waits anew";
   channel->detach(patient);
 }
 
-TEST_F(Queue, ManyWaitingBytesEndThePatience) {
+TEST_F(Queue, ManyWaitingBytesAreDueAtOnce) {
   VersionQueue patient{1000, Patience{.time_ns = kSecond, .bytes = 100}};
   channel->attach(patient);
-  std::atomic<bool> woken = false;
-  std::thread reader([&] {
-    EXPECT_NE(patient.pop(kNever), nullptr);
-    woken = true;
-  });
-  write(100);
-  while (!woken) patient.ring(1);
-  reader.join();
+  write(99);
+  EXPECT_FALSE(patient.due(1));
+  write(1);
+  EXPECT_TRUE(patient.due(2));
   channel->detach(patient);
 }
 

@@ -1,0 +1,78 @@
+#include "robot/logging/streams/carrier.h"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+#include "robot/core/clock.h"
+#include "robot/core/report.h"
+
+namespace robot::logging {
+
+Carrier::Carrier(std::shared_ptr<memory::Channel> channel, std::unique_ptr<OutProvider> provider,
+                 std::size_t queue_bytes)
+    : channel_(std::move(channel)),
+      provider_(std::move(provider)),
+      queue_(queue_bytes, provider_->patience()),
+      gate_(*provider_, queue_),
+      status_{.topic = channel_->info().topic} {}
+
+void Carrier::detach() {
+  channel_->detach(gate_);
+  queue_.close();
+  provider_->cancel();
+}
+
+bool Carrier::carry() {
+  const memory::VersionPtr version = queue_.pop(provider_->flush_due_ns());
+  if (version) write(version);
+  if (open_ && monotonic_ns() >= provider_->flush_due_ns()) succeeded(provider_->flush());
+  return version || !queue_.closed();
+}
+
+bool Carrier::carry_queued() {
+  if (const memory::VersionPtr version = queue_.pop(0)) write(version);
+  return queue_.queued_bytes() > 0;
+}
+
+void Carrier::finish() {
+  open();
+  while (const memory::VersionPtr version = queue_.pop(0)) write(version);
+  if (open_) succeeded(provider_->close());
+  open_ = false;
+  const std::lock_guard guard(lock_);
+  status_.ended = true;
+}
+
+StreamStatus Carrier::status() const {
+  const std::lock_guard guard(lock_);
+  StreamStatus status = status_;
+  const std::uint64_t lost = std::min(provider_->lost_afterwards(), status.messages);
+  status.messages -= lost;
+  status.dropped += lost + queue_.dropped();
+  status.queued_bytes = queue_.queued_bytes();
+  return status;
+}
+
+bool Carrier::open() {
+  if (open_ || monotonic_ns() < next_open_ns_) return open_;
+  next_open_ns_ = monotonic_ns() + kSecond;
+  return open_ = succeeded(provider_->open(channel_->info()));
+}
+
+void Carrier::write(const memory::VersionPtr& version) {
+  const bool written = open() && succeeded(provider_->write(version));
+  const std::lock_guard guard(lock_);
+  ++(written ? status_.messages : status_.dropped);
+}
+
+/// Stores the outcome in the status. Reports a failure when it begins, not with every message.
+bool Carrier::succeeded(const Result<void>& outcome) {
+  const std::lock_guard guard(lock_);
+  if (!outcome && !status_.failing) report(Level::error, "logging", outcome.error());
+  status_.failing = !outcome;
+  status_.problem = outcome ? "" : outcome.error();
+  return !status_.failing;
+}
+
+}  // namespace robot::logging

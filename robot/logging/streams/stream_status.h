@@ -1,0 +1,19 @@
+// The status of one stream.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace robot::logging {
+
+struct StreamStatus {
+  std::string topic;
+  std::uint64_t messages = 0;      // written to the device, or read from it
+  std::uint64_t dropped = 0;       // lost: the queue was full, the device refused them, or the stream reports a loss
+  std::uint64_t queued_bytes = 0;  // in the queue now
+  bool failing = false;            // the last attempt failed; `problem` gives the reason
+  bool ended = false;              // no more messages will follow
+  std::string problem;             // one sentence, or empty without a problem
+};
+
+}  // namespace robot::logging
