@@ -76,12 +76,12 @@ Result<pb::WhatIf> complete(pb::WhatIf question, const std::vector<std::string>&
   if (!question.has_switching_cost()) question.set_switching_cost(kDefaultCost);
   if (!question.has_sure()) question.set_sure(kDefaultSure);
 
-  if (Result<void> named = check_names(question, known); !named) return Error{named.error()};
+  if (Result<void> named = check_names(question, known); !named) return named.failure();
   if (!pb::WhatIf::Measure_IsValid(question.measure())) return Error{"'measure' is none that there is"};
   if (!pb::WhatIf::Until_IsValid(question.until())) return Error{"'until' is none that there is"};
-  if (Result<void> checked = check_horizon(double{question.horizon()}); !checked) return Error{checked.error()};
-  if (Result<void> checked = check_budget(question.budget_ms()); !checked) return Error{checked.error()};
-  if (Result<void> moved = check_moved(question.edit().robots()); !moved) return Error{moved.error()};
+  if (Result<void> checked = check_horizon(double{question.horizon()}); !checked) return checked.failure();
+  if (Result<void> checked = check_budget(question.budget_ms()); !checked) return checked.failure();
+  if (Result<void> moved = check_moved(question.edit().robots()); !moved) return moved.failure();
   if (!(question.switching_cost() >= 0 && question.switching_cost() <= 10))
     return Error{"'switching_cost' must be 0 .. 10, got " + number(static_cast<double>(question.switching_cost()))};
   if (!(question.sure() >= 0.5f && question.sure() <= 0.999f))

@@ -82,7 +82,7 @@ class VetCommand final : public Command {
     if (cast.failed()) return robot::Error{cast.problem()};
     if (memory) {
       state = middle;
-      if (auto loaded = cast.load(*memory); !loaded) return robot::Error{loaded.error()};
+      if (auto loaded = cast.load(*memory); !loaded) return loaded.failure();
       play_on(cast, state, length());
       return TakenBack{.hash = hash_of(state), .by_memory = true};
     }

@@ -39,8 +39,8 @@ sim::State kick_off(const sim::Params& params, std::uint64_t seed) {
 }  // namespace
 
 Result<std::unique_ptr<SimBody>> SimBody::open(GameSetup setup, SimOptions options, const SessionClock& clock) {
-  if (Result<void> speed = check_speed(options.speed); !speed) return Error{speed.error()};
-  if (Result<void> seed = check_seed(options.seed); !seed) return Error{seed.error()};
+  if (Result<void> speed = check_speed(options.speed); !speed) return speed.failure();
+  if (Result<void> seed = check_seed(options.seed); !seed) return seed.failure();
   const int player = sim::player_of(options.robot);
   if (player > setup.params().rules.players)
     return Error{"simulation: in " + setup.names.rules + " 'player' must be 1 .. " +

@@ -51,12 +51,12 @@ using Bytes = Result<std::optional<std::string>>;
 
 Bytes to_raw(const memory::Version& source, const std::string& frame_id) {
   auto image = parse_image(source);
-  if (!image) return Error{image.error()};
+  if (!image) return image.failure();
   std::uint32_t width = image->width(), height = image->height();
   std::string pixels = std::move(*image->mutable_data());
   if (image->encoding() == pb::Image::ENCODING_JPEG) {
     auto decoded = image::decode_jpeg(pixels);
-    if (!decoded) return Error{decoded.error()};
+    if (!decoded) return decoded.failure();
     width = static_cast<std::uint32_t>(decoded->width);
     height = static_cast<std::uint32_t>(decoded->height);
     pixels = std::move(decoded->yuyv);
@@ -74,7 +74,7 @@ Bytes to_raw(const memory::Version& source, const std::string& frame_id) {
 
 Bytes to_jpeg(const memory::Version& source, const std::string& frame_id, const Parameters& parameters) {
   auto image = parse_image(source);
-  if (!image) return Error{image.error()};
+  if (!image) return image.failure();
   std::string jpeg = std::move(*image->mutable_data());
   if (image->encoding() != pb::Image::ENCODING_JPEG) {
     const int width = static_cast<int>(image->width());
@@ -83,7 +83,7 @@ Bytes to_jpeg(const memory::Version& source, const std::string& frame_id, const 
     auto encoded = image::encode_jpeg(
         jpeg, width, static_cast<int>(image->height()),
         {.width = half ? width / 2 : 0, .quality = static_cast<int>(parameters.integer("jpeg_quality"))});
-    if (!encoded) return Error{encoded.error()};
+    if (!encoded) return encoded.failure();
     jpeg = std::move(*encoded);
   }
   foxglove::CompressedImage compressed;

@@ -61,7 +61,7 @@ Result<Advertised> parse_channel(const Json& json) {
   channel.info.schema.bytes = text_of(json, "schema");
   if (channel.info.schema.encoding == "protobuf") {
     auto bytes = from_base64(channel.info.schema.bytes);
-    if (!bytes) return Error{"advertise: the schema of " + channel.info.topic + ": " + bytes.error()};
+    if (!bytes) return bytes.failure("advertise: the schema of " + channel.info.topic);
     channel.info.schema.bytes = std::move(*bytes);
   }
   channel.metadata = texts_of(json, "metadata");
@@ -194,7 +194,7 @@ std::string playback_state(Playback playback, std::uint64_t time_ns, float speed
 
 Result<ServerText> parse_server_text(std::string_view text) {
   const Result<Json> parsed = parse_json(text);
-  if (!parsed) return Error{"server message: " + parsed.error()};
+  if (!parsed) return parsed.failure("server message");
   const Json& message = *parsed;
   if (!message.is_object() || text_of(message, "op").empty())
     return Error{"server message: expected a JSON object with 'op'"};
@@ -218,7 +218,7 @@ Result<ServerText> parse_server_text(std::string_view text) {
   for (const Json& json : *list)
     if (advertises_channels) {
       auto channel = parse_channel(json);
-      if (!channel) return Error{channel.error()};
+      if (!channel) return channel.failure();
       read.channels.push_back(std::move(*channel));
     } else if (json.is_object() && json.value("id", Json()).is_number_unsigned()) {
       read.services.push_back({json["id"].get<std::uint32_t>(), text_of(json, "name")});
@@ -228,7 +228,7 @@ Result<ServerText> parse_server_text(std::string_view text) {
 
 Result<std::vector<Advertised>> parse_advertise(std::string_view text) {
   auto read = parse_server_text(text);
-  if (!read) return Error{read.error()};
+  if (!read) return read.failure();
   return std::move(read->channels);
 }
 
