@@ -14,7 +14,7 @@ void start_play(const Params& params, State& state);
 /// [m] and [m/s] along each axis. All robots have just sent a packet about it. Believed poses stay unchanged.
 void know_ball(State& state, Tick seen, float deviation);
 
-/// Returns a random situation in play: robots at random places without overlaps, the ball rolling at up to 2 m/s.
+/// Returns a random situation in play: robots at random places without overlaps, and a ball with a speed of 0 .. 2 [m/s].
 /// Draws Draw::situation with `key`, which is also the key of the game.
 State random_situation(const Params& params, RandomKey key);
 
