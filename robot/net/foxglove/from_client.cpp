@@ -20,7 +20,7 @@ std::optional<std::uint32_t> as_id(const Json& json) {
   return json.get<std::uint32_t>();
 }
 
-// the array `key` of `message`, each element read by `read`, which returns an optional
+/// Returns the array `key` of `message`. `read` converts each element to an optional.
 template <class Read>
 auto list(const Json& message, const char* key, const std::string& expected, Read read)
     -> Result<std::vector<typename decltype(read(message))::value_type>> {

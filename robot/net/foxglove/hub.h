@@ -45,7 +45,7 @@ class Hub {
   Hub(HubOptions options, Parameters& parameters, const Services& services, const Clock& clock, StreamControl& streams,
       InBackground in_background);
 
-  /// Offers `channel` and the channels that `derive` makes of it to all clients.
+  /// Offers `channel` and the channels that `derive` derives from it to all clients.
   void add_channel(const std::shared_ptr<memory::Channel>& channel, const Derive& derive);
 
   /// Adds a client, and sends it our name, channels and services.

@@ -16,13 +16,13 @@ using Json = nlohmann::json;
 
 constexpr char kMessageData = 1, kServiceResponse = 3, kNumberedData = 0x40;
 
-// texts may come from anywhere: what is not UTF-8 in them is replaced, not thrown at us
+// texts may come from outside: bytes that are not UTF-8 are replaced, because an exception would leave this folder
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Json to_json(const std::string& name, const ParameterValue& value) {
   Json parameter = {{"name", name}};
   std::visit([&](const auto& content) { parameter["value"] = content; }, value);
-  // JSON does not tell 15.0 from 15; the type says that it may become 15.5
+  // JSON cannot distinguish 15.0 from 15; the type says that 15.5 is possible
   if (std::holds_alternative<double>(value)) parameter["type"] = "float64";
   return parameter;
 }
@@ -31,7 +31,7 @@ Json parts_of(std::uint64_t time_ns) { return {{"sec", time_ns / kSecond}, {"nse
 
 memory::Delivery delivery_of(const std::map<std::string, std::string>& metadata) {
   const auto found = metadata.find("delivery");
-  if (found == metadata.end()) return memory::Delivery::fifo;  // of another server: nothing is known
+  if (found == metadata.end()) return memory::Delivery::fifo;  // another server: its delivery is unknown
   for (const auto delivery : {memory::Delivery::latest, memory::Delivery::reliable})
     if (found->second == memory::name(delivery)) return delivery;
   return memory::Delivery::fifo;

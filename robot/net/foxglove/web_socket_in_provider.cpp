@@ -21,7 +21,7 @@ Result<memory::ChannelInfo> WebSocketInProvider::open() {
   return std::move(channel->info);
 }
 
-// the server lists its channels at once; a later message, such as a Time, ends the list
+/// Finds the channel in the server's list, which comes first. The first binary message, such as a Time, ends the list.
 Result<foxglove::Advertised> WebSocketInProvider::find_channel() {
   const std::uint64_t deadline_ns = monotonic_ns() + timeout_ns_;
   std::string offered;
