@@ -149,7 +149,8 @@ Foreseer::~Foreseer() {
   if (answering_.joinable()) answering_.join();
 }
 
-/// Returns the playbook of all strategies against that opponent, in the order of the options. 0 players: as in the rules.
+/// Returns the playbook of all strategies against that opponent, in the order of the
+/// options. 0 players: as in the rules.
 Result<std::shared_ptr<const sim::io::Playbook>> Foreseer::playbook_for(const std::string& opponent, int players,
                                                                         Whose robot) {
   const std::lock_guard guard(preparing_);

@@ -9,8 +9,8 @@ inline constexpr int kRoleCount = 4;
 /// "keeper", "chaser", "supporter", "defender".
 const char* name_of(Role role);
 
-/// Estimates the time [s] until the robot stands behind the ball. It adds up the way, up to half a turn to face the ball,
-/// and up to half a circle round the ball. Smooth and quick to compute, for comparing robots.
+/// Estimates the time [s] until the robot stands behind the ball. It adds up the way, up to half a turn to face the
+/// ball, and up to half a circle round the ball. Smooth and quick to compute, for comparing robots.
 float time_to_ball(const View& view);
 
 /// Assigns the own role. Player 1 keeps the goal. The quickest robot chases the ball until another is quicker by the

@@ -45,11 +45,13 @@ struct Terms {
   }
 };
 
-/// A team of followers whose captain chooses by rollouts from its own beliefs. A robot is the captain if it believes so.
-/// All strategies are compared with the default, whichever is played now. Another strategy is played only as long as each
-/// question finds it better with certainty. Questions are coarse: a wrong choice that had to be disproved would stay.
+/// A team of followers whose captain chooses by rollouts from its own beliefs. A robot is the captain if it believes
+/// so. All strategies are compared with the default, whichever is played now. Another strategy is played only as long
+/// as each question finds it better with certainty. Questions are coarse: a wrong choice
+/// that had to be disproved would stay.
 ///
-/// The mind is its only memory. The random key of a question comes from the beliefs: a game stays a function of its seed.
+/// The mind is its only memory. The random key of a question comes from the beliefs: a
+/// game stays a function of its seed.
 class Chooser final : public agent::Behaviour {
  public:
   /// The playbook has 2 .. kMaxStrategies strategies.

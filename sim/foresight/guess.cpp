@@ -7,10 +7,11 @@
 namespace sim::foresight {
 namespace {
 
-// Source: 16 000 balls that a robot believed in, at moments of `baseline` against itself, spl2012. Beliefs with an error
-// under 1 m had 0.14 m along each axis when just seen, and 0.2 to 0.3 m at any greater age. The other balls had been kicked
-// or placed by the referee. True velocities were 0.82 of the believed ones at a deviation of 0.15 m/s, 0.67 at 0.35 m/s,
-// 0.44 at 0.6 m/s: a prior of 0.5 m/s along each axis explains it. Nearly all balls believed to lie did lie.
+// Source: 16 000 balls that a robot believed in, at moments of `baseline` against itself, spl2012. Beliefs with an
+// error under 1 m had 0.14 m along each axis when just seen, and 0.2 to 0.3 m at any greater age. The other balls had
+// been kicked or placed by the referee. True velocities were 0.82 of the believed ones at a deviation of 0.15 m/s, 0.67
+// at 0.35 m/s, 0.44 at 0.6 m/s: a prior of 0.5 m/s along each axis explains it. Nearly
+// all balls believed to lie did lie.
 constexpr float kFreshEyes = 2;      // [s] the own sight counts for this time, as agent::Habits::trust_eyes
 constexpr float kLeastBall = 0.1f;   // [m]
 constexpr float kMostBall = 0.3f;    // [m]
@@ -39,8 +40,8 @@ constexpr float kTurns = 0.3f;        // [rad/s]
 constexpr float kMostHeading = 1.2f;  // [rad]
 constexpr float kTowardsBall = 0.6f;  // [rad] deviation from facing the ball, for an unknown heading
 
-// Usual places of a side in play. Source: 16 000 moments of such games by spl2012 and spl2025. The keeper is in front of
-// its goal, the others on the way from there to the ball, one of them near the ball.
+// Usual places of a side in play. Source: 16 000 moments of such games by spl2012 and spl2025. The keeper is in front
+// of its goal, the others on the way from there to the ball, one of them near the ball.
 constexpr float kKeeperOut = 0.54f;             // [m] from the goal line
 constexpr Vec2 kKeeperDrawn{0.04f, 0.21f};      // of the ball's place
 constexpr float kKeeperRoams = 0.2f;            // [m]

@@ -8,8 +8,8 @@
 //         "mates": [{"player": 3, …}], "opponents": [{"player": 1, …}]}
 //   it   {"body": "walk_to", "x": 1.2, "y": 0, "turn": 0.1, "role": "chaser", "time_to_ball": 4.5}
 //
-// One process plays all robots of a side in one game, and separates their memories by "player". The end of the game closes
-// its input. Each entry of an answer is optional; {} means the defaults.
+// One process plays all robots of a side in one game, and separates their memories by "player". The end of the game
+// closes its input. Each entry of an answer is optional; {} means the defaults.
 #pragma once
 
 #include <string>

@@ -2,8 +2,8 @@
 //
 // The C library picks FMA versions of its functions at run time, so their results differ between processors. `sim` uses
 // none of them except `sqrt`, which is exact everywhere. Each function here is odd or even to the bit, as in
-// mathematics, so that a mirrored start leads to the mirrored game. Each one is a range reduction (Cody and Waite) and a
-// minimax polynomial (Remez), without tables.
+// mathematics, so that a mirrored start leads to the mirrored game. Each one is a range reduction (Cody and Waite) and
+// a minimax polynomial (Remez), without tables.
 #pragma once
 
 #include <bit>

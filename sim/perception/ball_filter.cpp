@@ -16,8 +16,8 @@ void start(const BallFilter& filter, Vec2 position, float variance, agent::Ball&
   ball.velocity_variance = squared(filter.first_velocity);
 }
 
-/// Corrects the belief by two measurements with independent errors: the position at the mean time of the images, and the
-/// velocity.
+/// Corrects the belief by two measurements with independent errors: the position at the mean time
+/// of the images, and the velocity.
 void correct(const BallPercept& percept, float variance, agent::Ball& ball) {
   const Images& images = percept.images;
   {

@@ -45,7 +45,8 @@ inline bool below(float angle, const Sighting& sighting) {
   return (square <= 0.36f && height >= more * more * least) || below_by_sine(angle, sighting);
 }
 
-/// Returns cos² of half of `width` [rad], for width <= 3.1, within 1e-7: a series of a quarter of it, which is below π/4.
+/// Returns cos² of half of `width` [rad], for width <= 3.1, within 1e-7: a series of a
+/// quarter of it, which is below π/4.
 inline float squared_cosine_of_half(float width) {
   const float square = width * width * (1.f / 16);
   const float cosine = 1 - square * (0.5f - square * (1.f / 24 - square * (1.f / 720 - square * (1.f / 40320))));
@@ -112,8 +113,8 @@ inline float percept_variance(const ImageNoise& noise, float squared_range, floa
 }
 
 /// Returns where a thing at `place` [m, robot], `range` [m] away and `height` [m] below the camera, seems to be.
-/// `errors` are those of elevation and bearing, in standard deviations. Returns (0, 0), which no real percept has, if the
-/// thing seems to be above the horizon or farther than `farthest` [m].
+/// `errors` are those of elevation and bearing, in standard deviations. Returns (0, 0), which no real percept has, if
+/// the thing seems to be above the horizon or farther than `farthest` [m].
 inline Vec2 seen_through(const ImageNoise& noise, Vec2 place, float range, float height, float farthest,
                          std::array<float, 2> errors) {
   // tan(a + ε) for the elevation a with tan a = height / range; then height / tan(a + ε) is the seen range

@@ -26,8 +26,8 @@ struct PerceptionParams {
   const BallModel& ball;
 };
 
-/// Sets the beliefs of a robot that enters the field, at the start or after a penalty: it knows roughly where it stands,
-/// and nothing about the ball.
+/// Sets the beliefs of a robot that enters the field, at the start or after a penalty: it knows roughly where it
+/// stands, and nothing about the ball.
 void enter(const PerceptionParams& params, const World& world, int robot, agent::Beliefs& beliefs,
            Cognition& cognition);
 

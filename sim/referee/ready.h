@@ -17,7 +17,8 @@ inline bool anybody_moves(const Court& court) {
   return moves;
 }
 
-/// Notes since when all robots stand. Puts the ball at the centre when the robots are told of READY. Call it once a tick.
+/// Notes since when all robots stand. Puts the ball at the centre when the robots are
+/// told of READY. Call it once a tick.
 inline void watch(Court& court) {
   Book& book = court.book;
   if (book.phase != Phase::ready) return;

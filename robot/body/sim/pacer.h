@@ -7,8 +7,8 @@
 
 namespace robot::body {
 
-/// Evenly, without drift: the thousandth tick is due a thousand periods after the start, whatever the delays on the way.
-/// Pure: times are given. Used by one thread at a time.
+/// Evenly, without drift: the thousandth tick is due a thousand periods after the start, whatever the delays on the
+/// way. Pure: times are given. Used by one thread at a time.
 class Pacer {
  public:
   /// [game seconds per second]

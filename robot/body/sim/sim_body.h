@@ -34,15 +34,15 @@ struct SimOptions {
   std::uint64_t rest_ns = 5 * kSecond;
 };
 
-/// The body that plays a simulated game in a thread of its own and writes every robot's memory. An order is carried out,
-/// and visible in memory, when its call returns. Any thread.
+/// The body that plays a simulated game in a thread of its own and writes every robot's memory. An order is carried
+/// out, and visible in memory, when its call returns. Any thread.
 class SimBody {
  public:
   static constexpr std::uint64_t kGreatestSeed = (std::uint64_t{1} << 53) - 1;  // a number that JSON keeps exact
   static constexpr std::int64_t kMostSteps = 1800;                              // a minute at once
 
-  /// Opens the body at the beginning of the first game. `clock` outlives the body. Returns an Error if an option is out of
-  /// range.
+  /// Opens the body at the beginning of the first game. `clock` outlives the body. Returns an
+  /// Error if an option is out of range.
   static Result<std::unique_ptr<SimBody>> open(GameSetup setup, SimOptions options, const SessionClock& clock);
 
   /// Calls stop().

@@ -28,10 +28,10 @@ struct Batch {
   std::shared_ptr<const void> keeper;
 };
 
-/// The messages that wait for one client, one slot per channel. A slot keeps the newest message (`latest`), the last few
-/// (`fifo`) or all (`reliable`). The queue chooses the next message when the socket has room, not when a message is
-/// produced, because old data are worse than none. Order: answers, events, small messages, large messages; channels of a
-/// class take turns. Dropped messages are counted. Used by one thread.
+/// The messages that wait for one client, one slot per channel. A slot keeps the newest message (`latest`), the last
+/// few (`fifo`) or all (`reliable`). The queue chooses the next message when the socket has room, not when a message is
+/// produced, because old data are worse than none. Order: answers, events, small messages, large messages; channels of
+/// a class take turns. Dropped messages are counted. Used by one thread.
 class ClientQueue {
  public:
   static constexpr std::size_t kBatchBytes = 64 << 10;  // small frames copied together

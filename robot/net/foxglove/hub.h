@@ -35,8 +35,8 @@ struct HubOptions {
 /// sockets must look into all queues after each call. Used by one thread, the server's I/O thread.
 class Hub {
  public:
-  /// The kind of a client's call. Orders do not wait for questions, which may take seconds. One question runs at a time,
-  /// and one more may wait.
+  /// The kind of a client's call. Orders do not wait for questions, which may take seconds. One question runs at a
+  /// time, and one more may wait.
   enum class Kind { order, question };
   /// Runs `work` in order on the thread of its kind, which may wait, and afterwards `then` on the hub's thread.
   using InBackground = std::function<void(Kind kind, std::function<void()> work, std::function<void()> then)>;

@@ -22,8 +22,8 @@ struct ParameterRule {
   std::optional<double> min, max;    // of numbers, both included
   std::vector<std::string> choices;  // of texts; empty: any
 
-  /// Applies the new value before it is stored; an Error refuses the value. Called by the thread that sets, without locks.
-  /// The server sets on a thread that may wait. Empty: the value has no further effect.
+  /// Applies the new value before it is stored; an Error refuses the value. Called by the thread that sets, without
+  /// locks. The server sets on a thread that may wait. Empty: the value has no further effect.
   std::function<Result<void>(const ParameterValue&)> apply = {};
 };
 

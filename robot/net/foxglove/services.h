@@ -33,8 +33,8 @@ nlohmann::json failure(std::string_view sentence);
 /// The list of services. It is filled before the server starts, then only read.
 class Services {
  public:
-  /// A function from a JSON object to a JSON object. Services for all clients run on the server's I/O thread and must not
-  /// wait. Services for control run one after the other on a thread that may wait for the disk.
+  /// A function from a JSON object to a JSON object. Services for all clients run on the server's I/O thread and must
+  /// not wait. Services for control run one after the other on a thread that may wait for the disk.
   /// Questions run one after the other on a thread that may take seconds. During a game no client may ask, not even on
   /// this machine.
   using Handler = std::function<nlohmann::json(const nlohmann::json& request, const ClientContext& client)>;

@@ -83,7 +83,8 @@ std::string playback_state(Playback playback, std::uint64_t time_ns, float speed
 
 // for our client
 
-/// Returns the channels of an `advertise`, no channels for another message, or an Error if `text` is not of the protocol.
+/// Returns the channels of an `advertise`, no channels for another message, or an Error
+/// if `text` is not of the protocol.
 Result<std::vector<Advertised>> parse_advertise(std::string_view text);
 
 /// The parts of a server's text message that our client uses.
@@ -93,7 +94,8 @@ struct ServerText {
   std::vector<Service> services;
 };
 
-/// Reads a text message. All parts are empty for a message of another kind. Returns an Error if it is not of the protocol.
+/// Reads a text message. All parts are empty for a message of another kind. Returns an
+/// Error if it is not of the protocol.
 Result<ServerText> parse_server_text(std::string_view text);
 
 struct MessageData {
