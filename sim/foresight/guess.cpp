@@ -148,7 +148,7 @@ BallGuess guess_ball(const field::Field& field, const Knowledge& knowledge) {
   }
   if (own_age <= kFreshEyes) return guess;
 
-  // somebody may have seen the ball since then
+  // a teammate may have seen the ball since then
   for (const agent::Mate& mate : knowledge.beliefs.mates) {
     if (mate.sent == kNever || mate.ball_age == 0xffff) continue;
     const Tick seen = mate.sent - std::min<Tick>(mate.ball_age, mate.sent);

@@ -225,8 +225,8 @@ Ball ball_elsewhere(const field::Rules& rules, const Ball& believed, const std::
   return ball;
 }
 
-/// Gives everybody but `whose` its true place. The team keeps its belief about the
-/// ball; the opponents get the true one.
+/// Gives every robot but `whose` its true place. The team keeps its belief about the ball; the opponents get the true
+/// one.
 void let_others_know(Vec2 supposed_ball, int whose, State& state) {
   const World& world = state.world;
   for_each_robot(world.players, [&](int robot) {
