@@ -90,12 +90,13 @@ const char* why_no_soccer(const pb::GameState& game);
 /// that was moved back may hold later data: these are left out.
 Recollection recollect(const memory::Channels& channels, const std::string& robot, std::uint64_t now_ns);
 
-/// An older pose is useless.
+/// Greatest age of a useful pose.
 inline constexpr float kStalePose = 3;  // [s]
 
 /// Converts a recollection to the simulator's form. `params` are the rules of the game and, as the home team, the
 /// abilities of the own body. Returns an Error when a necessary object is absent or old, such as "the robot does not
-/// know where it is: there is no object pose yet". Also when no soccer is played: "the game is in a penalty shoot-out".
+/// know where it is: there is no object pose yet". It also returns one when no soccer is played, such as "the game is in
+/// a penalty shoot-out".
 Result<sim::foresight::Knowledge> knowledge_of(const Recollection& recollection, const sim::Params& params);
 
 }  // namespace robot::bridge

@@ -21,8 +21,9 @@ inline constexpr std::string_view kByPeople = "people", kByCaptain = "captain: "
 /// The opponents' strategy when the question names none.
 inline constexpr const char* kDefaultOpponent = "baseline";
 
-/// {"strategies": ["baseline", "passing"], "opponent": "baseline", "measure": "goal_difference" | "score_next" | "concede",
-///  "until": "horizon" | "next_goal" | "half" | "game", "horizon": 30, "budget_ms": 500, "switching_cost": 0.02, "sure": 0.9,
+/// {"strategies": ["baseline", "passing"], "opponent": "baseline",
+///  "measure": "goal_difference" | "score_next" | "concede", "until": "horizon" | "next_goal" | "half" | "game",
+///  "horizon": 30, "budget_ms": 500, "switching_cost": 0.02, "sure": 0.9,
 ///  "edit": {"ball": {"x", "y"}, "robots": [{"side": "own" | "opponent", "player", "x", "y", "heading"}],
 ///           "own_score", "opponent_score", "seconds_remaining"}}
 ///

@@ -1,4 +1,4 @@
-// The body that is a simulated game: all its robots, of which this process is one.
+// The body of a simulated game, with all its robots. One of them is this process's own.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct GameSetup {
 };
 
 struct SimOptions {
-  int robot = 1;           // index of the robot that this process is
+  int robot = 1;           // index of this process's own robot
   std::uint64_t seed = 1;  // of the first game, 0 .. SimBody::kGreatestSeed
   double speed = 1;        // [game seconds per second] Pacer::kSlowest .. kFastest
   bool loop = false;       // another game, of the next seed, follows `rest_ns` after the end
@@ -100,7 +100,7 @@ class SimBody {
   bridge::Narrator narrator_;
   Pacer pacer_;
   bridge::Timeline timeline_;
-  std::uint64_t wake_ns_ = 0;  // when the thread has something to do [monotonic]
+  std::uint64_t wake_ns_ = 0;  // [monotonic] time of the thread's next work
   bool paused_ = false;
   bool running_ = false;
   std::thread thread_;
