@@ -80,7 +80,7 @@ Result<std::string> Comparison::probe() const {
 
 Result<Comparison> Comparison::prepare(const ComparisonChoice& choice) {
   if (choice.metric == Metric::conceded && choice.opponent.empty())
-    return Error{"metric 'conceded' needs --vs: against each other it is what 'goals' says"};
+    return Error{"metric 'conceded' needs --vs: between A and B alone it equals 'goals'"};
   if ((choice.metric == Metric::score_within || choice.metric == Metric::ball_advance) && choice.seconds <= 0)
     return Error{"metric '" + std::string(name_of(choice.metric)) + "' needs a time, such as score_within:30s"};
   if (choice.fuzz && choice.situation.empty()) return Error{"--fuzz needs --from, the situation that is varied"};

@@ -62,7 +62,7 @@ robot::Result<RunFolder> RunFolder::open(const std::filesystem::path& folder, co
   if (*there != specification + "\n")
     return Error{"run " + folder.string() +
                  ": expected nothing or the same comparison on the same build, got another one; choose another --out"};
-  if (use == Use::begin) return Error{"run " + folder.string() + ": it is there already; --resume goes on with it"};
+  if (use == Use::begin) return Error{"run " + folder.string() + ": it exists already; --resume continues it"};
   return run;
 }
 

@@ -56,7 +56,7 @@ Result<Term> parse_yes_no(std::string_view text) {
   if (!feature) return feature.failure();
   const FeatureInfo& info = info_of(*feature);
   if (info.kind != FeatureInfo::Kind::yes_no)
-    return Error{std::string(info.name) + " must be compared with something, got " + quoted(text)};
+    return Error{std::string(info.name) + " must be compared with a value, got " + quoted(text)};
   return Term{*feature, negated ? Comparison::less : Comparison::greater, 0.5f, std::string(text)};
 }
 
@@ -69,7 +69,7 @@ Result<Term> parse_term(std::string_view text, Values& values) {
     if (!feature) return feature.failure();
     const FeatureInfo& info = info_of(*feature);
     if (info.kind == FeatureInfo::Kind::yes_no)
-      return Error{std::string(info.name) + " is yes or no and compared with nothing, got " + quoted(text)};
+      return Error{std::string(info.name) + " is yes or no and must stand alone, got " + quoted(text)};
     if (each.of_names != (info.kind == FeatureInfo::Kind::name))
       return Error{std::string(info.name) + " is compared by " + (each.of_names ? "< <= > >=" : "is, is not") +
                    ", got " + quoted(text)};
