@@ -12,7 +12,7 @@
 namespace robot {
 namespace {
 
-/// Cuts the first `n` bytes off `pieces`.
+/// Returns `pieces` without the first `n` bytes.
 std::span<iovec> behind(std::span<iovec> pieces, std::size_t n) {
   while (!pieces.empty() && n >= pieces.front().iov_len) {
     n -= pieces.front().iov_len;

@@ -1,4 +1,4 @@
-// Bytes that are read: a file, or memory in tests.
+// A source of bytes: a file, or memory in tests.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace robot {
 
-/// A run of bytes that can be read from anywhere. Any thread.
+/// A sequence of bytes with random access. Any thread.
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
@@ -31,7 +31,7 @@ class ByteSource {
 /// Returns `length` bytes of `source` from `offset` on. Allocates nothing if there are not enough.
 Result<std::string> read_bytes(const ByteSource& source, std::uint64_t offset, std::uint64_t length);
 
-/// A file, as long as it was when it was opened.
+/// A file with the size that it had when it was opened.
 class FileSource final : public ByteSource {
  public:
   static Result<std::shared_ptr<const FileSource>> open(const std::filesystem::path& path);

@@ -29,7 +29,7 @@ class Pacer {
 
   double speed() const { return speed_; }
 
-  /// Returns the ticks that were given up since the beginning, because the game was too slow.
+  /// Returns the delay that the game did not catch up with since the beginning [ticks].
   std::uint64_t ticks_behind() const { return ticks_behind_; }
 
  private:
