@@ -49,7 +49,7 @@ using Gains = std::vector<double>;
 struct Trial {
   Gains halves[2];
   Gains errors;             // one standard error of the mean of both halves
-  std::vector<int> chosen;  // by each of kCaptains; 0 keeps what is played
+  std::vector<int> chosen;  // by each of kCaptains; 0 keeps the played strategy
 
   double gain(std::size_t strategy) const { return (halves[0][strategy] + halves[1][strategy]) / 2; }
   double of_knowing() const {

@@ -24,7 +24,7 @@ struct Book {
   Tick phase_since = 0;                   // last change of phase or set play
   Tick playing_since = 0;                 // `phase_since` from before the last goal
   Tick clock = 0;                         // [ticks] played of this half
-  Tick told_phase_since = 0;              // when the robots are told of the phase: later after a goal
+  Tick told_phase_since = 0;              // tick at which the robots receive the phase: later after a goal
   Tick last_touch_tick = 0;               // last touch or placement of the ball
   Vec2 last_touch_at;                     // [m, field] ball at that moment
   Vec2 ball_before;                       // [m, field] ball in the last tick
