@@ -95,8 +95,8 @@ inline constexpr float kStalePose = 3;  // [s]
 
 /// Converts a recollection to the simulator's form. `params` are the rules of the game and, as the home team, the
 /// abilities of the own body. Returns an Error when a necessary object is absent or old, such as "the robot does not
-/// know where it is: there is no object pose yet". It also returns one when no soccer is played, such as "the game is in
-/// a penalty shoot-out".
+/// know where it is: there is no object pose yet". It also returns one when no soccer is played, such as "the game is
+/// in a penalty shoot-out".
 Result<sim::foresight::Knowledge> knowledge_of(const Recollection& recollection, const sim::Params& params);
 
 }  // namespace robot::bridge

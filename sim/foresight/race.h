@@ -30,8 +30,8 @@ using Told = std::function<void(const RolloutStatistics&)>;
 inline constexpr int kFewestStripes = 8;  // fewer give no estimate of chance
 
 /// Runs the race by sequential halving (Karnin, Koren, Somekh, ICML 2013): rounds with equal shares of the budget.
-/// After each round the better half goes on, and always the incumbent. A stripe that the end of the budget cuts off does not
-/// count. Allocates nothing.
+/// After each round the better half goes on, and always the incumbent. A stripe that the end of the budget cuts off
+/// does not count. Allocates nothing.
 void race(const Task& task, const Spent& spent, const Told& told, RolloutStatistics& statistics);
 
 }  // namespace sim::foresight
