@@ -3,5 +3,6 @@ set(CMAKE_SYSTEM_PROCESSOR i686)
 set(nao_architecture i386)
 set(nao_triple i686-linux-gnu)
 # with a frame pointer and unwind tables for calls only, exceptions need half as much space
-set(nao_flags "-march=bonnell -mfpmath=sse -D_FILE_OFFSET_BITS=64 -fno-omit-frame-pointer -fno-asynchronous-unwind-tables")
+string(CONCAT nao_flags "-march=bonnell -mfpmath=sse -D_FILE_OFFSET_BITS=64 "
+  "-fno-omit-frame-pointer -fno-asynchronous-unwind-tables")
 include(${CMAKE_CURRENT_LIST_DIR}/nao.cmake)

@@ -3,7 +3,8 @@
 set(CMAKE_SYSTEM_NAME Linux)
 cmake_path(SET CMAKE_SYSROOT NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../build/sysroot/${nao_architecture})
 if(NOT EXISTS ${CMAKE_SYSROOT}.complete)
-  message(FATAL_ERROR "The sysroot build/sysroot/${nao_architecture} is missing: run toolchain/sysroot ${nao_architecture}")
+  message(FATAL_ERROR
+    "The sysroot build/sysroot/${nao_architecture} is missing: run toolchain/sysroot ${nao_architecture}")
 endif()
 
 set(CMAKE_C_COMPILER clang)

@@ -29,8 +29,9 @@ struct AgentChoice {
   std::string rules = "spl2025", models = "match";
 };
 
-/// Loads a behaviour that follows the captain's choice among `strategies`, at least one, by name or path. It plays the first
-/// one when the captain has been silent for `stale` [ticks]. Returns an Error that names a strategy that cannot be loaded.
+/// Loads a behaviour that follows the captain's choice among `strategies`, at least one, by name or path. It plays the
+/// first one when the captain has been silent for `stale` [ticks]. Returns an Error that names
+/// a strategy that cannot be loaded.
 Result<std::shared_ptr<const sim::agent::Behaviour>> follower_of(const std::vector<std::string>& strategies,
                                                                  sim::Tick stale);
 

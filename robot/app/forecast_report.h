@@ -9,8 +9,8 @@
 
 namespace robot::app {
 
-/// Returns the scores by robot ("14/2"), for each robot that recorded forecasts and the game. Skips what cannot be
-/// read.
+/// Returns the scores by robot ("14/2"), for each robot that recorded forecasts and the game. Skips unreadable
+/// data.
 std::map<std::string, foresight::ForecastScore> score_forecasts(const logging::Session& session);
 
 }  // namespace robot::app

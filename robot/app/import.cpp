@@ -47,7 +47,7 @@ auto write_session(const std::filesystem::path& folder, logging::SessionInfo inf
   if (filled && closed) return filled;
   std::error_code ignored;
   std::filesystem::remove_all(folder, ignored);
-  return Error{filled ? closed.error() : filled.error()};
+  return filled ? closed.failure() : filled.failure();
 }
 
 }  // namespace

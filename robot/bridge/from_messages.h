@@ -32,7 +32,8 @@ struct Remembered {
   std::uint64_t capture_ns = 0;  // [ns since the epoch]
 };
 
-/// The tick of the present in a Knowledge made of a memory, unless a Recollection says otherwise. All other ticks are older.
+/// The tick of the present in a Knowledge made of a memory, unless a Recollection says
+/// otherwise. All other ticks are older.
 inline constexpr sim::Tick kNow = 1'000'000;
 
 /// The newest values at one moment. An absent object was never written.
@@ -58,7 +59,8 @@ struct Recollection {
   }
 };
 
-/// Returns the newest message of `topic`, or nothing without such a channel, without a message, or if it is of another type.
+/// Returns the newest message of `topic`, or nothing without such a channel, without a
+/// message, or if it is of another type.
 template <class Message>
 std::optional<Remembered<Message>> newest(const memory::Channels& channels, const std::string& topic) {
   const auto channel = channels.find(topic);
@@ -80,19 +82,21 @@ inline std::optional<Remembered<pb::Simulation>> simulation_of(const memory::Cha
 /// Returns the moment `now_ns` with the speed of the simulation, or speed 1 without a simulation.
 Moment moment_of(const memory::Channels& channels, std::uint64_t now_ns);
 
-/// Returns a sentence about the part of the game that is not soccer, such as a time-out, or null while soccer is played.
+/// Returns a sentence about the part of the game that is not soccer, such as a
+/// time-out, or null while soccer is played.
 const char* why_no_soccer(const pb::GameState& game);
 
-/// Reads the memory of `robot` ("14/2"), live or played, at `now_ns` [ns since the epoch]. The memory of a recording that was
-/// moved back may hold later data: these are left out.
+/// Reads the memory of `robot` ("14/2"), live or played, at `now_ns` [ns since the epoch]. The memory of a recording
+/// that was moved back may hold later data: these are left out.
 Recollection recollect(const memory::Channels& channels, const std::string& robot, std::uint64_t now_ns);
 
-/// An older pose is useless.
+/// Greatest age of a useful pose.
 inline constexpr float kStalePose = 3;  // [s]
 
-/// Converts a recollection to the simulator's form. `params` are the rules of the game and, as the home team, the abilities of
-/// the own body. Returns an Error when a necessary object is absent or old, such as "the robot does not know where it is: there is
-/// no object pose yet". Also when no soccer is played: "the game is in a penalty shoot-out".
+/// Converts a recollection to the simulator's form. `params` are the rules of the game and, as the home team, the
+/// abilities of the own body. Returns an Error when a necessary object is absent or old, such as "the robot does not
+/// know where it is: there is no object pose yet". It also returns one when no soccer is played, such as "the game is
+/// in a penalty shoot-out".
 Result<sim::foresight::Knowledge> knowledge_of(const Recollection& recollection, const sim::Params& params);
 
 }  // namespace robot::bridge

@@ -18,8 +18,8 @@ struct Moment {
     return static_cast<std::uint64_t>(std::min(static_cast<double>(passed_ns) * speed, kMost));
   }
 
-  /// Reports whether time has been moved back since `then_ns`, for example by a recording that starts again. Data that are
-  /// written during the evaluation of a moment are at most a second later.
+  /// Reports whether time has been moved back since `then_ns`, for example by a recording that starts again. Data that
+  /// are written during the evaluation of a moment are at most a second later.
   bool is_before(std::uint64_t then_ns) const { return then_ns > now_ns + kAtOnceNs; }
 
   static constexpr std::uint64_t kAtOnceNs = 1'000'000'000;

@@ -126,7 +126,7 @@ void Narrator::write_mind(const SimulatedGame& game, int robot, const Timeline& 
     to_proto(*trace, *decision);
     memory.decision.write(std::move(decision), capture_ns);
   }
-  // ten times a second is as good as each image
+  // ten times a second is enough
   if (game.state().world.tick % kOpponentTicks == 0 || written_ == sim::kNever) {
     auto opponents = memory.opponents.draft();
     to_proto(mind.beliefs, timeline, *opponents);

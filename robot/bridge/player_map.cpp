@@ -17,7 +17,7 @@ PlayerMap::PlayerMap(const pb::TeamState& team, int places) {
 
   const bool has_keeper = playing.erase(keeper_of(team)) == 1;
   if (has_keeper) players_.front() = keeper_of(team);
-  // without one the goal stays empty, unless somebody would be left over
+  // without a keeper the goal stays empty, unless a player would have no place
   const bool first_is_free = !has_keeper && static_cast<int>(playing.size()) >= places;
   for (int place = first_is_free ? 1 : 2; place <= places && !playing.empty(); ++place)
     players_[static_cast<std::size_t>(place - 1)] = playing.extract(playing.begin()).value();

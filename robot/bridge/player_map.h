@@ -17,9 +17,9 @@ std::uint32_t keeper_of(const pb::TeamState& team);
 
 /// The players of one team by their places in the simulator.
 ///
-/// Jersey numbers are 1 .. 20. Some belong to substitutes, and any player may be the goalkeeper. The simulator has players
-/// 1 .. 7 and the first is the goalkeeper. So the goalkeeper gets the first place. The others, without substitutes, follow
-/// by their numbers as long as there are places. A penalised player keeps its place.
+/// Jersey numbers are 1 .. 20. Some belong to substitutes, and any player may be the goalkeeper. The simulator has
+/// players 1 .. 7 and the first is the goalkeeper. So the goalkeeper gets the first place. The others, without
+/// substitutes, follow by their numbers as long as there are places. A penalised player keeps its place.
 class PlayerMap {
  public:
   /// Maps up to `places` [1..7] players. Without data from the GameController each place has its own number.

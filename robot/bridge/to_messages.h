@@ -1,8 +1,8 @@
 // Beliefs, actions and decisions of simulated robots as messages of a robot's memory. Units and frames are those of the
 // .proto.
 //
-// Each to_proto clears and fills `message`. A message that is filled again keeps its allocated memory. All are functions
-// of their arguments, for any thread.
+// Each to_proto clears and fills `message`. A message that is filled again keeps its allocated memory. All are
+// functions of their arguments, for any thread.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,8 @@ namespace robot::bridge {
 
 namespace pb = foresight;
 
-/// Capture times of a simulated game. At speed 1, 30 ticks are exactly a second, and each tick is exact to the nanosecond.
+/// Capture times of a simulated game. At speed 1, 30 ticks are exactly a second, and each
+/// tick is exact to the nanosecond.
 struct Timeline {
   std::uint64_t epoch_ns = 0;  // [ns since the epoch] of tick 0
   double speed = 1;            // [game seconds per second]
@@ -59,8 +60,8 @@ bool to_proto(const sim::agent::Ball& ball, float deceleration, const Timeline& 
 
 void to_proto(const sim::agent::Pose& pose, pb::Pose& message);
 
-/// Converts the last messages from the teammates of `player` [1..7]. A teammate's ball has no deviation (0). A simulated
-/// packet arrives at its send time. The caller fills the number of sent messages.
+/// Converts the last messages from the teammates of `player` [1..7]. A teammate's ball has no deviation (0). A
+/// simulated packet arrives at its send time. The caller fills the number of sent messages.
 void to_proto(const sim::agent::Beliefs& beliefs, int player, const Timeline& timeline, pb::Team& message);
 
 /// Converts the last seen places of the opponents.

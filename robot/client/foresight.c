@@ -202,7 +202,8 @@ static int heed(Connection* connection, const Frame* frame) {
   return 0;
 }
 
-/// Handles a write that failed for `reason`. If the runtime has ended the connection, its last message gives the reason.
+/// Handles a write that failed for `reason`. If the runtime has ended the connection,
+/// its last message gives the reason.
 static void lose(Connection* connection, int reason) {
   complain(connection, "cannot write to", strerror(reason));
   Frame frame;
@@ -232,8 +233,8 @@ static int flush(Connection* connection) {
   return 1;
 }
 
-/// Sends `pieces`, with the descriptor `file` unless it is -1. If the kernel takes a part, the rest is sent later. Returns 0
-/// if nothing was sent.
+/// Sends `pieces`, with the descriptor `file` unless it is -1. If the kernel takes a part, the rest is sent later.
+/// Returns 0 if nothing was sent.
 static int send_pieces(Connection* connection, struct iovec* pieces, int count, int file) {
   union {
     struct cmsghdr head;
@@ -548,8 +549,8 @@ void foresight_end(ForesightReader* reader) {
   free(reader);
 }
 
-/// Keeps the content of a channel frame. Returns 0 if the frame is malformed. The end of each text overwrites the length of
-/// the next one, which has been read by then.
+/// Keeps the content of a channel frame. Returns 0 if the frame is malformed. The end of each text overwrites the
+/// length of the next one, which has been read by then.
 static int learn(ForesightReader* reader, const Frame* frame) {
   reader->channel.begin = reader->channel.end = 0;
   if (!append(&reader->channel, frame->body, frame->size)) return 0;

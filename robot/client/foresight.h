@@ -10,8 +10,8 @@
 //
 // No call waits for the runtime, except foresight_wait, even while the runtime is stopped or dead. Each writer and each
 // reader has its own connection. It connects at its first use, and connects again after a restart of the runtime. Large
-// messages, such as images, go through shared memory. One thread at a time may use a writer or reader; different ones are
-// independent. Messages that are written without a runtime are lost and counted.
+// messages, such as images, go through shared memory. One thread at a time may use a writer or reader; different ones
+// are independent. Messages that are written without a runtime are lost and counted.
 //
 // All times are of this machine's monotonic clock [ns], like those of V4L2 and std::chrono::steady_clock.
 // Messages are protobuf, defined in proto/foresight/*.proto, unless announced otherwise. Without protobuf, use
@@ -69,8 +69,8 @@ ForesightWriter* foresight_announce(const char* topic, const char* type);
 /// Makes a writer of any object, to the door at `door`; NULL: the door of foresight_announce(). Copies its arguments.
 ForesightWriter* foresight_announce_as(const ForesightObject* object, const char* door);
 
-/// Writes one message of at most 8 MiB that was sensed at `capture_ns`. Returns 1 if it was sent. Returns 0 if it is lost;
-/// foresight_problem() gives the reason.
+/// Writes one message of at most 8 MiB that was sensed at `capture_ns`. Returns 1 if it was sent. Returns 0 if it is
+/// lost; foresight_problem() gives the reason.
 int foresight_write(ForesightWriter* writer, uint64_t capture_ns, const void* bytes, size_t size);
 
 /// Writes a message of two pieces, one after the other: a head, and pixels that need not be copied behind it.
@@ -87,8 +87,8 @@ uint64_t foresight_lost(const ForesightWriter* writer);
 /// Returns the reason why the last attempt failed, in one sentence, or "" if it did not fail.
 const char* foresight_problem(const ForesightWriter* writer);
 
-/// Converts `monotonic_ns` to the time of the time fields in messages [ns since the epoch, capture time]. The offset is the
-/// runtime's; before the first connection it is that of the system clock.
+/// Converts `monotonic_ns` to the time of the time fields in messages [ns since the epoch, capture time]. The offset is
+/// the runtime's; before the first connection it is that of the system clock.
 uint64_t foresight_epoch_ns(const ForesightWriter* writer, uint64_t monotonic_ns);
 
 /// Closes the connection and frees the writer. Messages that were sent still arrive.
@@ -107,7 +107,8 @@ int foresight_read_newest(ForesightReader* reader, ForesightMessage* message);
 /// Waits until there may be a message to read, at most `timeout_ms`. Returns at once if that is 0 or less.
 void foresight_wait(ForesightReader* reader, int timeout_ms);
 
-/// Returns the runtime's description of the object, or NULL before the first message. Valid until the next call with `reader`.
+/// Returns the runtime's description of the object, or NULL before the first message. Valid
+/// until the next call with `reader`.
 const ForesightObject* foresight_object(const ForesightReader* reader);
 
 /// As foresight_problem() and foresight_epoch_ns().

@@ -1,4 +1,5 @@
-// Questions of a team's own behaviour to foresight: which of these strategies is best from now on? C99, with foresight.h.
+// Questions of a team's own behaviour to foresight: which of these strategies is best
+// from now on? C99, with foresight.h.
 //
 //   ForesightAdviser adviser = foresight_adviser(NULL);                          // once
 //   ForesightAdvice advice;

@@ -12,7 +12,7 @@
 namespace robot {
 namespace {
 
-/// Cuts the first `n` bytes off `pieces`.
+/// Returns `pieces` without the first `n` bytes.
 std::span<iovec> behind(std::span<iovec> pieces, std::size_t n) {
   while (!pieces.empty() && n >= pieces.front().iov_len) {
     n -= pieces.front().iov_len;
@@ -42,7 +42,7 @@ Result<void> FileSink::append(std::span<const std::string_view> pieces) {
     for (std::size_t i = 0; i < count; ++i) vectors[i] = {const_cast<char*>(pieces[i].data()), pieces[i].size()};
     pieces = pieces.subspan(count);
 
-    // a short write is followed by one that tells why
+    // after a short write, the next one returns the reason
     std::span<iovec> left = behind(std::span(vectors).first(count), 0);
     while (!left.empty()) {
       const ssize_t n = ::writev(file_.get(), left.data(), static_cast<int>(left.size()));

@@ -1,4 +1,4 @@
-// Bytes that are written at the end of a file, and taken back when that failed.
+// Appending of bytes to a file, and truncation after a failure.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,17 @@ class ByteSink {
  public:
   virtual ~ByteSink() = default;
 
-  /// Appends `pieces`, one behind the other. After an Error some part of them may have been appended.
+  /// Appends `pieces` one after the other. After an Error a part of them may have been appended.
   virtual Result<void> append(std::span<const std::string_view> pieces) = 0;
 
-  /// Takes back everything behind the first `size` bytes.
+  /// Removes everything after the first `size` bytes.
   virtual Result<void> truncate(std::uint64_t size) = 0;
 };
 
 /// A new file.
 class FileSink final : public ByteSink {
  public:
-  /// Makes the file at `path`; an Error if there is one already: nothing recorded is ever overwritten.
+  /// Creates the file at `path`. Returns an Error if it exists, because recordings are never overwritten.
   static Result<std::unique_ptr<FileSink>> create(const std::filesystem::path& path);
 
   Result<void> append(std::span<const std::string_view> pieces) override;

@@ -29,7 +29,7 @@ Result<std::string> read_bytes(const ByteSource& source, std::uint64_t offset, s
     return Error{source.name() + ": expected at most " + std::to_string(bytes.max_size()) + " bytes at once, got " +
                  std::to_string(length)};
   bytes.resize(static_cast<std::size_t>(length));
-  if (const Result<void> done = source.read(offset, bytes); !done) return Error{done.error()};
+  if (const Result<void> done = source.read(offset, bytes); !done) return done.failure();
   return bytes;
 }
 

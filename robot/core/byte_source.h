@@ -1,4 +1,4 @@
-// Bytes that are read: a file, or memory in tests.
+// A source of bytes: a file, or memory in tests.
 #pragma once
 
 #include <cstdint>
@@ -13,25 +13,25 @@
 
 namespace robot {
 
-/// A run of bytes that can be read from anywhere. Any thread.
+/// A sequence of bytes with random access. Any thread.
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
 
-  /// What it is called in error sentences: the file's name without its folder.
+  /// Returns the name for error sentences: the file's name without its folder.
   virtual const std::string& name() const = 0;
 
-  /// How many bytes there are. Does not change, even if the file grows.
+  /// Returns the number of bytes. It does not change, even if the file grows.
   virtual std::uint64_t size() const = 0;
 
-  /// Fills `into` with the bytes from `offset` on; an Error if there are not that many.
+  /// Fills `into` with the bytes from `offset` on. Returns an Error if there are not enough.
   virtual Result<void> read(std::uint64_t offset, std::span<char> into) const = 0;
 };
 
-/// `length` bytes of `source` from `offset` on. Allocates nothing when there are not that many.
+/// Returns `length` bytes of `source` from `offset` on. Allocates nothing if there are not enough.
 Result<std::string> read_bytes(const ByteSource& source, std::uint64_t offset, std::uint64_t length);
 
-/// A file, as long as it was when it was opened.
+/// A file with the size that it had when it was opened.
 class FileSource final : public ByteSource {
  public:
   static Result<std::shared_ptr<const FileSource>> open(const std::filesystem::path& path);

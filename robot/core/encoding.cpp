@@ -9,7 +9,7 @@ constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmn
 
 std::uint32_t byte_at(std::string_view bytes, std::size_t at) { return static_cast<unsigned char>(bytes[at]); }
 
-// one 64-byte block of SHA-1, as in RFC 3174 section 6.1
+/// Adds one 64-byte block to the SHA-1 hash (RFC 3174, section 6.1).
 void add_block(std::array<std::uint32_t, 5>& hash, std::string_view block) {
   std::array<std::uint32_t, 80> w{};
   for (std::size_t t = 0; t < 16; ++t)
@@ -33,7 +33,7 @@ void add_block(std::array<std::uint32_t, 5>& hash, std::string_view block) {
   hash = {hash[0] + a, hash[1] + b, hash[2] + c, hash[3] + d, hash[4] + e};
 }
 
-// how many bytes the character at the start of `text` has; 0 if it is malformed
+/// Returns the size [bytes] of the first character of `text`, or 0 if it is malformed.
 std::size_t character_size(std::string_view text) {
   const std::uint32_t first = byte_at(text, 0);
   if (first < 0x80) return 1;

@@ -1,4 +1,4 @@
-// Small encodings the protocols ask for: base64 (RFC 4648), SHA-1 (RFC 3174), UTF-8 (RFC 3629).
+// Encodings that the protocols need: base64 (RFC 4648), SHA-1 (RFC 3174), UTF-8 (RFC 3629).
 #pragma once
 
 #include <array>
@@ -10,16 +10,16 @@
 
 namespace robot {
 
-/// Base64 with padding.
+/// Returns `bytes` as base64 with padding.
 std::string to_base64(std::string_view bytes);
 
-/// The bytes of base64 `text`; an Error if a character or the padding is wrong.
+/// Decodes base64. Returns an Error if a character or the padding is wrong.
 Result<std::string> from_base64(std::string_view text);
 
-/// The SHA-1 digest of `bytes`. The WebSocket handshake asks for it; it protects nothing.
+/// Returns the SHA-1 digest of `bytes`. The WebSocket handshake needs it; it protects nothing.
 std::array<std::uint8_t, 20> sha1(std::string_view bytes);
 
-/// Whether `text` is well-formed UTF-8: no overlong forms, no surrogates, nothing above U+10FFFF.
+/// Reports whether `text` is well-formed UTF-8: no overlong forms, no surrogates, nothing above U+10FFFF.
 bool is_utf8(std::string_view text);
 
 }  // namespace robot

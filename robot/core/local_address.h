@@ -14,7 +14,8 @@ namespace robot {
 /// The address of a local socket, checked for its length.
 class LocalAddress {
  public:
-  /// Returns an Error if the path is empty or longer than the system allows (107 bytes). Its sentence begins with `who`.
+  /// Returns an Error if the path is empty or longer than the system allows (107
+  /// bytes). Its sentence begins with `who`.
   static Result<LocalAddress> of(const std::filesystem::path& path, const std::string& who);
 
   bool connect(int socket) const { return ::connect(socket, get(), sizeof address_) == 0; }

@@ -17,8 +17,9 @@ struct ListenOptions {
   int backlog = 128;
 };
 
-/// Opens a non-blocking socket that listens at `path`, for programs of our user only. Removes the socket file of a killed
-/// process. Returns an Error if another process listens there or `path` is something other than a socket of our user.
+/// Opens a non-blocking socket that listens at `path`, for programs of our user only. Removes the socket file of a
+/// killed process. Returns an Error if another process listens there or `path` is something
+/// other than a socket of our user.
 Result<FileDescriptor> listen_locally(const std::filesystem::path& path, const ListenOptions& options);
 
 }  // namespace robot

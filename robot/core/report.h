@@ -16,7 +16,7 @@ enum class Level { debug = 1, info = 2, warning = 3, error = 4 };
 struct Report {
   Level level;
   std::string source;    // the part of the program that reports, such as "logging"
-  std::string sentence;  // what is wrong, where, what was expected, what came
+  std::string sentence;  // the fault, its place, the expected and the actual value
 };
 
 /// Writes a sentence to stderr and passes it to the listener (which fills the memory object `log`). Any thread.
@@ -26,10 +26,11 @@ void report(Level level, std::string_view source, std::string_view sentence);
 /// previous listener is not running and will not be called again. The listener must not call `report`.
 void set_report_listener(std::function<void(const Report&)> listener);
 
-/// A limit of one report a second, for faults that may happen a thousand times a second. Any thread; one object per place.
+/// A limit of one report a second, for faults that may happen a thousand times a second. One object per place in the
+/// code. Any thread.
 class Throttle {
  public:
-  /// Works as report() does, but drops sentences that come too soon. The next sentence that passes names how many.
+  /// Works as report() does, but drops sentences that come too soon. The next sentence that passes names their number.
   void report(Level level, std::string_view source, std::string_view sentence, std::uint64_t now_ns = monotonic_ns());
 
  private:

@@ -53,7 +53,7 @@ export async function bring(recordings, session, file, path, arrived = () => {})
       if (await isWhole(part, file)) break;
       // the part from an earlier attempt may be of a file that has changed since
       rmSync(part, { force: true });
-      if (had === 0) throw new RobotFailed(`${session}/${file.name}: what arrived does not have the checksum ${file.crc32}`);
+      if (had === 0) throw new RobotFailed(`${session}/${file.name}: the downloaded file does not have the checksum ${file.crc32}`);
       arrived(-file.size_bytes);
     } catch (error) {
       if (error instanceof Refused || attempt === kAttempts) throw error;

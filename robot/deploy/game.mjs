@@ -25,5 +25,5 @@ export function gameUnderWay(status) {
 /** Throws while a game is in progress, unless `force`. A robot without a running runtime counts as not in a game. */
 export async function refuseInGame(connection, { force = false } = {}) {
   const game = gameUnderWay(await statusOf(connection));
-  if (game && !force) throw new RobotFailed(`the game is ${game}; nothing was touched (--force does it all the same)`);
+  if (game && !force) throw new RobotFailed(`the game is ${game}; nothing was changed (--force does it anyway)`);
 }

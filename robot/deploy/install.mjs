@@ -115,7 +115,7 @@ export async function install(connection, folder, { restart, force }, say) {
   await connection.must("the version could not be swapped", switchTo(versionName(build), { restart }));
   if (!restart) return say(`build ${build} is there and runs when it is started next`);
   const whyNot = await whyNotUp(connection, build).catch((error) => {
-    throw new RobotFailed(`${error.message}; build ${build} was started, but not proved`);
+    throw new RobotFailed(`${error.message}; build ${build} was started, but it is unknown whether it answers`);
   });
   if (whyNot) await rollBack(connection, `build ${build}: ${whyNot}`);
   say(`runs build ${build}`);

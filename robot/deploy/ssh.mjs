@@ -65,7 +65,7 @@ export class Connection {
   /** Logs in at the first address that answers. If `interactive`, ssh may ask for a password; otherwise it needs a key. */
   static async open(robot, { interactive = false } = {}) {
     const address = await addressThatAnswers(robot, "ssh_port");
-    if (!address) throw new RobotFailed(`nobody answers at port ${robot.ssh_port} of ${robot.addresses.join(" or ")}: is it on, and are we in its network?`);
+    if (!address) throw new RobotFailed(`no ssh server answers at port ${robot.ssh_port} of ${robot.addresses.join(" or ")}: is it on, and are we in its network?`);
     const connection = new Connection(robot, address);
     await connection.#logIn(interactive);
     return connection;

@@ -145,8 +145,8 @@ void Advisor::ask_of_own_accord(const bridge::Recollection& now, const AskingOpt
     captain_asks_ = false, captain_waits_ = true;
 }
 
-/// Asks a question of a team's own process, which always gets an answer. While the captain waits, the next free place is
-/// the captain's.
+/// Asks a question of a team's own process, which always gets an answer. While the captain waits, the
+/// next free place is the captain's.
 void Advisor::take_question(const memory::Version& version) {
   pb::WhatIf question;
   const std::string_view bytes = version.bytes();
@@ -168,8 +168,8 @@ void Advisor::keep(const pb::Forecast& forecast) {
   memory_.forecast.write(forecast, forecast.asked_ns());
 }
 
-/// Chooses by the answer to the question of this robot, player `leader`. It does not choose when it is no longer the captain
-/// (for example penalised), when foresight was switched off, or when time was moved back.
+/// Chooses by the answer to the question of this robot, player `leader`. It does not choose when it is no longer the
+/// captain (for example penalised), when foresight was switched off, or when time was moved back.
 void Advisor::decide(const pb::Forecast& forecast, int leader) {
   captain_asks_ = false;
   keep(forecast);

@@ -1,4 +1,5 @@
-// Foresight on the robot: takes questions from memory, asks some itself as the captain, and writes the answers to memory.
+// Foresight on the robot: takes questions from memory, asks some itself as the captain,
+// and writes the answers to memory.
 #pragma once
 
 #include <atomic>
@@ -32,16 +33,16 @@ struct AskingOptions {
   float sure = sim::foresight::Terms().sure;
 };
 
-/// A thread of its own. It waits for the object `what_if`, which a team's process writes. Ten times a second it checks the
-/// team's strategy and whether the captain has a reason to ask. It writes three objects: each answer as `forecast`, the
-/// strategy that the captain chose as `strategy`, and the quality of past forecasts as `forecast_score`.
+/// A thread of its own. It waits for the object `what_if`, which a team's process writes. Ten times a second it checks
+/// the team's strategy and whether the captain has a reason to ask. It writes three objects: each answer as `forecast`,
+/// the strategy that the captain chose as `strategy`, and the quality of past forecasts as `forecast_score`.
 ///
-/// Each new id in `what_if` is one question. While one question runs and one waits, the next is refused at once. The captain
-/// asks one question at a time and gets the next free place.
+/// Each new id in `what_if` is one question. While one question runs and one waits, the next is refused at once. The
+/// captain asks one question at a time and gets the next free place.
 class Advisor {
  public:
-  /// Takes over `foreseer`; all others outlive the advisor. `now_ns` returns the time of the data in memory [ns since the
-  /// epoch]. Both functions are called by any thread.
+  /// Takes over `foreseer`; all others outlive the advisor. `now_ns` returns the time of the data in memory [ns since
+  /// the epoch]. Both functions are called by any thread.
   Advisor(std::unique_ptr<Foreseer> foreseer, memory::Memory& memory, const memory::Channels& channels,
           std::string robot, std::function<std::uint64_t()> now_ns, std::function<AskingOptions()> options);
   ~Advisor();

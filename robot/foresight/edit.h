@@ -11,8 +11,8 @@ namespace robot::foreseeing {
 
 namespace pb = ::foresight;
 
-/// Makes the edited place of the robot and of the ball its knowledge. So it can be asked even if it has not seen the ball
-/// for a long time.
+/// Makes the edited place of the robot and of the ball its knowledge. So it can be asked even if it has
+/// not seen the ball for a long time.
 void tell(const pb::WhatIf::Edit& edit, const bridge::PlayerMaps& lineups, sim::foresight::Knowledge& knowledge);
 
 /// Changes the situation as `edit` says, without uncertainty. Returns an Error for an impossible situation: outside the

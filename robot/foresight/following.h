@@ -22,12 +22,12 @@ class Following {
   /// `strategies` is the number of strategies in the robot's list [1..8].
   explicit Following(int strategies) : strategies_(strategies) {}
 
-  /// Takes over the choice in the teammates' messages. `captain` is the player that chooses, 0 for none; `player` is this
-  /// robot.
+  /// Takes over the choice in the teammates' messages. `captain` is the player that chooses, 0
+  /// for none; `player` is this robot.
   void hear(const pb::Team& team, int captain, int player, const bridge::Moment& now);
 
-  /// Drops a stale choice. A robot that asks every `period_ns` of game time keeps it that much longer. After time was moved
-  /// back it also drops choices of the future. Call it regularly.
+  /// Drops a stale choice. A robot that asks every `period_ns` of game time keeps it that much longer. After time was
+  /// moved back it also drops choices of the future. Call it regularly.
   void forget(const bridge::Moment& now, std::uint64_t period_ns = 0);
 
   /// Sets the captain's own choice, or confirms it when it is the same.

@@ -130,7 +130,7 @@ Result<std::unique_ptr<Foreseer>> Foreseer::open(ForeseerOptions options) {
   auto made = std::unique_ptr<Foreseer>(new Foreseer(std::move(options)));
   // everything is read once, so that a wrong file is reported now
   if (const auto playbook = made->playbook_for(made->options_.strategies.front(), 0, Whose::own); !playbook)
-    return Error{"foresight: " + playbook.error()};
+    return playbook.failure("foresight");
   else
     made->rules_ = (*playbook)->params.front().rules;
   made->answering_ = std::thread([foreseer = made.get()] { foreseer->answer(); });
@@ -149,7 +149,8 @@ Foreseer::~Foreseer() {
   if (answering_.joinable()) answering_.join();
 }
 
-/// Returns the playbook of all strategies against that opponent, in the order of the options. 0 players: as in the rules.
+/// Returns the playbook of all strategies against that opponent, in the order of the
+/// options. 0 players: as in the rules.
 Result<std::shared_ptr<const sim::io::Playbook>> Foreseer::playbook_for(const std::string& opponent, int players,
                                                                         Whose robot) {
   const std::lock_guard guard(preparing_);
@@ -162,7 +163,7 @@ Result<std::shared_ptr<const sim::io::Playbook>> Foreseer::playbook_for(const st
                                              .models = is_own ? options_.models : options_.opponent_models,
                                              .opponent_models = is_own ? options_.opponent_models : options_.models,
                                              .players = players});
-  if (!playbook) return Error{playbook.error()};
+  if (!playbook) return playbook.failure();
   if (playbooks_.size() == kMostPlaybooks) playbooks_.clear();
   return playbooks_[key] = std::make_shared<const sim::io::Playbook>(std::move(*playbook));
 }
@@ -181,11 +182,11 @@ bool Foreseer::idle() {
 Result<void> Foreseer::ask(const pb::WhatIf& asked, const bridge::Recollection& recollection, Answered answered,
                            Whose robot) {
   Result<pb::WhatIf> question = complete(asked, options_.strategies);
-  if (!question) return Error{question.error()};
+  if (!question) return question.failure();
   const std::uint32_t told = recollection.game ? recollection.game->value.players_per_team() : 0;
   const int players = told >= 1 && told <= sim::kMaxPlayers ? static_cast<int>(told) : 0;
   const auto playbook = playbook_for(question->opponent(), players, robot);
-  if (!playbook) return Error{playbook.error()};
+  if (!playbook) return playbook.failure();
   const sim::Params& params = (*playbook)->params.front();
 
   const bridge::PlayerMaps lineups(recollection.game ? recollection.game->value : pb::GameState(),
@@ -232,7 +233,7 @@ Result<pb::Forecast> Foreseer::ask_and_wait(const pb::WhatIf& question, const br
   if (Result<void> asked = ask(
           question, recollection, [answer](const pb::Forecast& forecast) { answer->set_value(forecast); }, robot);
       !asked)
-    return Error{asked.error()};
+    return asked.failure();
   return coming.get();
 }
 

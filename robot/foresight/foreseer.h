@@ -43,8 +43,8 @@ Whose whose(const std::string& robot, const std::string& own);
 /// The refusal of a question when no place is free.
 inline constexpr const char* kBusy = "foresight is busy: one question runs and another one waits";
 
-/// Two threads. One plays rollouts at the lowest priority. The other, at normal priority, answers at the deadline from the
-/// last complete stripe, even if the rollouts got little time. All functions from any thread.
+/// Two threads. One plays rollouts at the lowest priority. The other, at normal priority, answers at the deadline from
+/// the last complete stripe, even if the rollouts got little time. All functions from any thread.
 class Foreseer {
  public:
   /// Returns an Error if a strategy, the rules or the models cannot be loaded.
@@ -59,15 +59,16 @@ class Foreseer {
   /// Reports whether no question runs or waits.
   bool idle();
 
-  /// Answers every question at once from the results so far. Called before the destruction, so that no caller waits long.
+  /// Answers every question at once from the results so far. Called before the
+  /// destruction, so that no caller waits long.
   void hurry();
 
   /// Called on the answering thread; must not wait for a question of its own.
   using Answered = std::function<void(const pb::Forecast&)>;
 
-  /// Asks about the moment of `recollection`. One question runs and one may wait. A third question and a wrong one get an
-  /// Error, and `answered` is not called. A question that cannot be answered gets an answer with a `refusal`, before this
-  /// returns. The budget counts from the start of the question.
+  /// Asks about the moment of `recollection`. One question runs and one may wait. A third question and a wrong one get
+  /// an Error, and `answered` is not called. A question that cannot be answered gets an answer with a `refusal`, before
+  /// this returns. The budget counts from the start of the question.
   Result<void> ask(const pb::WhatIf& question, const bridge::Recollection& recollection, Answered answered,
                    Whose robot = Whose::own);
 

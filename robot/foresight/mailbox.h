@@ -15,8 +15,8 @@ class Mailbox {
   /// Makes the draft the newest value. For the writer.
   void publish() { writing_ = between_.exchange(writing_ | kNew, std::memory_order_acq_rel) & kIndex; }
 
-  /// Returns the newest published value, or a default value before the first. It stays the same until the next call. For the
-  /// reader.
+  /// Returns the newest published value, or a default value before the first. It stays the same
+  /// until the next call. For the reader.
   const Value& newest() {
     if ((between_.load(std::memory_order_relaxed) & kNew) != 0)
       reading_ = between_.exchange(reading_, std::memory_order_acq_rel) & kIndex;

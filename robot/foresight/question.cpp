@@ -31,7 +31,7 @@ Result<void> check_names(const pb::WhatIf& question, const std::vector<std::stri
     if (Result<void> checked = check(name); !checked) return checked;
     if (std::find(question.strategies().begin(), question.strategies().begin() + i, name) !=
         question.strategies().begin() + i)
-      return Error{"'strategies' must differ, " + name + " is there twice"};
+      return Error{"'strategies' must differ, " + name + " occurs twice"};
   }
   // baseline always exists, whatever the own team plays
   return question.opponent() == kDefaultOpponent ? Result<void>{} : check(question.opponent());
@@ -46,7 +46,7 @@ Result<void> check_moved(const google::protobuf::RepeatedPtrField<pb::WhatIf::Mo
     if (std::any_of(robots.begin(), robot, [&](const pb::WhatIf::MovedRobot& before) {
           return before.opponent() == robot->opponent() && before.player() == robot->player();
         }))
-      return Error{"'edit.robots' must differ, " + name_of(*robot) + " is there twice"};
+      return Error{"'edit.robots' must differ, " + name_of(*robot) + " occurs twice"};
   return {};
 }
 
@@ -76,12 +76,16 @@ Result<pb::WhatIf> complete(pb::WhatIf question, const std::vector<std::string>&
   if (!question.has_switching_cost()) question.set_switching_cost(kDefaultCost);
   if (!question.has_sure()) question.set_sure(kDefaultSure);
 
-  if (Result<void> named = check_names(question, known); !named) return Error{named.error()};
-  if (!pb::WhatIf::Measure_IsValid(question.measure())) return Error{"'measure' is none that there is"};
-  if (!pb::WhatIf::Until_IsValid(question.until())) return Error{"'until' is none that there is"};
-  if (Result<void> checked = check_horizon(double{question.horizon()}); !checked) return Error{checked.error()};
-  if (Result<void> checked = check_budget(question.budget_ms()); !checked) return Error{checked.error()};
-  if (Result<void> moved = check_moved(question.edit().robots()); !moved) return Error{moved.error()};
+  if (Result<void> named = check_names(question, known); !named) return named.failure();
+  if (!pb::WhatIf::Measure_IsValid(question.measure()))
+    return Error{"'measure' must be a value of foresight.WhatIf.Measure, got " +
+                 std::to_string(static_cast<int>(question.measure()))};
+  if (!pb::WhatIf::Until_IsValid(question.until()))
+    return Error{"'until' must be a value of foresight.WhatIf.Until, got " +
+                 std::to_string(static_cast<int>(question.until()))};
+  if (Result<void> checked = check_horizon(double{question.horizon()}); !checked) return checked.failure();
+  if (Result<void> checked = check_budget(question.budget_ms()); !checked) return checked.failure();
+  if (Result<void> moved = check_moved(question.edit().robots()); !moved) return moved.failure();
   if (!(question.switching_cost() >= 0 && question.switching_cost() <= 10))
     return Error{"'switching_cost' must be 0 .. 10, got " + number(static_cast<double>(question.switching_cost()))};
   if (!(question.sure() >= 0.5f && question.sure() <= 0.999f))

@@ -34,7 +34,7 @@ class Reader {
     }
     for (const auto& item : value.items())
       if (std::find(keys.begin(), keys.end(), item.key()) == keys.end())
-        refuse("'" + below(path, item.key().substr(0, 40)) + "' is nothing that a question has");
+        refuse("'" + below(path, item.key().substr(0, 40)) + "' is no member of a question");
     return good();
   }
 

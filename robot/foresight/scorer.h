@@ -19,9 +19,9 @@ namespace robot::foreseeing {
 
 namespace pb = ::foresight;
 
-/// The score of forecasts of a live robot or a recording. It needs strategies, forecasts and the game. The game comes in
-/// the order of capture times, the others before the game of the moment at which they are due. Open forecasts are not
-/// scored after time was moved back. Used by one thread.
+/// The score of forecasts of a live robot or a recording. It needs strategies, forecasts and the game. The game comes
+/// in the order of capture times, the others before the game of the moment at which they are due. Open forecasts are
+/// not scored after time was moved back. Used by one thread.
 ///
 /// Goals are those reported to the robot, until the true score of a simulation is known.
 ///
@@ -32,9 +32,9 @@ class Scorer {
   /// `goal_delay` [s of game time] is the delay between a goal and its report (sim::field::Rules::goal_message_delay).
   explicit Scorer(float goal_delay = 0);
 
-  /// Adds a forecast of the moment `capture_ns` [ns since the epoch]. It ignores forecasts that cannot be scored: refused
-  /// ones, those without advice, and those up to the end of a half or game. It also ignores those of an edited situation and
-  /// those against another opponent than kDefaultOpponent.
+  /// Adds a forecast of the moment `capture_ns` [ns since the epoch]. It ignores forecasts that cannot be scored:
+  /// refused ones, those without advice, and those up to the end of a half or game. It also ignores those of an edited
+  /// situation and those against another opponent than kDefaultOpponent.
   void foretell(const pb::Forecast& forecast, std::uint64_t capture_ns);
 
   /// Sets the team's strategy from `capture_ns` on. Before the first call a forecast counts for its first strategy. A
@@ -44,8 +44,8 @@ class Scorer {
   /// Adds the game at `capture_ns`. Returns true if at least one more forecast was scored.
   bool see(const pb::GameState& game, std::uint64_t capture_ns);
 
-  /// Adds the true score at `capture_ns` of a simulation in which the robot's team plays. From the first call on only its
-  /// goals count, without delay, and scores against the robot's memory are dropped. Returns the same as above.
+  /// Adds the true score at `capture_ns` of a simulation in which the robot's team plays. From the first call on only
+  /// its goals count, without delay, and scores against the robot's memory are dropped. Returns the same as above.
   bool see(const pb::Simulation& simulation, std::uint64_t capture_ns);
 
   pb::ForecastScore score() const;
@@ -94,8 +94,9 @@ class Scorer {
   std::map<std::pair<std::string, float>, std::array<Event, 2>> entries_;  // by strategy and horizon: score, concede
 };
 
-/// Returns a few lines for people, empty without forecasts. Per strategy and horizon they have the observed frequency (in
-/// total and by deciles of the forecast), the Brier scores and the log-loss. The last one names the source of the goals.
+/// Returns a few lines for people, empty without forecasts. Per strategy and horizon they have the observed frequency
+/// (in total and by deciles of the forecast), the Brier scores and the log-loss. The last
+/// one names the source of the goals.
 std::string to_text(const pb::ForecastScore& score);
 
 /// Returns the fields of the message by their names.

@@ -9,8 +9,8 @@ namespace robot::foreseeing {
 
 namespace pb = ::foresight;
 
-/// Returns the player that chooses for the whole team: the unpenalised field player of the lowest number. Returns 0 if no
-/// player plays or the GameController has not reported the players.
+/// Returns the player that chooses for the whole team: the unpenalised field player of the lowest number. Returns 0 if
+/// no player plays or the GameController has not reported the players.
 int captain_of(const pb::GameState& game);
 
 /// Finds reasons to ask in a sequence of moments. Used by one thread.
@@ -23,8 +23,9 @@ class Triggers {
   explicit Triggers(float goal_x) : goal_x_(goal_x) {}
 
   /// Returns the reason to ask now, or null. In play there is one at the latest `period_ns` of game time after the last
-  /// question, at the beginning, and after time was moved back. A reason holds until asked(), or until the state is the same
-  /// as at the last question. There are reasons only for the captain, in READY, SET and PLAYING, and not in a shoot-out.
+  /// question, at the beginning, and after time was moved back. A reason holds until asked(), or until the state is the
+  /// same as at the last question. There are reasons only for the captain, in READY, SET and
+  /// PLAYING, and not in a shoot-out.
   const char* look(const bridge::Recollection& now, std::uint64_t period_ns);
 
   /// Notes that the question was asked, at the moment of the last look().

@@ -96,8 +96,8 @@ constexpr Field kTeam15[] = {{number, 1}, {field_colour, 1}, {goalkeeper_colour,
                              {score, 1},  {penalty_shot, 1}, {single_shots, 2},      {message_budget, 2}};
 
 // ---------------------------------------------------------------------------------------------------------------------
-// players. In 2013 the last two players of the second team carried values for the GameController's own display, for which
-// format 7 had no field; they are read as players too
+// players. In 2013 the last two players of the second team carried values for the GameController's own display, for
+// which format 7 had no field; they are read as players too
 
 constexpr Field kPlayer7[] = {{penalty, 2}, {seconds_till_unpenalised, 2}};
 constexpr Field kPlayer8[] = {{penalty, 1}, {seconds_till_unpenalised, 1}};

@@ -1,9 +1,9 @@
 // The position of each value in a packet of the GameController: one table per format of the years 2012 to 2025.
 //
 // Sources: `RoboCupGameControlData.h` of RoboCup-SPL/GameController (formats 7, 8, 9, 11, 12, 14 and 17) and of
-// RoboCup-SPL/GameController3 (15 and 18). For formats 10, 13 and 16 only the packet length was known. They have the fields
-// of the format before; the length of the coach's message follows from the packet length. Tests read packets of the real
-// programs of 2013 (7), 2019 (12) and 2022 (14). All numbers are little endian, without padding.
+// RoboCup-SPL/GameController3 (15 and 18). For formats 10, 13 and 16 only the packet length was known. They have the
+// fields of the format before; the length of the coach's message follows from the packet length. Tests read packets of
+// the real programs of 2013 (7), 2019 (12) and 2022 (14). All numbers are little endian, without padding.
 #pragma once
 
 #include <cstddef>

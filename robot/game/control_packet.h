@@ -18,8 +18,8 @@ struct ControlPacket {
   std::array<pb::TeamState, 2> teams;
 };
 
-/// Parses the payload of a UDP packet; its version number selects the format. Returns an Error if the letters, the version,
-/// the length or a value is wrong for that format. Pure, any thread.
+/// Parses the payload of a UDP packet; its version number selects the format. Returns an Error if the letters, the
+/// version, the length or a value is wrong for that format. Pure, any thread.
 ///
 /// A penalty or colour without a name in the format is no error: its code is kept. The kicking team is absent if it is
 /// hidden or is neither of the two teams.

@@ -14,12 +14,12 @@ namespace pb = foresight;
 
 /// A follower of the game state. One thread calls update(); any thread may call in_progress().
 ///
-/// A match begins with READY, or with SET or PLAYING for a robot that joins late. It ends with FINISHED, or with INITIAL
-/// after a restart. A time-out or STANDBY does not end it. Another half or another opponent is another match.
+/// A match begins with READY, or with SET or PLAYING for a robot that joins late. It ends with FINISHED, or with
+/// INITIAL after a restart. A time-out or STANDBY does not end it. Another half or another opponent is another match.
 class Match {
  public:
-  /// After this silence the GameController counts as switched off [ns]. A shorter silence means nothing: a robot may lose
-  /// the wireless network for minutes, and that is not the end of the game.
+  /// After this silence the GameController counts as switched off [ns]. A shorter silence means nothing: a robot may
+  /// lose the wireless network for minutes, and that is not the end of the game.
   static constexpr std::uint64_t kSilenceNs = 20ull * 60 * 1'000'000'000;
 
   enum class Change {

@@ -1,4 +1,5 @@
-// Permission to send team messages: never for a player for which another program sends, never more than the rules allow.
+// Permission to send team messages: never for a player for which another program sends,
+// never more than the rules allow.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +11,11 @@ namespace robot::game {
 
 namespace pb = foresight;
 
-/// A guard that counts the team's messages and watches the GameController's budget. Used by one thread; it has no clock.
+/// A guard that counts the team's messages and watches the GameController's budget.
+/// Used by one thread; it has no clock.
 ///
-/// Once it has stopped, it stays stopped until the program restarts. A team that sends too much loses all its goals, and a
-/// second sender with our number does not go away.
+/// Once it has stopped, it stays stopped until the program restarts. A team that sends too much loses all its goals,
+/// and a second sender with our number does not go away.
 class SendGuard {
  public:
   /// Messages that are kept for the end of the game, as B-Human does.
@@ -22,8 +24,8 @@ class SendGuard {
   /// The shortest interval between two messages of one robot [ns].
   static constexpr std::uint64_t kLeastIntervalNs = 1'000'000'000;
 
-  /// Returns how far the budget may fall below our count [messages]. Packets get lost on the way to us that do reach the
-  /// GameController.
+  /// Returns how far the budget may fall below our count [messages]. Packets get lost on the way to us
+  /// that do reach the GameController.
   static constexpr std::uint32_t slack(std::uint32_t counted) { return 10 + counted / 4; }
 
   /// Takes the newest packet of the GameController. Formats before 14 have no budget.

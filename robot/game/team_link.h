@@ -1,5 +1,5 @@
-// Answers to the GameController and messages to the teammates. No other part of the runtime sends during a match, and this
-// part sends only what its options ask for.
+// Answers to the GameController and messages to the teammates. No other part of the runtime sends during a match, and
+// this part sends only what its options ask for.
 #pragma once
 
 #include <cstdint>
@@ -32,9 +32,9 @@ struct TeamLinkOptions {
   std::uint16_t return_port = kReturnPort;  // of answers
 };
 
-/// The link to teammates and GameController, with its own thread. It listens to the team's port, writes the object `team`,
-/// and sends what the options ask for. When another program sends with our number, or the budget falls too fast, it reports
-/// an error and sends nothing more.
+/// The link to teammates and GameController, with its own thread. It listens to the team's port, writes the object
+/// `team`, and sends what the options ask for. When another program sends with our number, or the budget falls too
+/// fast, it reports an error and sends nothing more.
 class TeamLink {
  public:
   /// Starts the link. Returns an Error if the port cannot be opened. `memory` and `clock` outlive the link.

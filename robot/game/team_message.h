@@ -34,12 +34,12 @@ struct TeamMessage {
   std::optional<pb::Ball> ball;                    // [robot] position, velocity, deviation; `seen_ns` by the own clock
 };
 
-/// Returns the packet. Positions are in millimetres within ±32 m, angles in 1/10000 rad, deviations at most 65 m. A pose or
-/// ball with a value that is not finite is left out. The ball's age is counted to `now_ns`.
+/// Returns the packet. Positions are in millimetres within ±32 m, angles in 1/10000 rad, deviations at most 65 m. A
+/// pose or ball with a value that is not finite is left out. The ball's age is counted to `now_ns`.
 std::string to_bytes(const TeamMessage& message, std::uint64_t now_ns);
 
-/// Parses a packet that arrived at `now_ns`, from which `ball.seen_ns` is counted. Returns an Error for any other packet,
-/// such as that of another team's program.
+/// Parses a packet that arrived at `now_ns`, from which `ball.seen_ns` is counted. Returns an Error for any other
+/// packet, such as that of another team's program.
 Result<TeamMessage> parse_team_message(std::string_view bytes, std::uint64_t now_ns);
 
 }  // namespace robot::game

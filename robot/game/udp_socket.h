@@ -41,15 +41,15 @@ struct Datagram {
 /// A UDP socket. One thread calls receive(); any thread may call send() and wake().
 class UdpSocket {
  public:
-  /// Listens on `port` (0: any) of the given local address (host byte order; 0: all). Another program that allows sharing
-  /// may listen on the same port; each gets a copy of every broadcast. The socket may send broadcasts.
+  /// Listens on `port` (0: any) of the given local address (host byte order; 0: all). Another program that allows
+  /// sharing may listen on the same port; each gets a copy of every broadcast. The socket may send broadcasts.
   static Result<UdpSocket> open(std::uint32_t address, std::uint16_t port);
 
   /// Returns the port on which it listens.
   std::uint16_t port() const { return port_; }
 
-  /// Returns the next packet, or nothing after wake() or when monotonic_ns() reaches `deadline_ns`. A packet longer than
-  /// 2048 bytes is cut; no packet of a game is that long.
+  /// Returns the next packet, or nothing after wake() or when monotonic_ns() reaches `deadline_ns`. A packet longer
+  /// than 2048 bytes is cut; no packet of a game is that long.
   std::optional<Datagram> receive(std::optional<std::uint64_t> deadline_ns = {});
 
   /// Ends the current and every later receive().

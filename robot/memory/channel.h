@@ -82,8 +82,8 @@ class Listener {
  public:
   virtual ~Listener() = default;
 
-  /// Called by the writer's thread, in the order of the sequence numbers. It should only keep the pointer, wake a thread
-  /// and return.
+  /// Called by the writer's thread, in the order of the sequence numbers. It should only keep the
+  /// pointer, wake a thread and return.
   virtual void on_version(const VersionPtr& version) = 0;
 };
 
@@ -117,8 +117,8 @@ class Channel {
   /// Sets the description and the time base of the channel. Called once, before the channel is shared.
   void announce(ChannelInfo info, const Clock& clock);
 
-  /// Gives `version` its number and times, passes it to the listeners and makes it the newest. Returns the version that was
-  /// newest before. Writers wait for each other; they never wait for a reader.
+  /// Gives `version` its number and times, passes it to the listeners and makes it the newest. Returns the version that
+  /// was newest before. Writers wait for each other; they never wait for a reader.
   /// A version that was published `elsewhere` keeps its number and publish time.
   VersionPtr publish(std::shared_ptr<Version> version, std::uint64_t capture_ns, std::size_t size_bytes,
                      const Published* elsewhere = nullptr);

@@ -102,7 +102,8 @@ struct Memory {
 
   /// Makes the memory of `robot`, "<team>/<player>". `clock` is its time base and outlives it.
   Memory(std::string_view robot, const Clock& clock);
-  /// Not inline: otherwise every file that includes this header compiles all memory objects, 2 s of processor time each.
+  /// Not inline: otherwise every file that includes this header compiles all memory
+  /// objects, 2 s of processor time each.
   ~Memory();
   Memory(const Memory&) = delete;
   Memory& operator=(const Memory&) = delete;

@@ -8,7 +8,8 @@
 
 namespace robot::memory {
 
-/// Returns an Error if `schema` has the encoding "protobuf" and is not readable or does not describe the message it names.
+/// Returns an Error if `schema` has the encoding "protobuf" and is not readable or does
+/// not describe the message it names.
 Result<void> check_readable(const Schema& schema);
 
 /// Returns an Error if bytes of `theirs` would be misread as `ours`. That is so if a field or an enum value has another

@@ -15,8 +15,8 @@ namespace robot::memory {
 
 /// A shift of all times in the messages of one channel. Used by one thread.
 ///
-/// A time in our messages is a 64-bit unsigned integer in a field whose name ends in `_ns`. Durations and monotonic times
-/// have such names too; they are told apart because they are not within a day of the message's capture time.
+/// A time in our messages is a 64-bit unsigned integer in a field whose name ends in `_ns`. Durations and monotonic
+/// times have such names too; they are told apart because they are not within a day of the message's capture time.
 class TimeShift {
  public:
   /// Adds `by_ns` to every time. In a channel that is not protobuf or has no readable schema, no times can be found.

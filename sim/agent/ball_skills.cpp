@@ -38,8 +38,8 @@ Target target_of(const View& view, Aim aim, float lead) {
   return {ball + Vec2{1, 0}};
 }
 
-/// The direction in which to send the ball: within the tolerance of the target, and as near as possible to the direction
-/// from which the robot comes.
+/// The direction in which to send the ball: within the tolerance of the target, and as near as possible to the
+/// direction from which the robot comes.
 struct Direction {
   Vec2 way;       // [robot] unit vector
   Vec2 straight;  // [robot] unit vector to the target itself

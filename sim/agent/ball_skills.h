@@ -8,7 +8,7 @@
 
 namespace sim::agent {
 
-/// Where the ball shall go.
+/// The target of the ball.
 enum class Aim : std::uint8_t {
   goal,     // the middle of the opponents' goal
   opening,  // the middle of the widest gap in it; the wider it is, the less exactly

@@ -1,4 +1,4 @@
-// How an agent decides: beliefs in, command out.
+// The decisions of an agent: beliefs in, command out.
 #pragma once
 
 #include <string>

@@ -63,7 +63,8 @@ struct Opponent {
   Tick seen = kNever;  // kNever: not yet
 };
 
-/// One robot's beliefs. `mates` are the teammates by number without the robot itself: for player 3, mates[2] is player 4.
+/// One robot's beliefs. `mates` are the teammates by number without the robot itself:
+/// for player 3, mates[2] is player 4.
 struct Beliefs {
   Ball ball;
   Pose pose;

@@ -23,8 +23,9 @@ constexpr bool is_newer(std::uint8_t epoch, std::uint8_t than) {
 }
 
 /// Takes over a teammate's choice if it is newer than the own one, or the captain's choice of the same epoch. A robot
-/// that never had a choice takes the first. A robot that let go of one takes it back from the captain only; otherwise the
-/// followers would keep it alive among themselves for ever. Returns true when `own` is the team's choice of that message.
+/// that never had a choice takes the first. A robot that let go of one takes it back from the captain only; otherwise
+/// the followers would keep it alive among themselves for ever. Returns true when `own` is
+/// the team's choice of that message.
 constexpr bool follow(const Choice& heard, bool by_captain, Choice& own) {
   if (heard.strategy == kNoStrategy) return false;
   const bool has_none = own.strategy == kNoStrategy;

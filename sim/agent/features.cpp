@@ -343,7 +343,7 @@ Gap widest_gap(const View& view) {
       if (hidden[k].right > right && hidden[k].right < left) left = hidden[k].right;
     }
     if (!open) continue;
-    // of equal gaps the one on the side of the ball, as Mind.search_side has it
+    // of equal gaps the one on the side of the ball, as in Mind.search_side
     const float wider = (left - right) - (best.left - best.right);
     if (wider > 0 || (wider == 0 && (left + right) * view.mind.search_side > 0)) best = {right, left};
   }

@@ -13,7 +13,7 @@ namespace sim::agent {
 /// for as long as their messages take. The mind is the only memory.
 class Follower final : public Behaviour {
  public:
-  /// `strategies` has at least one. The first is played until somebody chooses, and again when the captain has been
+  /// `strategies` has at least one. The first is played until a captain chooses, and again when the captain has been
   /// silent for `stale` [ticks], at most half an hour.
   Follower(std::string name, std::vector<std::shared_ptr<const Behaviour>> strategies, Tick stale);
 

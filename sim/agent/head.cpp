@@ -7,7 +7,7 @@ constexpr float kScanAngle = 1.3f;  // [rad] HULKs look_around
 constexpr float kScanPitch = 0.3f;  // [rad] down
 constexpr Tick kScanPeriod = 66;    // [ticks] there and back
 
-/// Returns the position -1..1 of a head that swings evenly; 0 and rising at tick 0.
+/// Returns the position -1..1 of a head that swings at a constant speed; 0 and rising at tick 0.
 float swing(Tick tick, Tick period) {
   const float share = static_cast<float>(tick % period) / static_cast<float>(period);
   return share < 0.25f ? 4 * share : share < 0.75f ? 2 - 4 * share : 4 * share - 4;

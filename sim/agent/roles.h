@@ -9,15 +9,15 @@ inline constexpr int kRoleCount = 4;
 /// "keeper", "chaser", "supporter", "defender".
 const char* name_of(Role role);
 
-/// Estimates the time [s] until the robot stands behind the ball: the way, half a turn when it faces away, half a circle
-/// round the ball when it is on the wrong side. Smooth and quick to compute, for comparing robots.
+/// Estimates the time [s] until the robot stands behind the ball. It adds up the way, up to half a turn to face the
+/// ball, and up to half a circle round the ball. Smooth and quick to compute, for comparing robots.
 float time_to_ball(const View& view);
 
 /// Assigns the own role. Player 1 keeps the goal. The quickest robot chases the ball until another is quicker by the
 /// hysteresis. Of the rest, those farthest back defend and the others support. Robots with equal beliefs agree.
 ///
-/// Mind.slot is the lane among the robots of the same role, from right to left: `kMiddleLane` in the middle, two
-/// apart from the next; `lane_of` gives it as a number that is 0 in the middle and 1 apart.
+/// Mind.slot is the lane among the robots of the same role, from right to left: `kMiddleLane` is the middle one, and
+/// neighbours are 2 apart. `lane_of` returns it as a number: 0 is the middle, and neighbours are 1 apart.
 void assign_role(const View& view, Mind& mind);
 inline constexpr Tick kSettle = 6;  // [ticks] from one assignment to the next
 inline constexpr int kMiddleLane = 8;

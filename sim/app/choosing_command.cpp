@@ -49,7 +49,7 @@ using Gains = std::vector<double>;
 struct Trial {
   Gains halves[2];
   Gains errors;             // one standard error of the mean of both halves
-  std::vector<int> chosen;  // by each of kCaptains; 0 keeps what is played
+  std::vector<int> chosen;  // by each of kCaptains; 0 keeps the played strategy
 
   double gain(std::size_t strategy) const { return (halves[0][strategy] + halves[1][strategy]) / 2; }
   double of_knowing() const {
@@ -77,39 +77,40 @@ class ChoosingCommand final : public Command {
       : Command(app.add_subcommand("choosing", "what is it worth to choose between strategies during a game?")) {
     choice_.add_to(options());
     options()
-        .add_option("--strategies", strategies_, "2 .. 8 between which the home side chooses; it plays the first")
+        .add_option("--strategies", strategies_, "2 .. 8 strategies of the home side, which plays the first")
         ->delimiter(',')
         ->required();
     options()
-        .add_option("--moments", moments_, "in how many it is asked")
+        .add_option("--moments", moments_, "number of moments at which strategies are compared")
         ->check(CLI::Range(kPerGame, 1'000'000))
         ->capture_default_str();
     options()
-        .add_option("--futures", futures_, "number per strategy and moment, for the truly best strategy")
+        .add_option("--futures", futures_, "number per strategy and moment, to find the truly best strategy")
         ->check(CLI::Range(4, 100'000))
         ->capture_default_str();
     options()
-        .add_option("--period", period_, "[s] how long a chosen strategy is played, from one choice to the next")
+        .add_option("--period", period_, "[s] time between two choices, for which the chosen strategy is played")
         ->check(CLI::Range(1., 600.))
         ->capture_default_str();
     options()
-        .add_option("--rollouts", terms_.rollouts, "that a captain's answer has, all strategies together")
+        .add_option("--rollouts", terms_.rollouts, "number of futures of a captain's answer, all strategies together")
         ->check(CLI::Range(8, 100'000))
         ->capture_default_str();
     options()
-        .add_option("--horizon", terms_.horizon, "[s] how far they look")
+        .add_option("--horizon", terms_.horizon, "[s] length of these futures")
         ->check(CLI::Range(1., 1200.))
         ->capture_default_str();
     options()
-        .add_option("--sure", terms_.sure, "how likely a strategy must gain more than it costs to be changed to")
+        .add_option("--sure", terms_.sure, "required probability that the gain of a change exceeds its cost")
         ->check(CLI::Range(0.5, 0.999))
         ->capture_default_str();
     options()
         .add_option("--switching-cost", terms_.switching_cost, "[goals] cost of a change")
         ->check(CLI::Range(0., 1.))
         ->capture_default_str();
-    options().add_flag("--insights", insights_,
-                       "also of captains who know where the ball, their own side, the opponents truly are");
+    options().add_flag(
+        "--insights", insights_,
+        "also report captains that know the true places of the ball, of their own side or of the opponents");
     options().add_flag("--json", json_, "report as JSON");
   }
 

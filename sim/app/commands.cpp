@@ -15,8 +15,8 @@ namespace {
 class SignatureCommand final : public Command {
  public:
   explicit SignatureCommand(CLI::App& app)
-      : Command(app.add_subcommand("signature",
-                                   "print the hash of all that the simulator does: the same on every machine")) {}
+      : Command(app.add_subcommand(
+            "signature", "print the hash of the simulator's behaviour, which is the same on every machine")) {}
 
   int run() override {
     const auto ingredients = io::embedded_ingredients();
@@ -29,9 +29,9 @@ class SignatureCommand final : public Command {
 class ListCommand final : public Command {
  public:
   ListCommand(CLI::App& app, std::string kind)
-      : Command(app.add_subcommand(kind, "the " + kind + " that are built in; --show prints one as a template")),
+      : Command(app.add_subcommand(kind, "list the built-in " + kind + "; --show prints one as a template")),
         kind_(std::move(kind)) {
-    options().add_option("--show", show_, "name: prints its description with the changes in the name");
+    options().add_option("--show", show_, "name: print its description, with the changes in the name");
     options().add_flag("--json", json_, "report as JSON");
   }
 
@@ -83,7 +83,7 @@ class ListCommand final : public Command {
 int fail(const std::string& sentence) { return robot::command::fail("foresight-sim", sentence); }
 
 void ChoiceOptions::add_to(CLI::App& command) {
-  command.add_option("--rules", choice_.rules, "a year's: name, name:players, name,field=value or file")
+  command.add_option("--rules", choice_.rules, "rules of a year: name, name:players, name,field=value or file")
       ->capture_default_str();
   command
       .add_option("--home", choice_.strategies[0], "behaviour of the home side: name, file, library or pipe:command")
@@ -95,8 +95,8 @@ void ChoiceOptions::add_to(CLI::App& command) {
       ->check(CLI::Range(1, kMaxPlayers));
   command.add_option("--models", models_, "models of the robots: name, name,effect=off,walk.forward=0.2 or file")
       ->capture_default_str();
-  command.add_option("--home-models", home_models_, "those of the home side; ball and contacts are theirs");
-  command.add_option("--away-models", away_models_, "those of the away side");
+  command.add_option("--home-models", home_models_, "models of the home side's robots, and of ball and contacts");
+  command.add_option("--away-models", away_models_, "models of the away side's robots");
   command.add_option("--players", choice_.players, "players per side; by the rules if not given")
       ->check(CLI::Range(1, kMaxPlayers));
   command.add_flag("--every-tick", every_tick_, "all robots decide 30 times a second, also far from the ball");

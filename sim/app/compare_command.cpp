@@ -18,7 +18,7 @@ class CompareCommand final : public Command {
   explicit CompareCommand(CLI::App& app)
       : Command(app.add_subcommand("compare", "is behaviour B better than A? pairs of games with the same luck")) {
     options().add_option("a", choice_.a, "behaviour: name, file, library or pipe:command");
-    options().add_option("b", choice_.b, "behaviour; A against itself if not given, which must be identical");
+    options().add_option("b", choice_.b, "behaviour; default: A, whose games against itself must be identical");
     options().add_option("--vs", choice_.opponent, "a third behaviour that both play against, instead of each other");
     options()
         .add_option("--changed", choice_.changed, "number N: on B's side players 1 .. N play B, the others A")
@@ -27,7 +27,7 @@ class CompareCommand final : public Command {
     add_length();
     add_kinds();
     options().add_option("--out", task_.out, "folder that keeps the played games");
-    options().add_flag("--resume", resume_, "go on with the run in --out");
+    options().add_flag("--resume", resume_, "continue the run in --out");
     options().add_option("--html", html_, "file for an HTML page with plots");
     options().add_flag("--explain", explain_,
                        "list the pairs with the largest gains, and the commands that replay them");
@@ -64,7 +64,7 @@ class CompareCommand final : public Command {
  private:
   void add_world() {
     options()
-        .add_option("--rules", choice_.rules, "a year's: name, name:players, name,field=value or file")
+        .add_option("--rules", choice_.rules, "rules of a year: name, name:players, name,field=value or file")
         ->capture_default_str();
     options()
         .add_option("--models", choice_.models, "models of the robots: name, name,effect=off or file")
@@ -73,18 +73,19 @@ class CompareCommand final : public Command {
         .add_option("--players", choice_.players, "players per side; by the rules if not given")
         ->check(CLI::Range(1, kMaxPlayers));
     options().add_flag("--every-tick", every_tick_, "all robots decide 30 times a second, also far from the ball");
-    options().add_option("--from", choice_.situation,
-                         "where games begin: a described moment, its name or file, or a folder of them, evenly");
+    options().add_option(
+        "--from", choice_.situation,
+        "start of the games: name or file of a described moment, or a folder of moments, used in turn");
     options().add_flag("--fuzz", choice_.fuzz, "with --from: each pair begins with slightly shifted robots and ball");
     options()
-        .add_option("--seconds", choice_.seconds, "how long a game goes on at most, getting ready included")
+        .add_option("--seconds", choice_.seconds, "[s] longest game, dead time included")
         ->check(CLI::Range(1., 36000.));
     options()
         .add_option("--metric", metric_,
                     "goals, first_goal, conceded (with --vs), score_within:30s or ball_advance:30s")
         ->capture_default_str();
     options()
-        .add_option("--seed", choice_.seed, "of the first pair; each pair has the next")
+        .add_option("--seed", choice_.seed, "seed of the first pair; each later pair has the next seed")
         ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 52))
         ->capture_default_str();
   }
@@ -98,7 +99,7 @@ class CompareCommand final : public Command {
                                    ->check(CLI::Range(2, 10'000'000));
     options()
         .add_option("--most-pairs", contest_.most_pairs,
-                    "undecided when --sprt has no answer after this number of pairs")
+                    "end as undecided if --sprt has no answer after this number of pairs")
         ->check(CLI::Range(2, 10'000'000))
         ->capture_default_str()
         ->excludes(pairs);
@@ -106,7 +107,7 @@ class CompareCommand final : public Command {
         .add_option("--time", contest_.seconds, "[s] stop after this time, with or without an answer")
         ->check(CLI::Range(1., 1e6));
     options()
-        .add_option("--jobs", contest_.jobs, "processes; as many as there are processors if not given")
+        .add_option("--jobs", contest_.jobs, "number of processes; default: one per processor")
         ->check(CLI::Range(1, 256));
     options()
         .add_option("--engine", engine_,
@@ -123,17 +124,18 @@ class CompareCommand final : public Command {
     kinds->require_option(0, 1);
     kinds->add_flag("--robust", robust_, "repeat the verdict with other walks, kicks and ball noise");
     kinds->add_option("--aa", itself_,
-                      "behaviour: compare it with itself; neither it nor an end of the field may gain");
+                      "behaviour: compare it with itself; neither copy and no end of the field may gain");
     kinds->add_flag("--plan", plan_, "estimate the number of games for an answer, from a pilot of 200 pairs");
     options()
-        .add_option("--delta", task_.delta, "with --plan: the gain per game that is looked for, instead of --sprt's")
+        .add_option("--delta", task_.delta, "with --plan: the gain per game to detect, instead of --sprt's")
         ->check(CLI::Range(1e-6, 100.));
     options()
         .add_option("--pilot", task_.pilot, "with --plan: folder of a run of the same comparison, for its variance")
         ->check(CLI::ExistingDirectory);
     kinds->add_flag("--verify", verify_, "play two blocks of --out again and compare them");
-    kinds->add_option("--blocks", task_.blocks, "FROM..TO: play blocks FROM to TO - 1 of --out, which others share");
-    kinds->add_flag("--merge", merge_, "the verdict of the blocks in --out; none may be missing");
+    kinds->add_option("--blocks", task_.blocks,
+                      "FROM..TO: play blocks FROM to TO - 1 of --out; other processes may play others");
+    kinds->add_flag("--merge", merge_, "judge the blocks in --out, of which none may be missing");
   }
 
   contest::RunFolder::Use use() const {

@@ -90,23 +90,21 @@ class MatchCommand final : public Command {
   explicit MatchCommand(CLI::App& app) : Command(app.add_subcommand("match", "play a game, or several")) {
     choice_.add_to(options());
     options()
-        .add_option("--seed", seed_, "from which all chance follows; of the first of several games")
+        .add_option("--seed", seed_, "seed of all random numbers; of several games, that of the first")
         ->check(CLI::Range(std::uint64_t{0}, kMostSeed))
         ->capture_default_str();
     options()
-        .add_option("--games", games_, "how many, with one seed after the other")
+        .add_option("--games", games_, "number of games, with consecutive seeds")
         ->check(CLI::Range(1, kMostGames))
         ->capture_default_str();
     options()
-        .add_option("--threads", threads_, "how many of several games at once; 0: as many as there are processors")
+        .add_option("--threads", threads_, "number of games at once; 0: one per processor")
         ->check(CLI::Range(0, 256))
         ->capture_default_str();
     options().add_option("--from", from_,
-                         "where it begins: a described moment, its name or file, or a folder of them, evenly");
+                         "start of the game: name or file of a described moment, or a folder of moments, used in turn");
     options().add_flag("--fuzz", fuzz_, "with --from: begins with slightly shifted robots and ball");
-    options()
-        .add_option("--seconds", seconds_, "how long it goes on at most, getting ready included")
-        ->check(CLI::Range(1., 36000.));
+    options().add_option("--seconds", seconds_, "[s] longest game, dead time included")->check(CLI::Range(1., 36000.));
     options().add_flag("--json", json_, "report as JSON");
     options().add_flag("--lines", lines_, "print a line of JSON per game, with the errors of the robots' beliefs");
     options().add_option("--mcap", mcap_, "new file for a recording of the game: truth, beliefs and decisions");

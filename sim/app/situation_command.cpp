@@ -137,21 +137,22 @@ class SituationCommand final : public Command {
  public:
   explicit SituationCommand(CLI::App& app)
       : Command(app.add_subcommand("situation", "play on from a described moment, many times")) {
-    options().add_option("file", file_, "the moment: its name or file, or a folder of them, evenly")->required();
+    options().add_option("file", file_, "name or file of the moment, or a folder of moments, used in turn")->required();
     choice_.add_to(options());
     options()
-        .add_option("--rollouts", rollouts_,
-                    "how many continuations, each with its own chance; on average of each strategy")
+        .add_option(
+            "--rollouts", rollouts_,
+            "number of continuations, each with its own random numbers; with --strategies the mean per strategy")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
     options()
-        .add_option("--seconds", seconds_, "[s] length of each")
+        .add_option("--seconds", seconds_, "[s] length of each continuation")
         ->check(CLI::Range(0.1, 36000.))
         ->capture_default_str();
     options().add_flag("--fuzz", fuzz_, "each begins with slightly shifted robots and ball");
     options()
         .add_option("--strategies", strategies_,
-                    "which of these should the home side play from here on? The first is what it plays now")
+                    "compare these strategies of the home side from here on; the first is the one that is played now")
         ->delimiter(',');
     options()
         .add_option("--measure", measure_, "the measure that compares --strategies")

@@ -20,14 +20,14 @@ struct Played {
 class VetCommand final : public Command {
  public:
   explicit VetCommand(CLI::App& app)
-      : Command(
-            app.add_subcommand("vet", "is a behaviour fit to be compared? it must repeat its games; and its cost")) {
+      : Command(app.add_subcommand(
+            "vet", "check that a behaviour repeats its games, as comparisons need, and measure its cost")) {
     options().add_option("behaviour", name_, "name, file, library or pipe:command")->required();
     options()
         .add_option("--seconds", seconds_, "[s] length of the game")
         ->check(CLI::Range(1., 3600.))
         ->capture_default_str();
-    options().add_option("--seed", seed_, "of the game")->capture_default_str();
+    options().add_option("--seed", seed_, "seed of the game")->capture_default_str();
     options().add_flag("--json", json_, "report as JSON");
     options().footer("Exit status: 0 fit, 1 not, 2 bad usage or input.");
   }
@@ -82,7 +82,7 @@ class VetCommand final : public Command {
     if (cast.failed()) return robot::Error{cast.problem()};
     if (memory) {
       state = middle;
-      if (auto loaded = cast.load(*memory); !loaded) return robot::Error{loaded.error()};
+      if (auto loaded = cast.load(*memory); !loaded) return loaded.failure();
       play_on(cast, state, length());
       return TakenBack{.hash = hash_of(state), .by_memory = true};
     }

@@ -40,8 +40,9 @@ struct Bounds {
 };
 Bounds bounds_of(const Hypothesis& hypothesis);
 
-/// Returns the generalised log-likelihood ratio of h1 against h0. Pairs have equal, unknown variance: N (h1 - h0) (2 mean - h0 - h1)
-/// / (2 variance), as in tests of chess engines (LLR_alt2 of fishtest). It is +-infinity when all pairs are equal.
+/// Returns the generalised log-likelihood ratio of h1 against h0. Pairs have equal, unknown variance: N (h1 - h0) (2
+/// mean - h0 - h1) / (2 variance), as in tests of chess engines (LLR_alt2 of fishtest). It is
+/// +-infinity when all pairs are equal.
 double llr(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit = 1);
 
 enum class Verdict {
@@ -59,8 +60,8 @@ Verdict decide(const PairStatistics& statistics, const Hypothesis& hypothesis, d
 /// better when it is below `h1`.
 Verdict judge(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit = 1);
 
-/// Returns B's gain per game after a sequential test with an answer. The plain mean is too large after an early stop. This
-/// one is too high as often as too low, and its interval covers the truth in 95 % of tests. It models the test as
+/// Returns B's gain per game after a sequential test with an answer. The plain mean is too large after an early stop.
+/// This one is too high as often as too low, and its interval covers the truth in 95 % of tests. It models the test as
 /// Brownian motion between its bounds, with outcomes ordered by the time and place of the stop.
 Interval unbiased_gain(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit = 1);
 

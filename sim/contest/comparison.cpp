@@ -55,11 +55,11 @@ Result<void> Comparison::seat(std::vector<Seat>& seats, const std::string& judge
                                .pace = choice_.pace}};
   if (changed) choice.changed = choice_.changed, choice.rest[static_cast<int>(side)] = choice_.a;
   auto lineup = Lineup::prepare(choice);
-  if (!lineup) return Error{lineup.error()};
+  if (!lineup) return lineup.failure();
   const Side opponent = other(side);
   put_upon(choice_.conditions, choice_.opponent.empty() ? nullptr : &opponent, lineup->params());
   auto openings = Openings::read(choice_.situation, choice_.fuzz, lineup->params());
-  if (!openings) return Error{openings.error()};
+  if (!openings) return openings.failure();
   seats.push_back({*std::move(lineup), side, *std::move(openings)});
   return {};
 }
@@ -80,7 +80,7 @@ Result<std::string> Comparison::probe() const {
 
 Result<Comparison> Comparison::prepare(const ComparisonChoice& choice) {
   if (choice.metric == Metric::conceded && choice.opponent.empty())
-    return Error{"metric 'conceded' needs --vs: against each other it is what 'goals' says"};
+    return Error{"metric 'conceded' needs --vs: between A and B alone it equals 'goals'"};
   if ((choice.metric == Metric::score_within || choice.metric == Metric::ball_advance) && choice.seconds <= 0)
     return Error{"metric '" + std::string(name_of(choice.metric)) + "' needs a time, such as score_within:30s"};
   if (choice.fuzz && choice.situation.empty()) return Error{"--fuzz needs --from, the situation that is varied"};
@@ -89,14 +89,12 @@ Result<Comparison> Comparison::prepare(const ComparisonChoice& choice) {
   // the first game of a pair has B away, the second at home
   for (const Side side : {Side::away, Side::home}) {
     if (!choice.opponent.empty())
-      if (auto seated = made.seat(made.a_, choice.a, choice.opponent, side, false); !seated)
-        return Error{seated.error()};
+      if (auto seated = made.seat(made.a_, choice.a, choice.opponent, side, false); !seated) return seated.failure();
     const std::string& against = choice.opponent.empty() ? choice.a : choice.opponent;
-    if (auto seated = made.seat(made.b_, choice.b, against, side, choice.changed > 0); !seated)
-      return Error{seated.error()};
+    if (auto seated = made.seat(made.b_, choice.b, against, side, choice.changed > 0); !seated) return seated.failure();
   }
   const auto build = made.probe();
-  if (!build) return Error{build.error()};
+  if (!build) return build.failure();
 
   nlohmann::ordered_json json = {{"a", choice.a},
                                  {"b", choice.b},
@@ -167,13 +165,13 @@ Result<PlayedPair> Comparison::play(std::int64_t number) const {
     const auto index = static_cast<std::size_t>(place);
     const std::uint64_t seed = seed_of(number) + (choice_.unpaired && place == 1 ? kOtherLuck : 0);
     const auto b = play(b_[index], seed);
-    if (!b) return Error{b.error()};
+    if (!b) return b.failure();
     Score a{.own = b->other, .other = b->own};  // against each other: the same game from A's side
     a.cost[0] = b->cost[1];
     int gain = b->value;
     if (!a_.empty()) {
       const auto other_game = play(a_[index], seed);
-      if (!other_game) return Error{other_game.error()};
+      if (!other_game) return other_game.failure();
       a = *other_game;
       gain = b->value - a.value;
     } else if (choice_.metric == Metric::score_within) {

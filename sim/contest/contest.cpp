@@ -102,15 +102,15 @@ class Blocks {
   /// Returns the pairs of `block`, or nothing if they are not there by `deadline`.
   std::optional<Result<Pairs>> take(std::int64_t block, Clock::time_point deadline) {
     while (!done_.contains(block)) {
-      if (auto given = give_out(block + ahead_); !given) return Error{given.error()};
+      if (auto given = give_out(block + ahead_); !given) return given.failure();
       if (done_.contains(block)) break;
       auto played = crew_.wait(deadline);
       if (!played) return {};
-      if (!*played) return Error{played->error()};
+      if (!*played) return played->failure();
       PlayedBlock& found = **played;
       for (const int behaviour : {0, 1}) cost_[behaviour].add(found.cost[behaviour]);
       if (folder_)
-        if (auto written = folder_->write(found.number, found.pairs); !written) return Error{written.error()};
+        if (auto written = folder_->write(found.number, found.pairs); !written) return written.failure();
       done_.emplace(found.number, std::move(found.pairs));
     }
     return std::move(done_.extract(block).mapped());
@@ -158,7 +158,7 @@ Result<Outcome> play_contest(const Comparison& comparison, const ContestOptions&
   for (std::int64_t block = 0; block < blocks && judge.undecided(); ++block) {
     const auto pairs = played.take(block, deadline);
     if (!pairs) break;
-    if (!*pairs) return Error{pairs->error()};
+    if (!*pairs) return pairs->failure();
     const Mark& mark = judge.take(block, **pairs);
     if (progress) progress(mark, static_cast<double>(2 * mark.pairs) * 60 / since(start));
   }
@@ -170,7 +170,7 @@ Result<void> play_blocks(const Comparison& comparison, std::int64_t from, std::i
   Blocks played(comparison, &folder, from, to, jobs);
   for (std::int64_t block = from; block < to; ++block) {
     const auto pairs = played.take(block, far_off(Clock::now()));
-    if (pairs && !*pairs) return Error{pairs->error()};
+    if (pairs && !*pairs) return pairs->failure();
   }
   return {};
 }
@@ -190,7 +190,7 @@ Result<Outcome> merge(const Comparison& comparison, const ContestOptions& option
   Judge judge(comparison, options);
   for (std::int64_t block = 0; block < blocks; ++block) {
     const auto pairs = folder.read(block);
-    if (!pairs) return Error{pairs.error()};
+    if (!pairs) return pairs.failure();
     // blocks after the answer are checked but not judged
     if (judge.undecided()) judge.take(block, *pairs);
   }

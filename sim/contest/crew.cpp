@@ -139,7 +139,7 @@ Result<void> Crew::replace(Worker& worker) {
 std::optional<Result<PlayedBlock>> Crew::hear(Worker& worker) {
   Message message;
   if (!receive_all(worker.line.get(), &message, sizeof message)) {
-    if (auto replaced = replace(worker); !replaced) return Error{replaced.error()};
+    if (auto replaced = replace(worker); !replaced) return replaced.failure();
     return {};
   }
   if (!message.good) return Error{message.problem};

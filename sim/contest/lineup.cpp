@@ -10,7 +10,6 @@
 namespace sim::contest {
 namespace {
 
-using robot::Error;
 using robot::Result;
 using Clock = std::chrono::steady_clock;
 
@@ -19,11 +18,11 @@ constexpr std::uint64_t kSampled = 17;  // every 17th decision of a tree is time
 Result<Named> find(const std::string& name, const io::Matchup& game, Side side) {
   if (guest::is_guest(name)) {
     auto source = guest::open(name);
-    if (!source) return Error{source.error()};
+    if (!source) return source.failure();
     return Named{.tree = nullptr, .guest = *std::move(source)};
   }
   auto tree = io::load_behaviour(name, game, side);
-  if (!tree) return Error{tree.error()};
+  if (!tree) return tree.failure();
   return Named{.tree = *std::move(tree), .guest = nullptr};
 }
 
@@ -39,14 +38,14 @@ Result<Lineup> Lineup::prepare(const LineupChoice& choice) {
     for (const std::string* name : {&choice.game.strategies[side], &rest}) {
       if (name->empty()) continue;
       auto named = find(*name, choice.game, static_cast<Side>(side));
-      if (!named) return Error{named.error()};
+      if (!named) return named.failure();
       if (named->guest) lineup.has_guest_[side] = true;
       (name == &rest ? lineup.rest_ : lineup.first_)[side] = *std::move(named);
     }
     if (lineup.first_[side].guest) warm.strategies[side] = "idle";
   }
   auto setup = io::prepare(warm);
-  if (!setup) return Error{setup.error()};
+  if (!setup) return setup.failure();
   lineup.setup_ = *std::move(setup);
   return lineup;
 }

@@ -35,12 +35,12 @@ Result<Openings> Openings::read(const std::string& from, bool fuzz, const Params
   openings.fuzz_ = fuzz;
   if (from.empty()) return openings;
   const auto names = names_below(from);
-  if (!names) return Error{names.error()};
+  if (!names) return names.failure();
   for (const std::string& name : *names) {
     auto source = io::find_source("situations", "situation", name);
-    if (!source) return Error{source.error()};
+    if (!source) return source.failure();
     auto state = io::parse_situation(source->text, source->called, params);
-    if (!state) return Error{state.error()};
+    if (!state) return state.failure();
     openings.descriptions_.push_back({std::move(source->text), std::move(source->called), *state});
   }
   return openings;

@@ -52,17 +52,17 @@ robot::Result<RunFolder> RunFolder::open(const std::filesystem::path& folder, co
   if (failed) return Error{"run " + folder.string() + ": " + failed.message()};
   const std::filesystem::path file = folder / "run.json";
   RunFolder run(folder, hash_of_text(specification));
-  if (auto locked = run.lock(use); !locked) return Error{locked.error()};
+  if (auto locked = run.lock(use); !locked) return locked.failure();
   if (!std::filesystem::exists(file, failed)) {
-    if (auto written = robot::replace_file(file, specification + "\n"); !written) return Error{written.error()};
+    if (auto written = robot::replace_file(file, specification + "\n"); !written) return written.failure();
     return run;
   }
   const auto there = robot::read_file(file, kMaxBytes);
-  if (!there) return Error{there.error()};
+  if (!there) return there.failure();
   if (*there != specification + "\n")
     return Error{"run " + folder.string() +
                  ": expected nothing or the same comparison on the same build, got another one; choose another --out"};
-  if (use == Use::begin) return Error{"run " + folder.string() + ": it is there already; --resume goes on with it"};
+  if (use == Use::begin) return Error{"run " + folder.string() + ": it exists already; --resume continues it"};
   return run;
 }
 
@@ -85,7 +85,7 @@ std::filesystem::path RunFolder::path_of(std::int64_t block) const {
 robot::Result<std::vector<compare::Pair>> RunFolder::read(std::int64_t block) const {
   const std::filesystem::path path = path_of(block);
   const auto text = robot::read_file(path, kMaxBytes);
-  if (!text) return Error{text.error()};
+  if (!text) return text.failure();
   const auto refused = [&](const char* why) { return Error{"block " + path.string() + ": " + why}; };
   try {
     const Json json = Json::parse(*text);

@@ -77,14 +77,14 @@ Result<Submitted> submit(const std::vector<std::string>& words, const Division& 
                              const std::string& before) -> Result<std::string> {
     const std::filesystem::path path = where / (std::string(name) + ".sh"),
                                 log = where / (std::string(name) + "-%j.log");
-    if (auto written = robot::replace_file(path, script, 0755); !written) return Error{written.error()};
+    if (auto written = robot::replace_file(path, script, 0755); !written) return written.failure();
     return sbatch(before + "--job-name=foresight-" + name + " --output=" + quoted(log.string()) + " " +
                   quoted(path.string()));
   };
   const auto array = hand_over("blocks", array_script(words, division), "");
-  if (!array) return Error{array.error()};
+  if (!array) return array.failure();
   const auto merging = hand_over("merge", merge_script(words), "--dependency=afterok:" + *array + " ");
-  if (!merging) return Error{merging.error()};
+  if (!merging) return merging.failure();
   return Submitted{*array, *merging};
 }
 

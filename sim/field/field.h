@@ -6,8 +6,8 @@
 namespace sim::field {
 
 /// The sizes of a field [m], measured between the middles of lines as in the rule book.
-/// Frame `field`: origin at the centre, +x towards the goal that the home team attacks in the first half, +y to the left
-/// of that.
+/// Frame `field`: origin at the centre, +x towards the goal that the home team attacks in the
+/// first half, +y to the left of that.
 struct Field {
   float length;  // between the goal lines
   float width;   // between the touch lines

@@ -27,7 +27,7 @@ struct Rules {
   float half_duration;
   float ready_duration;  // longest; READY ends earlier when all robots stand still
   float set_duration;
-  float kick_off_duration;   // after this time everybody may touch the ball
+  float kick_off_duration;   // after this time both sides may touch the ball
   float set_play_duration;   // likewise; 0 in years without set plays
   bool kick_off_goal;        // a goal may be scored directly from the kick-off
   float clear_distance;      // opponents' distance from the ball of a kick-off or set play

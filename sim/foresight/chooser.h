@@ -17,8 +17,8 @@ namespace sim::foresight {
 struct Plans {
   std::vector<Params> params;  // by strategy, its own side at home; the first is the default
   Outlook outlook;
-  std::vector<std::shared_ptr<const agent::Behaviour>>
-      behaviours;  // by strategy, then others that the parameters point to
+  /// By strategy, then others that the parameters point to.
+  std::vector<std::shared_ptr<const agent::Behaviour>> behaviours;
 };
 
 /// The times and the size of its questions.
@@ -28,9 +28,9 @@ struct Terms {
   float period = 10;   // [s] longest time between questions
   float stale = 20;    // [s] a choice unconfirmed for longer is not followed
   // Most changes matter little. A strategy that is usually worse is also worse in the moments where luck favours it.
-  // Measured in 1000 moments of a team whose default is the best of its three, with 54 rollouts each: changing at 70 %,
-  // 80 % and 90 % certainty cost 0.11, cost 0.08 and won 0.02 goals a game (standard errors 0.05, 0.04, 0.02);
-  // foresight-sim choosing --strategies high_line,baseline,kick_now. A change back is free.
+  // Measured in 1000 moments of a team whose default is the best of its three, with 54 rollouts each. A change at a
+  // certainty of 70 %, 80 % and 90 % cost 0.11, cost 0.08 and won 0.02 goals a game (standard errors 0.05, 0.04, 0.02).
+  // Source: foresight-sim choosing --strategies high_line,baseline,kick_now. A change back is free.
   float switching_cost = 0;  // [goals] Question::switching_cost
   float sure = 0.9f;         // Question::sure
 
@@ -45,11 +45,13 @@ struct Terms {
   }
 };
 
-/// A team of followers whose captain chooses by rollouts from its own beliefs. A robot is the captain if it believes so.
-/// All strategies are compared with the default, whichever is played now. Another strategy is played only as long as each
-/// question finds it better with certainty. Questions are coarse: a wrong choice that had to be disproved would stay.
+/// A team of followers whose captain chooses by rollouts from its own beliefs. A robot is the captain if it believes
+/// so. All strategies are compared with the default, whichever is played now. Another strategy is played only as long
+/// as each question finds it better with certainty. Questions are coarse: a wrong choice
+/// that had to be disproved would stay.
 ///
-/// The mind is its only memory. The random key of a question comes from the beliefs: a game stays a function of its seed.
+/// The mind is its only memory. The random key of a question comes from the beliefs: a
+/// game stays a function of its seed.
 class Chooser final : public agent::Behaviour {
  public:
   /// The playbook has 2 .. kMaxStrategies strategies.

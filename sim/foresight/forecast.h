@@ -43,8 +43,8 @@ Forecast forecast(const RolloutStatistics& statistics, const Question& question,
 /// may be chance (212 futures)". `names` are the strategies', by index.
 std::string reason(const Forecast& forecast, const Question& question, const std::string* names);
 
-/// Returns the quantile `sure` (0.5 .. 1, one-sided) of Student's t for `freedom` >= 1 degrees. Within 1 % of the tables
-/// from 3 degrees on. The same bits on every machine.
+/// Returns the quantile `sure` (0.5 .. 1, one-sided) of Student's t for `freedom` >= 1 degrees. Within 1 % of the
+/// tables from 3 degrees on. The same bits on every machine.
 double student(double sure, double freedom);
 
 }  // namespace sim::foresight

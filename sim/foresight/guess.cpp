@@ -7,10 +7,11 @@
 namespace sim::foresight {
 namespace {
 
-// Source: 16 000 balls that a robot believed in, at moments of `baseline` against itself, spl2012. Beliefs with an error
-// under 1 m had 0.14 m along each axis when just seen, and 0.2 to 0.3 m at any greater age. The other balls had been kicked
-// or placed by the referee. True velocities were 0.82 of the believed ones at a deviation of 0.15 m/s, 0.67 at 0.35, 0.44
-// at 0.6, as if balls in general had 0.5 m/s. Nearly all balls believed to lie did lie.
+// Source: 16 000 balls that a robot believed in, at moments of `baseline` against itself, spl2012. Beliefs with an
+// error under 1 m had 0.14 m along each axis when just seen, and 0.2 to 0.3 m at any greater age. The other balls had
+// been kicked or placed by the referee. True velocities were 0.82 of the believed ones at a deviation of 0.15 m/s, 0.67
+// at 0.35 m/s, 0.44 at 0.6 m/s: a prior of 0.5 m/s along each axis explains it. Nearly
+// all balls believed to lie did lie.
 constexpr float kFreshEyes = 2;      // [s] the own sight counts for this time, as agent::Habits::trust_eyes
 constexpr float kLeastBall = 0.1f;   // [m]
 constexpr float kMostBall = 0.3f;    // [m]
@@ -19,14 +20,16 @@ constexpr float kUsualSpeed = 0.5f;  // [m/s] of a ball along each axis
 constexpr float kLying = 0.3f;       // [m/s] a slower ball is taken to lie
 constexpr float kLyingMoves = 0.3f;  // of the deviation of its velocity
 
-// Share of them with an error over 1 m, by the time since anybody of the team had seen them: 0.75 s 6 %, 1.25 s 20 %,
-// 1.75 s 40 %, 2.5 s 61 %, 4 s 83 %, from 6 s on 95 %. Of balls believed to be out: at once 20 %, after 0.35 s 29 %,
-// 0.75 s 48 %, 1.25 s 64 %, from 1.75 s on 90 %.
+// Share of these balls with an error over 1 m, by the time since a robot of the team had seen them:
+//   0.75 s 6 %, 1.25 s 20 %, 1.75 s 40 %, 2.5 s 61 %, 4 s 83 %, from 6 s on 95 %.
+// The same for balls that were believed to be out:
+//   0 s 20 %, 0.35 s 29 %, 0.75 s 48 %, 1.25 s 64 %, from 1.75 s on 90 %.
 constexpr float kBallLeaves = 0.1f;  // [1/s³] the odds that it is elsewhere grow with the third power of the time
 constexpr float kOutIsTaken = 0.7f;  // [s] after this time the referee has placed half of the balls that are out
 
-// Errors of reported or seen robots, and their way since then. Source: errors along each axis in 15 000 sightings of opponents at moments of `baseline` against itself, spl2012: 0.45 m at once, 0.69 m after 5 to 10 s,
-// 0.93 m after 10 to 20, 1.21 m after 20 to 40: the variance grows evenly.
+// Errors of reported or seen robots, and their way since then. Source: 15 000 sightings of opponents at moments of
+// `baseline` against itself, spl2012. The errors along each axis were 0.45 m at once, 0.69 m after 5 to 10 s, 0.93 m
+// after 10 to 20 s, 1.21 m after 20 to 40 s: the variance grows linearly with time.
 constexpr float kToldRobot = 0.15f;    // [m] a teammate's own localisation
 constexpr float kSeenRobot = 0.45f;    // [m] an opponent seen by the own eyes, relative to the believed own pose
 constexpr float kRobotStrays = 0.04f;  // [m²/s] along each axis
@@ -37,8 +40,8 @@ constexpr float kTurns = 0.3f;        // [rad/s]
 constexpr float kMostHeading = 1.2f;  // [rad]
 constexpr float kTowardsBall = 0.6f;  // [rad] deviation from facing the ball, for an unknown heading
 
-// Usual places of a side in play. Source: 16 000 moments of such games by spl2012 and spl2025. The keeper is in front of
-// its goal, the others on the way from there to the ball, one of them near the ball.
+// Usual places of a side in play. Source: 16 000 moments of such games by spl2012 and spl2025. The keeper is in front
+// of its goal, the others on the way from there to the ball, one of them near the ball.
 constexpr float kKeeperOut = 0.54f;             // [m] from the goal line
 constexpr Vec2 kKeeperDrawn{0.04f, 0.21f};      // of the ball's place
 constexpr float kKeeperRoams = 0.2f;            // [m]
@@ -145,7 +148,7 @@ BallGuess guess_ball(const field::Field& field, const Knowledge& knowledge) {
   }
   if (own_age <= kFreshEyes) return guess;
 
-  // somebody may have seen the ball since then
+  // a teammate may have seen the ball since then
   for (const agent::Mate& mate : knowledge.beliefs.mates) {
     if (mate.sent == kNever || mate.ball_age == 0xffff) continue;
     const Tick seen = mate.sent - std::min<Tick>(mate.ball_age, mate.sent);

@@ -10,8 +10,8 @@ namespace sim::foresight {
 
 inline constexpr int kMaxStrategies = 8;
 
-/// Counts of the ball's place over all rollouts of a strategy, once a second, on a grid. Frame: field, with the sides as
-/// at the beginning; the same for paths.
+/// Counts of the ball's place over all rollouts of a strategy, once a second, on a grid. Frame: field, with the sides
+/// as at the beginning; the same for paths.
 struct HeatMap {
   static constexpr int kColumns = 18, kRows = 12;  // along x from -length / 2, along y from -width / 2
   std::uint32_t counts[kRows][kColumns] = {};

@@ -197,7 +197,8 @@ std::optional<Ball> ball_nearby(const field::Field& field, const World& world, c
   return {};
 }
 
-/// Returns a place where an assistant may have put a ball that was believed at `believed`. `along`, `across`: uniform in [-0.5, 0.5).
+/// Returns a place where an assistant may have put a ball that was believed at `believed`. `along`,
+/// `across`: uniform in [-0.5, 0.5).
 Vec2 placed_back(const field::Rules& rules, Vec2 believed, float along, float across) {
   const field::Field& field = rules.field;
   const float corner = field.length / 2 - referee::placed_back::kEnd;
@@ -224,7 +225,8 @@ Ball ball_elsewhere(const field::Rules& rules, const Ball& believed, const std::
   return ball;
 }
 
-/// Gives everybody but `whose` its true place. The team keeps its belief about the ball; the opponents get the true one.
+/// Gives every robot but `whose` its true place. The team keeps its belief about the ball; the opponents get the true
+/// one.
 void let_others_know(Vec2 supposed_ball, int whose, State& state) {
   const World& world = state.world;
   for_each_robot(world.players, [&](int robot) {

@@ -48,11 +48,11 @@ inline constexpr float kLost = 1.5f;  // [m]
 /// The ball cannot be guessed when nobody has seen it for longer.
 inline constexpr float kBallLost = 30;  // [s]
 
-/// The situation that a robot believes in, or the reason why there is none. Its own side is home and attacks +x: `field`
-/// of the state is its `team_field`.
+/// The situation that a robot believes in, or the reason why there is none. Its own side is home and attacks +x:
+/// `field` of the state is its `team_field`.
 ///
-/// Teammates are where they reported, opponents where they were seen, less certain with age. A robot never heard or seen
-/// stands at its place in the formation. All play with the knowledge of the whole team.
+/// Teammates are where they reported, opponents where they were seen, less certain with age. A robot never heard or
+/// seen stands at its place in the formation. All play with the knowledge of the whole team.
 struct Believed {
   Situation situation;
   std::string refusal;  // "the robot does not know where it is: …"; empty when there is a situation
@@ -64,13 +64,15 @@ struct Insight {
   bool ball = false, own_side = false, opponents = false;
 };
 
-/// Replaces a belief of a robot of side `own` by the truth, and removes its uncertainty. `truth` is the world at the same
-/// tick. A robot off the field, by belief or in truth, stays unchanged. The beliefs of the robots in the state stay.
+/// Replaces a belief of a robot of side `own` by the truth, and removes its uncertainty. `truth` is the world at the
+/// same tick. A robot off the field, by belief or in truth, stays unchanged. The beliefs
+/// of the robots in the state stay.
 void tell(const World& truth, Side own, Insight insight, Situation& situation);
 
-/// Draws one of the possible worlds of the situation by `key` (event `belief`), to be played on with that key. The beliefs
-/// of the robot and its team about the ball stay, and its belief about its own pose; the world differs. The others know
-/// their own places, and the opponents know the ball. A ball beyond a line is placed elsewhere, as the referee would.
+/// Draws one of the possible worlds of the situation by `key` (event `belief`), to be played on with that key. The
+/// beliefs of the robot and its team about the ball stay, and its belief about its own pose; the world differs. The
+/// others know their own places, and the opponents know the ball. A ball beyond a line is placed
+/// elsewhere, as the referee would.
 State sample(const Params& params, const Situation& situation, RandomKey key);
 
 }  // namespace sim::foresight

@@ -1,5 +1,5 @@
-// The C interface of a team's own behaviour as a shared library: foresight-sim match --home ./my_behaviour.so. C99 without
-// dependencies, also for C++. Complete example: sim/guest/examples/charge.c.
+// The C interface of a team's own behaviour as a shared library: foresight-sim match --home ./my_behaviour.so. C99
+// without dependencies, also for C++. Complete example: sim/guest/examples/charge.c.
 //
 //   cc -std=c99 -O2 -ffp-contract=off -fPIC -shared -I sim/guest my_behaviour.c -o my_behaviour.so
 //
@@ -132,8 +132,8 @@ enum {                    // ForesightCommand.head
   FORESIGHT_LOOK_TO       // look: x, y, z [m, robot]
 };
 
-// A command holds until the next. The defaults are FORESIGHT_USUAL, FORESIGHT_LOOK_USUAL, gain 1, and the role and time of
-// the last message to the teammates.
+// A command holds until the next. The defaults are FORESIGHT_USUAL, FORESIGHT_LOOK_USUAL, gain 1, and the role and time
+// of the last message to the teammates.
 typedef struct {
   int32_t body;
   int32_t head;
@@ -157,9 +157,9 @@ typedef struct {
   void (*destroy)(void* self);
   void (*decide)(void* self, const ForesightMoment* moment, ForesightCommand* command);
 
-  // Both or neither (NULL). save returns the size of the memory [bytes], and writes it if `room` is enough. load restores
-  // it in a player made for the same robot, and returns 0 for invalid bytes. With both a game can be set back to an
-  // earlier moment; without them it is played again from its seed.
+  // Both or neither (NULL). save returns the size of the memory [bytes], and writes it if `room` is enough. load
+  // restores it in a player made for the same robot, and returns 0 for invalid bytes. With both a game can be set back
+  // to an earlier moment; without them it is played again from its seed.
   size_t (*save)(const void* self, void* bytes, size_t room);
   int (*load)(void* self, const void* bytes, size_t size);
 } ForesightBehaviour;

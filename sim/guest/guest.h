@@ -53,7 +53,8 @@ class GuestFactory {
   virtual bool saves() const = 0;
 };
 
-/// Returns whether `name` is a guest: "./my_behaviour.so" and "pipe:python3 my_behaviour.py" are guests; other names are those of trees.
+/// Returns whether `name` is a guest: "./my_behaviour.so" and "pipe:python3 my_behaviour.py" are
+/// guests; other names are those of trees.
 bool is_guest(const std::string& name);
 
 /// Opens the guest `name`. Errors are found before any game begins.

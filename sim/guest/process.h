@@ -23,8 +23,8 @@ class Process {
   Process& operator=(Process&&) = delete;
   ~Process();
 
-  /// Returns its answer to `line`, without the line's end. Earlier output is not an answer. The Error is the end of a sentence:
-  /// "the process ended with status 1".
+  /// Returns its answer to `line`, without the line's end. Earlier output is not an answer. The Error is the end of a
+  /// sentence: "the process ended with status 1".
   robot::Result<std::string> ask(std::string_view line, double patience_seconds);
 
  private:

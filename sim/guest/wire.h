@@ -2,14 +2,15 @@
 // sim/guest/foresight_behaviour.h. A time that never was is null. Robots never heard or seen are left out. Truth values
 // are true and false, enumerations are words.
 //
-//   we   {"version": 1, "players": 4, "seed": 7, "field": {"length": 9, …}, "walk": {"forward": 0.3, …}, "kicks": [{…}]}
+//   we   {"version": 1, "players": 4, "seed": 7, "field": {"length": 9, …},
+//         "walk": {"forward": 0.3, …}, "kicks": [{…}]}
 //   it   {"version": 1, "name": "charge"}
 //   we   {"player": 2, "now": 451, "entered": true, "phase": "playing", …, "ball": {"seen": 450, "x": 1.5, …},
 //         "mates": [{"player": 3, …}], "opponents": [{"player": 1, …}]}
 //   it   {"body": "walk_to", "x": 1.2, "y": 0, "turn": 0.1, "role": "chaser", "time_to_ball": 4.5}
 //
-// One process plays all robots of a side in one game, and separates their memories by "player". The end of the game closes
-// its input. Each entry of an answer is optional; {} means the defaults.
+// One process plays all robots of a side in one game, and separates their memories by "player". The end of the game
+// closes its input. Each entry of an answer is optional; {} means the defaults.
 #pragma once
 
 #include <string>

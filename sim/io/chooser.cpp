@@ -33,7 +33,7 @@ void read_text(Reader& reader, const Json& json, const char* key, std::string& i
 
 Result<Description> parse(std::string_view text, const std::string& called, const Json& changes) {
   Result<Json> json = parse_object(text, called);
-  if (!json) return Error{json.error()};
+  if (!json) return json.failure();
   json->update(changes);
   Reader reader(called);
   Description description;
@@ -63,9 +63,9 @@ Result<std::string> find_chooser(const std::string& name, const std::string& cal
   if (is_embedded("playbooks", name)) return find_source("playbooks", "playbook", name)->text;
   if (!is_path(name)) return std::string();
   const Result<Source> source = find_source("strategies", "strategy", name);
-  if (!source) return Error{source.error()};
+  if (!source) return source.failure();
   const Result<Json> json = parse_object(source->text, called);
-  if (!json) return Error{json.error()};
+  if (!json) return json.failure();
   return json->contains("choose") ? source->text : std::string();
 }
 
@@ -76,9 +76,9 @@ Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string
   using Behaviour = std::shared_ptr<const agent::Behaviour>;
   const std::string called = "strategy '" + name + "'";
   const Result<Variation> variation = parse_variation(name, called);
-  if (!variation) return Error{variation.error()};
+  if (!variation) return variation.failure();
   const Result<std::string> chooser = find_chooser(variation->name, called);
-  if (!chooser) return Error{chooser.error()};
+  if (!chooser) return chooser.failure();
   if (chooser->empty()) {
     auto tree = load_strategy(name);
     // the names of playbooks belong to the list of names
@@ -88,7 +88,7 @@ Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string
   }
 
   Result<Description> description = parse(*chooser, called, variation->changes);
-  if (!description) return Error{description.error()};
+  if (!description) return description.failure();
   const auto own = static_cast<std::size_t>(side), others = 1 - own;
   auto playbook = prepare_playbook(
       {.strategies = description->strategies,
@@ -98,7 +98,7 @@ Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string
        .opponent_models = description->opponent_models.empty() ? game.models[others] : description->opponent_models,
        .players = game.players,
        .pace = game.pace});
-  if (!playbook) return Error{called + ": " + playbook.error()};
+  if (!playbook) return playbook.failure(called);
   return Behaviour(std::make_shared<foresight::Chooser>(
       description->name + name.substr(variation->name.size()),
       foresight::Plans{std::move(playbook->params), playbook->outlook, std::move(playbook->behaviours)},

@@ -53,10 +53,10 @@ constexpr Operator kOperators[] = {
 Result<Term> parse_yes_no(std::string_view text) {
   const bool negated = text.starts_with("not ");
   const Result<Feature> feature = feature_named(negated ? trimmed(text.substr(4)) : text);
-  if (!feature) return Error{feature.error()};
+  if (!feature) return feature.failure();
   const FeatureInfo& info = info_of(*feature);
   if (info.kind != FeatureInfo::Kind::yes_no)
-    return Error{std::string(info.name) + " must be compared with something, got " + quoted(text)};
+    return Error{std::string(info.name) + " must be compared with a value, got " + quoted(text)};
   return Term{*feature, negated ? Comparison::less : Comparison::greater, 0.5f, std::string(text)};
 }
 
@@ -66,10 +66,10 @@ Result<Term> parse_term(std::string_view text, Values& values) {
     const std::size_t at = text.find(each.text);
     if (at == text.npos) continue;
     const Result<Feature> feature = feature_named(trimmed(text.substr(0, at)));
-    if (!feature) return Error{feature.error()};
+    if (!feature) return feature.failure();
     const FeatureInfo& info = info_of(*feature);
     if (info.kind == FeatureInfo::Kind::yes_no)
-      return Error{std::string(info.name) + " is yes or no and compared with nothing, got " + quoted(text)};
+      return Error{std::string(info.name) + " is yes or no and must stand alone, got " + quoted(text)};
     if (each.of_names != (info.kind == FeatureInfo::Kind::name))
       return Error{std::string(info.name) + " is compared by " + (each.of_names ? "< <= > >=" : "is, is not") +
                    ", got " + quoted(text)};
@@ -92,7 +92,7 @@ Result<Condition> parse_condition(std::string_view text, Values& values) {
     std::vector<Term>& terms = condition.alternatives.emplace_back();
     for (const std::string_view part : split(alternative, " and ")) {
       Result<Term> term = parse_term(part, values);
-      if (!term) return Error{term.error()};
+      if (!term) return term.failure();
       terms.push_back(std::move(*term));
     }
   }

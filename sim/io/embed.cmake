@@ -1,4 +1,5 @@
-# Writes OUTPUT, a C++ file that holds the files FILES ("models/match", below FOLDER, without ".json") as texts.
+# Writes the C++ file OUTPUT, which holds JSON files as texts. FILES are their paths below FOLDER, without ".json",
+# such as "models/match".
 set(entries "")
 foreach(file IN LISTS FILES)
   file(READ ${FOLDER}/${file}.json text)

@@ -13,17 +13,17 @@ robot::Result<AllIngredients> embedded_ingredients() {
   AllIngredients all;
   for (const std::string_view name : names_of("rules")) {
     const auto rules = load_rules(std::string(name));
-    if (!rules) return robot::Error{rules.error()};
+    if (!rules) return rules.failure();
     all.lists.rules.push_back(*rules);
   }
   for (const std::string_view name : names_of("models")) {
     auto models = load_models(std::string(name));
-    if (!models) return robot::Error{models.error()};
+    if (!models) return models.failure();
     all.lists.models.push_back(std::move(*models));
   }
   for (const std::string_view name : names_of("strategies")) {
     auto behaviour = load_strategy(std::string(name));
-    if (!behaviour) return robot::Error{behaviour.error()};
+    if (!behaviour) return behaviour.failure();
     all.behaviours.push_back(std::move(*behaviour));
     all.lists.behaviours.push_back(all.behaviours.back().get());
   }

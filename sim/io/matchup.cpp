@@ -12,7 +12,7 @@ using robot::Result;
 Result<PreparedGame> prepare(const Matchup& matchup) {
   PreparedGame game;
   Result<field::Rules> rules = load_rules(matchup.rules);
-  if (!rules) return Error{rules.error()};
+  if (!rules) return rules.failure();
   game.params.rules = *rules;
   if (matchup.players < 0 || matchup.players > kMaxPlayers)
     return Error{"players must be 1 .. " + std::to_string(kMaxPlayers) + " a side, got " +
@@ -23,9 +23,9 @@ Result<PreparedGame> prepare(const Matchup& matchup) {
 
   for (const int side : {0, 1}) {
     Result<Models> models = load_models(matchup.models[side]);
-    if (!models) return Error{models.error()};
+    if (!models) return models.failure();
     auto behaviour = load_behaviour(matchup.strategies[side], matchup, static_cast<Side>(side));
-    if (!behaviour) return Error{behaviour.error()};
+    if (!behaviour) return behaviour.failure();
     game.behaviours[side] = std::move(*behaviour);
     game.params.teams[side] = {.behaviour = game.behaviours[side].get(), .models = std::move(*models)};
   }

@@ -78,7 +78,7 @@ std::string text_at(Reader& reader, const Json& json, const char* key) {
 
 Result<Models> parse_upon(std::string_view text, const std::string& called, Sources* sources, int bases) {
   Result<Json> json = parse_object(text, called);
-  if (!json) return Error{json.error()};
+  if (!json) return json.failure();
   Reader reader(called, sources);
   Models models{};
   const std::string based_on = text_at(reader, *json, "based_on");
@@ -86,7 +86,7 @@ Result<Models> parse_upon(std::string_view text, const std::string& called, Sour
     if (bases == kMostBases)
       return Error{called + ": based_on leads through more than 8 files, or back to the same file"};
     const Result<Source> source = find_source("models", "models", based_on);
-    if (!source) return Error{called + ": based_on: " + source.error()};
+    if (!source) return source.failure(called + ": based_on");
     Result<Models> base = parse_upon(source->text, source->called, sources, bases + 1);
     if (!base) return base;
     models = std::move(*base);
@@ -119,10 +119,10 @@ Result<Models> parse_models(std::string_view text, const std::string& called, So
 Result<Models> load_models(const std::string& name, Sources* sources) {
   const std::string called = "models '" + name + "'";
   const Result<Variation> variation = parse_variation(name, called);
-  if (!variation) return Error{variation.error()};
+  if (!variation) return variation.failure();
   if (!variation->number.is_null()) return Error{called + ": models take no number behind a colon"};
   const Result<Source> source = find_source("models", "models", variation->name);
-  if (!source) return Error{source.error()};
+  if (!source) return source.failure();
   Result<Models> models = parse_models(source->text, source->called, sources);
   if (!models || variation->changes.empty()) return models;
 

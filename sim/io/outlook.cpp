@@ -9,7 +9,6 @@
 namespace sim::io {
 
 using foresight::Outlook;
-using robot::Error;
 using robot::Result;
 
 namespace {
@@ -44,7 +43,7 @@ void read_worth(Reader& reader, const Json& json, Outlook& outlook) {
 
 Result<Outlook> parse_outlook(std::string_view text, const std::string& called) {
   const Result<Json> json = parse_object(text, called);
-  if (!json) return Error{json.error()};
+  if (!json) return json.failure();
   Reader reader(called);
   Reach reach;
   Outlook outlook;
@@ -57,10 +56,10 @@ Result<Outlook> parse_outlook(std::string_view text, const std::string& called) 
 
 Result<Outlook> load_outlook(const std::string& rules) {
   const Result<Variation> variation = parse_variation(rules, "rules '" + rules + "'");
-  if (!variation) return Error{variation.error()};
+  if (!variation) return variation.failure();
   if (is_path(variation->name)) return Outlook{};
   const Result<Source> source = find_source("outlooks", "outlook", variation->name);
-  if (!source) return Error{source.error()};
+  if (!source) return source.failure();
   return parse_outlook(source->text, source->called);
 }
 

@@ -23,21 +23,21 @@ Result<Playbook> prepare_playbook(const PlaybookChoice& choice) {
 
   const auto own = static_cast<std::size_t>(choice.own), others = 1 - own;
   // the opponents play a tree: an opponent that chooses too would have to simulate our choice
-  if (const auto opponent = load_strategy(choice.opponent); !opponent) return Error{opponent.error()};
+  if (const auto opponent = load_strategy(choice.opponent); !opponent) return opponent.failure();
   Matchup game{.rules = choice.rules, .players = choice.players, .pace = choice.pace};
   game.strategies[own] = choice.strategies.front();
   game.strategies[others] = choice.opponent;
   game.models[own] = choice.models;
   game.models[others] = choice.opponent_models;
   const Result<PreparedGame> setup = prepare(game);
-  if (!setup) return Error{setup.error()};
+  if (!setup) return setup.failure();
   const Result<foresight::Outlook> outlook = load_outlook(choice.rules);
-  if (!outlook) return Error{outlook.error()};
+  if (!outlook) return outlook.failure();
 
   Playbook playbook{.choice = choice, .params = {}, .outlook = *outlook, .behaviours = {}};
   for (const std::string& name : choice.strategies) {
     auto behaviour = load_strategy(name);
-    if (!behaviour) return Error{behaviour.error()};
+    if (!behaviour) return behaviour.failure();
     playbook.params.push_back(setup->params);
     playbook.params.back().teams[own].behaviour = behaviour->get();
     playbook.behaviours.push_back(std::move(*behaviour));

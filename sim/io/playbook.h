@@ -36,8 +36,8 @@ struct Playbook {
 
 robot::Result<Playbook> prepare_playbook(const PlaybookChoice& choice);
 
-/// Makes a task that races these strategies of the playbook, by index; the first is the incumbent. Playbook and situation
-/// outlive the task.
+/// Makes a task that races these strategies of the playbook, by index; the first is the incumbent. Playbook and
+/// situation outlive the task.
 foresight::Task task_of(const Playbook& playbook, const std::vector<int>& strategies,
                         const foresight::Situation& situation, const foresight::Question& question, RandomKey key);
 /// Makes the task for all strategies.

@@ -6,7 +6,6 @@
 
 namespace sim::io {
 
-using robot::Error;
 using robot::Result;
 
 namespace {
@@ -48,7 +47,7 @@ void check(Reader& reader, const field::Field& field) {
 
 Result<field::Rules> parse_rules(std::string_view text, const std::string& called, Sources* sources) {
   const Result<Json> json = parse_object(text, called);
-  if (!json) return Error{json.error()};
+  if (!json) return json.failure();
   Reader reader(called, sources);
   field::Rules rules{};
   for (const char* key : {"name", "about"})
@@ -63,9 +62,9 @@ Result<field::Rules> parse_rules(std::string_view text, const std::string& calle
 Result<field::Rules> load_rules(const std::string& name, Sources* sources) {
   const std::string called = "rules '" + name + "'";
   Result<Variation> variation = parse_variation(name, called);
-  if (!variation) return Error{variation.error()};
+  if (!variation) return variation.failure();
   const Result<Source> source = find_source("rules", "rules", variation->name);
-  if (!source) return Error{source.error()};
+  if (!source) return source.failure();
   Result<field::Rules> rules = parse_rules(source->text, source->called, sources);
   if (!rules) return rules;
 

@@ -10,7 +10,6 @@
 
 namespace sim::io {
 
-using robot::Error;
 using robot::Result;
 
 namespace {
@@ -269,7 +268,7 @@ class Scene {
 Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params,
                               const RandomKey* shaken) {
   const Result<Json> json = parse_object(text, called);
-  if (!json) return Error{json.error()};
+  if (!json) return json.failure();
   Reader reader(called);
   const State state = Scene(reader, params, shaken).build(*json);
   if (!reader.good()) return reader.error();
@@ -278,7 +277,7 @@ Result<State> parse_situation(std::string_view text, const std::string& called, 
 
 Result<State> load_situation(const std::string& name, const Params& params) {
   const Result<Source> source = find_source("situations", "situation", name);
-  if (!source) return Error{source.error()};
+  if (!source) return source.failure();
   return parse_situation(source->text, source->called, params);
 }
 

@@ -5,7 +5,9 @@
 //   "phase": "playing", "set_play": "none", "kicking": "home",
 //   "half": 1, "clock": 300, "score": {"home": 1, "away": 0},
 //   "ball": {"x": 1.2, "y": 0.5, "velocity_x": 0, "velocity_y": 0},
-//   "robots": [{"side": "home", "player": 2, "x": 0.8, "y": 0.5, "heading": 0, "penalised": 0}, …]
+//   "robots": [
+//     {"side": "home", "player": 2, "x": 0.8, "y": 0.5, "heading": 0, "penalised": 0}, …
+//   ]
 // }
 //
 // Frame: field, which never flips: in the second half the home side attacks towards -x. Metres, seconds, radians.

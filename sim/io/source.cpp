@@ -21,7 +21,7 @@ Result<Source> find_source(std::string_view kind, std::string_view noun, const s
   Source source{.text = {}, .called = std::string(noun) + " '" + name + "'"};
   if (is_path(name)) {
     Result<std::string> text = robot::read_file(name, kMaxFileBytes);
-    if (!text) return Error{source.called + ": " + text.error()};
+    if (!text) return text.failure(source.called);
     source.text = std::move(*text);
     return source;
   }

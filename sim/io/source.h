@@ -23,8 +23,8 @@ std::vector<std::string_view> names_of(std::string_view kind);
 /// Returns whether `name` is a path: it contains '/' or ends in ".json". Otherwise it is an embedded name.
 bool is_path(std::string_view name);
 
-/// Finds the description. The Error for an unknown name lists the known ones: "no models 'mach'; there are: friendly, match, perfect".
-/// `noun` is the word for the kind in that sentence.
+/// Finds the description. The Error for an unknown name lists the known ones: "no models 'mach'; there are: friendly,
+/// match, perfect". `noun` is the word for the kind in that sentence.
 robot::Result<Source> find_source(std::string_view kind, std::string_view noun, const std::string& name);
 
 /// Returns "a, b, c".

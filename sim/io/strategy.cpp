@@ -89,13 +89,12 @@ Result<Json> whole_of(const Json& own, const std::string& called, int bases) {
   if (bases == kMostBases)
     return Error{called + ": based_on leads through more than 8 files, or back to the same file"};
   const Result<Source> source = find_source("strategies", "strategy", based_on->get<std::string>());
-  if (!source) return Error{called + ": based_on: " + source.error()};
+  if (!source) return source.failure(called + ": based_on");
   const Result<Json> json = parse_object(source->text, source->called);
-  if (!json) return Error{json.error()};
+  if (!json) return json.failure();
   const Result<Json> base = whole_of(*json, source->called, bases + 1);
-  if (!base) return Error{base.error()};
-  if (const Result<agent::Tree> checked = compiled(*base, *json, source->called); !checked)
-    return Error{checked.error()};
+  if (!base) return base.failure();
+  if (const Result<agent::Tree> checked = compiled(*base, *json, source->called); !checked) return checked.failure();
   return merged(*base, own);
 }
 
@@ -104,11 +103,11 @@ Result<agent::Tree> parse_upon(std::string_view text, const std::string& called,
     return Error{called + ": must have at most " + std::to_string(kMaxFileBytes) + " bytes, got " +
                  std::to_string(text.size())};
   Result<Json> own = parse_object(text, called);
-  if (!own) return Error{own.error()};
+  if (!own) return own.failure();
   // a changed parameter must exist; otherwise a typing mistake would pass
   if (!parameters.empty()) own = merged(std::move(*own), Json{{"parameters", parameters}});
   const Result<Json> whole = whole_of(*own, called, 0);
-  if (!whole) return Error{whole.error()};
+  if (!whole) return whole.failure();
   return compiled(*whole, *own, called);
 }
 
@@ -121,12 +120,12 @@ Result<agent::Tree> parse_strategy(std::string_view text, const std::string& cal
 Result<std::unique_ptr<agent::TreeBehaviour>> load_strategy(const std::string& name) {
   const std::string called = "strategy '" + name + "'";
   const Result<Variation> variation = parse_variation(name, called);
-  if (!variation) return Error{variation.error()};
+  if (!variation) return variation.failure();
   if (!variation->number.is_null()) return Error{called + ": strategies take no number behind a colon"};
   const Result<Source> source = find_source("strategies", "strategy", variation->name);
-  if (!source) return Error{source.error()};
+  if (!source) return source.failure();
   Result<agent::Tree> tree = parse_upon(source->text, called, variation->changes);
-  if (!tree) return Error{tree.error()};
+  if (!tree) return tree.failure();
   tree->name += name.substr(variation->name.size());
   return std::make_unique<agent::TreeBehaviour>(std::move(*tree));
 }

@@ -16,8 +16,8 @@
 //     "subtrees": { "clear": … }
 //   }
 //
-// A rule is a list of rules, or an object: "if" (optional) with "then", "do" (a skill, "with" its arguments) or "use" (a
-// subtree). If the condition fails, "else" is next; without "else" the next rule of the list. Conditions
+// A rule is a list of rules, or an object: "if" (optional) with "then", "do" (a skill, "with" its arguments) or "use"
+// (a subtree). If the condition fails, "else" is next; without "else" the next rule of the list. Conditions
 // compare a feature by < <= > >= is, is not; a yes-or-no feature stands alone or behind "not"; "and" binds closer than
 // "or". Values are numbers in SI, or with deg, cm or min. Every rule may have a "name" for the trace, and an "about".
 //

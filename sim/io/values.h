@@ -24,7 +24,8 @@ class Values {
   /// `parameters` outlives it.
   explicit Values(const Json& parameters) : parameters_(parameters) {}
 
-  /// Reads a value: 0.35, "0.35 m", "20 deg", "goal", "$near". The Error is the end of a sentence: "must be 0 .. 3 [m], got 7".
+  /// Reads a value: 0.35, "0.35 m", "20 deg", "goal", "$near". The Error is the end of a
+  /// sentence: "must be 0 .. 3 [m], got 7".
   robot::Result<float> read(const Json& value, const Expected& expected);
   robot::Result<float> read(std::string_view text, const Expected& expected);
 

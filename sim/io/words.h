@@ -7,7 +7,8 @@
 
 namespace sim::io {
 
-/// Returns "; did you mean 'ball_age'?" if one of `known` is similar, otherwise "; there are: …" for few or "" for many.
+/// Returns "; did you mean 'ball_age'?" if one of `known` is similar, otherwise ";
+/// there are: …" for few or "" for many.
 std::string hint(std::string_view word, const std::vector<std::string_view>& known);
 
 }  // namespace sim::io

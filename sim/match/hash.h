@@ -9,7 +9,8 @@
 namespace sim {
 
 /// A hash of a sequence of numbers. The same numbers in the same order have the same hash on every machine.
-/// It multiplies and rotates for each number and ends with an avalanche, so each input bit affects each bit of the hash.
+/// It multiplies and rotates for each number and ends with an avalanche, so each input
+/// bit affects each bit of the hash.
 class Hash {
  public:
   void add(std::uint64_t number) {

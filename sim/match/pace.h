@@ -1,4 +1,4 @@
-// How often a robot perceives, decides and moves.
+// The rates at which a robot perceives, decides and moves.
 //
 // With Pace::thinned a robot does all three once for several ticks: one perception of all their images, one decision,
 // one longer move. The number of ticks depends on how soon the robot could matter:

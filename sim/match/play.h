@@ -17,16 +17,16 @@ struct Result {
   std::int32_t packets[2];               // sent
   std::uint32_t events[kEventKinds][2];  // number of events, by referee::Event::Kind and Event::side
 
-  /// Returns the share of possession [0..1]: the time in play in which this side was the last to touch the ball. It is 0
-  /// when nobody had the ball.
+  /// Returns the share of possession [0..1]: the time in play in which this side was the last to touch the ball. It is
+  /// 0 when nobody had the ball.
   float possession(Side side) const;
 };
 
 /// Returns the result so far. A State does not keep its events, so `events` are all 0.
 Result result_of(const State& state);
 
-/// Steps until the game is over or `until(state)` returns true; it is called before each step. Calls on_event(event) for
-/// each decision of the referee, in order. Returns the number of ticks played.
+/// Steps until the game is over or `until(state)` returns true; it is called before each step. Calls on_event(event)
+/// for each decision of the referee, in order. Returns the number of ticks played.
 template <class Until, class OnEvent>
 Tick play(const Params& params, State& state, Until&& until, OnEvent&& on_event) {
   const Tick began = state.world.tick;

@@ -25,8 +25,8 @@ struct Scenario {
   State start;
 };
 
-/// Returns scenario 0..63. The number settles rules, players a side (1..7), behaviours, models and pace; some effects of
-/// the models are switched over. Even scenarios start with the kick-off, odd ones in the middle of a game.
+/// Returns scenario 0..63. The number settles rules, players a side (1..7), behaviours, models and pace; some effects
+/// of the models are switched over. Even scenarios start with the kick-off, odd ones in the middle of a game.
 Scenario scenario(const Ingredients& ingredients, int number);
 
 /// Plays every scenario for 600 steps and returns a hash of the states, once a second, and of all events. The hash is

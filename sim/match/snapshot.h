@@ -27,8 +27,8 @@ struct Restored {
   std::string refusal;  // empty when there is a state
 };
 
-/// Reads a snapshot from untrusted bytes. A returned state can always be stepped: its enumerators exist, its indices are
-/// inside their arrays, its numbers are finite.
+/// Reads a snapshot from untrusted bytes. A returned state can always be stepped: its enumerators exist, its indices
+/// are inside their arrays, its numbers are finite.
 Restored restore(std::span<const std::uint8_t> bytes);
 
 }  // namespace sim

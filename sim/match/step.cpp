@@ -159,8 +159,8 @@ void send(const Params& params, State& state, int sender) {
   ++state.book.packets[static_cast<int>(side_of(sender))];
 }
 
-/// Delivers the robot's packet if one is on the air. Then the robot may send the next one, right after its turn or while
-/// it waits beside the field. A packet without delay is delivered at once.
+/// Delivers the robot's packet if one is on the air. Then the robot may send the next one, right after its turn or
+/// while it waits beside the field. A packet without delay is delivered at once.
 void talk(const Params& params, State& state, int robot) {
   const Tick now = state.world.tick;
   const auto is_due = [&] { return state.schedule.radio[robot] <= now; };

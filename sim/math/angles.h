@@ -2,8 +2,8 @@
 //
 // The C library picks FMA versions of its functions at run time, so their results differ between processors. `sim` uses
 // none of them except `sqrt`, which is exact everywhere. Each function here is odd or even to the bit, as in
-// mathematics, so that a mirrored start leads to the mirrored game. Each one is a range reduction (Cody and Waite) and a
-// minimax polynomial (Remez), without tables.
+// mathematics, so that a mirrored start leads to the mirrored game. Each one is a range reduction (Cody and Waite) and
+// a minimax polynomial (Remez), without tables.
 #pragma once
 
 #include <bit>
@@ -93,8 +93,8 @@ inline float atan2(float y, float x) {
   const float high = -0x1.d947e4p-5f + square * (0x1.797d32p-6f - square * 0x1.1d6f7p-8f);
   const float angle = slope + slope * square * (low + fourth * (middle + fourth * high));
 
-  // move to the octant of the point: forward from the axis before it or back from the axis after it; bit operations,
-  // because the branch predictor could not foresee the octant
+  // Move to the octant of the point: forward from the axis before it or back from the axis after it. Bit operations,
+  // because the branch predictor could not foresee the octant.
   const std::uint32_t steep = across > along, behind = x < 0, right = y < 0;
   const float axis = std::bit_cast<float>(((0u - steep) & 0x3fc90fdbu) | ((0u - (behind & ~steep)) & 0x40490fdbu));
   const float turned = axis + std::bit_cast<float>(std::bit_cast<std::uint32_t>(angle) ^ ((steep ^ behind) << 31));

@@ -42,7 +42,8 @@ inline Vec2 direction_of_small(float angle) {
 }
 /// Returns the angle from +x in (-π, π] rad, and 0 for the zero vector.
 inline float angle_of(Vec2 a) { return atan2(a.y, a.x); }
-/// Returns `a` turned by the angle of the unit vector `facing`: from the frame that faces that way into its parent frame.
+/// Returns `a` turned by the angle of the unit vector `facing`: from the frame that
+/// faces that way into its parent frame.
 constexpr Vec2 turned(Vec2 a, Vec2 facing) {
   return {a.x * facing.x - a.y * facing.y, a.x * facing.y + a.y * facing.x};
 }

@@ -60,8 +60,8 @@ struct Moved {
   float angle;        // [rad]
 };
 
-/// Moves the body for `dt` with the gait, reached at once or within the limits of acceleration. Inline, because there is
-/// one call.
+/// Moves the body for `dt` with the gait, reached at once or within the limits of acceleration.
+/// Inline, because there is one call.
 [[gnu::always_inline]] inline Moved glide(const Walk& walk, bool limited, const Gait& gait, float dt, Body& body) {
   Vec2 velocity = gait.velocity;
   float rate = gait.turn_rate;

@@ -6,7 +6,8 @@
 namespace sim::motion {
 namespace {
 
-/// Returns the quality of a kick by the place of the ball: 1 inside the gate, falling to 0 at twice its size, < 0 beyond.
+/// Returns the quality of a kick by the place of the ball: 1 inside the gate, falling to
+/// 0 at twice its size, < 0 beyond.
 float quality_at(const Kick& kick, Vec2 ball, float side) {
   const float off_x = std::abs(ball.x - kick.ball_x) / kick.gate_x;
   const float off_y = std::abs(side * ball.y - kick.ball_y) / kick.gate_y;

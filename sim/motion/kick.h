@@ -13,8 +13,8 @@ inline constexpr float kReach = 0.25f;
 /// Stops the body and begins the kick of the command.
 void begin_kick(const Command& command, Tick now, Body& body);
 
-/// Continues the kick for at most `left` ticks, up to its end; the foot hits the ball on the way. Returns the ticks used,
-/// at least one.
+/// Continues the kick for at most `left` ticks, up to its end; the foot hits the ball on the way.
+/// Returns the ticks used, at least one.
 Tick kick(const MotionParams& params, int robot, Tick now, Tick left, World& world);
 
 }  // namespace sim::motion

@@ -30,11 +30,12 @@ struct MotionParams {
 /// direction while it turns to its final heading. It stops within 1 cm and 2°.
 ///
 /// Nothing interrupts a kick or a squat. The foot reaches the ball in the tick that begins `delay` after the command. A
-/// hit sets the ball's velocity, `world.kicked` and `world.touched`; a miss sets `world.whiffed`. The caller clears these
-/// in each tick. After a kick the body walks on without delay. A fallen body ignores commands and gets up by itself.
+/// hit sets the ball's velocity, `world.kicked` and `world.touched`; a miss sets `world.whiffed`. The caller clears
+/// these in each tick. After a kick the body walks on without delay. A fallen body
+/// ignores commands and gets up by itself.
 ///
-/// The effect walk_acceleration includes the cost of turning and the slowing down before a destination. Draws walk_noise
-/// (number: index of the walking step), kick_noise, fall and get_up (number: tick).
+/// The effect walk_acceleration includes the cost of turning and the slowing down before a destination. Draws
+/// walk_noise (number: index of the walking step), kick_noise, fall and get_up (number: tick).
 void move(const MotionParams& params, const Command& command, int robot, Tick steps, World& world);
 
 /// Moves the head for `steps` ticks. The body has moved already; `told` [field] is its pose when it got the command.

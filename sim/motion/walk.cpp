@@ -21,7 +21,8 @@ bool wants_to_walk(const Command& command, const Errand& errand) {
   }
 }
 
-/// Returns a number in [-√6, √6) with a triangular distribution and standard deviation 1. It is cheaper than a normal one.
+/// Returns a number in [-√6, √6) with a triangular distribution and standard deviation 1.
+/// It is cheaper than a normal one.
 float deviate(std::uint32_t word) {
   return kTriangular * (static_cast<float>((word & 0xffff) + (word >> 16)) * 0x1p-16f - 1);
 }

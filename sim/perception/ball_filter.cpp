@@ -16,8 +16,8 @@ void start(const BallFilter& filter, Vec2 position, float variance, agent::Ball&
   ball.velocity_variance = squared(filter.first_velocity);
 }
 
-/// Corrects the belief by two measurements with independent errors: the position at the mean time of the images, and the
-/// velocity.
+/// Corrects the belief by two measurements with independent errors: the position at the mean time
+/// of the images, and the velocity.
 void correct(const BallPercept& percept, float variance, agent::Ball& ball) {
   const Images& images = percept.images;
   {
@@ -62,8 +62,8 @@ bool believe(const PerceptionParams& params, const Body& body, const BallPercept
     return percept_variance(noise, squared_length(place), height) + kLeastVariance;
   };
 
-  // the expected place gives the variance of the percept: with the percept's own place, percepts that seem near would
-  // have more weight, and the ball would seem nearer than it is
+  // The expected place gives the variance of the percept. The percept's own place would give more weight to percepts
+  // that seem near, and the ball would seem nearer than it is.
   const bool lost = ball.variance >= squared(filter.lost_deviation);
   const float variance = variance_at(lost ? percept.position : ball.position);
   const float square = squared_length(percept.position - ball.position), gate = squared(filter.reacquire);

@@ -19,9 +19,9 @@ inline constexpr float kForgotten = 0.5f;  // [s] unseen; after that the ball ma
 
 /// Corrects the belief by a percept [m, robot] and returns true.
 ///
-/// A percept farther off than `reacquire` standard deviations restarts the filter if the ball was `forgotten`. Otherwise
-/// the percept is doubted and the result is false: the belief keeps its place, but becomes so uncertain that it accepts
-/// the next percept there.
+/// A percept farther off than `reacquire` standard deviations restarts the filter if the ball was `forgotten`.
+/// Otherwise the percept is doubted and the result is false: the belief keeps its place, but becomes so uncertain that
+/// it accepts the next percept there.
 bool believe(const PerceptionParams& params, const Body& body, const BallPercept& percept, bool forgotten,
              agent::Ball& ball);
 

@@ -22,10 +22,10 @@ struct BallPercept {
   float heat = 0;  // [0..1] how likely an opponent is about to kick the ball
 };
 
-/// Returns the percept of the last `steps` images of a robot, the newest at `world.tick`. Position and velocity are those
-/// of the straight line fitted through the places in all images; their errors follow from the noise of each image.
-/// Several images count only if the ball was `followed`: the image before them showed it too. Otherwise the head may
-/// have been turned away until the newest image.
+/// Returns the percept of the last `steps` images of a robot, the newest at `world.tick`. Position and velocity are
+/// those of the straight line fitted through the places in all images; their errors follow from the noise of each
+/// image. Several images count only if the ball was `followed`: the image before them showed it too. Otherwise the head
+/// may have been turned away until the newest image.
 ///
 /// Occasionally the newest image shows a false ball. False balls in earlier images are left out: teammates and the
 /// robot's own later images would have corrected them by now.

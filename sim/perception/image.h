@@ -45,7 +45,8 @@ inline bool below(float angle, const Sighting& sighting) {
   return (square <= 0.36f && height >= more * more * least) || below_by_sine(angle, sighting);
 }
 
-/// Returns cos² of half of `width` [rad], for width <= 3.1, within 1e-7: a series of a quarter of it, which is below π/4.
+/// Returns cos² of half of `width` [rad], for width <= 3.1, within 1e-7: a series of a
+/// quarter of it, which is below π/4.
 inline float squared_cosine_of_half(float width) {
   const float square = width * width * (1.f / 16);
   const float cosine = 1 - square * (0.5f - square * (1.f / 24 - square * (1.f / 720 - square * (1.f / 40320))));
@@ -53,8 +54,8 @@ inline float squared_cosine_of_half(float width) {
   return half * half;
 }
 
-/// Reports whether the camera of an upright body that looks along `look` shows a point: not farther than `farthest` [m]
-/// and between the edges of the image, which move with the head.
+/// Reports whether the camera of an upright body that looks along `look` shows a point. The point is not farther than
+/// `farthest` [m], and it is between the edges of the image, which move with the head.
 inline bool in_view(const Camera& camera, const Body& body, Vec2 look, float farthest, const Sighting& sighting) {
   const float ahead = dot(sighting.to_it, look);
   if (ahead <= 0 || sighting.square > farthest * farthest) return false;
@@ -112,7 +113,7 @@ inline float percept_variance(const ImageNoise& noise, float squared_range, floa
 }
 
 /// Returns where a thing at `place` [m, robot], `range` [m] away and `height` [m] below the camera, seems to be.
-/// `errors` are those of elevation and bearing, in standard deviations. Returns (0, 0), where nothing is ever seen, when
+/// `errors` are those of elevation and bearing, in standard deviations. Returns (0, 0), which no real percept has, if
 /// the thing seems to be above the horizon or farther than `farthest` [m].
 inline Vec2 seen_through(const ImageNoise& noise, Vec2 place, float range, float height, float farthest,
                          std::array<float, 2> errors) {

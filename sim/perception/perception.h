@@ -26,21 +26,21 @@ struct PerceptionParams {
   const BallModel& ball;
 };
 
-/// Sets the beliefs of a robot that enters the field, at the start or after a penalty: it knows roughly where it stands,
-/// and nothing about the ball.
+/// Sets the beliefs of a robot that enters the field, at the start or after a penalty: it knows roughly where it
+/// stands, and nothing about the ball.
 void enter(const PerceptionParams& params, const World& world, int robot, agent::Beliefs& beliefs,
            Cognition& cognition);
 
 /// Updates the beliefs of a robot `steps` ticks after its last perception: odometry predicts them, the images up to
-/// `world.tick` correct them. Cheap when nothing is in view.
+/// `world.tick` correct them. Cheap when the view is empty.
 void perceive(const PerceptionParams& params, const World& world, int robot, Tick steps, agent::Beliefs& beliefs,
               Cognition& cognition);
 
 /// Returns the packet that the robot would send to its team now.
 agent::Mate packet_of(const agent::Beliefs& beliefs, const agent::Mind& mind, bool penalised, Tick now);
-/// Returns when a robot that sent at `last` sends again: after the year's interval, and later if an even share of the
-/// remaining budget requires it; kNever when the budget is used up. `sent` [packets] is the team's number so far,
-/// `remaining` [s] the rest of the game.
+/// Returns the tick at which a robot that sent at `last` sends again. It keeps the interval of the year's rules, and a
+/// longer one if the remaining budget has to last for the rest of the game. Returns kNever when the budget is used up.
+/// `sent` [packets] is the team's number so far, `remaining` [s] the rest of the game.
 Tick next_packet(const field::Rules& rules, const Effects& effects, Tick last, int sent, float remaining);
 /// The fate of a packet on the air.
 struct Transmission {

@@ -7,8 +7,8 @@
 namespace sim::perception {
 
 /// Looks for one opponent and stores its believed place in `team_field`, which depends on the robot's believed pose.
-/// `missed_ball` and `ball_noise` act as for the ball. Robots do not hide each other here: opponents matter as obstacles,
-/// and one behind another is none. `number` distinguishes the draws of one robot.
+/// `missed_ball` and `ball_noise` act as for the ball. Robots do not hide each other here: opponents matter as
+/// obstacles, and one behind another is none. `number` distinguishes the draws of one robot.
 void look_for_opponent(const PerceptionParams& params, const World& world, int robot, int opponent,
                        std::uint32_t number, agent::Beliefs& beliefs);
 

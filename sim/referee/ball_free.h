@@ -1,5 +1,5 @@
-// All years: after a kick-off everybody may touch the ball once the kicking side has touched it, or after 10 s.
-// Since 2018: likewise after a set play, with 30 s.
+// All years: the ball of a kick-off is free for the opponents once the kicking side has touched it, or 10 s later.
+// Since 2018: likewise the ball of a set play, 30 s later.
 #pragma once
 
 #include "sim/referee/court.h"

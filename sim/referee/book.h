@@ -20,11 +20,11 @@ struct Book {
   std::uint8_t kick_off_by = kNobody;   // index of the robot that kicked off and may not score yet; kNobody: all may
   std::uint8_t last_toucher = kNobody;  // index of the robot; kNobody: no touch since the ball was placed
   std::uint8_t half = 1;
-  bool ball_free = true;                  // everybody may touch the ball
+  bool ball_free = true;                  // both sides may touch the ball
   Tick phase_since = 0;                   // last change of phase or set play
   Tick playing_since = 0;                 // `phase_since` from before the last goal
   Tick clock = 0;                         // [ticks] played of this half
-  Tick told_phase_since = 0;              // when the robots are told of the phase: later after a goal
+  Tick told_phase_since = 0;              // tick at which the robots receive the phase: later after a goal
   Tick last_touch_tick = 0;               // last touch or placement of the ball
   Vec2 last_touch_at;                     // [m, field] ball at that moment
   Vec2 ball_before;                       // [m, field] ball in the last tick

@@ -5,8 +5,8 @@ namespace {
 
 constexpr float kWaiting = 1;  // [m] from the edge of the carpet to the waiting removed robots
 
-/// Returns how far behind the halfway line a player's own place on the touch line is [m]. Players 1.. spread evenly from
-/// the own goal line to the halfway line.
+/// Returns how far behind the halfway line a player's own place on the touch line is [m]. Players 1.. stand at
+/// equal distances from the own goal line to the halfway line.
 float own_place(const field::Rules& rules, int player) {
   return rules.field.length / 2 * static_cast<float>(rules.players + 1 - player) /
          static_cast<float>(rules.players + 1);

@@ -51,10 +51,10 @@ void report(Court& court, Event::Kind kind, Side side, int robot, Vec2 at);
 /// Puts the ball down at rest [m, field]. It counts as untouched since.
 void place_ball(Court& court, Vec2 at);
 
-/// Begins a new phase now. The robots are told at once.
+/// Begins a new phase now. The robots receive it at once.
 void begin_phase(Court& court, Phase phase);
 
-/// Begins READY for the kick-off of `kicking`. The robots are told at the tick `told`.
+/// Begins READY for the kick-off of `kicking`. The robots receive it at the tick `told`.
 void begin_kick_off(Court& court, Side kicking, Tick told);
 
 /// Places the ball for a set play of `kicking`. Play goes on.

@@ -24,7 +24,7 @@ agent::Game game_for(const field::Rules& rules, const World& world, const Book& 
   game.opponent_score = book.score[static_cast<int>(other(side))];
   game.remaining = left_of_half(rules, book);
 
-  // the robots are not told of the last goal yet: for them play goes on
+  // the last goal is not reported to the robots yet: for them play goes on
   if (world.tick < book.told_phase_since) {
     game.phase = agent::Game::Phase::playing;
     game.since_phase = age(world.tick, book.playing_since);

@@ -1,6 +1,6 @@
 // All years: a goal is scored when the whole ball passes over the goal line between the posts. The other side kicks
-// off; as in preliminary rounds, the clock runs on. A ball directly from a kick-off is no goal but a ball that went out.
-// Since 2019 the robots are told late (Rules::goal_message_delay), so that they see or hear a goal themselves.
+// off; as in preliminary rounds, the clock runs on. A ball directly from a kick-off is no goal but a ball that went
+// out. Since 2019 the robots receive the report late (Rules::goal_message_delay), so that they detect goals themselves.
 #pragma once
 
 #include "sim/referee/crossing.h"

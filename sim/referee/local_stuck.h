@@ -1,5 +1,5 @@
-// All years: when the ball has not got away from several robots round it for Rules::stuck_local, the robot nearest to it
-// is removed. If several are at exactly the same distance, all of them are removed, so the order of robots does not
+// All years: when the ball has not got away from several robots round it for Rules::stuck_local, the robot nearest to
+// it is removed. If several are at exactly the same distance, all of them are removed, so the order of robots does not
 // matter.
 #pragma once
 

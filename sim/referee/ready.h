@@ -1,5 +1,5 @@
 // All years: in READY the robots walk to their places, for 45 s at most. READY ends early when all robots on the field
-// have stood still for two seconds since they were told of it (as B-Human's simulated referee does). SET follows.
+// have stood still for two seconds since they received it (as B-Human's simulated referee does). SET follows.
 #pragma once
 
 #include "sim/referee/in_set.h"
@@ -17,7 +17,8 @@ inline bool anybody_moves(const Court& court) {
   return moves;
 }
 
-/// Notes since when all robots stand. Puts the ball at the centre when the robots are told of READY. Call it once a tick.
+/// Notes since when all robots stand. Puts the ball at the centre when the robots
+/// receive READY. Call it once a tick.
 inline void watch(Court& court) {
   Book& book = court.book;
   if (book.phase != Phase::ready) return;

@@ -17,7 +17,8 @@ struct RefereeParams {
   const ContactModel& contact;
 };
 
-/// Opens a game: all robots stand at the touch lines, in READY for the kick-off. Draw::kick_off selects the kicking side.
+/// Opens a game: all robots stand at the touch lines, in READY for the kick-off.
+/// Draw::kick_off selects the kicking side.
 void open(const RefereeParams& params, World& world, Book& book, Events& events);
 
 /// Judges the world after all robots have moved: applies the rules that are due. Moves the ball and removed robots.

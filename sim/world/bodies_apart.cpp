@@ -72,8 +72,8 @@ Circles circles_of(const ContactModel& contact, const Crowd& crowd, const World&
   return circles;
 }
 
-/// The squared distances of middles [m²] below which a gap may be less than `margin`, if all robots were as large as the
-/// largest.
+/// The squared distances of middles [m²] below which a gap may be less than `margin`, if all
+/// robots were as large as the largest.
 struct Limits {
   float robots;
   float post;
@@ -156,8 +156,8 @@ void count_touches(const Circles& circles, const Neighbours& near, World& world)
   }
 }
 
-/// Returns the shift that is missing until `apart`, the vector to a circle's middle, is `reach` long. `otherwise` is its
-/// direction when `apart` is zero.
+/// Returns the shift that is missing until `apart`, the vector to a circle's middle, is `reach` long. `otherwise` is
+/// its direction when `apart` is zero.
 Vec2 missing(Vec2 apart, float reach, Vec2 otherwise, Shifts& shifts) {
   const float squared = squared_length(apart);
   if (squared >= reach * reach) return {};

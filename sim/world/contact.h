@@ -9,10 +9,10 @@
 
 namespace sim {
 
-/// Pushes overlapping robots apart, each by half of the overlap, and pushes robots out of posts and the walking referee.
-/// Counts for how long each body has touched another one and has run into it.
+/// Pushes overlapping robots apart, each by half of the overlap, and pushes robots out of posts and the walking
+/// referee. Counts for how long each body has touched another one and has run into it.
 /// Afterwards no two bodies on the field overlap by more than 1 mm, and no body overlaps a post by more than that.
-/// The result does not depend on the order of robots, except when two stand at exactly the same place: then the first
+/// The result does not depend on the order of robots. The one exception: of two at exactly the same place, the first
 /// one moves towards -x. `crowd` must match `world`; the function keeps it so.
 void keep_bodies_apart(const field::Field& field, const ContactModel& contact, Crowd& crowd, World& world);
 

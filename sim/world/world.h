@@ -54,8 +54,8 @@ void for_each_robot(int players, See&& see) {
 }
 
 /// Reports whether `robot` is recorded before `another` when both do the same thing in the same tick. The lower player
-/// number comes first. Of equal numbers, the side that attacks +x comes first in even ticks, the other side in odd ones.
-/// So neither side has an advantage.
+/// number comes first. Of equal numbers, the side that attacks +x comes first in even ticks, the other side in odd
+/// ones. So neither side has an advantage.
 constexpr bool is_named_before(const World& world, int robot, int another) {
   const auto attacks_right = [&](int one) { return (side_of(one) == Side::home) == (world.home_attacks > 0); };
   if (player_of(robot) != player_of(another)) return player_of(robot) < player_of(another);

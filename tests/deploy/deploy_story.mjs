@@ -135,7 +135,7 @@ export function deployStory() {
       await until(() => world.statusOf(tim).game.state === name.toLowerCase(), name);
       const running = world.programOn(tim);
       for (const words of [send(programs.second, "tim"), send(programs.second, "tim", "--no-restart"), ["--undo", "tim", "--yes"]])
-        assert.match(await deploy(1, ...words), new RegExp(`FAILED: the game is ${name}; nothing was touched`));
+        assert.match(await deploy(1, ...words), new RegExp(`FAILED: the game is ${name}; nothing was changed`));
       assert.equal(world.programOn(tim), running);
     }
     assert.match(await deploy(0, ...send(programs.second, "tim", "--force")), /runs build 5ec0/);

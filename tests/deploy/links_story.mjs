@@ -46,7 +46,7 @@ export function linksStory() {
 
   test("a robot that is off is reported at once", async () => {
     world.field.pull(tim);
-    assert.match(await deploy(1, "tim"), /tim {2}FAILED: nobody answers at port 22 of 10.14.1.1/);
+    assert.match(await deploy(1, "tim"), /tim {2}FAILED: no ssh server answers at port 22 of 10.14.1.1/);
     world.field.plug(tim);
   });
 

@@ -87,7 +87,7 @@ describe("logs", { concurrency: true }, () => {
     const { folder, logs } = person(t, { tim: robot });
     const failed = await logs("tim", "--delete", "--token", robot.token);
     assert.equal(failed.status, 1);
-    assert.match(failed.output, /FAILED: broken\/14.2.ball.mcap: what arrived does not have the checksum/);
+    assert.match(failed.output, /FAILED: broken\/14.2.ball.mcap: the downloaded file does not have the checksum/);
     assert.deepEqual(Object.keys(sessions), ["one", "kept", "now", "broken"], "a robot that failed keeps all");
 
     robot.fail = undefined;

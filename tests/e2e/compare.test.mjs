@@ -57,7 +57,7 @@ test("the number of processes and kills do not change the result", async (t) => 
 
   const refused = await compare(...words, "--out", out);
   assert.equal(refused.status, 2);
-  assert.match(refused.stderr, /it is there already; --resume goes on with it/);
+  assert.match(refused.stderr, /it exists already; --resume continues it/);
   const resumed = await compare(...words, "--out", out, "--resume");
   assert.deepEqual(found(resumed), found(alone));
   assert.equal(blocks(), 8);

@@ -80,7 +80,7 @@ test("nonsense gets one sentence and has no other effect", async (t) => {
   const sentences = [
     [{ strategies: ["tiki_taka"] }, `no strategy "tiki_taka"; there are: ${kStrategies.join(", ")}`],
     [{ strategies: ["../../etc/passwd"] }, `no strategy "../../etc/passwd"; there are: ${kStrategies.join(", ")}`],
-    [{ rollouts: 1e9 }, "'rollouts' is nothing that a question has"],
+    [{ rollouts: 1e9 }, "'rollouts' is no member of a question"],
     [{ budget_ms: 1e9 }, "'budget_ms' must be 10 .. 10000 [ms], got 1000000000"],
     [{ horizon: null }, "'horizon' must be a number, got null"],
     [{ horizon: 1e300 }, "'horizon' must be 1 .. 1200 [s], got 1e+300"],
@@ -276,7 +276,7 @@ test("the service and the command find the best strategy for a moment of a recor
     [["--at", "9000"], /--at: the session is .* s long, got 9000/],
     [["--at", "90", "--robot", "77/1"], /there is no robot '77\/1'/],
     [["--at", "90", "--question", "{"], /--question: expected JSON, got something else/],
-    [["--at", "90", "--question", '{"budget": 1}'], /'budget' is nothing that a question has/],
+    [["--at", "90", "--question", '{"budget": 1}'], /'budget' is no member of a question/],
   ]) {
     const { status, stderr } = await run("foresight-lab", "what-if", game, ...args);
     assert.equal(status, 2, args.join(" "));

@@ -199,7 +199,7 @@ test("parameters are read, set within their ranges, and followed", async (t) => 
     [{ name: "jpeg_width", value: 500 }, "parameter 'jpeg_width': expected 640 or 320, got 500"],
     [{ name: "jpeg_width", value: "wide" }, "parameter 'jpeg_width': expected a whole number, got a text"],
     [{ name: "jpeg_quality" }, "parameter 'jpeg_quality': expected true, false, a number or a text"],
-    [{ name: "nonsense", value: 1 }, "parameter 'nonsense': there is none of this name"],
+    [{ name: "nonsense", value: 1 }, "parameter 'nonsense': there is no parameter of this name"],
   ];
   for (const [parameter, sentence] of refused) {
     client.setParameters([parameter], sentence);
@@ -286,9 +286,9 @@ test("nonsense is answered with a sentence, and the connection stays open", asyn
     ['{"op":"subscribe","subscriptions":[{"id":900,"channelId":60000}]}', "subscribe: there is no channel 60000"],
     ['{"op":"subscribe","subscriptions":[{"id":-1,"channelId":1}]}', "request: 'subscriptions' must be an array of {id, channelId}, both numbers 0 .. 4294967295"],
     ['{"op":"unsubscribe","subscriptionIds":[901]}', "unsubscribe: there is no subscription 901"],
-    ['{"op":"advertise","channels":[]}', "this server does not announce what 'advertise' needs"],
-    ['{"op":"subscribeConnectionGraph"}', "this server does not announce what 'subscribeConnectionGraph' needs"],
-    ['{"op":"fetchAsset","uri":"package://a","requestId":1}', "this server does not announce what 'fetchAsset' needs"],
+    ['{"op":"advertise","channels":[]}', "'advertise' needs a capability that this server does not announce"],
+    ['{"op":"subscribeConnectionGraph"}', "'subscribeConnectionGraph' needs a capability that this server does not announce"],
+    ['{"op":"fetchAsset","uri":"package://a","requestId":1}', "'fetchAsset' needs a capability that this server does not announce"],
     [Buffer.alloc(0), "request: a binary message is empty"],
     [Buffer.from([9]), "request: the binary opcode 9 is not known"],
     [Buffer.from([2, 1]), "request: a binary message with opcode 2 is cut short at 2 bytes"],

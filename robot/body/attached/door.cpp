@@ -114,7 +114,7 @@ void Door::hear(PendingConnection& pending) {
   if (!*frame) return;
   if (auto* announced = std::get_if<memory::ChannelInfo>(&**frame)) return write(pending, std::move(*announced));
   const auto* wanted = std::get_if<logging::Wanted>(&**frame);
-  if (!wanted) return refuse(pending, "expected an object to be announced or wanted first, got something else");
+  if (!wanted) return refuse(pending, "expected a first frame that announces or wants an object, got another one");
   Result<std::string> topic = objects_.topic_of(wanted->topic);
   if (!topic) return refuse(pending, topic.error());
   pending.wanted = std::move(*topic);

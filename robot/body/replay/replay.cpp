@@ -111,7 +111,8 @@ Result<void> Replay::check_made() const {
       topics += (topics.empty() ? "" : ", ") + file.topic;
       for (const MadeStream& made : options_.made)
         if (made.to == file.topic)
-          return Error{"expected no topic " + made.to + " in the recording to be replaced by " + made.from};
+          return Error{"expected a new topic for " + made.from + ", got " + made.to +
+                       ", which the recording has already"};
     }
   const std::vector<Played> streams = played();
   for (const MadeStream& made : options_.made) {

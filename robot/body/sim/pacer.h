@@ -1,4 +1,4 @@
-// When the ticks of a simulated game are due.
+// The due times of the ticks of a simulated game.
 #pragma once
 
 #include <cstdint>
@@ -7,28 +7,29 @@
 
 namespace robot::body {
 
-/// Evenly, without drift: the thousandth tick is due a thousand periods after the start, whatever the delays on the way.
-/// Pure: times are given. Used by one thread at a time.
+/// A pacer at a constant rate without drift: the thousandth tick is due a thousand periods after the start, regardless
+/// of delays on the way. Pure: times are given. Used by one thread at a time.
 class Pacer {
  public:
   /// [game seconds per second]
   static constexpr double kSlowest = 0.1, kFastest = 100;
 
-  /// A game that is further behind than this does not race after it: the rest is counted and given up.
+  /// Greatest delay that a game catches up with. A longer delay is cut to this one, and the difference is counted.
   static constexpr std::uint64_t kPatienceNs = kSecond / 10;
 
-  /// From now on the ticks come at `speed`, the next one a period after `now_ns` [monotonic].
+  /// Sets the speed. The next tick is due one period after `now_ns` [monotonic].
   void restart(double speed, std::uint64_t now_ns);
 
-  /// When the next tick is due. [monotonic]
+  /// Returns the due time of the next tick [ns, monotonic].
   std::uint64_t next_ns() const { return due_ns(taken_ + 1); }
 
-  /// Takes the next tick, which is due at `now_ns`: when it was due, at most kPatienceNs and a period ago.
+  /// Takes the next tick, which must be due at `now_ns`. Returns its due time, at most kPatienceNs and one period
+  /// earlier.
   std::uint64_t take(std::uint64_t now_ns);
 
   double speed() const { return speed_; }
 
-  /// By how many ticks the game is behind what was asked for, since the beginning.
+  /// Returns the delay that the game did not catch up with since the beginning [ticks].
   std::uint64_t ticks_behind() const { return ticks_behind_; }
 
  private:

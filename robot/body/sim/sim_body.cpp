@@ -14,9 +14,9 @@
 namespace robot::body {
 namespace {
 
-constexpr double kEachTickShownUpTo = 2;               // [game seconds per second]; beyond, the newest of several is
-constexpr std::uint64_t kShowPeriodNs = kSecond / 60;  // at such speeds
-constexpr std::uint64_t kBreathNs = kMillisecond;      // others get the lock even when the machine is too slow
+constexpr double kEachTickShownUpTo = 2;               // [game seconds per second]; at higher speeds some are skipped
+constexpr std::uint64_t kShowPeriodNs = kSecond / 60;  // between two shown ticks at higher speeds
+constexpr std::uint64_t kBreathNs = kMillisecond;      // others get the lock even if the machine is too slow
 
 constexpr const char* kOver = "simulation: the game is over; a reset begins another one";
 
@@ -39,8 +39,8 @@ sim::State kick_off(const sim::Params& params, std::uint64_t seed) {
 }  // namespace
 
 Result<std::unique_ptr<SimBody>> SimBody::open(GameSetup setup, SimOptions options, const SessionClock& clock) {
-  if (Result<void> speed = check_speed(options.speed); !speed) return Error{speed.error()};
-  if (Result<void> seed = check_seed(options.seed); !seed) return Error{seed.error()};
+  if (Result<void> speed = check_speed(options.speed); !speed) return speed.failure();
+  if (Result<void> seed = check_seed(options.seed); !seed) return seed.failure();
   const int player = sim::player_of(options.robot);
   if (player > setup.params().rules.players)
     return Error{"simulation: in " + setup.names.rules + " 'player' must be 1 .. " +
@@ -118,7 +118,8 @@ void SimBody::play_due_ticks() {
   if (game_.finished()) wake_ns_ = monotonic_ns() + options_.rest_ns;
 }
 
-/// One tick, in which the own robot follows what its process made of the captain's choices.
+/// Plays one tick. The own robot follows the strategy in its memory, which its process chose as the captain or heard
+/// from the captain.
 void SimBody::tick() {
   if (const auto version = memory()->strategy.read()) {
     const foresight::Strategy& strategy = version->value();
@@ -140,11 +141,11 @@ void SimBody::begin_next() {
   begin(kick_off(setup_.params(), seed < kGreatestSeed ? seed + 1 : 0));
 }
 
-/// Writes what the last tick brought, which was due at `monotonic_ns`.
+/// Writes the results of the last tick, which was due at `monotonic_ns`.
 void SimBody::show(std::uint64_t monotonic_ns) {
   const std::uint64_t capture_ns = monotonic_ns + clock_.epoch_offset_ns();
   const sim::Tick tick = game_.state().world.tick;
-  // while the game goes on evenly, times of the past stay what they were to the nanosecond
+  // at a constant pace the time line stays the same, so that times of the past do not change by rounding
   constexpr std::uint64_t kRoundingNs = 100;
   const std::uint64_t as_before_ns = timeline_.at(tick);
   const std::uint64_t off_ns = std::max(as_before_ns, capture_ns) - std::min(as_before_ns, capture_ns);
@@ -161,7 +162,7 @@ void SimBody::show_status() {
                          timeline_);
 }
 
-/// After an order: time begins anew, and everybody sees how it stands.
+/// Restarts the pace after an order, and writes the state of the game.
 void SimBody::go_on() {
   const std::uint64_t now_ns = monotonic_ns();
   pacer_.restart(pacer_.speed(), now_ns);

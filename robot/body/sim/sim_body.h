@@ -1,4 +1,4 @@
-// The body that is a simulated game: all its robots, of which this process is one.
+// The body of a simulated game, with all its robots. One of them is this process's own.
 #pragma once
 
 #include <cstdint>
@@ -27,22 +27,22 @@ struct GameSetup {
 };
 
 struct SimOptions {
-  int robot = 1;           // index of the robot that this process is
+  int robot = 1;           // index of this process's own robot
   std::uint64_t seed = 1;  // of the first game, 0 .. SimBody::kGreatestSeed
   double speed = 1;        // [game seconds per second] Pacer::kSlowest .. kFastest
   bool loop = false;       // another game, of the next seed, follows `rest_ns` after the end
   std::uint64_t rest_ns = 5 * kSecond;
 };
 
-/// The body that plays a simulated game in a thread of its own and writes every robot's memory. An order is carried out,
-/// and visible in memory, when its call returns. Any thread.
+/// The body that plays a simulated game in a thread of its own and writes every robot's memory. An order is carried
+/// out, and visible in memory, when its call returns. Any thread.
 class SimBody {
  public:
   static constexpr std::uint64_t kGreatestSeed = (std::uint64_t{1} << 53) - 1;  // a number that JSON keeps exact
   static constexpr std::int64_t kMostSteps = 1800;                              // a minute at once
 
-  /// Opens the body at the beginning of the first game. `clock` outlives the body. Returns an Error if an option is out of
-  /// range.
+  /// Opens the body at the beginning of the first game. `clock` outlives the body. Returns an
+  /// Error if an option is out of range.
   static Result<std::unique_ptr<SimBody>> open(GameSetup setup, SimOptions options, const SessionClock& clock);
 
   /// Calls stop().
@@ -100,7 +100,7 @@ class SimBody {
   bridge::Narrator narrator_;
   Pacer pacer_;
   bridge::Timeline timeline_;
-  std::uint64_t wake_ns_ = 0;  // when the thread has something to do [monotonic]
+  std::uint64_t wake_ns_ = 0;  // [monotonic] time of the thread's next work
   bool paused_ = false;
   bool running_ = false;
   std::thread thread_;

@@ -1,5 +1,5 @@
-// A stand-in for a team's framework: it writes its images, joints, pose, ball, team and game state to Foresight, and reads
-// the motion commands. Ends after the given number of seconds.
+// A stand-in for a team's framework: it writes its images, joints, pose, ball, team and game state to Foresight, and
+// reads the motion commands. Ends after the given number of seconds.
 #include <foresight.h>
 #include <foresight_fields.h>
 #include <math.h>

@@ -1,5 +1,5 @@
-// An object that Foresight does not know, written from C++ for each ball that is read: it is logged, streamed and shown like
-// any other. Ends after the given number of seconds.
+// An object that Foresight does not know, written from C++ for each ball that is read: it is logged, streamed and shown
+// like any other. Ends after the given number of seconds.
 #include <foresight.h>
 #include <foresight_fields.h>
 

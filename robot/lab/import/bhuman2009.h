@@ -4,9 +4,9 @@
 // payload. Ids: 1 process begin and 2 process finished bracket a frame, of cognition ('c': 4, 17, 18) or of motion
 // ('m': 5-8).
 //
-//   4 image           u32 width, height, time [ms], bytes; JPEG of the four components Y U Y V. The camera's 640x480 are
-//                     recorded without every second row, each pair of pixels as one "pixel" of 320x240. The importer
-//                     takes the means of the pairs, so that pixels are square again
+//   4 image           u32 width, height, time [ms], bytes; JPEG of the four components Y U Y V. The camera's 640x480
+//                     are recorded without every second row, each pair of pixels as one "pixel" of 320x240. The
+//                     importer takes the means of the pairs, so that pixels are square again
 //   5 joint data      22 float64 [rad], u32 time [ms]
 //   6 sensor data     float32: gyroscope x y (z), accelerometer x y z, battery, 8 x FSR, sonar, torso angle x y;
 //                     22 u16 motor current [mA], 22 u8 motor temperature [°C], u32 sonar pair, u32 time [ms]

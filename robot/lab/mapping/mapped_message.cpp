@@ -1,4 +1,4 @@
-// The translation of one message of theirs to ours.
+// The translation of one message of another program to ours.
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/dynamic_message.h>
 #include <google/protobuf/message.h>

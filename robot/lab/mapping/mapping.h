@@ -1,4 +1,4 @@
-// Translation of other programs' recordings. A file says which of their topics is which of our objects:
+// Translation of other programs' recordings. A file maps their topics to our objects:
 //
 //   {
 //     "robot": "14/2",
@@ -39,7 +39,7 @@ struct FieldRule {
   std::vector<FieldRule> fields;  // of a message, or of each message of a list
 };
 
-/// One topic of theirs and the object of ours that it becomes.
+/// A topic of the other program, and our object for it.
 struct TopicRule {
   std::string from;          // their topic
   memory::ChannelInfo info;  // our channel
@@ -62,7 +62,7 @@ Result<Mapping> read_mapping(const std::filesystem::path& file);
 /// value of a type that does not fit. A missing value is an Error with `strict`; otherwise its field stays absent.
 Result<std::string> mapped(const TopicRule& rule, const nlohmann::json& theirs, std::uint64_t capture_ns, bool strict);
 
-/// A stream of theirs, in protobuf or JSON, as a stream of our object.
+/// A stream of the other program, in protobuf or JSON, converted to a stream of our object.
 class MappedInProvider final : public logging::InProvider {
  public:
   MappedInProvider(std::unique_ptr<logging::InProvider> stream, TopicRule rule);

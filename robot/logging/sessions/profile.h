@@ -23,8 +23,8 @@ struct Profile {
   bool raw_images;          // as the camera delivers them
   image::JpegOptions jpeg;  // otherwise
   float images_per_second;  // of each camera, at most
-  double
-      mb_per_minute;  // [10^6 bytes] what both cameras at 30 Hz and all objects take; measured by `scripts/bench half`
+  /// [10^6 bytes] size of both cameras at 30 Hz and of all objects, measured by `scripts/bench half`.
+  double mb_per_minute;
 };
 
 /// Returns all profiles, the smallest first.

@@ -30,11 +30,10 @@ struct Cycle {
 ///
 ///   the three head sensors held, or sit_and_soft   no joint has stiffness from that cycle on, until the chest button
 ///   it falls                                       tucks in, then is soft; when it is upright again it may stand up
-///   told to end; a joint too hot; battery empty    sits down, then is soft
+///   asked to end; a joint too hot; battery empty   sits down, then is soft
 ///   the third crash of the runtime in a minute     the same, with red eyes, until the chest button
 ///   no order, or no readable frame                 for 0.1 s: holds still; for 3 s: sits down, then is soft
-///   the runtime or the guardian has restarted      holds still, until the GameController or the chest button allows
-/// more
+///   the runtime or the guardian has restarted      holds still, until GameController or chest button allow more
 ///   mode initial, penalised                        stands; no order moves it
 ///   mode playing                                   as the order says
 ///

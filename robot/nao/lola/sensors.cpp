@@ -124,7 +124,8 @@ Result<void> SensorFrames::learn(std::string_view frame) {
     if (reader.state() == MessagePackReader::State::wrong) return wrong(key, "numbers", "something else");
   }
   if (reader.state() != MessagePackReader::State::good || reader.position() != frame.size())
-    return Error{"LoLA: expected one whole frame, got " + std::to_string(frame.size()) + " bytes that are none"};
+    return Error{"LoLA: expected one whole frame, got " + std::to_string(frame.size()) +
+                 " bytes that cannot be parsed as one"};
   for (const Field& field : wanted)
     if (!field.found) return wrong(field.key, "it in every frame", "a frame without it");
   if (!has_identity) return wrong(kIdentityKey, "it in every frame", "a frame without it");

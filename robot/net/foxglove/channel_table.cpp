@@ -50,10 +50,10 @@ OfferedChannel* ChannelTable::add_one(const memory::ChannelInfo& info, const std
                                       std::optional<Derived> derived) {
   const bool taken =
       std::ranges::any_of(channels_, [&](const auto& channel) { return channel->info.topic == info.topic; });
-  // ids are those of MCAP, 16 bits, so that a client may write down what it gets
+  // ids have 16 bits as in MCAP, so that a client can record the messages
   if (taken || channels_.size() >= std::numeric_limits<std::uint16_t>::max()) {
     report(Level::warning, "net",
-           "channel " + info.topic + " is not offered: its topic is taken or there are too many");
+           "channel " + info.topic + " is not offered: its topic is taken, or there are 65535 channels already");
     return nullptr;
   }
   auto channel = std::make_unique<OfferedChannel>();

@@ -1,4 +1,4 @@
-// The channels the server offers, with their numbers.
+// The channels that the server offers, with their numbers.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace robot::net {
 
 struct Client;
 
-/// One channel as clients see it: a memory object, or something derived from one.
+/// A channel for clients: a memory object, or messages that are derived from one.
 struct OfferedChannel {
   std::uint32_t id = 0;
   memory::ChannelInfo info;
@@ -24,7 +24,7 @@ struct OfferedChannel {
   std::string advertisement;  // one element of `advertise`
 
   std::vector<Client*> subscribers;
-  std::uint64_t stream = 0;         // that carries it now; 0: nobody watches
+  std::uint64_t stream = 0;         // that carries it now; 0: no client watches
   std::uint64_t last_sequence = 0;  // of that stream
   memory::VersionPtr newest;        // of that stream, if derived: the first message of a late subscriber
 
@@ -32,10 +32,10 @@ struct OfferedChannel {
   memory::VersionPtr last_value() const { return derived ? newest : source->newest(); }
 };
 
-/// Numbers channels from 1 on, in the order in which they come. Used by the I/O thread.
+/// The list of channels, numbered from 1 on in the order of their arrival. Used by the I/O thread.
 class ChannelTable {
  public:
-  /// Adds `channel` and what is derived from it; returns the new ones. A topic that is taken is left out.
+  /// Adds `channel` and the channels derived from it. Returns the new ones, without those whose topic is taken.
   std::vector<OfferedChannel*> add(const std::shared_ptr<memory::Channel>& channel, const Derive& derive);
 
   OfferedChannel* find(std::uint32_t id);

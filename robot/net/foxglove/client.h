@@ -1,4 +1,4 @@
-// One client of the live protocol, as the hub sees it: no socket.
+// One client of the live protocol in the hub, without its socket.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ struct ClientIdentity {
   ClientContext context;  // the id is given by the hub
   std::string user_agent, subprotocol;
   bool lossless = false;  // it gets every message or is disconnected
-  bool numbered = false;  // it is told the numbers of the messages, beyond the protocol
-  bool playback = false;  // it is told how the playback goes; older clients take that for an error
+  bool numbered = false;  // it receives the numbers of the messages, an extension of the protocol
+  bool playback = false;  // it receives the state of the playback, which older clients take for an error
 };
 
 struct Client : std::enable_shared_from_this<Client> {
@@ -30,7 +30,7 @@ struct Client : std::enable_shared_from_this<Client> {
   ClientQueue queue;
   std::map<std::uint32_t, std::uint32_t> channel_of;  // by subscription id
 
-  int waiting_requests = 0;  // that are done in the background and not answered yet
+  int waiting_requests = 0;  // that run in the background and are not answered yet
 
   bool watches_all_parameters = false;
   std::set<std::string> watched_parameters;
@@ -39,7 +39,7 @@ struct Client : std::enable_shared_from_this<Client> {
   std::optional<std::uint64_t> ping_sent_ns;  // [monotonic]
   std::optional<std::uint64_t> round_trip_ns;
 
-  // messages passed over, as they were counted last, when that was [monotonic], and whether a status about them stands
+  // the last count of dropped and sent messages, its time [monotonic], and whether the client has a status about drops
   std::uint64_t drops_counted = 0, sent_counted = 0, drops_counted_ns = 0;
   bool drops_stand = false;
 };

@@ -47,7 +47,7 @@ ClientQueue::Pushed ClientQueue::push(std::uint32_t channel, const memory::Versi
   return Pushed::queued;
 }
 
-// a single message beyond a bound still passes, alone
+// a single message that exceeds the limit still passes
 bool ClientQueue::make_room(Slot& slot, std::size_t bytes) {
   if (lossless_) return message_bytes_ == 0 || message_bytes_ + bytes <= limits_.lossless_bytes;
   switch (slot.delivery) {
@@ -125,7 +125,7 @@ bool ClientQueue::fill(Batch& batch) {
   return !batch.bytes.empty();
 }
 
-// false when the batch is full
+/// Returns false when the batch is full.
 bool ClientQueue::take_control(Batch& batch) {
   while (!control_.empty()) {
     std::string& frame = control_.front();
@@ -137,7 +137,7 @@ bool ClientQueue::take_control(Batch& batch) {
   return batch.bytes.size() < kBatchBytes;
 }
 
-// the lane is that of the message in front when the slot lines up; a newer one of another size may take its place
+/// Puts a slot into the lane of its first message. A newer message of another size may replace that one in the lane.
 void ClientQueue::line_up(Slot& slot) {
   if (slot.in_lane) return;
   slot.in_lane = true;
@@ -145,7 +145,7 @@ void ClientQueue::line_up(Slot& slot) {
   lanes_[slot.delivery == memory::Delivery::reliable ? events : is_large ? large : small].push_back(&slot);
 }
 
-// false when the batch is full
+/// Returns false when the batch is full.
 bool ClientQueue::take_message(Batch& batch, std::deque<Slot*>& lane) {
   Slot& slot = *lane.front();
   if (!slot.waiting.empty()) {

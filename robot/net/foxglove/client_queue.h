@@ -17,7 +17,7 @@ namespace robot::net {
 struct QueueLimits {
   std::size_t fifo_messages = 32;         // per fifo channel; a third of a second of sensors
   std::size_t reliable_bytes = 1 << 20;   // per reliable channel
-  std::size_t lossless_bytes = 32 << 20;  // of all channels together, of a client that gets everything
+  std::size_t lossless_bytes = 32 << 20;  // of all channels together, of a lossless client
   std::size_t control_bytes = 16 << 20;   // of answers and announcements
 };
 
@@ -28,10 +28,10 @@ struct Batch {
   std::shared_ptr<const void> keeper;
 };
 
-/// The messages that wait for one client, one slot per channel. A slot keeps what its delivery asks for: `latest` the
-/// newest message, `fifo` the last few, `reliable` all. The queue decides what to send when the socket has room, not
-/// when a message is produced. Order: answers, events, small messages, large messages; channels of a class take turns.
-/// Old data are worse than none. Dropped messages are counted. Used by one thread.
+/// The messages that wait for one client, one slot per channel. A slot keeps the newest message (`latest`), the last
+/// few (`fifo`) or all (`reliable`). The queue chooses the next message when the socket has room, not when a message is
+/// produced, because old data are worse than none. Order: answers, events, small messages, large messages; channels of
+/// a class take turns. Dropped messages are counted. Used by one thread.
 class ClientQueue {
  public:
   static constexpr std::size_t kBatchBytes = 64 << 10;  // small frames copied together
@@ -39,35 +39,36 @@ class ClientQueue {
 
   enum class Pushed {
     queued,
-    known,     // this version or a later one was taken before, or nobody subscribed to the channel
-    overflow,  // it must not be dropped and there is no room: the client must be disconnected
+    known,     // this version or a later one was taken before, or the channel is not subscribed
+    overflow,  // there is no room, and nothing may be dropped: the client must be disconnected
   };
 
-  /// A `lossless` client gets every message of every channel; a `numbered` one is told the numbers of the messages.
+  /// A `lossless` client gets every message of every channel. A `numbered` one gets the numbers of the messages too.
   ClientQueue(const QueueLimits& limits, bool lossless, bool numbered = false)
       : limits_(limits), lossless_(lossless), numbered_(numbered) {}
   ClientQueue(const ClientQueue&) = delete;
   ClientQueue& operator=(const ClientQueue&) = delete;
 
-  /// From now on messages of `channel` are taken, and sent under the number `subscription`.
+  /// Begins to take messages of `channel`, which are sent under the number `subscription`.
   void subscribe(std::uint32_t channel, std::uint32_t subscription, memory::Delivery delivery);
 
-  /// Nothing of `channel` is taken or sent any more; its counts remain.
+  /// Drops the waiting messages of `channel`, and takes no more. Its counts remain.
   void unsubscribe(std::uint32_t channel);
 
   /// Takes a version of `channel`.
   Pushed push(std::uint32_t channel, const memory::VersionPtr& version);
 
-  /// Counts `messages` of `channel` that were lost before they came here.
+  /// Counts `messages` of `channel` that were lost before they reached the queue.
   void count_lost(std::uint32_t channel, std::uint64_t messages);
 
-  /// Takes a whole frame that goes before all messages, in order; false if there is no room: the client has to go.
+  /// Takes a whole frame that is sent before all messages. Returns false if there is no room: the client must be
+  /// disconnected.
   bool push_control(std::string frame);
 
-  /// Takes a Time; only the newest is sent.
+  /// Takes a time [ns]. Only the newest is sent.
   void push_time(std::uint64_t time_ns) { time_ns_ = time_ns; }
 
-  /// Drops all waiting messages that may be dropped, because their time line is over.
+  /// Drops all waiting messages that may be dropped, because their time line has ended.
   void forget();
 
   /// Drops the messages, sends the waiting control frames, then `close_frame`, then nothing more.
@@ -82,10 +83,10 @@ class ClientQueue {
   struct Counts {
     std::uint32_t channel = 0;
     std::uint64_t sent = 0;     // [messages] handed to the socket
-    std::uint64_t dropped = 0;  // [messages] passed over, or lost before they came here
+    std::uint64_t dropped = 0;  // [messages] replaced by newer ones, or lost before they reached the queue
     std::size_t queued_messages = 0, queued_bytes = 0;
   };
-  /// One entry per channel that was ever subscribed.
+  /// Returns one entry per channel that was ever subscribed.
   std::vector<Counts> counts() const;
   std::uint64_t dropped() const;  // of all channels
   std::uint64_t sent() const;     // likewise

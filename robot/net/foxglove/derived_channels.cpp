@@ -23,7 +23,8 @@ void set_time(google::protobuf::Timestamp& timestamp, std::uint64_t ns) {
 Result<pb::Image> parse_image(const memory::Version& source) {
   pb::Image image;
   if (!image.ParseFromArray(source.bytes().data(), static_cast<int>(source.bytes().size())))
-    return Error{"expected a foresight.Image, got " + std::to_string(source.size_bytes()) + " bytes that are none"};
+    return Error{"expected a foresight.Image, got " + std::to_string(source.size_bytes()) +
+                 " bytes that cannot be parsed as one"};
   constexpr std::uint32_t kMaxSide = 4096;
   if (image.width() > kMaxSide || image.height() > kMaxSide)
     return Error{"expected an image of at most 4096 x 4096 px, got " + std::to_string(image.width()) + " x " +
@@ -36,7 +37,7 @@ class RateLimit {
  public:
   bool passes(std::uint64_t capture_ns, double rate_hz) {
     const auto period_ns = static_cast<std::uint64_t>(1e9 / rate_hz);
-    // a camera's times jitter: an image a little early counts as in time; a jump back begins anew
+    // a camera's times jitter: an image that is a little early passes; a jump back starts the limit anew
     const bool early = capture_ns >= last_ns_ && capture_ns - last_ns_ + period_ns / 4 < period_ns;
     if (last_ns_ != 0 && early) return false;
     last_ns_ = capture_ns;
@@ -51,12 +52,12 @@ using Bytes = Result<std::optional<std::string>>;
 
 Bytes to_raw(const memory::Version& source, const std::string& frame_id) {
   auto image = parse_image(source);
-  if (!image) return Error{image.error()};
+  if (!image) return image.failure();
   std::uint32_t width = image->width(), height = image->height();
   std::string pixels = std::move(*image->mutable_data());
   if (image->encoding() == pb::Image::ENCODING_JPEG) {
     auto decoded = image::decode_jpeg(pixels);
-    if (!decoded) return Error{decoded.error()};
+    if (!decoded) return decoded.failure();
     width = static_cast<std::uint32_t>(decoded->width);
     height = static_cast<std::uint32_t>(decoded->height);
     pixels = std::move(decoded->yuyv);
@@ -74,7 +75,7 @@ Bytes to_raw(const memory::Version& source, const std::string& frame_id) {
 
 Bytes to_jpeg(const memory::Version& source, const std::string& frame_id, const Parameters& parameters) {
   auto image = parse_image(source);
-  if (!image) return Error{image.error()};
+  if (!image) return image.failure();
   std::string jpeg = std::move(*image->mutable_data());
   if (image->encoding() != pb::Image::ENCODING_JPEG) {
     const int width = static_cast<int>(image->width());
@@ -83,7 +84,7 @@ Bytes to_jpeg(const memory::Version& source, const std::string& frame_id, const 
     auto encoded = image::encode_jpeg(
         jpeg, width, static_cast<int>(image->height()),
         {.width = half ? width / 2 : 0, .quality = static_cast<int>(parameters.integer("jpeg_quality"))});
-    if (!encoded) return Error{encoded.error()};
+    if (!encoded) return encoded.failure();
     jpeg = std::move(*encoded);
   }
   foxglove::CompressedImage compressed;
@@ -97,7 +98,8 @@ Bytes to_jpeg(const memory::Version& source, const std::string& frame_id, const 
 Bytes to_log(const memory::Version& source) {
   pb::LogText text;
   if (!text.ParseFromArray(source.bytes().data(), static_cast<int>(source.bytes().size())))
-    return Error{"expected a foresight.LogText, got " + std::to_string(source.size_bytes()) + " bytes that are none"};
+    return Error{"expected a foresight.LogText, got " + std::to_string(source.size_bytes()) +
+                 " bytes that cannot be parsed as one"};
   foxglove::Log log;
   set_time(*log.mutable_timestamp(), source.capture_ns());
   // the levels have the same numbers

@@ -12,10 +12,11 @@ namespace robot::net {
 /// Declares `jpeg_quality`, `jpeg_rate_hz` and `jpeg_width`.
 void declare_image_parameters(Parameters& parameters);
 
-/// The channels that are derived from `source`, by its schema:
+/// Returns the channels that are derived from `source`, by its schema:
 /// of a foresight.Image `<topic>/raw` (foxglove.RawImage) and `<topic>/jpeg` (foxglove.CompressedImage),
 /// of a foresight.LogText `<topic>/foxglove` (foxglove.Log). Other channels have none.
-/// `parameters` has what declare_image_parameters() declares, is read at each conversion, and outlives the streams.
+/// `parameters` has the parameters of declare_image_parameters(). It is read at each
+/// conversion, and outlives the streams.
 std::vector<Derived> derived_channels(const memory::ChannelInfo& source, const Parameters& parameters);
 
 }  // namespace robot::net

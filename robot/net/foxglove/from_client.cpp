@@ -20,7 +20,7 @@ std::optional<std::uint32_t> as_id(const Json& json) {
   return json.get<std::uint32_t>();
 }
 
-// the array `key` of `message`, each element read by `read`, which returns an optional
+/// Returns the array `key` of `message`. `read` converts each element to an optional.
 template <class Read>
 auto list(const Json& message, const char* key, const std::string& expected, Read read)
     -> Result<std::vector<typename decltype(read(message))::value_type>> {
@@ -72,22 +72,22 @@ std::optional<std::string> request_id(const Json& message) { return as_text(mess
 Result<ClientMessage> parse_op(const std::string& op, const Json& message) {
   if (op == "subscribe") {
     auto items = list(message, "subscriptions", "{id, channelId}, both numbers 0 .. 4294967295", as_subscription);
-    if (!items) return Error{items.error()};
+    if (!items) return items.failure();
     return ClientMessage(Subscribe{std::move(*items)});
   }
   if (op == "unsubscribe") {
     auto ids = list(message, "subscriptionIds", "numbers 0 .. 4294967295", as_id);
-    if (!ids) return Error{ids.error()};
+    if (!ids) return ids.failure();
     return ClientMessage(Unsubscribe{std::move(*ids)});
   }
   if (op == "setParameters") {
     auto items = list(message, "parameters", "{name, value}", as_parameter);
-    if (!items) return Error{items.error()};
+    if (!items) return items.failure();
     return ClientMessage(SetParameters{std::move(*items), request_id(message)});
   }
   if (op == "getParameters" || op == "subscribeParameterUpdates" || op == "unsubscribeParameterUpdates") {
     auto names = list(message, "parameterNames", "texts", as_text);
-    if (!names) return Error{names.error()};
+    if (!names) return names.failure();
     if (op == "getParameters") return ClientMessage(GetParameters{std::move(*names), request_id(message)});
     return ClientMessage(WatchParameters{op.starts_with('s'), std::move(*names)});
   }

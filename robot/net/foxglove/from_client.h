@@ -26,19 +26,19 @@ struct Unsubscribe {
 
 struct GetParameters {
   std::vector<std::string> names;  // empty: all
-  std::optional<std::string> id;   // comes back in the answer
+  std::optional<std::string> id;   // repeated in the answer
 };
 
 struct SetParameters {
   struct Item {
     std::string name;
-    std::optional<ParameterValue> value;  // nothing: the client wants it unset, or sent what no parameter can be
+    std::optional<ParameterValue> value;  // nothing: the client wants it unset, or sent a type that no parameter has
   };
   std::vector<Item> parameters;
   std::optional<std::string> id;
 };
 
-/// Adds to what the client hears of, or takes away from it.
+/// Parameters whose changes the client wants to receive from now on, or no longer.
 struct WatchParameters {
   bool watch = true;
   std::vector<std::string> names;  // empty: all
@@ -49,7 +49,7 @@ struct ServiceCall {
   std::string encoding, payload;
 };
 
-/// A message for a channel that the client advertised; nobody here takes them.
+/// A message for a channel that the client advertised. Our servers refuse it.
 struct ClientPublish {
   std::uint32_t channel = 0;
   std::string payload;
@@ -70,19 +70,19 @@ struct Unsupported {
 using ClientMessage = std::variant<Subscribe, Unsubscribe, GetParameters, SetParameters, WatchParameters, ServiceCall,
                                    ClientPublish, PlaybackControl, Unsupported>;
 
-/// Reads a text message; an Error says what is wrong with it.
+/// Reads a text message. Returns an Error that says why it is wrong.
 Result<ClientMessage> parse_client_text(std::string_view text);
 
-/// Reads a binary message; an Error says what is wrong with it.
+/// Reads a binary message. Returns an Error that says why it is wrong.
 Result<ClientMessage> parse_client_binary(std::string_view bytes);
 
-/// For clients: the text of a `subscribe`.
+/// Returns the text of a client's `subscribe`.
 std::string to_text(const Subscribe& subscribe);
 
-/// Likewise of an `unsubscribe`.
+/// Returns the text of a client's `unsubscribe`.
 std::string to_text(const Unsubscribe& unsubscribe);
 
-/// For clients: the bytes of binary messages.
+/// Returns the bytes of a client's binary messages.
 std::string to_bytes(const ServiceCall& call);
 std::string to_bytes(const ClientPublish& message);
 std::string to_bytes(const PlaybackControl& control);

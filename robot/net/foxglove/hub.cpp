@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t kChannelsPerAdvertise = 100;
 constexpr std::uint64_t kDropsEvery = 5 * kSecond;  // between two statuses about drops
-// dropping a few is normal when a page opens or the machine is busy: newest wins
-constexpr std::uint64_t kDropsWorthTelling = 10, kPartWorthTelling = 20;  // 10 messages, and a twentieth of all
+// a few drops are normal when a page opens or the machine is busy, because the newest message is sent first
+constexpr std::uint64_t kDropsWorthTelling = 10, kPartWorthTelling = 20;  // at least 10 messages and 1/20 of all
 constexpr std::string_view kDropsId = "drops";
 
 }  // namespace
@@ -102,10 +102,10 @@ void Hub::say_binary(Client& client, std::string_view bytes) {
   send(client, std::move(frame));
 }
 
-// the sentence has no room either: only the close code gets through
+// the sentence has no room either: only the close frame gets through
 void Hub::send(Client& client, std::string frame) {
   if (client.queue.push_control(std::move(frame))) return;
-  client.queue.finish(close_frame(kPolicyViolation, "the connection does not take the answers it asked for"));
+  client.queue.finish(close_frame(kPolicyViolation, "the client does not read the answers to its requests"));
 }
 
 void Hub::complain(Client& client, std::string_view sentence) {
@@ -120,7 +120,7 @@ void Hub::disconnect(Client& client, std::uint16_t close_code, std::string_view 
 
 void Hub::deliver(const Inbox::Item& item) {
   OfferedChannel* channel = channels_.find(item.channel);
-  if (!channel || channel->stream != item.stream) return;  // of a stream that was stopped meanwhile
+  if (!channel || channel->stream != item.stream) return;  // of a stream that has been stopped
 
   const std::uint64_t sequence = item.version->sequence();
   if (channel->last_sequence != 0 && sequence > channel->last_sequence + 1)
@@ -134,18 +134,17 @@ void Hub::push(Client& client, std::uint32_t channel, const memory::VersionPtr& 
   if (client.queue.push(channel, version) != ClientQueue::Pushed::overflow) return;
   disconnect(client, kPolicyViolation,
              "the connection is too slow for " + channels_.find(channel)->info.topic +
-                 ", of which nothing may be left out: it is closed, connect again to go on");
+                 ", whose messages must not be dropped: it is closed, connect again to go on");
 }
 
-// messages were lost before they came here: the logger's queue was full
+/// Counts messages that were lost because the logger's queue was full, and disconnects lossless clients.
 void Hub::note_gap(OfferedChannel& channel, std::uint64_t missing) {
   for (Client* client : channel.subscribers) {
     client->queue.count_lost(channel.id, missing);
     if (client->identity.lossless)
-      disconnect(
-          *client, kPolicyViolation,
-          std::to_string(missing) + " messages of " + channel.info.topic +
-              " were lost on the robot, and this connection is to get all: it is closed, connect again to go on");
+      disconnect(*client, kPolicyViolation,
+                 std::to_string(missing) + " messages of " + channel.info.topic +
+                     " were lost on the robot, but this connection must get all: it is closed, connect again to go on");
   }
 }
 
@@ -197,7 +196,7 @@ void Hub::on_pong(Client& client, std::uint64_t now_ns) {
   if (client.ping_sent_ns) client.round_trip_ns = now_ns - *std::exchange(client.ping_sent_ns, std::nullopt);
 }
 
-// one status that stands while messages are lost, and goes when that has ended
+/// Sends a status when a client begins to lose messages, and removes it when that has ended.
 void Hub::tell_drops(Client& client, std::uint64_t now_ns) {
   if (now_ns - client.drops_counted_ns < kDropsEvery) return;
   const std::uint64_t dropped = client.queue.dropped();
@@ -206,9 +205,9 @@ void Hub::tell_drops(Client& client, std::uint64_t now_ns) {
   const bool worth_telling = recent >= kDropsWorthTelling && recent * kPartWorthTelling >= sent;
   client.drops_counted_ns = now_ns;
   if (worth_telling) {
-    const std::string sentence = std::to_string(recent) + " messages were passed over for newer ones in the last " +
+    const std::string sentence = std::to_string(recent) + " messages were dropped for newer ones in the last " +
                                  std::to_string(kDropsEvery / kSecond) +
-                                 " s: the connection takes fewer than it asked for";
+                                 " s: the connection is too slow for its subscriptions";
     say(client, foxglove::status(foxglove::StatusLevel::warning, sentence, kDropsId));
   } else if (client.drops_stand) {
     say(client, foxglove::remove_status(kDropsId));

@@ -35,8 +35,8 @@ struct HubOptions {
 /// sockets must look into all queues after each call. Used by one thread, the server's I/O thread.
 class Hub {
  public:
-  /// The kind of a client's call. Orders do not wait for questions, which may take seconds. One question runs at a time,
-  /// and one more may wait.
+  /// The kind of a client's call. Orders do not wait for questions, which may take seconds. One question runs at a
+  /// time, and one more may wait.
   enum class Kind { order, question };
   /// Runs `work` in order on the thread of its kind, which may wait, and afterwards `then` on the hub's thread.
   using InBackground = std::function<void(Kind kind, std::function<void()> work, std::function<void()> then)>;
@@ -45,7 +45,7 @@ class Hub {
   Hub(HubOptions options, Parameters& parameters, const Services& services, const Clock& clock, StreamControl& streams,
       InBackground in_background);
 
-  /// Offers `channel` and the channels that `derive` makes of it to all clients.
+  /// Offers `channel` and the channels that `derive` derives from it to all clients.
   void add_channel(const std::shared_ptr<memory::Channel>& channel, const Derive& derive);
 
   /// Adds a client, and sends it our name, channels and services.

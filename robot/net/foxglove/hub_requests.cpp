@@ -1,4 +1,4 @@
-// The hub's reaction when a client asks for something.
+// The hub's reactions to requests of clients.
 #include <algorithm>
 #include <utility>
 
@@ -32,7 +32,7 @@ void Hub::subscribe(Client& client, const foxglove::Subscribe::Item& item) {
   client.queue.subscribe(channel->id, item.subscription, channel->info.delivery);
   channel->subscribers.push_back(&client);
 
-  // a new stream begins with the newest message; of a running one the client gets it here
+  // a new stream begins with the newest message; for a running one it is sent here
   if (channel->stream == 0) {
     channel->last_sequence = 0;
     channel->stream = streams_.start(channel->id, channel->source, channel->derived ? &*channel->derived : nullptr);
@@ -64,11 +64,11 @@ void Hub::handle(Client& client, const foxglove::GetParameters& message) {
   tell_parameters(client, message.names.empty() ? parameters_.names() : message.names, message.id);
 }
 
-/// Does `work`, which may wait for the disk, in the background, and then `then` with what came of it, if the client is
-/// still there.
+/// Calls `work`, which may wait for the disk, in the background, and then `then` with its result if the client is still
+/// connected.
 void Hub::in_turn(Client& client, std::function<std::string()> work,
                   std::function<void(Client&, const std::string&)> then) {
-  constexpr int kMaxWaiting = 32;  // a client cannot fill our memory
+  constexpr int kMaxWaiting = 32;  // so that a client cannot fill our memory
   if (client.waiting_requests >= kMaxWaiting)
     return complain(client, "too many requests at once: expected at most " + std::to_string(kMaxWaiting));
   ++client.waiting_requests;
@@ -83,7 +83,7 @@ void Hub::in_turn(Client& client, std::function<std::string()> work,
       });
 }
 
-// the answer holds the actual values, whatever became of the wish
+/// Sets the values. The answer holds the values afterwards, which differ from the request if one was refused.
 void Hub::handle(Client& client, const foxglove::SetParameters& message) {
   std::vector<std::string> names;
   for (const auto& [name, value] : message.parameters) {
@@ -161,7 +161,7 @@ void Hub::ask(Client& client, const foxglove::ServiceCall& question) {
   if (questions_.size() == 1) run_question();
 }
 
-/// Has the first question answered in the background, and then the next.
+/// Answers the first question in the background, and then the next.
 void Hub::run_question() {
   const std::shared_ptr<Client> asker = questions_.front().client.lock();
   ClientContext context = asker ? asker->identity.context : ClientContext();  // as it is now: a game may have begun
@@ -204,7 +204,7 @@ void Hub::handle(Client& client, const foxglove::PlaybackControl& message) {
 }
 
 void Hub::handle(Client& client, const foxglove::Unsupported& message) {
-  complain(client, "this server does not announce what '" + message.op + "' needs");
+  complain(client, "'" + message.op + "' needs a capability that this server does not announce");
 }
 
 }  // namespace robot::net

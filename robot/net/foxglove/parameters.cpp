@@ -15,7 +15,7 @@ Error refused(std::string_view name, const std::string& expected) {
   return Error{"parameter '" + std::string(name) + "': expected " + expected};
 }
 
-// a double as people write it: 0.1, not 0.100000
+/// Returns a number without trailing zeros: 0.1, not 0.100000.
 std::string shown(double number) {
   std::string text = std::to_string(number);
   text.erase(text.find_last_not_of('0') + 1);
@@ -23,7 +23,7 @@ std::string shown(double number) {
   return text;
 }
 
-// `value` as the type of `like`; nothing if it is none
+/// Returns `value` converted to the type of `like`, or nothing if that is impossible.
 std::optional<ParameterValue> converted(const ParameterValue& value, const ParameterValue& like) {
   if (value.index() == like.index()) return value;
   if (const auto* whole = std::get_if<std::int64_t>(&value); whole && std::holds_alternative<double>(like))
@@ -39,7 +39,7 @@ Result<void> check(std::string_view name, const ParameterValue& value, const Par
   std::optional<double> number;
   if (const auto* whole = std::get_if<std::int64_t>(&value)) number = static_cast<double>(*whole);
   if (const auto* real = std::get_if<double>(&value)) number = *real;
-  // written so that not-a-number is refused, too
+  // not-a-number is refused, too
   const bool inside =
       !number || (std::isfinite(*number) && !(rule.min && *number < *rule.min) && !(rule.max && *number > *rule.max));
   if (!inside && rule.min && rule.max)
@@ -68,7 +68,7 @@ Result<void> Parameters::set(std::string_view name, const ParameterValue& value)
     const std::lock_guard guard(lock_);
     const auto found = entries_.find(name);
     if (found == entries_.end())
-      return Error{"parameter '" + std::string(name.substr(0, 100)) + "': there is none of this name"};
+      return Error{"parameter '" + std::string(name.substr(0, 100)) + "': there is no parameter of this name"};
     entry = found->second;
   }
   auto wanted = converted(value, entry.value);

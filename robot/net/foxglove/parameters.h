@@ -22,38 +22,38 @@ struct ParameterRule {
   std::optional<double> min, max;    // of numbers, both included
   std::vector<std::string> choices;  // of texts; empty: any
 
-  /// Does what the new value asks for, before it is stored; an Error refuses the value. Called by the thread that sets,
-  /// without locks; the server sets on a thread that may wait. Empty: nothing is to be done.
+  /// Applies the new value before it is stored; an Error refuses the value. Called by the thread that sets, without
+  /// locks. The server sets on a thread that may wait. Empty: the value has no further effect.
   std::function<Result<void>(const ParameterValue&)> apply = {};
 };
 
 /// The table of parameters. Any thread.
 class Parameters {
  public:
-  /// Adds a parameter. Each name once, before anybody else uses the table.
+  /// Adds a parameter. Call it once for each name, before other threads use the table.
   void declare(std::string name, ParameterValue initial, ParameterRule rule = {});
 
-  /// Sets what a client or a person asks for: type and range are checked, the rule is applied, the listeners are told.
-  /// A whole number passes where a number is expected, and 3.0 where a whole number is.
+  /// Sets a value for a client or a person: checks its type and range, applies the rule, and notifies the listeners.
+  /// Converts a whole number if the parameter is a number, and 3.0 if it is a whole number.
   Result<void> set(std::string_view name, const ParameterValue& value);
 
   /// Stores a value that changed by other means, such as a recording that ended, and notifies the listeners. No checks.
   void update(std::string_view name, ParameterValue value);
 
-  /// The value of `name`; nothing if there is no such parameter.
+  /// Returns the value of `name`, or nothing if there is no such parameter.
   std::optional<ParameterValue> get(std::string_view name) const;
 
-  /// The value of a parameter that is declared with this type (asserted).
+  /// Returns the value of a parameter that is declared with this type (asserted).
   bool flag(std::string_view name) const;
   std::int64_t integer(std::string_view name) const;
   double number(std::string_view name) const;
   std::string text(std::string_view name) const;
 
-  /// All names, in alphabetical order.
+  /// Returns all names, in alphabetical order.
   std::vector<std::string> names() const;
 
-  /// From now on `listener` is called with the name of each parameter that changes, by the thread that changes it.
-  /// It reads the value itself; listeners stay as long as the table.
+  /// Calls `listener` from now on with the name of each parameter that changes, on the thread that changes it.
+  /// The listener reads the value itself. It stays as long as the table.
   void listen(std::function<void(const std::string& name)> listener);
 
  private:

@@ -1,4 +1,4 @@
-// A recording that clients may pause and move about in.
+// The playback of a recording, which clients may pause, seek and speed up.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace robot::net {
 
-/// Any thread; nothing of it waits.
+/// The playback of a recording. Any thread; no function waits.
 class Playback {
  public:
   struct State {
@@ -19,13 +19,13 @@ class Playback {
 
   virtual ~Playback() = default;
 
-  /// The span of the recording [ns since the epoch].
+  /// Return the span of the recording [ns since the epoch].
   virtual std::uint64_t start_ns() const = 0;
   virtual std::uint64_t end_ns() const = 0;
 
   virtual State state() const = 0;
 
-  /// Does what a client asks for; its speed is sound. True if playback goes on at another time.
+  /// Carries out a client's request, whose speed is already checked. Returns true if the playhead was moved.
   virtual bool control(const foxglove::PlaybackControl& wish) = 0;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// 64-bit numbers travel as decimal text: JavaScript's numbers are too short for them
+// 64-bit numbers are decimal texts in JSON, because JavaScript's numbers have 53 bits
 template <class T>
 std::optional<T> whole_number(const Json& object, const char* key) {
   const auto found = object.find(key);

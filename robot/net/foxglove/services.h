@@ -30,20 +30,20 @@ struct ClientContext {
 /// Returns {"ok": false, "error": sentence}, the answer of a service that failed.
 nlohmann::json failure(std::string_view sentence);
 
-/// The list of services. Added before the server starts, then only read.
+/// The list of services. It is filled before the server starts, then only read.
 class Services {
  public:
-  /// A function from a JSON object to a JSON object. Services for everybody run on the server's I/O thread and must not
-  /// wait. Services for control run one after the other on a thread that may wait for the disk.
+  /// A function from a JSON object to a JSON object. Services for all clients run on the server's I/O thread and must
+  /// not wait. Services for control run one after the other on a thread that may wait for the disk.
   /// Questions run one after the other on a thread that may take seconds. During a game no client may ask, not even on
   /// this machine.
   using Handler = std::function<nlohmann::json(const nlohmann::json& request, const ClientContext& client)>;
 
-  enum class For { everybody, control, questions };  // the latter two need the token beyond loopback
+  enum class For { everybody, control, questions };  // the last two need the token, except on loopback
 
   void add(std::string name, For whom, Handler handler);
 
-  /// All services, with ids from 1.
+  /// Returns all services, with ids from 1.
   std::vector<foxglove::Service> list() const;
 
   bool has(std::uint32_t id) const { return id >= 1 && id <= services_.size(); }
@@ -68,7 +68,7 @@ class Services {
   std::vector<Entry> services_;
 };
 
-/// A client's measurement of its clock against ours.
+/// The offset of a client's clock, measured by the client.
 struct PeerClock {
   std::string peer;            // its address
   std::int64_t offset_ns = 0;  // to add to our time to get the client's

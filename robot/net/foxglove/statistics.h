@@ -11,14 +11,14 @@ namespace robot::net {
 struct ClientChannelStatistics {
   std::string topic;
   std::uint64_t sent = 0;     // [messages] handed to the socket
-  std::uint64_t dropped = 0;  // [messages] passed over because newer ones came, or lost before
+  std::uint64_t dropped = 0;  // [messages] dropped for newer ones, or lost before they reached the queue
   std::size_t queued_messages = 0, queued_bytes = 0;
 };
 
 struct ClientStatistics {
   std::uint64_t id = 0;    // counts up; never used twice in one run
   std::string address;     // host:port
-  std::string user_agent;  // as it names itself; may be empty
+  std::string user_agent;  // the client's own text; may be empty
   std::string subprotocol;
   std::optional<std::uint64_t> round_trip_ns;  // by WebSocket ping; absent until the first answer
   bool lossless = false;

@@ -16,13 +16,13 @@ using Json = nlohmann::json;
 
 constexpr char kMessageData = 1, kServiceResponse = 3, kNumberedData = 0x40;
 
-// texts may come from anywhere: what is not UTF-8 in them is replaced, not thrown at us
+// texts may come from outside: bytes that are not UTF-8 are replaced, because an exception would leave this folder
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Json to_json(const std::string& name, const ParameterValue& value) {
   Json parameter = {{"name", name}};
   std::visit([&](const auto& content) { parameter["value"] = content; }, value);
-  // JSON does not tell 15.0 from 15; the type says that it may become 15.5
+  // JSON cannot distinguish 15.0 from 15; the type says that 15.5 is possible
   if (std::holds_alternative<double>(value)) parameter["type"] = "float64";
   return parameter;
 }
@@ -31,7 +31,7 @@ Json parts_of(std::uint64_t time_ns) { return {{"sec", time_ns / kSecond}, {"nse
 
 memory::Delivery delivery_of(const std::map<std::string, std::string>& metadata) {
   const auto found = metadata.find("delivery");
-  if (found == metadata.end()) return memory::Delivery::fifo;  // of another server: nothing is known
+  if (found == metadata.end()) return memory::Delivery::fifo;  // another server: its delivery is unknown
   for (const auto delivery : {memory::Delivery::latest, memory::Delivery::reliable})
     if (found->second == memory::name(delivery)) return delivery;
   return memory::Delivery::fifo;
@@ -61,7 +61,7 @@ Result<Advertised> parse_channel(const Json& json) {
   channel.info.schema.bytes = text_of(json, "schema");
   if (channel.info.schema.encoding == "protobuf") {
     auto bytes = from_base64(channel.info.schema.bytes);
-    if (!bytes) return Error{"advertise: the schema of " + channel.info.topic + ": " + bytes.error()};
+    if (!bytes) return bytes.failure("advertise: the schema of " + channel.info.topic);
     channel.info.schema.bytes = std::move(*bytes);
   }
   channel.metadata = texts_of(json, "metadata");
@@ -194,7 +194,7 @@ std::string playback_state(Playback playback, std::uint64_t time_ns, float speed
 
 Result<ServerText> parse_server_text(std::string_view text) {
   const Result<Json> parsed = parse_json(text);
-  if (!parsed) return Error{"server message: " + parsed.error()};
+  if (!parsed) return parsed.failure("server message");
   const Json& message = *parsed;
   if (!message.is_object() || text_of(message, "op").empty())
     return Error{"server message: expected a JSON object with 'op'"};
@@ -218,7 +218,7 @@ Result<ServerText> parse_server_text(std::string_view text) {
   for (const Json& json : *list)
     if (advertises_channels) {
       auto channel = parse_channel(json);
-      if (!channel) return Error{channel.error()};
+      if (!channel) return channel.failure();
       read.channels.push_back(std::move(*channel));
     } else if (json.is_object() && json.value("id", Json()).is_number_unsigned()) {
       read.services.push_back({json["id"].get<std::uint32_t>(), text_of(json, "name")});
@@ -228,7 +228,7 @@ Result<ServerText> parse_server_text(std::string_view text) {
 
 Result<std::vector<Advertised>> parse_advertise(std::string_view text) {
   auto read = parse_server_text(text);
-  if (!read) return Error{read.error()};
+  if (!read) return read.failure();
   return std::move(read->channels);
 }
 

@@ -42,16 +42,17 @@ enum class StatusLevel { info = 0, warning = 1, error = 2 };
 
 std::string server_info(const ServerInfo& info);
 
-/// One element of `advertise`; made once per channel, the schema in base64 inside.
+/// Returns one element of `advertise`, with the schema in base64. It is made once per channel.
 std::string advertised_channel(const Advertised& channel);
-/// `advertise` with elements made by advertised_channel().
+/// Returns an `advertise` with elements made by advertised_channel().
 std::string advertise(const std::vector<std::string>& channels);
 
-/// Services that take and give JSON.
+/// Returns the announcement of services that take and return JSON.
 std::string advertise_services(const std::vector<Service>& services);
 
-/// `id` is empty or names a status that a later one replaces.
+/// Returns a status. It replaces an earlier one with the same `id`, if that is not empty.
 std::string status(StatusLevel level, std::string_view message, std::string_view id = {});
+/// Returns the message that removes the status `id`.
 std::string remove_status(std::string_view id);
 
 std::string parameter_values(const std::vector<std::pair<std::string, ParameterValue>>& parameters,
@@ -82,7 +83,8 @@ std::string playback_state(Playback playback, std::uint64_t time_ns, float speed
 
 // for our client
 
-/// The channels of an `advertise`; nothing if `text` is another message, an Error if it is none of the protocol.
+/// Returns the channels of an `advertise`, no channels for another message, or an Error
+/// if `text` is not of the protocol.
 Result<std::vector<Advertised>> parse_advertise(std::string_view text);
 
 /// The parts of a server's text message that our client uses.
@@ -92,17 +94,18 @@ struct ServerText {
   std::vector<Service> services;
 };
 
-/// Reads a text message; all empty if it is another one, an Error if it is none of the protocol.
+/// Reads a text message. All parts are empty for a message of another kind. Returns an
+/// Error if it is not of the protocol.
 Result<ServerText> parse_server_text(std::string_view text);
 
 struct MessageData {
   std::uint32_t subscription = 0;
   std::uint64_t log_time_ns = 0;
-  std::optional<memory::Published> published = {};  // where the message is numbered
+  std::optional<memory::Published> published = {};  // of a numbered message
   std::string_view payload = {};
 };
 
-/// A MessageData, numbered or not; nothing if `bytes` is another binary message, an Error if it is cut short.
+/// Reads a MessageData, numbered or not. Returns nothing for another binary message, or an Error if it is cut short.
 Result<std::optional<MessageData>> parse_message_data(std::string_view bytes);
 
 struct ServiceAnswer {
@@ -110,7 +113,7 @@ struct ServiceAnswer {
   std::string_view payload;
 };
 
-/// A ServiceCallResponse; nothing if `bytes` is another binary message, an Error if it is cut short.
+/// Reads a ServiceCallResponse. Returns nothing for another binary message, or an Error if it is cut short.
 Result<std::optional<ServiceAnswer>> parse_service_answer(std::string_view bytes);
 
 }  // namespace robot::net::foxglove

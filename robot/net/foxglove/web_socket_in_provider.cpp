@@ -13,26 +13,26 @@ constexpr std::uint32_t kSubscription = 1;
 }  // namespace
 
 Result<memory::ChannelInfo> WebSocketInProvider::open() {
-  if (auto connected = client_.connect(url_, timeout_ns_); !connected) return Error{connected.error()};
+  if (auto connected = client_.connect(url_, timeout_ns_); !connected) return connected.failure();
   auto channel = find_channel();
-  if (!channel) return Error{channel.error()};
+  if (!channel) return channel.failure();
   const std::string request = foxglove::to_text(foxglove::Subscribe{{{kSubscription, channel->id}}});
-  if (auto sent = client_.send(Opcode::text, request); !sent) return Error{sent.error()};
+  if (auto sent = client_.send(Opcode::text, request); !sent) return sent.failure();
   return std::move(channel->info);
 }
 
-// the server lists its channels at once; a later message, such as a Time, ends the list
+/// Finds the channel in the server's list, which comes first. The first binary message, such as a Time, ends the list.
 Result<foxglove::Advertised> WebSocketInProvider::find_channel() {
   const std::uint64_t deadline_ns = monotonic_ns() + timeout_ns_;
   std::string offered;
   while (true) {
     auto message = client_.receive(deadline_ns);
-    if (!message) return Error{message.error()};
+    if (!message) return message.failure();
     if (!*message) return Error{topic_ + ": the connection was closed before it was offered"};
     if ((*message)->opcode == Opcode::binary) break;
 
     auto channels = foxglove::parse_advertise((*message)->payload);
-    if (!channels) return Error{channels.error()};
+    if (!channels) return channels.failure();
     for (foxglove::Advertised& channel : *channels) {
       if (channel.info.topic == topic_) return std::move(channel);
       offered += (offered.empty() ? "" : ", ") + channel.info.topic;
@@ -44,7 +44,7 @@ Result<foxglove::Advertised> WebSocketInProvider::find_channel() {
 Result<std::optional<logging::Record>> WebSocketInProvider::read() {
   while (true) {
     auto message = client_.receive();
-    if (!message) return Error{message.error()};
+    if (!message) return message.failure();
     if (!*message) {
       const auto& closed = client_.closed();
       if (closed && closed->code != kNormalClosure && closed->code != kGoingAway)
@@ -53,7 +53,7 @@ Result<std::optional<logging::Record>> WebSocketInProvider::read() {
     }
     if ((*message)->opcode != Opcode::binary) continue;
     const auto data = foxglove::parse_message_data((*message)->payload);
-    if (!data) return Error{data.error()};
+    if (!data) return data.failure();
     if (!*data || (*data)->subscription != kSubscription) continue;
     return std::optional(logging::Record{.sequence = ++last_sequence_,
                                          .capture_ns = (*data)->log_time_ns,

@@ -15,16 +15,16 @@ namespace robot::net {
 
 /// The messages of one channel of a Foxglove server.
 ///
-/// The wire carries neither sequence numbers nor publish times: records are numbered 1, 2, 3 … as they arrive and their
-/// publish time is their capture time. A gap shows only at a server that is asked for `?delivery=lossless`, by its
-/// closing the connection. Connecting again is the caller's matter: with a new provider.
+/// The connection carries neither sequence numbers nor publish times. So records are numbered 1, 2, 3 … as they arrive,
+/// and their publish time is their capture time. Lost messages are noticed only with `?delivery=lossless`: then the
+/// server closes the connection. To connect again, the caller makes a new provider.
 class WebSocketInProvider final : public logging::InProvider {
  public:
   /// `url` such as "ws://10.0.14.2:8765/?delivery=lossless&token=…", `topic` such as "/14/2/ball".
   WebSocketInProvider(std::string url, std::string topic, std::uint64_t timeout_ns = 5 * kSecond)
       : url_(std::move(url)), topic_(std::move(topic)), timeout_ns_(timeout_ns) {}
 
-  /// Connects, finds the channel and subscribes; an Error if it is not offered.
+  /// Connects, finds the channel and subscribes. Returns an Error if it is not offered.
   Result<memory::ChannelInfo> open() override;
 
   Result<std::optional<logging::Record>> read() override;

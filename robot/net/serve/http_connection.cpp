@@ -69,7 +69,7 @@ void HttpConnection::handle(HttpRequest request) {
 void HttpConnection::upgrade(const HttpRequest& request) {
   const auto target = parse_target(request.target);
   HttpResponse refusal;
-  const auto agreed = target ? agree(request, *target, refusal) : Result<Upgrade>(Error{target.error()});
+  const auto agreed = target ? agree(request, *target, refusal) : Result<Upgrade>(target.failure());
   if (!agreed) {
     request_.keep_alive = false;
     return respond(refusal.status == 200 ? error_response(400, agreed.error()) : std::move(refusal));

@@ -220,7 +220,7 @@ Result<LogRequest> parse_log_request(const Target& target) {
   for (const auto& [name, field] :
        {std::pair{"from", &LogRequest::from_ns}, {"to", &LogRequest::to_ns}, {"until", &LogRequest::until_ns}}) {
     const auto time = parse_time(target, name);
-    if (!time) return Error{time.error()};
+    if (!time) return time.failure();
     request.*field = *time;
   }
   return request;
@@ -231,7 +231,7 @@ Result<PlayedRequest> parse_played_request(const Target& target) {
   if (request.topic.empty()) return Error{"played: expected ?topic=<topic>, and from and to in ns since the epoch"};
   for (const auto& [name, field] : {std::pair{"from", &PlayedRequest::from_ns}, {"to", &PlayedRequest::to_ns}}) {
     const auto time = parse_time(target, name, "played");
-    if (!time) return Error{time.error()};
+    if (!time) return time.failure();
     if (*time) request.*field = **time;
   }
   return request;

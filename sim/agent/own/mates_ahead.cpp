@@ -1,4 +1,4 @@
-// Example of a feature: the number of teammates are nearer to the opponents' goal than the ball.
+// Example of a feature: the number of teammates that are nearer to the opponents' goal than the ball.
 #include "sim/agent/own.h"
 
 namespace sim::agent::own {

@@ -1,5 +1,5 @@
-// A complete behaviour as a shared library. The robot nearest to the ball goes behind it and kicks it towards the goal, one
-// waits behind, the goalkeeper stays between ball and goal. charge.py is the same in Python.
+// A complete behaviour as a shared library. The robot nearest to the ball goes behind it and kicks it towards the goal,
+// one waits behind, the goalkeeper stays between ball and goal. charge.py is the same in Python.
 //
 //   cc -std=c99 -O2 -ffp-contract=off -fPIC -shared -I sim/guest sim/guest/examples/charge.c -lm -o charge.so
 //   foresight-sim match --home ./charge.so

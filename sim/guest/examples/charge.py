@@ -27,7 +27,7 @@ class Player:
         if moment["entered"]:
             self.lost_since = None
         answer = {"role": "keeper" if number == 1 else "supporter", "time_to_ball": 1e6}
-        # outside play, and at the others' kick, the usual
+        # outside play and at the opponents' kick: the default
         if moment["phase"] != "playing" or moment["penalised"]:
             return answer
         ball = moment["ball"]

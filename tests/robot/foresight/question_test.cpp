@@ -38,7 +38,7 @@ TEST(Question, TheOthersPlayTheBaselineWhateverOneselfPlays) {
 }
 
 TEST(Question, SaysWhatIsWrong) {
-  EXPECT_EQ(problem(R"({"horizn": 3})"), "'horizn' is nothing that a question has");
+  EXPECT_EQ(problem(R"({"horizn": 3})"), "'horizn' is no member of a question");
   EXPECT_EQ(problem(R"({"horizon": "far"})"), "'horizon' must be a number, got \"far\"");
   EXPECT_EQ(problem(R"({"horizon": 1e9})"), "'horizon' must be 1 .. 1200 [s], got 1e+09");
   EXPECT_EQ(problem(R"({"horizon": -3})"), "'horizon' must be 1 .. 1200 [s], got -3");
@@ -47,13 +47,13 @@ TEST(Question, SaysWhatIsWrong) {
   EXPECT_EQ(problem(R"({"budget_ms": 0})"), "'budget_ms' must be 10 .. 10000 [ms], got 0");
   EXPECT_EQ(problem(R"({"budget_ms": 1000000000})"), "'budget_ms' must be 10 .. 10000 [ms], got 1000000000");
   EXPECT_EQ(problem(R"({"budget_ms": -1})"), "'budget_ms' must be a whole number 0 .. 1000000000, got -1");
-  EXPECT_EQ(problem(R"({"rollouts": 1000000000})"), "'rollouts' is nothing that a question has");
+  EXPECT_EQ(problem(R"({"rollouts": 1000000000})"), "'rollouts' is no member of a question");
   EXPECT_EQ(problem(R"({"strategies": ["baseline", "tiki_taka"]})"),
             "no strategy \"tiki_taka\"; there are: baseline, passing, kick_now");
   EXPECT_EQ(problem(R"({"strategies": ["/etc/passwd"]})"),
             "no strategy \"/etc/passwd\"; there are: baseline, passing, kick_now");
   EXPECT_EQ(problem(R"({"opponent": "x"})"), "no strategy \"x\"; there are: baseline, passing, kick_now");
-  EXPECT_EQ(problem(R"({"strategies": ["passing", "passing"]})"), "'strategies' must differ, passing is there twice");
+  EXPECT_EQ(problem(R"({"strategies": ["passing", "passing"]})"), "'strategies' must differ, passing occurs twice");
   EXPECT_EQ(problem(R"({"strategies": "baseline"})"), "'strategies' must be a list of names, got \"baseline\"");
   EXPECT_EQ(problem(R"({"measure": "fun"})"),
             "'measure' must be one of goal_difference, score_next, concede, got \"fun\"");
@@ -69,7 +69,7 @@ TEST(Question, SaysWhatIsWrong) {
   EXPECT_EQ(problem(R"({"edit": {"robots": [{"side": "own", "player": 2, "x": 0, "y": 0},
                                             {"side": "opponent", "player": 2, "x": 1, "y": 0},
                                             {"side": "own", "player": 2, "x": 2, "y": 0}]}})"),
-            "'edit.robots' must differ, own player 2 is there twice");
+            "'edit.robots' must differ, own player 2 occurs twice");
   EXPECT_EQ(problem("[]"), "a question must be an object, got []");
 }
 
@@ -79,7 +79,7 @@ TEST(Question, OfAMessageIsCheckedAsWell) {
   EXPECT_FALSE(complete(question, kKnown));
   question.Clear();
   question.set_measure(static_cast<pb::WhatIf::Measure>(77));
-  EXPECT_EQ(complete(question, kKnown).error(), "'measure' is none that there is");
+  EXPECT_EQ(complete(question, kKnown).error(), "'measure' must be a value of foresight.WhatIf.Measure, got 77");
   question.Clear();
   for (std::uint32_t player = 1; player <= 15; ++player) question.mutable_edit()->add_robots()->set_player(player);
   EXPECT_EQ(complete(question, kKnown).error(), "'edit.robots' must be at most 14, got 15");

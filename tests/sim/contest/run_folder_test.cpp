@@ -99,7 +99,7 @@ TEST_F(RunFolders, RefuseABlockWithTooFewPairs) {
 TEST_F(RunFolders, BelongToOneComparison) {
   const std::string place = "run " + (root_ / "run").string() + ": ";
   open("run");
-  EXPECT_EQ(error_of_open("run", Use::begin), place + "it is there already; --resume goes on with it");
+  EXPECT_EQ(error_of_open("run", Use::begin), place + "it exists already; --resume continues it");
   EXPECT_EQ(error_of_open("run", Use::go_on), "");
   EXPECT_EQ(error_of_open("run", Use::go_on, "{}"),
             place + "expected nothing or the same comparison on the same build, got another one; choose another --out");

@@ -113,9 +113,9 @@ TEST(Strategy, BadTreesAreRefusedWithPlaceAndReason) {
   EXPECT_EQ(refusal_of_tree(R"({"if": "ball_age < -3 s", "do": "stand"})"),
             "strategy 'mine': tree.if: the value for ball_age must be 0 .. 1000 [s], got \"-3 s\"");
   EXPECT_EQ(refusal_of_tree(R"({"if": "ball_age", "do": "stand"})"),
-            "strategy 'mine': tree.if: ball_age must be compared with something, got \"ball_age\"");
+            "strategy 'mine': tree.if: ball_age must be compared with a value, got \"ball_age\"");
   EXPECT_EQ(refusal_of_tree(R"({"if": "ball_known > 0", "do": "stand"})"),
-            "strategy 'mine': tree.if: ball_known is yes or no and compared with nothing, got \"ball_known > 0\"");
+            "strategy 'mine': tree.if: ball_known is yes or no and must stand alone, got \"ball_known > 0\"");
   EXPECT_EQ(refusal_of_tree(R"({"if": "role is striker", "do": "stand"})"),
             "strategy 'mine': tree.if: the value for role must be one of keeper, chaser, supporter, defender, "
             "got \"striker\"");

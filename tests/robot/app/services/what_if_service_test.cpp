@@ -71,7 +71,7 @@ TEST_F(WhatIfService, OffersItsStrategiesToEveryClientAlsoInMatchMode) {
 
 TEST_F(WhatIfService, AWrongQuestionIsRefused) {
   EXPECT_EQ(refusal(R"({"robot": 14})"), "/foresight/what_if: 'robot' must be a text such as 14/2, got something else");
-  EXPECT_EQ(refusal(R"({"rollouts": 1000000000})"), "/foresight/what_if: 'rollouts' is nothing that a question has");
+  EXPECT_EQ(refusal(R"({"rollouts": 1000000000})"), "/foresight/what_if: 'rollouts' is no member of a question");
   EXPECT_EQ(refusal("[]"), "/foresight/what_if: expected a JSON object, got something else");
   EXPECT_EQ(refusal(R"({"horizon":)" + std::string(100'000, '[') + std::string(100'000, ']') + "}"),
             "/foresight/what_if: expected JSON nested at most 64 deep, got deeper nesting");

@@ -176,8 +176,9 @@ TEST(LolaSensors, SayWhatIsWrong) {
   EXPECT_EQ(why_not(LolaFrame().key("RobotConfig").array(1).text("P1").frame()),
             "LoLA: RobotConfig: expected 4 texts, got 1");
   const std::string frame = tests::lola_frame(random_sensors(6));
-  EXPECT_EQ(why_not(frame + "x"), "LoLA: expected one whole frame, got 897 bytes that are none");
-  EXPECT_EQ(why_not("HTTP/1.1 400 Bad Request"), "LoLA: expected one whole frame, got 24 bytes that are none");
+  EXPECT_EQ(why_not(frame + "x"), "LoLA: expected one whole frame, got 897 bytes that cannot be parsed as one");
+  EXPECT_EQ(why_not("HTTP/1.1 400 Bad Request"),
+            "LoLA: expected one whole frame, got 24 bytes that cannot be parsed as one");
   EXPECT_EQ(why_not(std::string(5000, '\x80')), "LoLA: expected a frame of at most 4096 bytes, got 5000");
   Sensors sensors = random_sensors(7);
   sensors.gyroscope[1] = std::nanf("");

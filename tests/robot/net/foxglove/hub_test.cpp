@@ -294,7 +294,7 @@ TEST_F(HubTest, AReliableChannelThatOverflowsEndsTheConnectionAndNoOther) {
     EXPECT_EQ(gist(*quick), "data:" + std::string(text));
   }
   EXPECT_EQ(gist(*slow),
-            "status:the connection is too slow for /14/2/events, of which nothing may be left out: it is closed, "
+            "status:the connection is too slow for /14/2/events, whose messages must not be dropped: it is closed, "
             "connect again to go "
             "on close");
   EXPECT_FALSE(quick->queue.finished());
@@ -310,7 +310,7 @@ TEST_F(HubTest, ALosslessClientIsDisconnectedWhenAMessageIsMissing) {
   EXPECT_TRUE(provider.write(base.write("b")));
   drain();
   EXPECT_EQ(gist(*lossless),
-            "status:1 messages of /14/2/base were lost on the robot, and this connection is to get all: it is closed, "
+            "status:1 messages of /14/2/base were lost on the robot, but this connection must get all: it is closed, "
             "connect again to "
             "go on close");
   EXPECT_EQ(gist(*other), "data:b");
@@ -526,7 +526,7 @@ TEST_F(HubTest, DropsAreToldNowAndThenAndTakenBack) {
   EXPECT_EQ(told.at(0)["level"], 1);
   EXPECT_EQ(
       told.at(0)["message"],
-      "30 messages were passed over for newer ones in the last 5 s: the connection takes fewer than it asked for");
+      "30 messages were dropped for newer ones in the last 5 s: the connection is too slow for its subscriptions");
   hub->every_second(12 * kSecond);
   EXPECT_EQ(gist(*client), "");
   hub->every_second(16 * kSecond);

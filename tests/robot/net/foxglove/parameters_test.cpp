@@ -55,7 +55,7 @@ TEST_F(ParametersTest, RefuseOthersWithASentence) {
   EXPECT_EQ(refusal("recording", "yes"), "parameter 'recording': expected true or false, got a text");
   EXPECT_EQ(refusal("recording", true), "the disk is full");
   EXPECT_FALSE(parameters.flag("recording"));
-  EXPECT_EQ(refusal("speed", true), "parameter 'speed': there is none of this name");
+  EXPECT_EQ(refusal("speed", true), "parameter 'speed': there is no parameter of this name");
   EXPECT_EQ(changes, "");
 }
 
