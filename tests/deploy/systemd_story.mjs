@@ -18,7 +18,7 @@ export function systemdStory() {
     world = new World(["tim"], { systemd: true });
     tim = world.tim;
     programs = makePrograms();
-    answers = await until(() => /^HOME=/m.test(systemctl("show-environment")), "systemd", 5000).catch(() => false);
+    answers = await until(() => /^HOME=/m.test(systemctl("show-environment")), "systemd", 15_000).catch(() => false);
     untouched = world.listing(tim);
   });
   after(() => world?.field.end());

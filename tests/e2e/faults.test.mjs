@@ -149,7 +149,7 @@ for (const signal of ["SIGTERM", "SIGINT"]) {
     const { session: id } = (await statusOf(server)).recording;
 
     server.kill(signal);
-    const { status } = await within(server.ended, `the end after ${signal}`, 5000);
+    const { status } = await within(server.ended, `the end after ${signal}`);
     assert.equal(status, 0, server.output);
     await live.until(() => live.closed, "the goodbye").catch(() => {});
     assert.deepEqual(live.closed, { code: 1001, reason: "the server stops" });

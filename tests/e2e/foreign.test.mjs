@@ -96,7 +96,8 @@ test("unknown objects show in the tree and in plots", async (t) => {
   const plot = await open(t, `${server.http}/#//plot?plot=/estimate.where.x%20/vision/ball.spot.ahead_mm`);
   await plot.page.getByText("/estimate.where.x").first().waitFor();
   await until(async () => (await plot.page.locator("main canvas").count()) > 0, "the plot");
-  await plot.page.waitForTimeout(1500); // for people to look at
+  const values = plot.page.getByRole("list", { name: "Lines" }).locator(".number");
+  await until(async () => (await values.allTextContents()).filter((text) => /\d/.test(text)).length === 2, "a value of each line", undefined, () => values.allTextContents());
   await shoot(plot.page, "foreign-plot");
   // a page that learns that this is a recording connects anew, perhaps before the first connection stands
   assert.deepEqual([...problems, ...plot.problems].filter((text) => !/closed before the connection is established/.test(text)), []);
@@ -125,7 +126,7 @@ test("mapped by a file, their topics are our objects too, on the field as well",
 
   const { page, problems } = await open(t, `${server.http}/#/21/4/field`);
   await page.getByLabel("The field from above").waitFor();
-  await page.waitForTimeout(1500); // for people to look at
+  await until(async () => (await page.title()).includes("21/4"), "the robot", undefined, () => page.title());
   await shoot(page, "foreign-field");
   assert.deepEqual(problems, []);
 });

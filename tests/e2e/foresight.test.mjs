@@ -163,8 +163,8 @@ test("orders do not wait for a question", async (t) => {
 
 test("one question runs and one waits; the next is refused, and a disconnected client is not waited for", async (t) => {
   const { server, live } = await pausedGame(t);
+  await live.subscribe("/14/2/forecast");
   const others = [await Live.open(t, server), await Live.open(t, server)];
-  const began = performance.now();
   let answered = false;
   const first = live.call(kService, { budget_ms: 6000 }).finally(() => (answered = true));
   await live.call("/sim/state"); // earlier messages have arrived by then
@@ -174,15 +174,11 @@ test("one question runs and one waits; the next is refused, and a disconnected c
   assert.ok(!answered, "the refusal comes at once, before any answer");
   others[0].socket.terminate();
   assert.equal(await gone, "gone");
-  const last = await until(async () => {
-    const told = await others[1].call(kService, { budget_ms: 100 });
-    return told.ok && told;
-  }, "that there is room");
+  await until(async () => (await others[1].call(kService, { budget_ms: 100 })).ok, "that there is room");
   assert.equal((await first).ok, true);
-  const waited_ms = performance.now() - began;
-  // the first question takes 6 s; that of the disconnected client would take 10 s more
-  assert.ok(waited_ms < 14000, `the question of a disconnected client is not played, waited ${waited_ms} ms`);
-  assert.ok(last.forecast.answered_ms < waited_ms);
+  const budgets = () => live.messages.get("/14/2/forecast").map((message) => live.decoded("/14/2/forecast", message).question.budget_ms);
+  await live.until(() => budgets().length >= 2, "two forecasts in memory");
+  assert.deepEqual(budgets(), [6000, 100], "the question of a disconnected client is not played");
 });
 
 test("during a game people are refused, and the team's own code is answered", async (t) => {
@@ -215,7 +211,7 @@ test("during a game people are refused, and the team's own code is answered", as
 
   const asks = "import foresight; advice = None\nwhile not advice: advice = foresight.Adviser().what_if(['baseline', 'passing'], budget_ms=50)\nprint(advice.reason)";
   const environment = { ...process.env, FORESIGHT_DOOR: door, PYTHONPATH: join(root, "robot/client") };
-  const { stdout } = await promisify(execFile)("python3", ["-c", asks], { env: environment, timeout: 20000 });
+  const { stdout } = await promisify(execFile)("python3", ["-c", asks], { env: environment, timeout: 60000 });
   assert.match(stdout, /^cannot tell, because the robot does not know where it is/);
   await answers(refused);
 

@@ -22,7 +22,7 @@ async function recordAgain(t, folder, session) {
     const loggers = new Map(newest && live.decoded("/14/2/runtime", newest).loggers.map((logger) => [logger.topic, logger]));
     return [...original].every(([topic, { messages }]) => Number(loggers.get(topic)?.written) >= messages.length);
   };
-  await live.until(written, "all messages to be written", 60000);
+  await live.until(written, "all messages to be written");
   const { dropped } = (await statusOf(server)).recording;
   assert.equal(dropped, 0);
   const { session: id } = await live.call("stop_recording");

@@ -116,7 +116,7 @@ export async function start(t, folder, command, ...args) {
     child.kill("SIGCONT"); // a stopped one could not hear the rest
     child.kill("SIGTERM");
     try {
-      return await within(server.ended, `the end of ${program} after SIGTERM`, 20000);
+      return await within(server.ended, `the end of ${program} after SIGTERM`);
     } catch (error) {
       child.kill("SIGKILL");
       throw error;

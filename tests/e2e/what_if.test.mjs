@@ -71,13 +71,12 @@ async function drag(page, things, from, to) {
   await page.mouse.up();
 }
 
-/** A tap that a busy browser takes for a long press asks nothing: it is tapped again. */
+/** Taps "Ask". A busy browser may take a tap for a long press, which asks nothing; then it taps again. */
 async function tapToAsk(page, questions) {
   const before = questions.length;
   await until(async () => {
     await page.getByRole("button", { name: "▶ Ask" }).tap();
-    await page.waitForTimeout(500);
-    return questions.length > before;
+    return until(() => questions.length > before, "the question of this tap", 3000).catch(() => false);
   }, "the question");
   await settled(page);
 }
@@ -168,7 +167,7 @@ test("before any answer the situation is what the robot believes by itself, and 
   await page.getByLabel("x, m").fill("-2.5");
   await live.call("/sim/step", { ticks: 30 });
   await page.mouse.move(100, 300);
-  await page.waitForTimeout(500);
+  await page.waitForTimeout(500); // neither of both changes the text
   assert.equal(await page.getByLabel("x, m").inputValue(), "-2.5");
   await page.getByLabel("x, m").blur();
   await page.getByRole("group", { name: "Edited" }).getByRole("button", { name: "own 2" }).click();
@@ -195,7 +194,7 @@ test("a robot that does not know the ball refuses, until the question says where
   await until(async () => (await things.locator("option").allTextContents()).includes("own 2"), "the robot itself");
   await page.keyboard.press("Enter");
   await page.getByRole("alert").filter({ hasText: "cannot tell, because nobody has seen the ball yet" }).waitFor();
-  await page.waitForTimeout(500); // the memory object says the same a little later
+  await page.waitForTimeout(500); // the memory object repeats the sentence a little later, the page does not
   assert.equal(await page.getByText(/nobody has seen the ball yet/).count(), 1, "said once");
   await shoot(page, "what-if-no-ball");
   await page.getByRole("button", { name: "Place it" }).click();

@@ -81,8 +81,8 @@ TEST(SimBody, EachSteppedTickIsWrittenAndNoOther) {
   ASSERT_TRUE(player->step(5));
   ASSERT_TRUE(player->step(1));
   EXPECT_EQ(player->state().tick(), before + 6);
-  EXPECT_EQ(truth.messages().size(), 7u);  // the first is what there was
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(truth.messages().size(), 7u);                       // the first is what there was
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // three ticks of a game that does not pause
   EXPECT_EQ(truth.messages().size(), 7u);
   EXPECT_EQ(player->state().tick(), before + 6);
 }
@@ -274,7 +274,7 @@ TEST(SimBody, StopDoesNotWait) {
     if (paused) player->pause();
     player->stop();
     const std::uint64_t written = player->memory()->truth.read()->sequence();
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // many ticks of a game that does not stop
     EXPECT_EQ(player->memory()->truth.read()->sequence(), written);
   }
 }
