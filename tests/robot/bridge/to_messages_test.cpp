@@ -58,7 +58,7 @@ TEST(Convert, TheBallCrossesWhereItRolls) {
   EXPECT_GT(crossings, 100);
 }
 
-TEST(Convert, AMateTellsOfTheBallInItsOwnFrame) {
+TEST(Convert, AMateReportsTheBallInItsOwnFrame) {
   sim::agent::Beliefs beliefs;
   sim::agent::Mate& mate = beliefs.mates[2];  // of player 3, player 4
   mate.pose = {.position = {1, 2}, .heading = 0.7f};
@@ -93,7 +93,7 @@ TEST(Convert, MatesAreNumberedWithoutTheRobotItself) {
   }
 }
 
-TEST(Convert, WhatWasNotKnownHasNoValue) {
+TEST(Convert, UnknownDataHaveNoValue) {
   sim::agent::Trace trace;
   trace.visited.push_back({.path = "tree/near",
                            .name = "near",

@@ -92,7 +92,7 @@ TEST(Advisor, AnswersTheQuestionInMemory) {
   EXPECT_EQ(forecast->capture_ns(), fixture.game.now_ns()) << "beside the moment it is about";
 }
 
-TEST(Advisor, NonsenseInMemoryIsAnsweredToo) {
+TEST(Advisor, AWrongQuestionInMemoryIsAnsweredToo) {
   Fixture fixture(false);
   pb::WhatIf question;
   question.set_id(8);
@@ -167,7 +167,7 @@ bool has_captains(const std::vector<pb::Forecast>& forecasts) {
   });
 }
 
-TEST(Advisor, TheCaptainGetsItsTurnHoweverMuchOthersAsk) {
+TEST(Advisor, TheCaptainGetsItsTurnWhileOthersAskWithoutPause) {
   for (const bool by_door : {false, true}) {
     Fixture fixture(true);
     const Answers answers(fixture);
@@ -221,14 +221,14 @@ TEST(Advisor, ForecastsOfASimulationAreScoredAgainstGroundTruth) {
   EXPECT_GE(score()->value().entries(0).score().came(), 1u) << "of which the robot was not told";
 }
 
-TEST(Advisor, TheCaptainAsksOfItsOwnAccord) {
+TEST(Advisor, TheCaptainAsksByItself) {
   Fixture fixture(true);
   const auto forecast = fixture.answer(fixture.game.now_ns());
   EXPECT_EQ(forecast->value().question().asked_by().find("captain: "), 0u);
   EXPECT_EQ(forecast->value().question().strategies(0), "baseline");
 }
 
-TEST(Advisor, MemoryHoldsWhatTheTeamPlaysAndWhoChoseIt) {
+TEST(Advisor, MemoryHoldsTheTeamsStrategyAndItsCaptain) {
   Fixture fixture(true, 1000);
   const auto strategy = [&] { return fixture.game.memory->strategy.read(); };
   fixture.captain_until([&] { return strategy() && strategy()->value().chosen(); });
@@ -249,7 +249,7 @@ void play_second(bridge::test::Played& game) {
   game.memory->team.write(team, game.now_ns());
 }
 
-TEST(Advisor, FollowsWhatTheCaptainTold) {
+TEST(Advisor, FollowsTheStrategyThatTheCaptainSent) {
   Fixture fixture(false);
   play_second(fixture.game);
   ASSERT_TRUE(tests::eventually_equal([&] { return fixture.advisor->strategy(); }, "kick_now"));
@@ -257,7 +257,7 @@ TEST(Advisor, FollowsWhatTheCaptainTold) {
   EXPECT_TRUE(fixture.game.memory->strategy.read()->value().chosen());
 }
 
-TEST(Advisor, FollowsTheCaptainWhateverIsAsked) {
+TEST(Advisor, FollowsTheCaptainWhileQuestionsCome) {
   Fixture fixture(false);
   play_second(fixture.game);
   pb::WhatIf question;
@@ -272,7 +272,7 @@ TEST(Advisor, FollowsTheCaptainWhateverIsAsked) {
   EXPECT_TRUE(tests::eventually_equal(strategy, "kick_now"));
 }
 
-TEST(Advisor, TheCaptainGivesUpWhatIsNotBetterThanTheDefaultForSure) {
+TEST(Advisor, TheCaptainReturnsToTheDefaultWithoutASureGain) {
   Fixture fixture(true, 1000, play_second);
   const auto strategy = [&] { return fixture.game.memory->strategy.read(); };
   fixture.captain_until([&] { return strategy() && strategy()->value().epoch() == 45; });
@@ -294,7 +294,7 @@ pb::Strategy played_after(const std::function<void(Fixture&)>& change, double ho
   return fixture.game.memory->strategy.read()->value();
 }
 
-TEST(Advisor, WhoIsNoCaptainAnyMoreWhenTheAnswerComesDoesNotChoose) {
+TEST(Advisor, ARobotThatIsNoLongerCaptainAtTheAnswerDoesNotChoose) {
   const pb::Strategy played = played_after([](Fixture& fixture) {
     pb::GameState game = fixture.game.memory->game.read()->value();
     game.mutable_own()->mutable_players(1)->set_penalised(true);
@@ -304,7 +304,7 @@ TEST(Advisor, WhoIsNoCaptainAnyMoreWhenTheAnswerComesDoesNotChoose) {
   EXPECT_EQ(played.epoch(), 44u);
 }
 
-TEST(Advisor, WhoseForesightIsSwitchedOffWhenTheAnswerComesDoesNotChoose) {
+TEST(Advisor, ARobotWhoseForesightIsOffAtTheAnswerDoesNotChoose) {
   const pb::Strategy played = played_after([](Fixture& fixture) { fixture.on = false; });
   EXPECT_EQ(played.name(), "kick_now");
   EXPECT_EQ(played.epoch(), 44u);
@@ -322,7 +322,7 @@ TEST(Advisor, AnAnswerWithoutAdviceLeavesTheChoiceAsItIs) {
   EXPECT_EQ(played.epoch(), 44u);
 }
 
-TEST(Advisor, WhoAsksGetsTheAnswerAndSoDoesMemory) {
+TEST(Advisor, TheCallerAndMemoryGetTheSameAnswer) {
   Fixture fixture(false);
   pb::WhatIf question;
   question.set_id(9);

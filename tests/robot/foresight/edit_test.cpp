@@ -46,7 +46,7 @@ TEST(Edit, IsCertain) {
   EXPECT_EQ(state.book.clock, sim::ticks(edit.game.setup.params.rules.half_duration - 100));
 }
 
-TEST(Edit, SaysWhatCannotBe) {
+TEST(Edit, NamesTheImpossiblePart) {
   Edited edit;
   EXPECT_EQ(edit(R"({"ball": {"x": 99, "y": 0}})"), "the ball at 99, 0 is not on the field");
   EXPECT_EQ(edit(R"({"ball": {"x": 3, "y": 0.7}})"), "the ball at 3, 0.7 is in a goalpost");

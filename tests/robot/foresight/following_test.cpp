@@ -36,7 +36,7 @@ TEST(Following, FollowsTheCaptainUntilItIsSilentForLong) {
   EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "an old word is none";
 }
 
-TEST(Following, PassesOverWhatItCannotPlayAndItsOwnEcho) {
+TEST(Following, IgnoresUnknownStrategiesAndItsOwnEcho) {
   Following following(3);
   following.hear(told(kCaptain, 3, 9, kNow), kCaptain, kPlayer, {kNow});
   following.hear(told(kPlayer, 1, 9, kNow), kCaptain, kPlayer, {kNow});
@@ -72,7 +72,7 @@ TEST(Following, TheCaptainsChoiceLapsesWhenNoAnswerConfirmsIt) {
   EXPECT_EQ(following.choice().epoch, 2) << "chosen anew";
 }
 
-TEST(Following, SecondsAreThoseOfTheGameInAFastSimulation) {
+TEST(Following, InAFastSimulationSecondsAreThoseOfTheGame) {
   Following following(3);
   following.hear(told(kCaptain, 2, 9, kNow), kCaptain, kPlayer, {kNow, 10});
   following.forget({kNow + Following::kStaleNs / 10 - 1, 10});
@@ -83,7 +83,7 @@ TEST(Following, SecondsAreThoseOfTheGameInAFastSimulation) {
   EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "an old word is none";
 }
 
-TEST(Following, WhereTimeWasMovedBackNothingOfBeforeIsLeft) {
+TEST(Following, AfterTimeWasMovedBackItStartsAnew) {
   Following following(3);
   following.hear(told(kCaptain, 2, 9, kNow), kCaptain, kPlayer, {kNow});
   constexpr std::uint64_t kBegin = kNow - 500 * kSecond;

@@ -50,7 +50,7 @@ TEST(Foreseer, AnswersAtTheDeadlineWithWhatItHas) {
   EXPECT_LE(forecast->computed_ms(), forecast->answered_ms());
 }
 
-TEST(Foreseer, TellsTheMomentThatItPlayedOnFrom) {
+TEST(Foreseer, ReportsTheMomentWhereRolloutsStart) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   pb::WhatIf asked = question(10);
@@ -74,7 +74,7 @@ TEST(Foreseer, TellsTheMomentThatItPlayedOnFrom) {
   EXPECT_EQ(told["situation"]["ball"]["elsewhere"], 0);
 }
 
-TEST(Foreseer, TellsHowFarEachFutureLooksAtMost) {
+TEST(Foreseer, ReportsTheHorizon) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   const auto horizon = [&](pb::WhatIf::Until until, std::optional<float> remaining = 90) {
@@ -93,7 +93,7 @@ TEST(Foreseer, TellsHowFarEachFutureLooksAtMost) {
               1e-3);
 }
 
-TEST(Foreseer, TellsUnderWhichModelsAndRulesItHolds) {
+TEST(Foreseer, ReportsItsModelsAndRules) {
   const bridge::test::Played game;
   auto opened = Foreseer::open(
       {.strategies = {"baseline"}, .rules = "spl2012", .models = "perfect", .opponent_models = "friendly"});
@@ -113,7 +113,7 @@ TEST(Foreseer, TellsUnderWhichModelsAndRulesItHolds) {
   EXPECT_EQ(forecast->opponent_models(), "friendly") << "also of what cannot be told";
 }
 
-TEST(Foreseer, AskedForARobotOfTheOthersItTakesTheirModelsForItsOwn) {
+TEST(Foreseer, ForARobotOfTheOpponentsItExchangesTheModels) {
   EXPECT_EQ(whose("14/3", "14/2"), Whose::own);
   EXPECT_EQ(whose("1/2", "14/2"), Whose::others);
   const bridge::test::Played game;
@@ -174,7 +174,7 @@ TEST(Foreseer, SaysHowLikelyTheBallIsElsewhere) {
   EXPECT_GT(elsewhere(game.now_ns() - 5'000'000'000), elsewhere(game.now_ns()));
 }
 
-TEST(Foreseer, OneQuestionRunsOneWaitsAndTheThirdIsTold) {
+TEST(Foreseer, OneQuestionRunsOneWaitsAndTheThirdIsRefused) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   std::vector<std::promise<void>> answered(2);
@@ -187,7 +187,7 @@ TEST(Foreseer, OneQuestionRunsOneWaitsAndTheThirdIsTold) {
   EXPECT_TRUE(foresight->ask_and_wait(question(10), game.recollection()));
 }
 
-TEST(Foreseer, WhoWaitsIsToldHowLong) {
+TEST(Foreseer, TheAnswersTimeIncludesTheWait) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   EXPECT_TRUE(foresight->idle());
@@ -202,7 +202,7 @@ TEST(Foreseer, WhoWaitsIsToldHowLong) {
   EXPECT_GE(waited.get_future().get(), std::max(other_ms, 0.) + 50) << "its own 50 ms begin when the other has ended";
 }
 
-TEST(Foreseer, InAHurryEveryQuestionIsAnsweredAtOnce) {
+TEST(Foreseer, AfterHurryEveryQuestionIsAnsweredAtOnce) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   std::promise<pb::Forecast> first, second;
@@ -215,7 +215,7 @@ TEST(Foreseer, InAHurryEveryQuestionIsAnsweredAtOnce) {
   EXPECT_LT(second.get_future().get().answered_ms(), 10'000);
 }
 
-TEST(Foreseer, WhatAnEditSaysItNeedNotHaveSeen) {
+TEST(Foreseer, EditedThingsNeedNotHaveBeenSeen) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   bridge::Recollection from = game.recollection();
@@ -235,7 +235,7 @@ TEST(Foreseer, WhatAnEditSaysItNeedNotHaveSeen) {
   EXPECT_EQ(forecast->situation().ball_x(), 1);
 }
 
-TEST(Foreseer, WhatCannotBeToldIsAnAnswer) {
+TEST(Foreseer, ARefusalIsAnAnswer) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   bridge::Recollection from = game.recollection();
@@ -248,7 +248,7 @@ TEST(Foreseer, WhatCannotBeToldIsAnAnswer) {
   EXPECT_EQ(forecast->choice(), "baseline");
 }
 
-TEST(Foreseer, NonsenseIsRefusedAndNothingRuns) {
+TEST(Foreseer, AWrongQuestionIsRefusedAndNothingRuns) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   pb::WhatIf nonsense = question();

@@ -30,14 +30,14 @@ TEST(Question, EverythingMayBeLeftOut) {
   EXPECT_EQ(asked.measure, sim::foresight::Measure::goal_difference);
 }
 
-TEST(Question, TheOthersPlayTheBaselineWhateverOneselfPlays) {
+TEST(Question, TheOpponentsPlayTheBaselineByDefault) {
   const auto question = complete({}, {"mine.json"});
   ASSERT_TRUE(question) << question.error();
   EXPECT_EQ(question->strategies(0), "mine.json");
   EXPECT_EQ(question->opponent(), "baseline");
 }
 
-TEST(Question, SaysWhatIsWrong) {
+TEST(Question, NamesTheError) {
   EXPECT_EQ(problem(R"({"horizn": 3})"), "'horizn' is nothing that a question has");
   EXPECT_EQ(problem(R"({"horizon": "far"})"), "'horizon' must be a number, got \"far\"");
   EXPECT_EQ(problem(R"({"horizon": 1e9})"), "'horizon' must be 1 .. 1200 [s], got 1e+09");

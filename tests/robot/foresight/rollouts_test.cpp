@@ -54,7 +54,7 @@ int scheduling_of(const std::string& name) {
   return -1;
 }
 
-TEST(Rollouts, BesideARobotTakeWhatIsLeftOver) {
+TEST(Rollouts, BesideARobotUseIdleTimeOnly) {
   Rollouts rollouts(Share::left_over);
   EXPECT_TRUE(tests::eventually_equal([] { return scheduling_of("foresee"); }, SCHED_IDLE));
 }
@@ -70,7 +70,7 @@ TEST(Rollouts, PlayStripesUntilTheyAreEnded) {
   EXPECT_GE(rollouts.progress().tally.stripes, progress.tally.stripes);
 }
 
-TEST(Rollouts, WhatWasPlayedForAnotherQuestionIsNotOfThisOne) {
+TEST(Rollouts, OfAnotherQuestionDoNotCount) {
   Rollouts rollouts(Share::background);
   rollouts.begin(futures(2), monotonic_ns() + kMinute);
   const std::uint64_t before = when_there_is_some(rollouts).race;

@@ -81,7 +81,7 @@ TEST(Scorer, TheFirstGoalCounts) {
   EXPECT_EQ(scorer.score().entries(0).strategy(), "baseline") << "the first, as nothing else was told";
 }
 
-TEST(Scorer, AGoalBetweenQuestionAndAnswerIsOneThatWasForetold) {
+TEST(Scorer, AGoalBetweenQuestionAndAnswerCounts) {
   Scorer scorer;
   scorer.see(game(0, 0), kBegin);
   scorer.see(game(1, 0), kBegin + kSecond);
@@ -90,7 +90,7 @@ TEST(Scorer, AGoalBetweenQuestionAndAnswerIsOneThatWasForetold) {
   EXPECT_EQ(scorer.score().entries(0).score().came(), 1u);
 }
 
-TEST(Scorer, GoalsFellBeforeTheyWereTold) {
+TEST(Scorer, GoalsFellBeforeTheGameControllerReportedThem) {
   Scorer scorer(15);
   scorer.see(game(0, 0), kBegin);
   scorer.foretell(foretold(0.5f, 0.5f), kBegin);
@@ -105,7 +105,7 @@ TEST(Scorer, GoalsFellBeforeTheyWereTold) {
   EXPECT_EQ(scorer.score().entries(0).concede().came(), 0u);
 }
 
-TEST(Scorer, AFastSimulationIsSoonerThere) {
+TEST(Scorer, InAFastSimulationTheTimePassesSooner) {
   Scorer scorer(15);
   scorer.see(game(0, 0), kBegin);
   pb::Forecast forecast = foretold(0.5f, 0.5f);
@@ -117,7 +117,7 @@ TEST(Scorer, AFastSimulationIsSoonerThere) {
   EXPECT_EQ(scorer.score().entries(0).score().came(), 1u);
 }
 
-TEST(Scorer, AGoalThatIsTakenBackIsNone) {
+TEST(Scorer, ACancelledGoalDoesNotCount) {
   Scorer scorer;
   scorer.see(game(0, 0), kBegin);
   scorer.foretell(foretold(0.5f, 0.5f), kBegin);
@@ -179,7 +179,7 @@ TEST(Scorer, TheEndOfTheGameFavoursNeither) {
   }
 }
 
-TEST(Scorer, PassesOverWhatCannotBeScored) {
+TEST(Scorer, SkipsForecastsThatCannotBeScored) {
   Scorer scorer;
   scorer.foretell(foretold(0.5f, 0.5f), kBegin);
   EXPECT_EQ(scorer.score().open(), 0u) << "before the game was seen";
@@ -238,14 +238,14 @@ TEST(Scorer, InASimulationGoalsCountWhenTheyFall) {
   }
 }
 
-TEST(Scorer, ASimulationOfOthersTellsNothing) {
+TEST(Scorer, ASimulationOfOtherTeamsDoesNotCount) {
   Scorer scorer;
   scorer.see(game_of(7, 0, 0), kBegin);
   scorer.see(truth(0, 0, 300), kBegin);
   EXPECT_EQ(scorer.score().against(), pb::ForecastScore::AGAINST_OWN_MEMORY);
 }
 
-TEST(Scorer, AnotherSimulatedGameHasNothingToDoWithForecastsOfTheLast) {
+TEST(Scorer, ANewSimulatedGameDropsOpenForecasts) {
   Scorer scorer;
   scorer.see(game_of(14, 0, 0), kBegin);
   scorer.see(truth(2, 0, 300), kBegin);
@@ -254,7 +254,7 @@ TEST(Scorer, AnotherSimulatedGameHasNothingToDoWithForecastsOfTheLast) {
   EXPECT_EQ(scorer.score().open(), 0u);
 }
 
-TEST(Scorer, WhereTimeWasMovedBackWhatWasOpenIsNotScored) {
+TEST(Scorer, AfterTimeWasMovedBackOpenForecastsAreNotScored) {
   Scorer scorer;
   scorer.see(game(0, 0), kBegin);
   scorer.foretell(foretold(0.5f, 0.5f), kBegin);

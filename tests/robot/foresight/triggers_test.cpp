@@ -125,7 +125,7 @@ TEST(Triggers, QuestionsAreTwoSecondsApartAndReasonsAreKept) {
   EXPECT_EQ(ask(triggers, after(now, 3)), "");
 }
 
-TEST(Triggers, SecondsAreThoseOfTheGameInAFastSimulation) {
+TEST(Triggers, InAFastSimulationSecondsAreThoseOfTheGame) {
   const auto fast = [](bridge::Recollection now) {
     now.speed = 10;
     return now;
@@ -145,7 +145,7 @@ TEST(Triggers, SecondsAreThoseOfTheGameInAFastSimulation) {
   EXPECT_EQ(ask(triggers, then), "the ball is lost") << "for 5 s";
 }
 
-TEST(Triggers, WhereTimeWasMovedBackItIsAsAtTheBeginning) {
+TEST(Triggers, AfterTimeWasMovedBackItStartsAnew) {
   Triggers triggers(kGoalX);
   const bridge::Recollection now = quiet();
   ask(triggers, after(now, 500));

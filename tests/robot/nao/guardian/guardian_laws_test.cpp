@@ -8,7 +8,7 @@
 namespace robot::nao {
 namespace {
 
-TEST(NaoGuardianLaws, HoldWhateverHappens) {
+TEST(NaoGuardianLaws, HoldForRandomEvents) {
   int stood = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
     std::mt19937 random(seed);

@@ -75,7 +75,7 @@ TEST_F(NaoGuardian, IsSoftUntilTheChestButtonIsPressed) {
   EXPECT_EQ(guardian.mode(), Mode::unstiff);
 }
 
-TEST_F(NaoGuardian, GoesWhereTheChestButtonLeads) {
+TEST_F(NaoGuardian, FollowsTheChestButton) {
   cycle();
   for (const Mode mode : {Mode::initial, Mode::penalised, Mode::playing, Mode::penalised, Mode::playing}) {
     click();
@@ -510,7 +510,7 @@ TEST_F(NaoGuardian, LeavesARobotSoftThatLiesAtTheStart) {
   EXPECT_EQ(guardian.mode(), Mode::unstiff);
 }
 
-TEST_F(NaoGuardian, ShowsWhatItIs) {
+TEST_F(NaoGuardian, ShowsItsStateByLights) {
   run(0.1);
   click();
   EXPECT_EQ(cycle().lights.chest, (Colour{0, 0, 0}));

@@ -35,7 +35,7 @@ struct NaoLink : ::testing::Test {
   RuntimeLink link;
 };
 
-TEST_F(NaoLink, HearsTheNewestOrderAndEveryRequest) {
+TEST_F(NaoLink, ReceivesTheNewestOrderAndEveryRequest) {
   GuardianClient runtime = client();
   EXPECT_FALSE(link.hear().order);
   ASSERT_TRUE(runtime.give(order(1)) && runtime.give(order(2)));
@@ -47,7 +47,7 @@ TEST_F(NaoLink, HearsTheNewestOrderAndEveryRequest) {
   EXPECT_TRUE(link.hear().asked_soft) << "also from somebody who has gone since";
 }
 
-TEST_F(NaoLink, KnowsAGoodbyeFromACrash) {
+TEST_F(NaoLink, DistinguishesAGoodbyeFromACrash) {
   {
     GuardianClient runtime = client();
     ASSERT_TRUE(runtime.give({}) && link.hear().order);
@@ -124,7 +124,7 @@ TEST_F(NaoLink, SendsEveryReportAndNeverWaitsForAClientThatDoesNotRead) {
   EXPECT_LT(kept, 100u) << "the others it missed";
 }
 
-TEST_F(NaoLink, SaysThatThereIsNoGuardian) {
+TEST_F(NaoLink, ReportsAMissingGuardian) {
   const auto none = GuardianClient::open(folder / "none");
   EXPECT_EQ(none.error(), "guardian: expected foresight-guardian to listen at " + (folder / "none").string() +
                               ", got No such file or directory; start it first");

@@ -46,7 +46,7 @@ TEST_F(NaoMotion, StandsAndDrivesNothingUntilACommandComes) {
   EXPECT_FALSE(order.game.heard);
 }
 
-TEST_F(NaoMotion, TurnsTheHeadAsFastAsItIsTold) {
+TEST_F(NaoMotion, TurnsTheHeadAtTheCommandedSpeed) {
   command.mutable_head_angles()->set_yaw(1);
   command.mutable_head_angles()->set_pitch(0.2f);
   Order order = next();

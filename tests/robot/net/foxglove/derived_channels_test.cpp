@@ -112,7 +112,7 @@ TEST_F(DerivedChannelsTest, ARecordedJpegPassesAsItIs) {
   EXPECT_FALSE(converter(0)(*version(image, kSecond)));  // as pixels it is nothing
 }
 
-TEST_F(DerivedChannelsTest, WhatIsNoImageIsAnError) {
+TEST_F(DerivedChannelsTest, BytesThatAreNoImageAreAnError) {
   foresight::Image cut = yuyv(8, 4);
   cut.mutable_data()->resize(5);
   EXPECT_FALSE(converter(1)(*version(cut, kSecond)));

@@ -187,7 +187,7 @@ class HubTest : public testing::Test {
   }
 };
 
-TEST_F(HubTest, AClientIsToldWhoWeAreAndWhatThereIs) {
+TEST_F(HubTest, AClientReceivesServerInfoAndChannels) {
   const auto client = hub->join({});
   const auto messages = said(*client);
   ASSERT_EQ(messages.size(), 3u);
@@ -248,7 +248,7 @@ TEST_F(HubTest, ALateSubscriberGetsTheLastValueAtOnceAndOnce) {
   EXPECT_EQ(gist(*two), "");
 }
 
-TEST_F(HubTest, ADerivedChannelIsConvertedOnItsWay) {
+TEST_F(HubTest, ADerivedChannelConvertsItsMessages) {
   const auto one = join(), two = join();
   subscribe(*one, 2);
   auto& provider = streams.wait_started(1);
@@ -283,7 +283,7 @@ TEST_F(HubTest, WrongSubscriptionsAreAnsweredAndTheConnectionStays) {
   EXPECT_FALSE(client->queue.finished());
 }
 
-TEST_F(HubTest, AReliableChannelThatOverflowsEndsTheConnectionAndNoOther) {
+TEST_F(HubTest, AnOverflowingReliableChannelEndsOnlyItsConnection) {
   const auto slow = join(), quick = join();
   subscribe(*slow, 3);
   subscribe(*quick, 3);
@@ -332,7 +332,7 @@ TEST_F(HubTest, TimeDoesNotGoBackExceptWithANewSession) {
   EXPECT_EQ(time_of(), foxglove::time(4000).substr(1));
 }
 
-TEST_F(HubTest, ARecordingIsPausedAndMovedByWhoMayControl) {
+TEST_F(HubTest, AClientWithControlPausesAndSeeksARecording) {
   HandPlayback playback;
   make_hub(&playback);
   const auto unaware = join();
@@ -379,13 +379,13 @@ TEST_F(HubTest, ARecordingIsPausedAndMovedByWhoMayControl) {
   EXPECT_EQ(end[1]["bytes"], foxglove::time(5000).substr(1));
 }
 
-TEST_F(HubTest, WhatIsLiveCannotBeMoved) {
+TEST_F(HubTest, ALiveServerRefusesPlaybackControl) {
   const auto client = join();
   hub->on_binary(*client, foxglove::to_bytes(foxglove::PlaybackControl{true, 1, 5000, "r1"}));
   EXPECT_EQ(gist(*client), "status:playback: this server does not play a recording");
 }
 
-TEST_F(HubTest, ParametersAreToldSetAndWatched) {
+TEST_F(HubTest, ParametersAreReadSetAndSubscribed) {
   const auto client = join(), watcher = join();
   hub->on_text(*watcher, R"({"op":"subscribeParameterUpdates","parameterNames":[]})");
   hub->on_text(*client, R"({"op":"getParameters","parameterNames":[],"id":"all"})");
@@ -418,7 +418,7 @@ TEST_F(HubTest, ControlNeedsTheTokenAndClockSyncDoesNot) {
   EXPECT_EQ(gist(*stranger), "serviceCallFailure:there is no service 9 status:there is no service 9");
 }
 
-TEST_F(HubTest, DuringAGameNobodyFromElsewhereControls) {
+TEST_F(HubTest, DuringAGameClientsOfOtherMachinesHaveNoControl) {
   const auto early = join();
   hub->set_match_mode(true);
   const auto late = join();
@@ -432,7 +432,7 @@ TEST_F(HubTest, DuringAGameNobodyFromElsewhereControls) {
   EXPECT_NE(set(*early).find("\"value\":50"), std::string::npos);
 }
 
-TEST_F(HubTest, ThereIsOneQuestionAtATimeOneMoreWaitsAndTheNextIsToldSo) {
+TEST_F(HubTest, OneQuestionRunsOneWaitsAndTheNextIsRefused) {
   holds_questions = true;
   const auto one = join(), two = join(), three = join();
   ask(*one, "a");
@@ -455,7 +455,7 @@ TEST_F(HubTest, ThereIsOneQuestionAtATimeOneMoreWaitsAndTheNextIsToldSo) {
   EXPECT_TRUE(background.empty());
 }
 
-TEST_F(HubTest, WhatWhoHasGoneAskedIsNotBegun) {
+TEST_F(HubTest, AQuestionOfADisconnectedClientIsNotBegun) {
   holds_questions = true;
   auto one = join(), two = join();
   const auto three = join();
@@ -472,7 +472,7 @@ TEST_F(HubTest, WhatWhoHasGoneAskedIsNotBegun) {
   EXPECT_TRUE(background.empty());
 }
 
-TEST_F(HubTest, DuringAGameNobodyAsksNotEvenOnThisMachine) {
+TEST_F(HubTest, DuringAGameQuestionsAreRefusedAlsoFromThisMachine) {
   holds_questions = true;
   const auto local = hub->join({.context = {.loopback = true, .may_control = true}}), other = join();
   said(*local);
@@ -507,7 +507,7 @@ TEST_F(HubTest, ARoundTripIsMeasuredAndSilenceEndsTheConnection) {
   EXPECT_EQ(gist(*client), "status:the connection has not answered for too long: it is closed close");
 }
 
-TEST_F(HubTest, DropsAreToldNowAndThenAndTakenBack) {
+TEST_F(HubTest, ManyDropsAreReportedAndTheReportIsWithdrawn) {
   const auto client = join();
   subscribe(*client, 1);
   auto& provider = streams.wait_started(1);
