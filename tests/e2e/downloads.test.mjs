@@ -117,7 +117,7 @@ test("a recording that grows is redirected to a part that does not, byte for byt
   const path = `/logs/${session}.mcap`;
   const redirected = () => request(server, path);
 
-  // at first no part may be old enough; then wait until one is
+  // at first no part may be old enough
   const location = await until(async () => {
     const { status, headers } = await redirected();
     assert.equal(status, 307);
@@ -144,7 +144,7 @@ test("a recording that grows is redirected to a part that does not, byte for byt
   for (const { messages } of readStreamed(first.body).topics.values()) assert.ok(messages.every(({ logTime }) => logTime <= until_ns));
 });
 
-test("a recording whose robot was killed lacks less than its last second", async (t) => {
+test("a recording of a killed robot lacks less than its last two seconds", async (t) => {
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 8 });
   const robotServer = await robot(t, folder, session, "--record", "--profile", "full");

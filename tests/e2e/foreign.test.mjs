@@ -14,7 +14,7 @@ const { FileDescriptorSetSchema } = require("@bufbuild/protobuf/wkt");
 const kStart = 1_700_000_000_000_000_000n, kCount = 300, kPeriod = 33_000_000n; // [ns]
 const kDouble = 1, kMessage = 11, kOptional = 1;
 
-/** `theirs.Sighting {theirs.Spot spot {double ahead_mm, left_mm}}`: a ball in the words of another team's robot. */
+/** `theirs.Sighting {theirs.Spot spot {double ahead_mm, left_mm}}`: a ball as another team's robot describes it. */
 function sightings() {
   const field = (name, number, type, typeName) => ({ name, number, type, typeName, label: kOptional });
   const set = create(FileDescriptorSetSchema, {
@@ -103,7 +103,7 @@ test("unknown objects show in the tree and in plots", async (t) => {
   assert.deepEqual([...problems, ...plot.problems].filter((text) => !/closed before the connection is established/.test(text)), []);
 });
 
-test("mapped by a file, their topics are our objects too, on the field as well", async (t) => {
+test("a mapping file makes their topics our objects, which the field shows", async (t) => {
   const folder = temporaryFolder(t);
   const map = join(folder, "map.json");
   writeFileSync(map, JSON.stringify(kMapping));
@@ -131,7 +131,7 @@ test("mapped by a file, their topics are our objects too, on the field as well",
   assert.deepEqual(problems, []);
 });
 
-test("info describes such a file, and counts no gaps where there are no numbers", async (t) => {
+test("info describes such a file, and counts no gaps without sequence numbers", async (t) => {
   const { status, stdout } = await run("foresight-lab", "info", await recording(temporaryFolder(t)), "--json");
   assert.equal(status, 0);
   const { streams, clock } = JSON.parse(stdout);

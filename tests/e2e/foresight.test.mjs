@@ -16,7 +16,7 @@ const needsNetwork = { skip: own ? false : "this machine has no address but loop
 const kService = "/foresight/what_if";
 const kStrategies = ["baseline", "passing", "kick_now", "high_line"];
 
-/** Foxglove's own client: returns what calls a service with that text and resolves to its answer. */
+/** Foxglove's own client: returns a function that calls a service with a text and resolves to its answer. */
 async function independentClient(t, server) {
   const { client } = foxgloveClient(t, server);
   const services = new Map();
@@ -151,7 +151,7 @@ test("forecasts are scored live, and the recording gives the same scores", async
   }
 });
 
-test("orders do not wait for a question", async (t) => {
+test("a parameter is set while a question runs", async (t) => {
   const { live } = await pausedGame(t);
   let answered = false;
   const answer = live.call(kService, { budget_ms: 4000 }).then((told) => ((answered = true), told));
@@ -188,7 +188,7 @@ test("during a game people are refused, and the team's own code is answered", as
   const port = Number((await until(() => /the GameController on port (\d+)/.exec(server.output), "the port of the GameController"))[1]);
 
   const game = createSocket("udp4");
-  let state = 0, packet = 0; // INITIAL; as the GameController of 2024 says it
+  let state = 0, packet = 0; // INITIAL; in the format of the GameController of 2024
   const timer = setInterval(() => {
     const bytes = Buffer.alloc(118);
     bytes.write("RGme");

@@ -1,4 +1,4 @@
-// foresight-sim from outside: what it says, how it ends, and recordings that a reader who knows nothing of ours reads.
+// foresight-sim from outside: its output, its exit status, and its recordings, read by independent libraries.
 import assert from "node:assert/strict";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -14,7 +14,7 @@ const json = async (...args) => {
   return JSON.parse(stdout);
 };
 
-// a game of two half minutes: all that a whole one has, in a test's time
+// a game of two half minutes has all phases of a whole one
 const kShort = ["--rules", "spl2012:2,half_duration=30,ready_duration=10"];
 
 test("a game is reported to people and as JSON", async () => {
@@ -138,7 +138,7 @@ test("forecasts are compared with the course of simulated games, the same every 
   }
 });
 
-test("choosing between a strategy and its copy gains nothing, and with full knowledge an idle strategy is not chosen", async (t) => {
+test("a choice between a strategy and its copy gains nothing, and with full knowledge an idle strategy is not chosen", async (t) => {
   const copy = join(temporaryFolder(t), "copy.json");
   writeFileSync(copy, (await sim("strategies", "--show", "baseline")).stdout.replace('"name": "baseline"', '"name": "copy"'));
   const ask = (strategies, ...words) => json("choosing", "--moments", "20", "--futures", "8", "--rollouts", "16", "--horizon", "5", "--strategies", strategies, ...words);
@@ -224,7 +224,7 @@ test("a recorded game holds the truth and every robot's memory, and is the same 
   assert.ok(truth.every(({ logTime }, i) => logTime === epoch + (BigInt(i) * 100000000n) / 3n));
 });
 
-test("a recorded game plays, every robot's memory in its place", async (t) => {
+test("a recorded game is played with every robot's memory under its topics", async (t) => {
   const folder = temporaryFolder(t);
   const file = join(folder, "game.mcap");
   await json("match", ...kShort, "--seed", "7", "--mcap", file);

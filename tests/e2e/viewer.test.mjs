@@ -1,4 +1,4 @@
-// The viewer in use, in Chromium: going back while the robot goes on, several servers in one page, keys, phone, and its cost.
+// The viewer in use, in Chromium: looking back while the robot continues, several servers in one page, keys, phone, and its cost.
 // Each view is tried on a simulated game and on a recorded one.
 import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
@@ -35,7 +35,7 @@ async function goneOn(live, seconds) {
 }
 const row = (page, name) => page.getByRole("treeitem").filter({ has: page.locator(".name", { hasText: new RegExp(`^\\s*[▾▸]?${name}\\s*$`) }) }).first();
 
-test("the page can be paused while the robot goes on; the address holds the moment, and shows it again", async (t) => {
+test("a page can be paused while the robot continues; its address leads to the same moment", async (t) => {
   const { server, live } = await playing(t);
   await live.subscribe("/truth/world", "/sim/state");
   const { page, problems } = await open(t, `${server.http}/#/14/4/field?layers=truth,belief,error,uncertainty,view,intent,trail,names`, { colorScheme: "dark" });
@@ -72,7 +72,7 @@ test("the page can be paused while the robot goes on; the address holds the mome
   await page.keyboard.press("ArrowLeft");
   await until(() => at(page) < before - 500_000_000n, "a second back");
 
-  // the tree shows exactly what was the newest then
+  // the tree shows the newest value at that moment
   const shown = at(page);
   await page.keyboard.press("3");
   await page.getByRole("region", { name: "Objects" }).waitFor();
@@ -93,7 +93,7 @@ test("the page can be paused while the robot goes on; the address holds the mome
   assert.deepEqual(problems, []);
 });
 
-test("the strip of time is scrubbed with the pointer and zoomed with the wheel", async (t) => {
+test("the timeline is scrubbed with the pointer and zoomed with the wheel", async (t) => {
   const { server, live } = await playing(t);
   const { page, problems } = await open(t, server.http);
   await isLive(page);
@@ -112,7 +112,7 @@ test("the strip of time is scrubbed with the pointer and zoomed with the wheel",
   assert.deepEqual(problems, []);
 });
 
-test("several servers in one page: added by address, each with its robots, lost and found again", async (t) => {
+test("a page shows several servers, added by address, and connects again to one that was lost", async (t) => {
   const { server } = await playing(t);
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 4 });
@@ -172,7 +172,7 @@ for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)
     let moves = 0;
     await until(async () => {
       const box = await field(page).boundingBox();
-      await page.mouse.move(box.x + box.width / 2 + (++moves % 2), box.y + box.height / 2); // it moves until the robot is there
+      await page.mouse.move(box.x + box.width / 2 + (++moves % 2), box.y + box.height / 2); // a move asks again what is under the pointer
       return !(await empty());
     }, "what is under the pointer");
     await shoot(page, `field-${name}`);
@@ -188,7 +188,7 @@ for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)
     const number = row(page, "y");
     await number.dragTo(page.getByLabel("Plot", { exact: true }).last());
     await page.getByRole("list", { name: "Lines" }).getByText("/14/2/pose.y").waitFor();
-    await page.getByLabel("Add a number").hover(); // under the pointer nothing may have come yet
+    await page.getByLabel("Add a number").hover(); // at the pointer's time there may be no value yet
     await until(async () => /\d m/.test(await page.getByRole("list", { name: "Lines" }).locator("li").nth(1).textContent()), "a value with its unit");
     await until(async () => {
       const plane = await page.locator("canvas[aria-label=Plot]").boundingBox();
@@ -199,7 +199,7 @@ for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)
     await shoot(page, `plot-${name}`);
     await page.keyboard.press(serve === playGame ? " " : "End");
 
-    // decision: a way is lit, and a leaf says why it was not taken
+    // decision: the taken path is lit, and a leaf gives the reason why it was not taken
     await page.getByRole("link", { name: "decision", exact: true }).click();
     const tree = page.getByRole("list", { name: "Decision tree" });
     await until(async () => (await tree.locator("li.lit").count()) > 0, "a way");
@@ -253,7 +253,7 @@ test("a phone shows field and health of a game, dark and light", async (t) => {
   }
 });
 
-test("the first load takes at most 150 kB, and a game of eight robots is drawn fluidly and fresh", async (t) => {
+test("the first load takes at most 150 kB, and a game of eight robots is drawn with 25 frames/s and an age below 500 ms", async (t) => {
   const { server } = await playing(t);
   const { page, problems } = await open(t, "about:blank");
   const bodies = [];
