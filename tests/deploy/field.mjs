@@ -18,7 +18,7 @@ const command = (name, ...args) => execFileSync(name, args.map(String), { encodi
 
 const sleep_ms = (time) => Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, time);
 
-/** The process that `pid` started, once it is there. */
+/** Waits for the process that `pid` starts, and returns it. */
 function childOf(pid) {
   for (let tries = 0; tries < 500; ++tries) {
     const [child] = readFileSync(`/proc/${pid}/task/${pid}/children`, "utf8").trim().split(" ");
@@ -84,7 +84,7 @@ function writeSystem(folder, { release }) {
 const kHierarchies = ["/sys/fs/cgroup", "/sys/fs/cgroup/systemd", "/sys/fs/cgroup/unified"];
 const groupName = (folder) => folder.split("/").slice(-2).join("-");
 
-/** The systemd of user nao, as where he lingers; and a sudo that only records its arguments. */
+/** The systemd of user nao, as with enabled lingering, and a sudo that only records its arguments. */
 const userSystemd = (folder) => `
 mount -t tmpfs tmpfs /usr/local/bin
 printf '#!/bin/sh\\necho "$*" >>/tmp/sudo.log\\n' >/usr/local/bin/sudo && chmod +x /usr/local/bin/sudo
@@ -143,7 +143,7 @@ export class Field {
 
   #switch;
 
-  /** ip in the network of `place`; tried again while its first process still makes it. */
+  /** ip in the network of `place`, repeated until its first process has made the device. */
   #ip(place, ...words) {
     for (let tries = 0; ; ++tries)
       try {
@@ -186,7 +186,7 @@ export class Field {
     return robot;
   }
 
-  /** Limits the rate of a robot's cable towards it, in the words of tc. */
+  /** Limits the rate of a robot's cable towards it, in tc's notation. */
   slow({ name }, rate) {
     command(...inNetwork(this.#switch), "tc", "qdisc", "replace", "dev", name, "root", ...tbf(rate));
   }

@@ -55,7 +55,7 @@ function busyboxTools(t) {
   return folder;
 }
 
-// each has its own folder, and mostly waits
+// each test has its own folder, and mostly waits
 describe("the start script", { concurrency: true }, () => {
   const kLives = 'echo "process $$"; printf "%s\\n" "$@"; trap "exit 0" TERM; while :; do sleep 0.05; done';
 
@@ -111,7 +111,7 @@ describe("the start script", { concurrency: true }, () => {
     });
   }
 
-  test("a program that does not want to end ends within 8 s", async (t) => {
+  test("a program that ignores SIGTERM ends within 8 s", async (t) => {
     const service = installed(t, 'trap "" TERM; echo "process $$"; while :; do sleep 0.05; done');
     const stop_ms = async () => {
       service.run("start");
@@ -145,7 +145,7 @@ describe("the start script", { concurrency: true }, () => {
     assert.ok(!existsSync(join(service.home, "foresight/state/foresight.5.log")));
   });
 
-  test("by the name of the guardian it is the guardian's, beside the runtime's", async (t) => {
+  test("the start script of the guardian has its own state beside the runtime's", async (t) => {
     const service = installed(t, kLives, { what: kGuardian });
     service.run("start");
     const pid = await service.running();

@@ -186,7 +186,7 @@ TEST(Knowledge, WithoutATrackerOpponentsComeFromTheVision) {
     robot.set_side(side);
   };
   add(1, 0.5f, pb::VisualRobot::SIDE_OPPONENT);
-  add(1.2f, 0.4f, pb::VisualRobot::SIDE_UNSPECIFIED);  // the same once more
+  add(1.2f, 0.4f, pb::VisualRobot::SIDE_UNSPECIFIED);  // a second time
   add(2.5f, -1, pb::VisualRobot::SIDE_UNSPECIFIED);
   add(0.5f, 0, pb::VisualRobot::SIDE_OWN);
   const auto knowledge = known(game, from);

@@ -24,7 +24,7 @@ TEST(Convert, ABallThatWasNeverSeenIsAbsent) {
   EXPECT_EQ(message.ByteSizeLong(), 0u);
 }
 
-/// A ball rolls to its resting place and crosses the robot's y axis where it is told to, if it does.
+/// A ball rolls to its resting place and crosses the robot's y axis at the given place, if any.
 TEST(Convert, TheBallCrossesWhereItRolls) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> metres(-2, 2);
@@ -52,7 +52,7 @@ TEST(Convert, TheBallCrossesWhereItRolls) {
     EXPECT_NEAR(message.rest_x(), rolling.position.x, 1e-3);
     EXPECT_NEAR(message.rest_y(), rolling.position.y, 1e-3);
     EXPECT_EQ(message.has_crossing_y(), crossed) << i;
-    EXPECT_NEAR(message.crossing_y(), crossing, 1e-3);  // 0 where it does not
+    EXPECT_NEAR(message.crossing_y(), crossing, 1e-3);  // 0 if it does not
     crossings += crossed ? 1 : 0;
   }
   EXPECT_GT(crossings, 100);

@@ -18,7 +18,7 @@ namespace {
 
 using Prepare = std::function<void(bridge::test::Played&)>;
 
-/// An advisor in the memory of a robot that stands still in time until a test moves it on.
+/// An advisor in the memory of a robot whose time stands still until a test advances it.
 struct Fixture {
   bridge::test::Played game;
   const Prepare prepare;  // changes memory before the advisor sees it
@@ -51,7 +51,7 @@ struct Fixture {
     return version;
   }
 
-  /// Waits for `done`. Where a busy machine played too few futures for an answer, the captain asks again a period later.
+  /// Waits for `done`. If a busy machine played too few futures for an answer, the captain asks again a period later.
   template <class Done>
   void captain_until(Done done) {
     const auto is_done = [&] {
@@ -72,7 +72,7 @@ struct Fixture {
     return version ? version->value().ShortDebugString() : "no forecast";
   }
 
-  /// Everything as it was, a period later.
+  /// Advances time by a period and keeps everything else.
   void go_on() {
     game.timeline.epoch_ns += static_cast<std::uint64_t>(kPeriod * 1e9);
     game.write();
@@ -116,7 +116,7 @@ class Answers final : public memory::Listener {
     const std::lock_guard guard(lock_);
     return all_;
   }
-  /// Waits for this many.
+  /// Waits for `count` forecasts and returns all.
   std::vector<pb::Forecast> first(std::size_t count) const {
     const auto number = [&] { return all().size(); };
     EXPECT_TRUE(tests::eventually([&] { return number() >= count; }, tests::kLongestWait, number));
@@ -310,7 +310,7 @@ TEST(Advisor, ARobotWhoseForesightIsOffAtTheAnswerDoesNotChoose) {
   EXPECT_EQ(played.epoch(), 44u);
 }
 
-/// Sixteen halves, which eight futures of each of two strategies take, are not played within moments.
+/// Eight futures of two strategies are sixteen halves, which take longer than this test gives them.
 TEST(Advisor, AnAnswerWithoutAdviceLeavesTheChoiceAsItIs) {
   const pb::Strategy played = played_after(
       [](Fixture& fixture) {

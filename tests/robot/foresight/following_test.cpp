@@ -96,7 +96,7 @@ TEST(Following, AfterTimeWasMovedBackItStartsAnew) {
   EXPECT_EQ(following.choice().played(), 1) << "an earlier epoch is the first again";
 }
 
-/// Two who hear each other every second, and no captain: what it told last ends with its time.
+/// Two robots hear each other every second, without a captain: the captain's last choice ends with its time.
 TEST(Following, FollowersDoNotKeepAChoiceAliveAmongThemselves) {
   constexpr std::uint32_t kOther = 5;
   Following one(3), other(3);

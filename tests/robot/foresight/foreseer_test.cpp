@@ -44,7 +44,7 @@ TEST(Foreseer, AnswersAtTheDeadlineWithWhatItHas) {
   EXPECT_EQ(forecast->asked_ns(), game.now_ns());
   EXPECT_EQ(forecast->situation().bodies_size() > 0, true);
   EXPECT_FALSE(forecast->reason().empty());
-  // however busy the machine is, what it says fits what it has
+  // on a machine of any load the answer fits its rollouts
   const bool enough = forecast->strategies(0).rollouts() >= 8;
   EXPECT_EQ(forecast->advice() == pb::Forecast::ADVICE_NONE, !enough) << forecast->reason();
   EXPECT_LE(forecast->computed_ms(), forecast->answered_ms());
@@ -165,7 +165,7 @@ TEST(Foreseer, SaysHowLikelyTheBallIsElsewhere) {
     ball.set_seen_ns(seen_ns);
     game.memory->ball.write(ball, game.now_ns());
     bridge::Recollection from = game.recollection();
-    from.team.reset();  // nor has anybody told it
+    from.team.reset();  // and no teammate has reported it
     const auto forecast = foresight->ask_and_wait(question(10), from);
     EXPECT_TRUE(forecast) << forecast.error();
     EXPECT_EQ(forecast->refusal(), "");

@@ -95,7 +95,7 @@ TEST(Scorer, GoalsFellBeforeTheGameControllerReportedThem) {
   scorer.see(game(0, 0), kBegin);
   scorer.foretell(foretold(0.5f, 0.5f), kBegin);
   scorer.foretell(foretold(0.5f, 0.5f), kBegin + 20 * kSecond);
-  scorer.see(game(0, 1), kBegin + 5 * kSecond);                 // of before the first
+  scorer.see(game(0, 1), kBegin + 5 * kSecond);                 // a goal before the first forecast
   EXPECT_FALSE(scorer.see(game(1, 1), kBegin + 44 * kSecond));  // fell at 29 s
   EXPECT_TRUE(scorer.see(game(1, 1), kBegin + 45 * kSecond));
   EXPECT_TRUE(scorer.see(game(2, 1), kBegin + 65 * kSecond));

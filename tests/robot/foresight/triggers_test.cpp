@@ -25,7 +25,7 @@ TEST(Captain, IsTheFirstFieldPlayerWhoPlays) {
   EXPECT_EQ(captain_of({}), 0);
 }
 
-/// A moment in which nothing happens.
+/// A moment without an event.
 bridge::Recollection quiet() {
   bridge::Recollection now = bridge::test::Played("perfect").recollection();
   now.game->value.set_state(pb::GameState::STATE_PLAYING);
@@ -41,14 +41,14 @@ bridge::Recollection after(bridge::Recollection now, double seconds) {
   return now;
 }
 
-/// Looks and asks where there is a reason.
+/// Looks, and asks if there is a reason.
 std::string ask(Triggers& triggers, const bridge::Recollection& now) {
   const char* const why = triggers.look(now, kPeriodNs);
   if (why) triggers.asked();
   return text(why);
 }
 
-/// An opponent seen so far from the ball.
+/// An opponent that is seen at this distance from the ball.
 void see_opponent(bridge::Recollection& now, sim::Vec2 from_ball) {
   const pb::Pose& pose = now.pose->value;
   const sim::Vec2 ball = sim::Vec2{pose.x(), pose.y()} +

@@ -5,7 +5,7 @@
 namespace robot::foreseeing {
 namespace {
 
-/// Of baseline, which is the best, and two others; of kick_now the gain is `gain` ± `reach`.
+/// A forecast of baseline, which is the best, and two others; the gain of kick_now is `gain` ± `reach`.
 pb::Forecast foretold(float gain, float reach) {
   pb::Forecast forecast;
   forecast.set_reason("keeps baseline: passing would gain 0.30 ± 0.40 goals, which may be chance (100 futures)");

@@ -479,7 +479,7 @@ TEST_F(TheDoor, SurvivesEveryTruncation) {
 }
 
 TEST_F(TheDoor, SurvivesRandomBytes) {
-  std::mt19937 random(1);  // fixed seed: a failure is the same failure tomorrow
+  std::mt19937 random(1);  // the fixed seed makes a failure repeatable
   for (int i = 0; i < 300; ++i) {
     std::string bytes = i % 2 ? ball_channel() : "";
     for (int n = 0; n < 60; ++n) {

@@ -125,7 +125,7 @@ TEST(SimBody, AGameContinuesFromASituation) {
   EXPECT_EQ(player->state().seed(), 5u);
 }
 
-/// The strategy that the tree names which decided last.
+/// The strategy of the last decision.
 std::string played_by(const memory::Channels& channels, const std::string& robot) {
   const auto version = channels.find("/" + robot + "/decision")->newest();
   foresight::DecisionTrace trace;

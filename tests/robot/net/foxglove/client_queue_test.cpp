@@ -12,7 +12,7 @@ namespace {
 using memory::Delivery;
 using tests::TestChannel;
 
-/// Everything a queue gives out, one word per frame: "3:hello" is a message of subscription 3, "time" a Time.
+/// All frames of a queue, one word per frame: "3:hello" is a message of subscription 3, "time" a Time.
 std::string drained(ClientQueue& queue, std::size_t batches = SIZE_MAX) {
   std::string log, bytes;
   Batch batch;

@@ -109,7 +109,7 @@ TEST_F(DerivedChannelsTest, ARecordedJpegPassesAsItIs) {
   foxglove::CompressedImage compressed;
   ASSERT_TRUE(bytes && *bytes && compressed.ParseFromString(**bytes));
   EXPECT_EQ(compressed.data(), "a jpeg");
-  EXPECT_FALSE(converter(0)(*version(image, kSecond)));  // as pixels it is nothing
+  EXPECT_FALSE(converter(0)(*version(image, kSecond)));  // it has no pixels
 }
 
 TEST_F(DerivedChannelsTest, BytesThatAreNoImageAreAnError) {

@@ -34,7 +34,7 @@ class HandStreams final : public Streams {
     providers_.erase(id);
     changed_.notify_all();
   }
-  /// Waits until `count` streams were started in all; the last one's provider.
+  /// Waits until `count` streams were started in all; returns the last one's provider.
   logging::OutProvider& wait_started(Id count) {
     std::unique_lock guard(lock_);
     while (last_ < count) changed_.wait(lock_);
@@ -53,7 +53,7 @@ class HandStreams final : public Streams {
   std::string log_;
 };
 
-/// "base" and its derived channel "base/twice", whose bytes are those of the source twice; of "skip" there is none.
+/// "base" and its derived channel "base/twice", whose bytes are twice those of the source; "skip" has none.
 std::vector<Derived> derive_twice(const memory::ChannelInfo& source) {
   if (!source.topic.ends_with("base")) return {};
   std::vector<Derived> derived(1);
@@ -68,7 +68,7 @@ std::vector<Derived> derive_twice(const memory::ChannelInfo& source) {
   return derived;
 }
 
-/// A recording from 1000 to 9000 that does what it is told.
+/// A recording from 1000 to 9000 that obeys every request.
 class HandPlayback final : public Playback {
  public:
   std::uint64_t start_ns() const override { return 1000; }
@@ -121,7 +121,7 @@ class HubTest : public testing::Test {
   }
   void TearDown() override { inbox->close(); }
 
-  /// Does in the background what was asked for last.
+  /// Runs the last background task.
   void do_next() {
     const auto work = std::move(background.back());
     background.pop_back();
@@ -155,7 +155,7 @@ class HubTest : public testing::Test {
     });
     return all;
   }
-  /// As above, only op and what is most telling: "status:the sentence data:abc".
+  /// As above, only op and the most important field: "status:the sentence data:abc".
   static std::string gist(Client& client) {
     std::string log;
     for (const Json& message : said(client)) {
@@ -463,7 +463,7 @@ TEST_F(HubTest, AQuestionOfADisconnectedClientIsNotBegun) {
   ask(*two, "b");
   hub->leave(*two);
   ask(*three, "c");
-  hub->leave(*one);  // its question is running: there is nobody to be told
+  hub->leave(*one);  // its question is running, and no client waits for the answer
   one.reset();
   do_next();
   do_next();
@@ -498,7 +498,7 @@ TEST_F(HubTest, ARoundTripIsMeasuredAndSilenceEndsTheConnection) {
   hub->every_second(1 * kSecond);
   EXPECT_EQ(gist(*client), "ping");
   hub->on_pong(*client, 1 * kSecond + 42);
-  hub->on_pong(*client, 9 * kSecond);  // unasked: of no meaning
+  hub->on_pong(*client, 9 * kSecond);  // a pong without a ping has no effect
   EXPECT_EQ(hub->statistics().clients.at(0).round_trip_ns, 42u);
   hub->every_second(2 * kSecond);
   hub->every_second(30 * kSecond);
@@ -547,7 +547,7 @@ TEST(Inbox, WakesOncePerBatchAndHoldsBackWhenFull) {
   inbox.take(contents);
   EXPECT_EQ(contents.tasks.size(), 1u);
   blocked.join();
-  inbox.take(contents);  // or the one before had both
+  inbox.take(contents);  // or the batch before had both
 
   EXPECT_TRUE(inbox.put({1, 1, channel.write("1234567890")}, cancelled));
   std::thread waiting([&] { EXPECT_FALSE(inbox.put({1, 1, channel.write("1234567890")}, cancelled)); });

@@ -60,7 +60,7 @@ TEST_F(ParametersTest, RefuseOthersWithASentence) {
 }
 
 TEST_F(ParametersTest, OnlyChangesAreReported) {
-  parameters.update("recording", true);  // no checks: it is so
+  parameters.update("recording", true);  // without a check every value is accepted
   parameters.update("recording", true);
   EXPECT_TRUE(parameters.set("quality", std::int64_t{75}));
   EXPECT_EQ(changes, "recording ");

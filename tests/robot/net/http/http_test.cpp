@@ -89,7 +89,7 @@ TEST(Body, IsSentWholeInPartOrNotAtAll) {
 
   EXPECT_EQ(ask({{"if-none-match", "W/\"x\", \"e1\""}}).status, 304);
   EXPECT_EQ(ask({{"if-none-match", "\"e2\""}}).status, 200);
-  // a part only of what the client already has a part of
+  // a part only if the client has a part of the same version
   EXPECT_EQ(ask({{"range", "bytes=2-4"}, {"if-range", "\"e1\""}}).status, 206);
   EXPECT_EQ(ask({{"range", "bytes=2-4"}, {"if-range", "\"e2\""}}).status, 200);
 }

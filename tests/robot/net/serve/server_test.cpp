@@ -186,7 +186,7 @@ TEST_F(ServerTest, SurvivesAThousandSilentConnections) {
   for (int i = 0; i < 1000; ++i) {
     silent.push_back(std::make_unique<RawConnection>(port));
     if (silent.size() > 100) {
-      EXPECT_TRUE(silent.front()->wait_closed());  // the oldest made room
+      EXPECT_TRUE(silent.front()->wait_closed());  // the oldest connections were closed
       silent.erase(silent.begin());
     }
   }
@@ -203,7 +203,7 @@ TEST_F(ServerTest, ClosesAConnectionWhoseHeadersArriveTooSlowly) {
   const auto port = start();
   RawConnection slow(port);
   slow.send("GET / HTTP/1.1\r\n");
-  // sends for as long as the server listens: each byte is in time, the whole is not
+  // sends until the server closes: each byte is in time, the whole header is not
   std::thread trickle([&] {
     while (slow.send("X")) ::usleep(20'000);
   });
@@ -328,7 +328,7 @@ TEST_F(ServerTest, StopsWhileClientsWatchStallOrDownload) {
     while (!done) write(*state, image);
   });
   EXPECT_TRUE(peer.next_data());
-  // the goodbye reaches a client that reads on while the server stops
+  // the close frame reaches a client that reads while the server stops
   std::thread stopping([&] {
     server->stop();
     server->stop();
