@@ -206,7 +206,7 @@ for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)
     await until(async () => (await tree.locator("li.leaf").count()) > 0, "a leaf");
     await page.keyboard.press(" ");
     await tree.locator("li .name").last().click();
-    await page.getByRole("status").filter({ hasText: /hold|way that was taken|went to/ }).first().waitFor();
+    await page.getByRole("status").filter({ hasText: /hold|on the taken path|decision reached/ }).first().waitFor();
     await shoot(page, `decision-${name}`);
     assert.deepEqual(problems, []);
   });

@@ -156,7 +156,7 @@ test("before any answer the situation is the robot's own belief, and can be edit
   const { server, live } = await pausedGame(t);
   await live.subscribe("/14/2/pose");
   const { page, problems, questions } = await ask(t, server);
-  await page.getByText("to ask what comes of each strategy").waitFor();
+  await page.getByText("to ask for a forecast of each strategy").waitFor();
   const things = page.getByLabel("Ball or robot to place");
   await until(async () => (await things.locator("option").allTextContents()).includes("own 2"), "the robot itself");
   await things.selectOption("own 2");

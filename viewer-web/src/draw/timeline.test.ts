@@ -35,7 +35,7 @@ test("a recording counts from its beginning", () => {
   expect([elapsedWords(0, 10), elapsedWords(65, 10), elapsedWords(65.26, 0.1), elapsedWords(59.96, 0.1), elapsedWords(1199.6, 1)]).toEqual(["0:00", "1:05", "1:05.3", "1:00.0", "20:00"]);
 });
 
-test("a loop and matches are drawn at their places, however short", () => {
+test("a loop and matches are drawn at their places, also short ones", () => {
   const pen = testPen();
   const colours = { ink: "ink", soft: "soft", line: "line", fill: "fill", accent: "accent", warn: "warn" };
   const strip = { kept, shown: kept, seen: { from: 200, to: 250 }, at: 300, live: false, marks: [], matches: [{ from: 150, to: 150 }], loop: { from: 300, to: 350 }, count: countOf(kept, true), hover: undefined };
