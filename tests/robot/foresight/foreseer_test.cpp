@@ -179,10 +179,12 @@ TEST(Foreseer, OneQuestionRunsOneWaitsAndTheThirdIsRefused) {
   const auto foresight = foreseer();
   std::vector<std::promise<void>> answered(2);
   for (std::promise<void>& one : answered)
-    ASSERT_TRUE(foresight->ask(question(400), game.recollection(), [&one](const pb::Forecast&) { one.set_value(); }));
+    ASSERT_TRUE(
+        foresight->ask(question(10'000), game.recollection(), [&one](const pb::Forecast&) { one.set_value(); }));
   const auto third = foresight->ask(question(), game.recollection(), [](const pb::Forecast&) { FAIL(); });
   ASSERT_FALSE(third);
   EXPECT_EQ(third.error(), "foresight is busy: one question runs and another one waits");
+  foresight->hurry();  // the budget was long, so that both questions were open at the third one
   for (std::promise<void>& one : answered) one.get_future().wait();
   EXPECT_TRUE(foresight->ask_and_wait(question(10), game.recollection()));
 }
