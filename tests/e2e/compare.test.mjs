@@ -360,7 +360,7 @@ test("the page shows the figures of the JSON, and needs no other file", async (t
   const { stdout } = await compare("idle", "baseline", "--json", "--html", file);
   const report = JSON.parse(stdout);
   const html = readFileSync(file, "utf8");
-  assert.ok(!/<script|https?:|src=|@import/.test(html), "nothing from elsewhere");
+  assert.ok(!/<script|https?:|src=|@import/.test(html), "no other files");
   for (const [scheme, viewport] of [["light", kDesktop], ["dark", kDesktop], ["light", kPhone]]) {
     const { page, problems } = await open(t, `file://${file}`, { colorScheme: scheme, viewport });
     const figures = await page.$$eval("[data-of]", (all) => all.map((each) => [each.dataset.of, each.textContent]));

@@ -53,7 +53,7 @@ test("a viewer that hangs loses its own messages only", async (t) => {
     const clients = newest ? live.decoded("/lab/1/runtime", newest).clients : [];
     return clients.flatMap(({ lossless, channels }) => channels.map(({ topic, dropped }) => ({ lossless, topic, dropped: Number(dropped) })));
   };
-  await live.until(() => losses().some(({ lossless, topic, dropped }) => !lossless && topic === "/14/2/camera_top" && dropped > 20), "pictures passed over");
+  await live.until(() => losses().some(({ lossless, topic, dropped }) => !lossless && topic === "/14/2/camera_top" && dropped > 20), "dropped pictures");
   assert.ok(losses().every(({ lossless, dropped }) => !lossless || dropped === 0));
   for (const [topic, { messages }] of recorded) {
     await live.until(() => live.messages.get(topic).length > messages.length, `more than a pass of ${topic}`);
@@ -85,7 +85,7 @@ test("a thousand silent connections cost less than 20 MB and keep no client out"
   await Live.open(t, server);
   const grown = residentBytes(server.pid) - before;
   assert.ok(grown < 20e6, `grew by ${grown / 1e6} MB`);
-  assert.ok(readdirSync(`/proc/${server.pid}/fd`).length < 400, "the oldest make room");
+  assert.ok(readdirSync(`/proc/${server.pid}/fd`).length < 400, "the oldest connections are closed");
   await live.subscribe("/14/2/pose"); // an earlier client is still served
   await live.newest("/14/2/pose");
 });

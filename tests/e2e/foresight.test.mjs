@@ -58,7 +58,7 @@ test("the Foxglove client asks and is answered, and memory holds the same", asyn
   const held = live.decoded("/14/2/forecast", { data: message });
   assert.equal(held.reason, forecast.reason);
   assert.equal(held.asked_ns, forecast.asked_ns);
-  assert.equal(String(log_ns), forecast.asked_ns, "it stands beside the moment it is about");
+  assert.equal(String(log_ns), forecast.asked_ns, "its time is the moment that it is about");
 });
 
 test("questions can be about any robot, and about edited situations", async (t) => {
@@ -98,7 +98,7 @@ test("nonsense gets one sentence and has no other effect", async (t) => {
     const told = error.slice(kService.length + 2);
     sentence instanceof RegExp ? assert.match(told, sentence) : assert.equal(told, sentence);
   }
-  assert.equal(live.messages.get("/14/2/forecast").length, 0, "no forecast came of it");
+  assert.equal(live.messages.get("/14/2/forecast").length, 0, "there is no forecast");
 });
 
 test("a question nested a hundred thousand deep gets one sentence, in every service", async (t) => {
@@ -157,7 +157,7 @@ test("a parameter is set while a question runs", async (t) => {
   const answer = live.call(kService, { budget_ms: 4000 }).then((told) => ((answered = true), told));
   live.send({ op: "setParameters", parameters: [{ name: "foresight_period", value: 60 }], id: "now" });
   await live.until(() => live.values.some(({ id }) => id === "now"), "that it is set");
-  assert.equal(answered, false, "it still thinks");
+  assert.equal(answered, false, "the question still runs");
   assert.equal((await answer).ok, true);
 });
 

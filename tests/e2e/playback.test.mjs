@@ -83,7 +83,7 @@ test("a recording plays from a seek to its end, and again on request", async (t)
   const { live, states, ask } = await viewer(t, server);
   const other = await viewer(t, server);
   assert.equal((await ask({ play: false, to_ns: end_ns - 100_000_000n })).status, kPaused);
-  const told = await other.live.until(() => other.states.find(({ didSeek }) => didSeek), "the other viewer is told");
+  const told = await other.live.until(() => other.states.find(({ didSeek }) => didSeek), "the state at the other viewer");
   assert.deepEqual(told, { status: kPaused, time_ns: end_ns - 100_000_000n, speed: 1, didSeek: true, id: "" });
 
   const playing = await ask({ play: true, speed: 0.5 });

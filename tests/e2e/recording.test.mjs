@@ -121,7 +121,7 @@ test("all viewers share the server's playback: pause, speed, position; playing b
   await Promise.all([goesOn(one.page), goesOn(other.page)]);
   await one.page.keyboard.press(" ");
   await Promise.all([stands(one.page), stands(other.page)]);
-  await until(() => at(one.page) > 0n && at(one.page) === at(other.page), "both stand at one moment");
+  await until(() => at(one.page) > 0n && at(one.page) === at(other.page), "both pages show one moment");
 
   await other.page.getByLabel("Pace").selectOption({ label: "0.5 ×" });
   await until(async () => (await one.page.getByLabel("Pace").inputValue()) === "0.5", "the other page shows the pace");
@@ -236,7 +236,7 @@ test("a search finds a condition in the whole recording, also in parts that no p
     await until(() => at(page) === begin, `kick-off at ${begin}, not ${at(page)}`);
   }
   await page.keyboard.press("Shift+N");
-  assert.ok(at(page) === begins.at(-1) && at(page) < last_ns, "there is none behind the last one");
+  assert.ok(at(page) === begins.at(-1) && at(page) < last_ns, "there is no match after the last one");
 
   // a condition that never holds, and a simple one
   await query.fill("game.state == finished && game.state == playing");

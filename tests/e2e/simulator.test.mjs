@@ -117,7 +117,7 @@ test("a situation is rolled out as often as asked, the same every time", async (
   assert.deepEqual(one, again);
   assert.equal(one.rollouts, 40);
   assert.equal(Object.values(one.home.goals_distribution).reduce((sum, count) => sum + count, 0), 40);
-  assert.ok(one.home.goals.mean > one.away.goals.mean, "nobody keeps the goal");
+  assert.ok(one.home.goals.mean > one.away.goals.mean, "without a goalkeeper there are goals");
   assert.ok(one.home.first_goal_seconds.mean > 0 && one.home.first_goal_seconds.mean < 30);
   const { status, stdout } = await sim("situation", file, "--rollouts", "5");
   assert.equal(status, 0);
@@ -146,13 +146,13 @@ test("a choice between a strategy and its copy gains nothing, and with full know
   const [one, again, insights, eager] = await Promise.all([ask(of), ask(of), ask(of, "--insights"), ask("idle,baseline", "--sure", "0.5")]);
   assert.deepEqual(one, again);
   assert.deepEqual(insights.captains.map(({ knows }) => knows), ["what it believes", "and the ball", "and its own side", "and the opponents", "and all of them"]);
-  assert.deepEqual({ ...insights, captains: insights.captains.slice(0, 1) }, one, "what others know changes nothing for it");
+  assert.deepEqual({ ...insights, captains: insights.captains.slice(0, 1) }, one, "the captains with more knowledge do not change it");
   const [same, idle] = one.strategies;
   assert.deepEqual(same.always, { mean: 0, standard_error: 0 });
   assert.equal(same.spread, 0);
   assert.ok(idle.always.mean < 0 && idle.always.mean < one.knowing.mean);
   const [{ changes, gain }] = eager.captains;
-  assert.ok(changes > 0.5 && gain.mean > 0, "of a team that stands idle it makes one that plays");
+  assert.ok(changes > 0.5 && gain.mean > 0, "it changes an idle strategy to one that plays");
 
   for (const [args, sentence] of [
     [["--sure", "2", "--strategies", "baseline,idle"], /--sure/],

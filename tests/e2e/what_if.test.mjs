@@ -161,7 +161,7 @@ test("before any answer the situation is the robot's own belief, and can be edit
   await until(async () => (await things.locator("option").allTextContents()).includes("own 2"), "the robot itself");
   await things.selectOption("own 2");
   const { x } = live.decoded("/14/2/pose", await live.newest("/14/2/pose"));
-  assert.ok(Math.abs(Number(await page.getByLabel("x, m").inputValue()) - x) < 0.01, "where it believes to be");
+  assert.ok(Math.abs(Number(await page.getByLabel("x, m").inputValue()) - x) < 0.01, "its believed place");
 
   // newer beliefs of the robot do not overwrite typed text, and hovering does not redirect it
   await page.getByLabel("x, m").fill("-2.5");
@@ -307,7 +307,7 @@ test("a recording is asked at the moment that the page shows", async (t) => {
     return answered.isVisible();
   }, "a moment at which the robot knows enough");
   const [, minutes, seconds] = /(\d+):(\d\d)/.exec(await page.getByTitle("Go to this moment").first().textContent());
-  assert.equal(60 * Number(minutes) + Number(seconds), 10 * asked, "asked where the page stood");
+  assert.equal(60 * Number(minutes) + Number(seconds), 10 * asked, "asked about the shown moment");
   await advice(page).waitFor();
   await shoot(page, "what-if-recording");
 

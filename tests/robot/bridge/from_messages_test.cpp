@@ -216,7 +216,7 @@ TEST(Knowledge, AMotionThatHasBegunContinues) {
   from.motion->value.set_walking(true);
   from.motion->value.set_velocity_x(99);
   EXPECT_EQ(known(game, from).body.doing, sim::Body::Doing::walking);
-  EXPECT_EQ(known(game, from).body.velocity.x, model.walk.forward) << "nobody is faster than his limit";
+  EXPECT_EQ(known(game, from).body.velocity.x, model.walk.forward) << "no robot is faster than its limit";
   from.motion->value.set_fall(pb::MotionStatus::FALL_FALLEN);
   EXPECT_EQ(known(game, from).body.doing, sim::Body::Doing::fallen);
 }

@@ -32,7 +32,7 @@ TEST(PlayerMap, TheKeeperIsTheFirstAndTheOthersFollowByTheirNumbers) {
   EXPECT_EQ(players(PlayerMap(team({1, 2, 3, 4, 5}, 1), 5), 5), (Numbers{1, 2, 3, 4, 5}));
   EXPECT_EQ(players(PlayerMap(team({2, 5, 7, 11, 20}, 7), 5), 5), (Numbers{7, 2, 5, 11, 20}));
   EXPECT_EQ(players(PlayerMap(team({1, 3, 4, 6, 8}), 5), 5), (Numbers{1, 3, 4, 6, 8}))
-      << "number 1 where nobody is named";
+      << "number 1 if no goalkeeper is named";
 }
 
 TEST(PlayerMap, WithoutAKeeperTheGoalIsEmptyUnlessAPlayerIsLeftOver) {

@@ -218,7 +218,7 @@ TEST(Advisor, ForecastsOfASimulationAreScoredAgainstGroundTruth) {
   };
   ASSERT_TRUE(tests::eventually(is_scored, tests::kLongestWait, [&] { return std::to_string(goals) + " goals"; }));
   EXPECT_EQ(score()->value().against(), pb::ForecastScore::AGAINST_GROUND_TRUTH);
-  EXPECT_GE(score()->value().entries(0).score().came(), 1u) << "of which the robot was not told";
+  EXPECT_GE(score()->value().entries(0).score().came(), 1u) << "a goal that the robot did not hear of";
 }
 
 TEST(Advisor, TheCaptainAsksByItself) {

@@ -33,7 +33,7 @@ TEST(Following, FollowsTheCaptainUntilItIsSilentForLong) {
   following.forget({kNow + Following::kStaleNs});
   EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy);
   following.hear(told(kCaptain, 2, 9, kNow), kCaptain, kPlayer, {kNow + Following::kStaleNs});
-  EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "an old word is none";
+  EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "an old message does not count";
 }
 
 TEST(Following, IgnoresUnknownStrategiesAndItsOwnEcho) {
@@ -80,7 +80,7 @@ TEST(Following, InAFastSimulationSecondsAreThoseOfTheGame) {
   following.forget({kNow + Following::kStaleNs / 10, 10});
   EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy);
   following.hear(told(kCaptain, 2, 9, kNow), kCaptain, kPlayer, {kNow + Following::kStaleNs / 10, 10});
-  EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "an old word is none";
+  EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "an old message does not count";
 }
 
 TEST(Following, AfterTimeWasMovedBackItStartsAnew) {
@@ -91,7 +91,7 @@ TEST(Following, AfterTimeWasMovedBackItStartsAnew) {
   EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy);
   EXPECT_EQ(following.told_ns(), 0u);
   following.hear(told(kCaptain, 2, 9, kNow), kCaptain, kPlayer, {kBegin});
-  EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "that is still to come";
+  EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "it is still in the future";
   following.hear(told(5, 1, 3, kBegin), kCaptain, kPlayer, {kBegin});
   EXPECT_EQ(following.choice().played(), 1) << "an earlier epoch is the first again";
 }

@@ -110,7 +110,7 @@ TEST(Foreseer, ReportsItsModelsAndRules) {
   forecast = (*opened)->ask_and_wait(question(10), {});
   ASSERT_TRUE(forecast) << forecast.error();
   EXPECT_NE(forecast->refusal(), "");
-  EXPECT_EQ(forecast->opponent_models(), "friendly") << "also of what cannot be told";
+  EXPECT_EQ(forecast->opponent_models(), "friendly") << "a refusal holds it, too";
 }
 
 TEST(Foreseer, ForARobotOfTheOpponentsItExchangesTheModels) {

@@ -57,7 +57,7 @@ TEST(Scorer, AGoalWithinTheTimeCameAndOneAfterItDidNot) {
   EXPECT_TRUE(scorer.see(game(3, 0), kBegin + 70 * kSecond)) << "at its end it is too late for a goal";
   const pb::ForecastScore score = scorer.score();
   ASSERT_EQ(score.entries_size(), 1);
-  EXPECT_EQ(score.entries(0).strategy(), "passing") << "what is played";
+  EXPECT_EQ(score.entries(0).strategy(), "passing") << "the played strategy";
   EXPECT_EQ(score.entries(0).horizon(), 30);
   EXPECT_EQ(score.entries(0).forecasts(), 2u);
   EXPECT_EQ(score.entries(0).score().came(), 1u);
@@ -78,7 +78,7 @@ TEST(Scorer, TheFirstGoalCounts) {
   scorer.see(game(1, 1), kBegin + 30 * kSecond);
   EXPECT_EQ(scorer.score().entries(0).concede().came(), 1u);
   EXPECT_EQ(scorer.score().entries(0).score().came(), 0u);
-  EXPECT_EQ(scorer.score().entries(0).strategy(), "baseline") << "the first, as nothing else was told";
+  EXPECT_EQ(scorer.score().entries(0).strategy(), "baseline") << "the first one without a message about the strategy";
 }
 
 TEST(Scorer, AGoalBetweenQuestionAndAnswerCounts) {
@@ -113,7 +113,8 @@ TEST(Scorer, InAFastSimulationTheTimePassesSooner) {
   scorer.foretell(forecast, kBegin);
   scorer.see(game(1, 0), kBegin + 4 * kSecond);
   EXPECT_FALSE(scorer.see(game(1, 0), kBegin + 45 * kSecond / 10 - 1));
-  EXPECT_TRUE(scorer.see(game(1, 0), kBegin + 45 * kSecond / 10)) << "30 s and the 15 s in which a goal is told";
+  EXPECT_TRUE(scorer.see(game(1, 0), kBegin + 45 * kSecond / 10))
+      << "30 s and the 15 s in which the GameController reports a goal";
   EXPECT_EQ(scorer.score().entries(0).score().came(), 1u);
 }
 
@@ -145,7 +146,7 @@ TEST(Scorer, AForecastCountsForTheStrategyThatWasPlayedAllItsTime) {
   EXPECT_FALSE(scorer.see(game(0, 0), kBegin + 70 * kSecond)) << "the strategy changed meanwhile";
   scorer.see(playing("tiki_taka"), kBegin + 75 * kSecond);
   scorer.foretell(foretold(0.5f, 0.5f), kBegin + 80 * kSecond);
-  EXPECT_FALSE(scorer.see(game(0, 0), kBegin + 110 * kSecond)) << "of what is played it said nothing";
+  EXPECT_FALSE(scorer.see(game(0, 0), kBegin + 110 * kSecond)) << "it holds no forecast of the played strategy";
   EXPECT_EQ(scorer.score().open(), 0u);
 }
 
@@ -229,7 +230,7 @@ TEST(Scorer, InASimulationGoalsCountWhenTheyFall) {
     scorer.see(game_of(team, 2, 0), kBegin + 5 * kSecond);
     scorer.see(truth(0, 1, 1190), kBegin + 29 * kSecond);
     EXPECT_FALSE(scorer.see(truth(0, 1, 1199), kBegin + 30 * kSecond - 1));
-    EXPECT_TRUE(scorer.see(truth(0, 1, 1200), kBegin + 30 * kSecond)) << "nobody waits until it is told";
+    EXPECT_TRUE(scorer.see(truth(0, 1, 1200), kBegin + 30 * kSecond)) << "it does not wait for the GameController";
     ASSERT_EQ(scorer.score().entries_size(), 1);
     EXPECT_EQ(scorer.score().entries(0).score().came(), team == 1 ? 1u : 0u);
     EXPECT_EQ(scorer.score().entries(0).concede().came(), team == 1 ? 0u : 1u);

@@ -97,7 +97,7 @@ TEST(Triggers, TheWayIsBlockedTowardsTheGoal) {
   };
   EXPECT_TRUE(blocked({0.5f, -0.5f}));
   EXPECT_TRUE(blocked({0.9f, -0.7f}));
-  EXPECT_FALSE(blocked({0.8f, 0})) << "straight ahead is not where the goal is";
+  EXPECT_FALSE(blocked({0.8f, 0})) << "the goal is not straight ahead";
   EXPECT_FALSE(blocked({-0.3f, 0.3f})) << "behind";
   EXPECT_FALSE(blocked({1.2f, -1.2f})) << "far off";
   Triggers triggers(kGoalX);
@@ -119,7 +119,7 @@ TEST(Triggers, QuestionsAreTwoSecondsApartAndReasonsAreKept) {
   now.game->value.mutable_own()->set_score(5);
   EXPECT_EQ(ask(triggers, now), "");
   now = after(now, 0.2);
-  EXPECT_EQ(text(triggers.look(now, kPeriodNs)), "the score changed") << "a goal of then";
+  EXPECT_EQ(text(triggers.look(now, kPeriodNs)), "the score changed") << "a goal of the earlier time";
   now = after(now, 0.1);
   EXPECT_EQ(ask(triggers, now), "the score changed") << "foresight was busy when it came";
   EXPECT_EQ(ask(triggers, after(now, 3)), "");

@@ -270,7 +270,7 @@ TEST_F(TheDoor, ADeadlineThatHasPassedIsNotWaitedFor) {
   EXPECT_EQ(foresight_ms_until(7'000'000, 7'000'000), 0);
   EXPECT_EQ(foresight_ms_until(7'000'000, 7'000'001), 0);
   EXPECT_EQ(foresight_ms_until(0, UINT64_MAX), 0);
-  EXPECT_EQ(foresight_ms_until(UINT64_MAX, 0), 60'000) << "whoever waits looks at the clock again";
+  EXPECT_EQ(foresight_ms_until(UINT64_MAX, 0), 60'000) << "a longer wait is split, so that it reads the clock again";
 }
 
 TEST_F(TheDoor, AQuestionIsAnsweredByItsOwnForecastOrNotAtAll) {

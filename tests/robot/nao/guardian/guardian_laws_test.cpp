@@ -24,7 +24,7 @@ TEST(NaoGuardianLaws, HoldForRandomEvents) {
     }
     stood += laws.stood();
   }
-  EXPECT_GT(stood, 10'000) << "it stood often enough for the laws to mean something";
+  EXPECT_GT(stood, 10'000) << "it must stand often, or the laws would prove nothing";
 }
 
 }  // namespace

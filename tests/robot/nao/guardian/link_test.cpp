@@ -44,7 +44,7 @@ TEST_F(NaoLink, ReceivesTheNewestOrderAndEveryRequest) {
   EXPECT_EQ(heard.order->position[head_yaw], 2);
   EXPECT_FALSE(heard.asked_soft);
   ASSERT_TRUE(client().ask(Request::What::sit_and_soft));
-  EXPECT_TRUE(link.hear().asked_soft) << "also from somebody who has gone since";
+  EXPECT_TRUE(link.hear().asked_soft) << "also from a client that has disconnected since";
 }
 
 TEST_F(NaoLink, DistinguishesAGoodbyeFromACrash) {
@@ -62,7 +62,7 @@ TEST_F(NaoLink, DistinguishesAGoodbyeFromACrash) {
   EXPECT_FALSE(heard.order) << "the order of a runtime that is gone";
   { client(); }
   heard = link.hear();
-  EXPECT_FALSE(heard.runtime_crashed || heard.runtime_left) << "who gave no order was no runtime";
+  EXPECT_FALSE(heard.runtime_crashed || heard.runtime_left) << "a client without an order was no runtime";
 }
 
 TEST_F(NaoLink, ReadsAllMessagesOfAClientThatLeftWithUnreadReports) {
@@ -121,7 +121,7 @@ TEST_F(NaoLink, SendsEveryReportAndNeverWaitsForAClientThatDoesNotRead) {
   std::uint64_t kept = 0;
   for (auto old = sleeper.next(0); old && *old; old = sleeper.next(0)) EXPECT_EQ((*old)->frames, ++kept);
   EXPECT_GT(kept, 0u);
-  EXPECT_LT(kept, 100u) << "the others it missed";
+  EXPECT_LT(kept, 100u) << "it missed the other reports";
 }
 
 TEST_F(NaoLink, ReportsAMissingGuardian) {

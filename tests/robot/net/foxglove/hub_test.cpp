@@ -518,7 +518,7 @@ TEST_F(HubTest, ManyDropsAreReportedAndTheReportIsWithdrawn) {
   };
   write(4);
   hub->every_second(5 * kSecond);
-  EXPECT_EQ(gist(*client), "ping") << "a few are not worth a word";
+  EXPECT_EQ(gist(*client), "ping") << "a few drops are not reported";
   write(31);
   hub->every_second(10 * kSecond);
   const auto told = said(*client);
