@@ -13,7 +13,7 @@ inline constexpr std::size_t kMaxFanoutClients = 16;
 struct FanoutShared {
   std::atomic<std::uint16_t> port = 0;  // 0: the server is not ready yet
   std::atomic<bool> ended = false;
-  std::atomic<std::uint64_t> making_ns = 0;  // CPU time of making the messages, which is subtracted
+  std::atomic<std::uint64_t> making_ns = 0;                     // CPU time of making the messages, which is subtracted
   std::atomic<std::uint64_t> received[kMaxFanoutClients] = {};  // [messages]
 
   /// Count of the slowest of `clients`, or of all together.

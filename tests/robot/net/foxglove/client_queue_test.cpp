@@ -169,7 +169,7 @@ TEST_F(ClientQueueTest, ControlIsBounded) {
   EXPECT_FALSE(queue.push_control(std::string(60, 'x')));
 }
 
-TEST_F(ClientQueueTest, ACloseFrameFollowsEarlierMessagesAndIsTheLast) {
+TEST_F(ClientQueueTest, ACloseFrameFollowsEarlierTextsAndIsTheLast) {
   queue.push(2, sensor.write("a"));
   queue.push_control(text_frame("why"));
   queue.finish(close_frame(kPolicyViolation, ""));
