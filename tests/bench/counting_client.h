@@ -83,8 +83,8 @@ class CountingClient {
   /// Connects, and subscribes to the watched channels as soon as they are advertised.
   robot::Result<void> connect();
 
-  /// Reads once, at most `most_bytes` of the received data. Returns false if the connection has ended; reason() holds the
-  /// reason.
+  /// Reads once, at most `most_bytes` of the received data. Returns false if the connection has ended; then reason()
+  /// holds the reason.
   bool read(std::size_t most_bytes = SIZE_MAX);
 
   void close() { socket_.reset(); }

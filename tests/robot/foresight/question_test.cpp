@@ -37,7 +37,7 @@ TEST(Question, TheOpponentsPlayTheBaselineByDefault) {
   EXPECT_EQ(question->opponent(), "baseline");
 }
 
-TEST(Question, NamesTheError) {
+TEST(Question, SaysWhatIsWrong) {
   EXPECT_EQ(problem(R"({"horizn": 3})"), "'horizn' is nothing that a question has");
   EXPECT_EQ(problem(R"({"horizon": "far"})"), "'horizon' must be a number, got \"far\"");
   EXPECT_EQ(problem(R"({"horizon": 1e9})"), "'horizon' must be 1 .. 1200 [s], got 1e+09");
