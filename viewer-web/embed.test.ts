@@ -40,7 +40,7 @@ test("the same input gives the same bytes, another input another source", () => 
   expect(source()).not.toBe(before);
 });
 
-test("what cannot be embedded says what to do", () => {
+test("a folder that cannot be embedded gives a sentence with the remedy", () => {
   writeFileSync(join(dist, "strange.xyz"), "");
   expect(() => embed(dist, out)).toThrow("no content type is known for 'strange.xyz'");
   rmSync(join(dist, "index.html"));

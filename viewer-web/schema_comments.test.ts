@@ -26,7 +26,7 @@ message Third {
   uint32 size_bytes = 1;  // [bytes] on disk
 }`;
 
-test("units and words of fields are found, also of inner messages", () => {
+test("units and comments of fields are found, also of inner messages", () => {
   expect(commentsOf(kText)).toEqual({
     "them.Ball": { seen_ns: ["ns", "image time"], x: ["m", "centre"], heat: ["", "how likely"], yes: ["", "agreed"], last: ["rad/s", "turning"] },
     "them.Ball.Inner": { speed: ["m/s", ""] },
@@ -34,6 +34,6 @@ test("units and words of fields are found, also of inner messages", () => {
   });
 });
 
-test("text that is no schema says nothing", () => {
+test("text that is no schema gives no comments", () => {
   for (const text of ["", "}}}}", "message {", "float x = 1; // [m]"]) expect(commentsOf(text)).toEqual({});
 });

@@ -21,6 +21,6 @@ export default defineConfig({
       "/live": { target: robot.replace(/^http/, "ws"), ws: true },
     },
   },
-  // none takes long; a busy machine may
+  // a busy machine may take long
   test: { testTimeout: 60_000, include: ["src/**/*.test.ts", "embed.test.ts", "schema_comments.test.ts"] },
 });

@@ -15,7 +15,7 @@ const kPart = 0.15;
 
 const lab = fileURLToPath(new URL("../../build/release/bin/foresight-lab", import.meta.url));
 
-/** How many instructions it takes to play `session` for so long, from the start on, and how many frames that were. */
+/** Returns the instructions that playing the first part of `session` takes, and the number of its frames. */
 async function instructions({ session, profile, speed, recorded_hz }, seconds) {
   const logs = join(scratch, "budget-logs");
   rmSync(logs, { recursive: true, force: true });
@@ -31,7 +31,7 @@ async function instructions({ session, profile, speed, recorded_hz }, seconds) {
   return { total: robot.count(), frames: (recorded * kFrameHz) / recorded_hz };
 }
 
-/** Instructions per frame, the start and the end of the program left out. */
+/** Instructions per frame, without the start and the end of the program. */
 async function perFrame(play, seconds) {
   const short = await instructions(play, seconds / 4);
   const long = await instructions(play, seconds);

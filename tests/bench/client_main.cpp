@@ -1,4 +1,4 @@
-// bench_client: any number of viewers in one thread, which count what they get.
+// bench_client: any number of viewers in one thread, which count the messages that they receive.
 #include <poll.h>
 #include <sys/resource.h>
 
@@ -31,9 +31,9 @@ struct Options {
   std::vector<std::string> parameters;
   std::size_t clients = 1;
   double seconds = 10;
-  double stall_after = -1;  // [s] from then on nothing is read; < 0: never
+  double stall_after = -1;  // [s] from this time on it reads nothing; < 0: never
   double bytes_per_second = 0;
-  double lifetime = 0;  // [s] mean time between coming and going; 0: stays
+  double lifetime = 0;  // [s] mean time of a connection; 0: no end
   int receive_buffer_bytes = 0;
 };
 
@@ -70,7 +70,7 @@ json to_json(const CountingClient& client) {
           {"topics", topics}};
 }
 
-/// One place for a client; with a lifetime one comes after the other.
+/// A place for one client at a time; with a lifetime, clients follow each other.
 class Seat {
  public:
   Seat(const Options& options, CountingClient::Options client, unsigned seed)
@@ -91,7 +91,7 @@ class Seat {
     return connected;
   }
 
-  /// Bytes that it may read now; slow clients get a few from time to time.
+  /// Number of bytes that it may read now; slow clients may read a few from time to time.
   std::size_t may_read(std::uint64_t now_ns) const {
     const double seconds = static_cast<double>(now_ns - since_ns_) * 1e-9;
     if (stalls_ || (options_.stall_after >= 0 && seconds >= options_.stall_after)) return 0;
@@ -104,7 +104,7 @@ class Seat {
     if (!client_->read(most)) gone_ = true;
   }
 
-  /// Leaves and comes again when it is time, or when it was sent away.
+  /// Disconnects and connects again after its lifetime, or when the server disconnected it.
   void move_on(std::uint64_t now_ns) {
     // a client that was disconnected tries again after a moment
     if (options_.lifetime <= 0 || now_ns < (gone_ ? since_ns_ + kSecond / 2 : leaves_ns_)) return;

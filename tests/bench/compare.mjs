@@ -1,4 +1,4 @@
-// Is compare as quick as the games it plays, as lean for many as for few, and does it keep its word?
+// Is compare as quick as the games it plays, does it need the same memory for many games as for few, and is its verdict reproducible?
 import { mkdtempSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { childrenOf, compare as run } from "./comparisons.mjs";

@@ -1,11 +1,11 @@
-// foresight-sim compare as the benches run it: to its end, with the time it took and the memory it held.
+// foresight-sim compare as the benches run it: to its end, with its duration and memory.
 import { spawn } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 const program = fileURLToPath(new URL("../../build/release/bin/foresight-sim", import.meta.url));
 
-/** [kB] the most that a process held, or 0 where it has gone. */
+/** [kB] the most that a process held, or 0 if it has ended. */
 function highest(pid) {
   try {
     return Number(/VmHWM:\s+(\d+)/.exec(readFileSync(`/proc/${pid}/status`, "utf8"))?.[1] ?? 0);
@@ -17,8 +17,8 @@ function highest(pid) {
 export const childrenOf = (pid) => readFileSync(`/proc/${pid}/task/${pid}/children`, "utf8").split(" ").filter(Boolean).map(Number);
 
 /**
- * Runs a comparison: {report, seconds, megabytes}. `watch(pid)` is called every `every` seconds while it runs. All its
- * verdicts are fine; bad input is an Error.
+ * Runs a comparison: {report, seconds, megabytes}. `watch(pid)` is called every `every` seconds while it runs.
+ * Every verdict is accepted; bad input throws an Error.
  */
 export async function compare(words, { watch = () => {}, every = 0.2 } = {}) {
   const start = performance.now();

@@ -1,4 +1,4 @@
-// Programs that the kernel gives less than there is: of the disk, of the processor. Needs root.
+// Programs with a limited share of the disk or of the processor. Needs root.
 import { existsSync, mkdirSync, rmdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { atEnd } from "./programs.mjs";

@@ -124,7 +124,7 @@ Result<void> CountingClient::connect() {
   socket_ = std::move(*socket);
   write_all(socket_.get(), robot::net::web_socket_request(url->authority(), url->target, "Zm9yZXNpZ2h0IGJlbmNoLg=="));
 
-  // byte by byte: what follows the response is read by read()
+  // byte by byte: read() reads the bytes after the response
   std::string head;
   for (char byte; !head.ends_with("\r\n\r\n"); head += byte)
     if (::recv(socket_.get(), &byte, 1, 0) != 1) return Error{options_.url + ": closed before it answered"};

@@ -1,4 +1,4 @@
-// A viewer that looks at nothing and counts everything: cheap enough to run ten of them beside the server.
+// A viewer that counts messages and decodes none: ten of them may run beside the server.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace bench {
 
-/// Cuts a server's bytes into messages without keeping what they carry.
+/// Cuts a server's bytes into messages without keeping their payloads.
 class FrameCounter {
  public:
   /// Head of a binary message: opcode, subscription, log time.
@@ -42,7 +42,7 @@ class FrameCounter {
   bool take_header(std::string_view& bytes);
   void take_payload(std::string_view& bytes);
 
-  std::string header_;  // of the frame that begins
+  std::string header_;  // of the next frame
   robot::net::Opcode opcode_ = robot::net::Opcode::binary;
   std::uint64_t size_ = 0, left_ = 0;
   std::string kept_;
@@ -59,14 +59,14 @@ struct TopicCount {
 
 /// Channels of a server that a client watches.
 struct Watch {
-  bool objects = true;  // all memory objects but images
-  bool images = false;  // camera_top, camera_bottom as they are
+  bool objects = true;  // all memory objects except images
+  bool images = false;  // camera_top, camera_bottom unchanged
   bool jpeg = false;    // camera_top/jpeg, camera_bottom/jpeg
 
   bool wants(std::string_view topic) const;
 };
 
-/// Reads "objects,images,jpeg" or a part of it; "nothing" watches nothing.
+/// Reads "objects,images,jpeg" or a part of it; "nothing" watches no channel.
 robot::Result<Watch> parse_watch(std::string_view text);
 
 class CountingClient {
@@ -74,16 +74,17 @@ class CountingClient {
   struct Options {
     std::string url;
     Watch watch;
-    int receive_buffer_bytes = 0;                   // of the kernel; 0: as it likes
+    int receive_buffer_bytes = 0;                   // of the kernel; 0: the kernel's default
     std::map<std::string, std::string> parameters;  // to set first: name, JSON value
   };
 
   CountingClient(Options options, const robot::Clock& clock) : options_(std::move(options)), clock_(clock) {}
 
-  /// Connects and asks for what is watched as soon as it is offered.
+  /// Connects, and subscribes to the watched channels as soon as they are advertised.
   robot::Result<void> connect();
 
-  /// Reads once, at most `most_bytes`, what has come. False when the connection has ended; reason() says why.
+  /// Reads once, at most `most_bytes` of the received data. Returns false if the connection has ended; then reason()
+  /// holds the reason.
   bool read(std::size_t most_bytes = SIZE_MAX);
 
   void close() { socket_.reset(); }

@@ -13,7 +13,7 @@ const kRate = "100mbit";
 const kHalf_s = 600;
 const kRecordingSpeed = 20; // speed at which the load of a half is recorded
 
-// one that costs as much as they get, and one that many a change is in
+// one of the most expensive files, and one that changes often
 const kChanged = ["robot/net/serve/server.cpp", "robot/app/robot_main.cpp"];
 
 /** Runs a script; returns its duration [s]. When it fails, its output is the error. */
@@ -24,7 +24,7 @@ async function timed(world, script, ...words) {
   return (performance.now() - began) / 1000;
 }
 
-/** A half's recording in profile game, from what a robot's threads write in it: the folder of its session. */
+/** Records a half in profile game with the load of a robot's threads; returns the folder of its session. */
 async function recordHalf() {
   const logs = join(scratch, "half");
   await (await startRobot(["--profile", "game", "--cameras", 0, "--no-costs", "--seconds", kHalf_s / kRecordingSpeed, "--speed", kRecordingSpeed], { logs })).report;
@@ -56,7 +56,7 @@ async function halfTime(report, world) {
   report.figure("half-time: sessions that differ", different, "", { exactly: 0 });
 }
 
-/** As if somebody had just saved the file: it is compiled and linked anew, without a cache. */
+/** Makes the file look changed: it is compiled and linked anew, without a cache. */
 function change(path) {
   const now = new Date();
   utimesSync(join(root, path), now, now);

@@ -20,7 +20,7 @@ function mounted(sizeMb, bytesPerSecond) {
 }
 
 /**
- * `words` say what it is; `folder` is on it; `before` and `args` are for the program that writes to it; call `stop()`.
+ * `words` describe it; `folder` is on it; `before` and `args` are for the program that writes to it; call `stop()`.
  * Stalls take `stallMs` and begin every `stallEvery` seconds.
  */
 export function slowDisk({ sizeMb, bytesPerSecond, stallMs, stallEvery }) {
@@ -32,7 +32,7 @@ export function slowDisk({ sizeMb, bytesPerSecond, stallMs, stallEvery }) {
       try {
         command("sh", "-c", `fsfreeze -f ${disk.folder} && sleep ${stallMs / 1000}; fsfreeze -u ${disk.folder}`);
       } catch {
-        // it was frozen by the stall before, still
+        // the previous stall still froze it
       }
     }, stallEvery * 1000);
     return { ...disk, args: [], words: `ext4 mounted sync on a throttled device: ${rate}`, stop: () => clearInterval(freezing) };

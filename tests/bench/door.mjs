@@ -1,4 +1,4 @@
-// Does a team's process reach memory without loss and without waiting, whatever happens to either side?
+// Does a team's process reach memory without loss and without waiting, also when either side is killed?
 import { spawn } from "node:child_process";
 import { existsSync, rmSync } from "node:fs";
 import { join } from "node:path";
@@ -7,9 +7,9 @@ import { atEnd, command, scratch, sleep, start } from "./programs.mjs";
 import { Report } from "./report.mjs";
 
 const path = (relative) => fileURLToPath(new URL(relative, import.meta.url));
-const kBlock = 5; // [ms] what no call may wait
+const kBlock = 5; // [ms] most that a call may wait
 
-/** foresight-robot with an open door; resolves when it can be entered. */
+/** foresight-robot with an open door; resolves when a process can connect. */
 async function openRuntime(...words) {
   const folder = join(scratch, "door-logs");
   rmSync(folder, { recursive: true, force: true });

@@ -1,9 +1,9 @@
-// A team's process for `scripts/bench door`: writes what it is told to, reads it back, and times every call.
+// A team's process for `scripts/bench door`: writes messages, reads them back, and times every call.
 //
 //   bench_door_peer sensors SECONDS    83 Hz of 25 joints and 30 Hz of raw 640x480 images
-//   bench_door_peer pulse TOPIC        1000 messages a second of which every eighth is large, read back and looked at,
+//   bench_door_peer pulse TOPIC        1000 messages a second of which every eighth is large, read back and checked,
 //                                      until SIGTERM
-//   bench_door_peer watch TOPIC        only reads and looks at such messages, until SIGTERM
+//   bench_door_peer watch TOPIC        only reads and checks such messages, until SIGTERM
 //
 // Prints one line of JSON. A call counts as waiting if it gave up the processor itself. Preemption by another process is no
 // fault of the client and is counted apart.
@@ -127,7 +127,7 @@ static int is_torn(const ForesightMessage* message) {
          memcmp(bytes, bytes + 1, message->size - 1) != 0;
 }
 
-/// `writes_too`: otherwise it only reads.
+/// Without `writes_too` it only reads.
 static int pulse(const char* topic, int writes_too) {
   const ForesightObject object = {topic, "bench.Pulse", "json", "json", NULL, 0, FORESIGHT_FIFO};
   ForesightWriter* writer = foresight_announce_as(&object, NULL);

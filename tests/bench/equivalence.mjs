@@ -1,13 +1,13 @@
-// Is a game in which robots far from the ball decide less often still the same game?
+// Does a game have the same statistics when robots far from the ball decide less often?
 import { firstGoal, lead, play, sum } from "./games.mjs";
 import { pretty, Report, table } from "./report.mjs";
 import { differenceOf, equivalence as test, meanOf } from "./statistics.mjs";
 
 const kPairings = [
   { name: "baseline against itself, models match", models: "match" },
-  // without any chance there would be two games: one for each who kicks off
+  // without any noise there would be only two games, one for each side's kick-off
   { name: "baseline against itself, models perfect with kick_noise", models: "perfect,kick_noise=on" },
-  // unequal sides: neither who is better nor by how much may change
+  // unequal sides: neither the better side nor its lead may change
   { name: "baseline against kick_now, models match", models: "match", away: "kick_now" },
 ];
 

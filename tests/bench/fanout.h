@@ -1,4 +1,5 @@
-// Two servers that send the same messages to the same clients as fast as they can: what does a message cost them?
+// Two servers that send the same messages to the same clients as fast as they can: how much processor time does a
+// message cost?
 #pragma once
 
 #include <atomic>
@@ -12,7 +13,7 @@ inline constexpr std::size_t kMaxFanoutClients = 16;
 struct FanoutShared {
   std::atomic<std::uint16_t> port = 0;  // 0: the server is not ready yet
   std::atomic<bool> ended = false;
-  std::atomic<std::uint64_t> making_ns = 0;  // CPU time in which messages were made, which is subtracted
+  std::atomic<std::uint64_t> making_ns = 0;                     // CPU time of making the messages, which is subtracted
   std::atomic<std::uint64_t> received[kMaxFanoutClients] = {};  // [messages]
 
   /// Count of the slowest of `clients`, or of all together.
@@ -33,7 +34,7 @@ struct FanoutLoad {
   std::size_t clients = 1;
 };
 
-/// Both serve until `shared.ended`: they set `shared.port` when clients may come, and begin with the first.
+/// Both serve until `shared.ended`: they set `shared.port` when clients may connect, and begin with the first client.
 
 /// net::Server, with a producer that hands versions to it as fast as it takes them.
 void serve_ours(const FanoutLoad& load, FanoutShared& shared);

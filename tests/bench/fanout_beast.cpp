@@ -25,7 +25,7 @@ using boost::system::error_code;
 using Socket = asio::basic_stream_socket<tcp, asio::io_context::executor_type>;
 using Acceptor = asio::basic_socket_acceptor<tcp, asio::io_context::executor_type>;
 
-/// One client: the next message is written when the one before is.
+/// One client: it writes a message when the previous one is written.
 class Session : public std::enable_shared_from_this<Session> {
  public:
   Session(Socket socket, const std::string& message) : stream_(std::move(socket)), message_(message) {

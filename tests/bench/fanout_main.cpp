@@ -60,7 +60,7 @@ int receive(const FanoutLoad& load, FanoutShared& shared) {
   return 0;
 }
 
-/// Looks on: how many messages arrived for how much of this process's CPU time.
+/// Counts the arrived messages and this process's CPU time.
 nlohmann::json watch(const FanoutLoad& load, FanoutShared& shared, double seconds) {
   for (int waited = 0; shared.least(load.clients) < 10 && waited < 500; ++waited)
     std::this_thread::sleep_for(milliseconds(10));

@@ -16,7 +16,7 @@ using robot::memory::Channel;
 using robot::memory::VersionPtr;
 namespace net = robot::net;
 
-/// A version whose bytes were there before it was.
+/// A version of bytes that exist already.
 class PremadeVersion final : public robot::memory::Version {
  public:
   explicit PremadeVersion(std::string_view bytes) : bytes_(bytes) {}
@@ -26,7 +26,7 @@ class PremadeVersion final : public robot::memory::Version {
   std::string_view bytes_;
 };
 
-/// Makes its versions once and sends them round and round, each time under the next number.
+/// Makes its versions once and sends them repeatedly, each time with the next number.
 class PremadeChannel final : public Channel {
  public:
   PremadeChannel(std::size_t versions, std::size_t payload_bytes, const robot::Clock& clock)
@@ -38,7 +38,7 @@ class PremadeChannel final : public Channel {
     for (std::size_t i = 0; i < versions; ++i) versions_.push_back(std::make_shared<PremadeVersion>(payload_));
   }
 
-  /// Nothing when the oldest is still on its way.
+  /// Returns nothing if the oldest is not sent yet.
   VersionPtr next() {
     std::shared_ptr<PremadeVersion>& version = versions_[at_];
     if (version.use_count() > 1) return nullptr;
@@ -55,7 +55,7 @@ class PremadeChannel final : public Channel {
   std::size_t at_ = 0;
 };
 
-/// In the place of the logging board: hands on without end, but never more than the clients' queues hold.
+/// Replaces the logging board: sends without end, but never more than the clients' queues hold.
 class SaturatingStreams final : public net::Streams {
  public:
   SaturatingStreams(PremadeChannel& channel, const FanoutLoad& load, FanoutShared& shared)
@@ -64,7 +64,7 @@ class SaturatingStreams final : public net::Streams {
 
   static constexpr std::size_t kBatch = 1024;
 
-  /// [messages] at most on their way to the slowest client.
+  /// [messages] most that are not yet at the slowest client.
   static std::size_t window(const FanoutLoad& load) {
     return std::min<std::size_t>(32768, (8u << 20) / load.payload_bytes);
   }
@@ -85,7 +85,7 @@ class SaturatingStreams final : public net::Streams {
  private:
   void produce() {
     robot::become_background_thread("producer");
-    // all clients are there before it begins: each gets everything
+    // all clients connect before it begins, so each gets every message
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     for (std::uint64_t sent = 0; !stopped_;) {
       const std::vector<VersionPtr> batch = make_batch();
@@ -99,7 +99,7 @@ class SaturatingStreams final : public net::Streams {
     }
   }
 
-  /// Versions as the robot's threads leave them: who makes them is not the server.
+  /// Versions as the robot's threads make them: their cost is not the server's.
   std::vector<VersionPtr> make_batch() {
     const std::uint64_t cpu_before = robot::thread_cpu_ns();
     std::vector<VersionPtr> batch;

@@ -1,4 +1,4 @@
-// Does foresight answer in time, foretell what comes, leave the robot alone, and win games?
+// Does foresight answer in time, predict well, not disturb the robot, and win games?
 import { spawn } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -16,17 +16,17 @@ import { rightChoice } from "./right_choice.mjs";
 const kBudgets = [50, 200, 1000]; // [ms]
 const kLate = 20; // [ms]
 const kThree = ["--strategies", "baseline", "passing", "kick_now"];
-const kChoice = ["high_line", "baseline", "kick_now"]; // of the playbook `foresight`: what compare found best is first
+const kChoice = ["high_line", "baseline", "kick_now"]; // of the playbook `foresight`: the best one by compare is first
 const kShares = [0.05, 0.1, 0.25, 0.5]; // of a core
 const kRobot = { share: 0.25, seconds: 0.5 }; // foresight's share of a robot's core, and the time for a question [s]
-const kFutures = 200; // rollouts per forecast; with fewer, forecasts far from the mean are there by chance
-const kLikely = 0.8; // confidence of a captain that changes often enough to tell its gains from chance
-const kMostRollouts = 64; // of a question in a game, and each so long:
+const kFutures = 200; // rollouts per forecast; with fewer, forecasts far from the mean come from chance
+const kLikely = 0.8; // confidence of a captain that changes often enough to distinguish its gains from chance
+const kMostRollouts = 64; // rollouts of a question in a game, and their length:
 const kGameHorizon = 20; // [s]
-// the others, as a team that is wrong about them takes them to be: twice as fast
+// models of opponents that are twice as fast, for a team that is wrong about them
 const kFast = "match,walk.forward=0.5,walk.backward=0.4,walk.sideward=0.36,walk.turn_rate=2.444,walk.acceleration=1.2";
 
-/** Programs that compute as much as they can. */
+/** Programs that use all of a core. */
 function occupy(cores) {
   const hogs = Array.from({ length: cores }, () => spawn(process.execPath, ["-e", "for (;;);"]));
   const free = () => hogs.forEach((hog) => hog.kill("SIGKILL"));
@@ -67,7 +67,7 @@ async function askable(before, preset) {
   const port = /:(\d+)/.exec(await robot.address)[1];
   const live = await Live.open({ after: atEnd }, { port });
   await live.call("/sim/step", { ticks: 1800 });
-  /** The forecast, with how long its asker waited for it; or nothing: the game is over or the ball was lost. */
+  /** The forecast and its waiting time, or nothing if the game is over or the ball was lost. */
   const ask = async (budget, horizon) => {
     const began = performance.now();
     const { ok, forecast } = await live.call("/foresight/what_if", { budget_ms: budget, horizon });
@@ -76,7 +76,7 @@ async function askable(before, preset) {
   return { ask, stop: robot.stop };
 }
 
-/** Asked again and again while both cores compute something else. */
+/** Asks repeatedly while both cores are busy. */
 async function deadline(report, questions) {
   const robot = await askable();
   const free = occupy(2);

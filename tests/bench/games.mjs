@@ -15,7 +15,7 @@ export async function play(choice, count, { jobs, first = 1 }) {
   return (await start("foresight-sim", args).output).split("\n").map((line) => JSON.parse(line));
 }
 
-/** A series that grows as it is asked for more. */
+/** A series that grows on demand. */
 export class Series {
   #choice;
   #jobs;

@@ -1,4 +1,4 @@
-// A whole game on a slow disk: is anything lost, and does it take the room that was announced?
+// A whole game on a slow disk: are messages lost, and does the recording have the announced size?
 import { slowDisk } from "./disk.mjs";
 import { startRobot } from "./programs.mjs";
 import { Report } from "./report.mjs";
@@ -7,7 +7,7 @@ const asAnnounced = { between: [0.85, 1.1] };
 const kOwn = ["clock", "runtime", "log"];
 const isCamera = (topic) => /\/camera_(top|bottom)$/.test(topic);
 
-/** Of what was written, what is not in the recording; of images every sixth is wanted (5 Hz of 30). */
+/** Number of written messages that the recording lacks; of images it should hold every sixth (5 Hz of 30). */
 export function lost(run, everyImage) {
   let missing = 0;
   for (const [topic, written] of Object.entries(run.written)) {
@@ -21,7 +21,7 @@ export function lost(run, everyImage) {
 export async function half({ minutes = 20, speed = 1 }) {
   const report = new Report("half", "is a game of two halves recorded on a slow disk, and does it fit?");
   const half = minutes / 2; // [min] of the robot's time
-  // at a higher speed the robot's time takes less of ours
+  // at a higher speed the bench takes less time
   const disk = slowDisk({
     sizeMb: Math.ceil(40 * half + 200),
     bytesPerSecond: 2e6 * speed,

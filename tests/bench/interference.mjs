@@ -21,7 +21,7 @@ export async function interference({ seconds = 20 }) {
   const report = new Report("interference", "does the robot notice that it is recorded and watched?");
   report.figure("other programs on this machine", await otherLoad(), "cores");
 
-  // a loop that uses 70 % of a core, alone and in company, in turns: what disturbs the machine disturbs both
+  // a loop that uses 70 % of a core, alone and with viewers, in turns, so that other programs disturb both alike
   const working = ["--work", 0.7, "--no-costs"].slice(0, 2);
   const alone = [];
   const company = [];
@@ -38,7 +38,7 @@ export async function interference({ seconds = 20 }) {
   report.figure("period p99, change", median(p99(company)) - median(p99(alone)), "ms", { atMost: 1 });
   console.log(`   p99 alone ${p99(alone).map(pretty)}; in company ${p99(company).map(pretty)} ms`);
 
-  // the cost of a write without viewers, and with ten of which one sleeps
+  // the cost of a write without viewers, and with ten, of which one is stalled
   const nobody = [];
   const ten = [];
   for (let round = 0; round < kRounds; ++round) {

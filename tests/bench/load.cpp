@@ -17,7 +17,7 @@ using robot::thread_cpu_ns;
 
 namespace pb = foresight;
 
-constexpr std::uint64_t kFilling = 2 * kSecond;  // until pools and queues have what they need in steady state
+constexpr std::uint64_t kFilling = 2 * kSecond;  // until pools and queues have their steady size
 constexpr std::size_t kWidth = 640, kHeight = 480;
 
 /// A field with lines, and the noise of a camera: 640x480 YUYV that takes about 42 kB as a JPEG of quality 75, as
@@ -62,7 +62,7 @@ WriteCost cost_of_computing() {
   });
 }
 
-/// Computes for so much of this thread's CPU time.
+/// Computes for this much of the thread's CPU time.
 void compute_for(std::uint64_t cpu_ns) {
   const std::uint64_t until = thread_cpu_ns() + cpu_ns;
   volatile double sink = 0;
@@ -203,7 +203,7 @@ void Load::write_frame(std::uint64_t now_ns, std::uint64_t count) {
 
 void Load::write_sensors(std::uint64_t now_ns, std::uint64_t count) {
   const std::uint64_t capture_ns = counting_time(now_ns, count);
-  // sensors are noisy: that is what recordings of them are made of
+  // noise as of real sensors, because it sets the size of recordings
   std::uint64_t state = count * 0x9e3779b97f4a7c15;
   const auto noise = [&state] {
     state = state * 6364136223846793005 + 1442695040888963407;

@@ -37,11 +37,11 @@ class Load {
  public:
   struct Options {
     int cameras = 1;      // raw 640x480 YUYV each
-    bool objects = true;  // everything but images and ground truth
+    bool objects = true;  // everything except images and ground truth
     double truth_hz = 0;  // of ground truth
     double work = 0;      // [cores] that cognition computes beside writing, such as 0.7
     double speed = 1;     // factor on the usual rates; the clock has to run as fast
-    bool measure = true;  // keep the cost of each write, once the pools are filled
+    bool measure = true;  // keeps the cost of each write after the pools are filled
   };
 
   Load(robot::memory::Memory& memory, const robot::Clock& clock, Options options);
@@ -51,7 +51,7 @@ class Load {
 
   void start();
 
-  /// Ends all threads after the frame at hand.
+  /// Ends all threads after the current frame.
   void stop();
 
   /// Frames of cognition so far. Any thread.
@@ -80,7 +80,7 @@ class Load {
   robot::memory::Memory& memory_;
   const robot::Clock& clock_;
   const Options options_;
-  std::vector<std::string> pictures_;  // they change, as a camera's do
+  std::vector<std::string> pictures_;  // they change from frame to frame, as a camera's do
   std::vector<WriteCost> costs_, image_costs_, control_costs_, motion_costs_, truth_costs_;
   std::vector<std::uint32_t> periods_us_;
   std::atomic<std::uint64_t> frames_ = 0;

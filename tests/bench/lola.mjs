@@ -20,7 +20,7 @@ async function answers(report, seconds) {
   runtime.stop();
   guardian.stop();
   report.figure("frames sent", told.frames, `of ${Math.floor(seconds / kCycle)}`);
-  // the last one may still be on its way
+  // the last answer may not have arrived yet
   report.figure("frames that were never answered", Math.max(0, told.frames - told.answers - 1), "", { exactly: 0 });
   report.figure("frames without an answer before the next one", told.unanswered, "", { exactly: 0 });
   report.figure("answers that were none", told.bad_answers, "", { exactly: 0 });
@@ -37,7 +37,7 @@ export async function lola({ seconds = 600 }) {
   report.figure("the same, looked through", cost.looked_through_us, "us");
   report.figure("an answer, composed", cost.composed_us, "us");
 
-  // a real picture where there is one
+  // a real picture if there is one
   let picture = process.env.FORESIGHT_DATA && join(process.env.FORESIGHT_DATA, "frames/htwk_benchmark_640x480.yuv422");
   if (!picture || !existsSync(picture)) writeFileSync((picture = join(scratch, "picture")), Buffer.alloc(2 * 640 * 480, 128));
   const length = Math.min(seconds, 60);

@@ -1,6 +1,6 @@
 // Cost of the body `nao`, for `scripts/bench lola`.
 //
-//   bench_lola frames                 one frame read where its numbers lie, one looked through, one answer composed [us]
+//   bench_lola frames                 reading a frame of known layout, parsing a frame, composing an answer [us]
 //   bench_lola cameras SECONDS FILE   both cameras, 30 times a second each, from a stand-in fed with the picture in FILE
 //
 // Prints one line of JSON.
@@ -43,7 +43,7 @@ double cost_us(int calls, Call&& call) {
 }
 
 json frames() {
-  // robots that differ in every number
+  // two robots whose numbers all differ
   std::vector<std::string> sent;
   for (int i = 0; i < 64; ++i) {
     Sensors sensors = tests::standing_sensors();

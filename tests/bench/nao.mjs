@@ -1,4 +1,4 @@
-// Do the programs for the Naos run there, and are they lean? Their processors are emulated; memory is measured on this one.
+// Do the programs for the Naos run there, and are they small? Their processors are emulated; memory is measured on this one.
 import { spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { createServer } from "node:net";
@@ -28,7 +28,7 @@ function failing(preset) {
   return failed;
 }
 
-/** The most memory that it took [MB], with raw pictures of two cameras recorded, and watched by four viewers. */
+/** Returns the most memory [MB] while raw pictures of two cameras are recorded and four viewers watch. */
 async function memory(preset, session, seconds) {
   const port = await freePort();
   const robot = start("foresight-robot", ["--body", "replay", "--session", session, "--loop", "--record", "--profile", "full", "--port", port,

@@ -1,7 +1,7 @@
-// Two network namespaces with a cable between them that is as slow as wished. Needs root.
+// Two network namespaces with a cable of limited rate between them. Needs root.
 import { atEnd, command } from "./programs.mjs";
 
-/** Why there can be no such network here, or undefined. */
+/** Returns the reason why such a network is impossible here, or undefined. */
 export function whyNoNetwork() {
   if (process.getuid() !== 0) return "network namespaces need root";
   try {
@@ -16,7 +16,7 @@ export function whyNoNetwork() {
 let links = 0;
 
 /**
- * `rate` as tc has it, such as "5mbit"; both directions; `latency` [ms] is the longest queue of the router on the way.
+ * `rate` in tc's notation, such as "5mbit"; both directions; `latency` [ms] is the longest queue of the router on the way.
  * The robot is at `robot.address`; both ends have the words that run a program there in `before`.
  */
 export function link({ rate, burst = "32kbit", latency = 400 }) {

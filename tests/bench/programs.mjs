@@ -1,4 +1,4 @@
-// Starts the programs of the benches and takes in their reports.
+// Starts the programs of the benches and reads their reports.
 import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 
 const builds = fileURLToPath(new URL("../../build/", import.meta.url));
 
-/** A folder that goes when we do. */
+/** A folder that is removed when this process ends. */
 export const scratch = mkdtempSync(join(tmpdir(), "foresight-bench."));
 
 const running = new Set();
@@ -22,7 +22,7 @@ process.on("exit", () => {
     try {
       action();
     } catch {
-      // the next one all the same
+      // continue with the next action
     }
   }
 });
@@ -30,7 +30,7 @@ for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"]) process.on(signal, () => p
 
 export const sleep = (seconds) => new Promise((done) => setTimeout(done, seconds * 1000));
 
-/** Runs a command of the system to its end; its output, or an Error with what it said. */
+/** Runs a command of the system to its end; returns its output, or throws an Error with it. */
 export const command = (name, ...args) => execFileSync(name, args, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 
 /**
@@ -48,7 +48,7 @@ export function start(name, args, before = [], preset = "release") {
     child.stdout.on("data", (data) => ((text += data), text.includes("\n") && done(text.slice(0, text.indexOf("\n")))));
     child.on("close", () => fail(new Error(`${name} ended before it was ready`)));
   });
-  firstLine.catch(() => {}); // not everybody waits for it
+  firstLine.catch(() => {}); // some callers do not wait for it
   const output = ended.then((code) => {
     if (code !== 0) throw new Error(`${name} ended with status ${code}: ${words.join(" ")}`);
     return text.trim();
@@ -58,7 +58,7 @@ export function start(name, args, before = [], preset = "release") {
     if (found) done(found[0]);
   }));
   const report = output.then((all) => JSON.parse(all.split("\n").at(-1)));
-  for (const later of [output, report]) later.catch(() => {}); // an error is raised when somebody awaits the promise
+  for (const later of [output, report]) later.catch(() => {}); // the error appears where the promise is awaited
   return { pid: child.pid, firstLine, address, output, report, stop: () => child.kill("SIGTERM") };
 }
 

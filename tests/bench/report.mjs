@@ -76,7 +76,7 @@ export class Report {
     mkdirSync(`${here}results`, { recursive: true });
     if (!existsSync(file)) appendFileSync(file, "date,build,kernel,cores,bench,options,figure,value,unit,bar,met\n");
     const date = new Date().toISOString().slice(0, 19) + "Z";
-    // a quick look is no full measurement: the options distinguish them
+    // the options distinguish a quick look from a full measurement
     const known = [date, build(), machine.kernel, machine.cores, this.bench, process.argv.slice(3).join(" ")];
     const cell = (text) => (/[",]/.test(text) ? `"${String(text).replaceAll('"', '""')}"` : text);
     for (const row of this.#rows)

@@ -1,4 +1,4 @@
-// Does foresight choose what is truly better? Planted situations before the goal, each asked with as many futures as there
+// Does foresight choose the truly better strategy? Planted situations before the goal, each asked with as many futures as there
 // is time for, and with many, which tell the truth.
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -11,7 +11,7 @@ const kChallengers = ["kick_now", "align_first", "passing", "idle"];
 const kTruth = 10_000; // rollouts of each strategy
 const kSeconds = 30;
 const kSure = 3; // standard errors of a short answer by which the truth must differ
-const kTie = 0.5; // standard errors by which it must not
+const kTie = 0.5; // standard errors within which the truth counts as a tie
 
 /** A striker behind a ball in the opponents' half, one of them near it, a teammate somewhere in front. */
 function plant(number) {

@@ -34,5 +34,5 @@ for (const bench of name === "all" ? Object.values(benches) : [benches[name]]) {
     met = false;
   }
 }
-// no program is left that would keep us
+// no child program is left that would keep this process running
 process.exit(met ? 0 : 1);

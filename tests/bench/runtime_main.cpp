@@ -1,4 +1,4 @@
-// bench_runtime: the runtime of a robot under the load of a game, which reports what became of everything it wrote.
+// bench_runtime: the runtime of a robot under the load of a game, which reports the fate of every written message.
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
@@ -30,14 +30,14 @@ struct Options {
   robot::app::ServerSettings server;
   std::filesystem::path log_folder = "logs";
   std::uint64_t log_mb = 100'000;
-  std::string profile;         // empty: nothing is recorded
+  std::string profile;         // empty: no recording
   double session_seconds = 0;  // a new session each time this has passed; 0: one for all
   double disk_mb_per_second = 0, disk_stall_ms = 0, disk_stall_every = 0;
-  double memory_every = 0;  // [s] notes the resident set
-  bool foresight = false;   // asks what if, one question after the other
+  double memory_every = 0;  // [s] between two measurements of the resident memory
+  bool foresight = false;   // asks one what-if question after the other
 };
 
-/// Time that runs `speed` times as fast.
+/// A clock that runs `speed` times as fast.
 class FastClock final : public robot::Clock {
  public:
   explicit FastClock(double speed) : speed_(speed) {}
@@ -70,7 +70,7 @@ json costs_json(const std::vector<WriteCost>& costs) {
           {"wall_p999_us", percentile(wall, 0.999) * 1e-3}};
 }
 
-/// Records while it runs, in one session or in many, and adds up what became of it.
+/// Records while it runs, in one session or in many, and adds up the statistics.
 class Sessions {
  public:
   Sessions(robot::app::Runtime& runtime, const robot::Clock& clock, const Options& options)
@@ -133,7 +133,7 @@ class Sessions {
   std::map<std::string, std::uint64_t> messages_, bytes_;
 };
 
-/// Asks one question after the other about a moment of a game, as a captain that never stops to think.
+/// Asks one question after the other about a moment of a game, without a pause.
 class Asker {
  public:
   static Result<std::unique_ptr<Asker>> open() {
@@ -143,7 +143,7 @@ class Asker {
   }
   ~Asker() { futures(); }
 
-  /// How many it had; the end of it.
+  /// Ends it, and returns the number of answers.
   std::uint64_t futures() {
     asking_ = false;
     foreseer_->hurry();
@@ -178,7 +178,7 @@ class Asker {
 
   const std::unique_ptr<robot::foreseeing::Foreseer> foreseer_;
   std::atomic<bool> asking_{true};
-  std::uint64_t futures_ = 0;  // of the thread, as long as it asks
+  std::uint64_t futures_ = 0;  // CPU time of the asking thread
   std::thread thread_;
 };
 
@@ -220,7 +220,7 @@ Result<json> run(const Options& options) {
     asker = std::move(*opened);
   }
 
-  // clients find their way in before it begins
+  // clients connect before it begins
   const auto until = [](double seconds) { return monotonic_ns() + static_cast<std::uint64_t>(seconds * 1e9); };
   const std::uint64_t begins_ns = until(options.warm_up);
   runtime.run([&] { return monotonic_ns() < begins_ns; });

@@ -1,4 +1,4 @@
-// How old are the data at the end of a bad link, and what gets through?
+// How old are the data at the end of a slow link, and which messages arrive?
 import { link, whyNoNetwork } from "./network.mjs";
 import { sleep, startClients, startRobot } from "./programs.mjs";
 import { Report } from "./report.mjs";

@@ -1,4 +1,4 @@
-// What does a simulated game cost: on this processor, with the robots' compiler flags, and as it grows?
+// What does a simulated game cost: on this processor, with the robots' compiler flags, and by its length?
 import { words } from "./games.mjs";
 import { start } from "./programs.mjs";
 import { median, otherLoad, pretty, Report } from "./report.mjs";
@@ -6,7 +6,7 @@ import { exponentOf } from "./statistics.mjs";
 
 const kRounds = 3;
 const kFrames = 36000; // of two halves of ten minutes; with dead time it is more
-// nobody wins early: a game that ends by mercy has no length to speak of
+// without the mercy rule, because a game that ends early has no fixed length
 const kWhole = "mercy_goals=0";
 
 async function cost(choice, games, threads = 1) {
@@ -14,7 +14,7 @@ async function cost(choice, games, threads = 1) {
   return JSON.parse(await start("foresight-sim", args).output);
 }
 
-/** Each choice `kRounds` times, in turns, so that what disturbs the machine disturbs all; the median of each figure. */
+/** Each choice `kRounds` times, in turns, so that other programs disturb all alike; returns the median of each figure. */
 async function inTurns(measurements) {
   const found = measurements.map(() => []);
   for (let round = 0; round < kRounds; ++round)
@@ -26,7 +26,7 @@ const mean = (run) => run.game_ms.mean;
 const middle = (run) => run.game_ms.median;
 const cycles = (run) => run.robot_tick_cycles;
 
-/** A game and what a robot and frame of it is, with bars for both. */
+/** The cost of a game and of a robot's frame in it, with bars for both. */
 function tellCost(report, name, of, players, figure, bar, cycleBar) {
   const ms = of(figure);
   report.figure(`${name}: game`, ms, "ms", bar);

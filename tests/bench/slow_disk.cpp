@@ -19,9 +19,9 @@ namespace {
 SlowDisk disk;
 std::atomic<bool> in_use = false;
 robot::Mutex lock;
-std::uint64_t free_at_ns = 0;  // when what was written so far is on the disk
+std::uint64_t free_at_ns = 0;  // time when all data written so far are on the disk
 
-/// One write after the other, as on one disk; a stall holds up all.
+/// One write after the other, as on one disk; a stall delays all.
 void wait_for(std::uint64_t bytes) {
   std::uint64_t until_ns = 0;
   {
@@ -48,7 +48,7 @@ void use_slow_disk(const SlowDisk& wanted) {
 
 }  // namespace bench
 
-// stands before the one of the C library
+// replaces the function of the C library
 extern "C" ssize_t writev(int file, const iovec* pieces, int count) {
   struct stat about {};
   if (bench::in_use && fstat(file, &about) == 0 && S_ISREG(about.st_mode)) {

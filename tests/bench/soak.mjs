@@ -1,4 +1,4 @@
-// Does it grow? Ten minutes with viewers coming and going; with `speed`, what the thesis's two weeks brought.
+// Does memory grow? Ten minutes with viewers that connect and disconnect; with `speed`, as much data as in the thesis's two weeks.
 import { startClients, startRobot } from "./programs.mjs";
 import { median, pretty, Report } from "./report.mjs";
 
@@ -7,9 +7,9 @@ const kDays = 14;
 const kConnectionsPerDay = 100;
 const kSessionsPerDay = 20;
 const kTruthHz = 10;
-const kLogMb = 300; // two days of it, and what is kept free: most of the time old sessions go for new ones
+const kLogMb = 300; // two days of data and the reserve: most of the time old sessions are deleted for new ones
 
-/** How much more is taken in the last quarter than in the one before [MB]. */
+/** Growth of memory from the third quarter to the last one [MB]. */
 function growth(samples) {
   const quarter = Math.max(1, Math.floor(samples.length / 4));
   return median(samples.slice(-quarter)) - median(samples.slice(-2 * quarter, -quarter));

@@ -1,4 +1,4 @@
-// Is it soccer what the simulated robots play, and does each effect of reality do what it should?
+// Do simulated games have the statistics of robot soccer, and does each effect of reality act as intended?
 import { both, lead, play, Series, sum } from "./games.mjs";
 import { pretty, Report, table } from "./report.mjs";
 import { kEffects, kSure, settle } from "./soccer_effects.mjs";
@@ -45,7 +45,7 @@ function tellEqual(report, name, games) {
     report.figure(`${name}: ${what}`, meanBy(games, value), unit);
 }
 
-/** `by`: how many goals better home must be, beyond the 95 % interval; none: told, not judged. */
+/** `by`: how many goals better home must be, beyond the 95 % interval; none: printed, not judged. */
 const kUnequal = [
   { name: "perfect models against match", choice: { homeModels: "perfect", awayModels: "match" }, by: 0 },
   { name: "baseline against idle", choice: { away: "idle" }, by: 3 },

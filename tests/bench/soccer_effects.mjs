@@ -3,13 +3,13 @@ import { both, Series } from "./games.mjs";
 import { differenceOf, meanOf } from "./statistics.mjs";
 
 export const kSure = 4; // standard errors; repeated looks after more games do not reach this by luck
-const kFirst = 20; // games; then twice as many, again and again
+const kFirst = 20; // games at first; then twice as many each time
 
 const of = (figure, scale = 1) => (game) => scale * both(figure)(game);
 const percent = (figure) => of(figure, 100);
 const degrees = (figure) => of(figure, 180 / Math.PI);
 
-/** `to`: what match does not have. `sign`: +1 where the statistic must grow by that, -1 where it must shrink. */
+/** `to`: the setting that match does not have. `sign`: +1 where the statistic must grow by that, -1 where it must shrink. */
 const effect = (name, to, sign, statistic, value, unit = "") => ({ name, to, sign, statistic, value, unit });
 
 export const kEffects = [

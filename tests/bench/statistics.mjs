@@ -1,15 +1,15 @@
-// How sure a mean is, whether two are the same, how something grows; and chance that is the same every time.
+// Confidence of means, equivalence, powers of growth; and random numbers that are the same every time.
 
 const kNormal = { 90: 1.6449, 95: 1.96 }; // two-sided, for samples of dozens and more
 
-/** Mean and its standard error; of a single value the error is infinite: nothing is known of it. */
+/** Mean and its standard error; of a single value the error is infinite. */
 export function meanOf(values) {
   const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
   const squares = values.reduce((sum, value) => sum + (value - mean) ** 2, 0);
   return { mean, error: values.length < 2 ? Infinity : Math.sqrt(squares / (values.length - 1) / values.length) };
 }
 
-/** Of a - b, game by game: what the same seed brings both is no difference. */
+/** Of a - b, game by game: the same seed cancels common luck. */
 export const differenceOf = (a, b) => meanOf(a.map((value, i) => value - b[i]));
 
 /** Returns the confidence interval [from, to] of the mean. */

@@ -21,7 +21,7 @@ test("four times as many values halve the error", () => {
   near(meanOf(values).error, Math.sqrt(1 / 12 / 4000), 1e-4);
 });
 
-test("one value says nothing about the others", () => {
+test("one value has an infinite error", () => {
   assert.equal(meanOf([3]).error, Infinity);
   assert.equal(equivalence(meanOf([0]), 1e9).equivalent, false);
 });

@@ -1,4 +1,4 @@
-// Is anything lost on the way to the disk and to viewers who want everything? The thesis's Table 1 beside ours.
+// Are messages lost on the way to the disk and to lossless viewers? The thesis's Table 1 beside ours.
 import { link, whyNoNetwork } from "./network.mjs";
 import { sleep, startClients, startRobot } from "./programs.mjs";
 import { pretty, Report, table } from "./report.mjs";

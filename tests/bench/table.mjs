@@ -1,4 +1,4 @@
-// The generated part of tests/bench/README.md: what was proved, and the newest figure of every bar.
+// The generated part of tests/bench/README.md: the table of proofs, and the newest figure of every bar.
 //
 //   scripts/bench --table
 import { readdirSync, readFileSync } from "node:fs";
@@ -56,7 +56,7 @@ export function tables(results) {
   ].join("\n\n");
 }
 
-/** `text` of the README with the generated part as `results` say. */
+/** Returns `text` of the README with the generated part of `results`. */
 export function withTables(text, results) {
   const [before, rest] = text.split(begin);
   const after = rest?.split(end)[1];

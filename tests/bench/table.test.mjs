@@ -20,7 +20,7 @@ test("the newest value of a bar is shown with command, machine and day; a missed
   assert.ok(text.includes("`scripts/bench fanout` | some-cpu, 2026-02-01 |"));
 });
 
-test("a README that was written before the newest results is stale, the text around the tables stays", (t) => {
+test("a README that is older than the newest results is stale; the text around the tables stays", (t) => {
   const root = repositoryOf(t, { "tests/bench/results/some-cpu.csv": csv, "tests/bench/README.md": readme });
   assert.equal(staleTable(root).length, 1);
   const path = `${root}/tests/bench/README.md`;
@@ -29,7 +29,7 @@ test("a README that was written before the newest results is stale, the text aro
   assert.match(readFileSync(path, "utf8"), /^Text\.\n[^]*\nAfter\.\n$/);
 });
 
-test("every row names a bench that there is, or a test", () => {
+test("every row names an existing bench, or a test", () => {
   const script = readFileSync(new URL("../../scripts/bench", import.meta.url), "utf8");
   for (const { by, question } of proofs) assert.ok(by === "a test" || script.includes(`${by}`), question);
 });

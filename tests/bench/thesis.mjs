@@ -1,5 +1,5 @@
 // The two questions of the thesis, which ten real games in five hours could not answer. Does kicking at once beat aligning
-// first, and from where? Does passing help where the way is blocked?
+// first, and from where? Does passing help if the way is blocked?
 import { compare } from "./comparisons.mjs";
 import { pretty, Report, table } from "./report.mjs";
 
@@ -17,7 +17,7 @@ const kMoments = [
 
 const signed = (value) => (value >= 0 ? "+" : "") + pretty(Number(value.toFixed(3)));
 
-/** One row: what was found, in how many games and how long it took. `scale`: of the gain per game. */
+/** One row: the result, the number of games and their duration. `scale`: of the gain per game. */
 function row(name, { report, seconds }, scale, unit) {
   const { mean, low, high } = report.gain;
   const [a, b] = [report.a.goals, report.b.goals].map((goals) => goals.toFixed(2));
@@ -32,7 +32,7 @@ export async function thesis({ games = 4000 }) {
   const head = ["", "verdict", "gain", "95 %", "goals of A", "of B", "games", "took"];
 
   const kicking = [["whole games", await whole("align_first", "kick_now"), 1, "goals"]];
-  // each attacks once in a pair: what it scores more often there is the sum of both games
+  // each side attacks once in a pair: its gain is the sum of both games
   for (const [name, from] of kMoments) kicking.push([name, await moment("align_first", "kick_now", from), 200, "%"]);
   console.log("\n   A aligns first, B kicks at once; in moments: how much more often B scores within 30 s\n");
   console.log(table([head, ...kicking.map((each) => row(...each))]).replaceAll(/^/gm, "   "));

@@ -24,7 +24,7 @@ const kViews = {
 const quantile = (values, part) => [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(part * values.length))];
 const state = ["--port", 0, "--state-dir", join(scratch, "state")];
 
-/** A simulated game of two teams of five, `minutes` long, as one recording of all that its robots believed and did. */
+/** A simulated game of two teams of five, `minutes` long, as one recording of all beliefs and actions of its robots. */
 async function recordGame(minutes) {
   const game = join(scratch, "game.mcap");
   const rules = `spl2025:5,halves=1,half_duration=${60 * minutes}`;
@@ -39,7 +39,7 @@ async function openBrowser() {
   return browser;
 }
 
-/** A page that keeps when which topic came last [ms of ours], since the last didSeek. */
+/** A page that keeps the time of each topic's last message since the last didSeek [ms of our clock]. */
 async function openPage(browser, url) {
   const page = await (await browser.newContext({ viewport: { width: 1280, height: 800 } })).newPage();
   const seen = { messages: 0, sought: 0, first: new Map(), subscribed: new Map(), topics: new Map(), state: undefined };
@@ -88,13 +88,13 @@ async function seeks(report, browser, session) {
     const asked = performance.now();
     await page.mouse.click(box.x + (0.02 + 0.96 * Math.random()) * box.width, box.y + 20);
     while (seen.sought === before && performance.now() - asked < 5000) await sleep(0.002);
-    await sleep(0.6); // far longer than anything takes: all has come
+    await sleep(0.6); // longer than all measured times: every message has arrived
     // the server's own objects come once a second, independent of the seek
     const recorded = [...seen.first].filter(([id]) => !seen.topics.get(seen.subscribed.get(id))?.startsWith("/lab/"));
     const last = Math.max(...recorded.map(([, time]) => time));
     const atScreen = performance.now();
     await drawn(page);
-    times.push(last - asked + (performance.now() - atScreen)); // and until it is drawn
+    times.push(last - asked + (performance.now() - atScreen)); // and the time until it is drawn
     objects.push(recorded.length);
   }
   await page.close();
@@ -167,7 +167,7 @@ async function exact(report, browser, probes) {
     const moment = momentOf(page);
     const then = messages.findLast(({ logTime }) => logTime <= moment);
     const expected = then && decode(schema.name, schema.data, then.data);
-    // plain numbers at the top of the message, as the tree writes them
+    // numbers at the top level of the message, as the tree formats them
     const wanted = Object.entries(expected ?? {}).filter(([, value]) => typeof value === "number");
     let right = false;
     for (let waited = 0; !right && waited < 2; waited += 0.02) {
@@ -211,7 +211,7 @@ async function live(report, browser, { minutes, seconds }) {
   report.figure("age of a pose on the loopback, median", quantile(ages, 0.5), "ms");
   report.figure("age of a pose on the loopback, p95", quantile(ages, 0.95), "ms", { below: 150 });
 
-  // a tab in the background stands still; afterwards it must not show the waiting data one after the other
+  // a tab in the background stands still; afterwards it must skip the waiting data
   const devtools = await page.context().newCDPSession(page);
   const clock = () => page.getByLabel("Moment", { exact: true }).textContent().then((text) => text.split(":").reduce((sum, part) => 60 * sum + Number(part), 0)); // [s] of the day
   const [slept, before] = [performance.now(), await clock()];

@@ -15,7 +15,7 @@ const kMark = "sessions: ";
 
 const packages = join(root, "build/vivid");
 
-/** Unpacks a Debian package of this machine's release, without installing it; the folder. */
+/** Unpacks a Debian package of this machine's release without installing it; returns the folder. */
 function unpacked(name) {
   const folder = join(packages, name);
   if (existsSync(folder)) return folder;

@@ -87,7 +87,7 @@ export function commands(root) {
     if (!texts.has(key)) {
       const file = program.includes("/") ? join(root, program) : join(bin, program);
       const words = subcommand ? [subcommand, "--help"] : ["--help"];
-      const { stdout, stderr } = existsSync(file) ? spawnSync(file, words, { encoding: "utf8", timeout: 20_000 }) : {};
+      const { stdout, stderr } = existsSync(file) ? spawnSync(file, words, { encoding: "utf8", timeout: 60_000 }) : {};
       texts.set(key, stdout === undefined ? undefined : `${stdout}\n${stderr}`);
     }
     return texts.get(key);

@@ -187,7 +187,7 @@ export function markdown(text) {
   return blocks;
 }
 
-/** Blocks of the file at `path`, or [] where nobody writes prose. */
+/** Blocks of the file at `path`, or [] for a file without prose. */
 export function proseOf(path, text) {
   const name = posix.basename(path);
   if (/\.(h|hpp|c|cc|cpp|proto)$/.test(name)) return slashComments(text);

@@ -25,7 +25,7 @@ const port = Number(process.argv[process.argv.indexOf("--port") + 1]);
 setTimeout(() => require("node:http").createServer((_, response) => response.end("{}")).listen(port, "127.0.0.1"), 1000);
 `;
 
-test("the demo waits for its server, however long the build took", { timeout: 60_000 }, async (t) => {
+test("the demo waits for its server, however long the build took", { timeout: 120_000 }, async (t) => {
   const root = repositoryOf(t, {
     "scripts/setup": "#!/bin/sh\n",
     "scripts/build": "#!/bin/sh\n",

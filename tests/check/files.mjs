@@ -1,4 +1,4 @@
-// The files that a check reads: written ones, not built or fetched ones.
+// The files that a check reads: written files, not built or fetched files.
 import { readdirSync } from "node:fs";
 import { join } from "node:path";
 

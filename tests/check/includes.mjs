@@ -77,7 +77,7 @@ const viewerLayers = ["source", "memory", "present", "draw", "state", "widgets",
 /** Reports whether the folder of a row, or one above it, may know the library. */
 const knows = (row, library) => library.folders.some((folder) => row === folder || row.startsWith(`${folder}/`));
 
-/** The row that rules over `path`, or undefined. */
+/** The row of `path`, or undefined. */
 function rowOf(path, table) {
   let folder = path;
   while (folder !== "." && !(folder in table)) folder = posix.dirname(folder);

@@ -12,7 +12,7 @@ const table = {
   tests: "everything",
 };
 
-// everything each row allows, once
+// one include for each permission of each row
 const lawful = {
   "proto/CMakeLists.txt": "add_library(proto STATIC ball.proto)\n",
   "robot/core/clock.h": "#include <cstdint>\n",
@@ -92,7 +92,7 @@ const cases = [
   },
 ];
 
-test("what the table allows is no violation", (t) => {
+test("an allowed include is no violation", (t) => {
   assert.deepEqual(violations(repositoryOf(t, lawful), table), []);
 });
 

@@ -39,7 +39,7 @@ const phrases = [
   { found: /\b(whereof|wherein|thereof|therein|whereupon)\b/i, instead: '"of it", "in it" or "then"' },
 ];
 
-/** Twice the same word, but for those that may be. */
+/** The same word twice, except for allowed ones. */
 const doubled = /\b(?!(?:that|had)\b)([a-z]{2,}) \1\b(?![-'])/i;
 
 const abbreviation = /(?:\b(?:e\.g|i\.e|etc|vs|cf|approx|no|st|fig|p)|\b[A-Z])\.$/i;
@@ -118,7 +118,7 @@ function shrink(root, folders) {
   writeFileSync(file, text.replace(/(\n {2}\/\/ first\n)[\s\S]*?( {2}\/\/ last\n)/, (_, first, last) => first + list + last));
 }
 
-/** The command: prints to standard output what was asked for, returns the sentences of the check. */
+/** The command: prints counts and findings, returns the sentences of the check. */
 export function prose(root, words = []) {
   const [option] = words;
   if (option === "--counts" || option === "--shrink") {

@@ -86,6 +86,6 @@ test("with FORESIGHT_REQUIRE_DATA=1 a skip without recordings is a failure, anot
   assert.equal(status, 1);
 });
 
-test("nothing that passed is no success", (t) => {
+test("a run without a passed test is no success", (t) => {
   assert.equal(totalsOf(t, { "steps.txt": "" }).status, 1);
 });

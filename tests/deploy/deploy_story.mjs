@@ -11,7 +11,7 @@ const kReady = 1, kPlaying = 3, kFinished = 4;
 
 export function deployStory() {
   let world, tim, lea, programs;
-  const untouched = new Map(); // robot -> its home before we came
+  const untouched = new Map(); // robot -> its home before the first deployment
 
   before(() => {
     world = new World(["tim", "lea"]);
@@ -26,7 +26,7 @@ export function deployStory() {
   const send = (program, ...words) => [...words, "--program", program.path ?? program];
   const pathOn = (robot, path) => join(robot.home, "foresight", path);
 
-  test("a robot that does not know us is not touched", async () => {
+  test("a robot without our key is not changed", async () => {
     assert.match(await deploy(1, ...send(programs.first, "tim")), /tim {2}FAILED: cannot log in as nao@10.14.1.1: it does not know our key; scripts\/deploy --setup tim/);
     assert.equal(world.listing(tim), untouched.get(tim));
   });
@@ -57,10 +57,10 @@ export function deployStory() {
     assert.ok(!existsSync(pathOn(tim, "previous")));
   });
 
-  test("two robots are updated side by side; the version before is kept, the runtime's files are not touched", async () => {
+  test("two robots are updated side by side; the previous version and the runtime's files are kept", async () => {
     const token = readFileSync(pathOn(tim, "state/token"), "utf8");
     world.on(tim, "mkdir foresight/logs/a-session && echo x >foresight/logs/a-session/note");
-    // a transfer that was cut off left something here
+    // remains of a transfer that was cut off
     world.on(tim, "mkdir -p foresight/staging/bin && echo old >foresight/staging/bin/stale");
     const first = readlinkSync(pathOn(tim, "current"));
 
@@ -91,12 +91,12 @@ export function deployStory() {
     assert.equal(readdirSync(pathOn(tim, "versions")).length, 1);
   });
 
-  test("an update that answers as another build is rolled back", async () => {
+  test("an update that reports another build is rolled back", async () => {
     assert.match(await deploy(1, ...send(programs.lying, "tim")), /FAILED: build lying1: it answers as build \w+\+?; rolled back to build 5ec0.*, which runs/);
     assert.equal(world.statusOf(tim).build, programs.second.build);
   });
 
-  test("after a first version that crashes nothing runs", async () => {
+  test("after a first version that crashes no program runs", async () => {
     await deploy(0, "--undo", "lea", "--yes");
     await deploy(0, "--setup", "lea");
     assert.match(await deploy(1, ...send(programs.crashing, "lea")), /FAILED: build crashing1: .*; there was no version before it, nothing runs now/);
@@ -104,7 +104,7 @@ export function deployStory() {
     await deploy(0, ...send(programs.first, "lea"));
   });
 
-  test("a program that the robot cannot run stops nothing; the others go on", async () => {
+  test("a program that the robot cannot run does not stop the running one; the other robots continue", async () => {
     const running = world.programOn(tim);
     assert.match(await deploy(1, ...send(programs.foreign, "tim", "lea")), /tim {2}FAILED: the program does not run on this robot: .*Exec format error/);
     assert.equal(world.programOn(tim), running);
@@ -118,7 +118,7 @@ export function deployStory() {
     await until(() => world.programOn(tim) !== "" && world.on(tim, "foresight/current/bin/foresight-robot --version") === programs.first.build, "the new one");
   });
 
-  test("a port that another user's runtime has is reported, and no program is stopped", async () => {
+  test("a port of another user's runtime is reported, and no program is stopped", async () => {
     world.on(tim, "foresight/current/foresight stop");
     world.on(tim, "foresight/current/bin/foresight-robot --body sim --state-dir foresight/state --log-dir /tmp/other >/tmp/other.log 2>&1 &");
     await until(() => world.on(tim, "cat /tmp/other.log").includes("http://"), "the other one");
@@ -129,7 +129,7 @@ export function deployStory() {
     await deploy(0, ...send(programs.first, "tim"));
   });
 
-  test("during a game nothing is touched without --force", async () => {
+  test("during a game nothing is changed without --force", async () => {
     for (const [state, name] of [[kReady, "READY"], [kPlaying, "PLAYING"]]) {
       world.sendState(tim, state);
       await until(() => world.statusOf(tim).game.state === name.toLowerCase(), name);

@@ -16,16 +16,17 @@ const kSshd = "/usr/sbin/sshd";
 /** Runs a command of the system to its end; returns its output, or throws an Error with it. */
 const command = (name, ...args) => execFileSync(name, args.map(String), { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 
+const kPatience_ms = 30000; // room for a busy machine; only a failure takes this long
 const sleep_ms = (time) => Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, time);
 
-/** The process that `pid` started, once it is there. */
+/** Waits for the process that `pid` starts, and returns it. */
 function childOf(pid) {
-  for (let tries = 0; tries < 500; ++tries) {
+  for (const end = performance.now() + kPatience_ms; performance.now() < end; ) {
     const [child] = readFileSync(`/proc/${pid}/task/${pid}/children`, "utf8").trim().split(" ");
     if (child) return Number(child);
     sleep_ms(5);
   }
-  throw new Error("waited 2.5 s in vain for a process in namespaces of its own");
+  throw new Error(`waited ${kPatience_ms / 1000} s in vain for a process in namespaces of its own`);
 }
 
 /** Keeps namespaces alive by a shell that does `script`; `pid` is its process, seen from here. */
@@ -84,7 +85,7 @@ function writeSystem(folder, { release }) {
 const kHierarchies = ["/sys/fs/cgroup", "/sys/fs/cgroup/systemd", "/sys/fs/cgroup/unified"];
 const groupName = (folder) => folder.split("/").slice(-2).join("-");
 
-/** The systemd of user nao, as where he lingers; and a sudo that only records its arguments. */
+/** The systemd of user nao, as with enabled lingering, and a sudo that only records its arguments. */
 const userSystemd = (folder) => `
 mount -t tmpfs tmpfs /usr/local/bin
 printf '#!/bin/sh\\necho "$*" >>/tmp/sudo.log\\n' >/usr/local/bin/sudo && chmod +x /usr/local/bin/sudo
@@ -105,7 +106,7 @@ done
 /** Removes the folders of kHierarchies; the last processes in them may still be ending. */
 async function removeGroups(folder) {
   const groups = kHierarchies.map((hierarchy) => join(hierarchy, groupName(folder))).filter((group) => existsSync(group));
-  for (let tries = 0; groups.some((group) => existsSync(group)) && tries < 100; ++tries) {
+  for (const end = performance.now() + kPatience_ms; groups.some((group) => existsSync(group)) && performance.now() < end; ) {
     spawnSync("find", [...groups, "-depth", "-type", "d", "-exec", "rmdir", "{}", ";"]);
     await new Promise((done) => setTimeout(done, 20));
   }
@@ -143,13 +144,13 @@ export class Field {
 
   #switch;
 
-  /** ip in the network of `place`; tried again while its first process still makes it. */
+  /** ip in the network of `place`, repeated until its first process has made the device. */
   #ip(place, ...words) {
-    for (let tries = 0; ; ++tries)
+    for (const end = performance.now() + kPatience_ms; ; )
       try {
         return command(...inNetwork(place), "ip", ...words);
       } catch (error) {
-        if (tries >= 100) throw error;
+        if (performance.now() > end) throw error;
         sleep_ms(10);
       }
   }
@@ -186,7 +187,7 @@ export class Field {
     return robot;
   }
 
-  /** Limits the rate of a robot's cable towards it, in the words of tc. */
+  /** Limits the rate of a robot's cable towards it, in tc's notation. */
   slow({ name }, rate) {
     command(...inNetwork(this.#switch), "tc", "qdisc", "replace", "dev", name, "root", ...tbf(rate));
   }

@@ -10,7 +10,7 @@ import { World } from "./world.mjs";
 
 export function guardianStory() {
   let world, tim, programs, untouched;
-  const guardians = {}; // first, second: files that differ in a byte that nobody reads; crashing
+  const guardians = {}; // first, second: files that differ in an unused byte; crashing
 
   before(() => {
     world = new World(["tim"], { body: "nao" });
@@ -37,7 +37,7 @@ export function guardianStory() {
   }
 
   const kGuardian = "foresight/guardian/bin/foresight-guardian";
-  /** The robot's state as its guardian reports it, and whether the robot has no stiffness. */
+  /** The robot's state as its guardian reports it, and true if the robot has no stiffness. */
   const told = () => {
     const [text, status] = world.on(tim, `${kGuardian} --status 2>&1; echo "/$?"`).split("\n/");
     return { text, soft: status === "0" };
@@ -46,7 +46,7 @@ export function guardianStory() {
   const isRunning = (guardian) => readFileSync(join(tim.home, kGuardian)).equals(readFileSync(guardian));
 
   async function stand() {
-    // a press that a busy machine shows for too few of the guardian's cycles counts for nothing
+    // a press of too few cycles of the guardian, on a busy machine, does not count
     const click = "echo chest >/tmp/happens; sleep 0.2; echo release >/tmp/happens; sleep 0.3";
     while (/^unstiff/.test(told().text)) world.on(tim, click);
     await until(() => /, standing$/.test(told().text), "it stands");

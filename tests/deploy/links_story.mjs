@@ -15,7 +15,7 @@ export function linksStory() {
     world = new World(["tim", "lea"]);
     ({ tim } = world);
     programs = makePrograms();
-    // rsync finds nothing of it on the robot
+    // rsync finds no part of it on the robot
     heavy = join(world.home, "heavy");
     writeFileSync(heavy, Buffer.concat([readFileSync(programs.first.path), randomBytes(4e6)]));
     chmodSync(heavy, 0o755);
@@ -24,7 +24,7 @@ export function linksStory() {
   });
   after(() => world?.field.end());
 
-  /** With the first program. */
+  /** Deploys the first program. */
   const deploy = (status, ...names) => world.deploy(status, ...names, "--program", programs.first.path);
 
   test("a connection that is cut while sending does not disturb the running version; the next attempt succeeds", async () => {

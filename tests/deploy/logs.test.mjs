@@ -38,7 +38,7 @@ function arrived(folder, robot, id, out = "logs") {
 }
 const sorted = (files) => Object.fromEntries(Object.entries(files).sort(([a], [b]) => (a < b ? -1 : 1)));
 
-// each has its own folder, and mostly waits
+// each test has its own folder, and mostly waits
 describe("logs", { concurrency: true }, () => {
   test("all sessions arrive bit for bit; a second run reads nothing again", async (t) => {
     const sessions = { one: session(1), two: session(2) };

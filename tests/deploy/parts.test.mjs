@@ -64,7 +64,7 @@ test("options can be anywhere; wrong ones give one sentence", () => {
   for (const [words, message] of wrong) assert.throws(() => read(...words), { message });
 });
 
-test("a key comes and goes without touching any other byte", () => {
+test("a key is added and removed without a change of any other byte", () => {
   const ours = "ssh-ed25519 AAAAours me@home";
   for (const text of ["", "ssh-rsa AAAAold other\n", "# note\n\nssh-rsa AAAAold", `${ours}\n`, `ssh-rsa AAAAold x\n${ours}`]) {
     assert.equal(withoutKey(withKey(text, ours), ours), text);
@@ -75,7 +75,7 @@ test("a key comes and goes without touching any other byte", () => {
   assert.equal(withoutKey("ssh-rsa AAAAold other\n", ours), "ssh-rsa AAAAold other\n");
 });
 
-test("the key is the robots file's, or this person's own of a kind that the robot knows", (t) => {
+test("the key is that of the robots file, or the user's own of a type that the robot supports", (t) => {
   const home = temporaryFolder(t);
   mkdirSync(join(home, ".ssh"));
   writeFileSync(join(home, ".ssh/id_ed25519.pub"), "ssh-ed25519 AAAA me\n");
@@ -85,7 +85,7 @@ test("the key is the robots file's, or this person's own of a kind that the robo
   assert.throws(() => publicKey({ ...robot, key: join(home, "team") }, home), /expected one public ssh key, got '-----BEGIN/);
 });
 
-test("CRC-32 is zlib's, in any pieces", async (t) => {
+test("CRC-32 equals zlib's, for pieces of any size", async (t) => {
   const bytes = Buffer.from("123456789");
   assert.equal(crc32(bytes), 0xcbf43926);
   for (let cut = 0; cut <= bytes.length; ++cut) assert.equal(crc32(bytes.subarray(cut), crc32(bytes.subarray(0, cut))), 0xcbf43926);
@@ -95,7 +95,7 @@ test("CRC-32 is zlib's, in any pieces", async (t) => {
   assert.deepEqual([await crc32OfFile(join(folder, "empty")), await crc32OfFile(join(folder, "nine"))], ["00000000", "cbf43926"]);
 });
 
-test("a game is under way from READY to PLAYING, and while the runtime says so", () => {
+test("a game is in progress from READY to PLAYING, and while the runtime reports it", () => {
   const cases = [[undefined, undefined], [{}, undefined], [{ state: "initial" }, undefined], [{ state: "finished", in_progress: false }, undefined],
     [{ state: "ready" }, "READY"], [{ state: "set" }, "SET"], [{ state: "playing" }, "PLAYING"], [{ state: "standby", in_progress: true }, "STANDBY"], [{ in_progress: true }, "in progress"]];
   for (const [game, expected] of cases) assert.equal(gameUnderWay(game === undefined ? undefined : { game }), expected);
@@ -191,7 +191,7 @@ test("a robot that fails gives the reason and does not delay the others", async 
   assert.deepEqual(text.trim().split("\n").sort(), ["lena  done", "tim   FAILED: it is off", "tim   said the switch"]);
 });
 
-test("on a terminal there is one line per robot, as wide as it", () => {
+test("on a terminal there is one line per robot, as wide as the terminal", () => {
   let text = "";
   const lines = new Lines(["tim", "lena"], { isTTY: true, columns: 20, write: (piece) => (text += piece) });
   lines.say("lena", "a long story about a robot");

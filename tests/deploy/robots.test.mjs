@@ -7,7 +7,7 @@ import { linksStory } from "./links_story.mjs";
 import { logsStory } from "./logs_story.mjs";
 import { systemdStory } from "./systemd_story.mjs";
 
-// the tests of each story run in order; all mostly wait
+// the tests of each story run in order; all of them mostly wait
 describe("robots", { skip: whyNoField(), concurrency: true }, () => {
   describe("deploy", { concurrency: false }, deployStory);
   describe("deploy over links that break", { concurrency: false }, linksStory);

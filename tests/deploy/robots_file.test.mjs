@@ -10,7 +10,7 @@ const lea = { name: "lea", wired: "10.1.14.3", wireless: "10.0.14.3", model: "na
 /** Reads a file of these robots. */
 const read = (robots, team = { team: 14 }) => parseTeam("robots.json", JSON.stringify({ ...team, robots }), "/home/me");
 
-test("the example is right", () => {
+test("the example is valid", () => {
   const file = new URL("../../robot/deploy/robots.example.json", import.meta.url);
   assert.deepEqual(parseTeam("example", readFileSync(file, "utf8")).map(({ name }) => name), ["tim", "lea", "old"]);
 });
@@ -56,7 +56,7 @@ test("a robot without a team in a file without one is refused", () => {
   assert.throws(() => read([tim], {}), { message: "robots.json: $.robots[0].team: expected a whole number 0 .. 255 here or for all, got nothing" });
 });
 
-test("no truncation of the file is taken for a team", () => {
+test("every truncation of the file is refused", () => {
   const text = JSON.stringify({ team: 14, robots: [tim, lea] });
   for (let size = 0; size < text.length; ++size) assert.throws(() => parseTeam("robots.json", text.slice(0, size)), /^BadInput|expected JSON/);
 });

@@ -18,7 +18,7 @@ export function systemdStory() {
     world = new World(["tim"], { systemd: true });
     tim = world.tim;
     programs = makePrograms();
-    answers = await until(() => /^HOME=/m.test(systemctl("show-environment")), "systemd", 5000).catch(() => false);
+    answers = await until(() => /^HOME=/m.test(systemctl("show-environment")), "systemd", 15_000).catch(() => false);
     untouched = world.listing(tim);
   });
   after(() => world?.field.end());
@@ -29,7 +29,7 @@ export function systemdStory() {
   const story = (name, work) =>
     test(name, { skip: kHasSystemd ? false : "there is no systemd on this machine" }, (t) => (answers ? work(t) : t.skip("systemd does not start for a user here")));
 
-  story("what needs root is told where nobody is there to ask, and done where somebody agrees", async () => {
+  story("without a terminal the commands as root are printed, and with --yes they run", async () => {
     const told = await deploy(0, "--setup", "tim");
     assert.match(told, /tim {2}image: an Ubuntu \(Ubuntu 22.04.4 LTS\), systemd\n/);
     assert.match(told, /tim: root on the robot: loginctl enable-linger nao\n.*\[y\/N\] there is no terminal to ask: no/);
@@ -53,7 +53,7 @@ export function systemdStory() {
     assert.equal(world.statusOf(tim).build, programs.second.build);
   });
 
-  story("what is killed comes back, the third time within a minute it does not, as systemd sees it, too", async () => {
+  story("systemd restarts a killed program, but not after the third kill within a minute", async () => {
     for (let crash = 1; crash <= 3; ++crash) {
       const [pid] = (await until(() => world.programOn(tim), "the program")).split(" ");
       world.on(tim, `kill -KILL ${pid}`);

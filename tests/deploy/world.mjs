@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { root } from "../e2e/support.mjs";
 import { Field, inNetwork, kPassword } from "./field.mjs";
 
-// bash alone does it in a hundredth of the time that node takes
+// bash needs a hundredth of the time of node
 const kAskStatus = "exec 3<>/dev/tcp/127.0.0.1/8765; printf 'GET /api/status HTTP/1.1\\r\\nHost: localhost\\r\\nConnection: close\\r\\n\\r\\n' >&3; cat <&3";
 
 /** A packet of the GameController of 2025 (format 18): our team's second half, with half its time gone. */
@@ -76,7 +76,7 @@ export class World {
     return this.on(robot, "find . -mindepth 1 -printf '%y %m %u %P %l\\n' | sort; find . -type f -exec sha256sum {} + | sort -k 2");
   }
 
-  /** The GameController's state on its way to a robot, as it sends it twice a second. */
+  /** Sends the GameController's state to a robot twice a second, as the GameController does. */
   sendState(robot, state) {
     const packet = controlPacket(state).toString("base64");
     const send = `const socket = require("dgram").createSocket("udp4"); socket.send(Buffer.from("${packet}", "base64"), 3838, "${robot.address}", () => socket.close());`;

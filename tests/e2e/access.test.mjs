@@ -1,4 +1,4 @@
-// Rights to watch and to control: Host, Origin and token by DESIGN's rules on outsiders, and failures at the start.
+// Rights to watch and to control: Host, Origin and token by the rules for other machines and pages, and failures at the start.
 import assert from "node:assert/strict";
 import { readFileSync, statSync, writeFileSync } from "node:fs";
 import net from "node:net";

@@ -40,7 +40,7 @@ export async function open(t, url, { viewport = kDesktop, breaksConnections = fa
   const context = await (await browser(software3d ? "software3d" : "plain")).newContext({ viewport, locale: "en-GB", timezoneId: "UTC", reducedMotion: "reduce", ...options });
   atEnd(t, () => context.close());
   const page = await context.newPage();
-  page.setDefaultTimeout(15000);
+  page.setDefaultTimeout(60_000); // room for a busy machine; only a failure takes this long
   const problems = [];
   const expected = (text) =>
     /GPU stall due to ReadPixels/.test(text) || // by our own screenshots

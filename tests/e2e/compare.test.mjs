@@ -153,7 +153,7 @@ test("a behaviour in a library and one in a process play in match, situation and
   }
 });
 
-test("a process that dies, stalls or talks nonsense ends the run with a sentence, never with a number", async (t) => {
+test("a process that dies, stalls or talks nonsense ends the run with a sentence and no verdict", async (t) => {
   const folder = temporaryFolder(t);
   const program = (name, body) => {
     const file = join(folder, `${name}.py`);
@@ -173,7 +173,7 @@ test("a process that dies, stalls or talks nonsense ends the run with a sentence
       assert.match(stderr, sentence);
       assert.equal(stderr.match(/foresight-sim: /g).length, 1, stderr);
     }
-  // vet detects a behaviour whose decisions depend on anything else
+  // vet detects a behaviour whose decisions depend on more than its input
   const vetted = await run("foresight-sim", "vet", program("dice", "print(json.dumps({'body': 'walk_speed', 'x': os.getpid() % 97 / 97 - 0.5}), flush=True); continue"), "--seconds", "10");
   assert.equal(vetted.status, 1, vetted.stderr);
   assert.match(vetted.stdout, /the same each time {3}NO/);
@@ -189,7 +189,7 @@ test("a comparison can change only some players", async () => {
   assert.ok(keeper.b.goals > 0);
 });
 
-test("games begin in moments, evenly in all of a folder, and each pair can vary them", async (t) => {
+test("games begin in the situations of a folder, evenly, and each pair can vary them", async (t) => {
   const play = async (...words) => JSON.parse((await run("foresight-sim", "compare", "align_first", "kick_now", "--metric", "score_within:30s", "--pairs", "40", "--json", ...words)).stdout);
   const [plain, again, fuzzed] = [await play("--from", "near_free"), await play("--from", "near_free"), await play("--from", "near_free", "--fuzz")];
   assert.deepEqual(found({ stdout: JSON.stringify(again) }), found({ stdout: JSON.stringify(plain) }));
@@ -216,7 +216,7 @@ test("the advance of the ball is a metric", async () => {
   assert.equal(report.histogram.column, 0.5);
 });
 
-test("a behaviour against itself gains nothing, and neither end of the field does", async () => {
+test("a behaviour gains nothing against itself, at either end of the field", async () => {
   const { status, stdout } = await compare("--aa", "baseline", "--pairs", "100", "--json");
   const { paired, unpaired } = JSON.parse(stdout);
   assert.deepEqual(paired, { pairs: 50, gain: 0, even: true });
@@ -236,7 +236,7 @@ test("a robust verdict is repeated under other models", async () => {
   assert.match(report.sentence, report.throughout ? /throughout, under all 9 models$/ : /under these models; another verdict with /);
 });
 
-test("blocks of a run are played anywhere, and merged to the same result", async (t) => {
+test("blocks of a run that are played separately merge to the same result", async (t) => {
   const folder = temporaryFolder(t);
   const words = ["baseline", "kick_now", "--pairs", "150"];
   const [alone, shared] = [join(folder, "alone"), join(folder, "shared")];
@@ -355,12 +355,12 @@ wc -l <"${folder}/calls"
   assert.match(without.stderr, /sbatch: expected the number of a job, got/);
 });
 
-test("the page says what the JSON says, and needs nothing else", async (t) => {
+test("the page shows the figures of the JSON, and needs no other file", async (t) => {
   const file = join(temporaryFolder(t), "report.html");
   const { stdout } = await compare("idle", "baseline", "--json", "--html", file);
   const report = JSON.parse(stdout);
   const html = readFileSync(file, "utf8");
-  assert.ok(!/<script|https?:|src=|@import/.test(html), "nothing from elsewhere");
+  assert.ok(!/<script|https?:|src=|@import/.test(html), "no other files");
   for (const [scheme, viewport] of [["light", kDesktop], ["dark", kDesktop], ["light", kPhone]]) {
     const { page, problems } = await open(t, `file://${file}`, { colorScheme: scheme, viewport });
     const figures = await page.$$eval("[data-of]", (all) => all.map((each) => [each.dataset.of, each.textContent]));

@@ -14,7 +14,7 @@ const { FileDescriptorSetSchema } = require("@bufbuild/protobuf/wkt");
 const kStart = 1_700_000_000_000_000_000n, kCount = 300, kPeriod = 33_000_000n; // [ns]
 const kDouble = 1, kMessage = 11, kOptional = 1;
 
-/** `theirs.Sighting {theirs.Spot spot {double ahead_mm, left_mm}}`: a ball in the words of another team's robot. */
+/** `theirs.Sighting {theirs.Spot spot {double ahead_mm, left_mm}}`: a ball as another team's robot describes it. */
 function sightings() {
   const field = (name, number, type, typeName) => ({ name, number, type, typeName, label: kOptional });
   const set = create(FileDescriptorSetSchema, {
@@ -96,13 +96,14 @@ test("unknown objects show in the tree and in plots", async (t) => {
   const plot = await open(t, `${server.http}/#//plot?plot=/estimate.where.x%20/vision/ball.spot.ahead_mm`);
   await plot.page.getByText("/estimate.where.x").first().waitFor();
   await until(async () => (await plot.page.locator("main canvas").count()) > 0, "the plot");
-  await plot.page.waitForTimeout(1500); // for people to look at
+  const values = plot.page.getByRole("list", { name: "Lines" }).locator(".number");
+  await until(async () => (await values.allTextContents()).filter((text) => /\d/.test(text)).length === 2, "a value of each line", undefined, () => values.allTextContents());
   await shoot(plot.page, "foreign-plot");
   // a page that learns that this is a recording connects anew, perhaps before the first connection stands
   assert.deepEqual([...problems, ...plot.problems].filter((text) => !/closed before the connection is established/.test(text)), []);
 });
 
-test("mapped by a file, their topics are our objects too, on the field as well", async (t) => {
+test("a mapping file makes their topics our objects, which the field shows", async (t) => {
   const folder = temporaryFolder(t);
   const map = join(folder, "map.json");
   writeFileSync(map, JSON.stringify(kMapping));
@@ -125,12 +126,12 @@ test("mapped by a file, their topics are our objects too, on the field as well",
 
   const { page, problems } = await open(t, `${server.http}/#/21/4/field`);
   await page.getByLabel("The field from above").waitFor();
-  await page.waitForTimeout(1500); // for people to look at
+  await until(async () => (await page.title()).includes("21/4"), "the robot", undefined, () => page.title());
   await shoot(page, "foreign-field");
   assert.deepEqual(problems, []);
 });
 
-test("info describes such a file, and counts no gaps where there are no numbers", async (t) => {
+test("info describes such a file, and counts no gaps without sequence numbers", async (t) => {
   const { status, stdout } = await run("foresight-lab", "info", await recording(temporaryFolder(t)), "--json");
   assert.equal(status, 0);
   const { streams, clock } = JSON.parse(stdout);

@@ -16,7 +16,7 @@ const needsNetwork = { skip: own ? false : "this machine has no address but loop
 const kService = "/foresight/what_if";
 const kStrategies = ["baseline", "passing", "kick_now", "high_line"];
 
-/** Foxglove's own client: returns what calls a service with that text and resolves to its answer. */
+/** Foxglove's own client: returns a function that calls a service with a text and resolves to its answer. */
 async function independentClient(t, server) {
   const { client } = foxgloveClient(t, server);
   const services = new Map();
@@ -58,7 +58,7 @@ test("the Foxglove client asks and is answered, and memory holds the same", asyn
   const held = live.decoded("/14/2/forecast", { data: message });
   assert.equal(held.reason, forecast.reason);
   assert.equal(held.asked_ns, forecast.asked_ns);
-  assert.equal(String(log_ns), forecast.asked_ns, "it stands beside the moment it is about");
+  assert.equal(String(log_ns), forecast.asked_ns, "its time is the moment that it is about");
 });
 
 test("questions can be about any robot, and about edited situations", async (t) => {
@@ -98,7 +98,7 @@ test("nonsense gets one sentence and has no other effect", async (t) => {
     const told = error.slice(kService.length + 2);
     sentence instanceof RegExp ? assert.match(told, sentence) : assert.equal(told, sentence);
   }
-  assert.equal(live.messages.get("/14/2/forecast").length, 0, "no forecast came of it");
+  assert.equal(live.messages.get("/14/2/forecast").length, 0, "there is no forecast");
 });
 
 test("a question nested a hundred thousand deep gets one sentence, in every service", async (t) => {
@@ -151,20 +151,20 @@ test("forecasts are scored live, and the recording gives the same scores", async
   }
 });
 
-test("orders do not wait for a question", async (t) => {
+test("a parameter is set while a question runs", async (t) => {
   const { live } = await pausedGame(t);
   let answered = false;
   const answer = live.call(kService, { budget_ms: 4000 }).then((told) => ((answered = true), told));
   live.send({ op: "setParameters", parameters: [{ name: "foresight_period", value: 60 }], id: "now" });
   await live.until(() => live.values.some(({ id }) => id === "now"), "that it is set");
-  assert.equal(answered, false, "it still thinks");
+  assert.equal(answered, false, "the question still runs");
   assert.equal((await answer).ok, true);
 });
 
 test("one question runs and one waits; the next is refused, and a disconnected client is not waited for", async (t) => {
   const { server, live } = await pausedGame(t);
+  await live.subscribe("/14/2/forecast");
   const others = [await Live.open(t, server), await Live.open(t, server)];
-  const began = performance.now();
   let answered = false;
   const first = live.call(kService, { budget_ms: 6000 }).finally(() => (answered = true));
   await live.call("/sim/state"); // earlier messages have arrived by then
@@ -174,15 +174,11 @@ test("one question runs and one waits; the next is refused, and a disconnected c
   assert.ok(!answered, "the refusal comes at once, before any answer");
   others[0].socket.terminate();
   assert.equal(await gone, "gone");
-  const last = await until(async () => {
-    const told = await others[1].call(kService, { budget_ms: 100 });
-    return told.ok && told;
-  }, "that there is room");
+  await until(async () => (await others[1].call(kService, { budget_ms: 100 })).ok, "that there is room");
   assert.equal((await first).ok, true);
-  const waited_ms = performance.now() - began;
-  // the first question takes 6 s; that of the disconnected client would take 10 s more
-  assert.ok(waited_ms < 14000, `the question of a disconnected client is not played, waited ${waited_ms} ms`);
-  assert.ok(last.forecast.answered_ms < waited_ms);
+  const budgets = () => live.messages.get("/14/2/forecast").map((message) => live.decoded("/14/2/forecast", message).question.budget_ms);
+  await live.until(() => budgets().length >= 2, "two forecasts in memory");
+  assert.deepEqual(budgets(), [6000, 100], "the question of a disconnected client is not played");
 });
 
 test("during a game people are refused, and the team's own code is answered", async (t) => {
@@ -192,7 +188,7 @@ test("during a game people are refused, and the team's own code is answered", as
   const port = Number((await until(() => /the GameController on port (\d+)/.exec(server.output), "the port of the GameController"))[1]);
 
   const game = createSocket("udp4");
-  let state = 0, packet = 0; // INITIAL; as the GameController of 2024 says it
+  let state = 0, packet = 0; // INITIAL; in the format of the GameController of 2024
   const timer = setInterval(() => {
     const bytes = Buffer.alloc(118);
     bytes.write("RGme");
@@ -215,7 +211,7 @@ test("during a game people are refused, and the team's own code is answered", as
 
   const asks = "import foresight; advice = None\nwhile not advice: advice = foresight.Adviser().what_if(['baseline', 'passing'], budget_ms=50)\nprint(advice.reason)";
   const environment = { ...process.env, FORESIGHT_DOOR: door, PYTHONPATH: join(root, "robot/client") };
-  const { stdout } = await promisify(execFile)("python3", ["-c", asks], { env: environment, timeout: 20000 });
+  const { stdout } = await promisify(execFile)("python3", ["-c", asks], { env: environment, timeout: 60000 });
   assert.match(stdout, /^cannot tell, because the robot does not know where it is/);
   await answers(refused);
 

@@ -43,11 +43,11 @@ test("Rerun opens a session by its address, with all of its time", needsRerun, a
   const address = `http://localhost:${server.port}/logs/independent.mcap`;
   const { page, context } = await open(t, `${rerun}/?url=${encodeURIComponent(address)}`, { software3d: true });
 
-  const recording = await until(() => page.evaluate(() => window.viewer?.ready && window.viewer.get_active_recording_id()), "an active recording", 60000);
+  const recording = await until(() => page.evaluate(() => window.viewer?.ready && window.viewer.get_active_recording_id()), "an active recording");
   const times = [...readSession(session).values()].flatMap(({ messages }) => messages.map(({ logTime }) => Number(logTime)));
-  // it has a timeline of its own too, log_time, when it read what; which of them it shows first changes from run to run
+  // it also has a timeline of its own, log_time, with the times of reading; the one that it shows first differs from run to run
   const range = () => page.evaluate((recording) => window.viewer.get_time_range(recording, "message_log_time"), recording);
-  const near = (one, other) => Math.abs(one - other) < 1e6; // [ns] a double holds such times to some hundred
+  const near = (one, other) => Math.abs(one - other) < 1e6; // [ns] a double holds such times to a few hundred ns
   await until(async () => {
     const { min, max } = (await range()) ?? {};
     return near(min, Math.min(...times)) && near(max, Math.max(...times));

@@ -84,7 +84,7 @@ export class Live {
     return decode(schemaName, Buffer.from(schema, "base64"), data);
   }
 
-  /** Calls a service; returns its answer, ok or not. */
+  /** Calls a service; returns its answer, also a refusal. */
   async call(name, request = {}) {
     const id = ++this.#calls;
     this.send(serviceCall(this.services.get(name), id, JSON.stringify(request)));

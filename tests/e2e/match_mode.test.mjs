@@ -132,7 +132,7 @@ test("during a game only messages that the rules allow leave over the wireless n
   const captured = capture(t, robot, join(folder, "wlan0.pcap"));
   await captured.begun();
   game.tell(State.ready);
-  await until(() => besideTheField.said.at(-1).op === "closed", "the viewer by air is let go");
+  await until(() => besideTheField.said.at(-1).op === "closed", "the viewer by air is disconnected");
   await until(() => statusByAir.said.at(-1) === 0, "no status by air");
   const silence = Date.now() / 1000;
 
@@ -147,7 +147,7 @@ test("during a game only messages that the rules allow leave over the wireless n
   for (const state of [State.set, State.playing]) {
     game.tell(state);
     const knocked = statusByAir.said.length;
-    await until(() => statusByAir.said.length > knocked + 1, "knocking in vain");
+    await until(() => statusByAir.said.length > knocked + 1, "requests without an answer");
   }
   const finished = Date.now() / 1000;
   const packets = await captured.packets();

@@ -14,7 +14,7 @@ const decompressHandlers = {
 };
 
 class Contents {
-  /** topic -> {schema, messages}, messages as they lie in the file */
+  /** topic -> {schema, messages}, messages in the order of the file */
   topics = new Map();
   metadata = new Map();
   chunks = [];

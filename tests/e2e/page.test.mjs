@@ -43,7 +43,7 @@ async function assertPicture(context, page, image) {
   await until(async () => (await difference()) < 12, "the colours of the recorded picture");
 }
 
-test("a picture appears with its colours, as JPEG and as it is in memory", async (t) => {
+test("a picture has its colours, as JPEG and as raw image", async (t) => {
   const { server, recorded } = await synthetic(t);
   const image = lastOf(recorded.get("/14/2/camera_top"));
   const { page, problems, context } = await open(t, `${server.http}/#/14/2/camera?over=none`);
@@ -52,7 +52,7 @@ test("a picture appears with its colours, as JPEG and as it is in memory", async
   await page.getByRole("button", { name: "Full" }).click();
   await assertPicture(context, page, image);
   assert.equal(await page.title(), "14/2 · camera · Foresight");
-  await page.getByText("a recording", { exact: true }).waitFor(); // distinguishable from a live robot
+  await page.getByText("a recording", { exact: true }).waitFor(); // a live robot has no such label
   await shoot(page, "camera");
   assert.deepEqual(problems, []);
 });
@@ -84,7 +84,7 @@ test("the tree shows each field as the recording holds it; search finds fields b
   const pose = lastOf(recorded.get("/14/2/pose"));
   await page.getByRole("searchbox").fill("pose x");
   assert.equal(Number(await valueOf(page, "x")), seven(pose.x));
-  await fieldRow(page, "x").first().click(); // the second is that of a particle
+  await fieldRow(page, "x").first().click(); // the second row belongs to a particle
   await page.getByText("/14/2/pose.x", { exact: true }).waitFor();
   await shoot(page, "objects-search");
 
@@ -120,13 +120,13 @@ test("rates show the received messages and the counts of the recording's server"
     return row?.Sequence === String(count) && Number(row.Received) >= 1 && row;
   }, "the server's count, and joints");
   assert.deepEqual([joints.Schema, joints.Dropped], ["foresight.Joints", "0"]);
-  assert.ok(Number(joints.Received) <= count); // from when the page watched it
-  await until(async () => (await rates(page, "camera_top/jpeg"))["Rate [Hz]"] === "not shown", "a row of what nobody watches");
+  assert.ok(Number(joints.Received) <= count); // only messages since the page subscribed
+  await until(async () => (await rates(page, "camera_top/jpeg"))["Rate [Hz]"] === "not shown", "a row of a stream without subscribers");
   await shoot(page, "health");
   assert.deepEqual(problems, []);
 });
 
-test("recordings are listed, and downloaded whole through the page", async (t) => {
+test("recordings are listed, and the page downloads them whole, in parts and by stream", async (t) => {
   const { server, recorded } = await synthetic(t);
   const { page, problems } = await open(t, `${server.http}/#/sessions`);
   await page.getByText("1 recording,").waitFor();
@@ -141,7 +141,7 @@ test("recordings are listed, and downloaded whole through the page", async (t) =
   const of = (streams, topic) => streams.get(topic).messages.map(({ logTime }) => logTime);
   const part = of(readStreamed(readFileSync(await excerpt.path())).topics, "/14/2/joints");
   const from = of(recorded, "/14/2/joints")[0] + 300_000_000n;
-  assert.ok(part.some((time) => time >= from && time <= from + 400_000_000n)); // and what else lies in the same chunks
+  assert.ok(part.some((time) => time >= from && time <= from + 400_000_000n)); // the part also holds other messages of the same chunks
   assert.match(await page.getByRole("link", { name: "Download this part" }).getAttribute("href"), /\?from=\d+&to=\d+$/);
 
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("link", { name: "Download", exact: true }).click()]);
@@ -203,7 +203,7 @@ test("the button records and stops, and the list follows", async (t) => {
   assert.deepEqual(problems, []);
 });
 
-test("a page survives the end of its server, and goes on when there is one again, without being loaded again", async (t) => {
+test("a page survives the end of its server, and continues without a reload when a server runs again", async (t) => {
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 2 });
   const server = await robot(t, folder, session, "--loop");
@@ -269,7 +269,7 @@ test("an unknown object is shown field by field, and always as text", async (t) 
   await page.getByRole("heading", { name: kHostile }).waitFor();
   await shoot(page, "strange-sessions");
   assert.deepEqual(problems, []);
-  await page.goto(`${server.http}/logs/`); // the page for those without the viewer; it has no icon
+  await page.goto(`${server.http}/logs/`); // the page for browsers without the viewer; it has no icon
   await page.getByRole("cell", { name: kHostile }).waitFor();
   assert.equal(await page.locator("img, script").count(), 0);
   assert.equal(await page.title(), "Recordings");
@@ -296,7 +296,7 @@ test("on a phone every control can be reached", async (t) => {
   assert.deepEqual(problems, []);
 });
 
-test("one page watches another server: two on two addresses, each with its robot", async (t) => {
+test("a page watches another server than its own", async (t) => {
   const folder = temporaryFolder(t);
   const [here, there] = await Promise.all([synthesize(folder, { name: "here" }), synthesize(folder, { name: "there" })]);
   const near = await play(t, folder, here, "--bind", "127.0.0.1");
@@ -312,7 +312,7 @@ test("one page watches another server: two on two addresses, each with its robot
   assert.deepEqual([...problems, ...own.problems], []);
 });
 
-test("a token in the address is used and then gone from it", async (t) => {
+test("a token is used and removed from the address", async (t) => {
   const folder = temporaryFolder(t);
   const server = await robot(t, folder, await synthesize(folder), "--loop");
   const token = readFileSync(join(folder, "state/token"), "utf8").trim();

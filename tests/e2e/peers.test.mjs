@@ -20,7 +20,7 @@ function foxglove(t, server) {
   return { ws, client, events, sent };
 }
 
-/** A recording that was played to its end: every object holds its last value, and time stands. */
+/** A recording that was played to its end: every object holds its last value, and time stands still. */
 async function played(t, { seconds = 1 } = {}) {
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds });
@@ -91,7 +91,7 @@ test("a new subscriber gets the newest value at once, as the recording holds it"
   assert.deepEqual(events.error, []);
 });
 
-test("decoded values make sense", async (t) => {
+test("decoded values are in their physical ranges", async (t) => {
   const { live } = await played(t);
   const topics = ["camera_top", "joints", "pose", "game", "inertial"].map((object) => `/14/2/${object}`);
   await live.subscribe(...topics);
@@ -104,7 +104,7 @@ test("decoded values make sense", async (t) => {
   assert.ok(Math.abs(inertial.accelerometer_z - 9.81) < 2);
 });
 
-test("time messages never go back and come often", async (t) => {
+test("time messages come repeatedly and never go back", async (t) => {
   const folder = temporaryFolder(t);
   const server = await play(t, folder, await synthesize(folder, { seconds: 1 }));
   const live = await Live.open(t, server);
@@ -148,7 +148,7 @@ function sizeOfJpeg(bytes) {
   return assert.fail("no frame header");
 }
 
-test("pictures and log come in the forms that Foxglove and Lichtblick draw", async (t) => {
+test("pictures and log have streams in the formats of Foxglove and Lichtblick", async (t) => {
   const { live, recorded } = await played(t, { seconds: 2 });
   const topics = ["/14/2/camera_top", "/14/2/camera_top/raw", "/14/2/camera_top/jpeg", "/14/2/log", "/14/2/log/foxglove"];
   await live.subscribe(...topics);
@@ -209,7 +209,7 @@ test("parameters are read, set within their ranges, and followed", async (t) => 
   }
 });
 
-test("clock_sync answers as an NTP server would, and what a client measured becomes a clock sample", async (t) => {
+test("clock_sync answers as an NTP server would, and a client's measurement becomes a clock sample", async (t) => {
   const { live, end_ns } = await played(t);
   await live.subscribe("/lab/1/clock");
   const first = await live.call("clock_sync", { sent_ns: "123" });
@@ -223,9 +223,9 @@ test("clock_sync answers as an NTP server would, and what a client measured beco
   assert.match(sample.peer, /^(127\.0\.0\.1|\[?::1\]?):\d+$/);
 });
 
-test("a service that cannot do it says so within a normal answer; one that is not there is a failure", async (t) => {
+test("a service that refuses gives a normal answer with an error; an unknown service is a failure", async (t) => {
   const { server, live } = await played(t);
-  assert.deepEqual([...live.services.keys()], ["clock_sync", "/foresight/what_if", "/foresight/strategies"]); // a player records nothing
+  assert.deepEqual([...live.services.keys()], ["clock_sync", "/foresight/what_if", "/foresight/strategies"]); // a server of a recording records nothing
   assert.deepEqual(await live.call("clock_sync", {}), { ok: false, error: "clock_sync: 'sent_ns' must be a text with a whole number" });
   live.send(serviceCall(live.services.get("clock_sync"), 77, "[1]"));
   assert.equal((await live.until(() => live.answers.get(77), "the answer")).json.error, "clock_sync: expected a JSON object, got something else");
@@ -313,7 +313,7 @@ test("a client without a known subprotocol is refused", async (t) => {
   }
 });
 
-// the vectors are those of the Foxglove SDK's own tests; ours differ in the numbers only, which the server chooses
+// the vectors are from the Foxglove SDK's own tests; only the numbers differ, because the server chooses them
 test("bytes on the wire are those of the protocol's golden vectors", async (t) => {
   const { server, live, end_ns } = await played(t);
   const little = (value, size) => Buffer.from(BigInt.asUintN(8 * size, BigInt(value)).toString(16).padStart(2 * size, "0"), "hex").reverse().toString("hex");

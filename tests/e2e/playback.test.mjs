@@ -1,4 +1,4 @@
-// Recordings that are paused, moved and sped up by a client of nothing but frames.
+// A client that only writes plain frames pauses, seeks and speeds up recordings.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Live, playbackControl } from "./live.mjs";
@@ -15,7 +15,7 @@ const stateOf = (bytes) => ({
   id: bytes.subarray(19).toString(),
 });
 
-/** Connects and keeps what it is told of the playback; `ask` resolves with the answer. */
+/** Connects and keeps the reported states of the playback; `ask` resolves with the answer. */
 async function viewer(t, server) {
   const states = [];
   const live = await Live.open(t, server, { path: "/?playback" });
@@ -58,7 +58,7 @@ test("after a seek in a paused recording, every object of every robot has its va
   assert.ok([...recorded.keys()].some((topic) => topic.startsWith("/14/3/")));
 
   await ask({ play: false });
-  // images would only cost time
+  // images would cost time and prove nothing more
   const topics = [...recorded.keys()].filter((topic) => !/camera_(top|bottom)$/.test(topic));
   await live.subscribe(...topics);
   let random = 1;
@@ -70,7 +70,7 @@ test("after a seek in a paused recording, every object of every robot has its va
     assert.deepEqual([state.status, state.time_ns, state.didSeek], [kPaused, to_ns, true]);
     for (const topic of topics) {
       const expected = recorded.get(topic).findLast(({ logTime }) => logTime <= to_ns);
-      if (!expected) continue; // nothing was known of it yet
+      if (!expected) continue; // it has no value yet
       const newest = () => live.messages.get(topic).at(-1);
       await live.until(() => newest()?.log_ns === expected.logTime, `${topic} at ${to_ns}`);
       assert.deepEqual(newest().data, expected.data, topic);
@@ -78,12 +78,12 @@ test("after a seek in a paused recording, every object of every robot has its va
   }
 });
 
-test("a recording plays on from a seek to its end, and once more on request", async (t) => {
+test("a recording plays from a seek to its end, and again on request", async (t) => {
   const { server, start_ns, end_ns } = await twoRobots(t);
   const { live, states, ask } = await viewer(t, server);
   const other = await viewer(t, server);
   assert.equal((await ask({ play: false, to_ns: end_ns - 100_000_000n })).status, kPaused);
-  const told = await other.live.until(() => other.states.find(({ didSeek }) => didSeek), "the other viewer is told");
+  const told = await other.live.until(() => other.states.find(({ didSeek }) => didSeek), "the state at the other viewer");
   assert.deepEqual(told, { status: kPaused, time_ns: end_ns - 100_000_000n, speed: 1, didSeek: true, id: "" });
 
   const playing = await ask({ play: true, speed: 0.5 });

@@ -23,12 +23,17 @@ async function game(t, ...args) {
 
 const at = (page) => BigInt(/[?&]at=(\d+)/.exec(page.url())?.[1] ?? 0);
 const elapsed = (page) => page.getByLabel("Elapsed").textContent();
+/** The shown place in the recording [s]. */
+async function place(page) {
+  const [minutes, seconds] = (await elapsed(page)).split(" / ")[0].split(":").map(Number);
+  return 60 * minutes + seconds;
+}
 const goesOn = (page) => page.getByRole("button", { name: "Freeze time" }).waitFor();
 const stands = (page) => page.getByRole("button", { name: "Go on" }).waitFor();
 const row = (page, name) => page.getByRole("treeitem").filter({ has: page.locator(".name", { hasText: new RegExp(`^\\s*[▾▸]?${name}\\s*$`) }) }).first();
 const shown = (page, name) => row(page, name).locator(".value > span").first().textContent();
 
-/** Presses where the recording is so far: 0 .. 1. */
+/** Presses the strip at a share of its length, 0 .. 1. */
 async function pressStrip(page, share) {
   const box = await page.getByLabel("Timeline").boundingBox();
   await page.mouse.click(box.x + share * box.width, box.y + box.height / 2);
@@ -46,7 +51,7 @@ test("a page paused before the first data shows the first data", async (t) => {
   await page.goto(`${server.http}/#/14/2/objects`);
   await page.getByRole("button", { name: "Freeze time" }).click();
   await stands(page);
-  await page.getByRole("button", { name: "Go on" }).click(); // another mind
+  await page.getByRole("button", { name: "Go on" }).click(); // changed again
   await goesOn(page);
   await page.keyboard.press("Space");
   await stands(page);
@@ -54,7 +59,7 @@ test("a page paused before the first data shows the first data", async (t) => {
   release();
   await until(() => at(page) > 0n, "a moment in the address");
   const moment = at(page);
-  await page.waitForTimeout(500);
+  await page.waitForTimeout(500); // the playing recording does not move the moment
   assert.equal(at(page), moment);
   await stands(page);
   await page.keyboard.press("Space");
@@ -81,7 +86,7 @@ test("the strip spans the whole recording; a press anywhere shows the tree of th
     await until(async () => Number(await shown(page, "heading")) === Number(heading.toPrecision(7)), `heading ${heading} at ${share}, not ${await shown(page, "heading")}`);
   }
 
-  // by frames: back where nothing was seen yet, and on
+  // by frames: back to a part that was not played yet, and forward
   await pressStrip(page, 0.5);
   await until(() => at(page) > first_ns + (last_ns - first_ns) / 3n, "the middle");
   const truth = topics.get("/truth/world").messages.map(({ logTime }) => logTime);
@@ -96,12 +101,12 @@ test("the strip spans the whole recording; a press anywhere shows the tree of th
     await page.keyboard.press(".");
     await until(() => at(page) === wanted, `frame ${ahead} on: ${at(page)} of ${truth.slice(truth.indexOf(last) - 3, truth.indexOf(last) + 4)}`);
   }
-  // however fast they are pressed
+  // also when the keys follow each other fast
   for (let i = 0; i < 5; ++i) await page.keyboard.press(".");
   await until(() => at(page) === truth[truth.indexOf(last) + 7], "five frames on");
   await shoot(page, "recording-objects");
 
-  // a link leads there, on the other view
+  // a link opens the same moment in the other view
   const moment = at(page);
   const colleague = await open(t, page.url().replace("/objects", "/field"));
   await stands(colleague.page);
@@ -116,24 +121,25 @@ test("all viewers share the server's playback: pause, speed, position; playing b
   await Promise.all([goesOn(one.page), goesOn(other.page)]);
   await one.page.keyboard.press(" ");
   await Promise.all([stands(one.page), stands(other.page)]);
-  await until(() => at(one.page) > 0n && at(one.page) === at(other.page), "both stand at one moment");
+  await until(() => at(one.page) > 0n && at(one.page) === at(other.page), "both pages show one moment");
 
   await other.page.getByLabel("Pace").selectOption({ label: "0.5 ×" });
-  await until(async () => (await one.page.getByLabel("Pace").inputValue()) === "0.5", "the pace is told");
+  await until(async () => (await one.page.getByLabel("Pace").inputValue()) === "0.5", "the other page shows the pace");
   await pressStrip(other.page, 0.6);
-  await until(() => at(one.page) === at(other.page) && at(one.page) > first_ns + (last_ns - first_ns) / 2n, "the place is told");
+  await until(() => at(one.page) === at(other.page) && at(one.page) > first_ns + (last_ns - first_ns) / 2n, "the other page shows the place");
 
-  // backwards from there, out of what was never played here
+  // backwards from there, through a part that was never played here
   const from = at(one.page);
   await one.page.getByLabel("Pace").selectOption({ label: "−5 ×" });
   await one.page.keyboard.press(" ");
   await goesOn(one.page);
-  await one.page.waitForTimeout(700);
+  const begun = await place(one.page);
+  await until(async () => (await place(one.page)) < begun - 2, "two seconds back", undefined, () => elapsed(one.page));
   await one.page.keyboard.press(" ");
   await stands(one.page);
   await until(() => at(one.page) < from - 1_000_000_000n, "time went back");
 
-  // a range again and again
+  // a range in a loop
   await one.page.getByLabel("Pace").selectOption({ label: "2 ×" });
   const box = await one.page.getByLabel("Timeline").boundingBox();
   const x = (share) => box.x + share * box.width;
@@ -147,8 +153,7 @@ test("all viewers share the server's playback: pause, speed, position; playing b
   await goesOn(one.page);
   const places = [];
   await until(async () => {
-    const [minutes, rest] = (await elapsed(one.page)).split(" / ")[0].split(":").map(Number);
-    places.push(60 * minutes + rest);
+    places.push(await place(one.page));
     return places.some((place, i) => i > 0 && place < places[i - 1]);
   }, "it began again");
   const length = Number(last_ns - first_ns) / 1e9;
@@ -158,7 +163,7 @@ test("all viewers share the server's playback: pause, speed, position; playing b
   await one.page.keyboard.press("o");
   await until(() => !one.page.url().includes("loop="), "no loop any more");
 
-  // to its end, where it says so
+  // to its end, where it pauses
   await one.page.keyboard.press("End");
   await stands(one.page);
   await until(() => at(one.page) === last_ns, "the end");
@@ -188,7 +193,7 @@ test("a picture shows the vision's results for that very picture, and a pixel sh
   await page.waitForURL((url) => !url.hash.includes("over="));
   await page.getByLabel("Field", { exact: true }).selectOption({ label: "of 2025" });
 
-  // a pixel: what lies in the recording, at the picture's capture time
+  // a pixel has the value in the recording at the picture's capture time
   const { schema, messages } = recorded.get("/14/2/camera_top");
   const picture = () => decode(schema.name, schema.data, messages.findLast(({ logTime }) => logTime <= at(page)).data);
   const box = await overlay.boundingBox();
@@ -196,7 +201,7 @@ test("a picture shows the vision's results for that very picture, and a pixel sh
     const { width, height } = picture();
     await page.mouse.move(box.x + ((x + 0.5) / width) * box.width, box.y + ((y + 0.5) / height) * box.height);
     const told = () => {
-      const bytes = Buffer.from(picture().data, "base64"); // of the moment where the page stands by now
+      const bytes = Buffer.from(picture().data, "base64"); // of the moment that the page shows now
       const pair = 2 * (y * width + (x & ~1));
       return `pixel ${x}, ${y} · Y ${bytes[2 * (y * width + x)]} U ${bytes[pair + 1]} V ${bytes[pair + 3]}`;
     };
@@ -207,7 +212,7 @@ test("a picture shows the vision's results for that very picture, and a pixel sh
   assert.deepEqual(problems, []);
 });
 
-test("a search finds a condition in the whole recording, also where no page has been yet; moments get names", async (t) => {
+test("a search finds a condition in the whole recording, also in parts that no page has played; moments get names", async (t) => {
   const { server, topics, first_ns, last_ns } = await game(t);
   const { schema, messages } = topics.get("/14/2/game");
   const states = messages.map(({ logTime, data }) => ({ logTime, state: decode(schema.name, schema.data, data).state }));
@@ -221,7 +226,7 @@ test("a search finds a condition in the whole recording, also where no page has 
   await query.fill("game.state =");
   await page.getByText("I cannot read “=”.").waitFor();
   await query.fill("game.state == playing && pose.x > -9");
-  // it never played here: the page stands at the beginning
+  // the page stands at the beginning and has played nothing
   await page.getByText(`${begins.length} times in the whole recording`).waitFor();
   await page.getByText("100 %").waitFor({ state: "hidden" });
   await shoot(page, "find-whole");
@@ -231,9 +236,9 @@ test("a search finds a condition in the whole recording, also where no page has 
     await until(() => at(page) === begin, `kick-off at ${begin}, not ${at(page)}`);
   }
   await page.keyboard.press("Shift+N");
-  assert.ok(at(page) === begins.at(-1) && at(page) < last_ns, "there is none behind the last one");
+  assert.ok(at(page) === begins.at(-1) && at(page) < last_ns, "there is no match after the last one");
 
-  // one that never holds, and one of two objects
+  // a condition that never holds, and a simple one
   await query.fill("game.state == finished && game.state == playing");
   await page.getByText("never in the whole recording").waitFor();
   await query.fill("game.state == playing");

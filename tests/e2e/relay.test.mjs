@@ -1,4 +1,4 @@
-// Live robots through a machine of the lab: what others see of them there, and what is recorded.
+// Live robots through a machine of the lab: their channels at the relay, and the relay's recording.
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -61,7 +61,7 @@ test("two robots, each over one connection: viewers see all of both, and the rel
       assert.deepEqual([there.encoding, there.schemaName, there.schema, there.schemaEncoding, there.metadata], [encoding, schemaName, schema, schemaEncoding, metadata], topic);
     }
     direct.socket.terminate();
-    await until(async () => (await statusOf(server)).clients === 1, "nobody but the relay at the robot, whoever watches");
+    await until(async () => (await statusOf(server)).clients === 1, "the relay as the robot's only client");
   }
 
   await live.subscribe("/lab/1/runtime");
@@ -97,7 +97,7 @@ test("two robots, each over one connection: viewers see all of both, and the rel
   assert.ok(JSON.parse(stdout).streams.every(({ missing }) => missing === 0));
 });
 
-test("a robot that is killed and started again comes back, also in the page, without a reload", async (t) => {
+test("the relay and its page show a robot again that was killed and started again", async (t) => {
   const first = await simulated(t, 2, "--seed", "7");
   const lab = await relay(t, [first]);
   const { page, problems } = await open(t, `${lab.http}/#/14/2/field`);
@@ -121,7 +121,7 @@ test("a robot that is killed and started again comes back, also in the page, wit
   await live.until(() => newestLink(live, "14/2")?.connections === 2, "two connections");
   await shoot(page, "relay-field");
 
-  // Health says how the robot is, and when it goes, why
+  // Health shows the link's state, and the reason when it ends
   await page.goto(`${lab.http}/#/14/2/health`);
   const links = page.getByRole("region", { name: "Relayed robots" });
   await links.getByRole("row", { name: /^14\/2 127\.0\.0\.1:\d+ / }).waitFor();
@@ -131,7 +131,7 @@ test("a robot that is killed and started again comes back, also in the page, wit
   assert.deepEqual(problems, []);
 });
 
-test("pictures come over the relay as JPEG under the robot's own topic, and are offered in every form again", async (t) => {
+test("pictures come over the relay as JPEG under the robot's own topic, and the relay offers all their derived streams", async (t) => {
   const folder = temporaryFolder(t);
   const server = await robot(t, folder, await synthesize(folder, { seconds: 2 }), "--loop");
   const lab = await relay(t, [server], "--max-clock-offset", "1e9");

@@ -5,10 +5,10 @@ import { Live } from "./live.mjs";
 import { readIndexed, readSession, readStreamed } from "./mcap.mjs";
 import { download, importReal, needsData, request, robot, sessionsOf, statusOf, synthesize, temporaryFolder } from "./support.mjs";
 
-// these foresight-robot writes about itself, so those of the recording are left out
+// foresight-robot writes these objects itself, so those of the recording are left out
 const kOwn = ["/14/2/runtime", "/14/2/clock", "/14/2/log"];
 
-/** Plays `session` into a robot that records all of it; the robot, still running, and what it recorded. */
+/** Plays `session` into a robot that records all of it; returns the running robot and its recording. */
 async function recordAgain(t, folder, session) {
   const original = readSession(session);
   for (const topic of kOwn) original.delete(topic);
@@ -16,13 +16,13 @@ async function recordAgain(t, folder, session) {
   const live = await Live.open(t, server);
   await live.subscribe("/14/2/runtime");
 
-  // the robot's own statistics tell when its loggers have written all
+  // the robot's own statistics report when its loggers have written all messages
   const written = () => {
     const newest = live.messages.get("/14/2/runtime").at(-1);
     const loggers = new Map(newest && live.decoded("/14/2/runtime", newest).loggers.map((logger) => [logger.topic, logger]));
     return [...original].every(([topic, { messages }]) => Number(loggers.get(topic)?.written) >= messages.length);
   };
-  await live.until(written, "all messages to be written", 60000);
+  await live.until(written, "all messages to be written");
   const { dropped } = (await statusOf(server)).recording;
   assert.equal(dropped, 0);
   const { session: id } = await live.call("stop_recording");
@@ -30,7 +30,7 @@ async function recordAgain(t, folder, session) {
   return { server, original, recorded };
 }
 
-/** Whether `messages` are those of the original, all of them, in order, numbered without a gap. */
+/** Asserts that `messages` are all those of the original, in order, numbered without a gap. */
 function assertSame(topic, messages, original) {
   assert.deepEqual(messages.map(({ logTime }) => logTime), original.map(({ logTime }) => logTime), `${topic}: log times`);
   for (const [i, { data, sequence }] of messages.entries()) {

@@ -1,4 +1,4 @@
-// A simulated game as a live robot: what the independent Foxglove client sees of it, and what its services do.
+// A simulated game as a live robot: as the independent Foxglove client sees it, and its services.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { open, shoot } from "./browser.mjs";
@@ -32,12 +32,14 @@ test("the Foxglove client sees every robot's objects, decisions 30 times a secon
     messages.set(topic, []);
     topicOf.set(client.subscribe(channels.get(topic).id), topic);
   }
-  await until(() => [...messages.values()].every((list) => list.length >= 60), "two seconds of them");
+  await until(() => [...messages.values()].every((list) => list.length >= 60), "two seconds of them", undefined, () => [...messages.values()].map((list) => list.length));
 
-  // most of these successive times are a tick apart; a busy machine may skip some
-  const times = messages.get("/truth/world").map(({ log_ns }) => log_ns);
-  const even = times.slice(1).filter((time, i) => time - times[i] >= 33_333_000n && time - times[i] <= 33_334_000n);
-  assert.ok(even.length > 0.8 * (times.length - 1), `${even.length} of ${times.length - 1} are 1/30 s apart`);
+  // most of two seconds' times are a tick apart; a busy machine may skip some, for a while
+  const even = () => {
+    const times = messages.get("/truth/world").slice(-60).map(({ log_ns }) => log_ns);
+    return times.slice(1).filter((time, i) => time - times[i] >= 33_333_000n && time - times[i] <= 33_334_000n).length / (times.length - 1);
+  };
+  await until(() => even() > 0.8, "four of five times are 1/30 s apart", undefined, even);
 
   const last = (topic) => {
     const { schemaName, schema } = channels.get(topic);
@@ -50,7 +52,7 @@ test("the Foxglove client sees every robot's objects, decisions 30 times a secon
   assert.deepEqual((await statusOf(server)).robots, ["14/2"]);
 });
 
-test("the services do what they say, and memory shows it", async (t) => {
+test("the services control the game, and memory shows it", async (t) => {
   const server = await simulated(t, "--seed", "7", "--side", "away", "--player", "3", "--team", "21", "--opponent", "9");
   const live = await Live.open(t, server);
   await live.subscribe("/sim/state", "/truth/world", "/21/3/ball");
@@ -112,7 +114,7 @@ test("a game stays at its end; in a loop the next seed follows", async (t) => {
   await until(async () => (await loop.call("/sim/state")).seed === 4, "the next game");
 });
 
-test("a simulated game is recorded as any robot is", async (t) => {
+test("a simulated game is recorded like any robot", async (t) => {
   const server = await simulated(t, "--record", "--speed", "2");
   const live = await Live.open(t, server);
   await until(async () => (await live.call("/sim/state")).tick > 60, "a second of the game");
@@ -136,7 +138,7 @@ test("an impossible game gives one sentence and status 2", async () => {
   assert.match(await refused("--speed", "101"), /'speed' must be 0.1 .. 100/);
 });
 
-test("the page shows the field of a simulated game, and its buttons pause, step and begin anew", async (t) => {
+test("the page shows the field of a simulated game, and its buttons pause, step and restart it", async (t) => {
   const server = await simulated(t, "--seed", "7", "--speed", "10");
   const live = await Live.open(t, server);
   await until(async () => (await live.call("/sim/state")).seconds > 40, "play");

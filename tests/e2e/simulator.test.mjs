@@ -1,4 +1,4 @@
-// foresight-sim from outside: what it says, how it ends, and recordings that a reader who knows nothing of ours reads.
+// foresight-sim from outside: its output, its exit status, and its recordings, read by independent libraries.
 import assert from "node:assert/strict";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -14,7 +14,7 @@ const json = async (...args) => {
   return JSON.parse(stdout);
 };
 
-// a game of two half minutes: all that a whole one has, in a test's time
+// a game of two half minutes has all phases of a whole one
 const kShort = ["--rules", "spl2012:2,half_duration=30,ready_duration=10"];
 
 test("a game is reported to people and as JSON", async () => {
@@ -117,7 +117,7 @@ test("a situation is rolled out as often as asked, the same every time", async (
   assert.deepEqual(one, again);
   assert.equal(one.rollouts, 40);
   assert.equal(Object.values(one.home.goals_distribution).reduce((sum, count) => sum + count, 0), 40);
-  assert.ok(one.home.goals.mean > one.away.goals.mean, "nobody keeps the goal");
+  assert.ok(one.home.goals.mean > one.away.goals.mean, "without a goalkeeper there are goals");
   assert.ok(one.home.first_goal_seconds.mean > 0 && one.home.first_goal_seconds.mean < 30);
   const { status, stdout } = await sim("situation", file, "--rollouts", "5");
   assert.equal(status, 0);
@@ -138,7 +138,7 @@ test("forecasts are compared with the course of simulated games, the same every 
   }
 });
 
-test("choosing between a strategy and its copy gains nothing, and with full knowledge an idle strategy is not chosen", async (t) => {
+test("a choice between a strategy and its copy gains nothing, and with full knowledge an idle strategy is not chosen", async (t) => {
   const copy = join(temporaryFolder(t), "copy.json");
   writeFileSync(copy, (await sim("strategies", "--show", "baseline")).stdout.replace('"name": "baseline"', '"name": "copy"'));
   const ask = (strategies, ...words) => json("choosing", "--moments", "20", "--futures", "8", "--rollouts", "16", "--horizon", "5", "--strategies", strategies, ...words);
@@ -146,13 +146,13 @@ test("choosing between a strategy and its copy gains nothing, and with full know
   const [one, again, insights, eager] = await Promise.all([ask(of), ask(of), ask(of, "--insights"), ask("idle,baseline", "--sure", "0.5")]);
   assert.deepEqual(one, again);
   assert.deepEqual(insights.captains.map(({ knows }) => knows), ["what it believes", "and the ball", "and its own side", "and the opponents", "and all of them"]);
-  assert.deepEqual({ ...insights, captains: insights.captains.slice(0, 1) }, one, "what others know changes nothing for it");
+  assert.deepEqual({ ...insights, captains: insights.captains.slice(0, 1) }, one, "the captains with more knowledge do not change it");
   const [same, idle] = one.strategies;
   assert.deepEqual(same.always, { mean: 0, standard_error: 0 });
   assert.equal(same.spread, 0);
   assert.ok(idle.always.mean < 0 && idle.always.mean < one.knowing.mean);
   const [{ changes, gain }] = eager.captains;
-  assert.ok(changes > 0.5 && gain.mean > 0, "of a team that stands idle it makes one that plays");
+  assert.ok(changes > 0.5 && gain.mean > 0, "it changes an idle strategy to one that plays");
 
   for (const [args, sentence] of [
     [["--sure", "2", "--strategies", "baseline,idle"], /--sure/],
@@ -224,7 +224,7 @@ test("a recorded game holds the truth and every robot's memory, and is the same 
   assert.ok(truth.every(({ logTime }, i) => logTime === epoch + (BigInt(i) * 100000000n) / 3n));
 });
 
-test("a recorded game plays, every robot's memory in its place", async (t) => {
+test("a recorded game is played with every robot's memory under its topics", async (t) => {
   const folder = temporaryFolder(t);
   const file = join(folder, "game.mcap");
   await json("match", ...kShort, "--seed", "7", "--mcap", file);

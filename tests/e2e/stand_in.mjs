@@ -1,4 +1,4 @@
-// A viewer in front of a program: its files come from a folder, everything else from the program, whose headers they
+// A viewer in front of a program: its files come from a folder, all other answers from the program, whose headers they
 // get. So the page can be tested as it was just built, without building the programs again.
 import { readFileSync } from "node:fs";
 import http from "node:http";
@@ -7,7 +7,7 @@ import { extname, join, normalize } from "node:path";
 
 const kTypes = { ".css": "text/css", ".html": "text/html", ".js": "text/javascript", ".svg": "image/svg+xml" };
 
-/** The bytes of a file of the viewer; undefined where the program is to be asked. */
+/** The bytes of a file of the viewer; undefined if the program answers the request. */
 function fileOf(folder, path) {
   const name = normalize(decodeURIComponent(path.split("?")[0]));
   if (name.startsWith("/logs") || name.startsWith("/api")) return undefined;
@@ -19,7 +19,7 @@ function fileOf(folder, path) {
   }
 }
 
-/** Starts it before the `program` at {host, port}; the port of its own. It lives as long as the test, also when the program dies. */
+/** Starts it in front of the `program` at {host, port}; returns its own port. It ends with the test, also when the program dies. */
 export async function standIn(t, atEnd, folder, program) {
   const policy = (await fetch(`http://${program.host}:${program.port}/`)).headers.get("content-security-policy");
   const sockets = new Set();
@@ -43,7 +43,7 @@ export async function standIn(t, atEnd, folder, program) {
     socket.on("close", () => sockets.delete(socket));
   });
 
-  // a WebSocket is passed on byte by byte, from its first line on
+  // a WebSocket is passed on byte by byte
   server.on("upgrade", (request, socket, head) => {
     const asked = net.connect(program, () => {
       const lines = request.rawHeaders.map((text, i) => (i % 2 === 0 ? `${text}: ` : `${text}\r\n`)).join("");

@@ -46,6 +46,7 @@ export function temporaryFolder(t) {
 }
 
 const kPatienceMs = 60000; // room for a busy machine; only a failure takes this long
+const kLongestRunMs = 300000; // of a program that computes, such as a comparison
 
 /** A value in an error sentence, cut to a readable length. */
 const seen = (value) => (typeof value === "string" ? value : (JSON.stringify(value) ?? String(value))).slice(0, 400);
@@ -77,7 +78,7 @@ export function within(promise, what, patience_ms = kPatienceMs) {
 /** Runs a program to its end: {status, stdout, stderr}. */
 export async function run(program, ...args) {
   try {
-    return { status: 0, ...(await promisify(execFile)(join(bin, program), args, { timeout: kPatienceMs })) };
+    return { status: 0, ...(await promisify(execFile)(join(bin, program), args, { timeout: kLongestRunMs })) };
   } catch (error) {
     return { status: error.code, stdout: error.stdout, stderr: error.stderr };
   }
@@ -116,7 +117,7 @@ export async function start(t, folder, command, ...args) {
     child.kill("SIGCONT"); // a stopped one could not hear the rest
     child.kill("SIGTERM");
     try {
-      return await within(server.ended, `the end of ${program} after SIGTERM`, 20000);
+      return await within(server.ended, `the end of ${program} after SIGTERM`);
     } catch (error) {
       child.kill("SIGKILL");
       throw error;

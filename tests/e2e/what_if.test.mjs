@@ -1,5 +1,5 @@
 // The What-if view in Chromium: questions to a simulated robot and to a recording, the situation edited, refusals shown.
-// A forecast depends on luck and on the processor's share; no test here depends on its figures.
+// A forecast depends on random numbers and on the processor's share; no test here depends on its figures.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { join } from "node:path";
@@ -11,7 +11,7 @@ import { atEnd, playGame, root, run, start, temporaryFolder, until } from "./sup
 const kService = "/foresight/what_if";
 const kUsual = "ask=in:200/for:10";
 
-/** The questions that the page sends, as they are sent. */
+/** Collects the questions that the page sends. */
 function questionsOf(page) {
   const questions = [];
   page.on("websocket", (socket) =>
@@ -24,17 +24,17 @@ function questionsOf(page) {
   return questions;
 }
 
-/** Opens the view with the page listened to from its first word on. */
+/** Opens the view; `questions` holds all questions of the page from the beginning. */
 async function ask(t, server, address = "#/14/2/what-if", options = {}) {
   const opened = await open(t, "about:blank", options);
   const questions = questionsOf(opened.page);
   await opened.page.goto(`${server.http}/${address}${address.includes("?") ? "" : `?${kUsual}`}`);
-  // it can be asked, or says why not
+  // the button, or the reason why there is none
   await opened.page.getByRole("button", { name: "▶ Ask" }).or(opened.page.getByText("offers no service")).first().waitFor();
   return { ...opened, questions };
 }
 
-/** A team's own process whose robot plays and knows where it is, and nothing else. */
+/** A team's own process whose robot plays and knows its pose, but not the ball. */
 const kTeamWithoutBall = `
 import sys, time
 from foresight import Writer, float_field, now_ns, uint_field
@@ -52,7 +52,7 @@ const row = (page, name) => strategies(page).getByRole("listitem").filter({ has:
 const situation = (page) => page.getByLabel("The situation from above");
 const settled = (page) => page.getByRole("button", { name: "▶ Ask" }).waitFor();
 
-/** Where a place of the field [m] is on the screen: the whole carpet of 2012 fits into the canvas, and who is beyond it. */
+/** Where a place of the field [m] is on the screen: the whole carpet of 2012 fits into the canvas, with all robots beyond it. */
 async function onScreen(page, things, { x, y }) {
   const box = await situation(page).boundingBox();
   const border = Math.min(2, Math.max(0.71, ...things.map((robot) => Math.max(Math.abs(robot.x) - 3, Math.abs(robot.y) - 2) + 0.3)));
@@ -71,13 +71,12 @@ async function drag(page, things, from, to) {
   await page.mouse.up();
 }
 
-/** A tap that a busy browser takes for a long press asks nothing: it is tapped again. */
+/** Taps "Ask". A busy browser may take a tap for a long press, which asks nothing; then it taps again. */
 async function tapToAsk(page, questions) {
   const before = questions.length;
   await until(async () => {
     await page.getByRole("button", { name: "▶ Ask" }).tap();
-    await page.waitForTimeout(500);
-    return questions.length > before;
+    return until(() => questions.length > before, "the question of this tap", 3000).catch(() => false);
   }, "the question");
   await settled(page);
 }
@@ -106,7 +105,7 @@ test("Enter asks; the answer has advice and a row for each strategy; arrow keys 
   await page.waitForURL(new RegExp(`pick=${names[1]}`));
   await shoot(page, "what-if-dark");
 
-  // fewer of them, by another measure, further ahead
+  // fewer strategies, another measure, a longer horizon
   await page.getByRole("group", { name: "Strategies to try" }).getByRole("button", { name: names[2] }).click();
   await page.getByLabel("Better by").selectOption("concede");
   await page.getByLabel("Looks ahead").selectOption("half");
@@ -125,7 +124,7 @@ test("Enter asks; the answer has advice and a row for each strategy; arrow keys 
   assert.deepEqual(problems, []);
 });
 
-test("the memory reports the team's strategy, whatever the comparison; then the advice compares with it", async (t) => {
+test("the team's strategy comes from memory for every comparison; the advice compares with it", async (t) => {
   const { server, live } = await pausedGame(t);
   await live.subscribe("/14/2/strategy");
   const { name: plays } = live.decoded("/14/2/strategy", await live.newest("/14/2/strategy"));
@@ -140,7 +139,7 @@ test("the memory reports the team's strategy, whatever the comparison; then the 
   await advice(page).getByText(/^(Nothing clearly beats|No advice)|beats/).first().waitFor();
   assert.equal(await advice(page).getByText(/^(Keep|Change to)/).count(), 0);
 
-  // futures of another score or another time are not those of now
+  // an edited score or time makes the answer's rollouts stale
   const stale = page.getByText("as foreseen before the edit");
   for (const [label, value] of [["Own goals", "3"], ["Their goals", "2"], ["Seconds left of the half", "20"]]) {
     assert.equal(await stale.count(), 0, label);
@@ -153,22 +152,22 @@ test("the memory reports the team's strategy, whatever the comparison; then the 
   assert.deepEqual(problems, []);
 });
 
-test("before any answer the situation is what the robot believes by itself, and can be edited", async (t) => {
+test("before any answer the situation is the robot's own belief, and can be edited", async (t) => {
   const { server, live } = await pausedGame(t);
   await live.subscribe("/14/2/pose");
   const { page, problems, questions } = await ask(t, server);
-  await page.getByText("to ask what comes of each strategy").waitFor();
+  await page.getByText("to ask for a forecast of each strategy").waitFor();
   const things = page.getByLabel("Ball or robot to place");
   await until(async () => (await things.locator("option").allTextContents()).includes("own 2"), "the robot itself");
   await things.selectOption("own 2");
   const { x } = live.decoded("/14/2/pose", await live.newest("/14/2/pose"));
-  assert.ok(Math.abs(Number(await page.getByLabel("x, m").inputValue()) - x) < 0.01, "where it believes to be");
+  assert.ok(Math.abs(Number(await page.getByLabel("x, m").inputValue()) - x) < 0.01, "its believed place");
 
   // newer beliefs of the robot do not overwrite typed text, and hovering does not redirect it
   await page.getByLabel("x, m").fill("-2.5");
   await live.call("/sim/step", { ticks: 30 });
   await page.mouse.move(100, 300);
-  await page.waitForTimeout(500);
+  await page.waitForTimeout(500); // neither of them changes the text
   assert.equal(await page.getByLabel("x, m").inputValue(), "-2.5");
   await page.getByLabel("x, m").blur();
   await page.getByRole("group", { name: "Edited" }).getByRole("button", { name: "own 2" }).click();
@@ -195,7 +194,7 @@ test("a robot that does not know the ball refuses, until the question says where
   await until(async () => (await things.locator("option").allTextContents()).includes("own 2"), "the robot itself");
   await page.keyboard.press("Enter");
   await page.getByRole("alert").filter({ hasText: "cannot tell, because nobody has seen the ball yet" }).waitFor();
-  await page.waitForTimeout(500); // the memory object says the same a little later
+  await page.waitForTimeout(500); // the memory object repeats the sentence a little later, the page does not
   assert.equal(await page.getByText(/nobody has seen the ball yet/).count(), 1, "said once");
   await shoot(page, "what-if-no-ball");
   await page.getByRole("button", { name: "Place it" }).click();
@@ -206,7 +205,7 @@ test("a robot that does not know the ball refuses, until the question says where
   await advice(page).waitFor();
   await shoot(page, "what-if-placed");
 
-  // put back, nobody knows where it is again
+  // after the edit is undone, the ball is unknown again
   await page.getByRole("group", { name: "Edited" }).getByRole("button", { name: "ball" }).click();
   await page.getByRole("button", { name: "Place it" }).waitFor();
   assert.deepEqual(problems, []);
@@ -231,7 +230,7 @@ test("ball and robots can be dragged, turned and put back; changes go into the q
   await page.waitForURL(/ball:-1\.\d+,1\.\d+/);
   await settled(page);
 
-  // an opponent, by numbers to where nobody is, and by the wheel
+  // an opponent, by numbers to a free place, and turned by the wheel
   const opponent = robots.find(({ side }) => side === "opponent");
   const free = [-1.5, 0, 1.5].flatMap((y) => [2, 1, 0, -1].map((x) => ({ x, y }))).find((place) => robots.every((one) => !near(one, place, 0.6)));
   await page.getByLabel("Ball or robot to place").selectOption(`opponent ${opponent.player}`);
@@ -308,7 +307,7 @@ test("a recording is asked at the moment that the page shows", async (t) => {
     return answered.isVisible();
   }, "a moment at which the robot knows enough");
   const [, minutes, seconds] = /(\d+):(\d\d)/.exec(await page.getByTitle("Go to this moment").first().textContent());
-  assert.equal(60 * Number(minutes) + Number(seconds), 10 * asked, "asked where the page stood");
+  assert.equal(60 * Number(minutes) + Number(seconds), 10 * asked, "asked about the shown moment");
   await advice(page).waitFor();
   await shoot(page, "what-if-recording");
 
@@ -375,7 +374,7 @@ test("on a phone the situation is upright and can be moved by finger; the page s
   }
 });
 
-test("a server without foresight says so", async (t) => {
+test("the page reports a server without foresight", async (t) => {
   const folder = temporaryFolder(t);
   const { status, stderr } = await run("foresight-lab", "synthesize", join(folder, "session"), "--seconds", "2");
   assert.equal(status, 0, stderr);

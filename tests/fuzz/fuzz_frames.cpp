@@ -1,4 +1,4 @@
-// Any bytes from a WebSocket peer or an HTTP client: no crash, bounded memory, the same meaning however they are cut.
+// Any bytes from a WebSocket peer or an HTTP client: no crash, bounded memory, the same meaning in pieces of any size.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

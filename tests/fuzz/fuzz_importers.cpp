@@ -1,4 +1,4 @@
-// Recordings of other teams are read as they come. The first byte chooses the importer.
+// Any bytes as a recording of another team. The first byte chooses the importer.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto tree = sim::io::parse_strategy(bytes, "strategy 'fuzz'");
   if (!tree) return 0;
 
-  // every way leads to nodes that come before, in the end to a leaf
+  // every path leads to earlier nodes, and finally to a leaf
   const auto leads_on = [&](std::uint16_t to, std::size_t before) {
     return to & agent::kLeafBit ? (to & ~agent::kLeafBit) < static_cast<int>(tree->leaves.size()) : to < before;
   };

@@ -1,5 +1,5 @@
-// Any bytes of a process at the door: no crash, bounded memory, the same meaning however they are cut. Any schema that it
-// announces is accepted or refused.
+// Any bytes of a process at the door: no crash, bounded memory, the same meaning in pieces of any size. Any schema that
+// it announces is accepted or refused.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

@@ -1,4 +1,4 @@
-// Runs a fuzz target over the files of a folder: what a fuzzer once found stays found, without a fuzzer.
+// Runs a fuzz target over the files of a folder: inputs that a fuzzer found are tested without a fuzzer.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -19,6 +19,6 @@ int main(int argc, char** argv) {
       ++files;
     }
   std::printf("%d inputs\n", files);
-  // an empty folder would let a test pass that tests nothing
+  // with an empty folder a test would pass without testing
   return files > 0 ? 0 : 1;
 }

@@ -31,7 +31,7 @@ async function join(t, world, objects, ...args) {
   return { server, live, newest, door };
 }
 
-/** A team's process that writes the object motion_command, as JSON lines of fields tell it: Python, by the door. */
+/** A team's process that writes the object motion_command, from hexadecimal lines: Python, by the door. */
 function commander(t, door) {
   const program = `
 import sys, threading, time, foresight
@@ -121,7 +121,7 @@ describe("body nao", { concurrency: 4 }, () => {
     assert.doesNotMatch(world.guardian.errors, /crashed/);
   });
 
-  test("killed and started again it waits for the GameController", async (t) => {
+  test("a runtime that was killed and started again waits for the GameController", async (t) => {
     const { world, server, live, newest } = await open(t, ["body"]);
     await live.until(() => newest("body"), "the body");
     await world.play();
@@ -140,7 +140,7 @@ describe("body nao", { concurrency: 4 }, () => {
     }, "it plays");
   });
 
-  test("LoLA's socket belongs to another program: the body is attached, and names that program", async (t) => {
+  test("the body is attached and names another program at LoLA's socket", async (t) => {
     const world = new World(t);
     await world.startRobot();
     const first = await world.startGuardian();
@@ -154,7 +154,7 @@ describe("body nao", { concurrency: 4 }, () => {
     assert.equal((await statusOf(server)).body, "attached");
   });
 
-  test("without a guardian it says so, and begins when there is one", async (t) => {
+  test("the runtime reports a missing guardian, and begins when there is one", async (t) => {
     const world = new World(t);
     await world.startRobot();
     const { live, newest } = await join(t, world, ["body", "joints"]);

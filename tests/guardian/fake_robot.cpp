@@ -121,7 +121,7 @@ class FakeRobot {
     due_ns_ += expirations * kCycle_ns;
     const bool late = monotonic_ns() + kCycle_ns > due_ns_ + kMillisecond;
     late_ += expirations - 1 + (late ? 1 : 0);
-    // when the machine stood still, the next frame is a whole cycle away all the same: so long its answer has
+    // after a pause of the machine the next frame is still a whole cycle away, which is the time for the answer
     if (late) begin_cycles(kCycle_ns);
     if (!connection_) return;
     if (sent_ns_ != 0) ++unanswered_;

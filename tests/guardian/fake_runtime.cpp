@@ -1,7 +1,7 @@
-// fake_runtime LINK [--heard | --wild SEED]: gives the guardian an order with every report, until SIGTERM; then says
+// fake_runtime LINK [--heard | --wild SEED]: sends the guardian an order with every report until SIGTERM, then a
 // goodbye. Prints {"mode", "doing", "reason"} when that changes.
 //
-// --heard: says that the GameController has the robot play. --wild: orders are noise, of the right size and of wrong ones.
+// --heard: reports that the GameController has the robot play. --wild: orders are random bytes, also of wrong sizes.
 
 #include <csignal>
 #include <cstdio>

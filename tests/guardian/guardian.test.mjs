@@ -26,7 +26,7 @@ describe("the guardian", { concurrency: 6 }, () => {
     test(`runtime ${fate}: the head held takes the stiffness away`, async (t) => {
       const world = await playing(t, fate);
       world.happen("head");
-      // 100 ms are 8 cycles of the robot's; the questions take some of their own
+      // 100 ms are 8 cycles of the robot; the questions take some more
       assert.equal((await world.cycles(8)).stiffness, 0);
       world.happen("release");
       assert.equal((await world.cycles(200)).stiffness, 0);
@@ -61,7 +61,7 @@ describe("the guardian", { concurrency: 6 }, () => {
   }
 
   for (const fate of ["hung", "dead"])
-    test(`runtime ${fate}: it holds, sits, is soft; every frame is answered`, async (t) => {
+    test(`runtime ${fate}: the robot holds, sits and is soft; every frame is answered`, async (t) => {
       const world = await playing(t, fate);
       const held = await world.cycles(100);
       assert.ok(held.knee < 0.85 && held.stiffness > 0.8, `it holds: ${JSON.stringify(held)}`);
@@ -70,7 +70,7 @@ describe("the guardian", { concurrency: 6 }, () => {
       assert.ok(seated.answers >= seated.frames - 2, `${seated.answers} answers to ${seated.frames} frames`);
     });
 
-  test("a runtime that hung goes on where it is while the robot still holds", async (t) => {
+  test("a runtime that hung continues while the robot still holds its posture", async (t) => {
     const world = await playing(t, "hung");
     await world.cycles(50);
     world.runtime.kill("SIGCONT");
@@ -108,7 +108,7 @@ describe("the guardian", { concurrency: 6 }, () => {
     await world.untilStanding();
   });
 
-  test("without a runtime the chest button does nothing", async (t) => {
+  test("without a runtime the chest button has no effect", async (t) => {
     const world = new World(t);
     await world.startRobot();
     await world.startGuardian();
@@ -116,7 +116,7 @@ describe("the guardian", { concurrency: 6 }, () => {
     assert.equal((await world.cycles(300)).stiffness, 0);
   });
 
-  test("frames that are wrong, short, huge or in another order: named, safe, recovered", async (t) => {
+  test("wrong, short, huge and reordered frames are named, and the robot stays safe and recovers", async (t) => {
     const world = await playing(t, "alive");
     world.happen("reordered");
     const reordered = await world.cycles(50);
@@ -142,7 +142,7 @@ describe("the guardian", { concurrency: 6 }, () => {
     }
   });
 
-  test("LoLA that vanishes is found again, and the robot does not move before somebody says so", async (t) => {
+  test("the guardian connects to LoLA again, and the robot does not move before a command", async (t) => {
     const world = await playing(t, "alive");
     world.happen("vanish");
     await world.untilSaid("LoLA is gone: it closed the connection");
@@ -157,7 +157,7 @@ describe("the guardian", { concurrency: 6 }, () => {
     await world.until((state) => state.answers > 20, "and even when all of LoLA was gone");
   });
 
-  test("LoLA's socket belongs to another program: the guardian names it, and takes over when it has ended", async (t) => {
+  test("the guardian names another program at LoLA's socket, and takes over when that has ended", async (t) => {
     const world = new World(t);
     await world.startRobot();
     const first = await world.startGuardian();
@@ -196,7 +196,7 @@ describe("the guardian", { concurrency: 6 }, () => {
     assert.match(gone.stderr, /expected foresight-guardian to listen at .*; start it first/);
   });
 
-  test("noise instead of orders never moves a robot that must be soft, and breaks nothing", async (t) => {
+  test("random orders never move a robot that must be soft, and do no harm", async (t) => {
     const world = new World(t);
     await world.start("--wild", "1");
     await world.cycles(100);

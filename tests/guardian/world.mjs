@@ -67,7 +67,7 @@ export class World {
     return JSON.parse(this.robot.lines.at(-1));
   }
 
-  /** Waits for a state that fulfils `is_so`, and returns it. */
+  /** Waits for a state that fulfils `isSo`, and returns it. */
   async until(isSo, what) {
     let state;
     await until(async () => isSo((state = await this.state())), what).catch((error) => {

@@ -58,7 +58,7 @@ for (const preset of chosen) {
     await serves(t, temporaryFolder(t), [...emulator, program]);
   });
 
-  test(`${preset}: it needs nothing of the system it runs on`, { ...needsMovbe, ...(needsMovbe.skip ? {} : canEmptyRoot()) }, async (t) => {
+  test(`${preset}: it needs no files of the system`, { ...needsMovbe, ...(needsMovbe.skip ? {} : canEmptyRoot()) }, async (t) => {
     const folder = temporaryFolder(t);
     for (const name of ["bin", "tmp"]) mkdirSync(join(folder, name));
     copyFileSync(program, join(folder, "bin/foresight-robot"));

@@ -1,5 +1,5 @@
 // old_kernel 2.6.33|4.4 PROGRAM [ARGUMENT…]: runs a program as if the kernel were that old. System calls that it did not
-// have yet are answered with "not implemented", as it would. That is all of its age that shows.
+// have yet are answered with "not implemented", as it would. Other differences are not emulated.
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>

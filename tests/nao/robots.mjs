@@ -1,4 +1,4 @@
-// The Naos whose builds are tested: their processors as the emulator knows them, and what it is to run there.
+// The Naos whose builds are tested: their processors as the emulator knows them, and the words that run a program there.
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { root } from "../e2e/support.mjs";

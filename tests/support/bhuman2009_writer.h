@@ -10,7 +10,7 @@ namespace tests {
 
 class Bhuman2009Writer {
  public:
-  /// A frame of motion: joint angles as that team counted them [rad], sensors, keys, odometry.
+  /// A frame of motion: joint angles with that team's signs [rad], sensors, keys, odometry.
   struct Motion {
     std::uint32_t time_ms = 0;
     std::array<double, 22> angles{};

@@ -16,7 +16,7 @@ struct ControlTeam {
   int penalty = 0, seconds_till_unpenalised = 0;
 };
 
-/// Values of a packet. Its format leaves out the values that it has no place for.
+/// Values of a packet. Its format leaves out values without a place.
 struct ControlPacketText {
   int packet_number = 0, players_per_team = 5;
   int state = 0, set_play = 0, phase = 0;

@@ -23,7 +23,7 @@ void FakeBody::obey(const Actuators& actuators, float dt) {
   }
   sensors.gyroscope[1] = 0;
   if (!falls_ || sensors.angles[1] >= 1.5f) return;
-  // as a pole does that tips over
+  // like a pole that tips over
   sensors.gyroscope[1] = 0.5f + 4 * sensors.angles[1];
   sensors.angles[1] = std::min(sensors.angles[1] + sensors.gyroscope[1] * dt, 1.5f);
 }

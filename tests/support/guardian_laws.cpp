@@ -67,7 +67,7 @@ void GuardianLaws::happen(std::uint8_t byte, std::uint32_t details) {
   }
 }
 
-/// All that keeps the robot from standing ends.
+/// Ends all conditions that keep the robot from standing.
 void GuardianLaws::make_well() {
   body_.put_upright();
   body_.put_down();

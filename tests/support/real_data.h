@@ -20,7 +20,7 @@ inline std::optional<std::filesystem::path> real_data(std::string_view relative)
   return path;
 }
 
-/// True if a missing recording is a failure and no skip: FORESIGHT_REQUIRE_DATA=1.
+/// True if a missing recording is a failure instead of a skip: FORESIGHT_REQUIRE_DATA=1.
 inline bool real_data_required() {
   const char* required = std::getenv("FORESIGHT_REQUIRE_DATA");
   return required != nullptr && std::string_view(required) == "1";

@@ -121,7 +121,7 @@ TEST(AgentThread, WritesCommandsAndDecisionsWithoutBeingAsked) {
   memory->game.write(game, clock.now_ns());
   AgentThread agent(agent_of(), *memory, channels, "14/2", clock);
 
-  // it stands until it knows where it is
+  // it stands until it knows its pose
   ASSERT_TRUE(tests::eventually([&] { return memory->motion_command.read() != nullptr; }));
   EXPECT_EQ(memory->motion_command.read()->value().posture(), pb::MotionCommand::POSTURE_STAND);
   EXPECT_FALSE(memory->decision.read());

@@ -139,7 +139,7 @@ TEST_F(Replaying, StopsWherePausedAndContinues) {
   EXPECT_EQ(memory->ball.read()->value().x(), 299);
 }
 
-TEST_F(Replaying, AfterASeekEveryObjectIsAsItWasThen) {
+TEST_F(Replaying, AfterASeekEveryObjectHasItsValueOfThatTime) {
   const auto replay = open({.speed = 1});
   const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
   ASSERT_TRUE(list(memory, channels));
@@ -216,7 +216,7 @@ TEST_F(Replaying, ShowsItsRobotUnderAnotherName) {
   EXPECT_NE(channels.find("/5/3/ball"), nullptr);
 }
 
-TEST_F(Replaying, SaysWhatIsWrong) {
+TEST_F(Replaying, NamesTheError) {
   EXPECT_EQ(Replay::open({recorded}, {.speed = 0}).error(), "replay: speed must be 0.01 .. 1000, got 0.000000");
   EXPECT_EQ(Replay::open({folder / "none"}, {}).error(), "session " + (folder / "none").string() + ": cannot read " +
                                                              (folder / "none" / "session.json").string() +

@@ -24,7 +24,7 @@ std::string why_not(const Played& game, const Recollection& from) {
   return knowledge ? "" : knowledge.error();
 }
 
-TEST(Knowledge, ThroughMemoryIsWhatTheSimulatedRobotKnows) {
+TEST(Knowledge, ThroughMemoryEqualsThatOfTheSimulatedRobot) {
   // of a simulation that runs fast, too, whose capture times lie close together
   for (const auto& [seconds, speed] : {std::pair{20.f, 1.}, {60.f, 10.}, {80.f, 1.}, {200.f, 1.}, {333.f, 0.5}}) {
     Played game("match", seconds);
@@ -84,21 +84,21 @@ TEST(Knowledge, JerseyNumbersMakeNoDifference) {
   }
 }
 
-TEST(Knowledge, ASubstituteForetellsNothing) {
+TEST(Knowledge, ASubstituteHasNoForecast) {
   const Played game;
   Recollection from = test::renumbered(game.recollection());
   from.game->value.set_own_player(5);
   EXPECT_EQ(why_not(game, from), "player 5 does not play: players are 9, 12, 14, 20");
 }
 
-TEST(Knowledge, WhereATeamIsOneShortAPlaceStaysEmpty) {
+TEST(Knowledge, APlaceOfAnIncompleteTeamStaysEmpty) {
   const Played game;
   Recollection from = test::renumbered(game.recollection());
   from.game->value.mutable_opponent()->mutable_players(19)->set_penalty(pb::PlayerState::PENALTY_SUBSTITUTE);
   EXPECT_EQ(known(game, from).away[1][3], sim::kNever);
 }
 
-TEST(Knowledge, CountdownsTellHowLongASetPlayLasts) {
+TEST(Knowledge, CountdownsGiveTheDurationOfASetPlay) {
   auto prepared = sim::io::prepare({.rules = "spl2025"});
   ASSERT_TRUE(prepared) << prepared.error();
   const Played game;
@@ -120,7 +120,7 @@ TEST(Knowledge, CountdownsTellHowLongASetPlayLasts) {
   EXPECT_FLOAT_EQ(since().since_phase, 1) << "of 45 s";
 }
 
-TEST(Knowledge, WhereNoSoccerIsPlayedNothingIsForetold) {
+TEST(Knowledge, OutsideOfPlayThereIsNoForecast) {
   const Played game;
   Recollection from = game.recollection();
   from.game->value.set_phase(pb::GameState::PHASE_PENALTY_SHOOT_OUT);
@@ -129,14 +129,14 @@ TEST(Knowledge, WhereNoSoccerIsPlayedNothingIsForetold) {
   EXPECT_EQ(why_not(game, from), "the game is in a time-out");
 }
 
-TEST(Knowledge, WhatCameLaterIsNotRemembered) {
+TEST(Knowledge, LaterMessagesAreNotRecollected) {
   const Played game;
   const Recollection before = recollect(game.channels, "14/2", game.now_ns() - 5'000'000'000);
   EXPECT_FALSE(before.ball || before.pose || before.game || before.team);
   EXPECT_TRUE(game.recollection().pose);
 }
 
-TEST(Knowledge, SaysWhatIsMissing) {
+TEST(Knowledge, NamesTheMissingObject) {
   const Played game;
   Recollection from = game.recollection();
   from.game.reset();
@@ -154,7 +154,7 @@ TEST(Knowledge, SaysWhatIsMissing) {
   EXPECT_EQ(why_not(game, least), "");
 }
 
-TEST(Knowledge, NumbersThatAreNoneDoNoHarm) {
+TEST(Knowledge, NotANumberDoesNoHarm) {
   const Played game;
   Recollection from = game.recollection();
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
@@ -173,7 +173,7 @@ TEST(Knowledge, NumbersThatAreNoneDoNoHarm) {
   EXPECT_EQ(knowledge.away[0][0], 1u);
 }
 
-TEST(Knowledge, OpponentsComeFromTheVisionWhereNobodyTracksThem) {
+TEST(Knowledge, WithoutATrackerOpponentsComeFromTheVision) {
   const Played game("perfect");
   Recollection from = game.recollection();
   from.opponents.reset();
@@ -186,7 +186,7 @@ TEST(Knowledge, OpponentsComeFromTheVisionWhereNobodyTracksThem) {
     robot.set_side(side);
   };
   add(1, 0.5f, pb::VisualRobot::SIDE_OPPONENT);
-  add(1.2f, 0.4f, pb::VisualRobot::SIDE_UNSPECIFIED);  // the same once more
+  add(1.2f, 0.4f, pb::VisualRobot::SIDE_UNSPECIFIED);  // a second time
   add(2.5f, -1, pb::VisualRobot::SIDE_UNSPECIFIED);
   add(0.5f, 0, pb::VisualRobot::SIDE_OWN);
   const auto knowledge = known(game, from);
@@ -203,7 +203,7 @@ TEST(Knowledge, OpponentsComeFromTheVisionWhereNobodyTracksThem) {
   EXPECT_EQ(knowledge.beliefs.opponents[0].seen, sim::kNever) << "the keeper's place is filled last";
 }
 
-TEST(Knowledge, WhatTheBodyIsInTheMiddleOfGoesOn) {
+TEST(Knowledge, AMotionThatHasBegunContinues) {
   const Played game;
   const sim::motion::Model& model = game.setup.params.teams[0].models.motion;
   Recollection from = game.recollection();
@@ -216,12 +216,12 @@ TEST(Knowledge, WhatTheBodyIsInTheMiddleOfGoesOn) {
   from.motion->value.set_walking(true);
   from.motion->value.set_velocity_x(99);
   EXPECT_EQ(known(game, from).body.doing, sim::Body::Doing::walking);
-  EXPECT_EQ(known(game, from).body.velocity.x, model.walk.forward) << "nobody is faster than his limit";
+  EXPECT_EQ(known(game, from).body.velocity.x, model.walk.forward) << "no robot is faster than its limit";
   from.motion->value.set_fall(pb::MotionStatus::FALL_FALLEN);
   EXPECT_EQ(known(game, from).body.doing, sim::Body::Doing::fallen);
 }
 
-TEST(Knowledge, WhoIsToldOrSeenToLieOnTheGroundLies) {
+TEST(Knowledge, ARobotReportedOrSeenOnTheGroundLies) {
   const Played game;
   Recollection from = game.recollection();
   ASSERT_GT(from.team->value.teammates_size(), 0);

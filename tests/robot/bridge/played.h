@@ -39,7 +39,7 @@ struct Played {
 
   std::uint64_t now_ns() const { return timeline.at(state.world.tick); }
 
-  /// Everything that 14/2 knows.
+  /// All memory objects of 14/2.
   void write() {
     constexpr int kRobot = 1;
     const TeamNumbers teams;

@@ -32,16 +32,16 @@ TEST(PlayerMap, TheKeeperIsTheFirstAndTheOthersFollowByTheirNumbers) {
   EXPECT_EQ(players(PlayerMap(team({1, 2, 3, 4, 5}, 1), 5), 5), (Numbers{1, 2, 3, 4, 5}));
   EXPECT_EQ(players(PlayerMap(team({2, 5, 7, 11, 20}, 7), 5), 5), (Numbers{7, 2, 5, 11, 20}));
   EXPECT_EQ(players(PlayerMap(team({1, 3, 4, 6, 8}), 5), 5), (Numbers{1, 3, 4, 6, 8}))
-      << "number 1 where nobody is named";
+      << "number 1 if no goalkeeper is named";
 }
 
-TEST(PlayerMap, WithoutAKeeperTheGoalIsEmptyUnlessSomebodyIsLeftOver) {
+TEST(PlayerMap, WithoutAKeeperTheGoalIsEmptyUnlessAPlayerIsLeftOver) {
   EXPECT_EQ(players(PlayerMap(team({2, 3, 4}), 5), 5), (Numbers{0, 2, 3, 4, 0}));
   EXPECT_EQ(players(PlayerMap(team({2, 3, 4, 5, 6}), 5), 5), (Numbers{2, 3, 4, 5, 6}));
   EXPECT_EQ(players(PlayerMap(team({2, 3, 4, 5}, 9), 4), 4), (Numbers{2, 3, 4, 5})) << "the one named is a substitute";
 }
 
-TEST(PlayerMap, WhoIsOneTooManyHasNoPlace) {
+TEST(PlayerMap, AnExtraPlayerHasNoPlace) {
   const PlayerMap lineup(team({1, 2, 3, 4, 5, 6}), 4);
   EXPECT_EQ(players(lineup, 7), (Numbers{1, 2, 3, 4, 0, 0, 0}));
   EXPECT_EQ(lineup.place_of(5), 0);
@@ -68,11 +68,11 @@ TEST(PlayerMap, PlacesAndNumbersAreEachOthersInverse) {
   }
 }
 
-TEST(PlayerMap, WhereNothingIsKnownOfATeamAllHaveTheirNumbers) {
+TEST(PlayerMap, InAnUnknownTeamAllHaveTheirNumbers) {
   EXPECT_EQ(players(PlayerMap({}, 5), 7), (Numbers{1, 2, 3, 4, 5, 0, 0}));
 }
 
-TEST(PlayerMap, WhoIsPenalisedKeepsHisPlace) {
+TEST(PlayerMap, APenalisedPlayerKeepsItsPlace) {
   pb::TeamState one = team({1, 2, 3, 4, 5});
   one.mutable_players(1)->set_penalised(true);
   one.mutable_players(1)->set_penalty(pb::PlayerState::PENALTY_MANUAL);

@@ -24,7 +24,7 @@ TEST(Convert, ABallThatWasNeverSeenIsAbsent) {
   EXPECT_EQ(message.ByteSizeLong(), 0u);
 }
 
-/// A ball rolls to its resting place and crosses the robot's y axis where it is told to, if it does.
+/// A ball rolls to its resting place and crosses the robot's y axis at the given place, if any.
 TEST(Convert, TheBallCrossesWhereItRolls) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> metres(-2, 2);
@@ -52,13 +52,13 @@ TEST(Convert, TheBallCrossesWhereItRolls) {
     EXPECT_NEAR(message.rest_x(), rolling.position.x, 1e-3);
     EXPECT_NEAR(message.rest_y(), rolling.position.y, 1e-3);
     EXPECT_EQ(message.has_crossing_y(), crossed) << i;
-    EXPECT_NEAR(message.crossing_y(), crossing, 1e-3);  // 0 where it does not
+    EXPECT_NEAR(message.crossing_y(), crossing, 1e-3);  // 0 if it does not
     crossings += crossed ? 1 : 0;
   }
   EXPECT_GT(crossings, 100);
 }
 
-TEST(Convert, AMateTellsOfTheBallInItsOwnFrame) {
+TEST(Convert, AMateReportsTheBallInItsOwnFrame) {
   sim::agent::Beliefs beliefs;
   sim::agent::Mate& mate = beliefs.mates[2];  // of player 3, player 4
   mate.pose = {.position = {1, 2}, .heading = 0.7f};
@@ -93,7 +93,7 @@ TEST(Convert, MatesAreNumberedWithoutTheRobotItself) {
   }
 }
 
-TEST(Convert, WhatWasNotKnownHasNoValue) {
+TEST(Convert, UnknownDataHaveNoValue) {
   sim::agent::Trace trace;
   trace.visited.push_back({.path = "tree/near",
                            .name = "near",

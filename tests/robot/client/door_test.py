@@ -23,7 +23,7 @@ sys.path.insert(0, CLIENT)
 import foresight  # noqa: E402
 
 PROGRAMS = sys.argv.pop(1)
-PATIENCE = 30  # [s] far above every normal time; only a failure waits this long
+PATIENCE = 60  # [s] far above every normal time; only a failure waits this long
 
 # writes one object until it is killed; all bytes of a message are equal
 PULSE = """

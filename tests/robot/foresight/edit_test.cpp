@@ -40,13 +40,13 @@ TEST(Edit, IsCertain) {
   EXPECT_EQ(state.world.bodies[robot].heading, 1);
   EXPECT_EQ(edit.situation.doubt.ball, 0);
   EXPECT_EQ(edit.situation.doubt.position[robot], 0);
-  EXPECT_EQ(edit.situation.doubt.position[0], 0.5f) << "what was not moved is as sure as before";
+  EXPECT_EQ(edit.situation.doubt.position[0], 0.5f) << "a thing that was not moved is as certain as before";
   EXPECT_EQ(state.book.score[0], 3);
   EXPECT_EQ(state.book.score[1], 1);
   EXPECT_EQ(state.book.clock, sim::ticks(edit.game.setup.params.rules.half_duration - 100));
 }
 
-TEST(Edit, SaysWhatCannotBe) {
+TEST(Edit, NamesTheImpossiblePart) {
   Edited edit;
   EXPECT_EQ(edit(R"({"ball": {"x": 99, "y": 0}})"), "the ball at 99, 0 is not on the field");
   EXPECT_EQ(edit(R"({"ball": {"x": 3, "y": 0.7}})"), "the ball at 3, 0.7 is in a goalpost");

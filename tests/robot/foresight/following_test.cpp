@@ -33,10 +33,10 @@ TEST(Following, FollowsTheCaptainUntilItIsSilentForLong) {
   following.forget({kNow + Following::kStaleNs});
   EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy);
   following.hear(told(kCaptain, 2, 9, kNow), kCaptain, kPlayer, {kNow + Following::kStaleNs});
-  EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "an old word is none";
+  EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "an old message does not count";
 }
 
-TEST(Following, PassesOverWhatItCannotPlayAndItsOwnEcho) {
+TEST(Following, IgnoresUnknownStrategiesAndItsOwnEcho) {
   Following following(3);
   following.hear(told(kCaptain, 3, 9, kNow), kCaptain, kPlayer, {kNow});
   following.hear(told(kPlayer, 1, 9, kNow), kCaptain, kPlayer, {kNow});
@@ -72,7 +72,7 @@ TEST(Following, TheCaptainsChoiceLapsesWhenNoAnswerConfirmsIt) {
   EXPECT_EQ(following.choice().epoch, 2) << "chosen anew";
 }
 
-TEST(Following, SecondsAreThoseOfTheGameInAFastSimulation) {
+TEST(Following, InAFastSimulationSecondsAreThoseOfTheGame) {
   Following following(3);
   following.hear(told(kCaptain, 2, 9, kNow), kCaptain, kPlayer, {kNow, 10});
   following.forget({kNow + Following::kStaleNs / 10 - 1, 10});
@@ -80,10 +80,10 @@ TEST(Following, SecondsAreThoseOfTheGameInAFastSimulation) {
   following.forget({kNow + Following::kStaleNs / 10, 10});
   EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy);
   following.hear(told(kCaptain, 2, 9, kNow), kCaptain, kPlayer, {kNow + Following::kStaleNs / 10, 10});
-  EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "an old word is none";
+  EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "an old message does not count";
 }
 
-TEST(Following, WhereTimeWasMovedBackNothingOfBeforeIsLeft) {
+TEST(Following, AfterTimeWasMovedBackItStartsAnew) {
   Following following(3);
   following.hear(told(kCaptain, 2, 9, kNow), kCaptain, kPlayer, {kNow});
   constexpr std::uint64_t kBegin = kNow - 500 * kSecond;
@@ -91,12 +91,12 @@ TEST(Following, WhereTimeWasMovedBackNothingOfBeforeIsLeft) {
   EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy);
   EXPECT_EQ(following.told_ns(), 0u);
   following.hear(told(kCaptain, 2, 9, kNow), kCaptain, kPlayer, {kBegin});
-  EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "that is still to come";
+  EXPECT_EQ(following.choice().strategy, sim::agent::kNoStrategy) << "it is still in the future";
   following.hear(told(5, 1, 3, kBegin), kCaptain, kPlayer, {kBegin});
   EXPECT_EQ(following.choice().played(), 1) << "an earlier epoch is the first again";
 }
 
-/// Two who hear each other every second, and no captain: what it told last ends with its time.
+/// Two robots hear each other every second, without a captain: the captain's last choice ends with its time.
 TEST(Following, FollowersDoNotKeepAChoiceAliveAmongThemselves) {
   constexpr std::uint32_t kOther = 5;
   Following one(3), other(3);

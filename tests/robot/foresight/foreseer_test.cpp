@@ -44,13 +44,13 @@ TEST(Foreseer, AnswersAtTheDeadlineWithWhatItHas) {
   EXPECT_EQ(forecast->asked_ns(), game.now_ns());
   EXPECT_EQ(forecast->situation().bodies_size() > 0, true);
   EXPECT_FALSE(forecast->reason().empty());
-  // however busy the machine is, what it says fits what it has
+  // on a machine of any load the answer fits its rollouts
   const bool enough = forecast->strategies(0).rollouts() >= 8;
   EXPECT_EQ(forecast->advice() == pb::Forecast::ADVICE_NONE, !enough) << forecast->reason();
   EXPECT_LE(forecast->computed_ms(), forecast->answered_ms());
 }
 
-TEST(Foreseer, TellsTheMomentThatItPlayedOnFrom) {
+TEST(Foreseer, ReportsTheMomentWhereRolloutsStart) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   pb::WhatIf asked = question(10);
@@ -74,7 +74,7 @@ TEST(Foreseer, TellsTheMomentThatItPlayedOnFrom) {
   EXPECT_EQ(told["situation"]["ball"]["elsewhere"], 0);
 }
 
-TEST(Foreseer, TellsHowFarEachFutureLooksAtMost) {
+TEST(Foreseer, ReportsTheHorizon) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   const auto horizon = [&](pb::WhatIf::Until until, std::optional<float> remaining = 90) {
@@ -93,7 +93,7 @@ TEST(Foreseer, TellsHowFarEachFutureLooksAtMost) {
               1e-3);
 }
 
-TEST(Foreseer, TellsUnderWhichModelsAndRulesItHolds) {
+TEST(Foreseer, ReportsItsModelsAndRules) {
   const bridge::test::Played game;
   auto opened = Foreseer::open(
       {.strategies = {"baseline"}, .rules = "spl2012", .models = "perfect", .opponent_models = "friendly"});
@@ -110,10 +110,10 @@ TEST(Foreseer, TellsUnderWhichModelsAndRulesItHolds) {
   forecast = (*opened)->ask_and_wait(question(10), {});
   ASSERT_TRUE(forecast) << forecast.error();
   EXPECT_NE(forecast->refusal(), "");
-  EXPECT_EQ(forecast->opponent_models(), "friendly") << "also of what cannot be told";
+  EXPECT_EQ(forecast->opponent_models(), "friendly") << "a refusal holds it, too";
 }
 
-TEST(Foreseer, AskedForARobotOfTheOthersItTakesTheirModelsForItsOwn) {
+TEST(Foreseer, ForARobotOfTheOpponentsItExchangesTheModels) {
   EXPECT_EQ(whose("14/3", "14/2"), Whose::own);
   EXPECT_EQ(whose("1/2", "14/2"), Whose::others);
   const bridge::test::Played game;
@@ -165,7 +165,7 @@ TEST(Foreseer, SaysHowLikelyTheBallIsElsewhere) {
     ball.set_seen_ns(seen_ns);
     game.memory->ball.write(ball, game.now_ns());
     bridge::Recollection from = game.recollection();
-    from.team.reset();  // nor has anybody told it
+    from.team.reset();  // and no teammate has reported it
     const auto forecast = foresight->ask_and_wait(question(10), from);
     EXPECT_TRUE(forecast) << forecast.error();
     EXPECT_EQ(forecast->refusal(), "");
@@ -174,20 +174,22 @@ TEST(Foreseer, SaysHowLikelyTheBallIsElsewhere) {
   EXPECT_GT(elsewhere(game.now_ns() - 5'000'000'000), elsewhere(game.now_ns()));
 }
 
-TEST(Foreseer, OneQuestionRunsOneWaitsAndTheThirdIsTold) {
+TEST(Foreseer, OneQuestionRunsOneWaitsAndTheThirdIsRefused) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   std::vector<std::promise<void>> answered(2);
   for (std::promise<void>& one : answered)
-    ASSERT_TRUE(foresight->ask(question(400), game.recollection(), [&one](const pb::Forecast&) { one.set_value(); }));
+    ASSERT_TRUE(
+        foresight->ask(question(10'000), game.recollection(), [&one](const pb::Forecast&) { one.set_value(); }));
   const auto third = foresight->ask(question(), game.recollection(), [](const pb::Forecast&) { FAIL(); });
   ASSERT_FALSE(third);
   EXPECT_EQ(third.error(), "foresight is busy: one question runs and another one waits");
+  foresight->hurry();  // the budget was long, so that both questions were open at the third one
   for (std::promise<void>& one : answered) one.get_future().wait();
   EXPECT_TRUE(foresight->ask_and_wait(question(10), game.recollection()));
 }
 
-TEST(Foreseer, WhoWaitsIsToldHowLong) {
+TEST(Foreseer, TheAnswersTimeIncludesTheWait) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   EXPECT_TRUE(foresight->idle());
@@ -202,7 +204,7 @@ TEST(Foreseer, WhoWaitsIsToldHowLong) {
   EXPECT_GE(waited.get_future().get(), std::max(other_ms, 0.) + 50) << "its own 50 ms begin when the other has ended";
 }
 
-TEST(Foreseer, InAHurryEveryQuestionIsAnsweredAtOnce) {
+TEST(Foreseer, AfterHurryEveryQuestionIsAnsweredAtOnce) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   std::promise<pb::Forecast> first, second;
@@ -215,7 +217,7 @@ TEST(Foreseer, InAHurryEveryQuestionIsAnsweredAtOnce) {
   EXPECT_LT(second.get_future().get().answered_ms(), 10'000);
 }
 
-TEST(Foreseer, WhatAnEditSaysItNeedNotHaveSeen) {
+TEST(Foreseer, EditedThingsNeedNotHaveBeenSeen) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   bridge::Recollection from = game.recollection();
@@ -235,7 +237,7 @@ TEST(Foreseer, WhatAnEditSaysItNeedNotHaveSeen) {
   EXPECT_EQ(forecast->situation().ball_x(), 1);
 }
 
-TEST(Foreseer, WhatCannotBeToldIsAnAnswer) {
+TEST(Foreseer, ARefusalIsAnAnswer) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   bridge::Recollection from = game.recollection();
@@ -248,7 +250,7 @@ TEST(Foreseer, WhatCannotBeToldIsAnAnswer) {
   EXPECT_EQ(forecast->choice(), "baseline");
 }
 
-TEST(Foreseer, NonsenseIsRefusedAndNothingRuns) {
+TEST(Foreseer, AWrongQuestionIsRefusedAndNothingRuns) {
   const bridge::test::Played game;
   const auto foresight = foreseer();
   pb::WhatIf nonsense = question();

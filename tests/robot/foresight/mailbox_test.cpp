@@ -14,7 +14,7 @@ TEST(Mailbox, IsEmptyBeforeSomethingIsPublished) {
   EXPECT_EQ(mailbox.newest(), 0);
 }
 
-TEST(Mailbox, GivesTheNewestAsOftenAsItIsAsked) {
+TEST(Mailbox, GivesTheNewestRepeatedly) {
   Mailbox<int> mailbox;
   for (int value = 1; value < 10; ++value) {
     mailbox.draft() = value;

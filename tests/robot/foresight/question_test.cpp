@@ -30,7 +30,7 @@ TEST(Question, EverythingMayBeLeftOut) {
   EXPECT_EQ(asked.measure, sim::foresight::Measure::goal_difference);
 }
 
-TEST(Question, TheOthersPlayTheBaselineWhateverOneselfPlays) {
+TEST(Question, TheOpponentsPlayTheBaselineByDefault) {
   const auto question = complete({}, {"mine.json"});
   ASSERT_TRUE(question) << question.error();
   EXPECT_EQ(question->strategies(0), "mine.json");

@@ -44,7 +44,7 @@ Progress when_there_is_some(Rollouts& rollouts) {
   return progress;
 }
 
-/// Of the thread called `name`; -1: there is none.
+/// The scheduling policy of the thread `name`; -1: there is no such thread.
 int scheduling_of(const std::string& name) {
   for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
     std::string called;
@@ -54,7 +54,7 @@ int scheduling_of(const std::string& name) {
   return -1;
 }
 
-TEST(Rollouts, BesideARobotTakeWhatIsLeftOver) {
+TEST(Rollouts, BesideARobotUseIdleTimeOnly) {
   Rollouts rollouts(Share::left_over);
   EXPECT_TRUE(tests::eventually_equal([] { return scheduling_of("foresee"); }, SCHED_IDLE));
 }
@@ -70,7 +70,7 @@ TEST(Rollouts, PlayStripesUntilTheyAreEnded) {
   EXPECT_GE(rollouts.progress().tally.stripes, progress.tally.stripes);
 }
 
-TEST(Rollouts, WhatWasPlayedForAnotherQuestionIsNotOfThisOne) {
+TEST(Rollouts, OfAnotherQuestionDoNotCount) {
   Rollouts rollouts(Share::background);
   rollouts.begin(futures(2), monotonic_ns() + kMinute);
   const std::uint64_t before = when_there_is_some(rollouts).race;
@@ -83,7 +83,7 @@ TEST(Rollouts, WhatWasPlayedForAnotherQuestionIsNotOfThisOne) {
   EXPECT_EQ(when_there_is_some(rollouts).tally.strategies, 1);
 }
 
-/// The thread may be asleep with any of them in its hand, or never have taken it.
+/// The thread may have taken any of these questions, or none.
 TEST(Rollouts, AnyNumberOfQuestionsBeginAndEndWithoutWaiting) {
   Rollouts rollouts(Share::background);
   for (int i = 0; i < 300; ++i) {

@@ -57,7 +57,7 @@ TEST(Scorer, AGoalWithinTheTimeCameAndOneAfterItDidNot) {
   EXPECT_TRUE(scorer.see(game(3, 0), kBegin + 70 * kSecond)) << "at its end it is too late for a goal";
   const pb::ForecastScore score = scorer.score();
   ASSERT_EQ(score.entries_size(), 1);
-  EXPECT_EQ(score.entries(0).strategy(), "passing") << "what is played";
+  EXPECT_EQ(score.entries(0).strategy(), "passing") << "the played strategy";
   EXPECT_EQ(score.entries(0).horizon(), 30);
   EXPECT_EQ(score.entries(0).forecasts(), 2u);
   EXPECT_EQ(score.entries(0).score().came(), 1u);
@@ -78,10 +78,10 @@ TEST(Scorer, TheFirstGoalCounts) {
   scorer.see(game(1, 1), kBegin + 30 * kSecond);
   EXPECT_EQ(scorer.score().entries(0).concede().came(), 1u);
   EXPECT_EQ(scorer.score().entries(0).score().came(), 0u);
-  EXPECT_EQ(scorer.score().entries(0).strategy(), "baseline") << "the first, as nothing else was told";
+  EXPECT_EQ(scorer.score().entries(0).strategy(), "baseline") << "the first one without a message about the strategy";
 }
 
-TEST(Scorer, AGoalBetweenQuestionAndAnswerIsOneThatWasForetold) {
+TEST(Scorer, AGoalBetweenQuestionAndAnswerCounts) {
   Scorer scorer;
   scorer.see(game(0, 0), kBegin);
   scorer.see(game(1, 0), kBegin + kSecond);
@@ -90,12 +90,12 @@ TEST(Scorer, AGoalBetweenQuestionAndAnswerIsOneThatWasForetold) {
   EXPECT_EQ(scorer.score().entries(0).score().came(), 1u);
 }
 
-TEST(Scorer, GoalsFellBeforeTheyWereTold) {
+TEST(Scorer, GoalsFellBeforeTheGameControllerReportedThem) {
   Scorer scorer(15);
   scorer.see(game(0, 0), kBegin);
   scorer.foretell(foretold(0.5f, 0.5f), kBegin);
   scorer.foretell(foretold(0.5f, 0.5f), kBegin + 20 * kSecond);
-  scorer.see(game(0, 1), kBegin + 5 * kSecond);                 // of before the first
+  scorer.see(game(0, 1), kBegin + 5 * kSecond);                 // a goal before the first forecast
   EXPECT_FALSE(scorer.see(game(1, 1), kBegin + 44 * kSecond));  // fell at 29 s
   EXPECT_TRUE(scorer.see(game(1, 1), kBegin + 45 * kSecond));
   EXPECT_TRUE(scorer.see(game(2, 1), kBegin + 65 * kSecond));
@@ -105,7 +105,7 @@ TEST(Scorer, GoalsFellBeforeTheyWereTold) {
   EXPECT_EQ(scorer.score().entries(0).concede().came(), 0u);
 }
 
-TEST(Scorer, AFastSimulationIsSoonerThere) {
+TEST(Scorer, InAFastSimulationTheTimePassesSooner) {
   Scorer scorer(15);
   scorer.see(game(0, 0), kBegin);
   pb::Forecast forecast = foretold(0.5f, 0.5f);
@@ -113,11 +113,12 @@ TEST(Scorer, AFastSimulationIsSoonerThere) {
   scorer.foretell(forecast, kBegin);
   scorer.see(game(1, 0), kBegin + 4 * kSecond);
   EXPECT_FALSE(scorer.see(game(1, 0), kBegin + 45 * kSecond / 10 - 1));
-  EXPECT_TRUE(scorer.see(game(1, 0), kBegin + 45 * kSecond / 10)) << "30 s and the 15 s in which a goal is told";
+  EXPECT_TRUE(scorer.see(game(1, 0), kBegin + 45 * kSecond / 10))
+      << "30 s and the 15 s in which the GameController reports a goal";
   EXPECT_EQ(scorer.score().entries(0).score().came(), 1u);
 }
 
-TEST(Scorer, AGoalThatIsTakenBackIsNone) {
+TEST(Scorer, ACancelledGoalDoesNotCount) {
   Scorer scorer;
   scorer.see(game(0, 0), kBegin);
   scorer.foretell(foretold(0.5f, 0.5f), kBegin);
@@ -145,7 +146,7 @@ TEST(Scorer, AForecastCountsForTheStrategyThatWasPlayedAllItsTime) {
   EXPECT_FALSE(scorer.see(game(0, 0), kBegin + 70 * kSecond)) << "the strategy changed meanwhile";
   scorer.see(playing("tiki_taka"), kBegin + 75 * kSecond);
   scorer.foretell(foretold(0.5f, 0.5f), kBegin + 80 * kSecond);
-  EXPECT_FALSE(scorer.see(game(0, 0), kBegin + 110 * kSecond)) << "of what is played it said nothing";
+  EXPECT_FALSE(scorer.see(game(0, 0), kBegin + 110 * kSecond)) << "it holds no forecast of the played strategy";
   EXPECT_EQ(scorer.score().open(), 0u);
 }
 
@@ -179,7 +180,7 @@ TEST(Scorer, TheEndOfTheGameFavoursNeither) {
   }
 }
 
-TEST(Scorer, PassesOverWhatCannotBeScored) {
+TEST(Scorer, SkipsForecastsThatCannotBeScored) {
   Scorer scorer;
   scorer.foretell(foretold(0.5f, 0.5f), kBegin);
   EXPECT_EQ(scorer.score().open(), 0u) << "before the game was seen";
@@ -229,7 +230,7 @@ TEST(Scorer, InASimulationGoalsCountWhenTheyFall) {
     scorer.see(game_of(team, 2, 0), kBegin + 5 * kSecond);
     scorer.see(truth(0, 1, 1190), kBegin + 29 * kSecond);
     EXPECT_FALSE(scorer.see(truth(0, 1, 1199), kBegin + 30 * kSecond - 1));
-    EXPECT_TRUE(scorer.see(truth(0, 1, 1200), kBegin + 30 * kSecond)) << "nobody waits until it is told";
+    EXPECT_TRUE(scorer.see(truth(0, 1, 1200), kBegin + 30 * kSecond)) << "it does not wait for the GameController";
     ASSERT_EQ(scorer.score().entries_size(), 1);
     EXPECT_EQ(scorer.score().entries(0).score().came(), team == 1 ? 1u : 0u);
     EXPECT_EQ(scorer.score().entries(0).concede().came(), team == 1 ? 0u : 1u);
@@ -238,14 +239,14 @@ TEST(Scorer, InASimulationGoalsCountWhenTheyFall) {
   }
 }
 
-TEST(Scorer, ASimulationOfOthersTellsNothing) {
+TEST(Scorer, ASimulationOfOtherTeamsDoesNotCount) {
   Scorer scorer;
   scorer.see(game_of(7, 0, 0), kBegin);
   scorer.see(truth(0, 0, 300), kBegin);
   EXPECT_EQ(scorer.score().against(), pb::ForecastScore::AGAINST_OWN_MEMORY);
 }
 
-TEST(Scorer, AnotherSimulatedGameHasNothingToDoWithForecastsOfTheLast) {
+TEST(Scorer, ANewSimulatedGameDropsOpenForecasts) {
   Scorer scorer;
   scorer.see(game_of(14, 0, 0), kBegin);
   scorer.see(truth(2, 0, 300), kBegin);
@@ -254,7 +255,7 @@ TEST(Scorer, AnotherSimulatedGameHasNothingToDoWithForecastsOfTheLast) {
   EXPECT_EQ(scorer.score().open(), 0u);
 }
 
-TEST(Scorer, WhereTimeWasMovedBackWhatWasOpenIsNotScored) {
+TEST(Scorer, AfterTimeWasMovedBackOpenForecastsAreNotScored) {
   Scorer scorer;
   scorer.see(game(0, 0), kBegin);
   scorer.foretell(foretold(0.5f, 0.5f), kBegin);

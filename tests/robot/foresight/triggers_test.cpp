@@ -25,7 +25,7 @@ TEST(Captain, IsTheFirstFieldPlayerWhoPlays) {
   EXPECT_EQ(captain_of({}), 0);
 }
 
-/// A moment in which nothing happens.
+/// A moment without an event.
 bridge::Recollection quiet() {
   bridge::Recollection now = bridge::test::Played("perfect").recollection();
   now.game->value.set_state(pb::GameState::STATE_PLAYING);
@@ -41,14 +41,14 @@ bridge::Recollection after(bridge::Recollection now, double seconds) {
   return now;
 }
 
-/// Looks and asks where there is a reason.
+/// Looks, and asks if there is a reason.
 std::string ask(Triggers& triggers, const bridge::Recollection& now) {
   const char* const why = triggers.look(now, kPeriodNs);
   if (why) triggers.asked();
   return text(why);
 }
 
-/// An opponent seen so far from the ball.
+/// An opponent that is seen at this distance from the ball.
 void see_opponent(bridge::Recollection& now, sim::Vec2 from_ball) {
   const pb::Pose& pose = now.pose->value;
   const sim::Vec2 ball = sim::Vec2{pose.x(), pose.y()} +
@@ -97,7 +97,7 @@ TEST(Triggers, TheWayIsBlockedTowardsTheGoal) {
   };
   EXPECT_TRUE(blocked({0.5f, -0.5f}));
   EXPECT_TRUE(blocked({0.9f, -0.7f}));
-  EXPECT_FALSE(blocked({0.8f, 0})) << "straight ahead is not where the goal is";
+  EXPECT_FALSE(blocked({0.8f, 0})) << "the goal is not straight ahead";
   EXPECT_FALSE(blocked({-0.3f, 0.3f})) << "behind";
   EXPECT_FALSE(blocked({1.2f, -1.2f})) << "far off";
   Triggers triggers(kGoalX);
@@ -119,13 +119,13 @@ TEST(Triggers, QuestionsAreTwoSecondsApartAndReasonsAreKept) {
   now.game->value.mutable_own()->set_score(5);
   EXPECT_EQ(ask(triggers, now), "");
   now = after(now, 0.2);
-  EXPECT_EQ(text(triggers.look(now, kPeriodNs)), "the score changed") << "a goal of then";
+  EXPECT_EQ(text(triggers.look(now, kPeriodNs)), "the score changed") << "a goal of the earlier time";
   now = after(now, 0.1);
   EXPECT_EQ(ask(triggers, now), "the score changed") << "foresight was busy when it came";
   EXPECT_EQ(ask(triggers, after(now, 3)), "");
 }
 
-TEST(Triggers, SecondsAreThoseOfTheGameInAFastSimulation) {
+TEST(Triggers, InAFastSimulationSecondsAreThoseOfTheGame) {
   const auto fast = [](bridge::Recollection now) {
     now.speed = 10;
     return now;
@@ -145,7 +145,7 @@ TEST(Triggers, SecondsAreThoseOfTheGameInAFastSimulation) {
   EXPECT_EQ(ask(triggers, then), "the ball is lost") << "for 5 s";
 }
 
-TEST(Triggers, WhereTimeWasMovedBackItIsAsAtTheBeginning) {
+TEST(Triggers, AfterTimeWasMovedBackItStartsAnew) {
   Triggers triggers(kGoalX);
   const bridge::Recollection now = quiet();
   ask(triggers, after(now, 500));

@@ -5,7 +5,7 @@
 namespace robot::foreseeing {
 namespace {
 
-/// Of baseline, which is the best, and two others; of kick_now the gain is `gain` ± `reach`.
+/// A forecast of baseline, which is the best, and two others; the gain of kick_now is `gain` ± `reach`.
 pb::Forecast foretold(float gain, float reach) {
   pb::Forecast forecast;
   forecast.set_reason("keeps baseline: passing would gain 0.30 ± 0.40 goals, which may be chance (100 futures)");
@@ -21,7 +21,7 @@ pb::Forecast foretold(float gain, float reach) {
   return forecast;
 }
 
-TEST(Wording, BackToTheDefaultIsForWhatTheStrategyThatWasPlayedWouldDo) {
+TEST(Wording, AReturnToTheDefaultNamesTheForecastOfThePlayedStrategy) {
   const auto back = [](float gain, float reach) { return reason_of(foretold(gain, reach), "kick_now", "baseline"); };
   EXPECT_EQ(back(0.25f, 0.5f),
             "back to baseline: kick_now would gain 0.25 ± 0.50 goals, which may be chance (100 futures)");
@@ -33,11 +33,11 @@ TEST(Wording, BackToTheDefaultIsForWhatTheStrategyThatWasPlayedWouldDo) {
   EXPECT_EQ(reason_of(foretold(0, 1), "old", "baseline"), "back to baseline: old was not asked about");
 }
 
-TEST(Wording, WhoStaysWithTheDefaultGivesTheForecastsReason) {
+TEST(Wording, StayingWithTheDefaultGivesTheForecastsReason) {
   EXPECT_EQ(reason_of(foretold(0.25f, 0.5f), "baseline", "baseline"), foretold(0, 0).reason());
 }
 
-TEST(Wording, AChangeIsFromWhatWasPlayed) {
+TEST(Wording, AChangeNamesThePlayedStrategy) {
   EXPECT_EQ(reason_of(foretold(0.75f, 0.5f), "kick_now", "passing"),
             "changes from kick_now to passing: that gains 0.75 ± 0.50 goals over baseline (100 futures)");
   EXPECT_EQ(reason_of(foretold(0.75f, 0.5f), "kick_now", "kick_now"),

@@ -24,7 +24,7 @@ struct Listening : ::testing::Test {
     const std::uint64_t before = all();
     ASSERT_TRUE(tests::eventually([&] {
       EXPECT_TRUE(referee->send({kLoopback, listener->port()}, bytes));
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // the pace of the packets
       return all() != before;
     }));
   }

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint32_t kLoopback = 0x7f000001, kEverybodyHere = 0x7fffffff;
 
-/// Returns the next packet at `socket`, or nothing if none comes within two seconds.
-std::optional<Datagram> next(UdpSocket& socket, std::uint64_t patience_ns = 2 * kSecond) {
+/// Returns the next packet at `socket`, or nothing if none comes within `patience_ns`.
+std::optional<Datagram> next(UdpSocket& socket, std::uint64_t patience_ns = 60 * kSecond) {
   return socket.receive(monotonic_ns() + patience_ns);
 }
 
@@ -51,7 +51,7 @@ struct Link : ::testing::Test {
   void say_until(const std::string& bytes, Done&& done) {
     EXPECT_TRUE(tests::eventually([&] {
       EXPECT_TRUE(mate->send({kEverybodyHere, mate->port()}, bytes));
-      std::this_thread::sleep_for(std::chrono::milliseconds(30));
+      std::this_thread::sleep_for(std::chrono::milliseconds(30));  // the pace of the packets
       return done();
     }));
   }
@@ -68,14 +68,14 @@ TEST_F(Link, AnswersTheGameControllerOnceASecond) {
   pose.set_x(1);
   memory.pose.write(pose, clock.now_ns());
   hear(pb::GameState::STATE_INITIAL);
+  const std::uint64_t before_ns = monotonic_ns();
   open({.return_packets = true});
   const auto first = next(*referee);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->bytes.size(), 32u);
   EXPECT_EQ(first->bytes.substr(0, 7), "RGrt\x04\x03\x0e");
-  const std::uint64_t before_ns = monotonic_ns();
   ASSERT_TRUE(next(*referee));
-  EXPECT_GT(monotonic_ns() - before_ns, kSecond / 2);
+  EXPECT_GT(monotonic_ns() - before_ns, kSecond / 2) << "since the link was opened, for two answers";
 }
 
 TEST_F(Link, SendsNothingThatItsOptionsDoNotAskFor) {
@@ -155,8 +155,8 @@ TEST_F(Link, StopsWhenTheTeamsOwnFrameworkSends) {
 
 TEST_F(Link, StopsWhenTheBudgetFallsTooFast) {
   hear(pb::GameState::STATE_PLAYING, 1200);
-  open({.team_messages = true});
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  open({.return_packets = true, .team_messages = true});
+  ASSERT_TRUE(next(*referee)) << "the link has read the first budget before it answers";
   hear(pb::GameState::STATE_PLAYING, 1100);
   ASSERT_TRUE(tests::eventually([&] { return !link->stopped().empty(); }));
   EXPECT_NE(link->stopped().find("message budget fell by 100"), std::string::npos) << link->stopped();

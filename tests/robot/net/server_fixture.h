@@ -1,4 +1,4 @@
-// A server on loopback, and clients that treat it well or badly.
+// A server on loopback, and clients that follow the protocol or break it.
 #pragma once
 
 #include <arpa/inet.h>
@@ -24,10 +24,10 @@
 
 namespace tests {
 
-/// A bound for failures only: no test waits for it when all is well.
+/// Longest wait. Only a failure takes this long.
 inline constexpr std::uint64_t kPatience = 60 * robot::kSecond;
 
-/// A TCP connection that says what it is told to.
+/// A TCP connection that sends any bytes.
 class RawConnection {
  public:
   /// `receive_buffer` bytes, if given, make it a slow reader.
@@ -40,12 +40,12 @@ class RawConnection {
     EXPECT_EQ(::connect(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
   }
 
-  /// False when the server has closed the connection.
+  /// Returns false if the server has closed the connection.
   bool send(std::string_view bytes) {
     return ::send(socket_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
   }
 
-  /// Reads until the server closes, or `enough` is in what it said.
+  /// Reads until the server closes, or until `enough` has arrived.
   std::string read(std::string_view enough = {}) {
     std::string text;
     char block[65536];
@@ -56,7 +56,7 @@ class RawConnection {
     }
     return text;
   }
-  /// Whether the server has closed, waiting for that.
+  /// Waits until the server closes; returns false if it does not.
   bool wait_closed() {
     char byte;
     const ssize_t n = ::recv(socket_.get(), &byte, 1, 0);
@@ -100,7 +100,7 @@ class Peer {
     }
     return std::nullopt;
   }
-  /// The code of the server's close frame, after everything else it said; 0 if it went without.
+  /// Returns the code of the server's close frame, after all other messages; 0 if it sent none.
   int wait_closed() {
     while (receive()) {
     }

@@ -23,7 +23,7 @@ TEST(Choice, EpochsAreOrderedAcrossTheirEnd) {
 TEST(Choice, ARobotWithoutAChoiceTakesTheFirstItHears) {
   Choice own;
   EXPECT_EQ(own.played(), 0);
-  EXPECT_FALSE(follow({}, true, own)) << "who follows nobody tells nothing";
+  EXPECT_FALSE(follow({}, true, own)) << "a robot without a choice sends none";
   EXPECT_TRUE(follow({2, 200}, false, own));
   EXPECT_EQ(own.played(), 2);
 }
@@ -31,7 +31,7 @@ TEST(Choice, ARobotWithoutAChoiceTakesTheFirstItHears) {
 TEST(Choice, FollowsTheNewerEpochAndTheCaptainOnTheSame) {
   Choice own{1, 5};
   EXPECT_FALSE(follow({2, 4}, true, own)) << "older";
-  EXPECT_FALSE(follow({2, 5}, false, own)) << "of the same choice a follower knows no better";
+  EXPECT_FALSE(follow({2, 5}, false, own)) << "a follower with the same epoch does not count";
   EXPECT_EQ(own.strategy, 1);
   EXPECT_TRUE(follow({2, 5}, true, own));
   EXPECT_EQ(own.strategy, 2);

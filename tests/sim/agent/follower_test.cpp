@@ -76,7 +76,7 @@ TEST(Follower, TakesOverAChoice) {
 TEST(Follower, TheCaptainIsTheHeardFieldPlayerWithTheLowestNumber) {
   const Game third{.player = 3};
   Beliefs beliefs;
-  EXPECT_EQ(captain_of(third, beliefs, 100, 50), 3) << "who hears nobody leads";
+  EXPECT_EQ(captain_of(third, beliefs, 100, 50), 3) << "a robot that hears no other leads";
   beliefs.mates[1] = {.sent = 90, .active = true};  // player 2
   EXPECT_EQ(captain_of(third, beliefs, 100, 50), 2);
   EXPECT_EQ(captain_of(third, beliefs, 140, 50), 3) << "silent";

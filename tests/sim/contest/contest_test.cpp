@@ -55,7 +55,7 @@ TEST(Contest, HasTheSameBlocksForAnyNumberOfJobs) {
   EXPECT_EQ(merged->tally, expected);
 }
 
-TEST(Contest, GoesOnAfterAKillAsIfNothingHadHappened) {
+TEST(Contest, ContinuesAfterAKillToTheSameResult) {
   const tests::TemporaryFolder folder;
   const RunFolder whole = opened(folder / "whole", Use::begin);
   const compare::PairStatistics expected = statistics_of(&whole, 2);

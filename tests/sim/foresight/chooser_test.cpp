@@ -127,7 +127,7 @@ TEST(Chooser, RefusesStrategiesThatItCannotChooseFrom) {
   EXPECT_NE(files.sentence(R"({"name": "x", "choose": ["baseline", "idle"], "opponent": "foresight"})")
                 .find("no strategy 'foresight'"),
             std::string::npos)
-      << "nobody thinks of us thinking of them";
+      << "the opponents do not model our foresight";
   EXPECT_NE(files.sentence(R"({"name": 7, "choose": ["baseline", "idle"]})").find("name must be a text, got 7"),
             std::string::npos);
 }

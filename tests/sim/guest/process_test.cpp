@@ -11,7 +11,10 @@
 namespace sim::guest {
 namespace {
 
-robot::Result<std::string> answer_of(const std::string& command, double patience = 5) {
+/// Longest wait for an answer [s]; only a failure takes this long.
+constexpr double kPatience = 60;
+
+robot::Result<std::string> answer_of(const std::string& command, double patience = kPatience) {
   auto process = Process::start(command);
   if (!process) return robot::Error{process.error()};
   return process->ask("hello\n", patience);
@@ -21,7 +24,7 @@ TEST(Process, AnswersALineWithALine) {
   auto process = Process::start("cat");
   ASSERT_TRUE(process);
   for (const char* line : {"one\n", "two\n", "three\n"}) {
-    const auto answer = process->ask(line, 5);
+    const auto answer = process->ask(line, kPatience);
     ASSERT_TRUE(answer) << answer.error();
     EXPECT_EQ(*answer + "\n", line);
   }
@@ -48,10 +51,10 @@ TEST(Process, UnaskedOutputIsNoAnswer) {
   const std::string said = folder / "said";
   auto process = Process::start("sh -c 'read x; echo one; echo two; >" + said + "; read x; echo three'");
   ASSERT_TRUE(process);
-  const auto first = process->ask("hello\n", 5);
+  const auto first = process->ask("hello\n", kPatience);
   ASSERT_TRUE(tests::eventually([&] { return std::filesystem::exists(said); }));
   // the second line came along with the first one, or is found before the next question
-  const auto answer = first ? process->ask("hello\n", 5) : first;
+  const auto answer = first ? process->ask("hello\n", kPatience) : first;
   ASSERT_FALSE(answer);
   EXPECT_EQ(answer.error(), "expected one line as answer, got more: 'two'");
 }
@@ -61,7 +64,7 @@ TEST(Process, EndsWithItsObject) {
   {
     auto process = Process::start("sh -c 'read x; echo $$; sleep 60'");
     ASSERT_TRUE(process);
-    const auto answer = process->ask("who\n", 5);
+    const auto answer = process->ask("who\n", kPatience);
     ASSERT_TRUE(answer);
     pid = *answer;
   }

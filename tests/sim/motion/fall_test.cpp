@@ -37,7 +37,7 @@ TEST(Fall, HappensAsOftenAsTheModelSays) {
   EXPECT_NEAR(share_fallen({}, true, true, 1), 0.393f, 0.05f);
   EXPECT_NEAR(share_fallen(walk, true, true, 1), 0.451f, 0.05f);
   EXPECT_EQ(share_fallen({}, false, true, 5), 0) << "a robot that stands alone does not fall";
-  EXPECT_EQ(share_fallen(walk, true, false, 5), 0) << "nobody falls without the effect";
+  EXPECT_EQ(share_fallen(walk, true, false, 5), 0) << "no body falls without the effect";
 }
 
 TEST(Fall, LiesGetsUpAndStandsDespiteCommands) {

@@ -44,7 +44,7 @@ export function factsAt(scene: Scene, point: Point, chosen: string, reach = kRea
         title: `Opponent${player === undefined ? "" : ` ${player}`}, as ${robot.key} believes`,
         lines: [`${place(at)}${deviation > 0 ? ` ± ${metres(deviation)}` : ""}`, `seen ${duration(age)} ago`],
       }));
-    add(robot.target, 0.02, () => ({ title: `Where ${robot.key} walks to`, lines: [`${place(robot.target!)}, ${degrees(robot.target!.heading)}`] }));
+    add(robot.target, 0.02, () => ({ title: `Target of ${robot.key}’s walk`, lines: [`${place(robot.target!)}, ${degrees(robot.target!.heading)}`] }));
   }
   return found.sort((a, b) => a.distance - b.distance)[0]?.facts();
 }

@@ -19,14 +19,14 @@ function nearest(colours: string[]): { apart: number; who: string } {
   return found;
 }
 
-test("the measure itself: black and white are far apart, and red and green are near for who does not see them", () => {
+test("the measure itself: black and white are far apart, and red and green are near for people without red or green cones", () => {
   for (const sight of Object.values(kSights)) expect(distance(sight, "#000000", "#ffffff")).toBeCloseTo(100, 0);
   const [all, protanopia, deuteranopia] = ["all colours", "protanopia", "deuteranopia"].map((name) => distance(kSights[name]!, "#cc6644", "#77994a"));
   expect(all).toBeGreaterThan(55);
   expect(Math.min(protanopia!, deuteranopia!)).toBeLessThan(20);
 });
 
-test("lines of a plot that are dashed alike are told apart by all", () => {
+test("with every kind of sight, lines of a plot with equal dashes differ", () => {
   const dashes = [...new Set(kLineStyles.map(({ dash }) => dash.join()))];
   for (const dash of dashes) {
     const { apart, who } = nearest(kLineStyles.filter((style) => style.dash.join() === dash).map(({ colour }) => colour));
@@ -34,19 +34,19 @@ test("lines of a plot that are dashed alike are told apart by all", () => {
   }
 });
 
-test("both teams are told apart by all, on the carpet too", () => {
+test("with every kind of sight, both teams differ from each other and from the carpet", () => {
   const { apart, who } = nearest([kRobotColours.home, kRobotColours.away, "#23523a"]);
   expect(apart, who).toBeGreaterThan(35);
 });
 
-test("what the agent does is told apart by all, and what is drawn over pictures", () => {
+test("with every kind of sight, skills differ, and so do the overlays of pictures", () => {
   const skills = nearest(kSkillColours);
   expect(skills.apart, skills.who).toBeGreaterThan(15);
   const over = nearest([kOverlayColours.ball, kOverlayColours.own, kOverlayColours.robot, kOverlayColours.post]);
   expect(over.apart, over.who).toBeGreaterThan(18);
 });
 
-test("on the What-if field teams, heat and what was edited are told apart by all", () => {
+test("with every kind of sight, teams, heat and edits on the What-if field differ", () => {
   const { apart, who } = nearest([kRobotColours.home, kRobotColours.away, kEditColour, kHeatColour, "#23523a"]);
   expect(apart, who).toBeGreaterThan(20);
 });

@@ -8,13 +8,13 @@ test("a place on the strip and back is the time", () => {
   for (const time of [100, 123.4, 400]) expect(timeAt(kept, 800, xOf(kept, 800, time))).toBeCloseTo(time);
 });
 
-test("the strip shows the last seconds, never more than there is", () => {
+test("the strip shows the last seconds, never more than the kept span", () => {
   expect(spanOf(kept, 60)).toEqual({ from: 340, to: 400 });
   expect(spanOf(kept, 1e9)).toEqual(kept);
   expect(spanOf({ from: 400, to: 400 }, 60)).toEqual({ from: 398, to: 400 });
 });
 
-test("what is under the pointer stays there when zoomed, except at the ends", () => {
+test("the time under the pointer stays there when zoomed, except at the ends", () => {
   const nearer = zoomedSpan(kept, kept, 200, 2);
   expect(nearer.to - nearer.from).toBeCloseTo(150);
   expect(xOf(nearer, 800, 200)).toBeCloseTo(xOf(kept, 800, 200));
@@ -35,7 +35,7 @@ test("a recording counts from its beginning", () => {
   expect([elapsedWords(0, 10), elapsedWords(65, 10), elapsedWords(65.26, 0.1), elapsedWords(59.96, 0.1), elapsedWords(1199.6, 1)]).toEqual(["0:00", "1:05", "1:05.3", "1:00.0", "20:00"]);
 });
 
-test("a loop and matches are drawn at their places, however short", () => {
+test("a loop and matches are drawn at their places, also short ones", () => {
   const pen = testPen();
   const colours = { ink: "ink", soft: "soft", line: "line", fill: "fill", accent: "accent", warn: "warn" };
   const strip = { kept, shown: kept, seen: { from: 200, to: 250 }, at: 300, live: false, marks: [], matches: [{ from: 150, to: 150 }], loop: { from: 300, to: 350 }, count: countOf(kept, true), hover: undefined };

@@ -32,7 +32,7 @@ export interface Strip {
   hover: number | undefined;
 }
 
-/** Where ticks count from [s], and how they are called. */
+/** Origin [s] of the ticks, and their names. */
 export interface Count {
   zero: number;
   wordsOf(seconds: number, step: number): string;
@@ -128,7 +128,7 @@ export function drawStrip(pen: Pen, width: number, height: number, strip: Strip,
   pen.fillRect(0, bar.top, width, bar.height);
   pen.fillStyle = colours.fill;
   fill(seen?.from ?? kept.from, seen?.to ?? at, bar.top, bar.height);
-  // when what is searched holds, however short
+  // when the searched condition holds, also for a short time
   pen.fillStyle = colours.warn;
   for (const match of strip.matches ?? []) if (match.to >= shown.from && match.from <= shown.to) fill(match.from, match.to, bar.top + bar.height + 1, 4, 2);
 
@@ -169,7 +169,7 @@ export interface Piece extends Span {
   colour: string;
 }
 
-/** A whole recording in short [s after its beginning]: what the agent did as a band, what happened as marks. */
+/** A whole recording in short [s after its beginning]: the agent's skills as a band, events as marks. */
 export function drawSummary(pen: Pen, width: number, height: number, length: number, pieces: Piece[], marks: Mark[], colours: Colours): void {
   const whole = { from: 0, to: Math.max(length, 1e-3) };
   const bar = { top: height - 8, height: 8 };

@@ -68,7 +68,7 @@ test("an invalid condition gives one sentence", () => {
     ["/14/2/ball > 2", "“/14/2/ball” is a whole object: name a field of it, such as /14/2/ball.x."],
     ["1 < 2", "“1” and “2” never change: one side must be a path such as ball.x."],
     ["playing", "“playing” must be compared with something."],
-    ["true", "Nothing in it ever changes: name a path such as ball.x."],
+    ["true", "The condition never changes: name a path such as ball.x."],
     ["(".repeat(5000), "There are too many brackets within each other."],
   ];
   for (const [text, error] of cases) expect(of(text), text.slice(0, 40)).toEqual({ error });

@@ -144,7 +144,7 @@ export function conditionOf(text: string, robot: string, known: Iterable<string>
   try {
     const parser = new Parser(tokensOf(text), robot, [...known]);
     const node = parser.parse();
-    if (parser.topics.size === 0) throw new Complaint("Nothing in it ever changes: name a path such as ball.x.");
+    if (parser.topics.size === 0) throw new Complaint("The condition never changes: name a path such as ball.x.");
     return { topics: [...parser.topics], holds: (look) => holds(node, look) };
   } catch (error) {
     if (error instanceof Complaint) return { error: error.message };

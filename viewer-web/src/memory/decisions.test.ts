@@ -50,8 +50,8 @@ test("a leaf that was not chosen names the condition that failed and by how much
   const { decisions } = decided(kKick, kWalk);
   decisions.update(100);
   const [kick, walk] = ["t/near/shoot/kick", "t/walk"].map((path) => decisions.node(path)!);
-  expect(whyNot(kick!, decisionOf(kWalk))).toBe("“ball_distance < $near” does not hold: ball_distance 0.52, compared with 0.3. It must hold to come here.");
-  expect(whyNot(walk!, decisionOf(kKick))).toBe("“ball_distance < $near” holds: ball_distance 0.2, compared with 0.3. While it holds, what comes before is chosen.");
+  expect(whyNot(kick!, decisionOf(kWalk))).toBe("“ball_distance < $near” does not hold: ball_distance 0.52, compared with 0.3. It must hold to reach this node.");
+  expect(whyNot(walk!, decisionOf(kKick))).toBe("“ball_distance < $near” holds: ball_distance 0.2, compared with 0.3. While it holds, an earlier node is chosen.");
   expect(whyNot(kick!, decisionOf(kKick))).toBeUndefined();
   expect(whyNot(kick!, decisionOf(fields({})))).toBe("Nothing was decided.");
 });

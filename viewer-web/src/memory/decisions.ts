@@ -180,8 +180,8 @@ export function whyNot(node: Node, now: Decision): string | undefined {
     if (!visit || visit.result === then.result) continue;
     const condition = (visit.condition || visit.name);
     const compared = comparison(visit);
-    return `“${condition}” ${visit.result ? "holds" : "does not hold"}${compared ? `: ${compared}` : ""}. ${then.result ? "It must hold to come here." : "While it holds, what comes before is chosen."}`;
+    return `“${condition}” ${visit.result ? "holds" : "does not hold"}${compared ? `: ${compared}` : ""}. ${then.result ? "It must hold to reach this node." : "While it holds, an earlier node is chosen."}`;
   }
   const last = now.visited.at(-1);
-  return last ? `The decision went to “${last.name}” before it came here.` : "Nothing was decided.";
+  return last ? `The decision reached “${last.name}” before this node.` : "Nothing was decided.";
 }

@@ -35,6 +35,6 @@ test("bytes show their beginning", () => {
   expect(hex(Uint8Array.of(0, 255), 2)).toBe("00 ff");
 });
 
-test("what was a while ago is told coarsely", () => {
+test("a longer age is shown coarsely", () => {
   expect([-1, 0.4, 1.7, 59.9, 60, 119, 5399, 5400].map(ago)).toEqual(["just now", "just now", "1 s ago", "59 s ago", "1 min ago", "1 min ago", "89 min ago", "2 h ago"]);
 });

@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { fieldsOfJson, forecastOf } from "../memory/forecast";
 import { amount, axesOf, axisOf, headline, percent, reach, shareOf, size } from "./gauges";
 
-test("an axis holds zero and all values, and is never of no length", () => {
+test("an axis holds zero and all values, and always has a length", () => {
   for (const values of [[], [0], [1, 2], [-3, -1], [-0.001, 0.002], [5, -5]]) {
     const axis = axisOf(values, 0.1);
     expect(axis.high - axis.low).toBeGreaterThanOrEqual(0.1);
@@ -15,7 +15,7 @@ test("an axis holds zero and all values, and is never of no length", () => {
   expect(shareOf({ low: 0, high: 1 }, -7)).toBe(0);
 });
 
-test("strategies of which no future was played say nothing about the axes", () => {
+test("strategies without rollouts do not change the axes", () => {
   const strategies = [{ strategy: "a", rollouts: 10, mean: 0.2, error: 0.1 }, { strategy: "b", rollouts: 0, mean: 99, gain_high: 99 }];
   const { mean, gain } = axesOf(forecastOf(fieldsOfJson({ strategies })));
   expect(mean.high).toBeLessThan(0.5);
@@ -29,14 +29,14 @@ test("gains are goals or chances, zero has no sign", () => {
   expect([0, 0.001, 0.62, 1].map(percent)).toEqual(["0 %", "< 1 %", "62 %", "100 %"]);
 });
 
-test("how far was looked is told in seconds, and in minutes where they are many", () => {
+test("the horizon is shown in seconds, and a long one in minutes", () => {
   const words = [["horizon", 30], ["horizon", 12.5], ["horizon", 600], ["next_goal", 30], ["half", 542], ["game", 1142], ["half", 42.04]] as const;
   expect(words.map(([until, horizon]) => reach({ until, horizon }))).toEqual([
     "30 s ahead", "12.5 s ahead", "10:00 ahead", "to the next goal, 30 s at most", "to the end of the half, 9:02", "to the end of the game, 19:02", "to the end of the half, 42 s",
   ]);
 });
 
-test("only what is truly played is kept or left; of another start the advice is a comparison", () => {
+test("only the played strategy is kept or left; otherwise the advice is a comparison", () => {
   const { strategies } = forecastOf(fieldsOfJson({ strategies: [{ strategy: "baseline" }, { strategy: "passing" }] }));
   const words = (advice: "keep" | "change" | "none", choice: string, plays: string) => headline({ advice, choice, strategies }, plays);
   expect([words("keep", "baseline", "baseline"), words("change", "passing", "baseline"), words("keep", "baseline", "")]).toEqual(["Keep baseline", "Change to passing", "Keep baseline"]);

@@ -50,7 +50,7 @@ export function clockFigure(offset: number | undefined): Figure {
   if (offset === undefined) return { name: "Clock", value: "–", wrong: "", about: "the time of a recording says nothing about clocks" };
   const apart = Math.abs(offset);
   const value = apart < 0.0005 ? "agrees" : `${duration(apart)} ${offset > 0 ? "ahead" : "behind"}`;
-  return { name: "Clock", value, wrong: apart > kClocks ? `The clocks differ by ${duration(apart)}: recordings of both machines lie apart by that. Set them by the same time server.` : "", about };
+  return { name: "Clock", value, wrong: apart > kClocks ? `The clocks differ by ${duration(apart)}: recordings of both machines are shifted by that. Set them by the same time server.` : "", about };
 }
 
 /** Figures of this page itself. */
@@ -70,6 +70,6 @@ export function pageFigures({ framesPerSecond, kept_bytes, kept }: { framesPerSe
 export function clientSentence({ queued_bytes, round_trip, lossless }: ClientStatistics, dropping: number): string {
   if (queued_bytes > kQueue) return `${bytes(queued_bytes)} wait to be sent: its network is too slow for what it asks.`;
   if (round_trip > kRoundTrip) return `An answer takes ${duration(round_trip)}: a slow or crowded network.`;
-  if (dropping > 0) return `${lossless ? "It loses" : "Newer messages pass over older ones:"} ${dropping.toFixed(dropping < 10 ? 1 : 0)} a second.`;
+  if (dropping > 0) return `${lossless ? "It loses" : "Newer messages replace waiting ones:"} ${dropping.toFixed(dropping < 10 ? 1 : 0)} a second.`;
   return "";
 }

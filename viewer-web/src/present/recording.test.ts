@@ -44,7 +44,7 @@ test("other viewers get the file's address; web pages only where they may read i
   expect(links("http://127.0.0.1:8765/x").map(({ protocol }) => protocol)).toEqual(["https:", "https:"]);
 });
 
-test("a part of a recording is told in minutes and seconds, and asked for in ns", () => {
+test("a part of a recording is typed in minutes and seconds, and requested in ns", () => {
   expect(["0:05", "65", "1:05.5", "1:00:00", "", "1:2:3:4", "x", "-1", "1:"].map(secondsOf)).toEqual([5, 65, 65.5, 3600, undefined, undefined, undefined, undefined, undefined]);
   const session = { url: "/logs/s.mcap", start_ns: kStart_ns, end_ns: kStart_ns + 60_000_000_000n };
   expect(partOf(session, "", "")).toEqual({ url: "/logs/s.mcap" });

@@ -20,7 +20,7 @@ export function lengthOf({ start_ns, end_ns }: Pick<Session, "start_ns" | "end_n
 export const kStateSentence: Record<Session["state"], string> = {
   recording: "Still being recorded; a download holds everything up to now.",
   complete: "",
-  recovered: "The robot went off while recording; everything up to its last second was recovered.",
+  recovered: "The robot stopped while recording; everything up to its last second was recovered.",
   damaged: "Part of it cannot be read.",
   unknown: "This viewer does not know its state.",
 };

@@ -25,7 +25,7 @@ test("objects are closed at first and show a glimpse", () => {
   expect(textAt(kJoints, open(), "/14/2/joints")).toBe("angles, robots");
 });
 
-test("an open object shows every field, what is nested, and what is absent", () => {
+test("an open object shows every field, nested fields, and absent ones", () => {
   expect(paths([kBall], open("/14/2/ball"))).toEqual(
     ["", ".x", ".seen_ns", ".centre", ".centre.x", ".side", ".radius"].map((step) => `/14/2/ball${step}`),
   );
@@ -41,7 +41,7 @@ test("a long list is closed until opened, a short one is open, entries have an i
   expect(paths([kJoints], open("/14/2/joints", "/14/2/joints.angles"))).toContain("/14/2/joints.angles[24]");
 });
 
-test("a search keeps what matches all words and the way to it, whatever was closed", () => {
+test("a search keeps the fields that match all words and the nodes above them, also closed ones", () => {
   expect(paths([kBall, kJoints], open(), "CENTRE x")).toEqual(["/14/2/ball", "/14/2/ball.centre", "/14/2/ball.centre.x"]);
   expect(paths([kBall, kJoints], open(), "robots[1]")).toEqual([
     "/14/2/joints", "/14/2/joints.robots", "/14/2/joints.robots[1]", "/14/2/joints.robots[1].x",

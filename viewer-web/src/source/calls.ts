@@ -59,6 +59,6 @@ export class Calls {
 function accepted(service: string, value: unknown): Answer {
   if (typeof value !== "object" || value === null) throw new Error(`The robot's answer to '${service}' is not an object.`);
   const answer = value as Answer;
-  if (answer["ok"] === false) throw new Error(String(answer["error"] ?? `The robot refused '${service}' without saying why.`));
+  if (answer["ok"] === false) throw new Error(String(answer["error"] ?? `The robot refused '${service}' without a reason.`));
   return answer;
 }

@@ -66,7 +66,7 @@ beforeEach(() => {
 });
 afterEach(() => vi.useRealTimers());
 
-test("a wanted topic is subscribed as soon as it is offered, and only once when two want it", async () => {
+test("a wanted topic is subscribed as soon as it is offered, and only once for two users", async () => {
   client.want("/14/2/ball");
   client.want("/14/2/ball");
   newest().say(kInfo, { op: "advertise", channels: [kChannel, { ...kChannel, id: 4, topic: "/14/2/pose" }] });
@@ -74,7 +74,7 @@ test("a wanted topic is subscribed as soon as it is offered, and only once when 
   expect(newest().take("subscribe")).toEqual([{ op: "subscribe", subscriptions: [{ id: 0, channelId: 3 }] }]);
 });
 
-test("a subscription ends when nobody wants the topic any more", async () => {
+test("a subscription ends with its last user", async () => {
   const [first, second] = [client.want("/14/2/ball"), client.want("/14/2/ball")];
   newest().say(kInfo, { op: "advertise", channels: [kChannel] });
   await turn();

@@ -184,7 +184,7 @@ export class Client {
         this.listener.services([...this.#services.keys()]);
         break;
       case "serviceCallFailure":
-        this.#calls.fail(text.call, text.message || "The robot refused without saying why.");
+        this.#calls.fail(text.call, text.message || "The robot refused without a reason.");
         break;
       case "malformed":
         this.#complain(text.why);

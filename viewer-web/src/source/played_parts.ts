@@ -13,12 +13,12 @@ export async function fetchPlayed(topic: string, from_ns: bigint, to_ns: bigint)
     } catch {
       throw new Error("The server does not answer.");
     }
-    if (!response.ok) throw new Error(`The server does not tell what it plays (HTTP ${response.status}).`);
+    if (!response.ok) throw new Error(`The server does not list its recording (HTTP ${response.status}).`);
     const recorded = recordedIn(new Uint8Array(await response.arrayBuffer()));
-    if (recorded.damage) throw new Error(`What the server plays of ${topic} cannot be read: ${recorded.damage}.`);
+    if (recorded.damage) throw new Error(`The recording of ${topic} cannot be read: ${recorded.damage}.`);
     for (const message of recorded.messages) messages.push(message);
     const until = response.headers.get("Foresight-Until") ?? "";
-    if (!/^\d{1,20}$/.test(until) || BigInt(until) < next_ns) throw new Error("The server does not tell how far its answer reaches.");
+    if (!/^\d{1,20}$/.test(until) || BigInt(until) < next_ns) throw new Error("The server does not report the end of its answer.");
     next_ns = BigInt(until) + 1n;
   }
   return messages;

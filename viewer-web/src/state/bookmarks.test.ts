@@ -7,7 +7,7 @@ test("bookmarks go through the address as they are, in order of time", () => {
   expect(bookmarksOf(textOfBookmarks([{ at_ns: 1n, name: "a;2~b" }]))).toEqual([{ at_ns: 1n, name: "a,2~b" }]);
 });
 
-test("what makes no sense is left out", () => {
+test("invalid bookmarks are left out", () => {
   expect(bookmarksOf("")).toEqual([]);
   expect(bookmarksOf("x~y;-1~a;7~ok;99999999999999999999~b;8")).toEqual([{ at_ns: 7n, name: "ok" }]);
 });

@@ -13,7 +13,7 @@ test("a layout read again is the same, without its moments", () => {
   expect(layoutOf(textOfLayout(route))).toEqual({ ...rest, settings: new Map([...settings].slice(0, 3)) });
 });
 
-test("what is no layout is refused with one sentence that says why", () => {
+test("a file that is no layout is refused with one sentence and its reason", () => {
   const with_ = (more: object) => JSON.stringify({ foresight_layout: 1, robot: "14/2", view: "field", settings: {}, ...more });
   expect(layoutOf(with_({}))).toMatchObject({ view: "field" });
   const cases: [string, string][] = [

@@ -15,7 +15,7 @@ test("an address that makes no sense chooses nothing", () => {
     expect(routeOf(hash)).toEqual({ robot: "", view: "", settings: none });
 });
 
-test("a view is found by its former name, a token never stays", () => {
+test("a view is found by its former name, and a token never stays", () => {
   expect(routeOf("#/14/2/rates")).toMatchObject({ robot: "14/2", view: "health" });
   expect(routeOf("#/field?token=secret&at=7").settings).toEqual(new Map([["at", "7"]]));
 });

@@ -409,7 +409,7 @@ export class Time {
     this.#asked_ns = undefined;
     if (asked_ns >= range.first_ns && asked_ns <= range.last_ns) return this.seek(asked_ns);
     this.viewer.set("at", "");
-    const why = this.recorded ? "The moment of this link is not within this recording." : "The moment of this link is older than what this page has seen; a recording on the robot may hold it.";
+    const why = this.recorded ? "The moment of this link is not within this recording." : "The moment of this link is older than the data of this page; a recording on the robot may hold it.";
     this.viewer.say("info", why, "asked moment");
   }
 

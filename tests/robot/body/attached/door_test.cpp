@@ -161,7 +161,7 @@ TEST_F(TheDoor, MessagesOfAProcessEnterMemoryWithTheirCaptureTimeOfTheEpoch) {
   EXPECT_EQ(foresight_epoch_ns(ball.get(), 7), 7 + 5 * kSecond);
 }
 
-TEST_F(TheDoor, ATypeUnknownToTheRuntimeIsWelcome) {
+TEST_F(TheDoor, ATypeUnknownToTheRuntimeIsAccepted) {
   const Writer vortex = announce("/debug/vortex", "team.Vortex", "", "json");
   ASSERT_TRUE(write(vortex, "{\"spin\": 3}"));
   ASSERT_TRUE(tests::eventually([&] { return newest("/debug/vortex") != nullptr; }));
@@ -229,7 +229,7 @@ TEST_F(TheDoor, MessagesThatGrowFindALargerPlace) {
   EXPECT_FALSE(write(blob, std::string((8 << 20) + 1, 'b')));
 }
 
-TEST_F(TheDoor, AProcessReadsTheNewestAndWhatFollows) {
+TEST_F(TheDoor, AProcessReadsTheNewestMessageAndLaterOnes) {
   foresight::MotionCommand command;
   command.mutable_walk_speed()->set_x(0.1f);
   memory->motion_command.write(command, 6 * kSecond);
@@ -246,7 +246,7 @@ TEST_F(TheDoor, AProcessReadsTheNewestAndWhatFollows) {
   EXPECT_EQ(message.sequence, 2u);
 }
 
-TEST_F(TheDoor, AnObjectMayBeWantedBeforeItIsThere) {
+TEST_F(TheDoor, AReaderMayBeginBeforeItsObjectExists) {
   const Reader reader = want("/14/2/prophecy");
   ForesightMessage message;
   EXPECT_FALSE(foresight_read(reader.get(), &message));
@@ -270,7 +270,7 @@ TEST_F(TheDoor, ADeadlineThatHasPassedIsNotWaitedFor) {
   EXPECT_EQ(foresight_ms_until(7'000'000, 7'000'000), 0);
   EXPECT_EQ(foresight_ms_until(7'000'000, 7'000'001), 0);
   EXPECT_EQ(foresight_ms_until(0, UINT64_MAX), 0);
-  EXPECT_EQ(foresight_ms_until(UINT64_MAX, 0), 60'000) << "whoever waits looks at the clock again";
+  EXPECT_EQ(foresight_ms_until(UINT64_MAX, 0), 60'000) << "a longer wait is split, so that it reads the clock again";
 }
 
 TEST_F(TheDoor, AQuestionIsAnsweredByItsOwnForecastOrNotAtAll) {
@@ -479,7 +479,7 @@ TEST_F(TheDoor, SurvivesEveryTruncation) {
 }
 
 TEST_F(TheDoor, SurvivesRandomBytes) {
-  std::mt19937 random(1);  // fixed seed: a failure is the same failure tomorrow
+  std::mt19937 random(1);  // the fixed seed makes a failure repeatable
   for (int i = 0; i < 300; ++i) {
     std::string bytes = i % 2 ? ball_channel() : "";
     for (int n = 0; n < 60; ++n) {
@@ -492,7 +492,7 @@ TEST_F(TheDoor, SurvivesRandomBytes) {
   expect_all_well();
 }
 
-TEST_F(TheDoor, SaysWhatIsWrongWithSharedMemory) {
+TEST_F(TheDoor, NamesTheErrorInSharedMemory) {
   const std::string shared = frame(6, integer(1, 8) + integer(1, 16) + integer(0, 8) + integer(100, 8));
   EXPECT_EQ(refusal(stranger(ball_channel() + shared)),
             "/14/2/ball: expected a file before the first message that lies in it, got none");

@@ -43,7 +43,7 @@ TEST(NaoConfig, ReadsEverySetting) {
   EXPECT_EQ(config->bottom_projection.centre_y, 250);
 }
 
-TEST(NaoConfig, SaysWhichLineIsWrong) {
+TEST(NaoConfig, NamesTheWrongLine) {
   EXPECT_EQ(why_not("body.pitch_deg 3"), "nao config: expected NAME = VALUE, got 'body.pitch_deg 3'");
   EXPECT_EQ(why_not("camera.gain = 3"), "nao config: there is no 'camera.gain'");
   EXPECT_EQ(why_not("camera_top = 3"), "nao config: there is no 'camera_top'");

@@ -81,8 +81,8 @@ TEST(SimBody, EachSteppedTickIsWrittenAndNoOther) {
   ASSERT_TRUE(player->step(5));
   ASSERT_TRUE(player->step(1));
   EXPECT_EQ(player->state().tick(), before + 6);
-  EXPECT_EQ(truth.messages().size(), 7u);  // the first is what there was
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(truth.messages().size(), 7u);                       // the first is what there was
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // three ticks of a game that does not pause
   EXPECT_EQ(truth.messages().size(), 7u);
   EXPECT_EQ(player->state().tick(), before + 6);
 }
@@ -113,7 +113,7 @@ TEST(SimBody, ResetBeginsTheGameOfASeedAgain) {
   EXPECT_NE(played_by_the_simulator(7, 300), played_by_the_simulator(8, 300));
 }
 
-TEST(SimBody, ASituationIsWhereTheGameGoesOn) {
+TEST(SimBody, AGameContinuesFromASituation) {
   const auto player = body();
   sim::State state = sim::random_situation(player->setup().params(), {5});
   player->reset(state);
@@ -125,7 +125,7 @@ TEST(SimBody, ASituationIsWhereTheGameGoesOn) {
   EXPECT_EQ(player->state().seed(), 5u);
 }
 
-/// The strategy that the tree names which decided last.
+/// The strategy of the last decision.
 std::string played_by(const memory::Channels& channels, const std::string& robot) {
   const auto version = channels.find("/" + robot + "/decision")->newest();
   foresight::DecisionTrace trace;
@@ -133,7 +133,7 @@ std::string played_by(const memory::Channels& channels, const std::string& robot
   return trace.strategy();
 }
 
-TEST(SimBody, TheTeamPlaysWhatItsCaptainChose) {
+TEST(SimBody, TheTeamPlaysTheStrategyOfItsCaptain) {
   body::GameSetup with = setup();
   std::vector<std::shared_ptr<const sim::agent::Behaviour>> strategies;
   for (const char* name : {"baseline", "kick_now"}) strategies.push_back(*sim::io::load_strategy(name));
@@ -186,7 +186,7 @@ TEST(SimBody, EveryRobotIsListedUnderItsName) {
 }
 
 // without noise a robot believes what is true
-TEST(SimBody, AtEqualCaptureTimesStandABeliefAndItsTruth) {
+TEST(SimBody, ABeliefAndItsTruthHaveEqualCaptureTimes) {
   const auto player = body({.robot = 2}, setup("spl2012", "perfect"));
   const Recording truth(player->memory()->truth), pose(player->memory()->pose), game(player->memory()->game);
   ASSERT_TRUE(player->step(400));
@@ -274,12 +274,12 @@ TEST(SimBody, StopDoesNotWait) {
     if (paused) player->pause();
     player->stop();
     const std::uint64_t written = player->memory()->truth.read()->sequence();
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // many ticks of a game that does not stop
     EXPECT_EQ(player->memory()->truth.read()->sequence(), written);
   }
 }
 
-TEST(SimBody, RefusesWhatIsOutOfRangeInASentence) {
+TEST(SimBody, RefusesValuesOutOfRangeWithASentence) {
   const auto player = body();
   EXPECT_EQ(player->step(0).error(), "simulation: 'ticks' must be 1 .. 1800, got 0");
   EXPECT_EQ(player->step(1801).error(), "simulation: 'ticks' must be 1 .. 1800, got 1801");

@@ -185,7 +185,7 @@ TEST_F(NaoCameraThread, WritesImagesWithTheDriversTime) {
   }));
 }
 
-TEST_F(NaoCameraThread, IsUnpluggedAndComesBack) {
+TEST_F(NaoCameraThread, ContinuesAfterTheCameraWasUnplugged) {
   start();
   deliver_until_seen(1);
   for (int round = 0; round < 3; ++round) {

@@ -8,7 +8,7 @@
 namespace robot::nao {
 namespace {
 
-TEST(NaoGuardianLaws, HoldWhateverHappens) {
+TEST(NaoGuardianLaws, HoldForRandomEvents) {
   int stood = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
     std::mt19937 random(seed);
@@ -24,7 +24,7 @@ TEST(NaoGuardianLaws, HoldWhateverHappens) {
     }
     stood += laws.stood();
   }
-  EXPECT_GT(stood, 10'000) << "it stood often enough for the laws to mean something";
+  EXPECT_GT(stood, 10'000) << "it must stand often, or the laws would prove nothing";
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST_F(NaoGuardian, IsSoftUntilTheChestButtonIsPressed) {
   EXPECT_EQ(guardian.mode(), Mode::unstiff);
 }
 
-TEST_F(NaoGuardian, GoesWhereTheChestButtonLeads) {
+TEST_F(NaoGuardian, FollowsTheChestButton) {
   cycle();
   for (const Mode mode : {Mode::initial, Mode::penalised, Mode::playing, Mode::penalised, Mode::playing}) {
     click();
@@ -137,7 +137,7 @@ TEST_F(NaoGuardian, TakesPosturesFromTheRuntimeWhilePlaying) {
   EXPECT_EQ(guardian.mode(), Mode::playing);
   order.posture = static_cast<Order::Posture>(99);
   run(1);
-  EXPECT_FALSE(has_stiffness()) << "an order that nobody knows is not obeyed";
+  EXPECT_FALSE(has_stiffness()) << "an unknown order is not obeyed";
 }
 
 TEST_F(NaoGuardian, FollowsTheGameControllerWhenItsStateChanges) {
@@ -145,7 +145,7 @@ TEST_F(NaoGuardian, FollowsTheGameControllerWhenItsStateChanges) {
   hear(true, GameState::playing);
   EXPECT_EQ(guardian.mode(), Mode::penalised);
   click();
-  EXPECT_EQ(guardian.mode(), Mode::playing) << "a person may say otherwise";
+  EXPECT_EQ(guardian.mode(), Mode::playing) << "a person may change it";
   run(1);
   EXPECT_EQ(guardian.mode(), Mode::playing);
   hear(true, GameState::set);
@@ -311,7 +311,7 @@ TEST_F(NaoGuardian, GoesOnWhenALateRuntimeSpeaksAgain) {
   cycle();
   EXPECT_EQ(guardian.doing(), Doing::standing);
   EXPECT_EQ(guardian.mode(), Mode::playing);
-  EXPECT_NEAR(body.sensors.position[head_yaw], 1, 1e-3) << "as if nothing had been";
+  EXPECT_NEAR(body.sensors.position[head_yaw], 1, 1e-3) << "the same as before the event";
 }
 
 TEST_F(NaoGuardian, AfterARestartOfTheRuntimeWaitsForTheGameController) {
@@ -332,7 +332,7 @@ TEST_F(NaoGuardian, AfterARestartOfTheRuntimeWaitsForTheGameController) {
   EXPECT_NEAR(body.sensors.position[head_yaw], 0, 0.05);
   hear(false, GameState::playing);
   run(3);
-  EXPECT_NEAR(body.sensors.position[head_yaw], 1, 0.01) << "and plays on when that says so";
+  EXPECT_NEAR(body.sensors.position[head_yaw], 1, 0.01) << "and continues to play when that reports it";
 }
 
 TEST_F(NaoGuardian, AfterARestartTheChestButtonAllowsMotionToo) {
@@ -362,7 +362,7 @@ TEST_F(NaoGuardian, ThreeCrashesInAMinuteEndSeatedWithRedEyes) {
   EXPECT_EQ(cycle().lights.l_eye, (Colour{1, 0, 0}));
   click();
   run(1);
-  EXPECT_TRUE(seated()) << "the first click only says that somebody has seen it";
+  EXPECT_TRUE(seated()) << "the first click only acknowledges the crash";
   EXPECT_NE(cycle().lights.l_eye, (Colour{1, 0, 0}));
   click();
   until(Doing::standing);
@@ -425,7 +425,7 @@ TEST_F(NaoGuardian, StandsUpAgainOnceItIsUprightAfterAFall) {
   run(3);
   body.put_upright();
   run(0.5);
-  EXPECT_FALSE(has_stiffness()) << "somebody may still be putting it down";
+  EXPECT_FALSE(has_stiffness()) << "a person may still be putting it down";
   until(Doing::standing);
 }
 
@@ -510,7 +510,7 @@ TEST_F(NaoGuardian, LeavesARobotSoftThatLiesAtTheStart) {
   EXPECT_EQ(guardian.mode(), Mode::unstiff);
 }
 
-TEST_F(NaoGuardian, ShowsWhatItIs) {
+TEST_F(NaoGuardian, ShowsItsStateByLights) {
   run(0.1);
   click();
   EXPECT_EQ(cycle().lights.chest, (Colour{0, 0, 0}));

@@ -35,7 +35,7 @@ struct NaoLink : ::testing::Test {
   RuntimeLink link;
 };
 
-TEST_F(NaoLink, HearsTheNewestOrderAndEveryRequest) {
+TEST_F(NaoLink, ReceivesTheNewestOrderAndEveryRequest) {
   GuardianClient runtime = client();
   EXPECT_FALSE(link.hear().order);
   ASSERT_TRUE(runtime.give(order(1)) && runtime.give(order(2)));
@@ -44,10 +44,10 @@ TEST_F(NaoLink, HearsTheNewestOrderAndEveryRequest) {
   EXPECT_EQ(heard.order->position[head_yaw], 2);
   EXPECT_FALSE(heard.asked_soft);
   ASSERT_TRUE(client().ask(Request::What::sit_and_soft));
-  EXPECT_TRUE(link.hear().asked_soft) << "also from somebody who has gone since";
+  EXPECT_TRUE(link.hear().asked_soft) << "also from a client that has disconnected since";
 }
 
-TEST_F(NaoLink, KnowsAGoodbyeFromACrash) {
+TEST_F(NaoLink, DistinguishesAGoodbyeFromACrash) {
   {
     GuardianClient runtime = client();
     ASSERT_TRUE(runtime.give({}) && link.hear().order);
@@ -62,7 +62,7 @@ TEST_F(NaoLink, KnowsAGoodbyeFromACrash) {
   EXPECT_FALSE(heard.order) << "the order of a runtime that is gone";
   { client(); }
   heard = link.hear();
-  EXPECT_FALSE(heard.runtime_crashed || heard.runtime_left) << "who gave no order was no runtime";
+  EXPECT_FALSE(heard.runtime_crashed || heard.runtime_left) << "a client without an order was no runtime";
 }
 
 TEST_F(NaoLink, ReadsAllMessagesOfAClientThatLeftWithUnreadReports) {
@@ -121,10 +121,10 @@ TEST_F(NaoLink, SendsEveryReportAndNeverWaitsForAClientThatDoesNotRead) {
   std::uint64_t kept = 0;
   for (auto old = sleeper.next(0); old && *old; old = sleeper.next(0)) EXPECT_EQ((*old)->frames, ++kept);
   EXPECT_GT(kept, 0u);
-  EXPECT_LT(kept, 100u) << "the others it missed";
+  EXPECT_LT(kept, 100u) << "it missed the other reports";
 }
 
-TEST_F(NaoLink, SaysThatThereIsNoGuardian) {
+TEST_F(NaoLink, ReportsAMissingGuardian) {
   const auto none = GuardianClient::open(folder / "none");
   EXPECT_EQ(none.error(), "guardian: expected foresight-guardian to listen at " + (folder / "none").string() +
                               ", got No such file or directory; start it first");

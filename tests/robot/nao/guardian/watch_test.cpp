@@ -26,7 +26,7 @@ TEST_F(NaoWatch, FindsAHealthyRobotHealthy) {
   EXPECT_FALSE(watch.falls() || watch.warm() || watch.hot() || watch.battery_low() || watch.battery_empty());
 }
 
-TEST_F(NaoWatch, KnowsAFallToAnySide) {
+TEST_F(NaoWatch, DetectsAFallToAnySide) {
   for (const std::size_t axis : {0u, 1u})
     for (const float sign : {-1.0f, 1.0f}) {
       body.put_upright();
@@ -47,7 +47,7 @@ TEST_F(NaoWatch, KnowsAFallToAnySide) {
     }
 }
 
-TEST_F(NaoWatch, ShakesAreNoFalls) {
+TEST_F(NaoWatch, AShakeIsNoFall) {
   body.sensors.gyroscope = {5, -5, 5};
   see(1);
   EXPECT_FALSE(watch.falls());
@@ -89,7 +89,7 @@ TEST_F(NaoWatch, ReportsALowBatteryUnlessItIsCharged) {
   EXPECT_FALSE(watch.battery_empty() || watch.battery_low());
 }
 
-TEST_F(NaoWatch, FeelsWhetherItStandsOnItsFeet) {
+TEST_F(NaoWatch, DetectsWhetherItStandsOnItsFeet) {
   body.lift();
   see();
   EXPECT_FALSE(watch.on_feet());

@@ -158,14 +158,14 @@ TEST(LolaSensors, SurviveEveryChangedByte) {
     }
 }
 
-TEST(LolaSensors, SayWhatIsMissing) {
+TEST(LolaSensors, NameTheMissingValue) {
   for (const char* key : {"Position", "Stiffness", "Temperature", "Current", "Status", "Accelerometer", "Gyroscope",
                           "Angles", "Battery", "FSR", "Sonar", "Touch", "RobotConfig"})
     EXPECT_EQ(why_not(reordered(random_sensors(5), key)),
               "LoLA: " + std::string(key) + ": expected it in every frame, got a frame without it");
 }
 
-TEST(LolaSensors, SayWhatIsWrong) {
+TEST(LolaSensors, NameTheWrongValue) {
   EXPECT_EQ(why_not(LolaFrame().floats("Position", {1, 2, 3}).frame()), "LoLA: Position: expected 25 numbers, got 3");
   EXPECT_EQ(why_not(LolaFrame().floats("FSR", std::vector<float>(500)).frame()),
             "LoLA: FSR: expected 8 numbers, got 500");

@@ -92,7 +92,7 @@ TEST(NaoKinematics, StandsOnItsLowerFoot) {
   }
 }
 
-TEST(NaoKinematics, KnowsTheLeanFromAFlatFoot) {
+TEST(NaoKinematics, FindsTheLeanFromAFlatFoot) {
   const Kinematics kinematics;
   PerJoint<float> joints = stand_pose().position;
   EXPECT_NEAR(kinematics.lean_on(joints, Side::left).pitch, 0, 1e-6) << "the stand is upright";
@@ -125,7 +125,7 @@ TEST(NaoKinematics, ALeanForwardLowersTheView) {
             (kinematics.robot_from_hip(joints, 0.1, 0) * Vector3d(0, -1, 0)).z());
 }
 
-TEST(NaoKinematics, CalibrationTurnsWhatItSays) {
+TEST(NaoKinematics, CalibrationTurnsCamerasAndBodyByItsAngles) {
   Calibration calibration;
   calibration.top.tilt = 0.02;
   calibration.bottom.roll = 0.03;

@@ -46,7 +46,7 @@ TEST_F(NaoMotion, StandsAndDrivesNothingUntilACommandComes) {
   EXPECT_FALSE(order.game.heard);
 }
 
-TEST_F(NaoMotion, TurnsTheHeadAsFastAsItIsTold) {
+TEST_F(NaoMotion, TurnsTheHeadAtTheCommandedSpeed) {
   command.mutable_head_angles()->set_yaw(1);
   command.mutable_head_angles()->set_pitch(0.2f);
   Order order = next();
@@ -73,7 +73,8 @@ TEST_F(NaoMotion, KeepsTheHeadClearOfTheShoulders) {
   EXPECT_NEAR(order.position[head_yaw], limits_of(head_yaw).range.high, 1e-5);
   EXPECT_NEAR(order.position[head_pitch], head_pitch_range(order.position[head_yaw]).high, 1e-5);
   command.mutable_head_angles()->set_yaw(std::nanf(""));
-  EXPECT_NEAR(next().position[head_yaw], limits_of(head_yaw).range.high, 1e-5) << "what is no number is not obeyed";
+  EXPECT_NEAR(next().position[head_yaw], limits_of(head_yaw).range.high, 1e-5)
+      << "a value that is no number is not obeyed";
 }
 
 TEST_F(NaoMotion, LooksAtAPlaceWithTheCameraThatCanSeeIt) {
@@ -114,7 +115,7 @@ TEST_F(NaoMotion, TakesPosturesAndKeepsThem) {
   next();
   command.clear_body();
   EXPECT_EQ(next().posture, Order::Posture::sit) << "go on as before";
-  EXPECT_EQ(next(2 * Motion::kCommandLasts_ns).posture, Order::Posture::stand) << "nobody commands any more";
+  EXPECT_EQ(next(2 * Motion::kCommandLasts_ns).posture, Order::Posture::stand) << "the last command is too old";
 }
 
 TEST_F(NaoMotion, RefusesMissingMotionsWithASentence) {

@@ -12,7 +12,7 @@ namespace {
 using memory::Delivery;
 using tests::TestChannel;
 
-/// Everything a queue gives out, one word per frame: "3:hello" is a message of subscription 3, "time" a Time.
+/// All frames of a queue, one word per frame: "3:hello" is a message of subscription 3, "time" a Time.
 std::string drained(ClientQueue& queue, std::size_t batches = SIZE_MAX) {
   std::string log, bytes;
   Batch batch;
@@ -143,7 +143,7 @@ TEST_F(ClientQueueTest, AVersionIsTakenOnce) {
   EXPECT_EQ(drained(queue), "21:b");
 }
 
-TEST_F(ClientQueueTest, WhatWaitsForAnEndedSubscriptionIsNotSent) {
+TEST_F(ClientQueueTest, MessagesOfAnEndedSubscriptionAreNotSent) {
   queue.push(2, sensor.write("a"));
   queue.unsubscribe(2);
   EXPECT_TRUE(queue.empty());
@@ -169,7 +169,7 @@ TEST_F(ClientQueueTest, ControlIsBounded) {
   EXPECT_FALSE(queue.push_control(std::string(60, 'x')));
 }
 
-TEST_F(ClientQueueTest, AGoodbyeComesAfterWhatWasSaidAndNothingAfterIt) {
+TEST_F(ClientQueueTest, ACloseFrameFollowsEarlierTextsAndIsTheLast) {
   queue.push(2, sensor.write("a"));
   queue.push_control(text_frame("why"));
   queue.finish(close_frame(kPolicyViolation, ""));
@@ -179,7 +179,7 @@ TEST_F(ClientQueueTest, AGoodbyeComesAfterWhatWasSaidAndNothingAfterIt) {
   EXPECT_TRUE(queue.empty());
 }
 
-TEST_F(ClientQueueTest, ForgettingSparesWhatMayNotBeLost) {
+TEST_F(ClientQueueTest, ForgettingKeepsReliableMessages) {
   queue.push(1, state.write("state"));
   queue.push(3, events.write("event"));
   queue.push_time(1);
@@ -194,7 +194,7 @@ TEST_F(ClientQueueTest, EmptyMessagesAreMessages) {
   EXPECT_TRUE(queue.empty());
 }
 
-TEST(ClientQueue, ANumberedClientIsToldNumbersAndPublishTimes) {
+TEST(ClientQueue, ANumberedClientReceivesNumbersAndPublishTimes) {
   TestChannel sensor("/14/2/sensor", Delivery::fifo);
   ClientQueue queue({.fifo_messages = 1}, false, /*numbered=*/true);
   queue.subscribe(1, 7, Delivery::fifo);

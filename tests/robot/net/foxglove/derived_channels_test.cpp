@@ -109,10 +109,10 @@ TEST_F(DerivedChannelsTest, ARecordedJpegPassesAsItIs) {
   foxglove::CompressedImage compressed;
   ASSERT_TRUE(bytes && *bytes && compressed.ParseFromString(**bytes));
   EXPECT_EQ(compressed.data(), "a jpeg");
-  EXPECT_FALSE(converter(0)(*version(image, kSecond)));  // as pixels it is nothing
+  EXPECT_FALSE(converter(0)(*version(image, kSecond)));  // it has no pixels
 }
 
-TEST_F(DerivedChannelsTest, WhatIsNoImageIsAnError) {
+TEST_F(DerivedChannelsTest, BytesThatAreNoImageAreAnError) {
   foresight::Image cut = yuyv(8, 4);
   cut.mutable_data()->resize(5);
   EXPECT_FALSE(converter(1)(*version(cut, kSecond)));

@@ -122,7 +122,7 @@ TEST(Foxglove, WrongTextsAreNamed) {
   }
 }
 
-TEST(Foxglove, DeeplyNestedTextIsNoDanger) {
+TEST(Foxglove, DeeplyNestedTextIsRefused) {
   EXPECT_FALSE(parse_client_text(std::string(500'000, '[')));
   EXPECT_FALSE(
       parse_client_text(R"({"op":"subscribe","x":)" + std::string(300'000, '[') + std::string(300'000, ']') + "}"));
@@ -160,7 +160,7 @@ TEST(Foxglove, ServerTextsHaveTheFieldsOfTheProtocol) {
   EXPECT_TRUE(Json::accept(status(StatusLevel::error, "\xff\xfe")));
 }
 
-TEST(Foxglove, WhatAServerSaysIsReadBack) {
+TEST(Foxglove, TextsOfAServerAreReadBack) {
   const auto info = parse_server_text(server_info({.name = "x",
                                                    .capabilities = {"time"},
                                                    .encodings = {"json"},

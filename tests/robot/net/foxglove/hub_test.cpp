@@ -34,7 +34,7 @@ class HandStreams final : public Streams {
     providers_.erase(id);
     changed_.notify_all();
   }
-  /// Waits until `count` streams were started in all; the last one's provider.
+  /// Waits until `count` streams were started in all; returns the last one's provider.
   logging::OutProvider& wait_started(Id count) {
     std::unique_lock guard(lock_);
     while (last_ < count) changed_.wait(lock_);
@@ -53,7 +53,7 @@ class HandStreams final : public Streams {
   std::string log_;
 };
 
-/// "base" and its derived channel "base/twice", whose bytes are those of the source twice; of "skip" there is none.
+/// "base" and its derived channel "base/twice", whose bytes are twice those of the source; "skip" has none.
 std::vector<Derived> derive_twice(const memory::ChannelInfo& source) {
   if (!source.topic.ends_with("base")) return {};
   std::vector<Derived> derived(1);
@@ -68,7 +68,7 @@ std::vector<Derived> derive_twice(const memory::ChannelInfo& source) {
   return derived;
 }
 
-/// A recording from 1000 to 9000 that does what it is told.
+/// A recording from 1000 to 9000 that obeys every request.
 class HandPlayback final : public Playback {
  public:
   std::uint64_t start_ns() const override { return 1000; }
@@ -121,7 +121,7 @@ class HubTest : public testing::Test {
   }
   void TearDown() override { inbox->close(); }
 
-  /// Does in the background what was asked for last.
+  /// Runs the last background task.
   void do_next() {
     const auto work = std::move(background.back());
     background.pop_back();
@@ -155,7 +155,7 @@ class HubTest : public testing::Test {
     });
     return all;
   }
-  /// As above, only op and what is most telling: "status:the sentence data:abc".
+  /// As above, only op and the most important field: "status:the sentence data:abc".
   static std::string gist(Client& client) {
     std::string log;
     for (const Json& message : said(client)) {
@@ -187,7 +187,7 @@ class HubTest : public testing::Test {
   }
 };
 
-TEST_F(HubTest, AClientIsToldWhoWeAreAndWhatThereIs) {
+TEST_F(HubTest, AClientReceivesServerInfoAndChannels) {
   const auto client = hub->join({});
   const auto messages = said(*client);
   ASSERT_EQ(messages.size(), 3u);
@@ -248,7 +248,7 @@ TEST_F(HubTest, ALateSubscriberGetsTheLastValueAtOnceAndOnce) {
   EXPECT_EQ(gist(*two), "");
 }
 
-TEST_F(HubTest, ADerivedChannelIsConvertedOnItsWay) {
+TEST_F(HubTest, ADerivedChannelConvertsItsMessages) {
   const auto one = join(), two = join();
   subscribe(*one, 2);
   auto& provider = streams.wait_started(1);
@@ -283,7 +283,7 @@ TEST_F(HubTest, WrongSubscriptionsAreAnsweredAndTheConnectionStays) {
   EXPECT_FALSE(client->queue.finished());
 }
 
-TEST_F(HubTest, AReliableChannelThatOverflowsEndsTheConnectionAndNoOther) {
+TEST_F(HubTest, AnOverflowingReliableChannelEndsOnlyItsConnection) {
   const auto slow = join(), quick = join();
   subscribe(*slow, 3);
   subscribe(*quick, 3);
@@ -332,7 +332,7 @@ TEST_F(HubTest, TimeDoesNotGoBackExceptWithANewSession) {
   EXPECT_EQ(time_of(), foxglove::time(4000).substr(1));
 }
 
-TEST_F(HubTest, ARecordingIsPausedAndMovedByWhoMayControl) {
+TEST_F(HubTest, AClientWithControlPausesAndSeeksARecording) {
   HandPlayback playback;
   make_hub(&playback);
   const auto unaware = join();
@@ -379,13 +379,13 @@ TEST_F(HubTest, ARecordingIsPausedAndMovedByWhoMayControl) {
   EXPECT_EQ(end[1]["bytes"], foxglove::time(5000).substr(1));
 }
 
-TEST_F(HubTest, WhatIsLiveCannotBeMoved) {
+TEST_F(HubTest, ALiveServerRefusesPlaybackControl) {
   const auto client = join();
   hub->on_binary(*client, foxglove::to_bytes(foxglove::PlaybackControl{true, 1, 5000, "r1"}));
   EXPECT_EQ(gist(*client), "status:playback: this server does not play a recording");
 }
 
-TEST_F(HubTest, ParametersAreToldSetAndWatched) {
+TEST_F(HubTest, ParametersAreReadSetAndSubscribed) {
   const auto client = join(), watcher = join();
   hub->on_text(*watcher, R"({"op":"subscribeParameterUpdates","parameterNames":[]})");
   hub->on_text(*client, R"({"op":"getParameters","parameterNames":[],"id":"all"})");
@@ -418,7 +418,7 @@ TEST_F(HubTest, ControlNeedsTheTokenAndClockSyncDoesNot) {
   EXPECT_EQ(gist(*stranger), "serviceCallFailure:there is no service 9 status:there is no service 9");
 }
 
-TEST_F(HubTest, DuringAGameNobodyFromElsewhereControls) {
+TEST_F(HubTest, DuringAGameClientsOfOtherMachinesHaveNoControl) {
   const auto early = join();
   hub->set_match_mode(true);
   const auto late = join();
@@ -432,7 +432,7 @@ TEST_F(HubTest, DuringAGameNobodyFromElsewhereControls) {
   EXPECT_NE(set(*early).find("\"value\":50"), std::string::npos);
 }
 
-TEST_F(HubTest, ThereIsOneQuestionAtATimeOneMoreWaitsAndTheNextIsToldSo) {
+TEST_F(HubTest, OneQuestionRunsOneWaitsAndTheNextIsRefused) {
   holds_questions = true;
   const auto one = join(), two = join(), three = join();
   ask(*one, "a");
@@ -455,7 +455,7 @@ TEST_F(HubTest, ThereIsOneQuestionAtATimeOneMoreWaitsAndTheNextIsToldSo) {
   EXPECT_TRUE(background.empty());
 }
 
-TEST_F(HubTest, WhatWhoHasGoneAskedIsNotBegun) {
+TEST_F(HubTest, AQuestionOfADisconnectedClientIsNotBegun) {
   holds_questions = true;
   auto one = join(), two = join();
   const auto three = join();
@@ -463,7 +463,7 @@ TEST_F(HubTest, WhatWhoHasGoneAskedIsNotBegun) {
   ask(*two, "b");
   hub->leave(*two);
   ask(*three, "c");
-  hub->leave(*one);  // its question is running: there is nobody to be told
+  hub->leave(*one);  // its question is running, and no client waits for the answer
   one.reset();
   do_next();
   do_next();
@@ -472,7 +472,7 @@ TEST_F(HubTest, WhatWhoHasGoneAskedIsNotBegun) {
   EXPECT_TRUE(background.empty());
 }
 
-TEST_F(HubTest, DuringAGameNobodyAsksNotEvenOnThisMachine) {
+TEST_F(HubTest, DuringAGameQuestionsAreRefusedAlsoFromThisMachine) {
   holds_questions = true;
   const auto local = hub->join({.context = {.loopback = true, .may_control = true}}), other = join();
   said(*local);
@@ -498,7 +498,7 @@ TEST_F(HubTest, ARoundTripIsMeasuredAndSilenceEndsTheConnection) {
   hub->every_second(1 * kSecond);
   EXPECT_EQ(gist(*client), "ping");
   hub->on_pong(*client, 1 * kSecond + 42);
-  hub->on_pong(*client, 9 * kSecond);  // unasked: of no meaning
+  hub->on_pong(*client, 9 * kSecond);  // a pong without a ping has no effect
   EXPECT_EQ(hub->statistics().clients.at(0).round_trip_ns, 42u);
   hub->every_second(2 * kSecond);
   hub->every_second(30 * kSecond);
@@ -507,7 +507,7 @@ TEST_F(HubTest, ARoundTripIsMeasuredAndSilenceEndsTheConnection) {
   EXPECT_EQ(gist(*client), "status:the connection has not answered for too long: it is closed close");
 }
 
-TEST_F(HubTest, DropsAreToldNowAndThenAndTakenBack) {
+TEST_F(HubTest, ManyDropsAreReportedAndTheReportIsWithdrawn) {
   const auto client = join();
   subscribe(*client, 1);
   auto& provider = streams.wait_started(1);
@@ -518,7 +518,7 @@ TEST_F(HubTest, DropsAreToldNowAndThenAndTakenBack) {
   };
   write(4);
   hub->every_second(5 * kSecond);
-  EXPECT_EQ(gist(*client), "ping") << "a few are not worth a word";
+  EXPECT_EQ(gist(*client), "ping") << "a few drops are not reported";
   write(31);
   hub->every_second(10 * kSecond);
   const auto told = said(*client);
@@ -547,7 +547,7 @@ TEST(Inbox, WakesOncePerBatchAndHoldsBackWhenFull) {
   inbox.take(contents);
   EXPECT_EQ(contents.tasks.size(), 1u);
   blocked.join();
-  inbox.take(contents);  // or the one before had both
+  inbox.take(contents);  // or the batch before had both
 
   EXPECT_TRUE(inbox.put({1, 1, channel.write("1234567890")}, cancelled));
   std::thread waiting([&] { EXPECT_FALSE(inbox.put({1, 1, channel.write("1234567890")}, cancelled)); });

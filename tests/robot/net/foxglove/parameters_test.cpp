@@ -59,8 +59,8 @@ TEST_F(ParametersTest, RefuseOthersWithASentence) {
   EXPECT_EQ(changes, "");
 }
 
-TEST_F(ParametersTest, OnlyChangesAreTold) {
-  parameters.update("recording", true);  // no checks: it is so
+TEST_F(ParametersTest, OnlyChangesAreReported) {
+  parameters.update("recording", true);  // without a check every value is accepted
   parameters.update("recording", true);
   EXPECT_TRUE(parameters.set("quality", std::int64_t{75}));
   EXPECT_EQ(changes, "recording ");
@@ -85,7 +85,7 @@ TEST(Parameters, AreSetAndReadByManyThreads) {
 
 // services
 
-TEST(Services, AnswerInJsonWhateverHappens) {
+TEST(Services, AnswerEveryRequestInJson) {
   Services services;
   services.add("double", Services::For::everybody,
                [](const nlohmann::json& request, const ClientContext&) -> nlohmann::json {
@@ -129,7 +129,7 @@ TEST(Services, ARequestThatIsNestedTooDeepIsAnsweredWithASentence) {
             R"({"error":"echo: expected JSON nested at most 64 deep, got deeper nesting","ok":false})");
 }
 
-TEST(Services, ClockSyncAnswersWithOurTimeAndTakesWhatWasMeasured) {
+TEST(Services, ClockSyncAnswersWithOurTimeAndTakesMeasurements) {
   Services services;
   const ManualClock clock(456);
   std::vector<PeerClock> measured;

@@ -30,7 +30,7 @@ TEST(Range, FollowsRfc9110) {
     EXPECT_EQ(range(odd, 10), "whole") << odd;
 }
 
-TEST(Target, IsTakenApartAndDecoded) {
+TEST(Target, IsParsedAndDecoded) {
   const auto target = parse_target("/logs/a_b.mcap?from=12&token=a%2Bb+c&empty=&alone&from=13");
   ASSERT_TRUE(target);
   EXPECT_EQ(target->path, "/logs/a_b.mcap");
@@ -89,7 +89,7 @@ TEST(Body, IsSentWholeInPartOrNotAtAll) {
 
   EXPECT_EQ(ask({{"if-none-match", "W/\"x\", \"e1\""}}).status, 304);
   EXPECT_EQ(ask({{"if-none-match", "\"e2\""}}).status, 200);
-  // a part only of what the client already has a part of
+  // a part only if the client has a part of the same version
   EXPECT_EQ(ask({{"range", "bytes=2-4"}, {"if-range", "\"e1\""}}).status, 206);
   EXPECT_EQ(ask({{"range", "bytes=2-4"}, {"if-range", "\"e2\""}}).status, 200);
 }
@@ -112,7 +112,7 @@ std::string requests(std::string_view bytes, std::size_t portion) {
   return log;
 }
 
-TEST(HttpParser, MeansTheSameHoweverTheRequestIsCut) {
+TEST(HttpParser, GivesTheSameRequestForPiecesOfAnySize) {
   const std::string text = "GET /a HTTP/1.1\r\nHost: x\r\n\r\nHEAD /b?c=d HTTP/1.1\r\nHost: x\r\nX-Empty:\r\n\r\n";
   for (std::size_t portion = 1; portion <= text.size(); ++portion)
     EXPECT_EQ(requests(text, portion), "GET/a HEAD/b?c=d ");
@@ -130,7 +130,7 @@ TEST(HttpParser, GivesHeadersInLowerCase) {
   EXPECT_EQ(parser.take_rest(), "rest");
 }
 
-TEST(HttpParser, RefusesWhatIsNoRequestOrTooLarge) {
+TEST(HttpParser, RefusesMalformedAndTooLargeRequests) {
   const std::string header = "GET / HTTP/1.1\r\n";
   for (const std::string& text :
        {std::string("hello\r\n\r\n"), std::string("\x16\x03\x01\x02"), std::string("GET / HTTP/9.9\r\n\r\n"),

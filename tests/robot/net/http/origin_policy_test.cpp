@@ -10,14 +10,14 @@ namespace {
 const OriginPolicy kPolicy{
     .hosts = {"Nao.Lab.example.org"}, .origins = {"https://lab.example.org"}, .robots = {"10.0.14.2", "nao2"}};
 
-TEST(OriginPolicy, AcceptsTheHostsThatAreOurs) {
+TEST(OriginPolicy, AcceptsOurOwnHosts) {
   for (const char* host :
        {"127.0.0.1", "127.0.0.1:8765", "10.0.14.7:8765", "[::1]", "[fe80::1]:8765", "localhost", "LOCALHOST:80",
         "nao.local", "nao.local:8765", "nao.lab.example.org", "NAO.lab.example.org:1", "nao2:8765"})
     EXPECT_TRUE(check_host(kPolicy, host)) << host;
 }
 
-TEST(OriginPolicy, RefusesHostsThatMayBeSomebodyElses) {
+TEST(OriginPolicy, RefusesForeignHosts) {
   for (const char* host :
        {"", "evil.example.com", "evil.example.com:8765", "localhost.evil.com", "nao.local.evil.com", ".local", "local",
         "127.0.0.1.evil.com", "127.0.0.1:80:90", "127.0.0.1:8a", "[::1", "nao.lab.example.org.", "127.0.0.1@evil.com"})

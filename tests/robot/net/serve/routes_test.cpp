@@ -51,7 +51,7 @@ class RoutesTest : public testing::Test {
   }
 };
 
-TEST_F(RoutesTest, TheViewerIsSentPackedAndInflatedForThoseWhoCannot) {
+TEST_F(RoutesTest, TheViewerIsSentGzippedOrInflatedForClientsWithoutGzip) {
   const HttpResponse packed = get("/", {{"accept-encoding", "br, gzip"}});
   EXPECT_EQ(packed.status, 200);
   EXPECT_EQ(header(packed, "Content-Encoding"), "gzip");
@@ -65,7 +65,7 @@ TEST_F(RoutesTest, TheViewerIsSentPackedAndInflatedForThoseWhoCannot) {
   EXPECT_EQ(header(get("/assets/app-1a2b.js"), "Cache-Control"), "public, max-age=31536000, immutable");
 }
 
-TEST_F(RoutesTest, TheBuildWithoutAViewerHasAPage) {
+TEST_F(RoutesTest, ABuildWithoutAViewerHasAPage) {
   const auto response = asset_response({kViewerAssets, kViewerAssetCount}, {.method = "GET"}, "/");
   ASSERT_TRUE(response);
   EXPECT_NE(text(*response).find("built without the viewer"), std::string::npos);
@@ -82,7 +82,7 @@ TEST_F(RoutesTest, TheApiSpeaksJson) {
   EXPECT_EQ(get("/api/nothing").status, 404);
 }
 
-TEST_F(RoutesTest, TheListOfRecordingsIsAPageWithNothingOfOthersInIt) {
+TEST_F(RoutesTest, TheListOfRecordingsIsAPageWithoutForeignContent) {
   const HttpResponse response = get("/logs/?token=r", {}, "10.0.0.9");
   const std::string html = text(response);
   EXPECT_NE(html.find("<a href=\"/logs/old.mcap\">old</a>"), std::string::npos);
@@ -107,7 +107,7 @@ TEST_F(RoutesTest, RecordingsAreSentWithRanges) {
   EXPECT_EQ(get("/logs/old.mcap?from=yesterday").status, 404);
 }
 
-TEST_F(RoutesTest, ASessionIsHadAsItLiesOnTheDisk) {
+TEST_F(RoutesTest, ASessionsFilesAreServedUnchanged) {
   EXPECT_EQ(text(get("/api/sessions/old/files")), R"({"session":"old","files":[]})");
   EXPECT_EQ(get("/api/sessions/../files").status, 400);
   EXPECT_EQ(get("/api/sessions//files").status, 404);
@@ -119,7 +119,7 @@ TEST_F(RoutesTest, ASessionIsHadAsItLiesOnTheDisk) {
     EXPECT_EQ(get(path).status, 404) << path;
 }
 
-TEST_F(RoutesTest, PartsOfWhatIsPlayedAreHadByTopicAndTime) {
+TEST_F(RoutesTest, PartsOfAPlayedRecordingAreServedByTopicAndTime) {
   const HttpResponse part = get("/api/played?topic=%2F14%2F2%2Fball&from=5&to=9");
   EXPECT_EQ(part.status, 200);
   EXPECT_EQ(text(part), "5..9");
@@ -134,7 +134,7 @@ TEST_F(RoutesTest, PartsOfWhatIsPlayedAreHadByTopicAndTime) {
   EXPECT_EQ(get("/api/played?topic=/14/2/ball&token=r", {}, "10.0.0.9").status, 503);
 }
 
-TEST_F(RoutesTest, WhoControlsMayDeleteASession) {
+TEST_F(RoutesTest, AClientWithControlMayDeleteASession) {
   const auto remove = [&](std::string target, Headers headers = {}, std::string_view address = "10.0.0.9") {
     return get(std::move(target), std::move(headers), address, "DELETE").status;
   };
@@ -152,7 +152,7 @@ TEST_F(RoutesTest, WhoControlsMayDeleteASession) {
   EXPECT_EQ(header(get("/", {}, "127.0.0.1", "POST"), "Allow"), "GET, HEAD, DELETE, OPTIONS");
 }
 
-TEST_F(RoutesTest, DuringAGameRecordingsStayWhereTheyAre) {
+TEST_F(RoutesTest, DuringAGameRecordingsAreServedToThisMachineOnly) {
   backend.game = true;
   for (const char* path : {"/logs/old.mcap?token=c", "/logs/old/files/a?token=c", "/api/sessions/old/files?token=c"}) {
     EXPECT_EQ(get(path, {}, "10.0.0.9").status, 503) << path;
@@ -182,7 +182,7 @@ TEST_F(RoutesTest, PathsThatLeadElsewhereAreRefused) {
   }
 }
 
-TEST_F(RoutesTest, DataNeedTheReadTokenTheViewerDoesNot) {
+TEST_F(RoutesTest, DataNeedTheReadTokenAndTheViewerDoesNot) {
   for (const char* path : {"/api/status", "/api/sessions", "/logs/", "/logs", "/logs/old.mcap"}) {
     EXPECT_EQ(get(path, {}, "10.0.0.9").status, 401) << path;
     EXPECT_EQ(get(path + std::string("?token=x"), {}, "10.0.0.9").status, 401) << path;
@@ -192,7 +192,7 @@ TEST_F(RoutesTest, DataNeedTheReadTokenTheViewerDoesNot) {
   EXPECT_EQ(get("/", {}, "10.0.0.9").status, 200);
 }
 
-TEST_F(RoutesTest, ABrowserThatBroughtATokenMayGoOnReadingByItsCookie) {
+TEST_F(RoutesTest, ABrowserWithATokenContinuesToReadWithItsCookie) {
   const std::string cookie = header(get("/?token=c", {}, "10.0.0.9"), "Set-Cookie");
   EXPECT_EQ(cookie, "foresight_reader=k; Path=/; HttpOnly; SameSite=Strict");
   EXPECT_EQ(header(get("/?token=x", {}, "10.0.0.9"), "Set-Cookie"), "");

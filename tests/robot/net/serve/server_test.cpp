@@ -37,7 +37,7 @@ TEST_F(ServerTest, ShowsTheViewerTheApiAndRecordings) {
   EXPECT_TRUE(head.ends_with("\r\n\r\n"));
 }
 
-TEST_F(ServerTest, CarriesWhatIsWrittenToWhoSubscribed) {
+TEST_F(ServerTest, SendsWrittenMessagesToSubscribers) {
   const auto port = start();
   write(*state, "before");
   Peer peer(port);
@@ -72,7 +72,7 @@ TEST_F(ServerTest, IsSilentOnWirelessNetworksDuringAGame) {
   EXPECT_NE(after.read("test").find("200 OK"), std::string::npos);
 }
 
-TEST_F(ServerTest, AdvertisesChannelsThatComeLater) {
+TEST_F(ServerTest, AdvertisesLaterChannels) {
   const auto port = start();
   Peer peer(port);
   peer.next("advertise");
@@ -80,7 +80,7 @@ TEST_F(ServerTest, AdvertisesChannelsThatComeLater) {
   EXPECT_EQ(peer.next("advertise")["channels"][0]["topic"], "/15/3/ball");
 }
 
-TEST_F(ServerTest, AnswersMalformedMessagesAndGoesOn) {
+TEST_F(ServerTest, AnswersMalformedMessagesAndContinues) {
   const auto port = start();
   Peer peer(port);
   for (const char* text : {"{", "[]", R"({"op":"dance"})", R"({"op":"subscribe","subscriptions":7})", ""}) {
@@ -91,7 +91,7 @@ TEST_F(ServerTest, AnswersMalformedMessagesAndGoesOn) {
   EXPECT_EQ(peer.next("parameterValues")["parameters"][0]["name"], "quality");
 }
 
-TEST_F(ServerTest, TellsWatchersOfParametersThatTheProgramChanges) {
+TEST_F(ServerTest, SendsParametersThatTheProgramChangesToSubscribers) {
   const auto port = start();
   Peer peer(port);
   peer.send(R"({"op":"subscribeParameterUpdates","parameterNames":["quality"]})");
@@ -119,7 +119,7 @@ TEST_F(ServerTest, ClosesCleanlyOnProtocolViolations) {
   }
 }
 
-TEST_F(ServerTest, PutsFragmentedMessagesTogether) {
+TEST_F(ServerTest, ReassemblesFragmentedMessages) {
   const auto port = start();
   Peer peer(port);
   std::string bytes;
@@ -165,7 +165,7 @@ TEST_F(ServerTest, RefusesHandshakesWithASentence) {
                   .starts_with("HTTP/1.1 400"));
 }
 
-TEST_F(ServerTest, TakesOnlySoManyClients) {
+TEST_F(ServerTest, LimitsTheNumberOfClients) {
   options.max_clients = 2;
   const auto port = start();
   Peer one(port), two(port);
@@ -178,7 +178,7 @@ TEST_F(ServerTest, TakesOnlySoManyClients) {
   EXPECT_EQ(one.next_data(), "still here");
 }
 
-TEST_F(ServerTest, SurvivesAThousandConnectionsThatSayNothing) {
+TEST_F(ServerTest, SurvivesAThousandSilentConnections) {
   options.max_http_connections = 16;
   const auto port = start();
   Peer peer(port);
@@ -186,7 +186,7 @@ TEST_F(ServerTest, SurvivesAThousandConnectionsThatSayNothing) {
   for (int i = 0; i < 1000; ++i) {
     silent.push_back(std::make_unique<RawConnection>(port));
     if (silent.size() > 100) {
-      EXPECT_TRUE(silent.front()->wait_closed());  // the oldest made room
+      EXPECT_TRUE(silent.front()->wait_closed());  // the oldest connections were closed
       silent.erase(silent.begin());
     }
   }
@@ -198,12 +198,12 @@ TEST_F(ServerTest, SurvivesAThousandConnectionsThatSayNothing) {
   EXPECT_EQ(peer.next_data(), "x");
 }
 
-TEST_F(ServerTest, EndsHeadersThatTrickleIn) {
+TEST_F(ServerTest, ClosesAConnectionWhoseHeadersArriveTooSlowly) {
   options.request_timeout_ns = kSecond / 5;
   const auto port = start();
   RawConnection slow(port);
   slow.send("GET / HTTP/1.1\r\n");
-  // sends for as long as the server listens: each byte is in time, the whole is not
+  // sends until the server closes: each byte is in time, the whole header is not
   std::thread trickle([&] {
     while (slow.send("X")) ::usleep(20'000);
   });
@@ -211,7 +211,7 @@ TEST_F(ServerTest, EndsHeadersThatTrickleIn) {
   trickle.join();
 }
 
-TEST_F(ServerTest, AStalledReaderHarmsNobodyAndHoldsLittle) {
+TEST_F(ServerTest, AStalledClientDelaysNoOtherAndHoldsFewMessages) {
   const auto port = start();
   RawConnection stalled(port, 4096);
   std::string bytes = get("/", kUpgrade);
@@ -235,7 +235,7 @@ TEST_F(ServerTest, AStalledReaderHarmsNobodyAndHoldsLittle) {
   });
 }
 
-TEST_F(ServerTest, ALosslessClientGetsEverything) {
+TEST_F(ServerTest, ALosslessClientGetsEveryMessage) {
   const auto port = start();
   Peer peer(port, "?delivery=lossless");
   write(*sensor, "first");
@@ -271,7 +271,7 @@ TEST_F(ServerTest, ALosslessClientThatStallsIsDisconnected) {
   writer.join();
 }
 
-TEST_F(ServerTest, AClientThatGoesInTheMiddleOfADownloadLeavesNothing) {
+TEST_F(ServerTest, AClientThatDisconnectsDuringADownloadLeavesNoConnection) {
   backend.body = std::string(50 << 20, 'x');
   options.max_http_connections = 4;
   const auto port = start();
@@ -285,7 +285,7 @@ TEST_F(ServerTest, AClientThatGoesInTheMiddleOfADownloadLeavesNothing) {
   EXPECT_GT(whole.read().size(), backend.body.size());
 }
 
-TEST_F(ServerTest, KnowsItsClients) {
+TEST_F(ServerTest, ListsItsClients) {
   const auto port = start();
   Peer peer(port, "?delivery=lossless");
   peer.subscribe(1);
@@ -311,7 +311,7 @@ TEST_F(ServerTest, KnowsItsClients) {
   EXPECT_EQ(client.channels.at(0).sent, 1u);
 }
 
-TEST_F(ServerTest, StopsWithClientsThatWatchStallOrDownload) {
+TEST_F(ServerTest, StopsWhileClientsWatchStallOrDownload) {
   backend.body = std::string(50 << 20, 'x');
   const auto port = start();
   Peer peer(port);
@@ -328,7 +328,7 @@ TEST_F(ServerTest, StopsWithClientsThatWatchStallOrDownload) {
     while (!done) write(*state, image);
   });
   EXPECT_TRUE(peer.next_data());
-  // the goodbye reaches a client that reads on while the server stops
+  // the close frame reaches a client that reads while the server stops
   std::thread stopping([&] {
     server->stop();
     server->stop();
@@ -344,7 +344,7 @@ TEST_F(ServerTest, StopsWithClientsThatWatchStallOrDownload) {
   parameters.update("quality", std::int64_t{3});
 }
 
-TEST_F(ServerTest, ATakenPortIsASentence) {
+TEST_F(ServerTest, ATakenPortGivesASentence) {
   const auto port = start();
   ServerOptions same = options;
   same.port = port;
@@ -391,7 +391,7 @@ TEST_F(ServerTest, OurInProviderReadsAChannel) {
   cancelling.join();
 }
 
-TEST_F(ServerTest, OurInProviderSaysWhyThereIsNothing) {
+TEST_F(ServerTest, OurInProviderNamesTheMissingChannelAndTheEnd) {
   const auto port = start();
   const std::string url = "ws://127.0.0.1:" + std::to_string(port) + "/?token=secret";
   WebSocketInProvider missing(url, "/14/2/nothing", kPatience);
@@ -407,7 +407,7 @@ TEST_F(ServerTest, OurInProviderSaysWhyThereIsNothing) {
   EXPECT_EQ(nobody.open().error(), "ws://127.0.0.1:" + std::to_string(port) + "/: Connection refused");
 }
 
-TEST(WebSocketUrl, IsTakenApart) {
+TEST(WebSocketUrl, IsParsed) {
   const auto url = parse_web_socket_url("ws://10.0.14.2:8765/x?token=1");
   ASSERT_TRUE(url);
   EXPECT_EQ(url->host + " " + url->port + " " + url->target, "10.0.14.2 8765 /x?token=1");

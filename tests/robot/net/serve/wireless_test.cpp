@@ -41,11 +41,11 @@ TEST_F(Listening, AnswersNothingOverASilentInterfaceUntilItMaySpeakAgain) {
   for (int round = 0; round < 2; ++round) {
     ASSERT_TRUE(Wireless({"lo"}).silence(socket.get()));
     const FileDescriptor knocking = knock();
-    EXPECT_FALSE(answered(knocking, 200));  // not even a refusal
+    EXPECT_FALSE(answered(knocking, 200));  // it gets no refusal either
     ASSERT_TRUE(Wireless().silence(socket.get()));
     EXPECT_TRUE(answered(knocking, 60'000));  // the kernel asks again
   }
-  ASSERT_TRUE(Wireless().silence(socket.get()));  // once more changes nothing
+  ASSERT_TRUE(Wireless().silence(socket.get()));  // a second call has no effect
 }
 
 TEST_F(Listening, AnswersOverOtherInterfaces) {

@@ -55,7 +55,7 @@ TEST(Frames, MatchTheExamplesOfRfc6455) {
   EXPECT_EQ(plain(Opcode::binary, std::string(65536, 'x')).substr(0, 10), raw({0x82, 0x7f, 0, 0, 0, 0, 0, 1, 0, 0}));
 }
 
-TEST(Frames, MeanTheSameHoweverTheyAreCut) {
+TEST(Frames, AreTheSameInPiecesOfAnySize) {
   std::string bytes = masked(Opcode::text, "first");
   bytes += masked(Opcode::binary, std::string(300, 'b'));
   bytes += masked(Opcode::text, "fra", false) + masked(Opcode::ping, "now") + masked(Opcode::continuation, "g", false);
@@ -114,7 +114,7 @@ TEST(Frames, NothingIsReadAfterAViolationOrAClose) {
   EXPECT_EQ(events(Sender::client, masked(Opcode::close, "") + after, 1), "close:");
 }
 
-TEST(Frames, ACloseTellsWhy) {
+TEST(Frames, ACloseHoldsItsReason) {
   const CloseInfo info = parse_close(close_payload(kGoingAway, "the server stops"));
   EXPECT_EQ(info.code, 1001);
   EXPECT_EQ(info.reason, "the server stops");
