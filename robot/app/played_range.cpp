@@ -27,11 +27,11 @@ Result<std::uint64_t> copy_range(logging::InProvider& stream, const net::PlayedR
     if (message.capture_ns < request.from_ns) continue;
     // messages of one time stay together, because the next request begins after that time
     if (bytes > kMostBytes && message.capture_ns > last_ns) return message.capture_ns - 1;
-    const Result<void> written = writer.write({.sequence = message.sequence,
-                                               .capture_ns = message.capture_ns,
-                                               .publish_ns = message.publish_ns,
-                                               .bytes = message.bytes},
-                                              0);
+    const logging::OutMessage copy{.sequence = message.sequence,
+                                   .capture_ns = message.capture_ns,
+                                   .publish_ns = message.publish_ns,
+                                   .bytes = message.bytes};
+    const Result<void> written = writer.write(0, copy, 0);
     if (!written) return written.failure();
     bytes += message.bytes.size();
     last_ns = std::max(last_ns, message.capture_ns);
@@ -49,7 +49,7 @@ net::HttpResponse played_range(const body::Replay& replay, const net::PlayedRequ
   if (const Result<void> sought = stream->seek(request.from_ns - std::min<std::uint64_t>(request.from_ns, 1)); !sought)
     return net::error_response(500, sought.error());
   std::string file;
-  auto writer = logging::McapWriter::open(std::make_unique<MemorySink>(file), *info,
+  auto writer = logging::McapWriter::open(std::make_unique<MemorySink>(file), {&*info, 1},
                                           {.metadata = {}, .compression = logging::Compression::lz4});
   if (!writer) return net::error_response(500, writer.error());
   const Result<std::uint64_t> until_ns = copy_range(*stream, request, *writer);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "robot/core/byte_sink.h"
 #include "robot/core/clock.h"
 #include "robot/logging/sessions/session.h"
 
@@ -9,8 +10,12 @@ namespace sim::app {
 
 using robot::Result;
 using robot::bridge::SimulatedGame;
+using robot::logging::McapWriter;
 
 namespace {
+
+/// The longest chunk [ns] of game time. It is longer than on a robot, because large chunks compress better.
+constexpr std::uint64_t kChunkNs = 10 * robot::kSecond;
 
 /// The clock of a recorded game, in which writing takes no time.
 class StoppedClock final : public robot::Clock {
@@ -50,20 +55,31 @@ Result<GameFile> GameFile::create(const std::filesystem::path& path, const Simul
     infos.push_back(channel->info());
     file.channels_.push_back({.channel = std::move(channel)});
   }
-  Result<McapFile> mcap = McapFile::create(path, infos, metadata_of(game, seed));
-  if (!mcap) return mcap.failure();
-  file.file_.emplace(std::move(*mcap));
+  auto sink = robot::FileSink::create(path);
+  if (!sink) return sink.failure();
+  const robot::logging::McapOptions options{.metadata = metadata_of(game, seed),
+                                            .library = "foresight-sim " FORESIGHT_VERSION,
+                                            .compression = robot::logging::Compression::zstd,
+                                            .chunk_time_ns = kChunkNs};
+  Result<McapWriter> writer = McapWriter::open(std::move(*sink), infos, options);
+  if (!writer) return writer.failure();
+  file.file_.emplace(std::move(*writer));
   return file;
 }
 
 Result<void> GameFile::add(const SimulatedGame& game) {
+  const std::uint64_t now_ns = timeline_.at(game.state().world.tick);
   narrator_->write(game, timeline_);
   narrator_->write_status(game, {}, timeline_);
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     const robot::memory::VersionPtr newest = channels_[i].channel->newest();
     if (!newest || newest->sequence() == channels_[i].sequence) continue;
     channels_[i].sequence = newest->sequence();
-    if (Result<void> written = file_->write(i, newest->capture_ns(), newest->bytes()); !written) return written;
+    const robot::logging::OutMessage message{.sequence = ++channels_[i].messages,
+                                             .capture_ns = newest->capture_ns(),
+                                             .publish_ns = newest->capture_ns(),
+                                             .bytes = newest->bytes()};
+    if (Result<void> written = file_->write(i, message, now_ns); !written) return written;
   }
   return {};
 }

@@ -11,8 +11,8 @@
 #include "robot/bridge/narrator.h"
 #include "robot/bridge/simulated_game.h"
 #include "robot/core/result.h"
+#include "robot/logging/mcap/writer.h"
 #include "robot/memory/channels.h"
-#include "sim/app/mcap_file.h"
 
 namespace sim::app {
 
@@ -39,7 +39,8 @@ class GameFile {
   /// A channel of the memory, and the newest version that is in the file.
   struct Recorded {
     std::shared_ptr<robot::memory::Channel> channel;
-    std::uint64_t sequence = 0;
+    std::uint64_t sequence = 0;  // of that version
+    std::uint64_t messages = 0;  // in the file
   };
 
   explicit GameFile(const robot::bridge::SimulatedGame& game);
@@ -47,7 +48,7 @@ class GameFile {
   std::unique_ptr<robot::bridge::Narrator> narrator_;
   const robot::bridge::Timeline timeline_{.epoch_ns = kGameEpochNs};
   std::vector<Recorded> channels_;  // in the order of the file
-  std::optional<McapFile> file_;
+  std::optional<robot::logging::McapWriter> file_;
 };
 
 }  // namespace sim::app

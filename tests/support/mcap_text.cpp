@@ -33,7 +33,8 @@ robot::memory::ChannelInfo word_channel(const std::string& topic) {
 }
 
 McapWriter writer_to(Disk& disk, const McapOptions& options, const std::string& topic) {
-  Result<McapWriter> writer = McapWriter::open(std::make_unique<DiskSink>(disk), word_channel(topic), options);
+  const robot::memory::ChannelInfo channel = word_channel(topic);
+  Result<McapWriter> writer = McapWriter::open(std::make_unique<DiskSink>(disk), {&channel, 1}, options);
   if (!writer) std::fprintf(stderr, "%s\n", writer.error().c_str()), std::abort();
   return std::move(*writer);
 }
@@ -56,7 +57,7 @@ McapText::McapText(std::string_view text, const McapOptions& options, bool finis
       end_chunk();
       continue;
     }
-    if (!writer.write(word(next, capture_ns), 0)) std::abort();
+    if (!writer.write(0, word(next, capture_ns), 0)) std::abort();
     capture_ns += 10;
   }
   if (writer.flush_due_ns() != McapWriter::kNever) end_chunk();

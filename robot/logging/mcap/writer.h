@@ -1,17 +1,20 @@
-// A writer of one channel into an MCAP file. The death of the process costs one second of messages at most. It does not
-// call fsync: a loss of power may also cost written chunks that the system has not stored yet.
+// A writer of MCAP files with any number of channels. The death of the process costs one second of messages at most. It
+// does not call fsync: a loss of power may also cost written chunks that the system has not stored yet.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "robot/core/byte_sink.h"
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
+#include "robot/logging/mcap/collected_chunk.h"
 #include "robot/logging/mcap/compression.h"
 #include "robot/logging/mcap/format.h"
 #include "robot/logging/mcap/summary.h"
@@ -23,7 +26,7 @@ namespace robot::logging {
 using MetadataByName = std::map<std::string, std::map<std::string, std::string>>;
 
 struct McapOptions {
-  std::uint16_t channel_id = 1;  // unique within a session
+  std::uint16_t first_channel_id = 1;  // the others follow; ids are unique within a session
   MetadataByName metadata;
   std::string library = "foresight";  // name and version of the writing program
   Compression compression = Compression::none;
@@ -38,9 +41,10 @@ struct OutMessage {
   std::string_view bytes;
 };
 
-/// A recording of one channel. The writer writes the file's description at once. It collects messages into chunks and
-/// appends each chunk with its index in one operation. Without close() the file is readable up to its last chunk, as
-/// after the death of the process.
+/// A recording of one or more channels. The writer writes the file's description at once. It collects the messages of
+/// each channel into chunks of this channel, so that a reader of one channel does not unpack the others. It appends each
+/// chunk with its index in one operation. Without close() the file is readable up to its last chunk, as after the death
+/// of the process. The same calls give the same bytes.
 ///
 /// After a failed write the writer truncates the file to its last good end. It counts the messages of that chunk as
 /// lost and tries again with the next chunk, so that recording continues when a full disk has space again.
@@ -48,21 +52,22 @@ struct OutMessage {
 /// The writer has no clock: `now_ns` is any time that never decreases, such as monotonic_ns(). Used by one thread.
 class McapWriter {
  public:
-  static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
+  static constexpr std::uint64_t kNever = mcap::CollectedChunk::kNever;
 
-  /// Writes the head of the file. After an Error the file is empty.
-  static Result<McapWriter> open(std::unique_ptr<ByteSink> sink, const memory::ChannelInfo& channel,
+  /// Writes the head of the file. Equal schemas of several channels are written once. After an Error the file is empty.
+  static Result<McapWriter> open(std::unique_ptr<ByteSink> sink, std::span<const memory::ChannelInfo> channels,
                                  const McapOptions& options);
 
-  /// Adds a message. Writes the chunk if it is full or old.
-  /// An Error contains the number of lost messages, including this one.
-  Result<void> write(const OutMessage& message, std::uint64_t now_ns);
+  /// Adds a message of the channel with that index in the list of open(). Writes the channel's chunk if it is full or
+  /// old. An Error contains the number of lost messages, including this one.
+  Result<void> write(std::size_t channel, const OutMessage& message, std::uint64_t now_ns);
 
   /// Returns the latest time for the next flush(), or kNever while no message is collected.
-  std::uint64_t flush_due_ns() const { return flush_due_ns_; }
+  std::uint64_t flush_due_ns() const;
 
-  /// Writes the collected messages.
-  Result<void> flush();
+  /// Writes the collected messages of each channel that is due at `now_ns`; by default, of all channels.
+  /// A failure costs only the messages of its chunk. An Error contains the number of lost messages.
+  Result<void> flush(std::uint64_t now_ns = kNever);
 
   /// Writes the collected messages, then the summary. After an Error it may be called again. After a success a further
   /// call has no effect.
@@ -75,15 +80,16 @@ class McapWriter {
  private:
   McapWriter(std::unique_ptr<ByteSink> sink, const McapOptions& options);
 
-  Result<void> write_head(const memory::ChannelInfo& channel, const McapOptions& options);
-  Result<void> write_chunk(std::string_view last_bytes);
-  Result<mcap::ChunkHead> pack(std::span<const std::string_view> records);
-  void count_chunk(const mcap::ChunkHead& head, std::uint64_t record_bytes, std::uint64_t index_bytes);
-  void forget_chunk();
+  Result<void> write_head(std::span<const memory::ChannelInfo> channels, const McapOptions& options);
+  void describe(std::span<const memory::ChannelInfo> channels, std::uint16_t first_id);
+  Result<void> write_chunk(std::size_t channel, std::string_view last_bytes);
+  Result<void> append_chunk(std::size_t channel, std::string_view last_bytes);
+  Result<mcap::ChunkHead> pack(const mcap::CollectedChunk& chunk, std::span<const std::string_view> records);
+  void count_chunk(std::size_t channel, const mcap::ChunkHead& head, std::uint64_t record_bytes,
+                   std::uint64_t index_bytes);
   Result<void> append(std::span<const std::string_view> pieces, std::uint32_t crc_after);
 
   std::unique_ptr<ByteSink> sink_;
-  std::uint16_t channel_id_;
   std::size_t chunk_bytes_;
   std::uint64_t chunk_time_ns_;
   Compressor compressor_;
@@ -93,14 +99,11 @@ class McapWriter {
   bool torn_ = false;           // the file may have more bytes after good_end_, from a failed write
   bool closed_ = false;
 
-  std::string records_;  // of the unwritten chunk
-  std::string packed_;   // the same records, compressed
-  mcap::MessageIndex index_;
-  std::uint64_t chunk_start_ns_ = 0, chunk_end_ns_ = 0;
-  std::uint64_t flush_due_ns_ = kNever;
+  std::vector<mcap::CollectedChunk> chunks_;  // by channel
+  std::string packed_;                        // the records of the last written chunk, compressed
 
   mcap::SummaryGroups summary_;
-  mcap::Statistics statistics_;
+  mcap::Statistics statistics_;  // with all channels, also those without messages
   std::uint64_t lost_ = 0;
 };
 

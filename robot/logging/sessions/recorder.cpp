@@ -95,7 +95,7 @@ void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
   // a channel that appears while a session begins is added twice: ignore the second time
   if (std::ranges::find(streams_, path, &Stream::path) != streams_.end()) return;
   std::unique_ptr<OutProvider> provider = std::make_unique<FileOutProvider>(
-      path, McapOptions{.channel_id = static_cast<std::uint16_t>(streams_.size() + 1),
+      path, McapOptions{.first_channel_id = static_cast<std::uint16_t>(streams_.size() + 1),
                         .metadata = metadata_of(info_),
                         .compression = image ? Compression::none : origin_.compression,
                         // together one second, the most that the death of the process costs

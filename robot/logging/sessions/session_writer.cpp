@@ -25,7 +25,7 @@ Result<SessionWriter::Stream*> SessionWriter::stream_of(const memory::ChannelInf
   Stream stream{.channel = std::make_unique<memory::RawChannel>(info, clock_),
                 .file = std::make_unique<FileOutProvider>(
                     folder_ / stream_file_name(info.topic),
-                    McapOptions{.channel_id = static_cast<std::uint16_t>(streams_.size() + 1),
+                    McapOptions{.first_channel_id = static_cast<std::uint16_t>(streams_.size() + 1),
                                 .metadata = metadata_of(info_),
                                 .compression = image ? Compression::none : compression_})};
   if (Result<void> opened = stream.file->open(info); !opened) return opened.failure();

@@ -17,7 +17,7 @@ Result<void> FileOutProvider::open(const memory::ChannelInfo& info) {
   assert(!writer_ && "a stream is opened once");
   Result<std::unique_ptr<FileSink>> sink = FileSink::create(path_);
   if (!sink) return sink.failure();
-  Result<McapWriter> writer = McapWriter::open(std::move(*sink), info, options_);
+  Result<McapWriter> writer = McapWriter::open(std::move(*sink), {&info, 1}, options_);
   if (!writer) {
     // the file is ours and empty: remove it, or the next attempt would find an existing file
     std::error_code ignored;
@@ -31,7 +31,7 @@ Result<void> FileOutProvider::open(const memory::ChannelInfo& info) {
 Result<void> FileOutProvider::write(const memory::VersionPtr& version) {
   assert(writer_ && "a stream is opened before it is written");
   const OutMessage message{version->sequence(), version->capture_ns(), version->publish_ns(), version->bytes()};
-  const Result<void> written = writer_->write(message, monotonic_ns());
+  const Result<void> written = writer_->write(0, message, monotonic_ns());
   if (!written) ++refused_;
   return counted(written);
 }

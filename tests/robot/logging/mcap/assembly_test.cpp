@@ -21,13 +21,13 @@ std::string stream(std::uint16_t channel, const std::string& words, std::uint64_
                    bool finished = true, Compression compression = Compression::none) {
   tests::Disk disk;
   const McapOptions options{
-      .channel_id = channel, .metadata = {{"session", {{"team", "14"}}}}, .compression = compression};
+      .first_channel_id = channel, .metadata = {{"session", {{"team", "14"}}}}, .compression = compression};
   McapWriter writer = tests::writer_to(disk, options, "/14/2/word" + std::to_string(channel));
   std::istringstream in(words);
   std::uint64_t at_ns = first_ns;
   int count = 0;
   for (std::string word; in >> word; at_ns += step_ns) {
-    EXPECT_TRUE(writer.write(tests::word(word, at_ns), 0));
+    EXPECT_TRUE(writer.write(0, tests::word(word, at_ns), 0));
     EXPECT_TRUE(++count % 2 == 1 || writer.flush());
   }
   EXPECT_TRUE(finished ? writer.close() : writer.flush());

@@ -10,7 +10,7 @@ namespace {
 
 using tests::McapText;
 
-const McapOptions kOptions{.channel_id = 7, .metadata = {{"session", {{"team", "14"}}}}};
+const McapOptions kOptions{.first_channel_id = 7, .metadata = {{"session", {{"team", "14"}}}}};
 
 /// Returns all facts of an index about chunks, as text.
 std::string told(const McapIndex& index) {

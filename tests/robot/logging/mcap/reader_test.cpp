@@ -43,7 +43,7 @@ TEST(McapReader, DeliversTheMessagesInTheOrderOfTheFile) {
 }
 
 TEST(McapReader, KnowsEachMessagesChannel) {
-  McapReader reader(McapText("one", {.channel_id = 7}).source());
+  McapReader reader(McapText("one", {.first_channel_id = 7}).source());
   const auto message = reader.next();
   ASSERT_TRUE(message && *message);
   EXPECT_EQ((*message)->channel_id, 7);

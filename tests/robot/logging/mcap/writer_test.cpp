@@ -46,11 +46,11 @@ struct Hand {
 TEST(McapWriter, ASmallFileHasTheBytesOfTheSpecification) {
   Disk disk;
   McapOptions options;
-  options.channel_id = 7;
+  options.first_channel_id = 7;
   options.library = "lib";
   options.metadata = {{"session", {{"team", "14"}}}};
   McapWriter writer = writer_to(disk, options);
-  ASSERT_TRUE(writer.write({5, 100, 101, "hi"}, 0));
+  ASSERT_TRUE(writer.write(0, {5, 100, 101, "hi"}, 0));
   ASSERT_TRUE(writer.close());
 
   Hand file;
@@ -123,7 +123,7 @@ TEST(McapWriter, ReadingReturnsTheWrittenMessages) {
         if (random() % 2) std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<char>(random()); });
         written.push_back({i, 1000 * i + random() % 3000, 1000 * i, std::move(bytes)});
         const Record& record = written.back();
-        ASSERT_TRUE(writer.write({record.sequence, record.capture_ns, record.publish_ns, record.bytes}, i));
+        ASSERT_TRUE(writer.write(0, {record.sequence, record.capture_ns, record.publish_ns, record.bytes}, i));
       }
       ASSERT_TRUE(writer.close());
       EXPECT_EQ(writer.messages(), 200u);
@@ -159,9 +159,9 @@ TEST(McapWriter, AChunkIsWrittenWhenItIsFull) {
   Disk disk;
   McapWriter writer = writer_to(disk, options);
   const std::size_t head_bytes = disk.bytes.size();
-  ASSERT_TRUE(writer.write(word(std::string(900, 'x'), 1), 0));
+  ASSERT_TRUE(writer.write(0, word(std::string(900, 'x'), 1), 0));
   EXPECT_EQ(disk.bytes.size(), head_bytes);
-  ASSERT_TRUE(writer.write(word(std::string(100, 'y'), 2), 0));
+  ASSERT_TRUE(writer.write(0, word(std::string(100, 'y'), 2), 0));
   EXPECT_EQ(words_of(std::make_shared<MemorySource>(disk.bytes)),
             std::string(900, 'x') + " " + std::string(100, 'y') + " !");
 }
@@ -170,11 +170,11 @@ TEST(McapWriter, AChunkIsWrittenWhenItsFirstMessageIsOld) {
   Disk disk;
   McapWriter writer = writer_to(disk);
   EXPECT_EQ(writer.flush_due_ns(), McapWriter::kNever);
-  ASSERT_TRUE(writer.write(word("a", 1), 5 * kSecond));
+  ASSERT_TRUE(writer.write(0, word("a", 1), 5 * kSecond));
   EXPECT_EQ(writer.flush_due_ns(), 6 * kSecond);
-  ASSERT_TRUE(writer.write(word("b", 2), 6 * kSecond - 1));
+  ASSERT_TRUE(writer.write(0, word("b", 2), 6 * kSecond - 1));
   EXPECT_EQ(writer.messages(), 0u);
-  ASSERT_TRUE(writer.write(word("c", 3), 6 * kSecond));
+  ASSERT_TRUE(writer.write(0, word("c", 3), 6 * kSecond));
   EXPECT_EQ(writer.messages(), 3u);
   EXPECT_EQ(writer.flush_due_ns(), McapWriter::kNever);
 }
@@ -183,7 +183,7 @@ TEST(McapWriter, FlushWritesTheCollectedMessages) {
   Disk disk;
   McapWriter writer = writer_to(disk);
   ASSERT_TRUE(writer.flush());
-  ASSERT_TRUE(writer.write(word("a", 1), 0));
+  ASSERT_TRUE(writer.write(0, word("a", 1), 0));
   ASSERT_TRUE(writer.flush());
   EXPECT_EQ(words_of(std::make_shared<MemorySource>(disk.bytes)), "a !");  // the file has no end yet
 }
@@ -199,9 +199,9 @@ TEST(McapWriter, RefusesAMessageThatIsTooLargeForReaders) {
   Disk disk;
   McapWriter writer = writer_to(disk);
   const std::string huge(mcap::kMaxRecordBytes / 2 + 1, 'x');
-  EXPECT_FALSE(writer.write(word(huge, 1), 0));
+  EXPECT_FALSE(writer.write(0, word(huge, 1), 0));
   EXPECT_EQ(writer.lost(), 1u);
-  ASSERT_TRUE(writer.write(word("a", 1), 0));
+  ASSERT_TRUE(writer.write(0, word("a", 1), 0));
   ASSERT_TRUE(writer.close());
   EXPECT_EQ(words_of(std::make_shared<MemorySource>(disk.bytes)), "a");
 }
@@ -215,7 +215,8 @@ TEST(McapWriter, OpeningOnAFullDiskIsAnError) {
   for (std::size_t room = 0; room < head_bytes; ++room) {
     Disk disk;
     disk.room = room;
-    const auto writer = McapWriter::open(std::make_unique<DiskSink>(disk), word_channel(), {});
+    const memory::ChannelInfo channel = word_channel();
+    const auto writer = McapWriter::open(std::make_unique<DiskSink>(disk), {&channel, 1}, {});
     ASSERT_FALSE(writer);
     EXPECT_EQ(writer.error(), "cannot write disk: no room");
     EXPECT_EQ(disk.bytes, "");
@@ -235,8 +236,8 @@ void write_on_full_disk(std::uint64_t room, bool can_truncate, Compression compr
   for (const std::string first : {"a", "c", "e"}) {
     if (first == "e") disk = {disk.bytes};
     const std::string second(1, static_cast<char>(first[0] + 1));
-    ASSERT_TRUE(writer.write(word(first, 1), 0));
-    ASSERT_TRUE(writer.write(word(second, 2), 0));
+    ASSERT_TRUE(writer.write(0, word(first, 1), 0));
+    ASSERT_TRUE(writer.write(0, word(second, 2), 0));
     const Result<void> flushed = writer.flush();
     if (flushed) expected.append(expected.empty() ? "" : " ").append(first).append(" ").append(second);
     if (!flushed) {
@@ -263,7 +264,7 @@ TEST(McapWriter, CloseMayBeCalledAgainAfterAnError) {
   for (std::uint64_t room = 0; room < 400; room += 7) {
     Disk disk;
     McapWriter writer = writer_to(disk);
-    ASSERT_TRUE(writer.write(word("a", 1), 0));
+    ASSERT_TRUE(writer.write(0, word("a", 1), 0));
     ASSERT_TRUE(writer.flush());
     disk.room = disk.bytes.size() + room;
     const bool closed = bool(writer.close());

@@ -41,7 +41,7 @@ memory::ChannelInfo write_words(FileOutProvider& file, int count) {
 
 TEST(FileProvider, ReadsTheMessagesThatItWrote) {
   const TemporaryFolder folder;
-  FileOutProvider out(folder / "a.mcap", {.channel_id = 5});
+  FileOutProvider out(folder / "a.mcap", {.first_channel_id = 5});
   const memory::ChannelInfo info = write_words(out, 3);
   ASSERT_TRUE(out.close());
   EXPECT_EQ(out.messages(), 3u);
