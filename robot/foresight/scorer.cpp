@@ -167,14 +167,14 @@ bool Scorer::enter(const Open& open) {
   return true;
 }
 
-void Scorer::Event::add(double foretold, bool came, std::uint64_t rollouts) {
+void Scorer::EventScore::add(double foretold, bool came, std::uint64_t rollouts) {
   reliability.add(foretold, came);
   const double least = 0.5 / static_cast<double>(rollouts);
   const double told = std::clamp(foretold, least, 1 - least);
   log_loss -= std::log(came ? told : 1 - told);
 }
 
-void Scorer::Event::fill(pb::ForecastScore::Event& message) const {
+void Scorer::EventScore::fill(pb::ForecastScore::Event& message) const {
   message.set_came(reliability.came);
   message.set_brier(static_cast<float>(reliability.brier()));
   message.set_brier_of_rate(static_cast<float>(reliability.brier_of_rate()));

@@ -62,7 +62,7 @@ class BenchCommand final : public Command {
     std::vector<Cost> costs(static_cast<std::size_t>(games_));
     const auto begin = std::chrono::steady_clock::now();
     {
-      Progress progress("playing", static_cast<std::uint64_t>(games_));
+      ProgressBar progress("playing", static_cast<std::uint64_t>(games_));
       contest::for_each_game(
           games_, threads_,
           [&](int game) {

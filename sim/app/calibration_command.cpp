@@ -99,7 +99,7 @@ class CalibrationCommand final : public Command {
     const int games = (situations_ + kPerGame - 1) / kPerGame;
     std::vector<Cases> by_game(static_cast<std::size_t>(games));
     {
-      Progress progress("foretelling", static_cast<std::uint64_t>(games));
+      ProgressBar progress("foretelling", static_cast<std::uint64_t>(games));
       contest::for_each_game(
           games, contest::threads_for(games),
           [&](int game) {

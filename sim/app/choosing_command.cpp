@@ -122,7 +122,7 @@ class ChoosingCommand final : public Command {
     const int games = (moments_ + kPerGame - 1) / kPerGame;
     std::vector<std::vector<Trial>> by_game(static_cast<std::size_t>(games));
     {
-      Progress progress("choosing", static_cast<std::uint64_t>(games));
+      ProgressBar progress("choosing", static_cast<std::uint64_t>(games));
       contest::for_each_game(
           games, contest::threads_for(games),
           [&](int game_number) {

@@ -45,7 +45,7 @@ struct Recording {
 
 /// Plays a game, and records it unless `recording` is null.
 robot::Result<report::GameReport> play_one(const contest::Cast& cast, const contest::Openings& openings, float seconds,
-                                           std::uint64_t seed, Recording* recording, Progress* progress) {
+                                           std::uint64_t seed, Recording* recording, ProgressBar* progress) {
   const Params& params = cast.params();
   report::GameReport report{.seed = seed};
   referee::Events events;
@@ -143,7 +143,7 @@ class MatchCommand final : public Command {
     std::optional<Recording> recording;
     if (!mcap_.empty()) recording = {.path = mcap_, .names = {.rules = choice_.choice().rules, .teams = teams_}};
     const auto report = [&] {
-      Progress progress("recording", recording ? expected_ticks(params.rules) : 0);
+      ProgressBar progress("recording", recording ? expected_ticks(params.rules) : 0);
       return play_one(cast, openings, seconds_, seed_, recording ? &*recording : nullptr, &progress);
     }();
     if (!report) return fail(report.error());
@@ -189,7 +189,7 @@ class MatchCommand final : public Command {
   /// Calls play(game, seed, cast) for each game. Returns the failure of a behaviour from outside, or an empty string.
   std::string play_all(const contest::Lineup& lineup,
                        const std::function<void(int, std::uint64_t, const contest::Cast&)>& play) const {
-    Progress progress("playing", static_cast<std::uint64_t>(games_));
+    ProgressBar progress("playing", static_cast<std::uint64_t>(games_));
     contest::Problem problem;
     contest::for_each_game(
         games_, threads_ > 0 ? threads_ : contest::threads_for(games_),

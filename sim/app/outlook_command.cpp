@@ -97,7 +97,7 @@ class OutlookCommand final : public Command {
     if (!setup) return fail(setup.error());
     std::vector<Moments> games(static_cast<std::size_t>(games_));
     {
-      Progress progress("playing", static_cast<std::uint64_t>(games_));
+      ProgressBar progress("playing", static_cast<std::uint64_t>(games_));
       contest::for_each_game(
           games_, contest::threads_for(games_),
           [&](int game) {

@@ -7,14 +7,14 @@
 
 namespace sim::app {
 
-Progress::Progress(std::string what, std::uint64_t all)
+ProgressBar::ProgressBar(std::string what, std::uint64_t all)
     : what_(std::move(what)), all_(all), shown_(all > 0 && isatty(STDERR_FILENO) != 0) {}
 
-Progress::~Progress() {
+ProgressBar::~ProgressBar() {
   if (percent_ >= 0) std::fputs("\r\033[K", stderr);
 }
 
-void Progress::at(std::uint64_t done) {
+void ProgressBar::at(std::uint64_t done) {
   constexpr int kWidth = 40;
   const int percent = shown_ ? static_cast<int>(100 * done / all_) : -1;
   if (percent <= percent_) return;

@@ -7,14 +7,14 @@
 namespace sim::app {
 
 /// A progress bar on stderr, or nothing if stderr is no terminal. Used by one thread.
-class Progress {
+class ProgressBar {
  public:
   /// `what` is the activity, `all` the number of its steps.
-  Progress(std::string what, std::uint64_t all);
+  ProgressBar(std::string what, std::uint64_t all);
   /// Clears the bar.
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
 
   void at(std::uint64_t done);
 

@@ -179,7 +179,7 @@ class SituationCommand final : public Command {
     contest::Problem problem;
     std::vector<Rollout> rollouts(static_cast<std::size_t>(rollouts_));
     {
-      Progress progress("rolling out", static_cast<std::uint64_t>(rollouts_));
+      ProgressBar progress("rolling out", static_cast<std::uint64_t>(rollouts_));
       contest::for_each_game(
           rollouts_, contest::threads_for(rollouts_),
           [&](int i) {
@@ -222,7 +222,7 @@ class SituationCommand final : public Command {
     const double budget = static_cast<double>(rollouts_) * static_cast<double>(strategies_.size());
     foresight::RolloutStatistics tally;
     {
-      Progress progress("rolling out", static_cast<std::uint64_t>(budget));
+      ProgressBar progress("rolling out", static_cast<std::uint64_t>(budget));
       foresight::race(
           task, [&](std::int64_t rollouts) { return static_cast<double>(rollouts) / budget; },
           [&](const foresight::RolloutStatistics& now) { progress.at(static_cast<std::uint64_t>(now.spent * budget)); },

@@ -42,7 +42,7 @@ pb::LogText text_of(const Saying& saying) {
 /// The messages of one step, passed on until the sink fails.
 class Step {
  public:
-  Step(const Moment& moment, ImportSink& sink) : moment_(moment), sink_(sink) {}
+  Step(const SyntheticMoment& moment, ImportSink& sink) : moment_(moment), sink_(sink) {}
 
   void put(std::string_view object, const google::protobuf::Message& value) {
     if (done_) done_ = sink_.message(object, moment_.epoch_ns + moment_.step * kStepNs, value);
@@ -51,12 +51,12 @@ class Step {
   const Result<void>& done() const { return done_; }
 
  private:
-  const Moment& moment_;
+  const SyntheticMoment& moment_;
   ImportSink& sink_;
   Result<void> done_;
 };
 
-void put_body(Step& step, const Moment& moment, const Noise& noise) {
+void put_body(Step& step, const SyntheticMoment& moment, const Noise& noise) {
   step.put("joints", joints_of(moment, noise));
   step.put("inertial", inertial_of(moment, noise));
   step.put("fsr", fsr_of(moment));
@@ -66,7 +66,7 @@ void put_body(Step& step, const Moment& moment, const Noise& noise) {
   if (step.every(kSecond)) step.put("battery", battery_of(moment));
 }
 
-void put_thoughts(Step& step, const Moment& moment, const Sight& sight, const Noise& noise) {
+void put_thoughts(Step& step, const SyntheticMoment& moment, const Sight& sight, const Noise& noise) {
   if (step.every(kImage)) {
     step.put("camera_top", image_of(moment));
     step.put("camera_top_matrix", camera_matrix_of(moment));
@@ -79,7 +79,7 @@ void put_thoughts(Step& step, const Moment& moment, const Sight& sight, const No
   step.put("motion_command", motion_command_of(moment));
 }
 
-void put_rest(Step& step, const Moment& moment) {
+void put_rest(Step& step, const SyntheticMoment& moment) {
   if (step.every(kTruth)) step.put("/truth/world", truth_of(moment));
   if (step.every(kGame)) step.put("game", game_of(moment));
   if (step.every(kSecond)) step.put("team", team_of(moment));
@@ -121,8 +121,8 @@ Result<ImportReport> SyntheticRobot::write(double from, double to, ImportSink& s
   CountingSink counting(sink, report);
   const std::uint64_t end = first_step(std::min(to, options_.seconds));
   for (std::uint64_t number = first_step(from); number < end; ++number) {
-    const Moment moment{static_cast<double>(number) / kStepsPerSecond, number, options_.epoch_ns, options_.image_width,
-                        options_.image_width * 3 / 4};
+    const SyntheticMoment moment{static_cast<double>(number) / kStepsPerSecond, number, options_.epoch_ns,
+                                 options_.image_width, options_.image_width * 3 / 4};
     Step step(moment, counting);
     put_body(step, moment, noise_);
     if (number % kThink == 0) put_thoughts(step, moment, sights_[static_cast<std::size_t>(number / kThink)], noise_);

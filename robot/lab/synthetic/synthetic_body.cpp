@@ -68,7 +68,7 @@ Bearing bearing_at(double t) {
           .torso_pitch = 0.02 + 0.01 * gait(t) * std::sin(2 * phase(t)) + 0.08 * kick_swing(t)};
 }
 
-pb::Joints joints_of(const Moment& moment, const Noise& noise) {
+pb::Joints joints_of(const SyntheticMoment& moment, const Noise& noise) {
   const double walking = gait(moment.t), swing = walking * std::sin(phase(moment.t)), kick = kick_swing(moment.t);
   const double lift_left = walking * std::max(0.0, std::sin(phase(moment.t))),
                lift_right = walking * std::max(0.0, -std::sin(phase(moment.t)));
@@ -111,7 +111,7 @@ pb::Joints joints_of(const Moment& moment, const Noise& noise) {
   return joints;
 }
 
-pb::Inertial inertial_of(const Moment& moment, const Noise& noise) {
+pb::Inertial inertial_of(const SyntheticMoment& moment, const Noise& noise) {
   const Bearing now = bearing_at(moment.t), before = bearing_at(moment.t - 0.01);
   const auto jitter = [&](std::uint64_t axis) { return noise(Noise::kInertial, 8 * moment.step + axis); };
   pb::Inertial inertial;
@@ -127,7 +127,7 @@ pb::Inertial inertial_of(const Moment& moment, const Noise& noise) {
   return inertial;
 }
 
-pb::Fsr fsr_of(const Moment& moment) {
+pb::Fsr fsr_of(const SyntheticMoment& moment) {
   // the weight moves from foot to foot, and to the left foot for the kick
   const double swing = gait(moment.t) * std::sin(phase(moment.t));
   const double left = std::clamp(0.5 - 0.5 * swing + 0.5 * kick_swing(moment.t), 0.0, 1.0);
@@ -144,14 +144,14 @@ pb::Fsr fsr_of(const Moment& moment) {
   return fsr;
 }
 
-pb::Touch touch_of(const Moment& moment) {
+pb::Touch touch_of(const SyntheticMoment& moment) {
   pb::Touch touch;
   touch.set_chest_button(moment.t >= 0.6 && moment.t < 0.8);
   touch.set_right_foot_left(std::abs(moment.t - kKick) < 0.025);  // the ball at the bumper
   return touch;
 }
 
-pb::Battery battery_of(const Moment& moment) {
+pb::Battery battery_of(const SyntheticMoment& moment) {
   pb::Battery battery;
   battery.set_charge(narrow(0.83 - 0.0004 * moment.t));
   battery.set_current(narrow(-1.6 - 0.9 * gait(moment.t)));
@@ -159,7 +159,7 @@ pb::Battery battery_of(const Moment& moment) {
   return battery;
 }
 
-pb::Odometry odometry_of(const Moment& moment) {
+pb::Odometry odometry_of(const SyntheticMoment& moment) {
   // odometry has a systematic error: steps are a little too long, turns a little too small
   constexpr double kTooLong = 1.05, kTooStraight = 0.97;
   const Walker start = walker_at(0), now = walker_at(moment.t);
@@ -171,7 +171,7 @@ pb::Odometry odometry_of(const Moment& moment) {
   return odometry;
 }
 
-pb::MotionStatus motion_status_of(const Moment& moment) {
+pb::MotionStatus motion_status_of(const SyntheticMoment& moment) {
   const Walker walker = walker_at(moment.t);
   const bool walking = walker.speed > 0, kicks = std::abs(moment.t - kKick) < 0.3;
   pb::MotionStatus status;

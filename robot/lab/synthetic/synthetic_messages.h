@@ -43,7 +43,7 @@ struct Sight {
 };
 
 /// The time of a message, with the step and the size of images.
-struct Moment {
+struct SyntheticMoment {
   double t = 0;            // [s] since the start
   std::uint64_t step = 0;  // of the body, 100 Hz
   std::uint64_t epoch_ns = 0;
@@ -53,26 +53,26 @@ struct Moment {
 /// Returns the angles of head and torso.
 Bearing bearing_at(double t);
 
-pb::Joints joints_of(const Moment& moment, const Noise& noise);
-pb::Inertial inertial_of(const Moment& moment, const Noise& noise);
-pb::Fsr fsr_of(const Moment& moment);
-pb::Touch touch_of(const Moment& moment);
-pb::Battery battery_of(const Moment& moment);
-pb::Odometry odometry_of(const Moment& moment);
-pb::MotionStatus motion_status_of(const Moment& moment);
+pb::Joints joints_of(const SyntheticMoment& moment, const Noise& noise);
+pb::Inertial inertial_of(const SyntheticMoment& moment, const Noise& noise);
+pb::Fsr fsr_of(const SyntheticMoment& moment);
+pb::Touch touch_of(const SyntheticMoment& moment);
+pb::Battery battery_of(const SyntheticMoment& moment);
+pb::Odometry odometry_of(const SyntheticMoment& moment);
+pb::MotionStatus motion_status_of(const SyntheticMoment& moment);
 
-pb::CameraMatrix camera_matrix_of(const Moment& moment);
-pb::Image image_of(const Moment& moment);
-pb::Vision vision_of(const Moment& moment, const Sight& sight, const Noise& noise);
+pb::CameraMatrix camera_matrix_of(const SyntheticMoment& moment);
+pb::Image image_of(const SyntheticMoment& moment);
+pb::Vision vision_of(const SyntheticMoment& moment, const Sight& sight, const Noise& noise);
 
 /// Returns the believed ball, or nothing before the first sight.
-std::optional<pb::Ball> ball_of(const Moment& moment, const Sight& sight, const Noise& noise);
-pb::Pose pose_of(const Moment& moment, const Noise& noise);
-pb::Team team_of(const Moment& moment);
-pb::GameState game_of(const Moment& moment);
-pb::DecisionTrace decision_of(const Moment& moment, const std::optional<pb::Ball>& ball);
-pb::MotionCommand motion_command_of(const Moment& moment);
-pb::GroundTruth truth_of(const Moment& moment);
+std::optional<pb::Ball> ball_of(const SyntheticMoment& moment, const Sight& sight, const Noise& noise);
+pb::Pose pose_of(const SyntheticMoment& moment, const Noise& noise);
+pb::Team team_of(const SyntheticMoment& moment);
+pb::GameState game_of(const SyntheticMoment& moment);
+pb::DecisionTrace decision_of(const SyntheticMoment& moment, const std::optional<pb::Ball>& ball);
+pb::MotionCommand motion_command_of(const SyntheticMoment& moment);
+pb::GroundTruth truth_of(const SyntheticMoment& moment);
 
 /// Returns whether the ball is detectable in the image of time `t`.
 bool ball_visible(double t, int width, int height);

@@ -12,7 +12,7 @@ constexpr double kKickReach = 0.28;  // [m]
 
 float narrow(double value) { return static_cast<float>(value); }
 
-std::uint64_t ns(const Moment& moment, double t) {
+std::uint64_t ns(const SyntheticMoment& moment, double t) {
   return moment.epoch_ns + static_cast<std::uint64_t>(std::llround(t * 1e9));
 }
 
@@ -60,7 +60,7 @@ void choose(pb::DecisionTrace& trace, const std::string& skill) {
 
 }  // namespace
 
-pb::Pose pose_of(const Moment& moment, const Noise& noise) {
+pb::Pose pose_of(const SyntheticMoment& moment, const Noise& noise) {
   // the pose is unknown at first, found within seconds, and never exact
   const double lost = std::exp(-moment.t / 1.5), deviation = 0.08 + 0.5 * lost;
   const double drift_x = 0.05 * std::sin(0.5 * moment.t), drift_y = 0.05 * std::cos(0.37 * moment.t);
@@ -88,7 +88,7 @@ pb::Pose pose_of(const Moment& moment, const Noise& noise) {
   return pose;
 }
 
-pb::Team team_of(const Moment& moment) {
+pb::Team team_of(const SyntheticMoment& moment) {
   pb::Team team;
   const auto ball = ball_at(moment.t);
   for (const OtherRobot& robot : others_at(moment.t)) {
@@ -126,7 +126,7 @@ pb::Team team_of(const Moment& moment) {
   return team;
 }
 
-pb::GameState game_of(const Moment& moment) {
+pb::GameState game_of(const SyntheticMoment& moment) {
   const double t = moment.t;
   const bool scored = t >= kGoal;
   pb::GameState game;
@@ -150,7 +150,7 @@ pb::GameState game_of(const Moment& moment) {
   return game;
 }
 
-pb::DecisionTrace decision_of(const Moment& moment, const std::optional<pb::Ball>& ball) {
+pb::DecisionTrace decision_of(const SyntheticMoment& moment, const std::optional<pb::Ball>& ball) {
   pb::DecisionTrace trace;
   trace.set_strategy("synthetic");
   trace.set_role("striker");
@@ -176,7 +176,7 @@ pb::DecisionTrace decision_of(const Moment& moment, const std::optional<pb::Ball
   return trace;
 }
 
-pb::MotionCommand motion_command_of(const Moment& moment) {
+pb::MotionCommand motion_command_of(const SyntheticMoment& moment) {
   const Walker walker = walker_at(moment.t);
   const Bearing bearing = bearing_at(moment.t);
   pb::MotionCommand command;
@@ -196,7 +196,7 @@ pb::MotionCommand motion_command_of(const Moment& moment) {
   return command;
 }
 
-pb::GroundTruth truth_of(const Moment& moment) {
+pb::GroundTruth truth_of(const SyntheticMoment& moment) {
   pb::GroundTruth truth;
   if (const auto ball = ball_at(moment.t)) {
     truth.mutable_ball()->set_x(narrow(ball->position.x));

@@ -91,7 +91,7 @@ bool ball_visible(double t, int width, int height) {
   return pixel && pixel->depth < kBallFar && camera.shows(*pixel, kBallPixelMargin);
 }
 
-pb::CameraMatrix camera_matrix_of(const Moment& moment) {
+pb::CameraMatrix camera_matrix_of(const SyntheticMoment& moment) {
   const Camera camera = camera_in_robot(bearing_at(moment.t), moment.width, moment.height);
   pb::CameraMatrix matrix;
   for (const double number : camera.rotation) matrix.add_rotation(narrow(number));
@@ -107,7 +107,7 @@ pb::CameraMatrix camera_matrix_of(const Moment& moment) {
   return matrix;
 }
 
-pb::Image image_of(const Moment& moment) {
+pb::Image image_of(const SyntheticMoment& moment) {
   pb::Image image;
   image.set_encoding(pb::Image::ENCODING_YUYV);
   image.set_width(static_cast<std::uint32_t>(moment.width));
@@ -116,7 +116,7 @@ pb::Image image_of(const Moment& moment) {
   return image;
 }
 
-pb::Vision vision_of(const Moment& moment, const Sight& sight, const Noise& noise) {
+pb::Vision vision_of(const SyntheticMoment& moment, const Sight& sight, const Noise& noise) {
   const Walker walker = walker_at(moment.t);
   const Camera camera = field_camera(moment.t, moment.width, moment.height);
   pb::Vision vision;
@@ -138,7 +138,7 @@ pb::Vision vision_of(const Moment& moment, const Sight& sight, const Noise& nois
   return vision;
 }
 
-std::optional<pb::Ball> ball_of(const Moment& moment, const Sight& sight, const Noise& noise) {
+std::optional<pb::Ball> ball_of(const SyntheticMoment& moment, const Sight& sight, const Noise& noise) {
   if (!sight.last_seen) return std::nullopt;
   const Walker walker = walker_at(moment.t), then = walker_at(*sight.last_seen);
   const RollingBall seen = *ball_at(*sight.last_seen);

@@ -155,7 +155,7 @@ TEST(SyntheticWorld, TheRollingBallMovesAsItsVelocitySays) {
 }
 
 TEST(SyntheticCamera, ProjectsAsTheProtoSays) {
-  const Moment moment{.t = 9.3, .width = 320, .height = 240};
+  const SyntheticMoment moment{.t = 9.3, .width = 320, .height = 240};
   const pb::CameraMatrix matrix = camera_matrix_of(moment);
   const Camera camera = camera_in_robot(bearing_at(9.3), 320, 240);
   const Vector p{2, 0.3, 0.05};
@@ -174,7 +174,7 @@ TEST(SyntheticCamera, DrawsTheBallWhereVisionReportsIt) {
   int compared = 0;
   for (double t = 7.5; t < 16; t += 0.06) {
     if (!ball_visible(t, 320, 240)) continue;
-    const Moment moment{.t = t, .step = 1, .width = 320, .height = 240};
+    const SyntheticMoment moment{.t = t, .step = 1, .width = 320, .height = 240};
     const pb::Vision vision = vision_of(moment, {.visible = true, .last_seen = t, .run = 1}, noise);
     if (vision.ball().radius() < 5) continue;
     ++compared;
