@@ -2,11 +2,11 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "robot/app/build_id.h"
 #include "robot/core/byte_source.h"
+#include "robot/core/json_library.h"
 #include "robot/core/report.h"
 
 namespace robot::app {

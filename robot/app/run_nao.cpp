@@ -8,6 +8,7 @@
 #include "robot/body/nao/config.h"
 #include "robot/body/nao/nao_body.h"
 #include "robot/body/nao/nao_cameras.h"
+#include "robot/core/json_library.h"
 #include "robot/core/report.h"
 #include "robot/nao/guardian/runtime_link.h"
 

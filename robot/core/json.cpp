@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <string>
 
+#include "robot/core/json_library.h"
+
+template class nlohmann::basic_json<>;
+template class nlohmann::basic_json<nlohmann::ordered_map>;
+
 namespace robot {
 namespace {
 

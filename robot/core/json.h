@@ -1,7 +1,7 @@
 // JSON from outside: requests of clients, answers of other robots, files that people write.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string_view>
 
 #include "robot/core/result.h"

@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "robot/core/json_library.h"
 #include "robot/foresight/question.h"
 
 namespace robot::foreseeing {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "robot/core/json_library.h"
 #include "robot/foresight/question.h"
 #include "robot/foresight/shown.h"
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iterator>
 
+#include "robot/core/json_library.h"
 #include "robot/foresight/question.h"
 
 namespace robot::foreseeing {

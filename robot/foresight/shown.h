@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "robot/core/json_library.h"
 
 namespace robot::foreseeing {
 

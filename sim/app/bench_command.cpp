@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/app/cycles.h"
 #include "sim/app/progress.h"

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/app/progress.h"
 #include "sim/contest/moments.h"

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/app/progress.h"
 #include "sim/contest/moments.h"

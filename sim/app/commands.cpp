@@ -1,8 +1,8 @@
 #include "sim/app/commands.h"
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
+#include "robot/core/json_library.h"
 #include "sim/io/ingredients.h"
 #include "sim/io/models.h"
 #include "sim/io/rules.h"

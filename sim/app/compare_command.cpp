@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/app/compare_runs.h"
 #include "sim/contest/series.h"

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/contest/slurm.h"
 #include "sim/report/contest_report.h"

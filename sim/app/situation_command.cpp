@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <map>
 
+#include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/app/progress.h"
 #include "sim/contest/openings.h"

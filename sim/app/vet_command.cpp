@@ -2,6 +2,7 @@
 // state; the cost of a decision is measured.
 #include <cstdio>
 
+#include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/app/compare_runs.h"
 #include "sim/match/hash.h"

@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "robot/core/files.h"
+#include "robot/core/json_library.h"
 #include "sim/io/source.h"
 #include "sim/match/hash.h"
 #include "sim/match/play.h"

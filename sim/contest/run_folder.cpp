@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "robot/core/files.h"
+#include "robot/core/json_library.h"
 #include "sim/match/hash.h"
 
 namespace sim::contest {

@@ -2,11 +2,11 @@
 
 #include <charconv>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string_view>
 
 #include "robot/core/json.h"
+#include "robot/core/json_library.h"
 
 namespace sim::guest {
 namespace {

@@ -1,4 +1,5 @@
 #include "sim/io/json.h"
+#include "robot/core/json_library.h"
 
 #include <charconv>
 #include <set>

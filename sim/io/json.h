@@ -1,7 +1,7 @@
 // The JSON of descriptions: objects keep the order of their keys, and no key occurs twice.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 

@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "robot/core/json_library.h"
 #include "sim/io/reader.h"
 #include "sim/io/source.h"
 #include "sim/io/variation.h"

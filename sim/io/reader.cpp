@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/core/json_library.h"
 #include "sim/io/source.h"
 
 namespace sim::io {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "robot/core/json_library.h"
 #include "sim/io/json.h"
 
 namespace sim::io {

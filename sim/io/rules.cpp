@@ -1,5 +1,6 @@
 #include "sim/io/rules.h"
 
+#include "robot/core/json_library.h"
 #include "sim/io/reader.h"
 #include "sim/io/source.h"
 #include "sim/io/variation.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "robot/core/json_library.h"
 #include "sim/io/reader.h"
 #include "sim/io/source.h"
 #include "sim/match/situation.h"

@@ -1,5 +1,6 @@
 #include "sim/io/strategy.h"
 
+#include "robot/core/json_library.h"
 #include "sim/io/reader.h"
 #include "sim/io/source.h"
 #include "sim/io/strategy_tree.h"

@@ -3,6 +3,7 @@
 #include <set>
 #include <vector>
 
+#include "robot/core/json_library.h"
 #include "sim/io/condition.h"
 #include "sim/io/values.h"
 #include "sim/io/words.h"

@@ -1,4 +1,5 @@
 #include "sim/io/variation.h"
+#include "robot/core/json_library.h"
 
 #include <string_view>
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/core/json_library.h"
 #include "robot/core/result.h"
 #include "sim/io/json.h"
 

@@ -5,6 +5,9 @@
 // The generator is Philox4x32 with 7 rounds, which passes BigCrush (Salmon et al., SC 2011, table 2).
 #pragma once
 
+// philox is plain C++: without these two lines the library includes all vector intrinsics of the compiler
+#define R123_USE_SSE 0
+#define R123_USE_X86INTRIN_H 0
 #include <Random123/philox.h>
 
 #include <array>

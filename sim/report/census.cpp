@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "robot/core/json_library.h"
 #include "sim/math/angles.h"
 #include "sim/perception/localisation.h"
 

@@ -1,7 +1,7 @@
 // Errors of the robots' beliefs and actions over a game, measured against the true state.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "sim/match/state.h"
 

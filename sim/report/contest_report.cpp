@@ -1,4 +1,5 @@
 #include "sim/report/contest_report.h"
+#include "robot/core/json_library.h"
 
 #include <algorithm>
 #include <cctype>

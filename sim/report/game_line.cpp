@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "robot/core/json_library.h"
 #include "sim/report/census.h"
 #include "sim/report/game_report.h"
 

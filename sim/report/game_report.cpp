@@ -1,4 +1,5 @@
 #include "sim/report/game_report.h"
+#include "robot/core/json_library.h"
 
 #include <array>
 #include <cstdio>

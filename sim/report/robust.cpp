@@ -1,4 +1,5 @@
 #include "sim/report/robust.h"
+#include "robot/core/json_library.h"
 
 #include <cstdio>
 

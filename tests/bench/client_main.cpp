@@ -9,10 +9,10 @@
 #include <cstdio>
 #include <deque>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <random>
 
 #include "robot/core/clock.h"
+#include "robot/core/json_library.h"
 #include "tests/bench/counting_client.h"
 #include "tests/bench/load.h"
 

@@ -10,8 +10,8 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <nlohmann/json.hpp>
 
+#include "robot/core/json_library.h"
 #include "robot/core/little_endian.h"
 #include "robot/net/foxglove/from_client.h"
 #include "robot/net/foxglove/to_client.h"

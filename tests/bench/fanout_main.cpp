@@ -9,9 +9,9 @@
 #include <chrono>
 #include <cstdio>
 #include <new>
-#include <nlohmann/json.hpp>
 #include <thread>
 
+#include "robot/core/json_library.h"
 #include "tests/bench/counting_client.h"
 #include "tests/bench/fanout.h"
 

@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -18,6 +17,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/core/files.h"
+#include "robot/core/json_library.h"
 #include "robot/memory/memory.h"
 #include "robot/nao/camera/camera_thread.h"
 #include "robot/nao/lola/actuators.h"

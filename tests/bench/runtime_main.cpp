@@ -4,11 +4,11 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "robot/app/runtime.h"
 #include "robot/app/signals.h"
+#include "robot/core/json_library.h"
 #include "robot/foresight/foreseer.h"
 #include "robot/logging/sessions/recorder.h"
 #include "robot/logging/sessions/session.h"

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "robot/core/encoding.h"
+#include "robot/core/json_library.h"
 #include "robot/net/foxglove/from_client.h"
 #include "robot/net/foxglove/services.h"
 #include "robot/net/foxglove/to_client.h"

@@ -28,13 +28,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "robot/core/clock.h"
 #include "robot/core/files.h"
+#include "robot/core/json_library.h"
 #include "robot/core/local_listener.h"
 #include "tests/support/fake_body.h"
 #include "tests/support/lola_frame.h"

@@ -1,9 +1,9 @@
 // foresight-lab import: a recording in another format becomes a session.
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "robot/app/import.h"
 #include "robot/app/lab/commands.h"
+#include "robot/core/json_library.h"
 #include "robot/logging/sessions/session.h"
 
 namespace robot::app {

@@ -1,10 +1,10 @@
 // foresight-lab info: the contents of sessions, and how well the forecasts in them came true.
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "robot/app/clock_option.h"
 #include "robot/app/forecast_report.h"
 #include "robot/app/lab/commands.h"
+#include "robot/core/json_library.h"
 #include "robot/foresight/scorer.h"
 #include "robot/lab/clocks/session_report.h"
 

@@ -1,11 +1,11 @@
 // foresight-lab what-if: the best strategy from a moment of a recording on.
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "robot/app/lab/commands.h"
 #include "robot/app/lab_foresight.h"
 #include "robot/core/json.h"
+#include "robot/core/json_library.h"
 #include "robot/foresight/question.h"
 
 namespace robot::app {

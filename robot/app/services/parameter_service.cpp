@@ -1,7 +1,7 @@
 #include "robot/app/services/parameter_service.h"
+#include "robot/core/json_library.h"
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <variant>
 
 namespace robot::app {

@@ -1,6 +1,5 @@
 #include "robot/app/services/recording_service.h"
-
-#include <nlohmann/json.hpp>
+#include "robot/core/json_library.h"
 
 namespace robot::app {
 namespace {

@@ -1,9 +1,9 @@
 #include "robot/app/services/simulation_service.h"
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "robot/core/json_library.h"
 #include "sim/io/situation.h"
 #include "sim/math/tick.h"
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "robot/core/clock.h"
+#include "robot/core/json_library.h"
 #include "robot/foresight/question.h"
 
 namespace robot::app {

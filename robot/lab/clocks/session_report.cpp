@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "robot/core/clock.h"
+#include "robot/core/json_library.h"
 #include "robot/logging/sessions/session_provider.h"
 
 namespace robot::lab {

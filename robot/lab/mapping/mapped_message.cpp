@@ -10,6 +10,7 @@
 
 #include "robot/core/encoding.h"
 #include "robot/core/json.h"
+#include "robot/core/json_library.h"
 #include "robot/lab/mapping/mapping.h"
 #include "robot/memory/schema_pool.h"
 

@@ -9,6 +9,7 @@
 #include "robot/core/clock.h"
 #include "robot/core/files.h"
 #include "robot/core/json.h"
+#include "robot/core/json_library.h"
 #include "robot/memory/memory.h"
 
 namespace robot::lab {

@@ -14,10 +14,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "robot/core/json_library.h"
 #include "robot/core/result.h"
 #include "robot/logging/streams/provider.h"
 #include "robot/memory/channel.h"

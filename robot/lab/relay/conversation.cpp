@@ -4,12 +4,12 @@
 #include <charconv>
 #include <cstdlib>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "proto/foresight/camera.pb.h"
 #include "proto/foxglove/CompressedImage.pb.h"
 #include "robot/core/json.h"
+#include "robot/core/json_library.h"
 #include "robot/core/report.h"
 #include "robot/image/image_codec.h"
 #include "robot/logging/sessions/profile.h"

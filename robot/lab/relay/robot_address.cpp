@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "robot/core/files.h"
 #include "robot/core/json.h"
+#include "robot/core/json_library.h"
 #include "robot/net/websocket/web_socket_client.h"
 
 namespace robot::lab {

@@ -6,12 +6,12 @@
 #include <ctime>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "robot/core/byte_source.h"
 #include "robot/core/clock.h"
 #include "robot/core/files.h"
 #include "robot/core/json.h"
+#include "robot/core/json_library.h"
 #include "robot/logging/mcap/format.h"
 #include "robot/logging/mcap/index.h"
 

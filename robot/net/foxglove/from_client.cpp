@@ -1,10 +1,10 @@
 #include "robot/net/foxglove/from_client.h"
 
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "robot/core/json.h"
+#include "robot/core/json_library.h"
 #include "robot/core/little_endian.h"
 
 namespace robot::net::foxglove {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "robot/core/json.h"
+#include "robot/core/json_library.h"
 
 namespace robot::net {
 namespace {

@@ -1,12 +1,12 @@
 #include "robot/net/foxglove/to_client.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "robot/core/clock.h"
 #include "robot/core/encoding.h"
 #include "robot/core/json.h"
+#include "robot/core/json_library.h"
 #include "robot/core/little_endian.h"
 
 namespace robot::net::foxglove {

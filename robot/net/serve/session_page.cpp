@@ -1,9 +1,9 @@
 #include "robot/net/serve/session_page.h"
 
 #include <ctime>
-#include <nlohmann/json.hpp>
 
 #include "robot/core/json.h"
+#include "robot/core/json_library.h"
 
 namespace robot::net {
 namespace {

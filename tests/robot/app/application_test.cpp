@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "robot/core/files.h"
+#include "robot/core/json_library.h"
 #include "robot/logging/mcap/format.h"
 #include "robot/logging/sessions/session_writer.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,5 @@
 #include "robot/core/json.h"
+#include "robot/core/json_library.h"
 
 #include <gtest/gtest.h>
 

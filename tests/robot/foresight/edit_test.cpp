@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "robot/core/json_library.h"
 #include "robot/foresight/question.h"
 #include "sim/match/situation.h"
 #include "tests/robot/bridge/played.h"

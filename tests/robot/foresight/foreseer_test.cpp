@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robot/core/clock.h"
+#include "robot/core/json_library.h"
 #include "robot/foresight/question.h"
 #include "sim/referee/referee.h"
 #include "tests/robot/bridge/played.h"

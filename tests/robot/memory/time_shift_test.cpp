@@ -7,6 +7,7 @@
 #include "proto/foresight/runtime.pb.h"
 #include "proto/foresight/team.pb.h"
 #include "robot/core/clock.h"
+#include "robot/core/json_library.h"
 #include "robot/memory/schema.h"
 
 namespace robot::memory {

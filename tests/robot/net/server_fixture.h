@@ -8,12 +8,12 @@
 #include <unistd.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "robot/core/files.h"
+#include "robot/core/json_library.h"
 #include "robot/memory/channels.h"
 #include "robot/net/foxglove/from_client.h"
 #include "robot/net/serve/board_streams.h"

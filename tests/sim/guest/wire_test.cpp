@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "robot/core/json_library.h"
 #include "sim/guest/moment.h"
 #include "tests/sim/agent/scene.h"
 

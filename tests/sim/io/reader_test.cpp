@@ -1,4 +1,5 @@
 #include "sim/io/reader.h"
+#include "robot/core/json_library.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <string_view>
 
+#include "robot/core/json_library.h"
 #include "sim/report/contest_report.h"
 #include "sim/report/plot.h"
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "robot/core/json_library.h"
 #include "sim/report/game_line.h"
 
 namespace sim::report {

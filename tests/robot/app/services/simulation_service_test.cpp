@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "robot/core/json_library.h"
 #include "tests/robot/body/sim/support.h"
 
 namespace robot::app {

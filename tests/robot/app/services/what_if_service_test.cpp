@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "robot/core/clock.h"
+#include "robot/core/json_library.h"
 
 namespace robot::app {
 namespace {

@@ -9,6 +9,7 @@
 #include "proto/foresight/game.pb.h"
 #include "proto/foresight/motion.pb.h"
 #include "proto/foresight/truth.pb.h"
+#include "robot/core/json_library.h"
 #include "robot/memory/schema.h"
 
 namespace robot::lab {

@@ -1,9 +1,8 @@
 // An independent reader of MessagePack finds the actuator values in the frame.
 #include "robot/nao/lola/actuators.h"
+#include "robot/core/json_library.h"
 
 #include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
 
 namespace robot::nao {
 namespace {

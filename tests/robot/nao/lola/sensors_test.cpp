@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <random>
 
 #include "robot/core/files.h"
+#include "robot/core/json_library.h"
 #include "tests/support/lola_frame.h"
 #include "tests/support/real_data.h"
 

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "robot/core/json_library.h"
 #include "robot/net/foxglove/from_client.h"
 #include "robot/net/foxglove/to_client.h"
 

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include <nlohmann/json.hpp>
 #include <thread>
 
+#include "robot/core/json_library.h"
 #include "robot/net/foxglove/to_client.h"
 #include "robot/net/websocket/frames.h"
 #include "tests/robot/net/net_support.h"

@@ -6,6 +6,7 @@
 #include <limits>
 #include <thread>
 
+#include "robot/core/json_library.h"
 #include "robot/net/foxglove/services.h"
 
 namespace robot::net {
