@@ -1,7 +1,6 @@
 // The WebSocket handshake (RFC 6455, section 4) of the server, as pure functions.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 

@@ -9,20 +9,9 @@
 
 #include "robot/core/result.h"
 #include "robot/net/websocket/frames.h"
+#include "robot/net/websocket/web_socket_url.h"
 
 namespace robot::net {
-
-/// "ws://10.0.14.2:8765/?delivery=lossless", parsed.
-struct WebSocketUrl {
-  std::string host;  // without brackets
-  std::string port = "80";
-  std::string target = "/";  // path and query
-
-  std::string authority() const;  // as in the Host header
-};
-
-/// Parses a ws:// address. wss is not supported.
-Result<WebSocketUrl> parse_web_socket_url(std::string_view url);
 
 /// One client connection. Used by one thread, except `cancel`.
 class WebSocketClient {

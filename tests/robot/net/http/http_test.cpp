@@ -77,7 +77,8 @@ TEST(Response, HasTheReasonOfEachStatus) {
                                                       {500, "Internal Server Error"},
                                                       {503, "Service Unavailable"}};
   for (const auto& [status, reason] : reasons)
-    EXPECT_EQ(plain_head(status, {}), "HTTP/1.1 " + std::to_string(status) + " " + std::string(reason) + "\r\n\r\n");
+    EXPECT_EQ(plain_head(status, {}),
+              std::string("HTTP/1.1 ").append(std::to_string(status)).append(" ").append(reason).append("\r\n\r\n"));
 }
 
 TEST(Response, KeepsTheHeadersAndTheirOrder) {
