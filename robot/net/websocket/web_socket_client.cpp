@@ -33,7 +33,8 @@ using Executor = asio::io_context::executor_type;
 
 constexpr std::uint64_t kForever = UINT64_MAX;
 constexpr std::uint64_t kLongestSleep = 3600 * kSecond;  // steps of a wait, so that no deadline overflows
-constexpr std::size_t kMaxQuotedBytes = 200;             // of the server's words in an error sentence
+constexpr std::size_t kMaxReservedBytes = 1 << 20;
+constexpr std::size_t kMaxQuotedBytes = 200;  // of the server's words in an error sentence
 
 /// A TCP socket that Beast gives up at once after the goodbyes.
 class Socket : public asio::basic_stream_socket<tcp, Executor> {
@@ -176,12 +177,14 @@ Result<void> WebSocketClient::Connection::shake_hands(const WebSocketUrl& url, s
   return {};
 }
 
-// memory grows with the bytes that have come, not with the announced size
+// reads piece by piece: the announced size alone makes us reserve no more than kMaxReservedBytes
 void WebSocketClient::Connection::read_on() {
   stream->async_read_some(asio::buffer(block), [this](const error_code& error, std::size_t size) {
     payload.append(block.data(), size);
-    if (!error && !stream->is_message_done()) return read_on();
-    received = {true, error};
+    received = {error || stream->is_message_done(), error};
+    if (received.done) return;
+    payload.reserve(payload.size() + std::min(stream->read_size_hint(block.size()), kMaxReservedBytes));
+    read_on();
   });
 }
 
