@@ -85,7 +85,7 @@ TEST(Response, KeepsTheHeadersAndTheirOrder) {
   const Headers headers{
       {"X-one", "1"}, {"Etag", "\"e\""}, {"Empty", ""}, {"vary", "a"}, {"Last", std::string(9000, 'x')}};
   std::string expected = "HTTP/1.1 200 OK\r\n";
-  for (const auto& [name, value] : headers) expected += name + ": " + value + "\r\n";
+  for (const auto& [name, value] : headers) expected.append(name).append(": ").append(value).append("\r\n");
   EXPECT_EQ(plain_head(200, headers), expected + "\r\n");
 }
 
