@@ -15,7 +15,6 @@
 #include "robot/core/little_endian.h"
 #include "robot/net/foxglove/from_client.h"
 #include "robot/net/foxglove/to_client.h"
-#include "robot/net/websocket/handshake.h"
 #include "robot/net/websocket/web_socket_client.h"
 #include "tests/bench/load.h"
 
@@ -122,7 +121,10 @@ Result<void> CountingClient::connect() {
   auto socket = open_socket(*url, options_.receive_buffer_bytes);
   if (!socket) return Error{socket.error()};
   socket_ = std::move(*socket);
-  write_all(socket_.get(), robot::net::web_socket_request(url->authority(), url->target, "Zm9yZXNpZ2h0IGJlbmNoLg=="));
+  write_all(socket_.get(), "GET " + url->target + " HTTP/1.1\r\nHost: " + url->authority() + "\r\n" +
+                               "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n" +
+                               "Sec-WebSocket-Key: Zm9yZXNpZ2h0IGJlbmNoLg==\r\n" +
+                               "Sec-WebSocket-Protocol: foxglove.sdk.v1\r\n\r\n");
 
   // byte by byte: read() reads the bytes after the response
   std::string head;

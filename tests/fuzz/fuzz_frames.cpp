@@ -6,6 +6,7 @@
 
 #include "robot/net/http/http_parser.h"
 #include "robot/net/websocket/frames.h"
+#include "robot/net/websocket/handshake.h"
 
 namespace {
 
@@ -40,6 +41,7 @@ void parse_requests(std::string_view bytes, std::size_t portion) {
       if (const auto target = robot::net::parse_target((*request)->target))
         if (target->path.find("..") != std::string::npos && target->path.find("/../") != std::string::npos)
           std::abort();
+      robot::net::accept_web_socket(**request).operator bool();
       robot::net::parse_range((*request)->header("range").value_or(""), 1000);
     }
   }

@@ -51,9 +51,6 @@ HttpResponse text_response(int status, std::string_view content_type, std::strin
 /// Returns a refusing response with `sentence` as plain text.
 HttpResponse error_response(int status, std::string sentence);
 
-/// Returns status line, headers and the empty line. Adds Content-Length, Connection and the security headers.
-std::string response_head(const HttpResponse& response, bool keep_alive);
-
 /// A parsed and decoded request target.
 struct Target {
   std::string path;   // "/logs/a.mcap"

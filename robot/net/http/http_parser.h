@@ -1,4 +1,4 @@
-// Parser of HTTP/1.1 requests from the bytes of a connection. Only this file uses Boost.Beast.
+// Parser of HTTP/1.1 requests from the bytes of a connection, on Boost.Beast.
 #pragma once
 
 #include <memory>

@@ -4,6 +4,7 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 
+#include "robot/net/http/response_head.h"
 #include "robot/net/serve/web_socket_connection.h"
 
 namespace robot::net {

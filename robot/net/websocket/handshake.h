@@ -1,10 +1,8 @@
-// The WebSocket handshake (RFC 6455, section 4) of client and server, as pure functions.
+// The WebSocket handshake (RFC 6455, section 4) of the server, as pure functions.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "robot/core/result.h"
 #include "robot/net/http/http.h"
@@ -25,11 +23,5 @@ struct Upgrade {
 
 /// Accepts `request`, or returns an Error with the reason for refusing it (400).
 Result<Upgrade> accept_web_socket(const HttpRequest& request);
-
-/// For clients: returns the request for `target` at `host`, both as in the header. `key` is base64 of 16 random bytes.
-std::string web_socket_request(std::string_view host, std::string_view target, std::string_view key);
-
-/// For clients: checks the head of the response, up to the empty line.
-Result<void> check_web_socket_response(std::string_view head, std::string_view key);
 
 }  // namespace robot::net

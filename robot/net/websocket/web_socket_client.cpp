@@ -1,230 +1,248 @@
 #include "robot/net/websocket/web_socket_client.h"
 
+#include <utility>  // before Asio: Boost 1.74 uses std::exchange without it
+
+#define BOOST_ERROR_CODE_HEADER_ONLY
 #include <fcntl.h>
-#include <netdb.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <poll.h>
-#include <sys/eventfd.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <random>
-#include <utility>
+#include <array>
+#include <boost/asio/basic_stream_socket.hpp>
+#include <boost/asio/connect.hpp>
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/beast/core/bind_handler.hpp>
+#include <boost/beast/websocket/stream.hpp>
+#include <chrono>
 
 #include "robot/core/clock.h"
-#include "robot/core/encoding.h"
 #include "robot/net/websocket/handshake.h"
 
 namespace robot::net {
 namespace {
 
-constexpr std::uint64_t kForever = UINT64_MAX;
-constexpr std::size_t kMaxHeadBytes = 16 << 10;
-constexpr const char* kCancelled = "cancelled";
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using asio::ip::tcp;
+using boost::system::error_code;
+using Executor = asio::io_context::executor_type;
 
-std::string random_bytes(std::size_t size) {
-  std::random_device random;
-  std::string bytes;
-  for (std::size_t i = 0; i < size; ++i) bytes += static_cast<char>(random());
-  return bytes;
+constexpr std::uint64_t kForever = UINT64_MAX;
+constexpr std::uint64_t kLongestSleep = 3600 * kSecond;  // steps of a wait, so that no deadline overflows
+constexpr std::size_t kMaxReservedBytes = 1 << 20;
+constexpr std::size_t kMaxQuotedBytes = 200;  // of the server's words in an error sentence
+
+/// A TCP socket that Beast gives up at once after the goodbyes.
+class Socket : public asio::basic_stream_socket<tcp, Executor> {
+ public:
+  using basic_stream_socket::basic_stream_socket;
+};
+
+// Beast calls it after a close frame or a violation; its own version waits until the server closes, maybe forever
+template <class Handler>
+void async_teardown(beast::role_type, Socket& socket, Handler&& handler) {
+  error_code ignored;
+  socket.shutdown(Socket::shutdown_both, ignored);
+  asio::post(socket.get_executor(), beast::bind_front_handler(std::forward<Handler>(handler), error_code()));
 }
 
-struct AddressList {
-  ~AddressList() {
-    if (first) freeaddrinfo(first);
-  }
-  addrinfo* first = nullptr;
+/// The state of an asynchronous operation.
+struct Step {
+  bool done = false;
+  error_code error = {};
 };
 
 }  // namespace
 
-std::string WebSocketUrl::authority() const {
-  return (host.find(':') == std::string::npos ? host : "[" + host + "]") + ":" + port;
-}
+/// The connection. Each call runs Beast's operations until its own has ended; a read may stay pending between calls.
+struct WebSocketClient::Connection {
+  // returns false when cancelled, an Error at the deadline
+  Result<bool> wait(const Step& step, std::uint64_t deadline_ns);
+  Result<void> finish(const Step& step, std::uint64_t deadline_ns);
+  Result<void> open_socket(const WebSocketUrl& url, std::uint64_t deadline_ns);
+  Result<void> shake_hands(const WebSocketUrl& url, std::uint64_t deadline_ns);
+  void prepare();
+  void read_on();
+  std::string sentence(const error_code& error) const;
+  std::string refusal() const;
+  Error problem(const std::string& text) const { return Error{name + ": " + text}; }
 
-Result<WebSocketUrl> parse_web_socket_url(std::string_view url) {
-  constexpr std::string_view kScheme = "ws://";
-  const Error wrong{"'" + std::string(url.substr(0, 200)) + "': expected an address such as ws://10.0.14.2:8765"};
-  if (!url.starts_with(kScheme) || url.find_first_of(" \r\n\t#") != std::string_view::npos) return wrong;
-  url.remove_prefix(kScheme.size());
+  asio::io_context io;                                          // cancel() stops it forever
+  asio::executor_work_guard<Executor> work{io.get_executor()};  // nothing else stops it
+  std::string name;                                             // the url, for error sentences
+  std::optional<websocket::stream<Socket, false>> stream;       // false: without compression
+  websocket::response_type response;
 
-  const std::size_t end = std::min(url.find_first_of("/?"), url.size());
-  std::string_view authority = url.substr(0, end);
-  WebSocketUrl result{.target = std::string(url.substr(end))};
-  if (!result.target.starts_with('/')) result.target.insert(0, "/");
+  // operations outlive a call that returns at its deadline, so their state is here
+  Step opened, sent, received;
+  bool agreed = false, reading = false;
+  std::array<char, 65536> block;
+  std::string payload;  // the message so far
+  std::optional<CloseInfo> closed;
+};
 
-  const std::size_t host_end = authority.starts_with('[') ? authority.find(']') : 0;
-  if (host_end == std::string_view::npos) return wrong;
-  const std::size_t colon = authority.find(':', host_end);
-  if (colon != std::string_view::npos) {
-    result.port = authority.substr(colon + 1);
-    authority = authority.substr(0, colon);
+Result<bool> WebSocketClient::Connection::wait(const Step& step, std::uint64_t deadline_ns) {
+  while (!step.done) {
+    if (io.stopped()) return false;
+    const std::uint64_t now_ns = monotonic_ns();
+    if (now_ns >= deadline_ns) return problem("no answer in time");
+    io.run_one_for(std::chrono::nanoseconds(std::min(deadline_ns - now_ns, kLongestSleep)));
   }
-  if (authority.starts_with('[')) authority = authority.substr(1, host_end - 1);
-  result.host = authority;
-  const bool port_ok = !result.port.empty() && result.port.size() <= 5 &&
-                       std::ranges::all_of(result.port, [](char c) { return c >= '0' && c <= '9'; });
-  if (result.host.empty() || !port_ok) return wrong;
-  return result;
+  return true;
 }
 
-WebSocketClient::WebSocketClient() : wake_up_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
-
-void WebSocketClient::cancel() {
-  const std::uint64_t one = 1;
-  [[maybe_unused]] const ssize_t written = ::write(wake_up_.get(), &one, sizeof one);  // stays readable forever
+Result<void> WebSocketClient::Connection::finish(const Step& step, std::uint64_t deadline_ns) {
+  const auto done = wait(step, deadline_ns);
+  if (!done) return done.failure();
+  if (!*done) return problem("cancelled");
+  if (step.error) return problem(sentence(step.error));
+  return {};
 }
 
-// returns false when cancelled, an Error at the deadline
-Result<bool> WebSocketClient::wait(short events, std::uint64_t deadline_ns) {
-  while (true) {
-    pollfd fds[] = {{socket_.get(), events, 0}, {wake_up_.get(), POLLIN, 0}};
-    int timeout_ms = -1;
-    if (deadline_ns != kForever) {
-      const std::uint64_t now = monotonic_ns();
-      if (now >= deadline_ns) return Error{name_ + ": no answer in time"};
-      timeout_ms = static_cast<int>(std::min<std::uint64_t>((deadline_ns - now) / kMillisecond + 1, 3600'000));
-    }
-    if (::poll(fds, 2, timeout_ms) < 0 && errno != EINTR) return Error{name_ + ": " + std::strerror(errno)};
-    if (fds[1].revents != 0) return false;
-    if (fds[0].revents != 0) return true;
-  }
+std::string WebSocketClient::Connection::sentence(const error_code& error) const {
+  if (error == asio::error::eof) return "the connection ended without a goodbye";
+  if (error == asio::error::operation_aborted) return "the connection has ended";
+  if (error == http::error::end_of_stream || error == http::error::partial_message)
+    return "expected an HTTP response, got none";
+  if (error.category() == make_error_code(http::error::end_of_stream).category())
+    return "expected an HTTP response, got another answer (" + error.message() + ")";
+  if (error == websocket::error::upgrade_declined) return refusal();
+  if (error == websocket::condition::handshake_failed)
+    return "WebSocket: the server's answer does not belong to our request (" + error.message() + ")";
+  if (error == websocket::error::message_too_big)
+    return "a message has more than " + std::to_string(kMaxMessageBytes) + " bytes";
+  if (error == websocket::condition::protocol_violation)
+    return "the server broke the protocol (" + error.message() + ")";
+  return error.message();
 }
 
-Result<void> WebSocketClient::open_socket(const WebSocketUrl& url, std::uint64_t deadline_ns) {
-  AddressList addresses;
-  const addrinfo hints{.ai_flags = AI_NUMERICSERV, .ai_socktype = SOCK_STREAM};
-  if (const int error = getaddrinfo(url.host.c_str(), url.port.c_str(), &hints, &addresses.first); error != 0)
-    return Error{name_ + ": " + gai_strerror(error)};
-
-  int last_error = 0;
-  for (const addrinfo* address = addresses.first; address; address = address->ai_next) {
-    socket_ = FileDescriptor(::socket(address->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-    if (!socket_) return Error{name_ + ": " + std::strerror(errno)};
-    const int on = 1;
-    ::setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-    last_error = ::connect(socket_.get(), address->ai_addr, address->ai_addrlen) == 0 ? 0 : errno;
-    if (last_error == EINPROGRESS) {
-      const auto ready = wait(POLLOUT, deadline_ns);
-      if (!ready) return Error{ready.error()};
-      if (!*ready) return Error{name_ + ": " + kCancelled};
-      socklen_t size = sizeof last_error;
-      ::getsockopt(socket_.get(), SOL_SOCKET, SO_ERROR, &last_error, &size);
-    }
-    if (last_error == 0) return {};
-  }
-  return Error{name_ + ": " + std::strerror(last_error)};
+// our servers give the reason in the body
+std::string WebSocketClient::Connection::refusal() const {
+  const std::string status = std::to_string(response.result_int()) + " " + std::string(response.reason());
+  const std::string reason = response.body().substr(0, response.body().find('\n'));
+  return "WebSocket: expected the server to agree (101), got '" + status.substr(0, kMaxQuotedBytes) + "'" +
+         (reason.empty() ? "" : ": " + reason.substr(0, kMaxQuotedBytes));
 }
+
+Result<void> WebSocketClient::Connection::open_socket(const WebSocketUrl& url, std::uint64_t deadline_ns) {
+  error_code error;
+  asio::ip::basic_resolver<tcp, Executor> resolver(io);
+  const auto endpoints = resolver.resolve(url.host, url.port, tcp::resolver::numeric_service, error);
+  if (error) return problem(error.message());
+
+  Socket& socket = stream->next_layer();
+  asio::async_connect(socket, endpoints, [this](const error_code& result, const tcp::endpoint&) {
+    opened = {true, result};
+  });
+  if (auto connected = finish(opened, deadline_ns); !connected) return connected;
+  ::fcntl(socket.native_handle(), F_SETFD, FD_CLOEXEC);
+  socket.set_option(tcp::no_delay(true), error);
+  return {};
+}
+
+// sets the options of the stream
+void WebSocketClient::Connection::prepare() {
+  stream->auto_fragment(false);
+  stream->read_message_max(kMaxMessageBytes);
+  stream->set_option(websocket::stream_base::decorator([](websocket::request_type& request) {
+    request.set(http::field::user_agent, "foresight");
+    request.set(http::field::sec_websocket_protocol,
+                std::string(kSubprotocols[0]).append(", ").append(kSubprotocols[1]));
+  }));
+  // a goodbye counts when it comes, even if our answer to it cannot be sent
+  stream->control_callback([this](websocket::frame_type type, beast::string_view) {
+    if (type != websocket::frame_type::close) return;
+    const websocket::close_reason& reason = stream->reason();
+    closed = CloseInfo{reason.code == websocket::close_code::none ? std::uint16_t{kNoCodeGiven} : reason.code,
+                       std::string(reason.reason.data(), reason.reason.size())};
+    received.done = true;
+  });
+}
+
+Result<void> WebSocketClient::Connection::shake_hands(const WebSocketUrl& url, std::uint64_t deadline_ns) {
+  opened = {};
+  stream->async_handshake(response, url.authority(), url.target, [this](const error_code& result) {
+    opened = {true, result};
+  });
+  if (auto answered = finish(opened, deadline_ns); !answered) return answered;
+  const auto chosen = response[http::field::sec_websocket_protocol];
+  agreed = std::ranges::find(kSubprotocols, std::string_view(chosen.data(), chosen.size())) != std::end(kSubprotocols);
+  if (!agreed)
+    return problem("WebSocket: expected the server to choose one of our subprotocols, got '" +
+                   std::string(chosen.substr(0, kMaxQuotedBytes)) + "'");
+  return {};
+}
+
+// reads piece by piece: the announced size alone makes us reserve no more than kMaxReservedBytes
+void WebSocketClient::Connection::read_on() {
+  stream->async_read_some(asio::buffer(block), [this](const error_code& error, std::size_t size) {
+    payload.append(block.data(), size);
+    received = {error || stream->is_message_done(), error};
+    if (received.done) return;
+    payload.reserve(payload.size() + std::min(stream->read_size_hint(block.size()), kMaxReservedBytes));
+    read_on();
+  });
+}
+
+WebSocketClient::WebSocketClient() : connection_(std::make_unique<Connection>()) {}
+WebSocketClient::~WebSocketClient() = default;
+
+void WebSocketClient::cancel() { connection_->io.stop(); }
+
+const std::optional<CloseInfo>& WebSocketClient::closed() const { return connection_->closed; }
+
+int WebSocketClient::socket() const { return connection_->stream->next_layer().native_handle(); }
 
 Result<void> WebSocketClient::connect(std::string_view text, std::uint64_t timeout_ns) {
+  Connection& connection = *connection_;
   // the token must not appear in error sentences
-  name_ = std::string(text.substr(0, std::min(text.find('?'), text.size())));
+  connection.name = std::string(text.substr(0, std::min(text.find('?'), text.size())));
   const std::uint64_t deadline_ns = monotonic_ns() + timeout_ns;
   const auto url = parse_web_socket_url(text);
-  if (!url) return Error{url.error()};
-  if (auto opened = open_socket(*url, deadline_ns); !opened) return opened;
-
-  const std::string key = to_base64(random_bytes(16));
-  if (auto sent = write_all(web_socket_request(url->authority(), url->target, key)); !sent) return sent;
-  std::string head;
-  std::size_t end = std::string::npos;
-  while (end == std::string::npos) {
-    char block[4096];
-    const auto size = read_some(block, sizeof block, deadline_ns);
-    if (!size) return Error{size.error()};
-    if (*size == 0 || head.size() > kMaxHeadBytes) return Error{name_ + ": expected an HTTP response, got none"};
-    head.append(block, *size);
-    end = head.find("\r\n\r\n");
+  if (!url) return url.failure();
+  try {
+    connection.stream.emplace(connection.io);
+  } catch (const boost::system::system_error& error) {  // no file descriptor is left
+    return connection.problem(error.code().message());
   }
-  const auto agreed = check_web_socket_response(std::string_view(head).substr(0, end + 2), key);
-  if (!agreed) {
-    // our servers give the reason in the body
-    const std::string_view body = std::string_view(head).substr(end + 4);
-    return Error{name_ + ": " + agreed.error() + (body.empty() ? "" : ": ") +
-                 std::string(body.substr(0, body.find('\n')))};
-  }
-  const auto violation =
-      parser_.feed(std::string_view(head).substr(end + 4),
-                   [this](Opcode opcode, std::string payload) { return on_frame(opcode, std::move(payload)); });
-  if (violation) return Error{name_ + ": " + violation->sentence};
-  return {};
-}
-
-// returns 0 at the end of the connection
-Result<std::size_t> WebSocketClient::read_some(char* to, std::size_t size, std::uint64_t deadline_ns) {
-  while (true) {
-    const auto ready = wait(POLLIN, deadline_ns);
-    if (!ready) return Error{ready.error()};
-    if (!*ready) return Error{name_ + ": " + kCancelled};
-    const ssize_t n = ::recv(socket_.get(), to, size, 0);
-    if (n >= 0) return static_cast<std::size_t>(n);
-    if (errno != EINTR && errno != EAGAIN) return Error{name_ + ": " + std::strerror(errno)};
-  }
-}
-
-Result<void> WebSocketClient::write_all(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::send(socket_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (n >= 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(n));
-    } else if (errno == EAGAIN) {
-      const auto ready = wait(POLLOUT, kForever);
-      if (!ready) return Error{ready.error()};
-      if (!*ready) return Error{name_ + ": " + kCancelled};
-    } else if (errno != EINTR) {
-      return Error{name_ + ": " + std::strerror(errno)};
-    }
-  }
-  return {};
+  connection.prepare();
+  if (auto opened = connection.open_socket(*url, deadline_ns); !opened) return opened;
+  return connection.shake_hands(*url, deadline_ns);
 }
 
 Result<void> WebSocketClient::send(Opcode opcode, std::string_view payload) {
-  // a mask keeps proxies from misreading our bytes; it need not be secret
-  static std::atomic<std::uint32_t> mask = 0x9d2c5681;
-  std::string frame;
-  append_masked_frame(frame, opcode, payload, mask.fetch_add(0x9e3779b9, std::memory_order_relaxed));
-  return write_all(frame);
-}
-
-bool WebSocketClient::on_frame(Opcode opcode, std::string payload) {
-  if (opcode == Opcode::text || opcode == Opcode::binary) {
-    received_.push_back({opcode, std::move(payload)});
-    return true;
-  }
-  if (opcode == Opcode::ping) append_masked_frame(pongs_, Opcode::pong, payload, 0x5bd1e995);
-  if (opcode != Opcode::close) return true;
-  closed_ = parse_close(payload);
-  append_masked_frame(pongs_, Opcode::close, payload.substr(0, 2), 0x5bd1e995);
-  return false;
+  Connection& connection = *connection_;
+  if (connection.io.stopped()) return connection.problem("cancelled");
+  if (!connection.agreed) return connection.problem("there is no connection");
+  connection.sent = {};
+  connection.stream->binary(opcode == Opcode::binary);
+  connection.stream->async_write(asio::buffer(payload), [&connection](const error_code& error, std::size_t) {
+    connection.sent = {true, error};
+  });
+  return connection.finish(connection.sent, kForever);
 }
 
 Result<std::optional<WebSocketClient::Message>> WebSocketClient::receive(std::uint64_t deadline_ns) {
-  while (true) {
-    if (!pongs_.empty())
-      // the next read notices a server that has gone
-      static_cast<void>(write_all(std::exchange(pongs_, {})).operator bool());
-    if (!received_.empty()) {
-      Message message = std::move(received_.front());
-      received_.pop_front();
-      return std::optional(std::move(message));
-    }
-    if (closed_) return std::optional<Message>();
-
-    const auto ready = wait(POLLIN, deadline_ns);
-    if (!ready) return Error{ready.error()};
-    if (!*ready) return std::optional<Message>();
-    char block[65536];
-    const auto size = read_some(block, sizeof block, deadline_ns);
-    if (!size) return Error{size.error()};
-    if (*size == 0) return Error{name_ + ": the connection ended without a goodbye"};
-    const auto violation = parser_.feed(
-        {block, *size}, [this](Opcode opcode, std::string payload) { return on_frame(opcode, std::move(payload)); });
-    if (violation) return Error{name_ + ": " + violation->sentence};
+  Connection& connection = *connection_;
+  if (connection.io.stopped() || connection.closed) return std::optional<Message>();
+  if (!connection.agreed) return connection.problem("there is no connection");
+  if (!connection.reading) {
+    connection.reading = true;
+    connection.received = {};
+    connection.read_on();
   }
+  const auto ready = connection.wait(connection.received, deadline_ns);
+  if (!ready) return ready.failure();
+  if (!*ready || connection.closed) return std::optional<Message>();
+  // after an error every call returns it
+  if (connection.received.error) return connection.problem(connection.sentence(connection.received.error));
+  connection.reading = false;
+  return std::optional(
+      Message{connection.stream->got_binary() ? Opcode::binary : Opcode::text, std::exchange(connection.payload, {})});
 }
 
 }  // namespace robot::net

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "robot/net/http/http_parser.h"
+#include "robot/net/http/response_head.h"
 #include "tests/robot/net/net_support.h"
 
 namespace robot::net {
@@ -58,6 +59,42 @@ TEST(Response, HasLengthAndSecurityHeaders) {
     EXPECT_NE(head.find(line), std::string::npos) << line;
   EXPECT_EQ(head.find("unsafe"), std::string::npos);
   EXPECT_TRUE(head.ends_with("\r\n\r\n"));
+}
+
+TEST(Response, HasTheReasonOfEachStatus) {
+  const std::pair<int, std::string_view> reasons[] = {{200, "OK"},
+                                                      {204, "No Content"},
+                                                      {206, "Partial Content"},
+                                                      {304, "Not Modified"},
+                                                      {307, "Temporary Redirect"},
+                                                      {400, "Bad Request"},
+                                                      {401, "Unauthorized"},
+                                                      {403, "Forbidden"},
+                                                      {404, "Not Found"},
+                                                      {405, "Method Not Allowed"},
+                                                      {409, "Conflict"},
+                                                      {416, "Range Not Satisfiable"},
+                                                      {500, "Internal Server Error"},
+                                                      {503, "Service Unavailable"}};
+  for (const auto& [status, reason] : reasons)
+    EXPECT_EQ(plain_head(status, {}),
+              std::string("HTTP/1.1 ").append(std::to_string(status)).append(" ").append(reason).append("\r\n\r\n"));
+}
+
+TEST(Response, KeepsTheHeadersAndTheirOrder) {
+  const Headers headers{
+      {"X-one", "1"}, {"Etag", "\"e\""}, {"Empty", ""}, {"vary", "a"}, {"Last", std::string(9000, 'x')}};
+  std::string expected = "HTTP/1.1 200 OK\r\n";
+  for (const auto& [name, value] : headers) expected.append(name).append(": ").append(value).append("\r\n");
+  EXPECT_EQ(plain_head(200, headers), expected + "\r\n");
+}
+
+TEST(Response, HasNoLengthWhereNoBodyMayFollow) {
+  for (const int status : {204, 304})
+    EXPECT_EQ(response_head({.status = status}, false).find("Content-Length"), std::string::npos) << status;
+  const HttpResponse part{.body = BodyPart{nullptr, 3, std::uint64_t{5} << 32}};
+  EXPECT_NE(response_head(part, false).find("Content-Length: 21474836480\r\n"), std::string::npos);
+  EXPECT_NE(response_head(part, false).find("Connection: close\r\n"), std::string::npos);
 }
 
 std::string header(const HttpResponse& response, std::string_view name) {
