@@ -269,7 +269,7 @@ void Foreseer::answer(const Job& job, Rollouts& rollouts) {
 
 pb::Forecast Foreseer::forecast_of(const Job& job, const Progress& progress) {
   const auto& [playbook, strategies, situation, question, key] = job.futures;
-  const pf::Forecast known = pf::forecast(progress.tally, question, key);
+  const pf::Forecast known = pf::forecast(progress.statistics, question, key);
   const std::vector<std::string> names(job.question.strategies().begin(), job.question.strategies().end());
   pb::Forecast forecast = began(job.question, job.asked_ns, job.speed, playbook->choice);
   const sim::field::Rules& rules = playbook->params.front().rules;
@@ -280,11 +280,11 @@ pb::Forecast Foreseer::forecast_of(const Job& job, const Progress& progress) {
   for (int i = 0; i < known.strategies; ++i) {
     pb::Forecast::StrategyForecast& strategy = *forecast.add_strategies();
     strategy.set_strategy(names[static_cast<std::size_t>(i)]);
-    fill(known.standings[i], progress.tally.by_strategy[i], job.lineups.own, strategy);
+    fill(known.standings[i], progress.statistics.by_strategy[i], job.lineups.own, strategy);
   }
   forecast.set_answered_ms(static_cast<float>(monotonic_ns() - job.arrived_ns) / 1e6f);
   forecast.set_computed_ms(static_cast<float>(progress.computed_ns) / 1e6f);
-  forecast.set_simulated(static_cast<float>(progress.tally.ticks) * sim::kTickDuration);
+  forecast.set_simulated(static_cast<float>(progress.statistics.ticks) * sim::kTickDuration);
   fill(situation, rules, job.lineups, *forecast.mutable_situation());
   return forecast;
 }

@@ -34,8 +34,8 @@ void Rollouts::begin(Futures futures, std::uint64_t deadline_ns) {
 Progress Rollouts::progress() {
   const Progress& newest = mailbox_.newest();
   if (newest.race == number_) return newest;
-  Progress nothing{.race = number_, .tally = {}};
-  if (!races_.empty()) nothing.tally.strategies = static_cast<int>(races_.back()->futures.strategies.size());
+  Progress nothing{.race = number_, .statistics = {}};
+  if (!races_.empty()) nothing.statistics.strategies = static_cast<int>(races_.back()->futures.strategies.size());
   return nothing;
 }
 
@@ -75,17 +75,17 @@ void Rollouts::play(const Race& race) {
     if (race.over) return 1.;
     return static_cast<double>(monotonic_ns() - race.began_ns) / static_cast<double>(race.deadline_ns - race.began_ns);
   };
-  const auto told = [&](const sim::foresight::RolloutStatistics& tally) {
+  const auto told = [&](const sim::foresight::RolloutStatistics& statistics) {
     Progress& draft = mailbox_.draft();
     draft.race = race.number;
-    draft.tally = tally;
+    draft.statistics = statistics;
     draft.computed_ns = thread_cpu_ns() - since_ns;
     mailbox_.publish();
   };
   const auto task =
       sim::io::task_of(*futures.playbook, futures.strategies, futures.situation, futures.question, futures.key);
-  sim::foresight::RolloutStatistics tally;
-  sim::foresight::race(task, spent, told, tally);
+  sim::foresight::RolloutStatistics statistics;
+  sim::foresight::race(task, spent, told, statistics);
 }
 
 }  // namespace robot::foreseeing

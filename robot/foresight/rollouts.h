@@ -31,7 +31,7 @@ enum class Share : std::uint8_t {
 /// The results of the futures so far.
 struct Progress {
   std::uint64_t race = 0;  // number of their `begin`
-  sim::foresight::RolloutStatistics tally;
+  sim::foresight::RolloutStatistics statistics;
   std::uint64_t computed_ns = 0;  // of processor time
 };
 

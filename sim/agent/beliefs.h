@@ -1,6 +1,6 @@
 // The beliefs of a robot: everything that an agent may know.
 //
-// The cognitive controller writes them in the simulator; the memory does on the robot. Frames: `robot` is on the ground
+// The simulator computes them; on the robot they come from memory objects. Frames: `robot` is on the ground
 // between the feet, +x forward, +y left; `team_field` has its origin at the centre, +x towards the opponents' goal.
 #pragma once
 
@@ -48,10 +48,11 @@ struct Mate {
 
   float time_to_ball() const { return 0.01f * static_cast<float>(time_to_ball_cs); }  // [s]
 };
-/// Converts a time [s] >= 0 to the unit of a message [10 ms]; as_told() is that time after its transport.
+/// Converts a time [s] >= 0 to the unit of a message [10 ms].
 constexpr std::uint16_t centiseconds(float seconds) {
   return seconds < 655 ? static_cast<std::uint16_t>(0.5f * (200 * seconds + 1)) : std::uint16_t{0xffff};
 }
+/// Returns a time [s] with the rounding of its message.
 constexpr float as_told(float seconds) { return 0.01f * static_cast<float>(centiseconds(seconds)); }
 
 /// Returns the number [1..7] of the teammate in beliefs.mates[index] of `player`.
@@ -69,7 +70,7 @@ struct Beliefs {
   Ball ball;
   Pose pose;
   Mate mates[kMaxMates];
-  Opponent opponents[kMaxPlayers];  // by number; to recognise each opponent is an idealisation
+  Opponent opponents[kMaxPlayers];  // by number; real robots do not recognise each opponent
 };
 
 /// The GameController's state as a robot hears it, and the robot's own number.

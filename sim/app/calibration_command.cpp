@@ -93,8 +93,8 @@ class CalibrationCommand final : public Command {
 
   int run() override {
     const io::Matchup choice = choice_.choice();
-    const auto setup = io::prepare(choice);
-    if (!setup) return fail(setup.error());
+    const auto prepared = io::prepare(choice);
+    if (!prepared) return fail(prepared.error());
     const auto playbook = choice_.playbook({choice.strategies[0]});
     if (!playbook) return fail(playbook.error());
     const int games = (situations_ + kPerGame - 1) / kPerGame;
@@ -105,7 +105,7 @@ class CalibrationCommand final : public Command {
           games, contest::threads_for(games),
           [&](int game) {
             by_game[static_cast<std::size_t>(game)] =
-                play(setup->params, *playbook, kFirstSeed + static_cast<std::uint64_t>(game));
+                play(prepared->params, *playbook, kFirstSeed + static_cast<std::uint64_t>(game));
           },
           [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
     }

@@ -41,23 +41,23 @@ int main(int count, char** words) {
     std::fprintf(stderr, "sim_cost: expected how many games, at least 1, got '%s'\n", count > 1 ? words[1] : "");
     return 2;
   }
-  const auto setup = io::prepare({});
-  if (!setup) {
-    std::fprintf(stderr, "sim_cost: %s\n", setup.error().c_str());
+  const auto prepared = io::prepare({});
+  if (!prepared) {
+    std::fprintf(stderr, "sim_cost: %s\n", prepared.error().c_str());
     return 2;
   }
 
-  play_game(setup->params, {.seed = 0});  // warms the caches and the clock
+  play_game(prepared->params, {.seed = 0});  // warms the caches and the clock
   std::vector<double> game_ms, cycles;
   for (int game = 1; game <= games; ++game) {
     const double clock = app::cycles_per_ns();
     const std::uint64_t begin = app::computed_ns();
-    const Result result = play_game(setup->params, {.seed = static_cast<std::uint64_t>(game)});
+    const Result result = play_game(prepared->params, {.seed = static_cast<std::uint64_t>(game)});
     const auto ns = static_cast<double>(app::computed_ns() - begin);
     game_ms.push_back(ns / 1e6);
-    cycles.push_back(ns * clock / (2.0 * setup->params.rules.players * result.ticks));
+    cycles.push_back(ns * clock / (2.0 * prepared->params.rules.players * result.ticks));
   }
   std::printf("{\"games\":%d,\"game_ms\":%g,\"robot_tick_cycles\":%g,\"state_bytes\":%u,\"copy_ns\":%g}\n", games,
-              median_of(game_ms), median_of(cycles), static_cast<unsigned>(sizeof(State)), copy_ns(setup->params));
+              median_of(game_ms), median_of(cycles), static_cast<unsigned>(sizeof(State)), copy_ns(prepared->params));
   return 0;
 }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 
+#include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/app/game_file.h"
 #include "sim/app/progress.h"

@@ -93,8 +93,8 @@ class OutlookCommand final : public Command {
 
   int run() override {
     const io::Matchup choice = choice_.choice();
-    const auto setup = io::prepare(choice);
-    if (!setup) return fail(setup.error());
+    const auto prepared = io::prepare(choice);
+    if (!prepared) return fail(prepared.error());
     std::vector<Moments> games(static_cast<std::size_t>(games_));
     {
       ProgressBar progress("playing", static_cast<std::uint64_t>(games_));
@@ -102,7 +102,7 @@ class OutlookCommand final : public Command {
           games_, contest::threads_for(games_),
           [&](int game) {
             games[static_cast<std::size_t>(game)] =
-                moments_of(setup->params, kFirstSeed + static_cast<std::uint64_t>(game));
+                moments_of(prepared->params, kFirstSeed + static_cast<std::uint64_t>(game));
           },
           [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
     }

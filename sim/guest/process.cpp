@@ -70,10 +70,10 @@ Process::~Process() {
 }
 
 Error Process::how_it_ended() {
-  // it closed its output: wait a moment for its end
+  // it closed its output: wait up to 2 s for its end
   int status = 0;
   pid_t ended = 0;
-  for (int i = 0; i < 50 && (ended = waitpid(pid_, &status, WNOHANG)) == 0; ++i)
+  for (int i = 0; i < 200 && (ended = waitpid(pid_, &status, WNOHANG)) == 0; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   if (ended != pid_) return Error{"the process closed its output"};
   pid_ = -1;

@@ -1,5 +1,6 @@
 #include "sim/io/condition.h"
 
+#include "robot/core/json_library.h"
 #include "sim/io/words.h"
 
 namespace sim::io {

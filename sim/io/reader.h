@@ -24,7 +24,7 @@ using Sources = std::map<std::string, std::string>;
 /// A reader of one description. It keeps the first error.
 class Reader {
  public:
-  /// `called` opens the sentence: "models 'match'". `sources` receives the source of each entry that is read.
+  /// `called` opens the sentence of an error: "models 'match'". `sources` receives the source of each entry that is read.
   explicit Reader(std::string called, Sources* sources = nullptr) : called_(std::move(called)), sources_(sources) {}
 
   bool good() const { return problem_.empty(); }

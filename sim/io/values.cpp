@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "robot/core/json_library.h"
 #include "sim/io/source.h"
 #include "sim/io/words.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "robot/core/json_library.h"
 #include "sim/report/plot.h"
 
 namespace sim::report {

@@ -29,7 +29,7 @@ struct Body {
   Vec2 position;         // [m]
   float heading = 0;     // [rad] (-π, π]
   Vec2 facing{1, 0};     // the unit vector at `heading`
-  Vec2 velocity;         // [m/s, robot] present walking velocity
+  Vec2 velocity;         // [m/s, robot] current walking velocity
   float turn_rate = 0;   // [rad/s]
   float head_yaw = 0;    // [rad] > 0 left
   float head_pitch = 0;  // [rad] > 0 down
@@ -40,7 +40,7 @@ struct Body {
   bool kick_done = false;     // kicking: the foot has passed the place of the ball
   float kick_gain = 1;        // kicking: share of the range
   Tick since = 0;             // start of `doing`
-  Vec2 step_velocity;         // [m/s, robot] target of the present walking step
+  Vec2 step_velocity;         // [m/s, robot] target of the current walking step
   float step_turn_rate = 0;   // [rad/s] likewise
   float walked = 0;           // [m] in this game
   std::uint8_t touching = 0;  // [ticks] in contact with another robot without a break, at most 255

@@ -152,7 +152,7 @@ test("the page shows the field of a simulated game, and its buttons pause, step 
   await page.getByRole("button", { name: "Step" }).click();
   await until(async () => (await live.call("/sim/state")).tick === tick + 1, "a step");
 
-  // a robot is chosen where it stands
+  // a click on a robot chooses it
   await live.subscribe("/truth/world");
   const truth = live.decoded("/truth/world", await live.newest("/truth/world"));
   const { x, y } = truth.robots.find(({ team, player }) => team === 5 && player === 1);

@@ -10,10 +10,10 @@
 //
 // Found in the only available recording, of a Nao V4:
 // - `when` counts microseconds of the robot's clock.
-// - Joint angles are those of today. r_hip_yaw_pitch repeats the left one and is dropped.
+// - Joint angles have today's zeros and signs. r_hip_yaw_pitch repeats the left one and is dropped.
 // - The accelerometer is in the board's raw counts, with the opposite sign: about -65 while standing. B-Human's default
 //   for the same accelerometer is 0.017 g per count (release of 2009), which makes this robot's gravity 10.8 m/s². The
-//   file contains no calibration, so expect errors of a tenth.
+//   file contains no calibration, so expect errors of 10 %.
 // - The gyroscope is in raw counts with an unknown offset (-2434, -2448 while standing still) and is left out. In the
 //   team's logs of 2012 these two fields contain the accelerometer's values, which is another reason.
 #pragma once

@@ -136,7 +136,7 @@ Result<void> Conversation::hear_time(std::string_view answer) {
   const std::string text = received.is_string() ? received.get<std::string>() : std::string();
   std::uint64_t theirs_ns = 0;
   if (const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), theirs_ns);
-      error != std::errc() || text.empty())
+      error != std::errc() || end != text.data() + text.size())
     return Error{"clock_sync: expected 'received_ns', got " + std::string(answer.substr(0, 100))};
 
   last_ = offset_by(sent_ns, theirs_ns, returned_ns);

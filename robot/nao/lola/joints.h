@@ -59,7 +59,7 @@ const JointLimits& limits_of(std::size_t joint);
 /// Returns the nearest value within the range.
 float clamp(float value, Range range);
 
-/// Returns the range of head_pitch at `head_yaw` [rad] in which the head does not touch the shoulders.
+/// Returns the range of head_pitch at the head's `yaw` [rad] in which the head does not touch the shoulders.
 ///
 /// Source: Aldebaran's table of the shells ("anti collision limitation"), interpolated linearly. Beyond ±119.5° the
 /// last row applies.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot/core/json_library.h"
 #include "robot/net/foxglove/hub.h"
 
 namespace robot::net {

@@ -40,7 +40,7 @@ Futures futures(int strategies = 1) {
 
 Progress when_there_is_some(Rollouts& rollouts) {
   Progress progress = rollouts.progress();
-  EXPECT_TRUE(tests::eventually([&] { return (progress = rollouts.progress()).tally.stripes > 0; }));
+  EXPECT_TRUE(tests::eventually([&] { return (progress = rollouts.progress()).statistics.stripes > 0; }));
   return progress;
 }
 
@@ -63,11 +63,11 @@ TEST(Rollouts, PlayStripesUntilTheyAreEnded) {
   Rollouts rollouts(Share::background);
   rollouts.begin(futures(2), monotonic_ns() + kMinute);
   const Progress progress = when_there_is_some(rollouts);
-  EXPECT_EQ(progress.tally.strategies, 2);
-  EXPECT_EQ(progress.tally.by_strategy[0].rollouts, progress.tally.stripes);
+  EXPECT_EQ(progress.statistics.strategies, 2);
+  EXPECT_EQ(progress.statistics.by_strategy[0].rollouts, progress.statistics.stripes);
   EXPECT_GT(progress.computed_ns, 0u);
   rollouts.end();
-  EXPECT_GE(rollouts.progress().tally.stripes, progress.tally.stripes);
+  EXPECT_GE(rollouts.progress().statistics.stripes, progress.statistics.stripes);
 }
 
 TEST(Rollouts, OfAnotherQuestionDoNotCount) {
@@ -78,9 +78,9 @@ TEST(Rollouts, OfAnotherQuestionDoNotCount) {
   for (int i = 0; i < 1000; ++i) {
     const Progress progress = rollouts.progress();
     EXPECT_NE(progress.race, before);
-    EXPECT_EQ(progress.tally.strategies, 1);
+    EXPECT_EQ(progress.statistics.strategies, 1);
   }
-  EXPECT_EQ(when_there_is_some(rollouts).tally.strategies, 1);
+  EXPECT_EQ(when_there_is_some(rollouts).statistics.strategies, 1);
 }
 
 /// The thread may have taken any of these questions, or none.
@@ -90,13 +90,13 @@ TEST(Rollouts, AnyNumberOfQuestionsBeginAndEndWithoutWaiting) {
     rollouts.begin(futures(), monotonic_ns() + kMinute);
     if (i % 3 == 0) rollouts.end();
   }
-  EXPECT_EQ(rollouts.progress().tally.strategies, 1);
+  EXPECT_EQ(rollouts.progress().statistics.strategies, 1);
 }
 
 TEST(Rollouts, EndWithoutEverHavingBegun) {
   Rollouts rollouts(Share::background);
   rollouts.end();
-  EXPECT_EQ(rollouts.progress().tally.stripes, 0);
+  EXPECT_EQ(rollouts.progress().statistics.stripes, 0);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "robot/core/clock.h"
+#include "robot/core/json_library.h"
 
 namespace robot::foreseeing {
 namespace {

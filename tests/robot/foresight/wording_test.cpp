@@ -5,7 +5,7 @@
 namespace robot::foreseeing {
 namespace {
 
-/// A forecast of baseline, which is the best, and two others; the gain of kick_now is `gain` ± `reach`.
+/// Returns a forecast of three strategies in which baseline is the best and each gain is `gain` ± `reach`.
 pb::Forecast foretold(float gain, float reach) {
   pb::Forecast forecast;
   forecast.set_reason("keeps baseline: passing would gain 0.30 ± 0.40 goals, which may be chance (100 futures)");

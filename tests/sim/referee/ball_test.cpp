@@ -75,7 +75,7 @@ TEST(SetPlay, TheOtherSideKeepsAwayFromTheBall) {
   scene.carry(Side::home, 2, {1, 2.9f}, {1, 3.1f});
   scene.told();
 
-  // a robot that stands there has time to leave; the ball stays
+  // a robot that stands there has time to leave; a ball that it moves is put back
   scene.ball().position = {1.2f, 2.8f};
   scene.touch(Side::home, 2);
   EXPECT_EQ(scene.told(), Names{});
@@ -126,7 +126,7 @@ TEST(Goal, CountsForTheSideThatAttacksThere) {
       }
 }
 
-TEST(Goal, IsNotScoredDirectlyFromAKickOff) {
+TEST(Goal, DirectlyFromAKickOffCountsOnlyWhereTheRulesAllowIt) {
   for (const bool direct : {true, false})
     for (const bool by_another : {false, true}) {
       Scene scene(rules_2012());
@@ -188,7 +188,7 @@ TEST(Goal, IsNeverGivenFromBehindTheGoalLineOrBesideThePosts) {
       scene.ball().position = to;
       scene.pass();
 
-      // the rule again: inside before, and between the posts where the way meets the line
+      // the same rule, computed here: the ball was inside and crosses the line between the posts
       const bool inside = std::abs(from.x) <= end && std::abs(from.y) <= side;
       const float at = from.y + (to.y - from.y) * (end - std::abs(from.x)) / (std::abs(to.x) - std::abs(from.x));
       const int given = scene.book.score[0] + scene.book.score[1];

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "robot/core/json_library.h"
 #include "sim/match/step.h"
 
 namespace sim::report {

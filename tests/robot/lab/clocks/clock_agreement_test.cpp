@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "robot/core/json_library.h"
 #include "robot/lab/clocks/session_report.h"
 #include "robot/logging/sessions/session_writer.h"
 #include "robot/memory/memory.h"
