@@ -101,7 +101,9 @@ TEST(Narrator, TakesTheBallsDecelerationFromTheRobotsOwnTeam) {
       if (!narrated.channels.find(topic)->newest()) continue;
       const auto ball = narrated.newest<foresight::Ball>(topic);
       const float slowing = std::hypot(ball.acceleration_x(), ball.acceleration_y());
-      if (slowing > 0) EXPECT_NEAR(slowing, expected, 1e-5f) << topic << ", tick " << tick;
+      if (slowing > 0) {
+        EXPECT_NEAR(slowing, expected, 1e-5f) << topic << ", tick " << tick;
+      }
     }
   }
   EXPECT_NE(narrated.prepared.params.teams[0].models.ball.deceleration,
