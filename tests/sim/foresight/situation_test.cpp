@@ -230,7 +230,7 @@ TEST(Tell, WithTheWholeTruthThereIsOneWorld) {
     Situation situation = believe(game.params(), knowledge_of(game.params(), game.state, robot_of(own, 2))).situation;
     tell(game.state.world, own, {.ball = true, .own_side = true, .opponents = true}, situation);
     const float sign = attack_sign(game.state.world, own);
-    for (const std::uint64_t seed : {1, 2}) {
+    for (const std::uint64_t seed : {std::uint64_t{1}, std::uint64_t{2}}) {
       const World world = sample(game.params(), situation, {.seed = seed}).world;
       for_each_robot(world.players, [&](int robot) {
         const Side side = side_of(robot) == Side::home ? own : other(own);
