@@ -45,23 +45,27 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
 
 Result<void> replace_file(const std::filesystem::path& path, std::string_view bytes, unsigned mode) {
   std::filesystem::path beside = path;
-  beside += ".new";
+  beside += ".new" + std::to_string(::gettid());  // other threads and processes may write the same file
   {
     const FileDescriptor file(
         ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, static_cast<mode_t>(mode)));
-    if (!file) return file_error("cannot write", beside, errno);
+    if (!file) return file_error("cannot write", path, errno);
     while (!bytes.empty()) {
       const ssize_t n = ::write(file.get(), bytes.data(), bytes.size());
       if (n < 0 && errno == EINTR) continue;
       if (n < 0) {
         const int reason = errno;
         ::unlink(beside.c_str());
-        return file_error("cannot write", beside, reason);
+        return file_error("cannot write", path, reason);
       }
       bytes.remove_prefix(static_cast<std::size_t>(n));
     }
   }
-  if (::rename(beside.c_str(), path.c_str()) != 0) return file_error("cannot write", path, errno);
+  if (::rename(beside.c_str(), path.c_str()) != 0) {
+    const int reason = errno;
+    ::unlink(beside.c_str());
+    return file_error("cannot write", path, reason);
+  }
   return {};
 }
 

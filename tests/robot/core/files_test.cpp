@@ -4,6 +4,10 @@
 
 #include <sys/stat.h>
 
+#include <filesystem>
+#include <thread>
+#include <vector>
+
 #include "tests/support/temporary_folder.h"
 
 namespace robot {
@@ -27,6 +31,23 @@ TEST(Files, AreReplacedWithTheGivenModeAndLeaveNothingBeside) {
   struct stat status {};
   ASSERT_EQ(::stat((folder / "token").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0600u);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(Files, AreReplacedByManyThreadsAtOnceAndHoldTheBytesOfOne) {
+  const tests::TemporaryFolder folder;
+  std::vector<std::thread> threads;
+  for (const char letter : {'a', 'b', 'c', 'd'})
+    threads.emplace_back([&folder, letter] {
+      for (int i = 0; i < 200; ++i) {
+        const Result<void> written = replace_file(folder / "run", std::string(10'000, letter));
+        EXPECT_TRUE(written) << written.error();
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  const Result<std::string> read = read_file(folder / "run", 1 << 20);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, std::string(10'000, read->front()));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
