@@ -44,12 +44,15 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
 }
 
 Result<void> replace_file(const std::filesystem::path& path, std::string_view bytes, unsigned mode) {
-  std::filesystem::path beside = path;
-  beside += ".new" + std::to_string(::gettid());  // other threads and processes may write the same file
+  std::string beside;
   {
-    const FileDescriptor file(
-        ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, static_cast<mode_t>(mode)));
-    if (!file) return file_error("cannot write", path, errno);
+    // threads, processes and other machines may replace the same file: each makes a file of its own
+    FileDescriptor file;
+    for (int number = 0; !file; ++number) {
+      beside = path.string() + ".new" + std::to_string(number);
+      file = FileDescriptor(::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, static_cast<mode_t>(mode)));
+      if (!file && errno != EEXIST) return file_error("cannot write", path, errno);
+    }
     while (!bytes.empty()) {
       const ssize_t n = ::write(file.get(), bytes.data(), bytes.size());
       if (n < 0 && errno == EINTR) continue;

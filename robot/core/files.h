@@ -15,8 +15,8 @@ namespace robot {
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes);
 
 /// Replaces the file at `path` by `bytes`. A reader sees the old file or the new one, never half a file: the function
-/// writes a file beside it and renames that one. Several threads and processes may replace one file at the same time; it
-/// then holds the bytes of one of them. `mode` holds the permission bits of the new file.
+/// writes a file beside it and renames that one. Threads, processes and other machines may replace one file at the same
+/// time; it then holds the bytes of one of them. `mode` holds the permission bits of the new file.
 Result<void> replace_file(const std::filesystem::path& path, std::string_view bytes, unsigned mode = 0644);
 
 /// Returns the Error "WHAT PATH: reason" for the system error `error_number`.

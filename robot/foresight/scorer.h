@@ -91,8 +91,8 @@ class Scorer {
   std::vector<Goal> goals_;  // of this game
   std::vector<Play> plays_;  // by time; each differs from the one before
   std::vector<Open> open_;
-  std::map<std::pair<std::string, float>, std::array<EventScore, 2>>
-      entries_;  // by strategy and horizon: score, concede
+  // by strategy and horizon: score, concede
+  std::map<std::pair<std::string, float>, std::array<EventScore, 2>> entries_;
 };
 
 /// Returns a few lines for people, empty without forecasts. Per strategy and horizon they have the observed frequency

@@ -17,6 +17,7 @@
 #include "robot/net/foxglove/to_client.h"
 #include "robot/net/websocket/web_socket_client.h"
 #include "tests/bench/load.h"
+#include "tests/support/masked_frame.h"
 
 namespace bench {
 namespace {
@@ -200,7 +201,7 @@ void CountingClient::on_text(std::string_view text) {
 
 void CountingClient::send(Opcode opcode, std::string_view payload) {
   std::string frame;
-  robot::net::append_masked_frame(frame, opcode, payload, 0x12345678);
+  tests::append_masked_frame(frame, opcode, payload, 0x12345678);
   write_all(socket_.get(), frame);
 }
 

@@ -1,4 +1,4 @@
-// What does a simulated game cost: on this processor, with the robots' compiler flags, and by its length?
+// The cost of a simulated game: on this processor, with the robots' compiler flags, and by the game's length.
 import { words } from "./games.mjs";
 import { start } from "./programs.mjs";
 import { median, otherLoad, pretty, Report } from "./report.mjs";

@@ -9,7 +9,7 @@ export function meanOf(values) {
   return { mean, error: values.length < 2 ? Infinity : Math.sqrt(squares / (values.length - 1) / values.length) };
 }
 
-/** Of a - b, game by game: the same seed cancels common luck. */
+/** Returns mean and standard error of a - b, game by game. Both games of a pair have one seed, which cancels common luck. */
 export const differenceOf = (a, b) => meanOf(a.map((value, i) => value - b[i]));
 
 /** Returns the confidence interval [from, to] of the mean. */

@@ -37,7 +37,8 @@ bool Carrier::carry_queued() {
 
 void Carrier::finish() {
   open();
-  while (const memory::VersionPtr version = queue_.pop(0)) write(version);
+  while (carry_queued()) {
+  }
   if (open_) succeeded(provider_->close());
   open_ = false;
   const std::lock_guard guard(lock_);

@@ -1,6 +1,5 @@
 #include "robot/logging/streams/logger_pool.h"
 
-#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -47,9 +46,9 @@ void LoggerPool::add(Stream& stream) {
 /// After the return no thread uses `stream`.
 void LoggerPool::remove(Stream& stream) {
   const std::lock_guard guard(lock_);
+  while (stream.state_ == Stream::State::busy) done_.wait(lock_);
   std::erase(streams_, &stream);
   std::erase(ready_, &stream);
-  while (stream.state_ == Stream::State::busy) done_.wait(lock_);
 }
 
 void LoggerPool::ring(std::uint64_t now_ns) {
@@ -80,10 +79,8 @@ void LoggerPool::run() {
     guard.lock();
 
     --busy_;
-    // a stopped stream is no longer in the list: its owner writes the rest
-    const bool stays = more && std::find(streams_.begin(), streams_.end(), &stream) != streams_.end();
-    stream.state_ = stays ? Stream::State::ready : Stream::State::resting;
-    if (stays) ready_.push_back(&stream);
+    stream.state_ = more ? Stream::State::ready : Stream::State::resting;
+    if (more) ready_.push_back(&stream);
     if (ready_.empty()) behind_ = false;
     done_.notify_all();
   }

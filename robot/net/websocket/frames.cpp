@@ -12,12 +12,6 @@ constexpr std::size_t kMaxControlBytes = 125;
 
 Violation broken(std::string sentence) { return {kProtocolError, std::move(sentence)}; }
 
-void append_length(std::string& out, std::uint64_t size, unsigned char mask_bit) {
-  const int bytes = size < 126 ? 0 : size < 65536 ? 2 : 8;
-  out += static_cast<char>(mask_bit | (bytes == 0 ? size : bytes == 2 ? 126 : 127));
-  for (int i = bytes - 1; i >= 0; --i) out += static_cast<char>((size >> (8 * i)) & 0xff);
-}
-
 // returns whether a close frame may carry the code: RFC 6455, sections 7.4.1 and 7.4.2, and its registry
 bool may_be_sent(std::uint16_t code) {
   if (code >= 3000) return code < 5000;
@@ -149,20 +143,14 @@ std::optional<Violation> FrameParser::finish_frame(const Sink& sink) {
 
 void append_frame_header(std::string& out, Opcode opcode, std::uint64_t payload_bytes) {
   out += static_cast<char>(0x80 | static_cast<unsigned char>(opcode));
-  append_length(out, payload_bytes, 0);
+  const int bytes = payload_bytes < 126 ? 0 : payload_bytes < 65536 ? 2 : 8;  // of the length, if it is long
+  out += static_cast<char>(bytes == 0 ? payload_bytes : bytes == 2 ? 126 : 127);
+  for (int i = bytes - 1; i >= 0; --i) out += static_cast<char>((payload_bytes >> (8 * i)) & 0xff);
 }
 
 void append_frame(std::string& out, Opcode opcode, std::string_view payload) {
   append_frame_header(out, opcode, payload.size());
   out += payload;
-}
-
-void append_masked_frame(std::string& out, Opcode opcode, std::string_view payload, std::uint32_t mask, bool final) {
-  out += static_cast<char>((final ? 0x80 : 0) | static_cast<unsigned char>(opcode));
-  append_length(out, payload.size(), 0x80);
-  for (int i = 0; i < 4; ++i) out += static_cast<char>((mask >> (8 * i)) & 0xff);
-  for (std::size_t i = 0; i < payload.size(); ++i)
-    out += static_cast<char>(static_cast<unsigned char>(payload[i]) ^ ((mask >> (8 * (i & 3))) & 0xff));
 }
 
 std::string close_payload(std::uint16_t code, std::string_view reason) {

@@ -1,4 +1,4 @@
-// Parser and writer of WebSocket frames (RFC 6455, section 5) for client and server. No sockets.
+// Parser of WebSocket frames, and writer of a server's frames (RFC 6455, section 5). No sockets.
 #pragma once
 
 #include <array>
@@ -77,10 +77,6 @@ void append_frame_header(std::string& out, Opcode opcode, std::uint64_t payload_
 
 /// Appends a whole unfragmented, unmasked frame (a server's).
 void append_frame(std::string& out, Opcode opcode, std::string_view payload);
-
-/// Appends a masked frame (a client's). `final` is false for all but the last fragment of a message.
-void append_masked_frame(std::string& out, Opcode opcode, std::string_view payload, std::uint32_t mask,
-                         bool final = true);
 
 /// Returns the payload of a close frame. Cuts `reason` to the 123 bytes that fit.
 std::string close_payload(std::uint16_t code, std::string_view reason);

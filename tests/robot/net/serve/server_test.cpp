@@ -8,6 +8,7 @@
 #include "robot/core/encoding.h"
 #include "robot/net/foxglove/web_socket_in_provider.h"
 #include "tests/robot/net/server_fixture.h"
+#include "tests/support/masked_frame.h"
 
 namespace robot::net {
 namespace {
@@ -106,9 +107,9 @@ TEST_F(ServerTest, ClosesCleanlyOnProtocolViolations) {
   const auto port = start();
   std::string unmasked, oversized, fragment, not_utf8;
   append_frame(unmasked, Opcode::text, "{}");
-  append_masked_frame(oversized, Opcode::binary, std::string(1001, 'x'), 1);
-  append_masked_frame(fragment, Opcode::continuation, "x", 1);
-  append_masked_frame(not_utf8, Opcode::text, "\xff", 1);
+  tests::append_masked_frame(oversized, Opcode::binary, std::string(1001, 'x'), 1);
+  tests::append_masked_frame(fragment, Opcode::continuation, "x", 1);
+  tests::append_masked_frame(not_utf8, Opcode::text, "\xff", 1);
   const std::pair<std::string, int> cases[] = {{unmasked, 1002}, {oversized, 1009}, {fragment, 1002}, {not_utf8, 1007}};
   for (const auto& [bytes, code] : cases) {
     Peer peer(port);
@@ -123,9 +124,9 @@ TEST_F(ServerTest, ReassemblesFragmentedMessages) {
   const auto port = start();
   Peer peer(port);
   std::string bytes;
-  append_masked_frame(bytes, Opcode::text, R"({"op":"getPara)", 1, false);
-  append_masked_frame(bytes, Opcode::ping, "between", 2);
-  append_masked_frame(bytes, Opcode::continuation, R"(meters","parameterNames":[]})", 3);
+  tests::append_masked_frame(bytes, Opcode::text, R"({"op":"getPara)", 1, false);
+  tests::append_masked_frame(bytes, Opcode::ping, "between", 2);
+  tests::append_masked_frame(bytes, Opcode::continuation, R"(meters","parameterNames":[]})", 3);
   for (const char byte : bytes) ASSERT_EQ(::send(peer.client.socket(), &byte, 1, MSG_NOSIGNAL), 1);
   EXPECT_EQ(peer.next("parameterValues")["parameters"].size(), 1u);
 }
@@ -134,8 +135,8 @@ TEST_F(ServerTest, AnswersPingAndClose) {
   const auto port = start();
   RawConnection connection(port);
   std::string bytes = get("/", kUpgrade);
-  append_masked_frame(bytes, Opcode::ping, "are you there", 7);
-  append_masked_frame(bytes, Opcode::close, close_payload(kNormalClosure, "bye"), 8);
+  tests::append_masked_frame(bytes, Opcode::ping, "are you there", 7);
+  tests::append_masked_frame(bytes, Opcode::close, close_payload(kNormalClosure, "bye"), 8);
   connection.send(bytes);  // the first frames come with the handshake
   const std::string all = connection.read();
   std::string pong;
@@ -215,8 +216,8 @@ TEST_F(ServerTest, AStalledClientDelaysNoOtherAndHoldsFewMessages) {
   const auto port = start();
   RawConnection stalled(port, 4096);
   std::string bytes = get("/", kUpgrade);
-  append_masked_frame(bytes, Opcode::text,
-                      R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":1},{"id":2,"channelId":2}]})", 1);
+  tests::append_masked_frame(
+      bytes, Opcode::text, R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":1},{"id":2,"channelId":2}]})", 1);
   stalled.send(bytes);
   Peer peer(port);
   peer.subscribe(1);
@@ -254,7 +255,7 @@ TEST_F(ServerTest, ALosslessClientThatStallsIsDisconnected) {
   const auto port = start();
   RawConnection stalled(port, 4096);
   std::string bytes = get("/?delivery=lossless", kUpgrade);
-  append_masked_frame(bytes, Opcode::text, R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":1}]})", 1);
+  tests::append_masked_frame(bytes, Opcode::text, R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":1}]})", 1);
   stalled.send(bytes);
   wait_statistics(
       [](const ServerStatistics& statistics) { return !statistics.clients.empty() && statistics.clients[0].lossless; });
@@ -318,7 +319,7 @@ TEST_F(ServerTest, StopsWhileClientsWatchStallOrDownload) {
   peer.subscribe(1);
   RawConnection stalled(port, 4096), downloading(port, 4096), silent(port);
   std::string bytes = get("/", kUpgrade);
-  append_masked_frame(bytes, Opcode::text, R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":1}]})", 1);
+  tests::append_masked_frame(bytes, Opcode::text, R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":1}]})", 1);
   stalled.send(bytes);
   downloading.send(get("/logs/old.mcap"));
   downloading.read("\r\n\r\n");

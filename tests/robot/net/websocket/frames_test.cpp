@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "tests/support/masked_frame.h"
+
 namespace robot::net {
 namespace {
 
@@ -30,7 +32,7 @@ std::string events(Sender sender, std::string_view bytes, std::size_t portion = 
 
 std::string masked(Opcode opcode, std::string_view payload, bool final = true) {
   std::string frame;
-  append_masked_frame(frame, opcode, payload, 0xfe21fa37, final);
+  tests::append_masked_frame(frame, opcode, payload, 0xfe21fa37, final);
   return frame;
 }
 

@@ -8,6 +8,7 @@
 
 #include "robot/core/clock.h"
 #include "tests/robot/net/scripted_server.h"
+#include "tests/support/masked_frame.h"
 
 namespace robot::net {
 namespace {
@@ -152,7 +153,7 @@ TEST(WebSocketClient, RefusesMessagesAboveTheCap) {
 
 TEST(WebSocketClient, SaysHowAServerBreaksTheProtocol) {
   std::string masked, long_ping = server_frame(Opcode::ping, std::string(126, 'x'));
-  append_masked_frame(masked, Opcode::text, "x", 1);
+  tests::append_masked_frame(masked, Opcode::text, "x", 1);
   const std::pair<std::string, std::string> cases[] = {
       {masked, "frame was masked"},
       {"\xc1\x01x", "illegal reserved bits"},
