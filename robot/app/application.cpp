@@ -34,6 +34,7 @@ json describe(const GameStatus& game) {
   return {{"state", game.state},
           {"in_progress", game.in_progress},
           {"match_mode", game.match_mode},
+          {"warning", game.warning},
           {"stopped", game.stopped}};
 }
 

@@ -90,7 +90,8 @@ Phase phase_of(const pb::GameState& game) {
   switch (game.state()) {
     case pb::GameState::STATE_READY: return Phase::ready;
     case pb::GameState::STATE_SET: return Phase::set;
-    case pb::GameState::STATE_PLAYING: return Phase::playing;
+    // while play is stopped, robots stand still as in SET
+    case pb::GameState::STATE_PLAYING: return game.stopped() ? Phase::set : Phase::playing;
     case pb::GameState::STATE_FINISHED: return Phase::finished;
     default: return Phase::initial;
   }
@@ -102,7 +103,10 @@ SetPlay set_play_of(const pb::GameState& game) {
     case pb::GameState::SET_PLAY_GOAL_KICK: return SetPlay::goal_kick;
     case pb::GameState::SET_PLAY_CORNER_KICK: return SetPlay::corner_kick;
     case pb::GameState::SET_PLAY_KICK_IN:
+    case pb::GameState::SET_PLAY_THROW_IN:
     case pb::GameState::SET_PLAY_PUSHING_FREE_KICK:
+    case pb::GameState::SET_PLAY_DIRECT_FREE_KICK:
+    case pb::GameState::SET_PLAY_INDIRECT_FREE_KICK:
     case pb::GameState::SET_PLAY_PENALTY_KICK: return SetPlay::kick_in;
     default: break;
   }

@@ -6,6 +6,10 @@ import { kGuardianStatus, kPrepare, kPutGuardianBack, kRollBack, kSwapGuardian, 
 const kPatience_ms = 20000; // timeout for the answer of a starting version: a V4's flash is slow
 const kPause_ms = 200;
 
+// exit statuses of kGuardianStatus
+const kUnknownState = 3;
+const kNotRunning = 4;
+
 /** Returns the name of a version, which sorts by time: 20261122-041546_0123abcd. */
 const versionName = (build) => `${new Date().toISOString().slice(0, 19).replace(/[-:]/g, "").replace("T", "-")}_${build.replace(/[^\w+.-]/g, "")}`;
 
@@ -44,13 +48,15 @@ async function refuseTakenPort(connection) {
   if (other) throw new RobotFailed(`port ${connection.robot.http_port} is taken by a runtime (build ${other.build}) that was not started by us: stop it first`);
 }
 
-/** Waits until the guardian answers. Returns undefined then, else its output. */
+/** Waits until the guardian knows the robot's state, or at least answers. Returns undefined then, else its output. */
 async function whyNoGuardian(connection) {
   const end = performance.now() + kPatience_ms;
   for (;;) {
     const { status, stdout, stderr } = await connection.run(kGuardianStatus);
     if (status < 2) return undefined;
-    if (status === 4 || performance.now() > end) return (stdout + stderr).trim();
+    const late = performance.now() > end;
+    if (status === kUnknownState && late) return undefined;
+    if (status === kNotRunning || late) return (stdout + stderr).trim();
     await new Promise((done) => setTimeout(done, kPause_ms));
   }
 }
@@ -58,6 +64,7 @@ async function whyNoGuardian(connection) {
 /** Installs the staged guardian, before the runtime that needs it. If it does not run, the previous one is put back. */
 async function installGuardian(connection, say) {
   const [told, ...how] = (await connection.must("the guardian could not be swapped", kSwapGuardian)).trim().split(" ");
+  if (told === "unknown") say(`NOT done: the guardian stays the one before, as it is not known whether the robot has stiffness (${how.join(" ")}): deploy again when it sits`);
   if (told === "kept") say(`NOT done: the guardian stays the one before, as the robot has stiffness (${how.join(" ")}): deploy again when it sits`);
   if (told !== "new") return;
   const why = await whyNoGuardian(connection);

@@ -93,18 +93,21 @@ else
 fi
 rm -rf "$bad"`;
 
-/** Stops the guardian. If the robot has stiffness, it does nothing and prints the state of the robot. */
+/**
+ * Stops the guardian if the robot has no stiffness. Otherwise, and if the state is not known, it only prints the state of the
+ * robot and returns the exit status of `foresight-guardian --status`.
+ */
 const kStopGuardian = `
 stop_guardian() {
   if guardian/guardian status >/dev/null; then
-    how=$(guardian/bin/foresight-guardian --status 2>&1) || { echo "$how"; return 1; }
+    how=$(guardian/bin/foresight-guardian --status 2>&1) || { answer=$?; echo "$how"; return $answer; }
   fi
   guardian/guardian stop
 }`;
 
 /**
- * Installs and starts the staged guardian, or removes one that is no longer wanted. Prints `same`, `new`, `none`, or, if the
- * robot has stiffness, `kept` and the state of the robot.
+ * Installs and starts the staged guardian, or removes one that is no longer wanted. Prints `same`, `new` or `none`. If the
+ * robot has stiffness, it prints `kept` and the state of the robot; if the state is not known, `unknown` and the reason.
  */
 export const kSwapGuardian = `
 set -e
@@ -115,7 +118,7 @@ ${kStopGuardian}
 if [ ! -e staging/guardian ] && [ ! -e guardian ]; then echo none; exit; fi
 if [ -e guardian ]; then
   if diff -r staging/guardian guardian >/dev/null 2>&1 && guardian/guardian status >/dev/null; then echo same; exit; fi
-  how=$(stop_guardian) || { echo "kept $how"; exit; }
+  how=$(stop_guardian) || { if [ $? -eq 1 ]; then echo "kept $how"; else echo "unknown $how"; fi; exit; }
   rm -rf guardian.old
   mv guardian guardian.old
 fi
@@ -130,7 +133,7 @@ install_unit guardian/foresight-guardian.service
 guardian/guardian start
 echo new`;
 
-/** Asks the guardian: exit status 0 if the robot has no stiffness, 1 if it has; otherwise its log. */
+/** Asks the guardian: the exit status of `foresight-guardian --status`, or 4 and its log if it does not run. */
 export const kGuardianStatus = `
 cd foresight
 guardian/guardian status >/dev/null || { guardian/guardian log; exit 4; }
@@ -144,11 +147,15 @@ guardian/guardian stop || :
 rm -rf guardian
 if [ -e guardian.old ]; then mv guardian.old guardian && guardian/guardian start; else forget_unit foresight-guardian.service; fi`;
 
-/** Stops the runtime and the guardian. If the robot has stiffness, it stops neither and prints the state of the robot. */
+/** Stops the runtime and the guardian. If the robot has stiffness, or may have, it stops neither and says why. */
 export const kStopAll = `
 cd foresight
 ${kStopGuardian}
 if [ -e guardian ]; then
-  how=$(stop_guardian) || { echo "the robot has stiffness ($how): it must sit first, by three fingers on its head" >&2; exit 1; }
+  how=$(stop_guardian) || {
+    if [ $? -eq 1 ]; then found="the robot has stiffness"; else found="the robot may have stiffness"; fi
+    echo "$found ($how): it must sit first, by three fingers on its head" >&2
+    exit 1
+  }
 fi
 if [ -e current ]; then current/foresight stop; fi`;

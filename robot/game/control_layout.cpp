@@ -71,6 +71,19 @@ constexpr Field kHead12[] = {{version, 1},
                              {seconds_remaining, 2},
                              {secondary_seconds, 2}};
 
+constexpr Field kHead19[] = {{version, 1},
+                             {packet_number, 1},
+                             {players_per_team, 1},
+                             {none, 1},  // kind of the competition
+                             {stopped, 1},
+                             {phase, 1},
+                             {state, 1},
+                             {set_play, 1},
+                             {first_half, 1},
+                             {kicking_team, 1},
+                             {seconds_remaining, 2},
+                             {secondary_seconds, 2}};
+
 // ---------------------------------------------------------------------------------------------------------------------
 // teams, without their players
 
@@ -101,6 +114,24 @@ constexpr Field kTeam15[] = {{number, 1}, {field_colour, 1}, {goalkeeper_colour,
 
 constexpr Field kPlayer7[] = {{penalty, 2}, {seconds_till_unpenalised, 2}};
 constexpr Field kPlayer8[] = {{penalty, 1}, {seconds_till_unpenalised, 1}};
+constexpr Field kPlayer19[] = {{penalty, 1}, {seconds_till_unpenalised, 1}, {warnings, 1}, {cautions, 1}};
+constexpr Field kPlayer20[] = {{penalty, 1}, {seconds_till_unpenalised, 1}, {cautions, 1}};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// meaning of the set play codes 0, 1, 2 …
+
+using pb::GameState;
+
+constexpr GameState::SetPlay kSetPlays11[] = {
+    GameState::SET_PLAY_UNSPECIFIED, GameState::SET_PLAY_GOAL_KICK, GameState::SET_PLAY_PUSHING_FREE_KICK,
+    GameState::SET_PLAY_CORNER_KICK, GameState::SET_PLAY_KICK_IN,   GameState::SET_PLAY_PENALTY_KICK,
+};
+
+constexpr GameState::SetPlay kSetPlays19[] = {
+    GameState::SET_PLAY_UNSPECIFIED,  GameState::SET_PLAY_DIRECT_FREE_KICK, GameState::SET_PLAY_INDIRECT_FREE_KICK,
+    GameState::SET_PLAY_PENALTY_KICK, GameState::SET_PLAY_THROW_IN,         GameState::SET_PLAY_GOAL_KICK,
+    GameState::SET_PLAY_CORNER_KICK,
+};
 
 // ---------------------------------------------------------------------------------------------------------------------
 // meaning of the penalty codes 1, 2, 3 …
@@ -145,24 +176,48 @@ constexpr Penalty kPenalties14[] = {
     PlayerState::PENALTY_ILLEGAL_MOTION_IN_STANDBY,
 };
 
+constexpr Penalty kPenalties19[] = {
+    PlayerState::PENALTY_ILLEGAL_POSITION,      PlayerState::PENALTY_ILLEGAL_MOTION_IN_SET,
+    PlayerState::PENALTY_LOCAL_GAME_STUCK,      PlayerState::PENALTY_INACTIVE_PLAYER,  // incapable robot
+    PlayerState::PENALTY_REQUEST_FOR_PICKUP,    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,  // ball holding
+    PlayerState::PENALTY_LEAVING_THE_FIELD,     PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,  // arms or hands
+    PlayerState::PENALTY_PLAYER_PUSHING,        PlayerState::PENALTY_SENT_OFF,
+    PlayerState::PENALTY_SUBSTITUTE,
+};
+
+constexpr Penalty kPenalties20[] = {
+    PlayerState::PENALTY_ILLEGAL_POSITION,       PlayerState::PENALTY_ILLEGAL_MOTION_IN_SET,
+    PlayerState::PENALTY_ILLEGAL_MOTION_IN_STOP, PlayerState::PENALTY_LOCAL_GAME_STUCK,
+    PlayerState::PENALTY_INACTIVE_PLAYER,        PlayerState::PENALTY_REQUEST_FOR_PICKUP,
+    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,   PlayerState::PENALTY_LEAVING_THE_FIELD,
+    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,   PlayerState::PENALTY_PLAYER_PUSHING,
+    PlayerState::PENALTY_CAUTIONED,              PlayerState::PENALTY_SENT_OFF,
+    PlayerState::PENALTY_SUBSTITUTE,
+};
+
 // ---------------------------------------------------------------------------------------------------------------------
 
 constexpr std::uint32_t kFinished = 4, kStandby = 5;
 
+/// The formats 7 to 10 have no set plays.
+constexpr std::span<const GameState::SetPlay> kNoSetPlays;
+
 constexpr ControlLayout kLayouts[] = {
-    {7, kHead7, kTeam7, kPlayer7, 11, kFinished, kPenalties7},      // 2012, 2013
-    {8, kHead8, kTeam8, kPlayer8, 11, kFinished, kPenalties7},      // 2014
-    {9, kHead9, kTeam9, kPlayer8, 11, kFinished, kPenalties9},      // 2015, 2016
-    {10, kHead9, kTeam10, kPlayer8, 11, kFinished, kPenalties9},    // 2017
-    {11, kHead11, kTeam11, kPlayer8, 6, kFinished, kPenalties9},    // 2018
-    {12, kHead12, kTeam11, kPlayer8, 6, kFinished, kPenalties12},   // 2019
-    {13, kHead12, kTeam11, kPlayer8, 6, kFinished, kPenalties13},   // 2021
-    {14, kHead12, kTeam14, kPlayer8, 7, kFinished, kPenalties14},   // 2022
-    {15, kHead12, kTeam15, kPlayer8, 20, kFinished, kPenalties14},  // 2023
-    {16, kHead12, kTeam15, kPlayer8, 20, kStandby, kPenalties14},   // 2024, German Open
-    {17, kHead12, kTeam15, kPlayer8, 20, kStandby, kPenalties14},   // 2024, never used in a competition
+    {7, kHead7, kTeam7, kPlayer7, 11, kFinished, kNoSetPlays, kPenalties7},      // 2012, 2013
+    {8, kHead8, kTeam8, kPlayer8, 11, kFinished, kNoSetPlays, kPenalties7},      // 2014
+    {9, kHead9, kTeam9, kPlayer8, 11, kFinished, kNoSetPlays, kPenalties9},      // 2015, 2016
+    {10, kHead9, kTeam10, kPlayer8, 11, kFinished, kNoSetPlays, kPenalties9},    // 2017
+    {11, kHead11, kTeam11, kPlayer8, 6, kFinished, kSetPlays11, kPenalties9},    // 2018
+    {12, kHead12, kTeam11, kPlayer8, 6, kFinished, kSetPlays11, kPenalties12},   // 2019
+    {13, kHead12, kTeam11, kPlayer8, 6, kFinished, kSetPlays11, kPenalties13},   // 2021
+    {14, kHead12, kTeam14, kPlayer8, 7, kFinished, kSetPlays11, kPenalties14},   // 2022
+    {15, kHead12, kTeam15, kPlayer8, 20, kFinished, kSetPlays11, kPenalties14},  // 2023
+    {16, kHead12, kTeam15, kPlayer8, 20, kStandby, kSetPlays11, kPenalties14},   // 2024, German Open
+    {17, kHead12, kTeam15, kPlayer8, 20, kStandby, kSetPlays11, kPenalties14},   // 2024, never used in a competition
     // the header of format 18 on penaltyShot: "or fallback mode flag (if not in GAME_PHASE_PENALTYSHOOT)"
-    {18, kHead12, kTeam15, kPlayer8, 20, kStandby, kPenalties14, true},  // 2024, 2025
+    {18, kHead12, kTeam15, kPlayer8, 20, kStandby, kSetPlays11, kPenalties14, true},  // 2024, 2025
+    {19, kHead19, kTeam15, kPlayer19, 20, kFinished, kSetPlays19, kPenalties19},      // 2026, release 6
+    {20, kHead19, kTeam15, kPlayer20, 20, kFinished, kSetPlays19, kPenalties20},      // 2026, after release 6
 };
 
 constexpr std::size_t sum(std::span<const Field> fields) {
@@ -176,7 +231,7 @@ constexpr std::size_t size_of(const ControlLayout& layout) {
 }
 
 // sizeof(RoboCupGameControlData) of each release's header, by a compiler
-constexpr std::array<std::size_t, 12> kSizes{116, 158, 244, 588, 58, 54, 54, 62, 118, 118, 118, 118};
+constexpr std::array<std::size_t, 14> kSizes{116, 158, 244, 588, 58, 54, 54, 62, 118, 118, 118, 118, 198, 158};
 
 constexpr bool sizes_are_right() {
   for (std::size_t i = 0; i < kSizes.size(); ++i)

@@ -1,7 +1,7 @@
-// The position of each value in a packet of the GameController: one table per format of the years 2012 to 2025.
+// The position of each value in a packet of the GameController: one table per format of the years 2012 to 2026.
 //
-// Sources: `RoboCupGameControlData.h` of RoboCup-SPL/GameController (formats 7, 8, 9, 11, 12, 14 and 17) and of
-// RoboCup-SPL/GameController3 (15 and 18). For formats 10, 13 and 16 only the packet length was known. They have the
+// Sources: `RoboCupGameControlData.h` of RoboCup-SPL/GameController (formats 7, 8, 9, 11, 12, 14 and 17), of
+// RoboCup-SPL/GameController3 (15 and 18) and of RoboCup-HumanoidSoccerLeague/GameController (19 and 20). For formats 10, 13 and 16 only the packet length was known. They have the
 // fields of the format before; the length of the coach's message follows from the packet length. Tests read packets of
 // the real programs of 2013 (7), 2019 (12) and 2022 (14). All numbers are little endian, without padding.
 #pragma once
@@ -28,6 +28,7 @@ enum class Value {
   first_half,
   kicking_colour,  // colour of the team; up to format 8
   kicking_team,    // team number; since format 9
+  stopped,
   seconds_remaining,
   secondary_seconds,
   // of a team
@@ -42,6 +43,8 @@ enum class Value {
   // of a player
   penalty,
   seconds_till_unpenalised,
+  warnings,
+  cautions,
 };
 
 /// One value of a packet.
@@ -56,6 +59,7 @@ struct ControlLayout {
   std::span<const Field> head, team, player;
   std::uint32_t players;                                // of each team, substitutes included
   std::uint32_t greatest_state;                         // 4 finished; 5 standby
+  std::span<const pb::GameState::SetPlay> set_plays;    // meaning of the codes from 0 on
   std::span<const pb::PlayerState::Penalty> penalties;  // meaning of the codes from 1 on; UNSPECIFIED: no name of ours
   bool penalty_shot_elsewhere = false;                  // outside the shoot-out the field has another meaning
 
@@ -63,9 +67,9 @@ struct ControlLayout {
   std::size_t size_bytes() const;
 };
 
-inline constexpr std::uint32_t kOldestVersion = 7, kNewestVersion = 18;
+inline constexpr std::uint32_t kOldestVersion = 7, kNewestVersion = 20;
 
-/// Returns the layout of format `version`, or null if it is not in 7 .. 18.
+/// Returns the layout of format `version`, or null if it is not in 7 .. 20.
 const ControlLayout* control_layout(std::uint32_t version);
 
 }  // namespace robot::game

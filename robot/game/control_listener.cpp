@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "robot/core/thread.h"
+#include "robot/game/control_layout.h"
 #include "robot/game/control_packet.h"
 
 namespace robot::game {
@@ -32,7 +33,13 @@ ListenerCounts ControlListener::counts() const {
 
 std::optional<Endpoint> ControlListener::game_controller() const {
   const std::lock_guard guard(lock_);
-  return game_controller_;
+  return followed_ ? std::optional(followed_->from) : std::nullopt;
+}
+
+std::string ControlListener::warning() const {
+  const std::uint64_t now_ns = clock_.now_ns();
+  const std::lock_guard guard(lock_);
+  return now_ns < warning_.last_ns + kFollowedSilenceNs ? warning_.sentence : "";
 }
 
 void ControlListener::run() {
@@ -43,19 +50,65 @@ void ControlListener::run() {
 void ControlListener::take(const Datagram& datagram) {
   const std::uint64_t now_ns = clock_.now_ns();
   const Result<ControlPacket> packet = parse_control_packet(datagram.bytes);
-  if (!packet) throttle_.report(Level::warning, "game", packet.error() + ", from " + text_of(datagram.from));
-  std::optional<pb::GameState> game;
-  if (packet) game = seen_by(*packet, options_.team, options_.player);
-  if (game) {
-    game->set_received_ns(now_ns);
-    game_.write(*game, now_ns);
+  if (packet) {
+    if (auto game = seen_by(*packet, options_.team, options_.player))
+      return take_game(std::move(*game), datagram.from, now_ns);
+    const std::lock_guard guard(lock_);
+    ++counts_.foreign;
+    return;
   }
-
+  if (auto game = unreadable_game(datagram.bytes, options_.team, options_.player))
+    return take_unreadable(std::move(*game), datagram.from, now_ns);
+  throttle_.report(Level::warning, "game", packet.error() + ", from " + text_of(datagram.from));
   const std::lock_guard guard(lock_);
-  counts_.told += game ? 1 : 0;
-  counts_.foreign += packet && !game ? 1 : 0;
-  counts_.refused += packet ? 0 : 1;
-  if (game) game_controller_ = datagram.from;
+  ++counts_.refused;
+}
+
+void ControlListener::take_game(pb::GameState game, const Endpoint& from, std::uint64_t now_ns) {
+  if (follows_another(from, now_ns)) {
+    warn("two GameControllers send for team " + std::to_string(options_.team) + ": " + text_of(followed_->from) +
+             " is followed, " + text_of(from) + " is ignored until the first is silent for 10 s",
+         now_ns);
+    const std::lock_guard guard(lock_);
+    ++counts_.second;
+    return;
+  }
+  write(std::move(game), now_ns);
+  const std::lock_guard guard(lock_);
+  ++counts_.told;
+  followed_ = {from, now_ns};
+}
+
+void ControlListener::take_unreadable(pb::GameState game, const Endpoint& from, std::uint64_t now_ns) {
+  const std::uint32_t version = game.packet_version();
+  const std::string format = "GameController format " + std::to_string(version);
+  const std::string reason = version > kNewestVersion
+                                 ? " is newer than this program (" + std::to_string(kOldestVersion) + " .. " +
+                                       std::to_string(kNewestVersion) + ")"
+                                 : " has a length that this program does not know";
+  const bool second = follows_another(from, now_ns);
+  if (!second) write(std::move(game), now_ns);
+  warn(format + reason + "; it comes from " + text_of(from) +
+           (second ? " and is ignored" : ", and a match counts as in progress"),
+       now_ns);
+  const std::lock_guard guard(lock_);
+  ++(second ? counts_.second : counts_.told);
+}
+
+bool ControlListener::follows_another(const Endpoint& from, std::uint64_t now_ns) const {
+  return followed_ && followed_->from != from && now_ns < followed_->last_ns + kFollowedSilenceNs;
+}
+
+void ControlListener::write(pb::GameState game, std::uint64_t now_ns) {
+  game.set_received_ns(now_ns);
+  game_.write(game, now_ns);
+}
+
+void ControlListener::warn(std::string sentence, std::uint64_t now_ns) {
+  const std::lock_guard guard(lock_);
+  const bool repeated = sentence == warning_.sentence && now_ns < warning_.last_ns + kFollowedSilenceNs;
+  if (!repeated) report(Level::warning, "game", sentence);
+  warning_ = {std::move(sentence), now_ns};
 }
 
 }  // namespace robot::game

@@ -75,10 +75,12 @@ class Parser {
         break;
       case Value::state: game.set_state(state_of(take_up_to(field, layout_.greatest_state, "a state"))); break;
       case Value::set_play:
-        game.set_set_play(static_cast<pb::GameState::SetPlay>(take_up_to(field, 5, "a set play")));
+        game.set_set_play(
+            layout_.set_plays[take_up_to(field, static_cast<std::uint32_t>(layout_.set_plays.size() - 1), "a set play")]);
         break;
       case Value::phase: game.set_phase(phase_of(take_up_to(field, 3, "a phase"))); break;
       case Value::first_half: game.set_half(take_up_to(field, 1, "first half") == 1 ? 1 : 2); break;
+      case Value::stopped: game.set_stopped(take_up_to(field, 1, "stopped") == 1); break;
       case Value::kicking_colour: kicking_colour_ = take(field); break;
       case Value::kicking_team: kicking_team_ = take(field); break;
       case Value::seconds_remaining: game.set_seconds_remaining(seconds_of(take(field), field.bytes)); break;
@@ -109,19 +111,26 @@ class Parser {
   void read_player(pb::PlayerState& player) {
     for (const Field& field : layout_.player) {
       const std::uint32_t number = take(field);
-      if (field.value == Value::seconds_till_unpenalised) {
-        if (player.penalised()) player.set_seconds_till_unpenalised(static_cast<float>(number));
-        continue;
+      switch (field.value) {
+        case Value::penalty:
+          player.set_penalised(number != 0);
+          player.set_code(number);
+          player.set_penalty(penalty_of(number));
+          break;
+        case Value::seconds_till_unpenalised:
+          if (player.penalised()) player.set_seconds_till_unpenalised(static_cast<float>(number));
+          break;
+        case Value::warnings: player.set_warnings(number); break;
+        case Value::cautions: player.set_cautions(number); break;
+        default: break;
       }
-      player.set_penalised(number != 0);
-      player.set_code(number);
-      player.set_penalty(penalty_of(number));
     }
   }
 
   pb::PlayerState::Penalty penalty_of(std::uint32_t code) const {
-    // these two codes are the same in all formats
-    if (code == pb::PlayerState::PENALTY_SUBSTITUTE || code == pb::PlayerState::PENALTY_MANUAL)
+    // these two codes are the same in all formats up to 18
+    const bool same = code == pb::PlayerState::PENALTY_SUBSTITUTE || code == pb::PlayerState::PENALTY_MANUAL;
+    if (same && layout_.version <= 18)
       return static_cast<pb::PlayerState::Penalty>(code);
     const bool named = code >= 1 && code <= layout_.penalties.size();
     return named ? layout_.penalties[code - 1] : pb::PlayerState::PENALTY_UNSPECIFIED;
@@ -164,6 +173,25 @@ Result<ControlPacket> parse_control_packet(std::string_view bytes) {
     return Error{"GameController packet: expected format " + std::to_string(layout->version) + ", got " +
                  std::to_string(packet->game.packet_version())};
   return packet;
+}
+
+std::optional<pb::GameState> unreadable_game(std::string_view bytes, std::uint32_t own_team, std::uint32_t own_player) {
+  // the shortest format is longer than this; below it there is no room for two teams
+  constexpr std::size_t kShortest = 32;
+  if (!bytes.starts_with(kLetters) || bytes.size() < kShortest) return std::nullopt;
+  const auto version = static_cast<std::uint8_t>(bytes[kLetters.size()]);
+  const ControlLayout* const layout = control_layout(version);
+  const bool newer = version > kNewestVersion;
+  if (!newer && (layout == nullptr || bytes.size() == layout->size_bytes())) return std::nullopt;
+  if (bytes.find(static_cast<char>(own_team), kLetters.size() + 1) == std::string_view::npos) return std::nullopt;
+
+  pb::GameState game;
+  game.set_source(pb::GameState::SOURCE_GAME_CONTROLLER);
+  game.set_packet_version(version);
+  game.set_unreadable(true);
+  game.set_own_team(own_team);
+  game.set_own_player(own_player);
+  return game;
 }
 
 std::optional<pb::GameState> seen_by(const ControlPacket& packet, std::uint32_t own_team, std::uint32_t own_player) {

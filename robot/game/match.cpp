@@ -25,6 +25,8 @@ Match::Change Match::move_to(bool in_progress) {
 Match::Change Match::update(const pb::GameState& game, std::uint64_t now_ns) {
   if (game.source() == pb::GameState::SOURCE_SIMULATOR) return Change::none;
   if (game.received_ns() != 0 && now_ns >= game.received_ns() + kSilenceNs) return move_to(false);
+  if (game.unreadable() && !in_progress()) identity_ = {};
+  if (game.unreadable()) return move_to(true);
   if (pauses(game)) return Change::none;
   if (!under_way(game.state())) return move_to(false);
 
@@ -43,7 +45,9 @@ std::string session_name(const pb::GameState& game, std::string_view field, std:
   if (!field.empty()) add(std::string(field));
   if (game.has_opponent()) add("vs-" + std::to_string(game.opponent().number()));
   const std::string half = std::to_string(game.half());
-  if (game.phase() == pb::GameState::PHASE_PENALTY_SHOOT_OUT) {
+  if (game.unreadable()) {
+    add("format-" + std::to_string(game.packet_version()));
+  } else if (game.phase() == pb::GameState::PHASE_PENALTY_SHOOT_OUT) {
     add("shoot-out");
   } else {
     add((game.phase() == pb::GameState::PHASE_OVERTIME ? "overtime-" : "half-") + half);

@@ -14,6 +14,9 @@ namespace pb = foresight;
 
 /// A follower of the game state. One thread calls update(); any thread may call in_progress().
 ///
+/// A packet in an unreadable format means that a match may be in progress, so it begins one. A match that has begun so
+/// ends with a readable INITIAL or FINISHED, or after the long silence.
+///
 /// A match begins with READY, or with SET or PLAYING for a robot that joins late. It ends with FINISHED, or with
 /// INITIAL after a restart. A time-out or STANDBY does not end it. Another half or another opponent is another match.
 class Match {
@@ -53,7 +56,8 @@ class Match {
 bool under_way(pb::GameState::State state);
 
 /// Returns the name of a match's recording: "A_vs-5_half-2_14-3_0123abcd" for field "A", opponent 5, the second half,
-/// robot "14/3" and that build. An empty field is left out; the shoot-out is "shoot-out", overtime "overtime-1".
+/// robot "14/3" and that build. An empty field is left out; the shoot-out is "shoot-out", overtime "overtime-1", and an
+/// unreadable format 21 "format-21".
 std::string session_name(const pb::GameState& game, std::string_view field, std::string_view build);
 
 }  // namespace robot::game

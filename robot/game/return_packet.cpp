@@ -52,7 +52,7 @@ std::string packet_4(const RobotStatus& status) {
 }  // namespace
 
 std::optional<std::string> return_packet(std::uint32_t version, const RobotStatus& status) {
-  if (version < 9 || version > 18) return std::nullopt;
+  if (version < 9 || version > 20) return std::nullopt;
   if (version <= 10) return short_packet(2, kAlive2, status);
   if (version <= 13) return short_packet(3, kAlive3, status);
   return packet_4(status);

@@ -26,11 +26,10 @@ struct RobotStatus {
 };
 
 /// Returns the answer to a GameController of format `version`, or nothing for formats before 9, which used another
-/// port. It is struct RoboCupGameControlReturnData of the same releases: version 2 (formats 9,
-/// 10), 3 (11 to 13) or 4 (14 to 18).
+/// port, and for formats after 20, which are not known. It is struct RoboCupGameControlReturnData of the same releases:
+/// version 2 (formats 9, 10), 3 (11 to 13) or 4 (14 to 20).
 ///
-/// A value that is not a finite number is sent as "not known", because the
-/// GameController drops packets with such values.
+/// A value that is not a finite number is sent as "not known", because the GameController drops packets with such values.
 std::optional<std::string> return_packet(std::uint32_t version, const RobotStatus& status);
 
 }  // namespace robot::game

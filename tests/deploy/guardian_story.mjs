@@ -79,6 +79,17 @@ export function guardianStory() {
     assert.match(await deploy(1, "--undo", "tim", "--yes"), /FAILED: stopping: the robot has stiffness \(initial, .*\): it must sit first, by three fingers on its head/);
   });
 
+  test("a robot whose state cannot be read keeps its guardian, too", async () => {
+    world.on(tim, "echo broken >/tmp/happens");
+    await until(() => /^unknown: /.test(told().text), "frames that cannot be read");
+    const before = pid();
+    assert.match(await send(guardians.second), /tim {2}NOT done: the guardian stays the one before, as it is not known whether the robot has stiffness \(unknown: .*\): deploy again when it sits/);
+    assert.equal(pid(), before);
+    assert.match(await deploy(1, "--undo", "tim", "--yes"), /FAILED: stopping: the robot may have stiffness \(unknown: .*\): it must sit first/);
+    world.on(tim, "echo other >/tmp/happens");
+    await until(() => !/^unknown: /.test(told().text), "whole frames");
+  });
+
   test("a soft robot gets the new guardian", async () => {
     world.on(tim, `${kGuardian} --sit-and-soft`);
     await until(() => told().soft, "it is soft");

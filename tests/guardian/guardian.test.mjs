@@ -196,6 +196,28 @@ describe("the guardian", { concurrency: 6 }, () => {
     assert.match(gone.stderr, /expected foresight-guardian to listen at .*; start it first/);
   });
 
+  test("a state that cannot be read is unknown, and not soft", async (t) => {
+    const world = await playing(t, "alive");
+    const status = () => run("foresight-guardian", "--link", world.link, "--status");
+    await world.untilDoing("playing", "standing");
+    world.happen("broken");
+    await world.cycles(5);
+    const unknown = await status();
+    assert.equal(unknown.status, 3);
+    assert.match(unknown.stdout, /^unknown: LoLA.*\n$/);
+    world.happen("other");
+    await world.cycles(5);
+    assert.equal((await status()).status, 1);
+  });
+
+  test("without LoLA the guardian holds nothing and may be replaced", async (t) => {
+    const world = new World(t);
+    await world.startGuardian();
+    const { status, stdout } = await run("foresight-guardian", "--link", world.link, "--status");
+    assert.equal(status, 0);
+    assert.match(stdout, /^no LoLA: /);
+  });
+
   test("random orders never move a robot that must be soft, and do no harm", async (t) => {
     const world = new World(t);
     await world.start("--wild", "1");

@@ -35,7 +35,12 @@ void put_head(Writer& out, const ControlPacketText& packet, int version) {
     if (version >= 8) out.put(packet.secondary_seconds, 2);
     return;
   }
-  out.skip(2);  // competitionPhase, competitionType
+  out.skip(1);  // competitionPhase; since 19 competitionType
+  if (version <= 18) {
+    out.skip(1);  // competitionType
+  } else {
+    out.put(packet.stopped);
+  }
   out.put(packet.phase);
   out.put(packet.state);
   out.put(packet.set_play);
@@ -68,6 +73,8 @@ void put_team(Writer& out, const ControlTeam& team, int version) {
     const bool penalised = player == team.penalised_player;
     out.put(penalised ? team.penalty : 0, version == 7 ? 2 : 1);
     out.put(penalised ? team.seconds_till_unpenalised : 0, version == 7 ? 2 : 1);
+    if (version == 19) out.put(penalised ? team.warnings : 0);
+    if (version >= 19) out.put(penalised ? team.cautions : 0);
   }
 }
 

@@ -82,6 +82,7 @@ GameStatus GameService::status() const {
   return {.state = game ? name_of(game->value().state()) : "",
           .in_progress = match_.in_progress(),
           .match_mode = match_.in_progress() && parameters_.flag("match_mode"),
+          .warning = listener_ ? listener_->warning() : "",
           .stopped = link_ ? link_->stopped() : ""};
 }
 

@@ -30,6 +30,7 @@ struct GameStatus {
   std::string state;         // "initial", "standby", "ready", "set", "playing", "finished"; empty: no game state yet
   bool in_progress = false;  // from READY to FINISHED: a match, not a test
   bool match_mode = false;   // in progress, and the parameter match_mode is on: the league's rules hold
+  std::string warning;       // a second GameController, or a format that this program cannot read; empty: neither
   std::string stopped;       // reason why sending has stopped, one sentence; empty while sending works
 };
 

@@ -13,7 +13,7 @@
 namespace robot::nao {
 namespace {
 
-constexpr int kDone = 0, kNo = 1, kBadInput = 2;
+constexpr int kDone = 0, kNo = 1, kBadInput = 2, kUnknown = 3;
 constexpr int kPriority = 40;       // above all threads of the runtime, below those of the kernel
 constexpr int kPatience_ms = 2000;  // for a report; at least one a second is sent
 
@@ -50,14 +50,19 @@ int run(const GuardianOptions& options) {
   return kDone;
 }
 
-/// Prints the robot's state. Returns 0 if it has no stiffness, so that a new guardian may be installed.
+/// Prints the robot's state. Returns 0 if a new guardian may be installed: the robot has no stiffness, or this guardian has
+/// no LoLA and so holds no joint. Returns kUnknown while LoLA is connected but its frame could not be read.
 int tell_status(const GuardianOptions& options) {
   Result<GuardianClient> client = GuardianClient::open(options.link);
   if (!client) return fail(client.error());
   const auto report = client->next(kPatience_ms);
   if (!report) return fail(report.error());
   if (!*report) return fail("guardian: expected a report within 2 s, got none");
-  if (!(*report)->has_sensors) {
+  if ((*report)->has_lola && !(*report)->has_sensors) {
+    std::printf("unknown: %s\n", (*report)->problem.data());
+    return kUnknown;
+  }
+  if (!(*report)->has_lola) {
     std::printf("no LoLA: %s\n", (*report)->problem.data());
     return kDone;
   }
@@ -82,7 +87,7 @@ int guardian_main(int argc, char** argv) {
   app.add_option("--lola", options.lola, "LoLA's socket")->capture_default_str();
   app.add_option("--link", options.link, "socket for the runtime; default: $FORESIGHT_GUARDIAN, or a name of this user")
       ->capture_default_str();
-  app.add_flag("--status", status, "print the robot's state; exit status 0: it has no stiffness, 1: it has stiffness");
+  app.add_flag("--status", status, "print the robot's state; exit status 0: no stiffness, or no LoLA; 1: stiffness; 3: LoLA is there, the state unknown");
   app.add_flag("--sit-and-soft", soft, "remove the stiffness at once, until the chest button is pressed");
   try {
     app.parse(argc, argv);

@@ -116,7 +116,7 @@ Result<void> GuardianProgram::answer(std::string_view frame) {
                                                .stop = ends_});
   if (Result<void> answered = lola_->answer(frame_.compose(actuators)); !answered) return answered;
   ++frames_;
-  tell(read ? &sensors_ : nullptr, actuators);
+  tell(read ? "" : read.error(), actuators);
   if (std::exchange(said_, guardian_.reason()) != guardian_.reason())
     report(Level::info, kSource,
            std::string(name_of(guardian_.mode())) + ", " + name_of(guardian_.doing()) +
@@ -124,11 +124,12 @@ Result<void> GuardianProgram::answer(std::string_view frame) {
   return {};
 }
 
-void GuardianProgram::tell(const Sensors* sensors, const Actuators& answer) {
+void GuardianProgram::tell(const std::string& unreadable, const Actuators& answer) {
   report_.mode = guardian_.mode();
   report_.doing = guardian_.doing();
   report_.reason = guardian_.reason();
-  report_.has_sensors = sensors != nullptr;
+  report_.has_lola = true;
+  report_.has_sensors = unreadable.empty();
   report_.limited = guardian_.limited();
   const auto fell = guardian_.fell();
   report_.lies_known = fell.has_value();
@@ -139,19 +140,20 @@ void GuardianProgram::tell(const Sensors* sensors, const Actuators& answer) {
   report_.remaining = guardian_.remaining();
   report_.capture_ns = frame_ns_;
   report_.frames = frames_;
-  if (sensors) report_.sensors = *sensors;
+  report_.sensors = sensors_;
   report_.commanded = answer.position;
   report_.commanded_stiffness = answer.stiffness;
   copy_text(lola_->identity().body_id, report_.body_id);
   copy_text(lola_->identity().body_version, report_.body_version);
   copy_text(lola_->identity().head_id, report_.head_id);
   copy_text(lola_->identity().head_version, report_.head_version);
-  report_.problem.fill('\0');
+  copy_text(unreadable, report_.problem);
   link_.tell(report_);
 }
 
 void GuardianProgram::tell_problem() {
   told_ns_ = monotonic_ns();
+  report_.has_lola = lola_.has_value();
   report_.has_sensors = false;
   copy_text(problem_, report_.problem);
   link_.tell(report_);

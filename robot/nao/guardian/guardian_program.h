@@ -41,7 +41,7 @@ class GuardianProgram {
   void lose_lola(const std::string& why);
   void serve_lola();
   Result<void> answer(std::string_view frame);
-  void tell(const Sensors* sensors, const Actuators& answer);
+  void tell(const std::string& unreadable, const Actuators& answer);
   void tell_problem();
   void remember(const RuntimeLink::Heard& heard);
 

@@ -65,7 +65,7 @@ struct GameWord {
   friend bool operator==(const GameWord&, const GameWord&) = default;
 };
 
-inline constexpr std::uint32_t kOrderLayout = 0x4f01, kReportLayout = 0x5201, kRequestLayout = 0x5101;
+inline constexpr std::uint32_t kOrderLayout = 0x4f01, kReportLayout = 0x5202, kRequestLayout = 0x5101;
 
 /// The runtime's order, sent after every report. Without new orders the body holds still, then sits, then softens.
 struct Order {
@@ -97,7 +97,8 @@ struct Report {
   Mode mode = Mode::unstiff;
   Doing doing = Doing::soft;
   Reason reason = Reason::none;
-  bool has_sensors = false;      // false: there is no LoLA, `problem` says why
+  bool has_lola = false;         // LoLA is connected: the guardian holds the joints
+  bool has_sensors = false;      // `sensors` are those of this frame; false: `problem` says why not
   bool lola_is_taken = false;    // another program has it
   bool limited = false;          // a warm joint or a low battery: half the speed
   bool lies_known = false;       // `lies_*` are valid

@@ -20,17 +20,18 @@ constexpr std::uint32_t kLoopback = 0x7f000001;
 
 struct Listening : ::testing::Test {
   /// Sends until the listener has counted one more packet: UDP may lose packets, even on loopback.
-  void send(const std::string& bytes) {
+  void send(const std::string& bytes) { send(*referee, bytes); }
+  void send(UdpSocket& sender, const std::string& bytes) {
     const std::uint64_t before = all();
     ASSERT_TRUE(tests::eventually([&] {
-      EXPECT_TRUE(referee->send({kLoopback, listener->port()}, bytes));
+      EXPECT_TRUE(sender.send({kLoopback, listener->port()}, bytes));
       std::this_thread::sleep_for(std::chrono::milliseconds(20));  // the pace of the packets
       return all() != before;
     }));
   }
   std::uint64_t all() const {
     const ListenerCounts counts = listener->counts();
-    return counts.told + counts.foreign + counts.refused;
+    return counts.told + counts.foreign + counts.second + counts.refused;
   }
 
   ManualClock clock{1'700'000'000 * kSecond};
@@ -52,7 +53,7 @@ TEST_F(Listening, WritesThePacketsIntoMemory) {
 }
 
 TEST_F(Listening, TheFormatMayChangeFromPacketToPacket) {
-  for (int version = 7; version <= 18; ++version) {
+  for (int version = 7; version <= 20; ++version) {
     send(ControlPacketText().bytes(version));
     EXPECT_EQ((*memory.game.read())->packet_version(), static_cast<std::uint32_t>(version));
   }
@@ -73,6 +74,65 @@ TEST_F(Listening, CountsRefusedPacketsAndContinues) {
   EXPECT_GE(listener->counts().refused, 3u);
   send(ControlPacketText().bytes(18));
   EXPECT_TRUE(memory.game.read());
+}
+
+TEST_F(Listening, FollowsTheFirstGameControllerUntilItIsSilent) {
+  Result<UdpSocket> laptop = UdpSocket::open(kLoopback, 0);
+  const std::string first = "127.0.0.1:" + std::to_string(referee->port());
+  const std::string second = "127.0.0.1:" + std::to_string(laptop->port());
+  send(ControlPacketText{.state = 3}.bytes(18));
+  EXPECT_EQ(listener->warning(), "");
+
+  clock.advance(kFollowedSilenceNs - 1);
+  send(*laptop, ControlPacketText{.state = 0}.bytes(18));
+  EXPECT_EQ((*memory.game.read())->state(), pb::GameState::STATE_PLAYING);
+  EXPECT_EQ(listener->game_controller(), (Endpoint{kLoopback, referee->port()}));
+  EXPECT_GE(listener->counts().second, 1u);
+  EXPECT_EQ(listener->warning(), "two GameControllers send for team 14: " + first + " is followed, " + second +
+                                     " is ignored until the first is silent for 10 s");
+
+  send(ControlPacketText{.state = 3}.bytes(18));  // it was not silent for long enough
+  clock.advance(kFollowedSilenceNs - 1);
+  send(*laptop, ControlPacketText{.state = 0}.bytes(18));
+  EXPECT_EQ((*memory.game.read())->state(), pb::GameState::STATE_PLAYING);
+
+  clock.advance(kFollowedSilenceNs);
+  EXPECT_EQ(listener->warning(), "") << "an old warning is gone";
+  send(*laptop, ControlPacketText{.state = 0}.bytes(18));
+  EXPECT_EQ((*memory.game.read())->state(), pb::GameState::STATE_INITIAL);
+  EXPECT_EQ(listener->game_controller(), (Endpoint{kLoopback, laptop->port()}));
+}
+
+TEST_F(Listening, AGameOfOtherTeamsDoesNotTakeThePlace) {
+  Result<UdpSocket> other_field = UdpSocket::open(kLoopback, 0);
+  send(*other_field, ControlPacketText{.first = {.number = 20}}.bytes(18));
+  send(ControlPacketText{.state = 1}.bytes(18));
+  EXPECT_EQ((*memory.game.read())->state(), pb::GameState::STATE_READY);
+  EXPECT_EQ(listener->warning(), "");
+}
+
+TEST_F(Listening, ANewerFormatCountsAndIsNamed) {
+  std::string bytes = ControlPacketText{.state = 3}.bytes(20);
+  bytes[4] = 21;
+  send(bytes);
+  ASSERT_TRUE(memory.game.read());
+  EXPECT_TRUE((*memory.game.read())->unreadable());
+  EXPECT_EQ((*memory.game.read())->received_ns(), clock.now_ns());
+  EXPECT_EQ(listener->warning(), "GameController format 21 is newer than this program (7 .. 20); it comes from 127.0.0.1:" +
+                                     std::to_string(referee->port()) + ", and a match counts as in progress");
+}
+
+// the number of our team may be any byte of an unreadable packet: a readable GameController is followed instead
+TEST_F(Listening, AReadableGameControllerIsPreferred) {
+  Result<UdpSocket> newer = UdpSocket::open(kLoopback, 0);
+  std::string bytes = ControlPacketText().bytes(20);
+  bytes[4] = 21;
+  send(*newer, bytes);
+  send(ControlPacketText{.state = 1}.bytes(18));
+  EXPECT_EQ((*memory.game.read())->state(), pb::GameState::STATE_READY);
+  send(*newer, bytes);
+  EXPECT_FALSE((*memory.game.read())->unreadable());
+  EXPECT_GE(listener->counts().second, 1u);
 }
 
 TEST_F(Listening, SharesItsPortWithTheTeamsOwnFramework) { EXPECT_TRUE(UdpSocket::open(kLoopback, listener->port())); }

@@ -11,10 +11,10 @@ namespace {
 
 using tests::ControlPacketText;
 
-constexpr int kOldest = 7, kNewest = 18;
+constexpr int kOldest = 7, kNewest = 20;
 
-// sizeof(RoboCupGameControlData) of each release, formats 7 .. 18
-constexpr std::size_t kSizes[] = {116, 158, 244, 588, 58, 54, 54, 62, 118, 118, 118, 118};
+// sizeof(RoboCupGameControlData) of each release, formats 7 .. 20
+constexpr std::size_t kSizes[] = {116, 158, 244, 588, 58, 54, 54, 62, 118, 118, 118, 118, 198, 158};
 
 struct EveryFormat : ::testing::TestWithParam<int> {
   int version = GetParam();
@@ -88,13 +88,15 @@ TEST_P(EveryFormat, ShowsTheTeamsFromEitherSide) {
 }
 
 TEST_P(EveryFormat, ContainsThePenalisedPlayers) {
+  const int pushing = version == 20 ? 10 : version == 19 ? 9 : 2;
+  const int substitute = version == 20 ? 13 : version == 19 ? 11 : 14;
   const pb::GameState game = parsed(
-      {.first = {.penalised_player = 3, .penalty = 2, .seconds_till_unpenalised = 44},
+      {.first = {.penalised_player = 3, .penalty = pushing, .seconds_till_unpenalised = 44},
        .second = {
-           .number = 5, .field_colour = 1, .penalised_player = 6, .penalty = 14, .seconds_till_unpenalised = 0}});
+           .number = 5, .field_colour = 1, .penalised_player = 6, .penalty = substitute, .seconds_till_unpenalised = 0}});
   for (int i = 0; i < game.own().players_size(); ++i) EXPECT_EQ(game.own().players(i).penalised(), i == 2) << i;
   EXPECT_EQ(game.own().players(2).penalty(), pb::PlayerState::PENALTY_PLAYER_PUSHING);
-  EXPECT_EQ(game.own().players(2).code(), 2u);
+  EXPECT_EQ(game.own().players(2).code(), static_cast<std::uint32_t>(pushing));
   EXPECT_EQ(game.own().players(2).seconds_till_unpenalised(), 44);
   EXPECT_EQ(game.opponent().players(5).penalty(), pb::PlayerState::PENALTY_SUBSTITUTE);
   EXPECT_EQ(game.opponent().players(5).seconds_till_unpenalised(), 0);
@@ -127,12 +129,12 @@ TEST_P(EveryFormat, RefusesValuesOutsideTheFormat) {
   const auto error = [&](const ControlPacketText& text) { return parse_control_packet(text.bytes(version)).error(); };
   const std::string format = " in format " + std::to_string(version) + ", got 9";
   EXPECT_EQ(error({.state = 9}),
-            "GameController packet: expected a state 0 .. " + std::string(version >= 16 ? "5" : "4") + format);
+            "GameController packet: expected a state 0 .. " + std::string(version >= 16 && version <= 18 ? "5" : "4") + format);
   EXPECT_EQ(error({.phase = 9}), "GameController packet: expected a phase 0 .. 3" + format);
   EXPECT_EQ(error({.first_half = 9}), "GameController packet: expected first half 0 .. 1" + format);
   EXPECT_FALSE(parse_control_packet(ControlPacketText{.players_per_team = 21}.bytes(version)));
   if (version >= 11) {
-    EXPECT_EQ(error({.set_play = 9}), "GameController packet: expected a set play 0 .. 5" + format);
+    EXPECT_EQ(error({.set_play = 9}), "GameController packet: expected a set play 0 .. " + std::string(version >= 19 ? "6" : "5") + format);
   }
 }
 
@@ -164,7 +166,7 @@ TEST(ControlPacket, RefusesFormatsItDoesNotKnow) {
     if (version >= kOldest && version <= kNewest) continue;
     const std::string bytes = "RGme" + std::string(1, static_cast<char>(version)) + std::string(113, '\0');
     EXPECT_EQ(parse_control_packet(bytes).error(),
-              "GameController packet: expected format 7 .. 18, got " + std::to_string(version));
+              "GameController packet: expected format 7 .. 20, got " + std::to_string(version));
   }
   EXPECT_EQ(parse_control_packet("RGme").error(), "GameController packet: it ends before its version");
 }
@@ -211,8 +213,17 @@ TEST(ControlPacket, TranslatesPenaltiesOfOtherYears) {
   EXPECT_EQ(penalty(14, 9), PlayerState::PENALTY_ILLEGAL_POSITION_IN_SET);
   EXPECT_EQ(penalty(15, 10), PlayerState::PENALTY_PLAYER_STANCE);
   EXPECT_EQ(penalty(18, 11), PlayerState::PENALTY_ILLEGAL_MOTION_IN_STANDBY);
-  for (int version = kOldest; version <= kNewest; ++version)
-    EXPECT_EQ(penalty(version, 15), PlayerState::PENALTY_MANUAL);
+  for (int version = kOldest; version <= 18; ++version) EXPECT_EQ(penalty(version, 15), PlayerState::PENALTY_MANUAL);
+  EXPECT_EQ(penalty(19, 1), PlayerState::PENALTY_ILLEGAL_POSITION);
+  EXPECT_EQ(penalty(19, 3), PlayerState::PENALTY_LOCAL_GAME_STUCK);
+  EXPECT_EQ(penalty(19, 10), PlayerState::PENALTY_SENT_OFF);
+  EXPECT_EQ(penalty(19, 11), PlayerState::PENALTY_SUBSTITUTE);
+  EXPECT_EQ(penalty(19, 15), PlayerState::PENALTY_UNSPECIFIED);
+  EXPECT_EQ(penalty(20, 3), PlayerState::PENALTY_ILLEGAL_MOTION_IN_STOP);
+  EXPECT_EQ(penalty(20, 6), PlayerState::PENALTY_REQUEST_FOR_PICKUP);
+  EXPECT_EQ(penalty(20, 11), PlayerState::PENALTY_CAUTIONED);
+  EXPECT_EQ(penalty(20, 12), PlayerState::PENALTY_SENT_OFF);
+  EXPECT_EQ(penalty(20, 14), PlayerState::PENALTY_UNSPECIFIED);
 }
 
 TEST(ControlPacket, Format18CountsShotsInTheShootOutOnly) {
@@ -229,6 +240,64 @@ TEST(ControlPacket, ReadsStandbyAndEverySetPlay) {
   EXPECT_EQ(parse_control_packet(ControlPacketText{.state = 5}.bytes(18))->game.state(), pb::GameState::STATE_STANDBY);
   for (int set_play = 0; set_play <= 5; ++set_play)
     EXPECT_EQ(parse_control_packet(ControlPacketText{.set_play = set_play}.bytes(18))->game.set_play(), set_play);
+}
+
+TEST(ControlPacket, ReadsStoppedCardsAndSetPlaysOf2026) {
+  for (const int version : {19, 20}) {
+    const ControlPacketText text{.state = 3,
+                                 .set_play = 4,
+                                 .stopped = 1,
+                                 .first = {.penalised_player = 20, .penalty = 1, .warnings = 3, .cautions = 2}};
+    const auto packet = parse_control_packet(text.bytes(version));
+    ASSERT_TRUE(packet) << packet.error();
+    EXPECT_TRUE(packet->game.stopped());
+    EXPECT_EQ(packet->game.set_play(), pb::GameState::SET_PLAY_THROW_IN);
+    const pb::PlayerState& last = packet->teams[0].players(19);
+    EXPECT_EQ(last.warnings(), version == 19 ? 3u : 0u);
+    EXPECT_EQ(last.cautions(), 2u);
+    EXPECT_EQ(parse_control_packet(ControlPacketText{.set_play = 1}.bytes(version))->game.set_play(),
+              pb::GameState::SET_PLAY_DIRECT_FREE_KICK);
+    EXPECT_EQ(parse_control_packet(ControlPacketText{.set_play = 6}.bytes(version))->game.set_play(),
+              pb::GameState::SET_PLAY_CORNER_KICK);
+    EXPECT_FALSE(parse_control_packet(ControlPacketText{.stopped = 2}.bytes(version)));
+  }
+}
+
+// every newer format, whatever its length and its places are
+TEST(UnreadableGame, IsAnyNewerPacketThatNamesOurTeam) {
+  std::mt19937 random(1);
+  for (int version = kNewest + 1; version < 256; ++version) {
+    std::string bytes = "RGme" + std::string(1, static_cast<char>(version)) + std::string(27 + random() % 500, '\0');
+    EXPECT_FALSE(unreadable_game(bytes, 14, 3)) << "our number is nowhere";
+    bytes[5 + random() % (bytes.size() - 5)] = 14;
+    const auto game = unreadable_game(bytes, 14, 3);
+    ASSERT_TRUE(game) << version;
+    EXPECT_TRUE(game->unreadable());
+    EXPECT_EQ(game->packet_version(), static_cast<std::uint32_t>(version));
+    EXPECT_EQ(game->source(), pb::GameState::SOURCE_GAME_CONTROLLER);
+    EXPECT_EQ(game->own_team(), 14u);
+    EXPECT_EQ(game->own_player(), 3u);
+    EXPECT_EQ(game->state(), pb::GameState::STATE_UNSPECIFIED);
+  }
+}
+
+TEST(UnreadableGame, IsAKnownFormatOfAnotherLength) {
+  for (int version = kOldest; version <= kNewest; ++version) {
+    const std::string bytes = ControlPacketText().bytes(version);
+    EXPECT_FALSE(unreadable_game(bytes, 14, 3)) << "this one can be read";
+    EXPECT_TRUE(unreadable_game(bytes + "x", 14, 3)) << version;
+    EXPECT_FALSE(unreadable_game(bytes + "x", 77, 3)) << "of two other teams";
+  }
+}
+
+TEST(UnreadableGame, IsNoPacketOfAnotherProgram) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 20'000; ++i) {
+    std::string bytes(random() % 700, '\0');
+    for (char& c : bytes) c = static_cast<char>(random());
+    EXPECT_FALSE(unreadable_game(bytes, 14, 3));
+  }
+  EXPECT_FALSE(unreadable_game("RGme\x15\x0e", 14, 3)) << "too short for two teams";
 }
 
 }  // namespace

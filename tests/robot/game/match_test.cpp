@@ -90,6 +90,34 @@ TEST(Match, EndsAfterALongSilenceOnly) {
   EXPECT_EQ(match.update(playing, Match::kSilenceNs + 2 * kSecond), none);
 }
 
+GameState unreadable() {
+  GameState game;
+  game.set_source(GameState::SOURCE_GAME_CONTROLLER);
+  game.set_received_ns(kSecond);
+  game.set_unreadable(true);
+  game.set_packet_version(21);
+  game.set_own_team(14);
+  game.set_own_player(3);
+  return game;
+}
+
+TEST(Match, AnUnreadableFormatCountsAsAMatch) {
+  EXPECT_EQ(changes({unreadable(), unreadable()}), (std::vector{began, none}));
+  EXPECT_EQ(changes({game(GameState::STATE_PLAYING), unreadable(), game(GameState::STATE_PLAYING)}),
+            (std::vector{began, none, none}))
+      << "one match, one recording";
+  EXPECT_EQ(changes({unreadable(), game(GameState::STATE_READY)}), (std::vector{began, another}));
+  EXPECT_EQ(changes({unreadable(), game(GameState::STATE_INITIAL)}), (std::vector{began, ended}));
+  EXPECT_EQ(session_name(unreadable(), "A", "x"), "A_format-21_14-3_x");
+}
+
+TEST(Match, AMatchInAnUnreadableFormatEndsAfterTheLongSilence) {
+  Match match;
+  EXPECT_EQ(match.update(unreadable(), kSecond), began);
+  EXPECT_EQ(match.update(unreadable(), Match::kSilenceNs), none);
+  EXPECT_EQ(match.update(unreadable(), Match::kSilenceNs + kSecond), ended);
+}
+
 TEST(Match, ItsRecordingIsNamedByFieldOpponentHalfRobotAndBuild) {
   EXPECT_EQ(session_name(game(GameState::STATE_READY, 2), "A", "0123abcd"), "A_vs-5_half-2_14-3_0123abcd");
   EXPECT_EQ(session_name(game(GameState::STATE_READY, 1), "", "0123abcd"), "vs-5_half-1_14-3_0123abcd");
