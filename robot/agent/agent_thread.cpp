@@ -3,6 +3,7 @@
 #include <mutex>
 #include <utility>
 
+#include "robot/core/attempt.h"
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
 
@@ -10,12 +11,11 @@ namespace robot::agent {
 
 AgentThread::AgentThread(Agent agent, memory::Memory& memory, const memory::Channels& channels, std::string robot,
                          const Clock& clock)
-    : agent_(std::move(agent)),
-      memory_(memory),
-      channels_(channels),
-      robot_(std::move(robot)),
-      clock_(clock),
-      thread_([this] { run(); }) {}
+    : agent_(std::move(agent)), memory_(memory), channels_(channels), robot_(std::move(robot)), clock_(clock) {}
+
+Result<void> AgentThread::start() {
+  return start_thread(thread_, "agent", [this] { run(); });
+}
 
 AgentThread::~AgentThread() {
   {
@@ -23,7 +23,7 @@ AgentThread::~AgentThread() {
     ends_ = true;
     changed_.notify_all();
   }
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 void AgentThread::run() {
@@ -32,7 +32,8 @@ void AgentThread::run() {
   const std::lock_guard guard(lock_);
   while (!ends_) {
     lock_.unlock();
-    decide();
+    if (const Result<void> decided = attempt("a decision", [this] { decide(); }); !decided)
+      report(Level::error, "agent", decided.error());
     lock_.lock();
     // an even rhythm; after a long delay it starts anew instead of catching up
     due_ns = std::max(due_ns + kPeriodNs, monotonic_ns() > 2 * kPeriodNs ? monotonic_ns() - 2 * kPeriodNs : 0);

@@ -18,9 +18,12 @@ class AgentThread {
  public:
   static constexpr std::uint64_t kPeriodNs = kSecond / 30;
 
-  /// Starts. `channels` hold the objects of `memory`, among others; all references outlive the thread.
+  /// `channels` hold the objects of `memory`, among others; all references outlive the thread.
   AgentThread(Agent agent, memory::Memory& memory, const memory::Channels& channels, std::string robot,
               const Clock& clock);
+
+  /// Starts the thread, once. Returns an Error if the system allows no more threads.
+  Result<void> start();
 
   /// Ends the thread.
   ~AgentThread();

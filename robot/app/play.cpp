@@ -12,6 +12,7 @@
 #include "robot/app/services/what_if_service.h"
 #include "robot/app/signals.h"
 #include "robot/body/replay/replay.h"
+#include "robot/core/files.h"
 #include "robot/lab/clocks/clock_agreement.h"
 #include "robot/lab/mapping/mapping.h"
 
@@ -110,7 +111,7 @@ Result<void> play(const PlayOptions& options) {
                    .body = "recording",
                    .robot = robot,
                    .server = options.server,
-                   .log_folder = std::filesystem::absolute(options.sessions.front()).lexically_normal().parent_path(),
+                   .log_folder = absolute_path(options.sessions.front()).parent_path(),
                    .log_bytes = std::numeric_limits<std::uint64_t>::max(),
                    .records = false,
                    .playback = &playback,

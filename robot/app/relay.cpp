@@ -11,6 +11,7 @@
 #include "robot/app/robot_name.h"
 #include "robot/app/runtime.h"
 #include "robot/app/signals.h"
+#include "robot/core/files.h"
 #include "robot/lab/relay/robot_address.h"
 
 namespace robot::app {
@@ -47,9 +48,11 @@ void describe(const lab::LinkStatus& status, Link& link) {
 
 /// Asks all robots for their names at the same time, for 2 s. A robot that does not answer has no name in the result.
 std::vector<std::optional<RobotName>> ask_names(const std::vector<lab::RobotAddress>& robots) {
+  // with both policies a robot is asked later, by this thread, if the system allows no more threads
+  constexpr auto kPolicy = std::launch::async | std::launch::deferred;
   std::vector<std::future<Result<std::string>>> answers;
   for (const lab::RobotAddress& robot : robots)
-    answers.push_back(std::async(std::launch::async, [&robot] { return lab::ask_name(robot, kAskNs); }));
+    answers.push_back(std::async(kPolicy, [&robot] { return lab::ask_name(robot, kAskNs); }));
   std::vector<std::optional<RobotName>> names;
   for (auto& answer : answers) {
     const Result<std::string> text = answer.get();
@@ -112,7 +115,7 @@ Result<void> relay(const RelayOptions& options) {
                    .team = name.team,
                    .player = name.player,
                    .server = options.server,
-                   .log_folder = std::filesystem::absolute(options.log_folder).lexically_normal(),
+                   .log_folder = absolute_path(options.log_folder),
                    .log_bytes = options.log_mb * 1'000'000,
                    .add_statistics =
                        [&](foresight::RuntimeStatistics& statistics) {
@@ -136,6 +139,7 @@ Result<void> relay(const RelayOptions& options) {
                                                      [&](const std::string& peer, const lab::ClockOffset& offset) {
                                                        own->clock_sample.write(sample_of(peer, offset), clock.now_ns());
                                                      }));
+    if (Result<void> begun = links.back()->start(); !begun) return begun;
   }
   runtime.run([] { return true; });
   for (const auto& link : links) link->stop();

@@ -11,6 +11,7 @@
 #include "robot/app/run_replay.h"
 #include "robot/app/run_simulation.h"
 #include "robot/app/signals.h"
+#include "robot/core/attempt.h"
 
 namespace robot::app {
 namespace {
@@ -41,7 +42,7 @@ int robot_main(int argc, char** argv) {
   }
   mallopt(M_MMAP_THRESHOLD, kGivenBack_bytes);
   block_end_signals();
-  const Result<void> ran = run(options);
+  const Result<void> ran = attempt("the program", [&] { return run(options); });
   if (ran) return kDone;
   std::fprintf(stderr, "foresight-robot: %s\n", ran.error().c_str());
   return kBadInput;

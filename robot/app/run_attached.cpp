@@ -59,9 +59,14 @@ Result<void> run_attached(const RobotOptions& options, const OwnBody& own) {
   const Result<bool> begun = begin(runtime, options);
   if (!begun) return begun.failure();
   if (!*begun) return {};
-  const std::shared_ptr<void> body = own.begin ? own.begin(*memory, clock) : nullptr;
+  const Result<std::shared_ptr<void>> body =
+      own.begin ? own.begin(*memory, clock) : Result<std::shared_ptr<void>>(nullptr);
+  if (!body) return body.failure();
   std::optional<agent::AgentThread> deciding;
-  if (*agent) deciding.emplace(std::move(**agent), *memory, runtime.channels(), robot.text(), clock);
+  if (*agent) {
+    deciding.emplace(std::move(**agent), *memory, runtime.channels(), robot.text(), clock);
+    if (Result<void> started = deciding->start(); !started) return started;
+  }
   runtime.run([] { return true; });
   return {};
 }

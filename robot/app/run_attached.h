@@ -18,7 +18,8 @@ namespace robot::app {
 struct OwnBody {
   std::set<std::string> objects;                     // that the body writes; processes may only read them
   std::function<void(net::Services&)> add_services;  // may be empty
-  std::function<std::shared_ptr<void>(memory::Memory&, const SessionClock&)> begin;  // result lives until the end
+  std::function<Result<std::shared_ptr<void>>(memory::Memory&, const SessionClock&)>
+      begin;  // value lives until the end
 };
 
 /// Runs until SIGINT or SIGTERM. Returns an Error if it cannot begin.

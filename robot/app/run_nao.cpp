@@ -34,8 +34,8 @@ void add_sit_and_soft(const std::filesystem::path& link, net::Services& services
 }
 
 struct BodyAndCameras {
-  const body::NaoBody body;
-  const body::NaoCameras cameras;
+  body::NaoBody body;
+  body::NaoCameras cameras;
 
   BodyAndCameras(const body::NaoOptions& nao, const body::NaoConfig& config, memory::Memory& memory,
                  const SessionClock& clock)
@@ -57,12 +57,15 @@ Result<void> run_nao(const RobotOptions& options) {
     return run_attached(beside);
   }
 
-  return run_attached(options,
-                      {.objects = {std::begin(kOwnObjects), std::end(kOwnObjects)},
-                       .add_services = [&](net::Services& services) { add_sit_and_soft(nao.link, services); },
-                       .begin = [&](memory::Memory& memory, const SessionClock& clock) -> std::shared_ptr<void> {
-                         return std::make_shared<BodyAndCameras>(nao, *config, memory, clock);
-                       }});
+  return run_attached(
+      options, {.objects = {std::begin(kOwnObjects), std::end(kOwnObjects)},
+                .add_services = [&](net::Services& services) { add_sit_and_soft(nao.link, services); },
+                .begin = [&](memory::Memory& memory, const SessionClock& clock) -> Result<std::shared_ptr<void>> {
+                  const auto made = std::make_shared<BodyAndCameras>(nao, *config, memory, clock);
+                  if (Result<void> started = made->body.start(); !started) return started.failure();
+                  if (Result<void> started = made->cameras.start(); !started) return started.failure();
+                  return std::shared_ptr<void>(made);
+                }});
 }
 
 }  // namespace robot::app

@@ -84,7 +84,7 @@ Result<void> run_simulation(const RobotOptions& options) {
   const Result<bool> begun = begin(runtime, options);
   if (!begun) return begun.failure();
   if (!*begun) return {};
-  (*body)->start();
+  if (Result<void> started = (*body)->start(); !started) return started;
   runtime.run([] { return true; });
   (*body)->stop();
   return {};

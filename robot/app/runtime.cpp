@@ -6,6 +6,7 @@
 
 #include "robot/app/build_id.h"
 #include "robot/app/services/recording_service.h"
+#include "robot/core/attempt.h"
 #include "robot/core/report.h"
 #include "robot/net/foxglove/derived_channels.h"
 
@@ -127,18 +128,23 @@ void Runtime::run(const std::function<bool()>& tick) {
   sigaddset(&ends, SIGINT);
   sigaddset(&ends, SIGTERM);
   std::uint64_t next_second = monotonic_ns();
-  while (tick()) {
-    if (game_) game_->follow();
-    if (monotonic_ns() >= next_second) {
-      every_second();
+  bool goes_on = true;
+  while (goes_on) {
+    const Result<void> done = attempt("housekeeping", [&] {
+      goes_on = tick();
+      if (game_) game_->follow();
+      if (monotonic_ns() < next_second) return;
       next_second += kSecond;
-    }
+      every_second();
+    });
+    if (!done) report(Level::error, "runtime", done.error());
     const timespec wait{.tv_sec = 0, .tv_nsec = kTickNs};
-    if (sigtimedwait(&ends, nullptr, &wait) > 0) return;
+    if (goes_on && sigtimedwait(&ends, nullptr, &wait) > 0) return;
   }
 }
 
 void Runtime::every_second() {
+  board_.start_missing_threads();
   own_.clock.write(clock_service_.sample(monotonic_ns(), system_ns()), clock_.now_ns());
   foresight::RuntimeStatistics statistics = statistics_.collect(server_->statistics());
   if (options_.add_statistics) options_.add_statistics(statistics);

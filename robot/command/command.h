@@ -50,8 +50,12 @@ inline int run(CLI::App& app, const Commands& commands, int argc, const char* co
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadInput;
   }
-  for (const auto& command : commands)
-    if (command->chosen()) return command->run();
+  try {
+    for (const auto& command : commands)
+      if (command->chosen()) return command->run();
+  } catch (const std::exception& exception) {  // of a library: no memory, no threads
+    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), exception.what());
+  }
   return kBadInput;
 }
 

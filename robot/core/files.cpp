@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -41,6 +42,23 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
                    " bytes, got more"};
     bytes.append(block, static_cast<std::size_t>(n));
   }
+}
+
+Result<std::vector<std::filesystem::path>> entries_of(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> entries;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    entries.push_back(entry->path());
+  if (error) return Error{"cannot read the folder " + folder.string() + ": " + error.message()};
+  std::ranges::sort(entries);
+  return entries;
+}
+
+std::filesystem::path absolute_path(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(path, error).lexically_normal();
+  if (error) return path;
+  return whole.has_filename() ? whole : whole.parent_path();
 }
 
 Result<void> replace_file(const std::filesystem::path& path, std::string_view bytes, unsigned mode) {

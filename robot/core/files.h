@@ -1,4 +1,4 @@
-// Reading and writing of whole small files.
+// Reading and writing of whole small files, and lists of folders. Nothing here throws for a system error.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "robot/core/result.h"
 
@@ -18,6 +19,13 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
 /// writes a file beside it and renames that one. Threads, processes and other machines may replace one file at the same
 /// time; it then holds the bytes of one of them. `mode` holds the permission bits of the new file.
 Result<void> replace_file(const std::filesystem::path& path, std::string_view bytes, unsigned mode = 0644);
+
+/// Returns the paths of all entries of `folder`, sorted, or an Error if it cannot be read.
+Result<std::vector<std::filesystem::path>> entries_of(const std::filesystem::path& folder);
+
+/// Returns `path` from the root, without "." and "..", and without a slash at its end. A path that the system cannot complete
+/// is returned as it is.
+std::filesystem::path absolute_path(const std::filesystem::path& path);
 
 /// Returns the Error "WHAT PATH: reason" for the system error `error_number`.
 Error file_error(std::string_view what, const std::filesystem::path& path, int error_number);

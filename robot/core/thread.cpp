@@ -6,8 +6,19 @@
 #include <unistd.h>
 
 #include <string>
+#include <system_error>
+#include <utility>
 
 namespace robot {
+
+Result<void> start_thread(std::thread& thread, std::string_view purpose, std::function<void()> run) {
+  try {
+    thread = std::thread(std::move(run));
+    return {};
+  } catch (const std::system_error& error) {
+    return Error{"cannot start the thread '" + std::string(purpose) + "': " + error.code().message()};
+  }
+}
 
 void name_thread(std::string_view name) { pthread_setname_np(pthread_self(), std::string(name.substr(0, 15)).c_str()); }
 

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <utility>
 
+#include "robot/core/attempt.h"
 #include "robot/core/clock.h"
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
@@ -59,7 +60,10 @@ Advisor::Advisor(std::unique_ptr<Foreseer> foreseer, memory::Memory& memory, con
       scorer_(foreseer_->rules().goal_message_delay),
       inbox_(std::make_unique<Inbox>(*this)) {
   memory_.what_if.attach(*inbox_);
-  thread_ = std::thread([this] { run(); });
+}
+
+Result<void> Advisor::start() {
+  return start_thread(thread_, "advisor", [this] { run(); });
 }
 
 Advisor::~Advisor() {
@@ -69,7 +73,7 @@ Advisor::~Advisor() {
     running_ = false;
     woken_.notify_all();
   }
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
   foreseer_.reset();  // first, because the last answers need the other members
 }
 
@@ -89,10 +93,13 @@ void Advisor::run() {
   Triggers triggers(foreseer_->rules().field.length / 2);
   std::uint64_t look_ns = monotonic_ns() + kLookNs;  // time of the next check, regardless of questions
   while (running_) {
-    if (const auto asked = next_heard(look_ns)) take_question(*asked);
-    if (!running_ || monotonic_ns() < look_ns) continue;
-    look_ns = monotonic_ns() + kLookNs;
-    look(triggers);
+    const Result<void> advised = attempt("advice", [&] {
+      if (const auto asked = next_heard(look_ns)) take_question(*asked);
+      if (!running_ || monotonic_ns() < look_ns) return;
+      look_ns = monotonic_ns() + kLookNs;
+      look(triggers);
+    });
+    if (!advised) report(Level::error, "foresight", advised.error());
   }
 }
 

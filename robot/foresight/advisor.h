@@ -45,6 +45,10 @@ class Advisor {
   /// the epoch]. Both functions are called by any thread.
   Advisor(std::unique_ptr<Foreseer> foreseer, memory::Memory& memory, const memory::Channels& channels,
           std::string robot, std::function<std::uint64_t()> now_ns, std::function<AskingOptions()> options);
+
+  /// Starts the thread, once. Returns an Error if the system allows no more threads.
+  Result<void> start();
+
   ~Advisor();
   Advisor(const Advisor&) = delete;
   Advisor& operator=(const Advisor&) = delete;

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <future>
 #include <mutex>
+#include <optional>
 #include <utility>
 
+#include "robot/core/attempt.h"
 #include "robot/core/clock.h"
+#include "robot/core/report.h"
 #include "robot/core/thread.h"
 #include "robot/foresight/edit.h"
 #include "robot/foresight/question.h"
@@ -133,11 +136,14 @@ Result<std::unique_ptr<Foreseer>> Foreseer::open(ForeseerOptions options) {
     return playbook.failure("foresight");
   else
     made->rules_ = (*playbook)->params.front().rules;
-  made->answering_ = std::thread([foreseer = made.get()] { foreseer->answer(); });
+  if (Result<void> started = made->rollouts_.start(); !started) return started.failure("foresight");
+  if (Result<void> started = start_thread(made->answering_, "advice", [foreseer = made.get()] { foreseer->answer(); });
+      !started)
+    return started.failure("foresight");
   return made;
 }
 
-Foreseer::Foreseer(ForeseerOptions options) : options_(std::move(options)) {}
+Foreseer::Foreseer(ForeseerOptions options) : options_(std::move(options)), rollouts_(options_.share) {}
 
 Foreseer::~Foreseer() {
   hurry();
@@ -234,13 +240,15 @@ Result<pb::Forecast> Foreseer::ask_and_wait(const pb::WhatIf& question, const br
           question, recollection, [answer](const pb::Forecast& forecast) { answer->set_value(forecast); }, robot);
       !asked)
     return asked.failure();
-  return coming.get();
+  std::optional<pb::Forecast> forecast;
+  // a question whose answer failed for lack of memory leaves a broken promise
+  if (Result<void> got = attempt("foresight", [&] { forecast = coming.get(); }); !got) return got.failure();
+  return std::move(*forecast);
 }
 
 /// Runs the answering thread.
 void Foreseer::answer() {
   name_thread("advice");
-  Rollouts rollouts(options_.share);
   while (true) {
     const Job* job;
     {
@@ -249,21 +257,22 @@ void Foreseer::answer() {
       if (jobs_.empty()) return;
       job = jobs_.front().get();
     }
-    answer(*job, rollouts);
+    if (const Result<void> answered = attempt("answering a question", [&] { answer(*job); }); !answered)
+      report(Level::error, "foresight", answered.error());
     const std::lock_guard guard(lock_);
     jobs_.pop_front();
   }
 }
 
-void Foreseer::answer(const Job& job, Rollouts& rollouts) {
+void Foreseer::answer(const Job& job) {
   const std::uint64_t deadline_ns = monotonic_ns() + job.question.budget_ms() * kMillion;
-  rollouts.begin(job.futures, deadline_ns);
+  rollouts_.begin(job.futures, deadline_ns);
   {
     const std::lock_guard guard(lock_);
     while (!hurries_ && monotonic_ns() < deadline_ns) changed_.wait_until(lock_, deadline_ns);
   }
-  const Progress progress = rollouts.progress();
-  rollouts.end();
+  const Progress progress = rollouts_.progress();
+  rollouts_.end();
   job.answered(forecast_of(job, progress));
 }
 

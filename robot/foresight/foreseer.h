@@ -47,7 +47,7 @@ inline constexpr const char* kBusy = "foresight is busy: one question runs and a
 /// the last complete stripe, even if the rollouts got little time. All functions from any thread.
 class Foreseer {
  public:
-  /// Returns an Error if a strategy, the rules or the models cannot be loaded.
+  /// Returns an Error if a strategy, the rules or the models cannot be loaded, or if the system allows no more threads.
   static Result<std::unique_ptr<Foreseer>> open(ForeseerOptions options);
   ~Foreseer();
   Foreseer(const Foreseer&) = delete;
@@ -91,7 +91,7 @@ class Foreseer {
 
   Result<std::shared_ptr<const sim::io::Playbook>> playbook_for(const std::string& opponent, int players, Whose robot);
   void answer();
-  void answer(const Job& job, Rollouts& rollouts);
+  void answer(const Job& job);
   static pb::Forecast forecast_of(const Job& job, const Progress& progress);
 
   const ForeseerOptions options_;
@@ -104,6 +104,7 @@ class Foreseer {
   Condition changed_;
   std::deque<std::unique_ptr<const Job>> jobs_;  // the first runs, the others wait
   bool hurries_ = false, ending_ = false;
+  Rollouts rollouts_;  // of the answering thread
   std::thread answering_;
 };
 

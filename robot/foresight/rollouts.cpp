@@ -4,18 +4,22 @@
 
 #include <utility>
 
+#include "robot/core/attempt.h"
 #include "robot/core/clock.h"
+#include "robot/core/report.h"
 #include "robot/core/thread.h"
 
 namespace robot::foreseeing {
 
-Rollouts::Rollouts(Share share) : thread_([this, share] { run(share); }) {}
+Result<void> Rollouts::start() {
+  return start_thread(thread_, "foresee", [this] { run(); });
+}
 
 Rollouts::~Rollouts() {
   end();
   running_ = false;
   wake();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 void Rollouts::begin(Futures futures, std::uint64_t deadline_ns) {
@@ -51,14 +55,15 @@ void Rollouts::wake() {
   wakes_.notify_one();
 }
 
-void Rollouts::run(Share share) {
+void Rollouts::run() {
   become_background_thread("foresee");
   sched_param none{};
-  if (share == Share::left_over) sched_setscheduler(0, SCHED_IDLE, &none);  // of this thread; needs no rights
+  if (share_ == Share::left_over) sched_setscheduler(0, SCHED_IDLE, &none);  // of this thread; needs no rights
   while (true) {
     const std::uint32_t seen = wakes_;
     if (Race* const race = offered_.exchange(nullptr)) {
-      play(*race);
+      if (const Result<void> played = attempt("playing rollouts", [&] { play(*race); }); !played)
+        report(Level::error, "foresight", played.error());
       race->let_go = true;
     } else if (running_) {
       wakes_.wait(seen);

@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "robot/core/result.h"
 #include "robot/foresight/mailbox.h"
 #include "sim/foresight/race.h"
 #include "sim/io/playbook.h"
@@ -41,10 +42,13 @@ struct Progress {
 /// All functions from one thread.
 class Rollouts {
  public:
-  explicit Rollouts(Share share);
+  explicit Rollouts(Share share) : share_(share) {}
   ~Rollouts();
   Rollouts(const Rollouts&) = delete;
   Rollouts& operator=(const Rollouts&) = delete;
+
+  /// Starts the thread, once. Returns an Error if the system allows no more threads.
+  Result<void> start();
 
   /// Plays `futures` instead of the previous ones, until monotonic_ns() reaches `deadline_ns` or end() is called.
   void begin(Futures futures, std::uint64_t deadline_ns);
@@ -64,10 +68,11 @@ class Rollouts {
     std::atomic<bool> let_go = false;             // the rollouts' thread no longer uses it
   };
 
-  void run(Share share);
+  void run();
   void play(const Race& race);
   void wake();
 
+  const Share share_;
   std::vector<std::unique_ptr<Race>> races_;  // the last one, and those still in use
   std::uint64_t number_ = 0;
   std::atomic<Race*> offered_ = nullptr;  // for the rollouts' thread

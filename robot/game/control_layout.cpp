@@ -177,21 +177,27 @@ constexpr Penalty kPenalties14[] = {
 };
 
 constexpr Penalty kPenalties19[] = {
-    PlayerState::PENALTY_ILLEGAL_POSITION,      PlayerState::PENALTY_ILLEGAL_MOTION_IN_SET,
-    PlayerState::PENALTY_LOCAL_GAME_STUCK,      PlayerState::PENALTY_INACTIVE_PLAYER,  // incapable robot
-    PlayerState::PENALTY_REQUEST_FOR_PICKUP,    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,  // ball holding
-    PlayerState::PENALTY_LEAVING_THE_FIELD,     PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,  // arms or hands
-    PlayerState::PENALTY_PLAYER_PUSHING,        PlayerState::PENALTY_SENT_OFF,
+    PlayerState::PENALTY_ILLEGAL_POSITION,   PlayerState::PENALTY_ILLEGAL_MOTION_IN_SET,
+    PlayerState::PENALTY_LOCAL_GAME_STUCK,   PlayerState::PENALTY_INACTIVE_PLAYER,       // incapable robot
+    PlayerState::PENALTY_REQUEST_FOR_PICKUP, PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,  // ball holding
+    PlayerState::PENALTY_LEAVING_THE_FIELD,  PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,  // arms or hands
+    PlayerState::PENALTY_PLAYER_PUSHING,     PlayerState::PENALTY_SENT_OFF,
     PlayerState::PENALTY_SUBSTITUTE,
 };
 
 constexpr Penalty kPenalties20[] = {
-    PlayerState::PENALTY_ILLEGAL_POSITION,       PlayerState::PENALTY_ILLEGAL_MOTION_IN_SET,
-    PlayerState::PENALTY_ILLEGAL_MOTION_IN_STOP, PlayerState::PENALTY_LOCAL_GAME_STUCK,
-    PlayerState::PENALTY_INACTIVE_PLAYER,        PlayerState::PENALTY_REQUEST_FOR_PICKUP,
-    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,   PlayerState::PENALTY_LEAVING_THE_FIELD,
-    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,   PlayerState::PENALTY_PLAYER_PUSHING,
-    PlayerState::PENALTY_CAUTIONED,              PlayerState::PENALTY_SENT_OFF,
+    PlayerState::PENALTY_ILLEGAL_POSITION,
+    PlayerState::PENALTY_ILLEGAL_MOTION_IN_SET,
+    PlayerState::PENALTY_ILLEGAL_MOTION_IN_STOP,
+    PlayerState::PENALTY_LOCAL_GAME_STUCK,
+    PlayerState::PENALTY_INACTIVE_PLAYER,
+    PlayerState::PENALTY_REQUEST_FOR_PICKUP,
+    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,
+    PlayerState::PENALTY_LEAVING_THE_FIELD,
+    PlayerState::PENALTY_ILLEGAL_BALL_CONTACT,
+    PlayerState::PENALTY_PLAYER_PUSHING,
+    PlayerState::PENALTY_CAUTIONED,
+    PlayerState::PENALTY_SENT_OFF,
     PlayerState::PENALTY_SUBSTITUTE,
 };
 

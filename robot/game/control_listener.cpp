@@ -3,6 +3,7 @@
 #include <mutex>
 #include <utility>
 
+#include "robot/core/attempt.h"
 #include "robot/core/thread.h"
 #include "robot/game/control_layout.h"
 #include "robot/game/control_packet.h"
@@ -14,16 +15,20 @@ Result<std::unique_ptr<ControlListener>> ControlListener::open(ListenerOptions o
                                                                const Clock& clock) {
   Result<UdpSocket> socket = UdpSocket::open(options.address, options.port);
   if (!socket) return socket.failure("GameController");
-  return std::unique_ptr<ControlListener>(new ControlListener(std::move(*socket), options, game, clock));
+  std::unique_ptr<ControlListener> made(new ControlListener(std::move(*socket), options, game, clock));
+  if (Result<void> started = start_thread(made->thread_, "game", [listener = made.get()] { listener->run(); });
+      !started)
+    return started.failure();
+  return made;
 }
 
 ControlListener::ControlListener(UdpSocket socket, ListenerOptions options, memory::MemoryObject<pb::GameState>& game,
                                  const Clock& clock)
-    : socket_(std::move(socket)), options_(options), game_(game), clock_(clock), thread_([this] { run(); }) {}
+    : socket_(std::move(socket)), options_(options), game_(game), clock_(clock) {}
 
 ControlListener::~ControlListener() {
   socket_.wake();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 ListenerCounts ControlListener::counts() const {
@@ -44,7 +49,9 @@ std::string ControlListener::warning() const {
 
 void ControlListener::run() {
   name_thread("game");
-  while (const std::optional<Datagram> datagram = socket_.receive()) take(*datagram);
+  while (const std::optional<Datagram> datagram = socket_.receive())
+    if (const Result<void> taken = attempt("reading a packet", [&] { take(*datagram); }); !taken)
+      throttle_.report(Level::error, "game", taken.error());
 }
 
 void ControlListener::take(const Datagram& datagram) {

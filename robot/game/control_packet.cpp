@@ -75,8 +75,8 @@ class Parser {
         break;
       case Value::state: game.set_state(state_of(take_up_to(field, layout_.greatest_state, "a state"))); break;
       case Value::set_play:
-        game.set_set_play(
-            layout_.set_plays[take_up_to(field, static_cast<std::uint32_t>(layout_.set_plays.size() - 1), "a set play")]);
+        game.set_set_play(layout_.set_plays[take_up_to(field, static_cast<std::uint32_t>(layout_.set_plays.size() - 1),
+                                                       "a set play")]);
         break;
       case Value::phase: game.set_phase(phase_of(take_up_to(field, 3, "a phase"))); break;
       case Value::first_half: game.set_half(take_up_to(field, 1, "first half") == 1 ? 1 : 2); break;
@@ -130,8 +130,7 @@ class Parser {
   pb::PlayerState::Penalty penalty_of(std::uint32_t code) const {
     // these two codes are the same in all formats up to 18
     const bool same = code == pb::PlayerState::PENALTY_SUBSTITUTE || code == pb::PlayerState::PENALTY_MANUAL;
-    if (same && layout_.version <= 18)
-      return static_cast<pb::PlayerState::Penalty>(code);
+    if (same && layout_.version <= 18) return static_cast<pb::PlayerState::Penalty>(code);
     const bool named = code >= 1 && code <= layout_.penalties.size();
     return named ? layout_.penalties[code - 1] : pb::PlayerState::PENALTY_UNSPECIFIED;
   }

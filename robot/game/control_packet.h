@@ -28,10 +28,10 @@ Result<ControlPacket> parse_control_packet(std::string_view bytes);
 /// Returns a game of which only `packet_version` and `unreadable` are known, if `bytes` may be a packet about team
 /// `own_team` in a format that parse_control_packet() cannot read. Otherwise returns nothing.
 ///
-/// Such a packet begins with the letters, has a version above kNewestVersion or a length that its version does not have,
-/// and names the team: the place of the number is not known, so any byte after the version that equals it counts. A game
-/// of two other teams may therefore count as ours. That costs a recording; the opposite would break a rule of the match.
-/// Team numbers above 255 are in no packet. Pure, any thread.
+/// Such a packet begins with the letters, and its version is above kNewestVersion or its length is not that of its version.
+/// It must also name the team. The place of the number is not known, so any byte after the version counts. A game of two
+/// other teams may therefore count as ours. That costs a recording; the opposite would break a rule of the match.
+/// Pure, any thread.
 std::optional<pb::GameState> unreadable_game(std::string_view bytes, std::uint32_t own_team, std::uint32_t own_player);
 
 /// Returns the game from the point of view of team `own_team`, or nothing if it is not one of the two teams.

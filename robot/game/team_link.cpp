@@ -4,6 +4,7 @@
 #include <random>
 #include <utility>
 
+#include "robot/core/attempt.h"
 #include "robot/core/thread.h"
 
 namespace robot::game {
@@ -26,8 +27,10 @@ Result<std::unique_ptr<TeamLink>> TeamLink::open(TeamLinkOptions options, memory
   if (!options.port) options.port = static_cast<std::uint16_t>(kTeamPortBase + options.team);
   Result<UdpSocket> socket = UdpSocket::open(options.address, *options.port);
   if (!socket) return socket.failure("team messages");
-  return std::unique_ptr<TeamLink>(
-      new TeamLink(std::move(*socket), options, memory, clock, std::move(game_controller)));
+  std::unique_ptr<TeamLink> made(new TeamLink(std::move(*socket), options, memory, clock, std::move(game_controller)));
+  if (Result<void> started = start_thread(made->thread_, "team", [link = made.get()] { link->run(); }); !started)
+    return started.failure();
+  return made;
 }
 
 TeamLink::TeamLink(UdpSocket socket, TeamLinkOptions options, memory::Memory& memory, const Clock& clock,
@@ -37,12 +40,11 @@ TeamLink::TeamLink(UdpSocket socket, TeamLinkOptions options, memory::Memory& me
       memory_(memory),
       clock_(clock),
       game_controller_(std::move(game_controller)),
-      sender_(std::random_device{}()),
-      thread_([this] { run(); }) {}
+      sender_(std::random_device{}()) {}
 
 TeamLink::~TeamLink() {
   socket_.wake();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 std::string TeamLink::stopped() const {
@@ -54,13 +56,16 @@ void TeamLink::run() {
   name_thread("team");
   std::uint64_t tick_ns = monotonic_ns();
   while (!socket_.woken()) {
-    if (const std::optional<Datagram> datagram = socket_.receive(tick_ns)) take(*datagram);
-    if (monotonic_ns() < tick_ns) continue;
-    tick_ns = monotonic_ns() + kTickNs;
-    follow_game();
-    answer();
-    tell_teammates();
-    if (monotonic_ns() >= last_written_ns_ + kSecond) write_team();
+    const Result<void> served = attempt("a team message", [&] {
+      if (const std::optional<Datagram> datagram = socket_.receive(tick_ns)) take(*datagram);
+      if (monotonic_ns() < tick_ns) return;
+      tick_ns = monotonic_ns() + kTickNs;
+      follow_game();
+      answer();
+      tell_teammates();
+      if (monotonic_ns() >= last_written_ns_ + kSecond) write_team();
+    });
+    if (!served) throttle_.report(Level::error, "team", served.error());
   }
 }
 

@@ -214,7 +214,9 @@ class CompareCommand final : public Command {
 
   /// Returns this command line for a job of a cluster: with one process and without an engine.
   std::vector<std::string> words_for_jobs() {
-    std::vector<std::string> words = {std::filesystem::read_symlink("/proc/self/exe").string(), "compare"};
+    std::error_code unknown;  // then the job takes the program of its path
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    std::vector<std::string> words = {unknown ? "foresight-sim" : self.string(), "compare"};
     for (const CLI::Option* option : options().get_options()) {
       const std::string name = option->get_name();
       if (option->count() == 0 || name == "--engine" || name == "--jobs" || name == "--html") continue;

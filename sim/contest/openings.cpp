@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "robot/core/files.h"
 #include "sim/io/situation.h"
 #include "sim/io/source.h"
 #include "sim/match/hash.h"
@@ -18,13 +19,13 @@ using robot::Result;
 Result<std::vector<std::string>> names_below(const std::string& from) {
   std::error_code failed;
   if (!std::filesystem::is_directory(from, failed)) return std::vector<std::string>{from};
+  const auto files = robot::entries_of(from);
+  if (!files) return files.failure();
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(from, failed))
-    if (entry.path().extension() == ".json") names.push_back(entry.path().string());
-  if (failed) return Error{"folder '" + from + "': " + failed.message()};
+  for (const std::filesystem::path& file : *files)
+    if (file.extension() == ".json") names.push_back(file.string());
   if (names.empty())
     return Error{"folder '" + from + "': expected situations, files that end in .json, there are none"};
-  std::ranges::sort(names);
   return names;
 }
 

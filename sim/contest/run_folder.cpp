@@ -110,11 +110,12 @@ bool RunFolder::has(std::int64_t block) const {
 
 std::int64_t RunFolder::blocks() const {
   std::int64_t count = 0;
-  std::error_code failed;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_, failed)) {
+  const auto files = robot::entries_of(folder_);
+  if (!files) return 0;
+  for (const std::filesystem::path& file : *files) {
     long long block = 0;
     int used = 0;
-    const std::string name = entry.path().filename().string();
+    const std::string name = file.filename().string();
     if (std::sscanf(name.c_str(), "block-%lld.json%n", &block, &used) == 1 && used == static_cast<int>(name.size()))
       count = std::max<std::int64_t>(count, block + 1);
   }

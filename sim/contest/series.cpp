@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <system_error>
 #include <thread>
 
 namespace sim::contest {
@@ -17,7 +18,11 @@ void for_each_game(int games, int threads, const std::function<void(int)>& play,
     }
   };
   std::vector<std::thread> others;
-  for (int i = 1; i < std::min(threads, games); ++i) others.emplace_back(work, false);
+  try {
+    for (int i = 1; i < std::min(threads, games); ++i) others.emplace_back(work, false);
+  } catch (const std::system_error&) {
+    // the system allows no more threads: fewer do the same work
+  }
   work(true);
   for (std::thread& other : others) other.join();
 }

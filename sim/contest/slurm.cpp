@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "robot/core/files.h"
+
 namespace sim::contest {
 namespace {
 
@@ -71,7 +73,7 @@ std::string merge_script(const std::vector<std::string>& words) {
 }
 
 Result<Submitted> submit(const std::vector<std::string>& words, const Division& division, const RunFolder& folder) {
-  const std::filesystem::path where = std::filesystem::absolute(folder.path());
+  const std::filesystem::path where = robot::absolute_path(folder.path());
   // writes and submits a script; `before` are further options; its log is in the run's folder
   const auto hand_over = [&](const char* name, const std::string& script,
                              const std::string& before) -> Result<std::string> {

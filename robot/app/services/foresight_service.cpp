@@ -30,8 +30,10 @@ Result<std::unique_ptr<ForesightService>> ForesightService::open(foreseeing::For
                                                                  std::function<std::uint64_t()> now_ns) {
   auto foreseer = foreseeing::Foreseer::open(std::move(options));
   if (!foreseer) return foreseer.failure();
-  return std::unique_ptr<ForesightService>(
+  std::unique_ptr<ForesightService> made(
       new ForesightService(std::move(*foreseer), on, runtime, memory, robot, now_ns));
+  if (Result<void> started = made->advisor_->start(); !started) return started.failure("foresight");
+  return made;
 }
 
 ForesightService::ForesightService(std::unique_ptr<foreseeing::Foreseer> foreseer, bool on, Runtime& runtime,

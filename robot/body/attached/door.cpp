@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "robot/body/attached/providers.h"
+#include "robot/core/attempt.h"
 #include "robot/core/local_listener.h"
 #include "robot/core/thread.h"
 
@@ -39,8 +40,11 @@ Result<std::unique_ptr<Door>> Door::open(DoorOptions options, const SessionClock
   if (!listening) return listening.failure();
   FileDescriptor bell(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
   if (!bell) return file_error("door: cannot make an event for", options.path, errno);
-  return std::unique_ptr<Door>(
+  std::unique_ptr<Door> door(
       new Door(std::move(options), clock, channels, board, std::move(*listening), std::move(bell)));
+  if (Result<void> started = start_thread(door->thread_, "door", [door = door.get()] { door->run(); }); !started)
+    return started.failure();
+  return door;
 }
 
 Door::Door(DoorOptions options, const SessionClock& clock, memory::Channels& channels, logging::LoggingBoard& board,
@@ -51,13 +55,12 @@ Door::Door(DoorOptions options, const SessionClock& clock, memory::Channels& cha
       board_(board),
       listening_(std::move(listening)),
       bell_(std::move(bell)),
-      objects_(options_.robot, options_.own_objects, channels, clock),
-      thread_([this] { run(); }) {}
+      objects_(options_.robot, options_.own_objects, channels, clock) {}
 
 Door::~Door() {
   const std::uint64_t ring = 1;
   [[maybe_unused]] const ssize_t rung = ::write(bell_.get(), &ring, sizeof ring);
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
   for (const Stream& stream : streams_) board_.stop(stream.id);
   ::unlink(options_.path.c_str());
 }
@@ -65,8 +68,11 @@ Door::~Door() {
 void Door::run() {
   become_background_thread("door");
   while (wait()) {
-    take_in();
-    for (PendingConnection& pending : pending_) hear(pending);
+    if (const Result<void> taken = attempt("taking a connection", [this] { take_in(); }); !taken)
+      refusals_.report(Level::error, "door", taken.error());
+    for (PendingConnection& pending : pending_)
+      if (const Result<void> heard = attempt("reading a first frame", [&] { hear(pending); }); !heard)
+        refuse(pending, heard.error());
     std::erase_if(pending_, [](const PendingConnection& pending) { return pending.done; });
     clear_away();
   }

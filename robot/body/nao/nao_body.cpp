@@ -40,12 +40,15 @@ NaoBody::NaoBody(NaoOptions options, memory::Memory& memory, const SessionClock&
       memory_(memory),
       clock_(clock),
       kinematics_(options_.calibration),
-      motion_(kinematics_),
-      thread_([this] { run(); }) {}
+      motion_(kinematics_) {}
+
+Result<void> NaoBody::start() {
+  return start_thread(thread_, "nao", [this] { run(); });
+}
 
 NaoBody::~NaoBody() {
   ends_ = true;
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 void NaoBody::run() {

@@ -37,6 +37,9 @@ class NaoBody {
   /// `memory` is the memory of this robot. `memory` and `clock` outlive this.
   NaoBody(NaoOptions options, memory::Memory& memory, const SessionClock& clock);
 
+  /// Starts the thread, once. Returns an Error if the system allows no more threads.
+  Result<void> start();
+
   /// Sends a goodbye to the guardian, which then sits the robot down.
   ~NaoBody();
   NaoBody(const NaoBody&) = delete;

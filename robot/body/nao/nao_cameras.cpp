@@ -50,4 +50,9 @@ NaoCameras::NaoCameras(const NaoConfig& config, const NaoBody& body, memory::Mem
                  memory.camera_bottom_matrix);
 }
 
+Result<void> NaoCameras::start() {
+  if (Result<void> started = top_->start(); !started) return started;
+  return bottom_->start();
+}
+
 }  // namespace robot::body

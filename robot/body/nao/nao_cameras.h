@@ -26,6 +26,9 @@ class NaoCameras {
   /// matrix.
   NaoCameras(const NaoConfig& config, const NaoBody& body, memory::Memory& memory, const SessionClock& clock);
 
+  /// Starts both threads, once. Returns an Error if the system allows no more threads.
+  Result<void> start();
+
  private:
   std::unique_ptr<nao::CameraThread> top_, bottom_;
 };

@@ -72,11 +72,11 @@ Result<void> SimBody::list(memory::Channels& channels) const {
   return listed;
 }
 
-void SimBody::start() {
+Result<void> SimBody::start() {
   const std::lock_guard guard(lock_);
   running_ = true;
   go_on();
-  thread_ = std::thread([this] { run(); });
+  return start_thread(thread_, "simulation", [this] { run(); });
 }
 
 void SimBody::stop() {

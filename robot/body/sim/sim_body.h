@@ -54,8 +54,8 @@ class SimBody {
   /// Adds the objects of all simulated robots to `channels`, and this process's own: clock, statistics, log, foresight.
   Result<void> list(memory::Channels& channels) const;
 
-  /// Starts the game. Called once.
-  void start();
+  /// Starts the game. Called once. Returns an Error if the system allows no more threads.
+  Result<void> start();
 
   /// Ends the thread. Nothing is written after the return.
   void stop();

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <utility>
 
+#include "robot/core/attempt.h"
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
 #include "robot/lab/relay/conversation.h"
@@ -35,7 +36,10 @@ RobotLink::RobotLink(int id, LinkOptions options, memory::Channels& channels, To
       on_clock_(std::move(on_clock)),
       past_(std::make_unique<Past>()) {
   status_.name = options_.robot.name;
-  thread_ = std::thread([this] { run(); });
+}
+
+Result<void> RobotLink::start() {
+  return start_thread(thread_, "relay", [this] { run(); });
 }
 
 RobotLink::~RobotLink() { stop(); }
@@ -63,7 +67,8 @@ void RobotLink::run() {
       const std::lock_guard guard(lock_);
       status_.address = without_query(address);
     }
-    if (const Result<void> talked = converse(address); !talked) ended(talked.error());
+    if (const Result<void> talked = attempt("a conversation", [&] { return converse(address); }); !talked)
+      ended(talked.error());
     if (!wait(status().state == LinkStatus::State::refused ? kAgainRefusedNs : kAgainNs)) return;
   }
 }

@@ -58,9 +58,12 @@ class RobotLink {
   /// A function that receives each measurement of the robot's clock. Called by the link's thread.
   using OnClock = std::function<void(const std::string& robot, const ClockOffset& offset)>;
 
-  /// Starts at once. All references outlive the link. `clock` is our time. `id` is different for each link.
+  /// All references outlive the link. `clock` is our time. `id` is different for each link.
   RobotLink(int id, LinkOptions options, memory::Channels& channels, TopicClaims& claims, const Clock& clock,
             OnClock on_clock);
+
+  /// Starts the thread, once. Returns an Error if the system allows no more threads.
+  Result<void> start();
 
   /// Calls stop().
   ~RobotLink();

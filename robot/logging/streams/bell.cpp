@@ -2,6 +2,7 @@
 
 #include <mutex>
 
+#include "robot/core/report.h"
 #include "robot/core/thread.h"
 
 namespace robot::logging {
@@ -18,8 +19,20 @@ Bell::~Bell() {
 void Bell::add(Sleeper& sleeper) {
   const std::lock_guard guard(lock_);
   sleepers_.push_back(&sleeper);
-  if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+  start();
   changed_.notify_all();
+}
+
+void Bell::start_missing_thread() {
+  const std::lock_guard guard(lock_);
+  if (!sleepers_.empty()) start();
+}
+
+/// Starts the thread if there is none. Called with the lock.
+void Bell::start() {
+  if (thread_.joinable()) return;
+  if (const Result<void> started = start_thread(thread_, "log bell", [this] { run(); }); !started)
+    report(Level::error, "logging", started.error() + "; all versions wait");
 }
 
 void Bell::remove(Sleeper& sleeper) {

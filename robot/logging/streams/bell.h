@@ -19,7 +19,8 @@ class Sleeper {
   virtual void ring(std::uint64_t now_ns) = 0;
 };
 
-/// A thread that calls ring() on each sleeper every kPeriodNs. It waits while it has no sleeper.
+/// A thread that calls ring() on each sleeper every kPeriodNs. It waits while it has no sleeper. If the system refuses the
+/// thread, it is tried again with each further sleeper and by start_missing_thread().
 ///
 /// One thread with this period costs less than writers that wake a reader for each version: a robot's thread that
 /// writes makes no system call. Any thread.
@@ -34,10 +35,14 @@ class Bell {
 
   void add(Sleeper& sleeper);
 
+  /// Starts the thread if the system refused it before.
+  void start_missing_thread();
+
   /// Removes `sleeper`. After the return no ring() of it is running and none follows.
   void remove(Sleeper& sleeper);
 
  private:
+  void start();
   void run();
 
   Mutex lock_;

@@ -19,6 +19,11 @@ LoggingBoard::StreamId LoggingBoard::start_parser(std::unique_ptr<InProvider> pr
   return add(std::make_unique<Parser>(std::move(provider), std::move(options)));
 }
 
+void LoggingBoard::start_missing_threads() {
+  bell_.start_missing_thread();
+  pool_.start_missing_threads();
+}
+
 LoggingBoard::StreamId LoggingBoard::add(Stream stream) {
   const std::lock_guard guard(lock_);
   streams_.emplace(++last_id_, std::make_shared<Stream>(std::move(stream)));

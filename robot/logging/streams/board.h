@@ -35,6 +35,9 @@ class LoggingBoard {
   /// Starts a parser that carries `provider` into the channel that `options` name.
   StreamId start_parser(std::unique_ptr<InProvider> provider, ParserOptions options);
 
+  /// Starts the threads that the system refused before. Called once a second.
+  void start_missing_threads();
+
   /// Closes the stream and removes it. Returns its last status, or an empty one if there is no such stream.
   StreamStatus stop(StreamId stream);
 

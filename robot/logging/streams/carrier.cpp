@@ -4,6 +4,7 @@
 #include <mutex>
 #include <utility>
 
+#include "robot/core/attempt.h"
 #include "robot/core/clock.h"
 #include "robot/core/report.h"
 
@@ -26,7 +27,7 @@ void Carrier::detach() {
 bool Carrier::carry() {
   const memory::VersionPtr version = queue_.pop(provider_->flush_due_ns());
   if (version) write(version);
-  if (open_ && monotonic_ns() >= provider_->flush_due_ns()) succeeded(provider_->flush());
+  if (open_ && monotonic_ns() >= provider_->flush_due_ns()) succeeds([&] { return provider_->flush(); });
   return version || !queue_.closed();
 }
 
@@ -39,7 +40,7 @@ void Carrier::finish() {
   open();
   while (carry_queued()) {
   }
-  if (open_) succeeded(provider_->close());
+  if (open_) succeeds([&] { return provider_->close(); });
   open_ = false;
   const std::lock_guard guard(lock_);
   status_.ended = true;
@@ -58,17 +59,19 @@ StreamStatus Carrier::status() const {
 bool Carrier::open() {
   if (open_ || monotonic_ns() < next_open_ns_) return open_;
   next_open_ns_ = monotonic_ns() + kSecond;
-  return open_ = succeeded(provider_->open(channel_->info()));
+  return open_ = succeeds([&] { return provider_->open(channel_->info()); });
 }
 
 void Carrier::write(const memory::VersionPtr& version) {
-  const bool written = open() && succeeded(provider_->write(version));
+  const bool written = open() && succeeds([&] { return provider_->write(version); });
   const std::lock_guard guard(lock_);
   ++(written ? status_.messages : status_.dropped);
 }
 
-/// Stores the outcome in the status. Reports a failure when it begins, not with every message.
-bool Carrier::succeeded(const Result<void>& outcome) {
+/// Calls a function of the device and stores the outcome in the status. Reports a failure when it begins, not with every
+/// message.
+bool Carrier::succeeds(const std::function<Result<void>()>& call) {
+  const Result<void> outcome = attempt("writing to a device", call);
   const std::lock_guard guard(lock_);
   if (!outcome && !status_.failing) report(Level::error, "logging", outcome.error());
   status_.failing = !outcome;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 #include "robot/core/lock.h"
@@ -66,7 +67,7 @@ class Carrier {
 
   void write(const memory::VersionPtr& version);
   bool open();
-  bool succeeded(const Result<void>& outcome);
+  bool succeeds(const std::function<Result<void>()>& call);
 
   const std::shared_ptr<memory::Channel> channel_;
   const std::unique_ptr<OutProvider> provider_;

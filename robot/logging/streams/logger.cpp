@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "robot/core/clock.h"
+#include "robot/core/report.h"
 #include "robot/core/thread.h"
 
 namespace robot::logging {
@@ -24,10 +26,12 @@ void Logger::stop() {
 
 void Logger::ring(std::uint64_t now_ns) {
   if (!carrier_.due(now_ns)) return;
-  if (thread_.joinable())
-    carrier_.wake();
-  else
-    thread_ = std::thread([this] { run(); });
+  if (thread_.joinable()) return carrier_.wake();
+  if (now_ns < next_try_ns_) return;
+  next_try_ns_ = now_ns + kSecond;
+  const std::string purpose = "log " + carrier_.info().topic;
+  if (const Result<void> started = start_thread(thread_, purpose, [this] { run(); }); !started)
+    report(Level::error, "logging", started.error() + "; its versions wait");
 }
 
 void Logger::run() {

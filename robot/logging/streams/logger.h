@@ -12,7 +12,8 @@
 namespace robot::logging {
 
 /// A carrier with a thread of its own, so that a slow device delays no other stream. The thread starts with the first
-/// version: an object that nobody writes costs no thread.
+/// version: an object that nobody writes costs no thread. If the system allows no more threads, the logger tries again once
+/// a second; meanwhile its queue holds the versions, and those beyond it count as dropped.
 class Logger final : public Sleeper {
  public:
   /// Starts at once with the newest version. The queue to a slow device holds at most `queue_bytes`. No writer wakes the
@@ -37,7 +38,8 @@ class Logger final : public Sleeper {
   Bell& bell_;
   Carrier carrier_;
   bool stopped_ = false;
-  std::thread thread_;  // declared last, because it uses the carrier
+  std::uint64_t next_try_ns_ = 0;  // [monotonic] of starting the thread
+  std::thread thread_;             // declared last, because it uses the carrier
 };
 
 }  // namespace robot::logging

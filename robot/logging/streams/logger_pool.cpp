@@ -3,13 +3,13 @@
 #include <mutex>
 #include <utility>
 
+#include "robot/core/report.h"
 #include "robot/core/thread.h"
 
 namespace robot::logging {
 
 LoggerPool::~LoggerPool() {
-  if (threads_.empty()) return;
-  bell_.remove(*this);
+  if (rung_) bell_.remove(*this);
   {
     const std::lock_guard guard(lock_);
     ended_ = true;
@@ -37,10 +37,25 @@ void LoggerPool::add(Stream& stream) {
   {
     const std::lock_guard guard(lock_);
     streams_.push_back(&stream);
-    first = threads_.empty();
-    while (threads_.size() < kThreads) threads_.emplace_back([this] { run(); });
+    first = !std::exchange(rung_, true);
+    start_threads();
   }
   if (first) bell_.add(*this);  // outside the lock, because the bell holds its own lock when it calls ring()
+}
+
+void LoggerPool::start_missing_threads() {
+  const std::lock_guard guard(lock_);
+  if (!streams_.empty()) start_threads();
+}
+
+/// Starts threads until there are kThreads or the system refuses one. Called with the lock.
+void LoggerPool::start_threads() {
+  while (threads_.size() < kThreads) {
+    std::thread thread;
+    if (const Result<void> started = start_thread(thread, "log watched", [this] { run(); }); !started)
+      return report(Level::error, "logging", started.error());
+    threads_.push_back(std::move(thread));
+  }
 }
 
 /// After the return no thread uses `stream`.

@@ -18,7 +18,8 @@ namespace robot::logging {
 /// that a stream of images delays no small one for longer than one image. The versions of one stream stay in order.
 ///
 /// One thread does all the work while it keeps up with the bell; another joins it when versions of the last ring still
-/// wait. The threads start with the first stream. The pool never calls OutProvider::flush(). It is for devices without a
+/// wait. The threads start with the first stream; those that the system refuses are tried again with each further stream and
+/// by start_missing_threads(). The pool never calls OutProvider::flush(). It is for devices without a
 /// buffer that are all slow together, such as the server. A disk or a door has a Logger for each object. Any thread.
 class LoggerPool final : public Sleeper {
  public:
@@ -56,12 +57,16 @@ class LoggerPool final : public Sleeper {
     enum class State { resting, ready, busy } state_ = State::resting;  // guarded by the pool
   };
 
+  /// Starts the threads that the system refused before.
+  void start_missing_threads();
+
   /// Makes the streams ready that are due, and wakes a thread for them.
   void ring(std::uint64_t now_ns) override;
 
  private:
   void add(Stream& stream);
   void remove(Stream& stream);
+  void start_threads();
   void run();
 
   Bell& bell_;
@@ -71,6 +76,7 @@ class LoggerPool final : public Sleeper {
   std::deque<Stream*> ready_;
   std::size_t busy_ = 0;  // streams whose version is being written
   bool behind_ = false;   // streams of the last ring still wait
+  bool rung_ = false;     // the bell knows the pool
   bool ended_ = false;
   std::vector<std::thread> threads_;
 };

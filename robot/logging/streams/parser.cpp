@@ -3,13 +3,19 @@
 #include <mutex>
 #include <utility>
 
+#include "robot/core/attempt.h"
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
 
 namespace robot::logging {
 
 Parser::Parser(std::unique_ptr<InProvider> provider, ParserOptions options)
-    : provider_(std::move(provider)), options_(std::move(options)), thread_([this] { run(); }) {}
+    : provider_(std::move(provider)), options_(std::move(options)) {
+  if (const Result<void> started = start_thread(thread_, "parser", [this] { run(); }); !started) {
+    note(started.error());
+    status_.ended = true;
+  }
+}
 
 Parser::~Parser() { stop(); }
 
@@ -31,7 +37,8 @@ StreamStatus Parser::status() const {
 
 void Parser::run() {
   become_background_thread("parser");
-  if (const Result<void> carried = carry(); !carried) note(carried.error());
+  if (const Result<void> carried = attempt("parsing a stream", [&] { return carry(); }); !carried)
+    note(carried.error());
   const std::lock_guard guard(lock_);
   status_.ended = true;
 }

@@ -51,7 +51,7 @@ struct ParserOptions {
 ///
 /// After a move of the playhead the first message is the newest one before the new time, so that the memory object has
 /// its value of that time. Messages that the channel refuses count as dropped. The parser reports a damage of the
-/// stream and continues after it.
+/// stream and continues after it. If the system allows no more threads, it ends at once, with that problem.
 class Parser {
  public:
   Parser(std::unique_ptr<InProvider> provider, ParserOptions options);

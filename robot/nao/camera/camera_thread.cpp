@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "robot/core/attempt.h"
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
 
@@ -23,25 +24,28 @@ CameraThread::CameraThread(std::string name, CameraSettings settings, std::uniqu
       image_(image),
       clock_(clock),
       on_image_(std::move(on_image)),
-      try_again_ns_(try_again_ns),
-      thread_([this] { run(); }) {}
+      try_again_ns_(try_again_ns) {}
+
+Result<void> CameraThread::start() {
+  return start_thread(thread_, name_, [this] { run(); });
+}
 
 CameraThread::~CameraThread() {
   ends_ = true;
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 void CameraThread::run() {
   name_thread(name_);
   while (!ends_) {
     std::vector<std::string> warnings;
-    Result<VideoCapture> capture = VideoCapture::open(*device_, settings_, warnings);
-    if (capture) {
+    const Result<void> streamed = attempt("camera " + settings_.device.string(), [&] {
+      Result<VideoCapture> capture = VideoCapture::open(*device_, settings_, warnings);
+      if (!capture) return say(capture.error());
       for (const std::string& warning : warnings) report(Level::warning, "camera", warning);
       say(stream(*capture));
-    } else {
-      say(capture.error());
-    }
+    });
+    if (!streamed) say(streamed.error());
     if (!rest()) return;
   }
 }

@@ -32,6 +32,9 @@ class CameraThread {
   CameraThread(const CameraThread&) = delete;
   CameraThread& operator=(const CameraThread&) = delete;
 
+  /// Starts the thread, once. Returns an Error if the system allows no more threads.
+  Result<void> start();
+
  private:
   void run();
   bool rest();

@@ -87,7 +87,9 @@ int guardian_main(int argc, char** argv) {
   app.add_option("--lola", options.lola, "LoLA's socket")->capture_default_str();
   app.add_option("--link", options.link, "socket for the runtime; default: $FORESIGHT_GUARDIAN, or a name of this user")
       ->capture_default_str();
-  app.add_flag("--status", status, "print the robot's state; exit status 0: no stiffness, or no LoLA; 1: stiffness; 3: LoLA is there, the state unknown");
+  app.add_flag("--status", status,
+               "print the robot's state; exit status 0: no stiffness, or no LoLA; 1: stiffness; 3: LoLA is there, the "
+               "state unknown");
   app.add_flag("--sit-and-soft", soft, "remove the stiffness at once, until the chest button is pressed");
   try {
     app.parse(argc, argv);

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <utility>
 
+#include "robot/core/attempt.h"
 #include "robot/core/clock.h"
 #include "robot/nao/guardian/socket_owner.h"
 
@@ -32,12 +33,15 @@ Result<GuardianProgram> GuardianProgram::open(GuardianOptions options) {
 
 void GuardianProgram::run(int end_file) {
   while (!ends_ || (lola_ && !guardian_.soft())) {
-    if (!lola_ && monotonic_ns() >= next_try_ns_) find_lola();
-    wait(end_file);
-    // messages between two frames apply from the next frame on
-    remember(link_.hear());
-    if (lola_) serve_lola();
-    if (!lola_ && monotonic_ns() - told_ns_ >= kTellProblem_ns) tell_problem();
+    const Result<void> served = attempt("a cycle", [&] {
+      if (!lola_ && monotonic_ns() >= next_try_ns_) find_lola();
+      wait(end_file);
+      // messages between two frames apply from the next frame on
+      remember(link_.hear());
+      if (lola_) serve_lola();
+      if (!lola_ && monotonic_ns() - told_ns_ >= kTellProblem_ns) tell_problem();
+    });
+    if (!served) unreadable_.report(Level::error, kSource, served.error());
   }
 }
 

@@ -22,17 +22,18 @@ constexpr std::size_t kMaxCommBytes = 64;
 
 /// Returns "name (process 123)" of the first other process with an open file whose link in /proc satisfies `is_it`.
 std::string process_with(const std::function<bool(const std::string&)>& is_it) {
-  std::error_code error;
-  for (const auto& process : std::filesystem::directory_iterator("/proc", error)) {
-    const std::string id = process.path().filename();
+  const auto processes = entries_of("/proc");
+  if (!processes) return "";
+  for (const std::filesystem::path& process : *processes) {
+    const std::string id = process.filename();
     if (id.find_first_not_of("0123456789") != std::string::npos || id == std::to_string(::getpid())) continue;
     // files of other users are unreadable, and processes may end during the search
-    std::error_code gone;
-    for (std::filesystem::directory_iterator file(process.path() / "fd", gone), end; !gone && file != end;
-         file.increment(gone)) {
+    const auto files = entries_of(process / "fd");
+    if (!files) continue;
+    for (const std::filesystem::path& file : *files) {
       std::error_code unreadable;
-      if (!is_it(std::filesystem::read_symlink(file->path(), unreadable))) continue;
-      const Result<std::string> name = read_file(process.path() / "comm", kMaxCommBytes);
+      if (!is_it(std::filesystem::read_symlink(file, unreadable))) continue;
+      const Result<std::string> name = read_file(process / "comm", kMaxCommBytes);
       return (name ? name->substr(0, name->find('\n')) : "a program") + " (process " + id + ")";
     }
   }

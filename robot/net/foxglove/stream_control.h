@@ -24,6 +24,9 @@ class StreamControl {
   /// As finish().
   ~StreamControl() { finish(); }
 
+  /// Starts the thread. Returns an Error if the system allows no more threads.
+  Result<void> start_thread() { return worker_.start(); }
+
   /// Carries `source` to the inbox as `channel`, converted by `derived` if that is given. Returns the stream's number.
   std::uint64_t start(std::uint32_t channel, std::shared_ptr<memory::Channel> source, const Derived* derived);
 

@@ -3,15 +3,15 @@
 #include <mutex>
 #include <utility>
 
+#include "robot/core/attempt.h"
+#include "robot/core/report.h"
 #include "robot/core/thread.h"
 
 namespace robot::net {
 
-Worker::Worker(std::string name)
-    : thread_([this, name = std::move(name)] {
-        become_background_thread(name);
-        run();
-      }) {}
+Result<void> Worker::start() {
+  return start_thread(thread_, name_, [this] { run(); });
+}
 
 void Worker::post(std::function<void()> task) {
   const std::lock_guard guard(lock_);
@@ -36,6 +36,7 @@ void Worker::finish() {
 }
 
 void Worker::run() {
+  become_background_thread(name_);
   while (true) {
     std::function<void()> task;
     {
@@ -45,7 +46,8 @@ void Worker::run() {
       task = std::move(tasks_.front());
       tasks_.pop_front();
     }
-    task();
+    if (const Result<void> done = attempt(name_, task); !done) report(Level::error, "net", done.error());
+    task = nullptr;  // its captures end before the wait
   }
 }
 

@@ -5,18 +5,24 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "robot/core/lock.h"
+#include "robot/core/result.h"
 
 namespace robot::net {
 
 /// A thread that runs its tasks one after the other, in the order of post().
 class Worker {
  public:
-  explicit Worker(std::string name);
+  /// `name` is that of the thread.
+  explicit Worker(std::string name) : name_(std::move(name)) {}
 
   /// As finish().
   ~Worker() { finish(); }
+
+  /// Starts the thread; posted tasks wait until then. Returns an Error if the system allows no more threads.
+  Result<void> start();
 
   /// Appends `task`. After finish() it has no effect. Any thread.
   void post(std::function<void()> task);
@@ -24,12 +30,13 @@ class Worker {
   /// Removes the tasks that have not begun. Any thread.
   void forget();
 
-  /// Runs the remaining tasks and ends the thread.
+  /// Runs the remaining tasks and ends the thread. A worker that was never started forgets its tasks.
   void finish();
 
  private:
   void run();
 
+  const std::string name_;
   Mutex lock_;
   Condition changed_;
   std::deque<std::function<void()>> tasks_;

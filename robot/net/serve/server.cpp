@@ -11,6 +11,7 @@
 #include <mutex>
 #include <thread>
 
+#include "robot/core/attempt.h"
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
 #include "robot/net/serve/http_connection.h"
@@ -80,11 +81,13 @@ class Server::Core {
   }
 
  private:
+  void run();
   Result<void> listen(const std::string& address);
   void watch();
   void accept(Acceptor& acceptor);
   void admit(Socket socket);
   void tick();
+  void beat(std::uint64_t now);
   void follow_match();
   void keep_silence(bool silent);
   void drain();
@@ -117,6 +120,8 @@ class Server::Core {
   std::uint64_t stop_deadline_ns_ = 0;  // 0: not stopping
   Inbox::Contents contents_;
 
+  Throttle io_failures_;
+
   mutable Mutex statistics_lock_;
   ServerStatistics statistics_;
 
@@ -127,15 +132,22 @@ Result<void> Server::Core::start() {
   port_ = options_.port;
   for (const std::string& address : options_.bind)
     if (auto listening = listen(address); !listening) return listening;
+  for (Worker* worker : {&control_, &questions_, &disk_})
+    if (Result<void> started = worker->start(); !started) return started;
+  if (Result<void> started = streams_.start_thread(); !started) return started;
   watch();
   for (const auto& acceptor : acceptors_) accept(*acceptor);
   next_second_ns_ = monotonic_ns() + kSecond;
   tick();
-  thread_ = std::thread([this] {
-    become_background_thread("net");
-    io_.run();
-  });
-  return {};
+  return start_thread(thread_, "net", [this] { run(); });
+}
+
+/// Runs the I/O until the server stops. A handler that fails, for lack of memory, costs its own client at most.
+void Server::Core::run() {
+  become_background_thread("net");
+  while (!io_.stopped())
+    if (const Result<void> ran = attempt("serving a client", [this] { io_.run(); }); !ran)
+      io_failures_.report(Level::error, "net", ran.error());
 }
 
 Result<void> Server::Core::listen(const std::string& address) {
@@ -174,7 +186,8 @@ void Server::Core::accept(Acceptor& acceptor) {
       throttle.report(Level::warning, "net", "cannot take a connection: " + error.message());
       return tired_acceptors_.push_back(&acceptor);
     }
-    admit(std::move(socket));
+    if (const Result<void> admitted = attempt("taking a connection", [&] { admit(std::move(socket)); }); !admitted)
+      io_failures_.report(Level::error, "net", admitted.error());
     accept(acceptor);
   });
 }
@@ -201,6 +214,19 @@ void Server::Core::admit(Socket socket) {
 
 void Server::Core::tick() {
   const std::uint64_t now = monotonic_ns();
+  if (const Result<void> beaten = attempt("the server's tick", [&] { beat(now); }); !beaten)
+    io_failures_.report(Level::error, "net", beaten.error());
+  for (Acceptor* acceptor : std::exchange(tired_acceptors_, {})) accept(*acceptor);
+  if (stop_deadline_ns_ != 0 && (now >= stop_deadline_ns_ || context_.web_sockets.empty())) return finish_stop();
+
+  timer_.expires_after(stop_deadline_ns_ == 0 ? kTick : kTick / 10);
+  timer_.async_wait([this](error_code error) {
+    if (!error) tick();
+  });
+}
+
+/// Does the work of a tick at `now` [monotonic].
+void Server::Core::beat(std::uint64_t now) {
   follow_match();
   hub_.send_time();
   if (now >= next_second_ns_) {
@@ -216,13 +242,6 @@ void Server::Core::tick() {
   for (const auto& connection : std::vector(context_.web_sockets.begin(), context_.web_sockets.end()))
     connection->check_deadline(now);
   flush_all();
-  for (Acceptor* acceptor : std::exchange(tired_acceptors_, {})) accept(*acceptor);
-  if (stop_deadline_ns_ != 0 && (now >= stop_deadline_ns_ || context_.web_sockets.empty())) return finish_stop();
-
-  timer_.expires_after(stop_deadline_ns_ == 0 ? kTick : kTick / 10);
-  timer_.async_wait([this](error_code error) {
-    if (!error) tick();
-  });
 }
 
 void Server::Core::follow_match() {
@@ -250,8 +269,12 @@ void Server::Core::keep_silence(bool silent) {
 
 void Server::Core::drain() {
   inbox_->take(contents_);
-  for (const Inbox::Task& task : contents_.tasks) task();
-  for (const Inbox::Item& item : contents_.items) hub_.deliver(item);
+  for (const Inbox::Task& task : contents_.tasks)
+    if (const Result<void> done = attempt("a task of the server", task); !done)
+      io_failures_.report(Level::error, "net", done.error());
+  for (const Inbox::Item& item : contents_.items)
+    if (const Result<void> delivered = attempt("delivering a message", [&] { hub_.deliver(item); }); !delivered)
+      io_failures_.report(Level::error, "net", delivered.error());
   contents_.items.clear();  // versions are not held longer than needed
   flush_all();
 }

@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "robot/core/files.h"
+
 namespace robot::net {
 namespace {
 
@@ -21,10 +23,12 @@ constexpr std::size_t kMostInterfaces = 64;
 
 std::vector<std::string> wireless_names() {
   std::vector<std::string> names;
+  const auto interfaces = entries_of("/sys/class/net");
+  if (!interfaces) return names;
   std::error_code failed;
-  for (const auto& entry : fs::directory_iterator("/sys/class/net", failed))
-    if (fs::exists(entry.path() / "wireless", failed) || fs::exists(entry.path() / "phy80211", failed))
-      names.push_back(entry.path().filename().string());
+  for (const fs::path& interface : *interfaces)
+    if (fs::exists(interface / "wireless", failed) || fs::exists(interface / "phy80211", failed))
+      names.push_back(interface.filename().string());
   return names;
 }
 

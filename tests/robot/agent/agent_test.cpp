@@ -120,6 +120,7 @@ TEST(AgentThread, WritesCommandsAndDecisionsWithoutBeingAsked) {
   game.set_own_team(14), game.set_own_player(2), game.set_players_per_team(5);
   memory->game.write(game, clock.now_ns());
   AgentThread agent(agent_of(), *memory, channels, "14/2", clock);
+  ASSERT_TRUE(agent.start());
 
   // it stands until it knows its pose
   ASSERT_TRUE(tests::eventually([&] { return memory->motion_command.read() != nullptr; }));

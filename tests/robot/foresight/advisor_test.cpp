@@ -38,6 +38,7 @@ struct Fixture {
         [this, budget_ms] {
           return AskingOptions{.on = on, .period = kPeriod, .budget_ms = budget_ms, .horizon = horizon};
         });
+    EXPECT_TRUE(advisor->start());
   }
 
   /// The forecast that answers `id`, waited for.

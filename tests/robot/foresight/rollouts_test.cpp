@@ -56,11 +56,13 @@ int scheduling_of(const std::string& name) {
 
 TEST(Rollouts, BesideARobotUseIdleTimeOnly) {
   Rollouts rollouts(Share::left_over);
+  ASSERT_TRUE(rollouts.start());
   EXPECT_TRUE(tests::eventually_equal([] { return scheduling_of("foresee"); }, SCHED_IDLE));
 }
 
 TEST(Rollouts, PlayStripesUntilTheyAreEnded) {
   Rollouts rollouts(Share::background);
+  ASSERT_TRUE(rollouts.start());
   rollouts.begin(futures(2), monotonic_ns() + kMinute);
   const Progress progress = when_there_is_some(rollouts);
   EXPECT_EQ(progress.statistics.strategies, 2);
@@ -72,6 +74,7 @@ TEST(Rollouts, PlayStripesUntilTheyAreEnded) {
 
 TEST(Rollouts, OfAnotherQuestionDoNotCount) {
   Rollouts rollouts(Share::background);
+  ASSERT_TRUE(rollouts.start());
   rollouts.begin(futures(2), monotonic_ns() + kMinute);
   const std::uint64_t before = when_there_is_some(rollouts).race;
   rollouts.begin(futures(1), monotonic_ns() + kMinute);
@@ -86,6 +89,7 @@ TEST(Rollouts, OfAnotherQuestionDoNotCount) {
 /// The thread may have taken any of these questions, or none.
 TEST(Rollouts, AnyNumberOfQuestionsBeginAndEndWithoutWaiting) {
   Rollouts rollouts(Share::background);
+  ASSERT_TRUE(rollouts.start());
   for (int i = 0; i < 300; ++i) {
     rollouts.begin(futures(), monotonic_ns() + kMinute);
     if (i % 3 == 0) rollouts.end();
@@ -95,6 +99,7 @@ TEST(Rollouts, AnyNumberOfQuestionsBeginAndEndWithoutWaiting) {
 
 TEST(Rollouts, EndWithoutEverHavingBegun) {
   Rollouts rollouts(Share::background);
+  ASSERT_TRUE(rollouts.start());
   rollouts.end();
   EXPECT_EQ(rollouts.progress().statistics.stripes, 0);
 }

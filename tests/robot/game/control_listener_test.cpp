@@ -118,8 +118,9 @@ TEST_F(Listening, ANewerFormatCountsAndIsNamed) {
   ASSERT_TRUE(memory.game.read());
   EXPECT_TRUE((*memory.game.read())->unreadable());
   EXPECT_EQ((*memory.game.read())->received_ns(), clock.now_ns());
-  EXPECT_EQ(listener->warning(), "GameController format 21 is newer than this program (7 .. 20); it comes from 127.0.0.1:" +
-                                     std::to_string(referee->port()) + ", and a match counts as in progress");
+  EXPECT_EQ(listener->warning(),
+            "GameController format 21 is newer than this program (7 .. 20); it comes from 127.0.0.1:" +
+                std::to_string(referee->port()) + ", and a match counts as in progress");
 }
 
 // the number of our team may be any byte of an unreadable packet: a readable GameController is followed instead

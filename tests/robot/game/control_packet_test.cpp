@@ -90,10 +90,13 @@ TEST_P(EveryFormat, ShowsTheTeamsFromEitherSide) {
 TEST_P(EveryFormat, ContainsThePenalisedPlayers) {
   const int pushing = version == 20 ? 10 : version == 19 ? 9 : 2;
   const int substitute = version == 20 ? 13 : version == 19 ? 11 : 14;
-  const pb::GameState game = parsed(
-      {.first = {.penalised_player = 3, .penalty = pushing, .seconds_till_unpenalised = 44},
-       .second = {
-           .number = 5, .field_colour = 1, .penalised_player = 6, .penalty = substitute, .seconds_till_unpenalised = 0}});
+  const pb::GameState game =
+      parsed({.first = {.penalised_player = 3, .penalty = pushing, .seconds_till_unpenalised = 44},
+              .second = {.number = 5,
+                         .field_colour = 1,
+                         .penalised_player = 6,
+                         .penalty = substitute,
+                         .seconds_till_unpenalised = 0}});
   for (int i = 0; i < game.own().players_size(); ++i) EXPECT_EQ(game.own().players(i).penalised(), i == 2) << i;
   EXPECT_EQ(game.own().players(2).penalty(), pb::PlayerState::PENALTY_PLAYER_PUSHING);
   EXPECT_EQ(game.own().players(2).code(), static_cast<std::uint32_t>(pushing));
@@ -128,13 +131,14 @@ TEST_P(EveryFormat, RefusesEveryTruncationAndLongerPackets) {
 TEST_P(EveryFormat, RefusesValuesOutsideTheFormat) {
   const auto error = [&](const ControlPacketText& text) { return parse_control_packet(text.bytes(version)).error(); };
   const std::string format = " in format " + std::to_string(version) + ", got 9";
-  EXPECT_EQ(error({.state = 9}),
-            "GameController packet: expected a state 0 .. " + std::string(version >= 16 && version <= 18 ? "5" : "4") + format);
+  EXPECT_EQ(error({.state = 9}), "GameController packet: expected a state 0 .. " +
+                                     std::string(version >= 16 && version <= 18 ? "5" : "4") + format);
   EXPECT_EQ(error({.phase = 9}), "GameController packet: expected a phase 0 .. 3" + format);
   EXPECT_EQ(error({.first_half = 9}), "GameController packet: expected first half 0 .. 1" + format);
   EXPECT_FALSE(parse_control_packet(ControlPacketText{.players_per_team = 21}.bytes(version)));
   if (version >= 11) {
-    EXPECT_EQ(error({.set_play = 9}), "GameController packet: expected a set play 0 .. " + std::string(version >= 19 ? "6" : "5") + format);
+    EXPECT_EQ(error({.set_play = 9}),
+              "GameController packet: expected a set play 0 .. " + std::string(version >= 19 ? "6" : "5") + format);
   }
 }
 

@@ -65,7 +65,7 @@ TEST(SimBody, PlaysTheGameOfItsSeedTickByTick) {
 
 TEST(SimBody, SpeedChangesNothingOfTheGame) {
   const auto player = body({.seed = 7, .speed = 100});
-  player->start();
+  ASSERT_TRUE(player->start());
   ASSERT_TRUE(tests::eventually([&] { return player->state().tick() >= 900; }));
   player->pause();
   const int ticks = static_cast<int>(player->state().tick());
@@ -74,7 +74,7 @@ TEST(SimBody, SpeedChangesNothingOfTheGame) {
 
 TEST(SimBody, EachSteppedTickIsWrittenAndNoOther) {
   const auto player = body();
-  player->start();
+  ASSERT_TRUE(player->start());
   player->pause();
   const std::uint32_t before = player->state().tick();
   const Recording truth(player->memory()->truth), state(player->memory()->simulation);
@@ -89,7 +89,7 @@ TEST(SimBody, EachSteppedTickIsWrittenAndNoOther) {
 
 TEST(SimBody, StepPausesAndResumeGoesOn) {
   const auto player = body();
-  player->start();
+  ASSERT_TRUE(player->start());
   EXPECT_FALSE(player->state().paused());
   ASSERT_TRUE(player->step(1));
   EXPECT_TRUE(player->state().paused());
@@ -217,7 +217,7 @@ TEST(SimBody, CaptureTimesNeverGoBack) {
   ASSERT_TRUE(player->list(channels));
   std::vector<std::unique_ptr<Recording>> recordings;
   for (const auto& channel : channels.all()) recordings.push_back(std::make_unique<Recording>(*channel));
-  player->start();
+  ASSERT_TRUE(player->start());
   for (const double speed : {100.0, 0.1, 30.0, 1.0}) {
     ASSERT_TRUE(tests::eventually([&] { return player->memory()->truth.read()->sequence() % 7 == 0; }));
     ASSERT_TRUE(player->set_speed(speed));
@@ -240,7 +240,7 @@ TEST(SimBody, CaptureTimesNeverGoBack) {
 
 TEST(SimBody, StandsAtTheEndUntilAReset) {
   const auto player = body({.seed = 1, .speed = 100}, setup(kShortRules));
-  player->start();
+  ASSERT_TRUE(player->start());
   ASSERT_TRUE(tests::eventually([&] { return player->state().finished(); }));
   const std::uint32_t tick = player->state().tick();
   const std::string over = "simulation: the game is over; a reset begins another one";
@@ -261,7 +261,7 @@ TEST(SimBody, StepEndsWithTheGame) {
 
 TEST(SimBody, ALoopPlaysTheNextSeed) {
   const auto player = body({.seed = 5, .speed = 100, .loop = true, .rest_ns = kMillisecond}, setup(kShortRules));
-  player->start();
+  ASSERT_TRUE(player->start());
   EXPECT_TRUE(tests::eventually([&] { return player->state().seed() == 7; }));
 }
 
@@ -269,7 +269,7 @@ TEST(SimBody, ALoopPlaysTheNextSeed) {
 TEST(SimBody, StopDoesNotWait) {
   for (const bool paused : {false, true}) {
     const auto player = body({.speed = 100, .loop = true, .rest_ns = 3600 * kSecond}, setup(kShortRules));
-    player->start();
+    ASSERT_TRUE(player->start());
     ASSERT_TRUE(tests::eventually([&] { return player->state().finished(); }));
     if (paused) player->pause();
     player->stop();
@@ -298,7 +298,7 @@ TEST(SimBody, RefusesValuesOutOfRangeWithASentence) {
 
 TEST(SimBody, OrdersComeFromAnyThread) {
   const auto player = body({.speed = 20});
-  player->start();
+  ASSERT_TRUE(player->start());
   std::vector<std::thread> people;
   for (int person = 0; person < 4; ++person)
     people.emplace_back([&, person] {

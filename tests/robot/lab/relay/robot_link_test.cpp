@@ -118,11 +118,13 @@ struct Relaying : testing::Test {
 
   std::unique_ptr<RobotLink> link(const Robot& robot, LinkOptions options = {}, int id = 1) {
     options.robot = robot.address();
-    return std::make_unique<RobotLink>(id, options, channels, claims, clock,
-                                       [this](const std::string&, const ClockOffset& offset) {
-                                         const std::lock_guard guard(lock);
-                                         offsets.push_back(offset);
-                                       });
+    auto made = std::make_unique<RobotLink>(id, options, channels, claims, clock,
+                                            [this](const std::string&, const ClockOffset& offset) {
+                                              const std::lock_guard guard(lock);
+                                              offsets.push_back(offset);
+                                            });
+    EXPECT_TRUE(made->start());
+    return made;
   }
   /// Waits until `topic` has a message of these bytes.
   void wait_for(const std::string& topic, std::string_view bytes) {
@@ -297,8 +299,8 @@ TEST_F(Relaying, ImagesArriveAsJpegUnderTheirOwnTopicOrRawOrNotAtAll) {
   {
     memory::Channels others;
     TopicClaims anew;
-    const RobotLink raw(1, {.robot = robot.address(), .pictures = Pictures::raw}, others, anew, clock,
-                        [](auto&&...) {});
+    RobotLink raw(1, {.robot = robot.address(), .pictures = Pictures::raw}, others, anew, clock, [](auto&&...) {});
+    ASSERT_TRUE(raw.start());
     ASSERT_TRUE(tests::eventually([&] {
       return others.find("/14/2/camera_top") && others.find("/14/2/camera_top")->newest();
     })) << "a picture";
@@ -308,8 +310,8 @@ TEST_F(Relaying, ImagesArriveAsJpegUnderTheirOwnTopicOrRawOrNotAtAll) {
     memory::Channels others;
     TopicClaims anew;
     const auto last = robot.add({.topic = "/14/2/last", .message_encoding = "json", .schema = {}});
-    const RobotLink none(1, {.robot = robot.address(), .pictures = Pictures::none}, others, anew, clock,
-                         [](auto&&...) {});
+    RobotLink none(1, {.robot = robot.address(), .pictures = Pictures::none}, others, anew, clock, [](auto&&...) {});
+    ASSERT_TRUE(none.start());
     ASSERT_TRUE(tests::eventually([&] { return others.find("/14/2/last") != nullptr; })) << "the other channel";
     EXPECT_EQ(others.find("/14/2/camera_top"), nullptr);
   }

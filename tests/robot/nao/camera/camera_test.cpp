@@ -140,6 +140,7 @@ struct NaoCameraThread : NaoCamera {
         "camera", settings(), std::make_unique<FakeVideo>(camera), memory.camera_top, clock,
         [this](std::uint64_t) { ++images; },
         /*try_again_ns=*/kMillisecond);
+    ASSERT_TRUE(thread->start());
   }
   bool has_said(const std::string& sentence) {
     const std::lock_guard guard(lock);

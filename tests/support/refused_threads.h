@@ -1,0 +1,12 @@
+// A process table that is full: the next threads of this program cannot be created.
+#pragma once
+
+namespace tests {
+
+/// Refuses the next `count` threads, with EAGAIN. 0: none. Any thread.
+void refuse_threads(int count);
+
+/// Returns the number of threads that were refused since the start. Any thread.
+int refused_threads();
+
+}  // namespace tests
