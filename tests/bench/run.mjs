@@ -5,10 +5,12 @@ import { deploy } from "./deploy.mjs";
 import { door } from "./door.mjs";
 import { equivalence } from "./equivalence.mjs";
 import { fanout } from "./fanout.mjs";
+import { faults } from "./faults.mjs";
 import { foresight } from "./foresight.mjs";
 import { half } from "./half.mjs";
 import { interference } from "./interference.mjs";
 import { lola } from "./lola.mjs";
+import { matchDays } from "./match_days.mjs";
 import { nao } from "./nao.mjs";
 import { shaped } from "./shaped.mjs";
 import { sim } from "./sim.mjs";
@@ -19,7 +21,7 @@ import { thesis } from "./thesis.mjs";
 import { viewer } from "./viewer.mjs";
 import { vivid } from "./vivid.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak, door, sim, equivalence, soccer, nao, vivid, lola, budget, viewer, deploy, compare, thesis, foresight };
+const benches = { streaming, half, interference, shaped, fanout, soak, faults, "match-days": matchDays, door, sim, equivalence, soccer, nao, vivid, lola, budget, viewer, deploy, compare, thesis, foresight };
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};

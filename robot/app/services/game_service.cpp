@@ -10,6 +10,8 @@ namespace {
 
 using foresight::GameState;
 
+constexpr std::uint64_t kTryAgainNs = kSecond;  // between attempts to begin a session
+
 std::string name_of(GameState::State state) {
   switch (state) {
     case GameState::STATE_INITIAL: return "initial";
@@ -49,7 +51,7 @@ void GameService::follow() {
   const auto game = memory_.game.read();
   if (!game) return;
   switch (match_.update(game->value(), clock_.now_ns())) {
-    case game::Match::Change::none: return;
+    case game::Match::Change::none: return try_again();
     case game::Match::Change::began: return begin_session(game->value());
     case game::Match::Change::ended: return end_session();
     case game::Match::Change::another: end_session(); return begin_session(game->value());
@@ -60,14 +62,30 @@ void GameService::begin_session(const GameState& game) {
   GameState named = game;  // the team's own code may leave out our numbers
   named.set_own_team(options_.link.team);
   named.set_own_player(options_.link.player);
+  missing_.reset();
+  const bool taken = recorder_.status().state != logging::RecordingStatus::State::off;
   const Result<std::string> session = recorder_.start(game::session_name(named, options_.field, std::string(kBuildId)),
                                                       parameters_.text("recording_profile"));
-  if (!session) return report(Level::warning, "game", "the match is not recorded: " + session.error());
-  session_ = *session;
-  parameters_.update("recording", true);
+  if (session) {
+    session_ = *session;
+    problem_.clear();
+    return parameters_.update("recording", true);
+  }
+  if (std::exchange(problem_, session.error()) != session.error())
+    report(Level::warning, "game", "the match is not recorded: " + problem_);
+  // a client's session contains the match already; any other reason, such as a full disk, may pass
+  if (!taken) missing_ = {game, clock_.now_ns() + kTryAgainNs};
+}
+
+/// Begins the session of a running match that could not begin before.
+void GameService::try_again() {
+  if (!missing_ || clock_.now_ns() < missing_->due_ns) return;
+  if (match_.in_progress()) return begin_session(Missing(*missing_).game);
+  missing_.reset();
 }
 
 void GameService::end_session() {
+  missing_.reset();
   const std::optional<std::string> session = std::exchange(session_, std::nullopt);
   const logging::RecordingStatus status = recorder_.status();
   // a client may have ended it and begun another one

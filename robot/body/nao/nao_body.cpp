@@ -4,6 +4,7 @@
 #include <mutex>
 #include <utility>
 
+#include "robot/core/attempt.h"
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
 #include "robot/nao/guardian/lola_connection.h"
@@ -53,28 +54,32 @@ NaoBody::~NaoBody() {
 
 void NaoBody::run() {
   name_thread("nao");
-  while (!ends_) {
-    if (!guardian_ && !find_guardian()) continue;
-    Result<std::optional<nao::Report>> report = guardian_->next(kPatience_ms);
-    // every report goes into memory; only the newest one is answered
-    std::optional<nao::Report> newest;
-    while (report && *report) {
-      newest = **report;
-      take(*newest);
-      report = guardian_->next(0);
-    }
-    if (!report) {
-      guardian_.reset();
-      write_body(nullptr, report.error());
-      continue;
-    }
-    if (!newest) continue;
-    const std::uint64_t capture_ns = newest->capture_ns + clock_.epoch_offset_ns();
-    // if this fails, the guardian is gone, and the next report returns that error
-    if (newest->has_sensors) static_cast<void>(guardian_->give(order_after(*newest, capture_ns)));
-    write_body(&*newest, "");
-  }
+  while (!ends_)
+    if (const Result<void> done = attempt("a cycle", [this] { cycle(); }); !done)
+      report(Level::error, kSource, done.error());
   if (guardian_) static_cast<void>(guardian_->ask(nao::Request::What::goodbye));
+}
+
+/// Takes the guardian's reports and answers the newest one.
+void NaoBody::cycle() {
+  if (!guardian_ && !find_guardian()) return;
+  Result<std::optional<nao::Report>> report = guardian_->next(kPatience_ms);
+  // every report goes into memory; only the newest one is answered
+  std::optional<nao::Report> newest;
+  while (report && *report) {
+    newest = **report;
+    take(*newest);
+    report = guardian_->next(0);
+  }
+  if (!report) {
+    guardian_.reset();
+    return write_body(nullptr, report.error());
+  }
+  if (!newest) return;
+  const std::uint64_t capture_ns = newest->capture_ns + clock_.epoch_offset_ns();
+  // if this fails, the guardian is gone, and the next report returns that error
+  if (newest->has_sensors) static_cast<void>(guardian_->give(order_after(*newest, capture_ns)));
+  write_body(&*newest, "");
 }
 
 bool NaoBody::find_guardian() {

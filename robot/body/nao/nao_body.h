@@ -58,6 +58,7 @@ class NaoBody {
   };
 
   void run();
+  void cycle();
   bool find_guardian();
   void take(const nao::Report& report);
   void write_sensors(const nao::Report& report, std::uint64_t capture_ns);

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "robot/core/attempt.h"
+#include "robot/core/report.h"
 #include "robot/core/thread.h"
 #include "sim/match/step.h"
 #include "sim/math/tick.h"
@@ -97,10 +99,9 @@ void SimBody::run() {
       changed_.wait(lock_);
     } else if (monotonic_ns() < wake_ns_) {
       changed_.wait_until(lock_, wake_ns_);
-    } else if (over) {
-      begin_next();
-    } else {
-      play_due_ticks();
+    } else if (const Result<void> played = attempt("simulation", [&] { over ? begin_next() : play_due_ticks(); });
+               !played) {
+      report(Level::error, "simulation", played.error());
     }
   }
 }

@@ -77,7 +77,7 @@ Result<void> Parser::carry() {
       const std::lock_guard guard(lock_);
       if (stopping_) return {};
     }
-    count((*channel)->write_bytes((*record)->bytes, (*record)->capture_ns));
+    count(attempt("a message", [&] { return (*channel)->write_bytes((*record)->bytes, (*record)->capture_ns); }));
   }
 }
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "robot/app/build_id.h"
 #include "robot/app/services/recording_service.h"
 #include "robot/memory/memory.h"
@@ -103,6 +106,41 @@ TEST_F(Game, MatchModeLastsAsLongUnlessItsParameterIsOff) {
   ASSERT_TRUE(parameters.set("match_mode", true));
   hear(GameState::STATE_FINISHED);
   EXPECT_FALSE(service().status().match_mode);
+}
+
+TEST_F(Game, AnUnreadableFormatIsRecordedInMatchMode) {
+  GameState game;
+  game.set_source(GameState::SOURCE_GAME_CONTROLLER);
+  game.set_received_ns(clock.now_ns());
+  game.set_unreadable(true);
+  game.set_packet_version(21);
+  memory->game.write(game, clock.now_ns());
+  service().follow();
+  EXPECT_TRUE(recording());
+  EXPECT_TRUE(service().status().match_mode);
+  EXPECT_EQ(store.list()[0].info.name, "A_format-21_14-3_" + std::string(kBuildId));
+}
+
+TEST_F(Game, ASessionThatCannotBeginIsTriedAgain) {
+  // a file stands in the place of the log folder
+  const std::filesystem::path logs = folder.path() / "later";
+  std::ofstream(logs) << "in the way";
+  logging::SessionStore blocked{logs, 4'000'000'000};
+  logging::Recorder recorder{channels, board, blocked, clock, {.info = {.robot = "14/3", .team = 14, .player = 3}}};
+  GameService service({.link = {.team = 14, .player = 3}}, *memory, clock, recorder, parameters);
+  GameState game;
+  game.set_state(GameState::STATE_PLAYING);
+  memory->game.write(game, clock.now_ns());
+  const auto recording = [&] {
+    service.follow();
+    return recorder.status().state == logging::RecordingStatus::State::recording;
+  };
+  EXPECT_FALSE(recording());
+  std::filesystem::remove(logs);
+  EXPECT_FALSE(recording()) << "within the same second";
+  clock.advance(kSecond);
+  EXPECT_TRUE(recording());
+  ASSERT_TRUE(recorder.stop());
 }
 
 TEST_F(Game, FollowsTheGameThatTheTeamsOwnCodeWrites) {
