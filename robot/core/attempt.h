@@ -15,9 +15,12 @@ namespace robot {
 template <class Work>
 Result<void> attempt(std::string_view purpose, Work&& work) {
   try {
-    if constexpr (std::is_same_v<decltype(work()), Result<void>>) return work();
-    work();
-    return {};
+    if constexpr (std::is_same_v<decltype(work()), Result<void>>) {
+      return work();
+    } else {
+      work();
+      return {};
+    }
   } catch (const std::exception& exception) {
     return Error{std::string(purpose) + " failed: " + exception.what()};
   }

@@ -83,7 +83,7 @@ TEST_F(Listening, FollowsTheFirstGameControllerUntilItIsSilent) {
   send(ControlPacketText{.state = 3}.bytes(18));
   EXPECT_EQ(listener->warning(), "");
 
-  clock.advance(kFollowedSilenceNs - 1);
+  clock.set(clock.now_ns() + kFollowedSilenceNs - 1);
   send(*laptop, ControlPacketText{.state = 0}.bytes(18));
   EXPECT_EQ((*memory.game.read())->state(), pb::GameState::STATE_PLAYING);
   EXPECT_EQ(listener->game_controller(), (Endpoint{kLoopback, referee->port()}));
@@ -92,11 +92,11 @@ TEST_F(Listening, FollowsTheFirstGameControllerUntilItIsSilent) {
                                      " is ignored until the first is silent for 10 s");
 
   send(ControlPacketText{.state = 3}.bytes(18));  // it was not silent for long enough
-  clock.advance(kFollowedSilenceNs - 1);
+  clock.set(clock.now_ns() + kFollowedSilenceNs - 1);
   send(*laptop, ControlPacketText{.state = 0}.bytes(18));
   EXPECT_EQ((*memory.game.read())->state(), pb::GameState::STATE_PLAYING);
 
-  clock.advance(kFollowedSilenceNs);
+  clock.set(clock.now_ns() + kFollowedSilenceNs);
   EXPECT_EQ(listener->warning(), "") << "an old warning is gone";
   send(*laptop, ControlPacketText{.state = 0}.bytes(18));
   EXPECT_EQ((*memory.game.read())->state(), pb::GameState::STATE_INITIAL);
