@@ -26,6 +26,10 @@ void FileDescriptor::reset() {
   number_ = -1;
 }
 
+FileDescriptor spare_descriptor() { return FileDescriptor(::open("/dev/null", O_RDONLY | O_CLOEXEC)); }
+
+bool is_out_of_descriptors(int error_number) { return error_number == EMFILE || error_number == ENFILE; }
+
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes) {
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file) return file_error("cannot read", path, errno);

@@ -47,4 +47,11 @@ class FileDescriptor {
   int number_ = -1;
 };
 
+/// Returns a file descriptor of no use. Its owner closes it when no other is left, and can then accept one connection to
+/// refuse it with a sentence. Empty if none is left.
+FileDescriptor spare_descriptor();
+
+/// Returns whether the system error `error_number` means that no file descriptor is left, of the process or the system.
+bool is_out_of_descriptors(int error_number);
+
 }  // namespace robot

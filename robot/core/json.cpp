@@ -1,6 +1,7 @@
 #include "robot/core/json.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "robot/core/json_library.h"
@@ -38,6 +39,18 @@ Result<nlohmann::json> parse_json(std::string_view text) {
   auto json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (json.is_discarded()) return Error{"expected JSON, got something else"};
   return json;
+}
+
+std::optional<std::int64_t> whole_number(const nlohmann::json& value) {
+  constexpr double kGreatestExact = 9007199254740992;  // 2^53
+  if (value.is_number_unsigned() && value.get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX))
+    return std::nullopt;
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  if (!value.is_number_float()) return std::nullopt;
+  const double number = value.get<double>();
+  // not-a-number fails both comparisons
+  if (!(std::abs(number) <= kGreatestExact) || std::trunc(number) != number) return std::nullopt;
+  return static_cast<std::int64_t>(number);
 }
 
 }  // namespace robot

@@ -1,7 +1,9 @@
 // JSON from outside: requests of clients, answers of other robots, files that people write.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string_view>
 
 #include "robot/core/result.h"
@@ -15,5 +17,9 @@ inline constexpr int kDeepestJson = 64;
 /// Returns the value that `text` describes. Returns the Error "expected JSON, got something else" if the text is not
 /// JSON, and an Error if it is nested deeper than kDeepestJson.
 Result<nlohmann::json> parse_json(std::string_view text);
+
+/// Returns the whole number that `value` is, in any spelling: 1, 1.0 and 1e0 are the same. Returns nothing for 1.5, for a
+/// text and other values, and for a number that such a spelling cannot hold exactly (above 2^53) or an int64 cannot hold.
+std::optional<std::int64_t> whole_number(const nlohmann::json& value);
 
 }  // namespace robot

@@ -8,8 +8,10 @@ import { removeScratch, scratchFolder } from "./scratch.mjs";
 const kOnRobot = fileURLToPath(new URL("on_robot/", import.meta.url));
 
 const isFile = (strategy) => strategy.endsWith(".json");
+/** Folder of the team's own strategies in a version. They may have any name, also "robot.json". */
+const kStrategies = "etc/strategies";
 /** Returns the name of a strategy on the robot; a team's own files are in the version. */
-const onRobot = (strategy) => (isFile(strategy) ? `current/etc/${basename(strategy)}` : strategy);
+const onRobot = (strategy) => (isFile(strategy) ? `current/${kStrategies}/${basename(strategy)}` : strategy);
 
 /** Returns the options of foresight-robot, one per line without dashes; paths are below ~/foresight. `field` may be absent. */
 export function settingsOf(robot, { field } = {}) {
@@ -49,6 +51,15 @@ function addGuardian(folder, program) {
   writeFileSync(join(folder, "etc/settings"), "# written by scripts/deploy\n");
 }
 
+/** Adds the team's own strategies. */
+function addStrategies(folder, files) {
+  mkdirSync(join(folder, kStrategies));
+  for (const file of files) {
+    if (!existsSync(file)) throw new BadInput(`strategies: expected a file, got ${file}, which is not there`);
+    symlinkSync(file, join(folder, kStrategies, basename(file)));
+  }
+}
+
 /**
  * Calls `use` with a temporary folder of links to all files for `robot`. `programs` is {runtime, guardian}; only robots with the
  * body nao have a guardian.
@@ -61,10 +72,7 @@ export async function withVersion(robot, programs, given, use) {
     addStarter(folder, "foresight", "foresight.service");
     writeFileSync(join(folder, "etc/settings"), settingsOf(robot, given));
     writeFileSync(join(folder, "etc/robot.json"), identityOf(robot, given));
-    for (const file of (robot.strategies ?? []).filter(isFile)) {
-      if (!existsSync(file)) throw new BadInput(`strategies: expected a file, got ${file}, which is not there`);
-      symlinkSync(file, join(folder, "etc", basename(file)));
-    }
+    addStrategies(folder, (robot.strategies ?? []).filter(isFile));
     if (programs.guardian) addGuardian(join(folder, "guardian"), programs.guardian);
     return await use(folder);
   } finally {

@@ -40,12 +40,22 @@ test("a team's strategies go to all of its robots, with its own files in the ver
   const file = join(folder, "robots.json");
   const text = (strategies) => JSON.stringify({ team: 14, rules: "spl2025", strategies, foresight: true, robots: [{ name: "tim", address: "10.0.14.22", model: "nao-v6", player: 2 }] });
   const [tim] = parseTeam(file, text(["baseline", "press.json"]));
-  assert.match(settingsOf(tim), /^rules=spl2025\nstrategies=baseline,current\/etc\/press\.json\nforesight$/m);
-  await withVersion(tim, { runtime: file }, {}, async (version) => assert.equal(readFileSync(join(version, "etc/press.json"), "utf8"), "{}"));
+  assert.match(settingsOf(tim), /^rules=spl2025\nstrategies=baseline,current\/etc\/strategies\/press\.json\nforesight$/m);
+  await withVersion(tim, { runtime: file }, {}, async (version) => assert.equal(readFileSync(join(version, "etc/strategies/press.json"), "utf8"), "{}"));
   const [lost] = parseTeam(file, text(["baseline", "lost.json"]));
   await assert.rejects(withVersion(lost, { runtime: file }, {}, () => assert.fail()), { message: `strategies: expected a file, got ${join(folder, "lost.json")}, which is not there` });
   for (const wrong of [[], ["a,b"], ["press.json", "other/press.json"], "baseline", ["foresight\nbind=1"]])
     assert.throws(() => parseTeam(file, text(wrong)), /\$\.strategies: expected a list of 1 \.\. 8 names/);
+});
+
+test("a strategy may have the name of a file that the deployment writes", async (t) => {
+  const folder = temporaryFolder(t);
+  const strategies = ["robot.json", "settings.json"].map((name) => join(folder, name));
+  for (const file of strategies) writeFileSync(file, "{}");
+  await withVersion({ ...robot, strategies }, { runtime: strategies[0] }, {}, async (version) => {
+    assert.equal(readFileSync(join(version, "etc/strategies/robot.json"), "utf8"), "{}");
+    assert.equal(JSON.parse(readFileSync(join(version, "etc/robot.json"), "utf8")).name, "tim");
+  });
 });
 
 test("options can be anywhere; wrong ones give one sentence", () => {

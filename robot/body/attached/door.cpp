@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <utility>
 
 #include "robot/body/attached/providers.h"
@@ -19,7 +20,7 @@ namespace robot::body {
 namespace {
 
 constexpr std::uint32_t kVersion = 1;  // of the protocol at the door
-constexpr int kClearingMs = 100;       // between checks for ended streams and for new objects
+constexpr int kClearingMs = 100;       // between checks for ended streams, new objects and free file descriptors
 constexpr uid_t kRoot = 0;             // root has access to everything
 
 }  // namespace
@@ -55,7 +56,8 @@ Door::Door(DoorOptions options, const SessionClock& clock, memory::Channels& cha
       board_(board),
       listening_(std::move(listening)),
       bell_(std::move(bell)),
-      objects_(options_.robot, options_.own_objects, channels, clock) {}
+      objects_(options_.robot, options_.own_objects, channels, clock),
+      spare_(spare_descriptor()) {}
 
 Door::~Door() {
   const std::uint64_t ring = 1;
@@ -80,23 +82,30 @@ void Door::run() {
 
 /// Waits for a new connection, a frame, a disconnect or the next check. Returns false when the door closes.
 bool Door::wait() {
+  const bool rests = monotonic_ns() < rests_until_ns_;
   std::vector<pollfd> waiting = {{.fd = bell_.get(), .events = POLLIN, .revents = 0},
-                                 {.fd = listening_.get(), .events = POLLIN, .revents = 0}};
+                                 {.fd = rests ? -1 : listening_.get(), .events = POLLIN, .revents = 0}};
   for (const PendingConnection& pending : pending_)
     waiting.push_back(
         {.fd = pending.connection->file(), .events = pending.wanted ? short{POLLRDHUP} : short{POLLIN}, .revents = 0});
   for (const Stream& stream : streams_)
     if (stream.reader) waiting.push_back({.fd = stream.reader->file(), .events = POLLRDHUP, .revents = 0});
-  const bool something_to_clear = !streams_.empty() || !pending_.empty();
+  const bool something_to_clear = !streams_.empty() || !pending_.empty() || rests;
   ::poll(waiting.data(), waiting.size(), something_to_clear ? kClearingMs : -1);
   return (waiting.front().revents & POLLIN) == 0;
 }
 
 void Door::take_in() {
+  if (monotonic_ns() < rests_until_ns_) return;
+  if (!spare_) spare_ = spare_descriptor();
   while (true) {
     FileDescriptor socket(::accept4(listening_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-    if (!socket) return;
-    PendingConnection pending{.connection = std::make_shared<Connection>(std::move(socket)), .wanted = {}};
+    if (!socket && errno == EINTR) continue;
+    if (!socket && (errno == EAGAIN || errno == ECONNABORTED)) return;
+    if (!socket) return turn_away(errno);
+    PendingConnection pending{.connection = std::make_shared<Connection>(std::move(socket)),
+                              .late_ns = monotonic_ns() + options_.first_frame_ns,
+                              .wanted = {}};
     const Peer& peer = pending.connection->peer();
     if (peer.user != ::geteuid() && peer.user != kRoot) {
       refuse(pending, "expected a process of user " + std::to_string(::geteuid()) + ", got one of user " +
@@ -111,13 +120,34 @@ void Door::take_in() {
   }
 }
 
+/// Refuses one process if no file descriptor is left. The others wait while the door rests: the thread would otherwise
+/// try again without a pause.
+void Door::turn_away(int error_number) {
+  rests_until_ns_ = monotonic_ns() + static_cast<std::uint64_t>(kClearingMs) * kMillisecond;
+  if (!is_out_of_descriptors(error_number))
+    return refusals_.report(Level::error, "door",
+                            std::string("cannot take a connection: ") + std::strerror(error_number));
+  const std::string sentence =
+      "expected a free file descriptor for one more stream, got none: raise the limit of open files (ulimit -n)";
+  spare_.reset();
+  FileDescriptor socket(::accept4(listening_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+  if (socket) Connection(std::move(socket)).send(logging::refused_frame({sentence}));
+  spare_ = spare_descriptor();
+  refusals_.report(Level::error, "door", sentence);
+}
+
 /// Reads the first frame of a connection, or serves one that waits for an object.
 void Door::hear(PendingConnection& pending) {
   if (pending.wanted) return serve(pending);
   pending.done = !pending.connection->receive();
   Result<std::optional<logging::Frame>> frame = pending.connection->next();
   if (!frame) return refuse(pending, frame.error());
-  if (!*frame) return;
+  if (!*frame) {
+    if (!pending.done && monotonic_ns() >= pending.late_ns)
+      refuse(pending, "expected a first frame within " + std::to_string(options_.first_frame_ns / kMillisecond) +
+                          " ms, got none");
+    return;
+  }
   if (auto* announced = std::get_if<memory::ChannelInfo>(&**frame)) return write(pending, std::move(*announced));
   const auto* wanted = std::get_if<logging::Wanted>(&**frame);
   if (!wanted) return refuse(pending, "expected a first frame that announces or wants an object, got another one");

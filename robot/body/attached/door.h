@@ -31,6 +31,8 @@ struct DoorOptions {
 
   /// Objects of this robot that only the runtime writes.
   std::set<std::string> own_objects = {"runtime", "clock", "parameters"};
+
+  std::uint64_t first_frame_ns = 5 * kSecond;  // time for the first frame of a connection
 };
 
 /// Returns the default path of the door: $FORESIGHT_DOOR, or a name of this user in shared memory. Every process sees
@@ -38,7 +40,9 @@ struct DoorOptions {
 std::filesystem::path default_door();
 
 /// The door: one connection is one stream. Each written object has a parser of its own, each read object a logger.
-/// The door's own thread accepts connections, reads their first frame, and removes streams that ended.
+/// The door's own thread accepts connections, reads their first frame, and removes streams that ended. A connection that
+/// sends no first frame in time is refused, so that silent ones keep no other process out. Without a free file
+/// descriptor it refuses processes with a sentence, at most ten a second.
 class Door {
  public:
   /// Size of the queue of one stream for a process that does not read [bytes].
@@ -57,6 +61,7 @@ class Door {
   /// A connection before its stream starts: it has sent no first frame yet, or wants an object that does not exist yet.
   struct PendingConnection {
     std::shared_ptr<Connection> connection;
+    std::uint64_t late_ns = 0;          // [monotonic] when its first frame is late
     std::optional<std::string> wanted;  // the topic, after the first frame
     bool done = false;                  // refused, disconnected, or its stream has started
   };
@@ -71,6 +76,7 @@ class Door {
   void run();
   bool wait();
   void take_in();
+  void turn_away(int error_number);
   void hear(PendingConnection& pending);
   void write(PendingConnection& pending, memory::ChannelInfo announced);
   void serve(PendingConnection& pending);
@@ -88,6 +94,8 @@ class Door {
   std::list<PendingConnection> pending_;
   std::vector<Stream> streams_;
   Throttle refusals_;
+  FileDescriptor spare_;              // to refuse a process when no other is left
+  std::uint64_t rests_until_ns_ = 0;  // [monotonic] it accepts nothing before
 
   Turns turns_;
   std::thread thread_;  // last: it uses all the others

@@ -25,7 +25,8 @@ constexpr std::uint32_t kFirstRounds = 8;  // the shortest round trip of these c
 constexpr std::uint64_t kRoundsEvery = 10 * kSecond;
 constexpr std::uint64_t kAnswerNs = 3 * kSecond;
 constexpr std::uint64_t kIntroductionNs =
-    kSecond;  // within this time a server has offered its services, clock_sync among them
+    kSecond;                            // within this time a server has offered its services, clock_sync among them
+constexpr std::size_t kMostTold = 100;  // sentences about one robot's items that are left out
 constexpr std::string_view kJpeg = "/jpeg", kCompressedImage = "foxglove.CompressedImage";
 
 /// Converts a foxglove.CompressedImage to our own message.
@@ -47,6 +48,11 @@ Result<std::string> as_image(std::string_view bytes) {
 std::string text_at(const std::map<std::string, std::string>& texts, const char* key) {
   const auto found = texts.find(key);
   return found == texts.end() ? std::string() : found->second;
+}
+
+std::string text_at(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 }  // namespace
@@ -77,13 +83,27 @@ Result<std::uint64_t> Conversation::go_on() {
 
 Result<void> Conversation::hear_text(std::string_view text) {
   auto said = net::foxglove::parse_server_text(text);
-  if (!said) return said.failure();
+  if (!said) {
+    leave_out(said.error());
+    return {};
+  }
+  for (const std::string& problem : said->problems) leave_out(problem);
   if (said->info) introduce(*said->info);
   for (auto& channel : said->channels) offered_.push_back(std::move(channel));
   for (const auto& service : said->services)
     if (service.name == "clock_sync") clock_service_ = service.id;
+  if (const auto& failed = said->failed_call;
+      failed && sent_ns_ != 0 && failed->service == clock_service_ && failed->call == call_)
+    return give_up_clock("clock_sync: expected an answer, got '" + failed->message.substr(0, 100) + "'");
   if (agreed_ && !said->channels.empty()) return subscribe();
   return {};
+}
+
+/// Reports an item that is left out, once in the life of the link.
+void Conversation::leave_out(const std::string& problem) {
+  std::set<std::string>& told = link_.past_->told;
+  if (told.size() < kMostTold && told.insert(problem).second)
+    report(Level::warning, "relay", link_.options_.robot.name + ": " + problem + "; it is left out");
 }
 
 void Conversation::introduce(const net::foxglove::ServerInfo& info) {
@@ -102,14 +122,14 @@ void Conversation::introduce(const net::foxglove::ServerInfo& info) {
 
 Result<void> Conversation::hear_binary(std::string_view bytes) {
   const auto answer = net::foxglove::parse_service_answer(bytes);
-  if (!answer) return answer.failure();
-  if (*answer) {
+  const auto data = net::foxglove::parse_message_data(bytes);
+  for (const std::string& problem : {answer ? "" : answer.error(), data ? "" : data.error()})
+    if (!problem.empty()) leave_out(problem);
+  if (answer && *answer) {
     const bool waited_for = sent_ns_ != 0 && (*answer)->service == clock_service_ && (*answer)->call == call_;
     return waited_for ? hear_time((*answer)->payload) : Result<void>();
   }
-  const auto data = net::foxglove::parse_message_data(bytes);
-  if (!data) return data.failure();
-  return *data ? take(**data) : Result<void>();
+  return data && *data ? take(**data) : Result<void>();
 }
 
 /// Calls clock_sync. The request carries our last measurement, so that the robot records it too.
@@ -132,12 +152,11 @@ Result<void> Conversation::ask_time() {
 Result<void> Conversation::hear_time(std::string_view answer) {
   const std::uint64_t returned_ns = link_.clock_.now_ns(), sent_ns = std::exchange(sent_ns_, 0);
   const Result<Json> json = parse_json(answer);
-  const Json received = json && json->is_object() ? json->value("received_ns", Json()) : Json();
-  const std::string text = received.is_string() ? received.get<std::string>() : std::string();
+  const std::string text = json && json->is_object() ? text_at(*json, "received_ns") : std::string();
   std::uint64_t theirs_ns = 0;
   if (const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), theirs_ns);
       error != std::errc() || end != text.data() + text.size())
-    return Error{"clock_sync: expected 'received_ns', got " + std::string(answer.substr(0, 100))};
+    return give_up_clock("clock_sync: expected 'received_ns', got " + std::string(answer.substr(0, 100)));
 
   last_ = offset_by(sent_ns, theirs_ns, returned_ns);
   best_ = better(best_, *last_);
@@ -153,6 +172,14 @@ Result<void> Conversation::hear_time(std::string_view answer) {
                         "; its times are shifted by " +
                         std::to_string(link_.past_->shift_ns / static_cast<std::int64_t>(kMillisecond)) + " ms");
   return {};
+}
+
+/// Goes on without measurements of the clock, as with a server that does not offer clock_sync.
+Result<void> Conversation::give_up_clock(const std::string& problem) {
+  leave_out(problem);
+  clock_service_.reset();
+  sent_ns_ = 0;
+  return agreed_ ? Result<void>() : agree();
 }
 
 /// Decides on the shift of times, and begins to carry messages. Called when the clocks are compared or cannot be.

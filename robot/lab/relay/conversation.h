@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,7 @@ struct RobotLink::Past {
   std::int64_t shift_ns = 0;
   std::map<std::string, CarriedChannel> carried;  // by topic
   std::map<std::string, memory::ChannelInfo> images;
+  std::set<std::string> told;  // sentences about items that are left out
 };
 
 /// The client's side of the protocol with the robot's server: clocks first, then subscriptions, then messages. Used by
@@ -28,7 +30,9 @@ class Conversation {
  public:
   Conversation(RobotLink& link, net::WebSocketClient& client) : link_(link), client_(client) {}
 
-  /// Processes a message of the server. An Error ends the connection.
+  /// Processes a message of the server. A wrong item, such as a channel whose schema is unreadable, is left out and
+  /// reported once; everything else goes on. An Error ends the connection: it cannot be written to, or the clock is too
+  /// far off.
   Result<void> hear(const net::WebSocketClient::Message& message);
 
   /// Does everything that is due. Returns the time until which it may wait then [monotonic].
@@ -46,8 +50,10 @@ class Conversation {
   Result<void> hear_text(std::string_view text);
   Result<void> hear_binary(std::string_view bytes);
   void introduce(const net::foxglove::ServerInfo& info);
+  void leave_out(const std::string& problem);
   Result<void> ask_time();
   Result<void> hear_time(std::string_view answer);
+  Result<void> give_up_clock(const std::string& problem);
   Result<void> agree();
   Result<void> subscribe();
   std::optional<memory::ChannelInfo> wanted(const net::foxglove::Advertised& offered, bool& jpeg) const;

@@ -8,12 +8,14 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "robot/core/clock.h"
 #include "robot/core/local_listener.h"
 
 namespace robot::nao {
 namespace {
 
 constexpr int kBacklog = 8;
+constexpr std::uint64_t kRestNs = 100 * kMillisecond;
 // [bytes] of reports queued for a client that does not read; the kernel doubles it and counts its own overhead
 constexpr int kSendBuffer = 16384;
 
@@ -34,7 +36,9 @@ Result<RuntimeLink> RuntimeLink::open(const std::filesystem::path& path) {
 }
 
 void RuntimeLink::add_to(std::vector<pollfd>& files) const {
-  files.push_back({.fd = listening_.get(), .events = POLLIN, .revents = 0});
+  // poll ignores a negative number
+  const bool rests = monotonic_ns() < rests_until_ns_;
+  files.push_back({.fd = rests ? -1 : listening_.get(), .events = POLLIN, .revents = 0});
   for (const Connection& connection : connections_)
     files.push_back({.fd = connection.socket.get(), .events = POLLIN, .revents = 0});
 }
@@ -46,14 +50,25 @@ bool RuntimeLink::has_runtime() const {
 void RuntimeLink::take_in() {
   while (true) {
     FileDescriptor socket(::accept4(listening_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+    if (!socket && errno != EAGAIN && errno != EINTR) rests_until_ns_ = monotonic_ns() + kRestNs;
     if (!socket) return;
-    if (connections_.size() >= kMaxConnections) continue;
+    if (connections_.size() >= kMaxConnections && !make_room()) continue;
     ::setsockopt(socket.get(), SOL_SOCKET, SO_SNDBUF, &kSendBuffer, sizeof kSendBuffer);
     connections_.push_back({.socket = std::move(socket)});
   }
 }
 
+/// Ends the oldest connection that has sent nothing. Returns whether there is one.
+bool RuntimeLink::make_room() {
+  const auto silent = std::find_if(connections_.begin(), connections_.end(),
+                                   [](const Connection& c) { return c.was_heard && !c.spoke; });
+  if (silent == connections_.end()) return false;
+  connections_.erase(silent);
+  return true;
+}
+
 void RuntimeLink::hear(Connection& connection, Heard& heard) {
+  connection.was_heard = true;
   while (!connection.ended) {
     // one byte more than any message, so that a longer one is noticed
     alignas(Order) char message[std::max(sizeof(Order), sizeof(Request)) + 1];
@@ -61,6 +76,7 @@ void RuntimeLink::hear(Connection& connection, Heard& heard) {
     if (n < 0 && (errno == EAGAIN || errno == EINTR)) return;
     // the client closed with unread reports; the kernel returns this error once, before the client's last messages
     if (n < 0 && errno == ECONNRESET) continue;
+    connection.spoke = connection.spoke || n > 0;
     std::uint32_t layout = 0;
     if (n >= static_cast<ssize_t>(sizeof layout)) std::memcpy(&layout, message, sizeof layout);
     if (n == sizeof(Request) && layout == kRequestLayout) {
@@ -81,6 +97,8 @@ void RuntimeLink::hear(Connection& connection, Heard& heard) {
 
 RuntimeLink::Heard RuntimeLink::hear() {
   Heard heard;
+  // before new connections, which may take the place of silent ones: no request is lost
+  for (Connection& connection : connections_) hear(connection, heard);
   take_in();
   for (Connection& connection : connections_) {
     hear(connection, heard);

@@ -3,6 +3,7 @@
 
 #include <poll.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <list>
 #include <optional>
@@ -20,7 +21,8 @@ std::filesystem::path default_link();
 /// The listening socket and its connections. No call waits: a client that does not read misses reports.
 ///
 /// The first connection that sends an order is the runtime, until it ends. Orders of other connections are ignored.
-/// Every client may send requests.
+/// Every client may send requests. If there are kMaxConnections, a new one takes the place of the oldest that has sent
+/// nothing, so that silent ones do not keep the runtime out. Without a free file descriptor it accepts none for 100 ms.
 class RuntimeLink {
  public:
   static constexpr std::size_t kMaxConnections = 8;
@@ -44,14 +46,17 @@ class RuntimeLink {
   struct Connection {
     FileDescriptor socket;
     bool is_runtime = false, says_goodbye = false, ended = false;
+    bool was_heard = false, spoke = false;
   };
 
   explicit RuntimeLink(FileDescriptor listening) : listening_(std::move(listening)) {}
   void take_in();
+  bool make_room();
   void hear(Connection& connection, Heard& heard);
   bool has_runtime() const;
 
   FileDescriptor listening_;
+  std::uint64_t rests_until_ns_ = 0;  // [monotonic] it accepts nothing before
   std::list<Connection> connections_;
 };
 

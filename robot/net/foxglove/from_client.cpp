@@ -15,9 +15,9 @@ using Json = nlohmann::json;
 Error wrong(const std::string& what) { return Error{"request: " + what}; }
 
 std::optional<std::uint32_t> as_id(const Json& json) {
-  if (!json.is_number_unsigned() || json.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
-    return std::nullopt;
-  return json.get<std::uint32_t>();
+  const std::optional<std::int64_t> id = whole_number(json);
+  if (!id || *id < 0 || *id > std::numeric_limits<std::uint32_t>::max()) return std::nullopt;
+  return static_cast<std::uint32_t>(*id);
 }
 
 /// Returns the array `key` of `message`. `read` converts each element to an optional.

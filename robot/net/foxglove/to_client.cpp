@@ -1,11 +1,9 @@
 #include "robot/net/foxglove/to_client.h"
 
-#include <cmath>
 #include <utility>
 
 #include "robot/core/clock.h"
 #include "robot/core/encoding.h"
-#include "robot/core/json.h"
 #include "robot/core/json_library.h"
 #include "robot/core/little_endian.h"
 
@@ -28,46 +26,6 @@ Json to_json(const std::string& name, const ParameterValue& value) {
 }
 
 Json parts_of(std::uint64_t time_ns) { return {{"sec", time_ns / kSecond}, {"nsec", time_ns % kSecond}}; }
-
-memory::Delivery delivery_of(const std::map<std::string, std::string>& metadata) {
-  const auto found = metadata.find("delivery");
-  if (found == metadata.end()) return memory::Delivery::fifo;  // another server: its delivery is unknown
-  for (const auto delivery : {memory::Delivery::latest, memory::Delivery::reliable})
-    if (found->second == memory::name(delivery)) return delivery;
-  return memory::Delivery::fifo;
-}
-
-std::string text_of(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-std::map<std::string, std::string> texts_of(const Json& object, const char* key) {
-  std::map<std::string, std::string> texts;
-  const Json inner = object.value(key, Json::object());
-  for (const auto& [name, value] : inner.items())
-    if (value.is_string()) texts[name] = value.get<std::string>();
-  return texts;
-}
-
-Result<Advertised> parse_channel(const Json& json) {
-  if (!json.is_object() || !json.value("id", Json()).is_number_unsigned())
-    return Error{"advertise: expected channels with a number as 'id', got one without"};
-  Advertised channel{.id = json["id"].get<std::uint32_t>()};
-  channel.info.topic = text_of(json, "topic");
-  channel.info.message_encoding = text_of(json, "encoding");
-  channel.info.schema.name = text_of(json, "schemaName");
-  channel.info.schema.encoding = text_of(json, "schemaEncoding");
-  channel.info.schema.bytes = text_of(json, "schema");
-  if (channel.info.schema.encoding == "protobuf") {
-    auto bytes = from_base64(channel.info.schema.bytes);
-    if (!bytes) return bytes.failure("advertise: the schema of " + channel.info.topic);
-    channel.info.schema.bytes = std::move(*bytes);
-  }
-  channel.metadata = texts_of(json, "metadata");
-  channel.info.delivery = delivery_of(channel.metadata);
-  return channel;
-}
 
 }  // namespace
 
@@ -190,46 +148,6 @@ std::string playback_state(Playback playback, std::uint64_t time_ns, float speed
   put(bytes, static_cast<std::uint8_t>(did_seek ? 1 : 0));
   put_text(bytes, request_id);
   return bytes;
-}
-
-Result<ServerText> parse_server_text(std::string_view text) {
-  const Result<Json> parsed = parse_json(text);
-  if (!parsed) return parsed.failure("server message");
-  const Json& message = *parsed;
-  if (!message.is_object() || text_of(message, "op").empty())
-    return Error{"server message: expected a JSON object with 'op'"};
-  const std::string op = text_of(message, "op");
-  ServerText read;
-  if (op == "serverInfo") {
-    read.info = ServerInfo{.name = text_of(message, "name"),
-                           .capabilities = {},
-                           .encodings = {},
-                           .metadata = texts_of(message, "metadata"),
-                           .session_id = text_of(message, "sessionId")};
-    for (const Json& capability : message.value("capabilities", Json::array()))
-      if (capability.is_string()) read.info->capabilities.push_back(capability.get<std::string>());
-    return read;
-  }
-  const bool advertises_channels = op == "advertise";
-  if (!advertises_channels && op != "advertiseServices") return read;
-  const char* const key = advertises_channels ? "channels" : "services";
-  const auto list = message.find(key);
-  if (list == message.end() || !list->is_array()) return Error{op + ": '" + key + "' must be an array"};
-  for (const Json& json : *list)
-    if (advertises_channels) {
-      auto channel = parse_channel(json);
-      if (!channel) return channel.failure();
-      read.channels.push_back(std::move(*channel));
-    } else if (json.is_object() && json.value("id", Json()).is_number_unsigned()) {
-      read.services.push_back({json["id"].get<std::uint32_t>(), text_of(json, "name")});
-    }
-  return read;
-}
-
-Result<std::vector<Advertised>> parse_advertise(std::string_view text) {
-  auto read = parse_server_text(text);
-  if (!read) return read.failure();
-  return std::move(read->channels);
 }
 
 Result<std::optional<MessageData>> parse_message_data(std::string_view bytes) {

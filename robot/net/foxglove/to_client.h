@@ -83,19 +83,27 @@ std::string playback_state(Playback playback, std::uint64_t time_ns, float speed
 
 // for our client
 
-/// Returns the channels of an `advertise`, no channels for another message, or an Error
+/// Returns the well-formed channels of an `advertise`, no channels for another message, or an Error
 /// if `text` is not of the protocol.
 Result<std::vector<Advertised>> parse_advertise(std::string_view text);
+
+/// A call that a server could not answer.
+struct FailedCall {
+  std::uint32_t service = 0, call = 0;
+  std::string message;
+};
 
 /// The parts of a server's text message that our client uses.
 struct ServerText {
   std::optional<ServerInfo> info;  // without encodings and the span of a recording
   std::vector<Advertised> channels;
   std::vector<Service> services;
+  std::optional<FailedCall> failed_call;
+  std::vector<std::string> problems;  // one sentence for each channel or service that is wrong and left out
 };
 
-/// Reads a text message. All parts are empty for a message of another kind. Returns an
-/// Error if it is not of the protocol.
+/// Reads a text message. All parts are empty for a message of another kind. One wrong channel or service takes no other
+/// with it. NaN and Infinity, which JSON does not have, count as null. Returns an Error if it is not of the protocol.
 Result<ServerText> parse_server_text(std::string_view text);
 
 struct MessageData {

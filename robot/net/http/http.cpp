@@ -95,6 +95,13 @@ bool HttpRequest::has_token(std::string_view name, std::string_view token) const
   return found;
 }
 
+bool HttpRequest::has_exact_token(std::string_view name, std::string_view token) const {
+  bool found = false;
+  for (const auto& [key, value] : headers)
+    if (key == name) split(value, [&](std::string_view element) { found |= element == token; });
+  return found;
+}
+
 std::uint64_t HttpResponse::body_size() const {
   if (const auto* part = std::get_if<BodyPart>(&body)) return part->size;
   if (const auto* text = std::get_if<std::string>(&body)) return text->size();

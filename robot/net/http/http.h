@@ -29,6 +29,9 @@ struct HttpRequest {
 
   /// Returns whether the comma-separated header `name` has the element `token` (lower case), in any case.
   bool has_token(std::string_view name, std::string_view token) const;
+
+  /// Returns whether the comma-separated header `name` has the element `token` in exactly this case.
+  bool has_exact_token(std::string_view name, std::string_view token) const;
 };
 
 /// A range of a source that is read piece by piece during sending.

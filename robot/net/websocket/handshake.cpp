@@ -34,9 +34,10 @@ std::string accept_value(std::string_view key) {
   return to_base64({reinterpret_cast<const char*>(digest.data()), digest.size()});
 }
 
+// names of subprotocols have one spelling only (RFC 6455, section 4.1): a browser refuses an answer in another case
 std::optional<std::string_view> chosen_subprotocol(const HttpRequest& request) {
   for (const std::string_view known : kSubprotocols)
-    if (request.has_token("sec-websocket-protocol", known)) return known;
+    if (request.has_exact_token("sec-websocket-protocol", known)) return known;
   return std::nullopt;
 }
 

@@ -17,8 +17,8 @@ bool wants_web_socket(const HttpRequest& request);
 
 /// An agreed handshake.
 struct Upgrade {
-  std::string subprotocol;
-  std::string response;  // status line and headers, sent unchanged
+  std::string subprotocol;  // as the client offered it
+  std::string response;     // status line and headers, sent unchanged
 };
 
 /// Accepts `request`, or returns an Error with the reason for refusing it (400).

@@ -4,11 +4,13 @@
 
 #include <sys/stat.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <thread>
 #include <vector>
 
 #include "tests/support/temporary_folder.h"
+#include "tests/support/used_up_descriptors.h"
 
 namespace robot {
 namespace {
@@ -49,6 +51,18 @@ TEST(Files, AreReplacedByManyThreadsAtOnceAndHoldTheBytesOfOne) {
   ASSERT_TRUE(read);
   EXPECT_EQ(*read, std::string(10'000, read->front()));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(Files, ASpareDescriptorIsFreedWhenNoOtherIsLeft) {
+  FileDescriptor spare = spare_descriptor();
+  ASSERT_TRUE(spare);
+  const tests::UsedUpDescriptors none;
+  errno = 0;
+  EXPECT_FALSE(spare_descriptor());
+  EXPECT_TRUE(is_out_of_descriptors(errno));
+  EXPECT_FALSE(is_out_of_descriptors(EAGAIN));
+  spare.reset();
+  EXPECT_TRUE(spare_descriptor());
 }
 
 TEST(Files, NameTheFileThatCannotBeRead) {

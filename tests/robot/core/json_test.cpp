@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 namespace robot {
@@ -37,6 +38,18 @@ TEST(Json, BracketsInsideTextsDoNotCount) {
   EXPECT_TRUE(parse_json('"' + std::string(1000, '[') + '"'));
   EXPECT_TRUE(parse_json(R"({"\"[": "\\", "x": ")" + std::string(1000, '{') + "\"}"));
   EXPECT_FALSE(parse_json(R"(["\\", )" + nested(kDeepestJson, "[", "]") + "]"));
+}
+
+TEST(Json, AWholeNumberMayBeSpelledInAnyWay) {
+  for (const char* one : {"1", "1.0", "1e0", "10e-1", "0.1e1"}) EXPECT_EQ(whole_number(*parse_json(one)), 1) << one;
+  EXPECT_EQ(whole_number(*parse_json("-2.0")), -2);
+  EXPECT_EQ(whole_number(*parse_json("9223372036854775807")), INT64_MAX);
+  EXPECT_EQ(whole_number(*parse_json("9007199254740992.0")), 9007199254740992);
+  for (const char* none : {"1.5", "\"1\"", "true", "null", "[1]", "{}", "9223372036854775808", "1e17", "-1e300"})
+    EXPECT_EQ(whole_number(*parse_json(none)), std::nullopt) << none;
+  EXPECT_EQ(whole_number(nlohmann::json(std::nan(""))), std::nullopt);
+  EXPECT_EQ(whole_number(nlohmann::json(INFINITY)), std::nullopt);
+  EXPECT_FALSE(parse_json("NaN"));
 }
 
 TEST(Json, ManyListsBesideEachOtherAreNotDeep) {

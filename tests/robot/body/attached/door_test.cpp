@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <cstring>
+#include <ctime>
 #include <functional>
 #include <random>
 #include <string>
@@ -23,6 +24,7 @@
 #include "tests/support/eventually.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_channel.h"
+#include "tests/support/used_up_descriptors.h"
 
 namespace robot::body {
 namespace {
@@ -36,8 +38,8 @@ struct TheDoor : ::testing::Test {
     open();
   }
 
-  void open() {
-    auto opened = Door::open({.path = path, .robot = "14/2"}, clock, channels, board);
+  void open(std::uint64_t first_frame_ns = DoorOptions().first_frame_ns) {
+    auto opened = Door::open({.path = path, .robot = "14/2", .first_frame_ns = first_frame_ns}, clock, channels, board);
     ASSERT_TRUE(opened) << opened.error();
     door = std::move(*opened);
   }
@@ -70,13 +72,17 @@ struct TheDoor : ::testing::Test {
     return {static_cast<const char*>(message.bytes), message.size};
   }
 
-  /// Connects and sends `bytes`, with `file`, then disconnects or stays.
-  FileDescriptor stranger(std::string_view bytes, int file = -1) {
-    FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  void connect(const FileDescriptor& socket) const {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     path.native().copy(address.sun_path, sizeof address.sun_path - 1);
     EXPECT_EQ(::connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  }
+
+  /// Connects and sends `bytes`, with `file`, then disconnects or stays.
+  FileDescriptor stranger(std::string_view bytes, int file = -1) {
+    FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    connect(socket);
     iovec piece{.iov_base = const_cast<char*>(bytes.data()), .iov_len = bytes.size()};
     msghdr message{};
     message.msg_iov = &piece;
@@ -128,6 +134,13 @@ struct TheDoor : ::testing::Test {
   std::unique_ptr<Door> door;
   float last_x = 0;
 };
+
+/// Returns the processor time of all threads of this process.
+std::uint64_t process_cpu_ns() {
+  timespec time{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<std::uint64_t>(time.tv_sec) * kSecond + static_cast<std::uint64_t>(time.tv_nsec);
+}
 
 std::string integer(std::uint64_t value, int bytes) {
   std::string text;
@@ -516,6 +529,43 @@ TEST_F(TheDoor, ManyProcessesConnectUpToTheLimit) {
   for (std::size_t i = 0; i < Door::kMaxConnections; ++i) crowd.push_back(stranger(""));
   EXPECT_EQ(refusal(stranger("")), "expected at most 128 streams at once, got one more");
   crowd.clear();
+  expect_all_well();
+}
+
+TEST_F(TheDoor, ConnectionsThatSayNothingKeepNoOtherProcessOut) {
+  door.reset();
+  open(200 * kMillisecond);
+  std::vector<FileDescriptor> silent;
+  for (std::size_t i = 0; i < Door::kMaxConnections; ++i) silent.push_back(stranger(""));
+  const FileDescriptor slow = stranger(ball_channel().substr(0, 3));
+  expect_all_well();
+  EXPECT_EQ(refusal(silent.front()), "expected a first frame within 200 ms, got none");
+  // a process that waits for an object has said so
+  const Reader reader = want("/14/2/prophecy");
+  ForesightMessage message;
+  EXPECT_FALSE(foresight_read(reader.get(), &message));
+  const FileDescriptor later = stranger("");
+  EXPECT_EQ(refusal(later), "expected a first frame within 200 ms, got none");
+  const Writer prophecy = announce("prophecy", "team.Prophecy", "", "json");
+  ASSERT_TRUE(write(prophecy, "soon"));
+  EXPECT_EQ(read(reader, message), "soon");
+}
+
+TEST_F(TheDoor, WithoutFileDescriptorsItRefusesWithASentenceAndDoesNotSpin) {
+  std::vector<FileDescriptor> clients;
+  for (int i = 0; i < 5; ++i) clients.emplace_back(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  {
+    const tests::UsedUpDescriptors none;
+    const std::uint64_t before_ns = monotonic_ns(), cpu_before_ns = process_cpu_ns();
+    for (const FileDescriptor& client : clients) connect(client);
+    for (const FileDescriptor& client : clients)
+      EXPECT_EQ(refusal(client),
+                "expected a free file descriptor for one more stream, got none: raise the limit of open files (ulimit "
+                "-n)");
+    const std::uint64_t elapsed_ns = monotonic_ns() - before_ns;
+    EXPECT_GE(elapsed_ns, 400 * kMillisecond);  // ten refusals a second
+    EXPECT_LT(process_cpu_ns() - cpu_before_ns, elapsed_ns / 2);
+  }
   expect_all_well();
 }
 

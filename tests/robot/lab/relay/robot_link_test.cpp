@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 
 #include "proto/foresight/ball.pb.h"
 #include "proto/foresight/camera.pb.h"
+#include "robot/core/report.h"
 #include "robot/image/image_codec.h"
 #include "robot/logging/streams/board.h"
 #include "robot/memory/schema.h"
@@ -16,6 +18,7 @@
 #include "robot/net/serve/board_streams.h"
 #include "robot/net/serve/server.h"
 #include "tests/robot/net/net_support.h"
+#include "tests/robot/net/scripted_server.h"
 #include "tests/support/eventually.h"
 
 namespace robot::lab {
@@ -352,6 +355,80 @@ TEST_F(Relaying, AnotherSchemaUnderTheSameTopicIsLeftOut) {
   const auto relayed = link(robot);
   wait_for("/14/2/y", "{}");
   EXPECT_EQ(known->newest(), nullptr);
+}
+
+/// Returns the frames of a server that offers /1/2/good among items that are wrong in every way.
+std::string wrong_items() {
+  std::string truncated;
+  net::foxglove::append_numbered_data_header(truncated, 1, 5, {.sequence = 1, .publish_ns = 5});
+  truncated.pop_back();
+  std::string frames = tests::server_frame(
+      net::Opcode::text, net::foxglove::server_info({.name = "x", .metadata = {{"robots", "1/2"}}, .session_id = "1"}));
+  for (const char* text :
+       {R"({"op":"parameterValues","parameters":[{"name":"x","value":NaN}]})", R"({"op":"status","level":"bad"})",
+        R"({"op":"dance","id":[]})", "no JSON", R"({"op":"advertise","channels":7})",
+        R"({"op":"advertiseServices","services":[{"id":"one","name":"clock_sync"},7]})",
+        R"({"op":"advertise","channels":[{"id":1,"topic":"/1/2/bad","schemaEncoding":"protobuf","schema":"%%%"},
+           {"id":"two","topic":"/1/2/worse"},{"id":NaN,"topic":"/1/2/worst"},
+           {"id":3,"topic":"/1/2/good","encoding":"json","metadata":{"rate":Infinity}}]})"})
+    frames += tests::server_frame(net::Opcode::text, text);
+  return frames + tests::server_frame(net::Opcode::binary, truncated) +
+         tests::server_frame(net::Opcode::binary, "\x03\x01");
+}
+
+TEST_F(Relaying, AWrongItemIsLeftOutAndReportedOnceAndTheRestGoesOn) {
+  std::vector<std::string> reports;
+  set_report_listener([&](const Report& report) {
+    const std::lock_guard guard(lock);
+    reports.push_back(report.sentence);
+  });
+  {
+    tests::ScriptedServer server([](tests::ScriptedPeer& peer) {
+      peer.send(peer.read_request() + wrong_items() + wrong_items());
+      EXPECT_NE(peer.next_frame().find(R"({"channelId":3,"id":1})"), std::string::npos);
+      std::string message;
+      net::foxglove::append_message_data_header(message, 1, 7);
+      peer.send(tests::server_frame(net::Opcode::binary, message + "fine"));
+      peer.wait_closed();
+    });
+    const RobotLink link(1, {.robot = {.name = "tim", .addresses = {server.url()}}}, channels, claims, clock,
+                         [](auto&&...) {});
+    wait_for("/1/2/good", "fine");
+    EXPECT_EQ(link.status().connections, 1u);
+    EXPECT_EQ(link.status().problem, "");
+  }
+  set_report_listener({});
+  for (const char* part :
+       {"the schema of \"/1/2/bad\"", "'id' of \"/1/2/worse\", got \"two\"", "'id' of \"/1/2/worst\"",
+        "'channels', got 7", "'id' of \"clock_sync\"", "server message: expected JSON",
+        "message data: expected a header", "service response: it is cut short"})
+    EXPECT_EQ(std::ranges::count_if(reports,
+                                    [&](const std::string& said) {
+                                      return said.find(part) != said.npos && said.starts_with("tim: ") &&
+                                             said.ends_with("; it is left out");
+                                    }),
+              1)
+        << part;
+}
+
+TEST_F(Relaying, ARobotWhoseClockServiceFailsIsRelayedWithoutIt) {
+  for (const bool answers : {true, false}) {
+    tests::ScriptedServer server([answers](tests::ScriptedPeer& peer) {
+      using namespace net::foxglove;
+      peer.send(peer.read_request() + tests::server_frame(net::Opcode::text, server_info({.name = "x"})) +
+                tests::server_frame(net::Opcode::text, advertise_services({{7, "clock_sync"}})) +
+                tests::server_frame(net::Opcode::text, R"({"op":"advertise","channels":[{"id":3,"topic":"/x"}]})"));
+      peer.next_frame();  // the call
+      peer.send(answers ? tests::server_frame(net::Opcode::binary, service_response(7, 1, "json", "{\"ok\":false}"))
+                        : tests::server_frame(net::Opcode::text, service_call_failure(7, 1, "broken")));
+      EXPECT_NE(peer.next_frame().find("subscribe"), std::string::npos);
+      peer.wait_closed();
+    });
+    const RobotLink link(1, {.robot = {.name = "tim", .addresses = {server.url()}}}, channels, claims, clock,
+                         [](auto&&...) {});
+    ASSERT_TRUE(tests::eventually([&] { return link.status().state == LinkStatus::State::connected; }));
+    EXPECT_EQ(link.status().clock, std::nullopt);
+  }
 }
 
 TEST(AskName, ReturnsTheNameOfTheRobotOrAnError) {

@@ -4,11 +4,14 @@
 #include <sys/stat.h>
 
 #include <cstring>
+#include <vector>
 
 #include "robot/core/local_address.h"
 #include "robot/nao/guardian/guardian_client.h"
 #include "robot/nao/guardian/runtime_link.h"
+#include "tests/support/eventually.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/used_up_descriptors.h"
 
 namespace robot::nao {
 namespace {
@@ -91,6 +94,48 @@ TEST_F(NaoLink, ObeysOneRuntimeAtATime) {
   ASSERT_TRUE(link.hear().runtime_crashed);
   ASSERT_TRUE(other.give(order(3)));
   EXPECT_TRUE(link.hear().order);
+}
+
+TEST_F(NaoLink, SilentClientsKeepNoRuntimeOutAndNoRequestIsLost) {
+  std::vector<FileDescriptor> silent;
+  for (std::size_t i = 0; i < RuntimeLink::kMaxConnections; ++i) silent.push_back(stranger());
+  link.hear();
+  GuardianClient runtime = client();
+  ASSERT_TRUE(runtime.give(order(1)));
+  EXPECT_TRUE(link.hear().order);
+  char byte = 0;
+  EXPECT_EQ(::recv(silent.front().get(), &byte, 1, 0), 0) << "the oldest made room";
+
+  // a request that waits while others connect, and the runtime stays
+  const Request request{.what = Request::What::sit_and_soft};
+  ASSERT_EQ(::send(silent[1].get(), &request, sizeof request, 0), static_cast<ssize_t>(sizeof request));
+  for (FileDescriptor& one : silent) one = stranger();
+  ASSERT_TRUE(runtime.give(order(2)));
+  const RuntimeLink::Heard heard = link.hear();
+  EXPECT_TRUE(heard.asked_soft);
+  EXPECT_TRUE(heard.order);
+  EXPECT_FALSE(heard.runtime_crashed);
+}
+
+TEST_F(NaoLink, WithoutFileDescriptorsItAcceptsNothingForAWhile) {
+  const FileDescriptor waiting(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0));
+  std::vector<pollfd> files;
+  {
+    const tests::UsedUpDescriptors none;
+    ASSERT_TRUE(LocalAddress::of(path, "test")->connect(waiting.get()));
+    link.hear();
+    link.add_to(files);
+    EXPECT_LT(files.front().fd, 0);
+  }
+  ASSERT_TRUE(tests::eventually([&] {
+    files.clear();
+    link.add_to(files);
+    return files.front().fd >= 0;
+  }));
+  link.hear();
+  files.clear();
+  link.add_to(files);
+  EXPECT_EQ(files.size(), 2u) << "then it accepts the client";
 }
 
 TEST_F(NaoLink, DropsAClientWithAnotherLayout) {

@@ -89,6 +89,16 @@ TEST(Foxglove, ClientTextsAreRead) {
   EXPECT_EQ(std::get<Unsupported>(*asset).op, "fetchAsset");
 }
 
+TEST(Foxglove, IdsOfAClientMayBeSpelledAsDecimalFractions) {
+  const auto subscribe = parse_client_text(R"({"op":"subscribe","subscriptions":[{"id":1.0,"channelId":4e0}]})");
+  ASSERT_TRUE(subscribe) << subscribe.error();
+  EXPECT_EQ(std::get<Subscribe>(*subscribe).subscriptions.at(0).subscription, 1u);
+  EXPECT_EQ(std::get<Subscribe>(*subscribe).subscriptions.at(0).channel, 4u);
+  const auto unsubscribe = parse_client_text(R"({"op":"unsubscribe","subscriptionIds":[7.0]})");
+  ASSERT_TRUE(unsubscribe) << unsubscribe.error();
+  EXPECT_EQ(std::get<Unsubscribe>(*unsubscribe).subscriptions, std::vector<std::uint32_t>{7});
+}
+
 TEST(Foxglove, ASubscribeOfOurClientIsRead) {
   const auto message = parse_client_text(to_text(Subscribe{{{7, 9}}}));
   ASSERT_TRUE(message);
@@ -109,6 +119,10 @@ TEST(Foxglove, WrongTextsAreNamed) {
        "request: 'subscriptions' must be an array of {id, channelId}, both numbers 0 .. 4294967295"},
       {R"({"op":"subscribe","subscriptions":[{"id":4294967296,"channelId":1}]})",
        "request: 'subscriptions' must be an array of {id, channelId}, both numbers 0 .. 4294967295"},
+      {R"({"op":"subscribe","subscriptions":[{"id":1.5,"channelId":1}]})",
+       "request: 'subscriptions' must be an array of {id, channelId}, both numbers 0 .. 4294967295"},
+      {R"({"op":"subscribe","subscriptions":[{"id":NaN,"channelId":1}]})",
+       "request: expected JSON, got something else"},
       {R"({"op":"unsubscribe","subscriptionIds":["a"]})",
        "request: 'subscriptionIds' must be an array of numbers 0 .. 4294967295"},
       {R"({"op":"getParameters","parameterNames":[1]})", "request: 'parameterNames' must be an array of texts"},
@@ -175,11 +189,51 @@ TEST(Foxglove, TextsOfAServerAreReadBack) {
   EXPECT_EQ(services->services.at(1).id, 2u);
   EXPECT_TRUE(parse_server_text(status(StatusLevel::info, "hello")));
   EXPECT_FALSE(parse_server_text("[]"));
-  EXPECT_FALSE(parse_server_text(R"({"op":"advertiseServices"})"));
+  const auto none = parse_server_text(R"({"op":"advertiseServices"})");
+  ASSERT_TRUE(none);
+  EXPECT_EQ(none->problems, std::vector<std::string>{"advertiseServices: expected an array as 'services', got null"});
 
   const auto unsubscribe = parse_client_text(to_text(Unsubscribe{{7, 9}}));
   ASSERT_TRUE(unsubscribe);
   EXPECT_EQ(std::get<Unsubscribe>(*unsubscribe).subscriptions, (std::vector<std::uint32_t>{7, 9}));
+}
+
+TEST(Foxglove, OneWrongItemOfAServerTakesNoOtherWithIt) {
+  const auto read = parse_server_text(R"({"op":"advertise","channels":[
+    {"id":1,"topic":"/1/1/a","encoding":"json"},
+    {"id":2,"topic":"/1/1/b","schemaEncoding":"protobuf","schema":"%%%"},
+    {"id":"three","topic":"/1/1/c"},
+    {"id":NaN,"topic":"/1/1/d"},
+    {"id":5,"topic":7},
+    7,
+    {"id":7.0,"topic":"/1/1/NaN","encoding":"json","metadata":{"rate":-Infinity,"quote":"\"nan"}}]})");
+  ASSERT_TRUE(read) << read.error();
+  ASSERT_EQ(read->channels.size(), 2u);
+  EXPECT_EQ(read->channels[0].info.topic, "/1/1/a");
+  EXPECT_EQ(read->channels[1].id, 7u);
+  EXPECT_EQ(read->channels[1].info.topic, "/1/1/NaN");
+  EXPECT_EQ(read->channels[1].metadata, (std::map<std::string, std::string>{{"quote", "\"nan"}}));
+  ASSERT_EQ(read->problems.size(), 5u);
+  EXPECT_EQ(read->problems[0].find("advertise: the schema of \"/1/1/b\": "), 0u) << read->problems[0];
+  EXPECT_EQ(read->problems[1],
+            "advertise: expected a whole number 0 .. 4294967295 as 'id' of \"/1/1/c\", got \"three\"");
+  EXPECT_EQ(read->problems[2], "advertise: expected a whole number 0 .. 4294967295 as 'id' of \"/1/1/d\", got null");
+  EXPECT_EQ(read->problems[3], "advertise: expected a text as 'topic' of channel 5, got 7");
+  EXPECT_EQ(read->problems[4], "advertise: expected an object, got 7");
+
+  const auto services =
+      parse_server_text(R"({"op":"advertiseServices","services":[{"id":"x","name":"bad"},{"id":2,"name":"good"}]})");
+  ASSERT_TRUE(services);
+  ASSERT_EQ(services->services.size(), 1u);
+  EXPECT_EQ(services->services[0].name, "good");
+  EXPECT_EQ(services->problems.size(), 1u);
+  EXPECT_TRUE(parse_server_text(R"({"op":"parameterValues","parameters":[{"name":"x","value":NaN}]})"));
+  EXPECT_TRUE(parse_server_text(R"({"op":"serverInfo","capabilities":7,"metadata":[1]})"));
+  const auto failed = parse_server_text(service_call_failure(3, 4, "no"));
+  ASSERT_TRUE(failed && failed->failed_call);
+  EXPECT_EQ(failed->failed_call->service, 3u);
+  EXPECT_EQ(failed->failed_call->call, 4u);
+  EXPECT_EQ(failed->failed_call->message, "no");
 }
 
 TEST(Foxglove, BinaryMessagesOfAServerAreReadBackAndSurviveEveryTruncation) {

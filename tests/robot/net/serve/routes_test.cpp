@@ -257,6 +257,12 @@ TEST(Handshake, MatchesTheExampleOfRfc6455) {
   request.headers[4].second = "chat";
   EXPECT_EQ(accept_web_socket(request).error(),
             "WebSocket: expected the subprotocol foxglove.sdk.v1 or foxglove.websocket.v1 to be offered, it is not");
+
+  // another case is another name: the answer never has a spelling that was not offered
+  request.headers[4].second = "Foxglove.SDK.v1";
+  EXPECT_FALSE(accept_web_socket(request));
+  request.headers[4].second = "FOXGLOVE.SDK.V1, foxglove.websocket.v1";
+  EXPECT_EQ(accept_web_socket(request)->subprotocol, "foxglove.websocket.v1");
 }
 
 }  // namespace
