@@ -19,6 +19,10 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
 /// time; it then holds the bytes of one of them. `mode` holds the permission bits of the new file.
 Result<void> replace_file(const std::filesystem::path& path, std::string_view bytes, unsigned mode = 0644);
 
+/// As replace_file(), and returns only when the disk holds the file and its name, so that a loss of power leaves the old
+/// file or the new one.
+Result<void> store_file(const std::filesystem::path& path, std::string_view bytes, unsigned mode = 0644);
+
 /// Returns the Error "WHAT PATH: reason" for the system error `error_number`.
 Error file_error(std::string_view what, const std::filesystem::path& path, int error_number);
 

@@ -1,0 +1,31 @@
+// The entries of a folder.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "robot/core/result.h"
+
+namespace robot {
+
+/// An entry of a folder. A symbolic link, a named pipe and a device are `other`.
+struct FolderEntry {
+  enum class Kind { file, folder, other };
+
+  std::string name;
+  Kind kind = Kind::other;
+  std::uint64_t size_bytes = 0;
+  std::int64_t changed_ns = 0;  // [ns since the epoch] of the last change of its bytes, by the system clock
+};
+
+/// The most entries that list_folder() accepts.
+inline constexpr std::size_t kMostFolderEntries = 100'000;
+
+/// Returns the entries of the folder at `path`, by name. Opens none of them, so that a named pipe cannot block, and
+/// follows no symbolic link among them. Returns an Error if the folder cannot be read or has too many entries.
+/// Does not throw.
+Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& path);
+
+}  // namespace robot
