@@ -37,7 +37,7 @@ std::optional<FolderEntry> entry_of(DIR* folder, const char* name) {
 
 }  // namespace
 
-Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& path) {
+Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& path, std::size_t most) {
   const std::unique_ptr<DIR, CloseFolder> folder(::opendir(path.c_str()));
   if (!folder) return file_error("cannot read", path, errno);
   std::vector<FolderEntry> entries;
@@ -48,8 +48,8 @@ Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& path) 
     if (!next) break;
     const std::string_view name = next->d_name;
     if (name == "." || name == "..") continue;
-    if (entries.size() == kMostFolderEntries)
-      return Error{"cannot read " + path.string() + ": expected at most " + std::to_string(kMostFolderEntries) +
+    if (entries.size() == most)
+      return Error{"cannot read " + path.string() + ": expected at most " + std::to_string(most) +
                    " entries, got more"};
     if (auto entry = entry_of(folder.get(), next->d_name)) entries.push_back(std::move(*entry));
   }

@@ -1,6 +1,7 @@
 // The entries of a folder.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -20,12 +21,9 @@ struct FolderEntry {
   std::int64_t changed_ns = 0;  // [ns since the epoch] of the last change of its bytes, by the system clock
 };
 
-/// The most entries that list_folder() accepts.
-inline constexpr std::size_t kMostFolderEntries = 100'000;
-
 /// Returns the entries of the folder at `path`, by name. Opens none of them, so that a named pipe cannot block, and
-/// follows no symbolic link among them. Returns an Error if the folder cannot be read or has too many entries.
+/// follows no symbolic link among them. Returns an Error if the folder cannot be read or has more than `most` entries.
 /// Does not throw.
-Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& path);
+Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& path, std::size_t most = 100'000);
 
 }  // namespace robot

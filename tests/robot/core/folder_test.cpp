@@ -31,6 +31,14 @@ TEST(Folders, ListTheirEntriesByNameAndFollowNoLink) {
   EXPECT_EQ((*entries)[3].kind, Kind::other) << "a pipe";
 }
 
+TEST(Folders, WithTooManyEntriesAreRefused) {
+  const tests::TemporaryFolder folder;
+  for (const char* name : {"a", "b", "c"}) ASSERT_TRUE(replace_file(folder / name, ""));
+  EXPECT_EQ(list_folder(folder.path(), 3)->size(), 3u);
+  EXPECT_EQ(list_folder(folder.path(), 2).error(),
+            "cannot read " + folder.path().string() + ": expected at most 2 entries, got more");
+}
+
 TEST(Folders, NameTheFolderThatCannotBeRead) {
   const tests::TemporaryFolder folder;
   const std::string loop = (folder / "loop").string();
