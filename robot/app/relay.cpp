@@ -106,13 +106,15 @@ Result<void> relay(const RelayOptions& options) {
     if (names[i]) claims.introduce(names[i]->text(), static_cast<int>(i) + 1);
   Mutex lock;  // guards `links`: the statistics read it while links are added
   std::vector<std::unique_ptr<lab::RobotLink>> links;
+  std::error_code failed;  // the path stays relative then
+  const std::filesystem::path log_folder = std::filesystem::absolute(options.log_folder, failed);
   Runtime runtime({.program = "foresight-lab",
                    .body = "relay",
                    .robot = name.text(),
                    .team = name.team,
                    .player = name.player,
                    .server = options.server,
-                   .log_folder = std::filesystem::absolute(options.log_folder).lexically_normal(),
+                   .log_folder = (failed ? options.log_folder : log_folder).lexically_normal(),
                    .log_bytes = options.log_mb * 1'000'000,
                    .add_statistics =
                        [&](foresight::RuntimeStatistics& statistics) {
@@ -121,6 +123,7 @@ Result<void> relay(const RelayOptions& options) {
                        }},
                   clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
+  if (const Result<void> usable = logging::check_session_name(options.name); !usable) return usable.failure("--name");
   if (Result<void> started = runtime.start(); !started) return started;
   if (options.record)
     if (Result<void> recording = runtime.record(options.name, profile_for(options.pictures)); !recording)

@@ -60,18 +60,22 @@ void GameService::begin_session(const GameState& game) {
   GameState named = game;  // the team's own code may leave out our numbers
   named.set_own_team(options_.link.team);
   named.set_own_player(options_.link.player);
-  const Result<std::string> session = recorder_.start(game::session_name(named, options_.field, std::string(kBuildId)),
-                                                      parameters_.text("recording_profile"));
-  if (!session) return report(Level::warning, "game", "the match is not recorded: " + session.error());
-  session_ = *session;
+  std::string name = game::session_name(named, options_.field, std::string(kBuildId));
+  if (const Result<void> usable = logging::check_session_name(name); !usable) {
+    report(Level::warning, "game", usable.error() + "; the match is recorded without a name");
+    name.clear();
+  }
+  const Result<std::uint64_t> request = recorder_.want(name, parameters_.text("recording_profile"));
+  if (!request) return report(Level::warning, "game", "the match is not recorded: " + request.error());
+  request_ = *request;
   parameters_.update("recording", true);
 }
 
 void GameService::end_session() {
-  const std::optional<std::string> session = std::exchange(session_, std::nullopt);
+  const std::optional<std::uint64_t> request = std::exchange(request_, std::nullopt);
   const logging::RecordingStatus status = recorder_.status();
   // a client may have ended it and begun another one
-  if (!session || status.state == logging::RecordingStatus::State::off || status.session != session) return;
+  if (!request || status.state == logging::RecordingStatus::State::off || status.request != request) return;
   if (const Result<std::string> stopped = recorder_.stop(); !stopped)
     return report(Level::warning, "game", stopped.error());
   parameters_.update("recording", false);

@@ -36,7 +36,8 @@ struct GameStatus {
 
 /// The follower of a game, which records and declares match mode. follow() is called by one thread, status() by any.
 ///
-/// A session that a client began is not touched: it contains the game, and the client ends it.
+/// A session that a client began is not touched: it contains the game, and the client ends it. If the disk does not permit
+/// a session when the match begins, the session begins as soon as the disk does.
 class GameService {
  public:
   /// All references outlive this. `memory` is that of our robot. Declares the parameter match_mode, on by default.
@@ -62,7 +63,7 @@ class GameService {
   net::Parameters& parameters_;
 
   game::Match match_;
-  std::optional<std::string> session_;  // the session that this service began
+  std::optional<std::uint64_t> request_;  // number of the session that this service asked for
   std::unique_ptr<game::ControlListener> listener_;
   std::unique_ptr<game::TeamLink> link_;
 };

@@ -76,6 +76,39 @@ TEST_F(Game, EachHalfIsItsOwnSession) {
   EXPECT_EQ(store.list().size(), 2u);
 }
 
+TEST_F(Game, AFullDiskDelaysTheRecordingAndDoesNotPreventIt) {
+  std::filesystem::remove(folder.path());
+  std::filesystem::create_symlink(folder.path().filename(), folder.path());  // no session can be made
+  hear(GameState::STATE_READY);
+  EXPECT_EQ(recorder.status().state, logging::RecordingStatus::State::disk_full);
+  EXPECT_TRUE(parameters.flag("recording"));
+  std::filesystem::remove(folder.path());
+  recorder.tend();
+  EXPECT_TRUE(recording());
+  hear(GameState::STATE_FINISHED);
+  EXPECT_FALSE(recording());
+  EXPECT_EQ(store.list().size(), 1u);
+}
+
+TEST_F(Game, ASessionWhoseFilesWereDeletedIsEndedAllTheSame) {
+  hear(GameState::STATE_READY);
+  std::filesystem::remove_all(folder.path());
+  recorder.tend();
+  EXPECT_TRUE(recording());
+  hear(GameState::STATE_FINISHED);
+  EXPECT_EQ(recorder.status().state, logging::RecordingStatus::State::off);
+  ASSERT_EQ(store.list().size(), 1u);
+  EXPECT_EQ(store.list()[0].state, logging::SessionState::complete);
+}
+
+TEST_F(Game, AFieldWhoseNameCannotBeUsedPreventsNoRecording) {
+  service_.emplace(GameOptions{.link = {.team = 14, .player = 3}, .field = std::string(5'000, 'A')}, *memory, clock,
+                   recorder, parameters);
+  hear(GameState::STATE_READY);
+  EXPECT_TRUE(recording());
+  EXPECT_EQ(store.list().at(0).info.name, "");
+}
+
 TEST_F(Game, ASessionThatAClientBeganIsNotTouched) {
   const std::string id = *recorder.start("mine", "game");
   hear(GameState::STATE_READY);
