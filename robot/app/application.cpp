@@ -68,9 +68,11 @@ Result<net::LogFile> open_file(const logging::Session& session, const std::strin
   const std::string who = "session " + session.id() + ": ";
   if (session.state == logging::SessionState::recording)
     return Error{who + "it is being recorded, its files are not complete yet"};
-  auto source = FileSource::open(session.folder / file);
-  if (!source) return Error{who + "there is no file '" + file + "'"};
   std::error_code ignored;
+  // a symbolic link could lead out of the log folder
+  const bool linked = std::filesystem::is_symlink(session.folder / file, ignored);
+  auto source = FileSource::open(session.folder / file);
+  if (linked || !source) return Error{who + "there is no file '" + file + "'"};
   const auto written = std::filesystem::last_write_time(session.folder / file, ignored).time_since_epoch().count();
   return net::LogFile{.body = *source,
                       .etag = std::to_string((*source)->size()) + "-" + std::to_string(written),

@@ -111,7 +111,7 @@ Result<void> play(const PlayOptions& options) {
                    .body = "recording",
                    .robot = robot,
                    .server = options.server,
-                   .log_folder = absolute_path(options.sessions.front()).parent_path(),
+                   .log_folder = logging::log_folder_of(options.sessions.front()),
                    .log_bytes = std::numeric_limits<std::uint64_t>::max(),
                    .records = false,
                    .playback = &playback,

@@ -124,6 +124,7 @@ Result<void> relay(const RelayOptions& options) {
                        }},
                   clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
+  if (const Result<void> usable = logging::check_session_name(options.name); !usable) return usable.failure("--name");
   if (Result<void> started = runtime.start(); !started) return started;
   if (options.record)
     if (Result<void> recording = runtime.record(options.name, profile_for(options.pictures)); !recording)

@@ -161,6 +161,8 @@ RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
 }
 
 Result<bool> begin(Runtime& runtime, const RobotOptions& options) {
+  if (const auto profile = logging::profile_named(options.profile); !profile) return profile.failure("--profile");
+  if (const auto usable = logging::check_session_name(options.name); !usable) return usable.failure("--name");
   for (const logging::Profile& profile : logging::profiles())
     std::printf("%s\n", runtime.recorder().room_for(profile).sentence.c_str());
   if (options.plan) return false;

@@ -77,8 +77,9 @@ RobotName robot_named_by(const RobotOptions& options);
 /// Converts the options to those of the runtime.
 RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot);
 
-/// Starts the runtime, for every body: prints which profiles fit on the disk, opens the port, and begins to record with
-/// --record. Returns false with --plan, which only prints.
+/// Starts the runtime, for every body: prints which profiles fit on the disk and opens the port. With --record it begins
+/// to record now, or as soon as the disk permits it. Returns false with --plan, which only prints. Returns an Error for a
+/// wrong --profile or --name.
 Result<bool> begin(Runtime& runtime, const RobotOptions& options);
 
 }  // namespace robot::app

@@ -115,8 +115,8 @@ Result<void> Runtime::start() {
 }
 
 Result<void> Runtime::record(std::string_view name, std::string_view profile) {
-  const Result<std::string> session = recorder_.start(name, profile);
-  if (!session) return session.failure();
+  const Result<std::uint64_t> request = recorder_.want(name, profile);
+  if (!request) return request.failure();
   parameters_.update("recording", true);
   return {};
 }
@@ -149,7 +149,9 @@ void Runtime::every_second() {
   foresight::RuntimeStatistics statistics = statistics_.collect(server_->statistics());
   if (options_.add_statistics) options_.add_statistics(statistics);
   own_.runtime.write(statistics, clock_.now_ns());
-  if (options_.records) store_.make_room(0, clock_.now_ns());
+  if (!options_.records) return;
+  recorder_.tend();
+  (void)store_.make_room(0, clock_.now_ns());
 }
 
 }  // namespace robot::app

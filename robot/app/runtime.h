@@ -1,8 +1,8 @@
 // Everything that one process runs: the threads, their owners, tasks and rates.
 //
 //   thread            from      does                                                          how often
-//   main              run()     statistics, clock samples, room on the disk; the body's tick,  once a second; 10 Hz
-//                             sessions of a game
+//   main              run()     statistics, clock samples, room on the disk, files of the      once a second; 10 Hz
+//                             session; the body's tick, sessions of a game
 //   net               Server    sockets: HTTP, WebSocket                                       on each event
 //   net <helper>      Server    reads downloads; starts and stops loggers; control             on request
 //   net questions     Server    asks foresight for clients and waits for the answer            on request
@@ -101,7 +101,7 @@ class Runtime {
   /// Opens the ports, starts the server and prints its address. Returns an Error if a port is taken.
   Result<void> start();
 
-  /// Begins a session, like the service start_recording.
+  /// Begins a session now, or as soon as the disk permits it. Returns an Error for a wrong name or profile.
   Result<void> record(std::string_view name, std::string_view profile);
 
   /// Does the housekeeping and calls `tick` ten times a second, until `tick` returns false or SIGINT or SIGTERM

@@ -37,7 +37,8 @@ FileSource::FileSource(std::filesystem::path path, FileDescriptor file, std::uin
     : path_(std::move(path)), name_(path_.filename().string()), file_(std::move(file)), size_(size) {}
 
 Result<std::shared_ptr<const FileSource>> FileSource::open(const std::filesystem::path& path) {
-  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // O_NONBLOCK: a named pipe is refused below, and is not waited for
+  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0) return file_error("cannot read", path, errno);
   if (!S_ISREG(status.st_mode)) return Error{"cannot read " + path.string() + ": expected a file"};

@@ -8,6 +8,47 @@
 #include <cstring>
 
 namespace robot {
+namespace {
+
+/// A new file beside the one at `path`.
+struct Beside {
+  std::string path;
+  FileDescriptor file;
+};
+
+/// Threads, processes and other machines may replace the same file: each makes a file of its own.
+Result<Beside> make_beside(const std::filesystem::path& path, unsigned mode) {
+  for (int number = 0;; ++number) {
+    std::string name = path.string() + ".new" + std::to_string(number);
+    FileDescriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, static_cast<mode_t>(mode)));
+    if (file) return Beside{std::move(name), std::move(file)};
+    if (errno != EEXIST) return file_error("cannot write", path, errno);
+  }
+}
+
+/// Returns false after a failure; `errno` gives the reason.
+bool write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(file, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+Result<void> replace(const std::filesystem::path& path, std::string_view bytes, unsigned mode, bool stored) {
+  Result<Beside> beside = make_beside(path, mode);
+  if (!beside) return beside.failure();
+  const int file = beside->file.get();
+  const bool written = write_all(file, bytes) && (!stored || ::fsync(file) == 0);
+  if (written && ::rename(beside->path.c_str(), path.c_str()) == 0) return {};
+  const int reason = errno;
+  ::unlink(beside->path.c_str());
+  return file_error("cannot write", path, reason);
+}
+
+}  // namespace
 
 Error file_error(std::string_view what, const std::filesystem::path& path, int error_number) {
   return Error{std::string(what) + " " + path.string() + ": " + std::strerror(error_number)};
@@ -48,16 +89,6 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
   }
 }
 
-Result<std::vector<std::filesystem::path>> entries_of(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> entries;
-  std::error_code error;
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    entries.push_back(entry->path());
-  if (error) return Error{"cannot read the folder " + folder.string() + ": " + error.message()};
-  std::ranges::sort(entries);
-  return entries;
-}
-
 std::filesystem::path absolute_path(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::path whole = std::filesystem::absolute(path, error).lexically_normal();
@@ -66,31 +97,15 @@ std::filesystem::path absolute_path(const std::filesystem::path& path) {
 }
 
 Result<void> replace_file(const std::filesystem::path& path, std::string_view bytes, unsigned mode) {
-  std::string beside;
-  {
-    // threads, processes and other machines may replace the same file: each makes a file of its own
-    FileDescriptor file;
-    for (int number = 0; !file; ++number) {
-      beside = path.string() + ".new" + std::to_string(number);
-      file = FileDescriptor(::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, static_cast<mode_t>(mode)));
-      if (!file && errno != EEXIST) return file_error("cannot write", path, errno);
-    }
-    while (!bytes.empty()) {
-      const ssize_t n = ::write(file.get(), bytes.data(), bytes.size());
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0) {
-        const int reason = errno;
-        ::unlink(beside.c_str());
-        return file_error("cannot write", path, reason);
-      }
-      bytes.remove_prefix(static_cast<std::size_t>(n));
-    }
-  }
-  if (::rename(beside.c_str(), path.c_str()) != 0) {
-    const int reason = errno;
-    ::unlink(beside.c_str());
-    return file_error("cannot write", path, reason);
-  }
+  return replace(path, bytes, mode, false);
+}
+
+Result<void> store_file(const std::filesystem::path& path, std::string_view bytes, unsigned mode) {
+  if (Result<void> replaced = replace(path, bytes, mode, true); !replaced) return replaced;
+  const std::filesystem::path parent = path.parent_path();
+  const FileDescriptor folder(::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // some file systems cannot store a folder by itself: EINVAL
+  if (!folder || (::fsync(folder.get()) != 0 && errno != EINVAL)) return file_error("cannot write", path, errno);
   return {};
 }
 

@@ -1,4 +1,4 @@
-// Reading and writing of whole small files, and lists of folders. Nothing here throws for a system error.
+// Reading and writing of whole small files. Nothing here throws for a system error.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "robot/core/result.h"
 
@@ -20,12 +19,13 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
 /// time; it then holds the bytes of one of them. `mode` holds the permission bits of the new file.
 Result<void> replace_file(const std::filesystem::path& path, std::string_view bytes, unsigned mode = 0644);
 
-/// Returns the paths of all entries of `folder`, sorted, or an Error if it cannot be read.
-Result<std::vector<std::filesystem::path>> entries_of(const std::filesystem::path& folder);
-
 /// Returns `path` from the root, without "." and "..", and without a slash at its end. A path that the system cannot complete
 /// is returned as it is.
 std::filesystem::path absolute_path(const std::filesystem::path& path);
+
+/// As replace_file(), and returns only when the disk holds the file and its name, so that a loss of power leaves the old
+/// file or the new one.
+Result<void> store_file(const std::filesystem::path& path, std::string_view bytes, unsigned mode = 0644);
 
 /// Returns the Error "WHAT PATH: reason" for the system error `error_number`.
 Error file_error(std::string_view what, const std::filesystem::path& path, int error_number);

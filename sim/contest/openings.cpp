@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "robot/core/files.h"
+#include "robot/core/folder.h"
 #include "sim/io/situation.h"
 #include "sim/io/source.h"
 #include "sim/match/hash.h"
@@ -19,11 +19,11 @@ using robot::Result;
 Result<std::vector<std::string>> names_below(const std::string& from) {
   std::error_code failed;
   if (!std::filesystem::is_directory(from, failed)) return std::vector<std::string>{from};
-  const auto files = robot::entries_of(from);
+  const auto files = robot::list_folder(from);
   if (!files) return files.failure();
   std::vector<std::string> names;
-  for (const std::filesystem::path& file : *files)
-    if (file.extension() == ".json") names.push_back(file.string());
+  for (const robot::FolderEntry& file : *files)
+    if (file.name.ends_with(".json")) names.push_back((std::filesystem::path(from) / file.name).string());
   if (names.empty())
     return Error{"folder '" + from + "': expected situations, files that end in .json, there are none"};
   return names;

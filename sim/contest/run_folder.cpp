@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "robot/core/files.h"
+#include "robot/core/folder.h"
 #include "robot/core/json_library.h"
 #include "sim/match/hash.h"
 
@@ -110,12 +111,12 @@ bool RunFolder::has(std::int64_t block) const {
 
 std::int64_t RunFolder::blocks() const {
   std::int64_t count = 0;
-  const auto files = robot::entries_of(folder_);
+  const auto files = robot::list_folder(folder_);
   if (!files) return 0;
-  for (const std::filesystem::path& file : *files) {
+  for (const robot::FolderEntry& file : *files) {
     long long block = 0;
     int used = 0;
-    const std::string name = file.filename().string();
+    const std::string& name = file.name;
     if (std::sscanf(name.c_str(), "block-%lld.json%n", &block, &used) == 1 && used == static_cast<int>(name.size()))
       count = std::max<std::int64_t>(count, block + 1);
   }

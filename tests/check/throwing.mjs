@@ -21,7 +21,7 @@ const call = new RegExp(`\\b(?:std::filesystem|fs)::(${functions})(?: \\w+)?[({]
 const ofEntry = /\b(?:entry|file|folder|item)(?:\.|->)(is_directory|is_regular_file|is_symlink|is_fifo|is_socket|is_other|file_size|last_write_time|symlink_status|hard_link_count)\(\)/g;
 
 const phrases = [
-  { found: /\bfor \((?:const )?auto&* \w+ : [^;]*directory_iterator/g, instead: "entries_of() of robot/core/files.h" },
+  { found: /\bfor \((?:const )?auto&* \w+ : [^;]*directory_iterator/g, instead: "list_folder() of robot/core/folder.h" },
   { found: /\bstd::j?thread(?: \w+)?[({]|\bstd::jthread\b/g, instead: "start_thread() of robot/core/thread.h" },
   { found: /\bstd::async\((?!kPolicy\b)/g, instead: "start_thread(), or a policy that includes std::launch::deferred" },
 ];

@@ -1,11 +1,13 @@
 // Recordings over HTTP, as browsers, download managers and other viewers request them.
 import assert from "node:assert/strict";
+import { rmSync, symlinkSync, unlinkSync } from "node:fs";
 import http from "node:http";
 import net from "node:net";
+import { join } from "node:path";
 import { test } from "node:test";
 import { Live } from "./live.mjs";
 import { readSession, readStreamed } from "./mcap.mjs";
-import { download, play, request, robot, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
+import { download, play, request, robot, run, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
 /** Starts a server with one complete recording; returns both, the recording as bytes. */
 async function served(t) {
@@ -171,6 +173,61 @@ test("a recording of a killed robot lacks less than its last two seconds", async
     assert.ok(got.length >= expected.length, `${topic}: ${got.length} of ${expected.length} messages`);
     assert.ok(expected.every(({ logTime, data }, i) => got[i].logTime === logTime && got[i].data.equals(data)), topic);
   }
+});
+
+test("a session whose path ends with a slash is listed and served", async (t) => {
+  const folder = temporaryFolder(t);
+  const server = await play(t, folder, `${await synthesize(folder, { seconds: 1 })}/`);
+  assert.deepEqual((await sessionsOf(server)).map(({ session }) => session), ["synthetic"]);
+  assert.equal((await request(server, "/logs/synthetic.mcap")).status, 200);
+});
+
+test("a recording begins when the log folder can be used", async (t) => {
+  const folder = temporaryFolder(t);
+  symlinkSync("logs", join(folder, "logs"));
+  const server = await robot(t, folder, await synthesize(folder), "--record", "--loop");
+  const recording = async () => (await statusOf(server)).recording;
+  const { state, message } = await recording();
+  assert.equal(state, "disk_full");
+  assert.match(message, /^the recording begins when the disk permits it; cannot make the folder .*: Too many levels of symbolic links$/);
+  unlinkSync(join(folder, "logs"));
+  await until(async () => (await recording()).state === "recording", "the recording to begin", undefined, () => server.output);
+});
+
+test("a recording whose log folder is deleted says so and begins anew", async (t) => {
+  const folder = temporaryFolder(t);
+  const server = await robot(t, folder, await synthesize(folder), "--record", "--loop");
+  const recording = async () => (await statusOf(server)).recording;
+  await until(async () => (await recording()).messages > 100, "messages in the recording");
+  const { session } = await recording();
+  rmSync(join(folder, "logs"), { recursive: true });
+  const { dropped, message } = await until(async () => {
+    const status = await recording();
+    return status.dropped > 0 && status;
+  }, "the loss to be noticed");
+  assert.ok(dropped > 100);
+  assert.match(message, new RegExp(`^session ${session}: its files were deleted, replaced or moved while it was recorded; messages lost: \\d+$`));
+  await until(async () => (await recording()).messages > 0, "messages in the new recording");
+});
+
+test("a second runtime leaves the session that the first records alone", async (t) => {
+  const folder = temporaryFolder(t);
+  const played = await synthesize(folder);
+  const first = await robot(t, folder, played, "--record", "--loop");
+  const { session } = (await statusOf(first)).recording;
+  const second = await robot(t, folder, played, "--log-mb", "0");
+  const [found] = await sessionsOf(second);
+  assert.deepEqual([found.session, found.state], [session, "recording"]);
+  assert.equal((await request(second, `/logs/${session}`, { method: "DELETE" })).status, 409);
+});
+
+test("a wrong profile or name ends the program with one sentence", async (t) => {
+  const folder = temporaryFolder(t);
+  const words = ["--body", "replay", "--session", await synthesize(folder), "--port", "0", "--log-dir", folder, "--record"];
+  const named = await run("foresight-robot", ...words, "--name", "x".repeat(5000));
+  assert.deepEqual([named.status, named.stderr], [2, "foresight-robot: --name: session name: expected at most 100 bytes, got 5000\n"]);
+  const profiled = await run("foresight-robot", ...words, "--profile", "all");
+  assert.deepEqual([profiled.status, profiled.stderr], [2, "foresight-robot: --profile: recording profile: expected one of game, vision, full, got 'all'\n"]);
 });
 
 /** Sends `head` unchanged and returns the whole answer; http.request would change it. */

@@ -10,8 +10,6 @@ namespace {
 
 using foresight::GameState;
 
-constexpr std::uint64_t kTryAgainNs = kSecond;  // between attempts to begin a session
-
 std::string name_of(GameState::State state) {
   switch (state) {
     case GameState::STATE_INITIAL: return "initial";
@@ -51,7 +49,7 @@ void GameService::follow() {
   const auto game = memory_.game.read();
   if (!game) return;
   switch (match_.update(game->value(), clock_.now_ns())) {
-    case game::Match::Change::none: return try_again();
+    case game::Match::Change::none: return;
     case game::Match::Change::began: return begin_session(game->value());
     case game::Match::Change::ended: return end_session();
     case game::Match::Change::another: end_session(); return begin_session(game->value());
@@ -62,34 +60,22 @@ void GameService::begin_session(const GameState& game) {
   GameState named = game;  // the team's own code may leave out our numbers
   named.set_own_team(options_.link.team);
   named.set_own_player(options_.link.player);
-  missing_.reset();
-  const bool taken = recorder_.status().state != logging::RecordingStatus::State::off;
-  const Result<std::string> session = recorder_.start(game::session_name(named, options_.field, std::string(kBuildId)),
-                                                      parameters_.text("recording_profile"));
-  if (session) {
-    session_ = *session;
-    problem_.clear();
-    return parameters_.update("recording", true);
+  std::string name = game::session_name(named, options_.field, std::string(kBuildId));
+  if (const Result<void> usable = logging::check_session_name(name); !usable) {
+    report(Level::warning, "game", usable.error() + "; the match is recorded without a name");
+    name.clear();
   }
-  if (std::exchange(problem_, session.error()) != session.error())
-    report(Level::warning, "game", "the match is not recorded: " + problem_);
-  // a client's session contains the match already; any other reason, such as a full disk, may pass
-  if (!taken) missing_ = {game, clock_.now_ns() + kTryAgainNs};
-}
-
-/// Begins the session of a running match that could not begin before.
-void GameService::try_again() {
-  if (!missing_ || clock_.now_ns() < missing_->due_ns) return;
-  if (match_.in_progress()) return begin_session(Missing(*missing_).game);
-  missing_.reset();
+  const Result<std::uint64_t> request = recorder_.want(name, parameters_.text("recording_profile"));
+  if (!request) return report(Level::warning, "game", "the match is not recorded: " + request.error());
+  request_ = *request;
+  parameters_.update("recording", true);
 }
 
 void GameService::end_session() {
-  missing_.reset();
-  const std::optional<std::string> session = std::exchange(session_, std::nullopt);
+  const std::optional<std::uint64_t> request = std::exchange(request_, std::nullopt);
   const logging::RecordingStatus status = recorder_.status();
   // a client may have ended it and begun another one
-  if (!session || status.state == logging::RecordingStatus::State::off || status.session != session) return;
+  if (!request || status.state == logging::RecordingStatus::State::off || status.request != request) return;
   if (const Result<std::string> stopped = recorder_.stop(); !stopped)
     return report(Level::warning, "game", stopped.error());
   parameters_.update("recording", false);

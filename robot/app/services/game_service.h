@@ -36,8 +36,8 @@ struct GameStatus {
 
 /// The follower of a game, which records and declares match mode. follow() is called by one thread, status() by any.
 ///
-/// A session that a client began is not touched: it contains the game, and the client ends it. A session that cannot begin,
-/// for example because the disk is full, is tried again once a second while the match lasts.
+/// A session that a client began is not touched: it contains the game, and the client ends it. If the disk does not permit
+/// a session when the match begins, the session begins as soon as the disk does.
 class GameService {
  public:
   /// All references outlive this. `memory` is that of our robot. Declares the parameter match_mode, on by default.
@@ -53,14 +53,7 @@ class GameService {
   GameStatus status() const;
 
  private:
-  /// A session that could not begin, and the time of the next attempt.
-  struct Missing {
-    foresight::GameState game;
-    std::uint64_t due_ns;  // of the clock
-  };
-
   void begin_session(const foresight::GameState& game);
-  void try_again();
   void end_session();
 
   const GameOptions options_;
@@ -70,9 +63,7 @@ class GameService {
   net::Parameters& parameters_;
 
   game::Match match_;
-  std::optional<std::string> session_;  // the session that this service began
-  std::optional<Missing> missing_;
-  std::string problem_;  // the reason why the last session did not begin
+  std::optional<std::uint64_t> request_;  // number of the session that this service asked for
   std::unique_ptr<game::ControlListener> listener_;
   std::unique_ptr<game::TeamLink> link_;
 };

@@ -7,6 +7,9 @@
 
 #include "robot/core/files.h"
 #include "robot/core/report.h"
+#include "robot/logging/sessions/abandonable.h"
+#include "robot/logging/sessions/session_counter.h"
+#include "robot/logging/sessions/stream_name.h"
 #include "robot/logging/streams/file_provider.h"
 
 namespace robot::logging {
@@ -32,7 +35,7 @@ Recorder::Recorder(memory::Channels& channels, LoggingBoard& board, SessionStore
   // objects that appear during a session join it
   watcher_ = channels_.watch([this](const std::shared_ptr<memory::Channel>& channel) {
     const std::lock_guard guard(lock_);
-    if (recording_) add(channel);
+    if (folder_) add(channel);
   });
 }
 
@@ -53,90 +56,190 @@ Recorder::Room Recorder::room_for(const Profile& profile) const {
   return room;
 }
 
-Result<std::string> Recorder::start(std::string_view name, std::string_view profile_name) {
+Result<Recorder::Wish> Recorder::accept(std::string_view name, std::string_view profile_name) const {
   const Result<Profile> profile = profile_named(profile_name);
   if (!profile) return profile.failure();
+  if (const Result<void> usable = check_session_name(name); !usable) return usable.failure();
+  if (folder_) return Error{"recording: the session " + id() + " is being recorded already"};
+  if (wish_) return Error{"recording: a session is wanted already; " + wish_->problem};
+  return Wish{.name = std::string(name), .profile = *profile, .problem = ""};
+}
+
+void Recorder::take(Wish wish) {
+  ++request_;
+  dropped_ = 0;
+  loss_.clear();
+  session_.clear();
+  profile_name_ = wish.profile.name;
+  wish_ = std::move(wish);
+}
+
+Result<std::string> Recorder::start(std::string_view name, std::string_view profile_name) {
   const std::lock_guard guard(lock_);
-  if (recording_) return Error{"recording: the session " + folder_.filename().string() + " is being recorded already"};
-  const Room room = room_for(*profile);
-  if (room.minutes < 1) return Error{"recording: " + room.sentence};
-  for (const std::string& gone :
-       store_.make_room(static_cast<std::uint64_t>(kMinutesWanted * profile->mb_per_minute * 1e6), clock_.now_ns()))
-    report(Level::info, "logging", "deleted the session " + gone + " to make room");
+  Result<Wish> wish = accept(name, profile_name);
+  if (!wish) return wish.failure();
+  take(std::move(*wish));
+  if (const Result<void> begun = begin(); !begun) {
+    wish_.reset();
+    return begun.failure("recording");
+  }
+  return session_;
+}
 
+Result<std::uint64_t> Recorder::want(std::string_view name, std::string_view profile_name) {
+  const std::lock_guard guard(lock_);
+  Result<Wish> wish = accept(name, profile_name);
+  if (!wish) return wish.failure();
+  take(std::move(*wish));
+  try_to_begin();
+  return request_;
+}
+
+void Recorder::tend() {
+  const std::lock_guard guard(lock_);
+  if (!wish_) return;
+  if (folder_ && is_whole()) return;
+  if (folder_) end();
+  try_to_begin();
+}
+
+void Recorder::try_to_begin() {
+  const Result<void> begun = begin();
+  const std::string problem = begun ? "" : "the recording begins when the disk permits it; " + begun.error();
+  if (!problem.empty() && problem != wish_->problem) report(Level::warning, "logging", problem);
+  wish_->problem = problem;
+}
+
+/// Begins the wanted session.
+Result<void> Recorder::begin() {
+  const Wish& wish = *wish_;
+  const Room room = room_for(wish.profile);
+  if (room.minutes < 1) return Error{room.sentence};
+  (void)store_.make_room(static_cast<std::uint64_t>(kMinutesWanted * wish.profile.mb_per_minute * 1e6),
+                         clock_.now_ns());
+  const std::uint64_t start_ns = clock_.now_ns();
+  Result<OwnedFolder> folder =
+      OwnedFolder::make(store_.folder(), session_folder_name(start_ns, wish.name, wish.profile.name));
+  if (!folder) return folder.failure();
   info_ = origin_.info;
-  info_.name = name;
-  info_.profile = profile->name;
-  info_.start_ns = clock_.now_ns();
-  folder_ = store_.folder() / session_folder_name(info_.start_ns, name, profile->name);
-  for (int again = 2; std::filesystem::exists(folder_); ++again)
-    folder_ =
-        store_.folder() / (session_folder_name(info_.start_ns, name, profile->name) + "_" + std::to_string(again));
-  std::error_code failed;
-  std::filesystem::create_directories(folder_, failed);
-  if (failed) return Error{"recording: cannot make the folder " + folder_.string() + ": " + failed.message()};
-  if (Result<void> written = replace_file(folder_ / "session.json", to_json(info_)); !written)
-    return written.failure("recording");
+  info_.start_ns = start_ns;
+  if (Result<void> described = describe(wish, *folder); !described) {
+    std::error_code ignored;
+    std::filesystem::remove(folder->path() / "session.json", ignored);
+    folder->discard();
+    return described;
+  }
 
-  profile_ = *profile;
   advice_ = room.minutes < kMinutesWanted ? room.sentence : "";
-  streams_.clear();
-  recording_ = true;
-  store_.set_recording(folder_.filename().string());
+  gone_ = std::make_shared<std::atomic<bool>>(false);
+  folder_.emplace(std::move(*folder));
+  session_ = folder_->name();
   for (const auto& channel : channels_.all()) add(channel);
-  report(Level::info, "logging", "recording the session " + folder_.filename().string());
-  return folder_.filename().string();
+  report(Level::info, "logging", "recording the session " + session_);
+  return {};
+}
+
+/// Sets the facts about the new session and writes them into its folder.
+Result<void> Recorder::describe(const Wish& wish, OwnedFolder& folder) {
+  info_.name = wish.name;
+  info_.profile = wish.profile.name;
+  info_.number = next_session_number(store_.folder(), store_.greatest_number());
+  info_.boot = boot_id();
+  return store_file(folder.path() / "session.json", to_json(info_));
 }
 
 void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
   const memory::ChannelInfo& info = channel->info();
   const bool image = info.schema.name == kImageSchema;
-  const std::filesystem::path path = folder_ / stream_file_name(info.topic);
   // a channel that appears while a session begins is added twice: ignore the second time
-  if (std::ranges::find(streams_, path, &Stream::path) != streams_.end()) return;
+  if (std::ranges::find(streams_, info.topic, &Stream::topic) != streams_.end()) return;
+  const std::string file = stream_file_name(info.topic);
   std::unique_ptr<OutProvider> provider = std::make_unique<FileOutProvider>(
-      path, McapOptions{.first_channel_id = static_cast<std::uint16_t>(streams_.size() + 1),
-                        .metadata = metadata_of(info_),
-                        .compression = image ? Compression::none : origin_.compression,
-                        // together one second, the most that the death of the process costs
-                        .chunk_time_ns = kSecond - FileOutProvider::kPatience.time_ns});
-  if (image && !profile_.raw_images) provider = thin_images(profile_, std::move(provider));
-  streams_.push_back({board_.start_logger(channel, std::move(provider)), path});
+      folder_->path() / file, McapOptions{.first_channel_id = static_cast<std::uint16_t>(streams_.size() + 1),
+                                          .metadata = metadata_of(info_),
+                                          .compression = image ? Compression::none : origin_.compression,
+                                          // together one second, the most that the death of the process costs
+                                          .chunk_time_ns = kSecond - FileOutProvider::kPatience.time_ns});
+  if (image && !wish_->profile.raw_images) provider = thin_images(wish_->profile, std::move(provider));
+  provider = unless_gone(gone_, std::move(provider));
+  streams_.push_back({.id = board_.start_logger(channel, std::move(provider)), .topic = info.topic, .file = file});
+}
+
+/// Reports whether the file that holds the messages of `stream` was deleted or replaced.
+bool Recorder::is_lost(Stream& stream, const StreamStatus& carried) const {
+  if (carried.messages == 0) return false;  // a file appears before its first message
+  const std::uint64_t identity = folder_->identity_of(stream.file);
+  if (stream.identity == 0) stream.identity = identity;
+  return identity == 0 || identity != stream.identity;
+}
+
+/// Reports whether all files of the session are in its folder, and the folder in its place.
+bool Recorder::is_whole() {
+  return folder_->in_place() &&
+         std::ranges::none_of(streams_, [&](Stream& stream) { return is_lost(stream, board_.status(stream.id)); });
+}
+
+/// Closes the streams of the session, counts the messages in deleted files as dropped, and says so.
+void Recorder::end() {
+  std::uint64_t lost = 0;
+  const bool in_place = folder_->in_place();
+  *gone_ = !in_place;
+  for (Stream& stream : streams_) {
+    const StreamStatus last = board_.stop(stream.id);
+    if (is_lost(stream, last)) lost += last.messages;
+    dropped_ += last.dropped;
+  }
+  dropped_ += lost;
+  streams_.clear();
+  if (in_place) {
+    // a person may have marked the session as kept while it was being recorded
+    if (const Result<Session> session = read_session(folder_->path())) info_.kept = session->info.kept;
+    info_.complete = true;
+    if (Result<void> written = store_file(folder_->path() / "session.json", to_json(info_)); !written)
+      report(Level::warning, "logging", "session " + id() + ": " + written.error());
+  }
+  if (!in_place || lost > 0) {
+    loss_ = "session " + id() +
+            ": its files were deleted, replaced or moved while it was recorded; messages lost: " + std::to_string(lost);
+    report(Level::error, "logging", loss_);
+  }
+  folder_.reset();
 }
 
 Result<std::string> Recorder::stop() {
   const std::lock_guard guard(lock_);
-  if (!recording_) return Error{"recording: there is none to stop"};
-  report(Level::info, "logging", "the session " + folder_.filename().string() + " ends");
-  for (const Stream& stream : streams_) board_.stop(stream.id);
-  recording_ = false;
-  store_.set_recording("");
-  // a person may have marked the session as kept while it was being recorded
-  const Result<Session> session = read_session(folder_);
-  if (session) info_.kept = session->info.kept;
-  info_.complete = true;
-  if (Result<void> written = replace_file(folder_ / "session.json", to_json(info_)); !written)
-    return written.failure("recording");
-  return folder_.filename().string();
+  if (!wish_) return Error{"recording: there is none to stop"};
+  if (folder_) {
+    report(Level::info, "logging", "the session " + session_ + " ends");
+    end();
+  }
+  wish_.reset();
+  return session_;
 }
 
 RecordingStatus Recorder::status() const {
   const std::lock_guard guard(lock_);
-  RecordingStatus status{.session = folder_.filename().string(), .profile = std::string(profile_.name)};
-  if (!recording_) return status;
-  status.state = RecordingStatus::State::recording;
-  status.mb_per_minute = profile_.mb_per_minute;
-  status.message = advice_;
+  RecordingStatus status{.request = request_, .session = session_, .profile = profile_name_};
+  if (!wish_) return status;
+  status.mb_per_minute = wish_->profile.mb_per_minute;
+  status.dropped = dropped_;
+  status.state = folder_ ? RecordingStatus::State::recording : RecordingStatus::State::disk_full;
+  status.message = !folder_ ? wish_->problem : loss_.empty() ? advice_ : loss_;
+  std::vector<StreamStatus> carried;
+  std::uint64_t delivered_ns = 0;
   for (const Stream& stream : streams_) {
-    const StreamStatus carried = board_.status(stream.id);
-    status.messages += carried.messages;
-    status.dropped += carried.dropped;
+    const StreamStatus& one = carried.emplace_back(board_.status(stream.id));
+    status.messages += one.messages;
+    status.dropped += one.dropped;
+    delivered_ns = std::max(delivered_ns, one.delivered_ns);
     std::error_code failed;
-    const std::uintmax_t size = std::filesystem::file_size(stream.path, failed);
+    const std::uintmax_t size = std::filesystem::file_size(folder_->path() / stream.file, failed);
     if (!failed) status.size_bytes += size;
-    if (!carried.failing) continue;
+  }
+  for (const StreamStatus& one : carried) {
+    if (!one.failing || delivered_ns > one.failed_ns + kMendedNs) continue;
     status.state = RecordingStatus::State::disk_full;
-    status.message = carried.problem;
+    status.message = one.problem;
   }
   return status;
 }

@@ -1,7 +1,10 @@
 // The recorder of every channel of this process into a session.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +12,7 @@
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
 #include "robot/logging/mcap/compression.h"
+#include "robot/logging/sessions/owned_folder.h"
 #include "robot/logging/sessions/profile.h"
 #include "robot/logging/sessions/session.h"
 #include "robot/logging/sessions/session_store.h"
@@ -18,12 +22,15 @@
 namespace robot::logging {
 
 struct RecordingStatus {
+  /// `disk_full`: the disk takes no bytes, because it is full, broken or cannot be used. `message` gives the reason.
   enum class State { off, recording, disk_full };
 
   State state = State::off;
-  std::string session;  // id of the present session, or of the last one when off
+  std::uint64_t request = 0;  // number of the present start() or want(), or of the last one when off; 0: none yet
+  std::string session;        // id of the present session, or of the last one when off; empty: it has not begun
   std::string profile;
-  std::uint64_t messages = 0, dropped = 0;
+  std::uint64_t messages = 0;  // in the files of the session
+  std::uint64_t dropped = 0;   // lost since the request, also in deleted files
   std::uint64_t size_bytes = 0;
   double mb_per_minute = 0;  // [10^6 bytes] as announced by the profile
   std::string message;       // one sentence about a problem or advice, or empty
@@ -34,14 +41,19 @@ std::string_view name(RecordingStatus::State state);
 /// The owner of one logger and one file per channel. It starts them and closes them. Any thread.
 ///
 /// A full or broken disk does not end the recording. The recorder counts the refused messages and reports the state,
-/// and it continues when the disk accepts bytes again.
+/// and it continues when the disk accepts bytes again. If the files of the session are deleted or replaced, it counts
+/// their messages as dropped and begins a new session of the same name.
 class Recorder {
  public:
-  /// The origin that is written into the sessions. start() sets `name`, `profile` and `start_ns`.
+  /// The origin that is written into the sessions. The recorder sets `name`, `profile`, `start_ns`, `number` and `boot`.
   struct Origin {
     SessionInfo info;
     Compression compression = Compression::lz4;
   };
+
+  /// A stream that failed and has nothing to write since counts as healthy if another one reached the disk this long
+  /// after the failure [ns]. A stream that has messages fails more often on a full disk.
+  static constexpr std::uint64_t kMendedNs = 3 * kSecond;
 
   /// All references must outlive the recorder.
   Recorder(memory::Channels& channels, LoggingBoard& board, SessionStore& store, const Clock& clock, Origin origin);
@@ -58,11 +70,19 @@ class Recorder {
   /// Returns how many minutes of `profile` fit now, if all deletable sessions are deleted.
   Room room_for(const Profile& profile) const;
 
-  /// Makes room, begins a session and returns its id. Returns an Error if a session is being recorded already, or if
-  /// less than one minute fits.
+  /// Makes room, begins a session and returns its id. Returns an Error if a session is being recorded already, if less
+  /// than one minute fits, or if `name` cannot name a session.
   Result<std::string> start(std::string_view name, std::string_view profile);
 
-  /// Closes the session and returns its id. Returns an Error if none is being recorded.
+  /// As start(), but if the disk does not permit a session now, the recorder begins it as soon as the disk does. Returns
+  /// the number of the request. Returns an Error for a wrong name or profile, or if a session is being recorded already.
+  Result<std::uint64_t> want(std::string_view name, std::string_view profile);
+
+  /// Begins a wanted session if that is possible now. Begins a new session if files of the present one were deleted or
+  /// replaced. Called about once a second.
+  void tend();
+
+  /// Closes the session and returns its id, which is empty if it never began. Returns an Error if none is wanted.
   Result<std::string> stop();
 
   RecordingStatus status() const;
@@ -70,10 +90,27 @@ class Recorder {
  private:
   struct Stream {
     LoggingBoard::StreamId id;
-    std::filesystem::path path;
+    std::string topic, file;
+    std::uint64_t identity = 0;  // of its file, as tend() saw it first; 0: not seen yet
   };
 
+  /// A session that somebody asked for.
+  struct Wish {
+    std::string name;
+    Profile profile;
+    std::string problem;  // reason why it has not begun, or empty
+  };
+
+  Result<Wish> accept(std::string_view name, std::string_view profile) const;
+  void take(Wish wish);
+  Result<void> begin();
+  Result<void> describe(const Wish& wish, OwnedFolder& folder);
+  void try_to_begin();
   void add(const std::shared_ptr<memory::Channel>& channel);
+  bool is_lost(Stream& stream, const StreamStatus& carried) const;
+  bool is_whole();
+  void end();
+  std::string id() const { return folder_ ? folder_->name() : ""; }
 
   memory::Channels& channels_;
   LoggingBoard& board_;
@@ -83,12 +120,16 @@ class Recorder {
   memory::Channels::WatcherId watcher_;
 
   mutable Mutex lock_;
-  bool recording_ = false;
+  std::optional<Wish> wish_;
+  std::uint64_t request_ = 0;
+  std::optional<OwnedFolder> folder_;        // of the session that is being recorded
+  std::shared_ptr<std::atomic<bool>> gone_;  // of the streams: the folder is no longer in its place
   SessionInfo info_;
-  std::filesystem::path folder_;
-  Profile profile_ = profiles().front();
+  std::string session_, profile_name_;  // the present or last one
   std::vector<Stream> streams_;
+  std::uint64_t dropped_ = 0;  // by streams that have ended, since the request
   std::string advice_;
+  std::string loss_;  // one sentence about files that were deleted since the request, or empty
 };
 
 }  // namespace robot::logging

@@ -3,47 +3,44 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <ctime>
 #include <limits>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "robot/core/byte_source.h"
-#include "robot/core/clock.h"
 #include "robot/core/files.h"
-#include "robot/core/json.h"
-#include "robot/core/json_library.h"
+#include "robot/core/folder.h"
 #include "robot/logging/mcap/format.h"
 #include "robot/logging/mcap/index.h"
 
 namespace robot::logging {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::size_t kMaxSessionJsonBytes = 1 << 20;
-constexpr const char* kSessionMetadata = "foresight.session";
 constexpr std::size_t kPieceBytes = 1 << 18;
-using Type = nlohmann::json::value_t;
 
-/// Replaces everything but letters, digits and a few signs by '_'.
-std::string tame(std::string_view text) {
-  std::string tame(text);
-  for (char& c : tame)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_' && c != '.') c = '_';
-  return tame;
-}
+/// The file of a stream, and the facts about the session in it.
+struct ReadFile {
+  StreamFile stream;
+  std::optional<SessionInfo> facts;
+  bool complete = false;  // its writer closed it
+};
 
-StreamFile read_stream(const std::filesystem::path& path) {
-  StreamFile stream{.file = path.filename().string()};
-  std::error_code ignored;
-  stream.size_bytes = std::filesystem::file_size(path, ignored);
+ReadFile read_stream(const fs::path& path, std::uint64_t size_bytes) {
+  ReadFile read{.stream = {.file = path.filename().string(), .size_bytes = size_bytes}};
+  StreamFile& stream = read.stream;
   const Result<std::shared_ptr<const FileSource>> source = FileSource::open(path);
   if (!source) {
     stream.damage = source.error();
-    return stream;
+    return read;
   }
   const Result<McapIndex> index = read_index(**source);
   if (!index) {
     stream.damage = index.error();
-    return stream;
+    return read;
   }
   stream.damage = index->damage;
   if (!index->channels.empty()) {
@@ -54,7 +51,9 @@ StreamFile read_stream(const std::filesystem::path& path) {
   stream.messages = index->statistics.messages;
   stream.start_ns = index->statistics.start_ns;
   stream.end_ns = index->statistics.end_ns;
-  return stream;
+  read.facts = session_info_in(index->metadata);
+  read.complete = index->complete;
+  return read;
 }
 
 /// Returns the robot of a topic, "14/2" for "/14/2/ball", or an empty string for a topic without a robot.
@@ -65,142 +64,77 @@ std::string robot_of(const std::string& topic) {
   return end == topic.npos ? std::string() : topic.substr(1, end - 1);
 }
 
-/// Returns the facts in the file's metadata, or without them, facts derived from its name and topics.
-SessionInfo info_of(const McapIndex& index, const std::filesystem::path& file) {
-  SessionInfo info{.name = file.stem().string(), .robot = "", .profile = "import", .complete = index.complete};
-  for (const mcap::Metadata& metadata : index.metadata)
-    if (metadata.name == kSessionMetadata)
-      for (const auto& [key, value] : metadata.entries) {
-        if (key == "name" && !value.empty()) info.name = value;
-        if (key == "robot") info.robot = value;
-        if (key == "build") info.build = value;
-        if (key == "profile") info.profile = value;
-      }
-  for (const auto& [id, channel] : index.channels)
-    if (info.robot.empty()) info.robot = robot_of(channel.topic);
+/// Sets the numbers of team and player from the robot's name.
+void take_numbers(SessionInfo& info) {
   if (info.robot.empty()) info.robot = "0/1";
   info.team = std::atoi(info.robot.c_str());
   info.player = std::atoi(info.robot.c_str() + std::min(info.robot.find('/') + 1, info.robot.size()));
+}
+
+/// Returns the facts in the file's metadata, or without them, facts derived from its name and topics.
+SessionInfo info_of(const McapIndex& index, const fs::path& file) {
+  SessionInfo info{.name = file.stem().string(), .robot = "", .profile = "import", .complete = index.complete};
+  if (const std::optional<SessionInfo> facts = session_info_in(index.metadata)) {
+    if (!facts->name.empty()) info.name = facts->name;
+    info.robot = facts->robot;
+    info.build = facts->build;
+    info.profile = facts->profile;
+  }
+  for (const auto& [id, channel] : index.channels)
+    if (info.robot.empty()) info.robot = robot_of(channel.topic);
+  take_numbers(info);
   info.start_ns = index.statistics.start_ns;
   return info;
 }
 
-}  // namespace
-
-std::string to_json(const SessionInfo& info) {
-  return nlohmann::json{{"name", info.name},
-                        {"robot", info.robot},
-                        {"team", info.team},
-                        {"player", info.player},
-                        {"build", info.build},
-                        {"profile", info.profile},
-                        {"start_ns", std::to_string(info.start_ns)},
-                        {"kept", info.kept},
-                        {"complete", info.complete}}
-             .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
-         "\n";
-}
-
-MetadataByName metadata_of(const SessionInfo& info) {
-  return {{kSessionMetadata,
-           {{"name", info.name},
-            {"robot", info.robot},
-            {"team", std::to_string(info.team)},
-            {"player", std::to_string(info.player)},
-            {"build", info.build},
-            {"profile", info.profile},
-            {"start_ns", std::to_string(info.start_ns)}}}};
-}
-
-Result<SessionInfo> parse_session_info(std::string_view text) {
-  const Result<nlohmann::json> parsed = parse_json(text);
-  if (!parsed) return parsed.failure("session.json");
-  const nlohmann::json& json = *parsed;
-  if (!json.is_object()) return Error{"session.json: expected a JSON object"};
-  SessionInfo info;
-  std::string start, wrong;
-  const auto take = [&](const char* key, auto& value, Type type) {
-    const auto found = json.find(key);
-    if (found != json.end() && (found->type() == type || (found->is_number_integer() && type == Type::number_integer)))
-      found->get_to(value);
-    else if (wrong.empty())
-      wrong = key;
-  };
-  take("name", info.name, Type::string);
-  take("robot", info.robot, Type::string);
-  take("team", info.team, Type::number_integer);
-  take("player", info.player, Type::number_integer);
-  take("build", info.build, Type::string);
-  take("profile", info.profile, Type::string);
-  take("start_ns", start, Type::string);
-  take("kept", info.kept, Type::boolean);
-  take("complete", info.complete, Type::boolean);
-  if (!wrong.empty()) return Error{"session.json: '" + wrong + "' is missing or of the wrong type"};
-  info.start_ns = std::strtoull(start.c_str(), nullptr, 10);
+/// Returns the facts in the first file that has some, or without them, facts derived from the topics.
+SessionInfo info_of(const std::vector<ReadFile>& files) {
+  SessionInfo info{.robot = "", .profile = "import"};
+  const auto known = std::ranges::find_if(files, [](const ReadFile& file) { return file.facts.has_value(); });
+  if (known != files.end()) info = *known->facts;
+  for (const ReadFile& file : files)
+    if (info.robot.empty()) info.robot = robot_of(file.stream.topic);
+  if (known == files.end()) take_numbers(info);
+  info.complete = !files.empty() && std::ranges::all_of(files, &ReadFile::complete);
   return info;
 }
 
-std::string_view name(SessionState state) {
-  switch (state) {
-    case SessionState::recording: return "recording";
-    case SessionState::complete: return "complete";
-    case SessionState::recovered: return "recovered";
-    case SessionState::damaged: return "damaged";
-  }
-  return "?";
-}
-
-std::string stream_file_name(std::string_view topic) {
-  if (topic.starts_with('/')) topic.remove_prefix(1);
-  std::string file(topic);
-  std::ranges::replace(file, '/', '.');
-  return tame(file) + ".mcap";
-}
-
-Result<std::vector<SessionFile>> read_session_files(const std::filesystem::path& folder) {
-  std::vector<SessionFile> files;
-  std::string piece;
+/// Returns the text of session.json. A link, a pipe or a folder of that name is refused, not followed or waited for.
+Result<std::string> read_side_file(const fs::path& folder) {
+  const fs::path path = folder / "session.json";
   std::error_code failed;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
-    const auto source = FileSource::open(entry.path());
-    if (!source) return source.failure();
-    SessionFile file{.name = entry.path().filename().string(), .size_bytes = (*source)->size()};
-    for (std::uint64_t at = 0; at < file.size_bytes; at += kPieceBytes) {
-      piece.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kPieceBytes, file.size_bytes - at)));
-      if (const Result<void> read = (*source)->read(at, piece); !read) return read.failure();
-      file.crc32 = mcap::crc32(piece, file.crc32);
-    }
-    files.push_back(std::move(file));
+  const fs::file_status status = fs::symlink_status(path, failed);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return Error{"cannot read " + path.string() + ": expected a file"};
+  return read_file(path, kMaxSessionJsonBytes);
+}
+
+bool is_stream(const FolderEntry& entry) {
+  return entry.kind == FolderEntry::Kind::file && !entry.name.starts_with('.') && entry.name.ends_with(".mcap");
+}
+
+/// Sets the facts of a session. Returns an Error if neither session.json nor a file has any.
+Result<void> take_facts(const std::vector<ReadFile>& files, Session& session) {
+  const Result<std::string> text = read_side_file(session.folder);
+  if (!text && std::ranges::none_of(files, [](const ReadFile& file) { return file.facts.has_value(); }))
+    return text.failure("session " + session.folder.string());
+  session.info = info_of(files);
+  if (!text) {
+    session.rebuilt = text.error();
+    return {};
   }
-  if (failed) return Error{"session " + folder.string() + ": " + failed.message()};
-  std::ranges::sort(files, {}, &SessionFile::name);
-  return files;
+  SessionInfo written;
+  if (const Result<void> taken = take_session_info(*text, written)) {
+    session.info = std::move(written);
+  } else {
+    session.rebuilt = taken.error();
+    (void)take_session_info(*text, session.info);
+  }
+  return {};
 }
 
-std::string session_folder_name(std::uint64_t start_ns, std::string_view name, std::string_view profile) {
-  const std::time_t seconds = static_cast<std::time_t>(start_ns / kSecond);
-  std::tm utc{};
-  gmtime_r(&seconds, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d_%H-%M-%S", &utc);
-  return std::string(text) + "_" + tame(name.empty() ? profile : name);
-}
-
-Result<Session> read_session(const std::filesystem::path& folder, bool being_written) {
-  const Result<std::string> text = read_file(folder / "session.json", kMaxSessionJsonBytes);
-  if (!text) return text.failure("session " + folder.string());
-  Result<SessionInfo> info = parse_session_info(*text);
-  if (!info) return info.failure("session " + folder.string());
-
-  Session session{.folder = folder, .info = std::move(*info)};
-  std::error_code failed;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
-    if (entry.path().extension() == ".mcap") session.streams.push_back(read_stream(entry.path()));
-  std::ranges::sort(session.streams, {}, &StreamFile::file);
-
-  session.state = being_written           ? SessionState::recording
-                  : session.info.complete ? SessionState::complete
-                                          : SessionState::recovered;
+/// Sets the state, the size and the times of a session from its streams.
+void sum_up(Session& session) {
   session.start_ns = std::numeric_limits<std::uint64_t>::max();
   for (const StreamFile& stream : session.streams) {
     session.size_bytes += stream.size_bytes;
@@ -215,10 +149,77 @@ Result<Session> read_session(const std::filesystem::path& folder, bool being_wri
   if (session.end_ns == 0) session.start_ns = session.end_ns = session.info.start_ns;
   if (session.state == SessionState::recovered)
     session.message = "the recording ended without warning; what was on the disk by then is readable";
+}
+
+std::uint64_t after_epoch(std::int64_t time_ns) {
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(time_ns, 0));
+}
+
+}  // namespace
+
+std::string_view name(SessionState state) {
+  switch (state) {
+    case SessionState::recording: return "recording";
+    case SessionState::complete: return "complete";
+    case SessionState::recovered: return "recovered";
+    case SessionState::damaged: return "damaged";
+  }
+  return "?";
+}
+
+Result<std::vector<SessionFile>> read_session_files(const fs::path& folder) {
+  const auto entries = list_folder(folder);
+  if (!entries) return entries.failure("session");
+  std::vector<SessionFile> files;
+  std::string piece;
+  for (const FolderEntry& entry : *entries) {
+    if (entry.kind != FolderEntry::Kind::file || entry.name.starts_with('.')) continue;
+    const auto source = FileSource::open(folder / entry.name);
+    if (!source) return source.failure();
+    SessionFile file{.name = entry.name, .size_bytes = (*source)->size()};
+    for (std::uint64_t at = 0; at < file.size_bytes; at += kPieceBytes) {
+      piece.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kPieceBytes, file.size_bytes - at)));
+      if (const Result<void> read = (*source)->read(at, piece); !read) return read.failure();
+      file.crc32 = mcap::crc32(piece, file.crc32);
+    }
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+fs::path plain_path(const fs::path& path) {
+  fs::path plain = path.lexically_normal();
+  std::error_code failed;
+  if (plain == "." || plain == "./" || plain.filename() == "..") plain = fs::absolute(plain, failed).lexically_normal();
+  return plain.has_filename() || !plain.has_relative_path() ? plain : plain.parent_path();
+}
+
+fs::path log_folder_of(const fs::path& path) {
+  std::error_code failed;
+  return plain_path(fs::absolute(plain_path(path), failed)).parent_path();
+}
+
+Result<Session> read_session(const fs::path& folder, bool being_written) {
+  Session session{.folder = plain_path(folder)};
+  std::vector<ReadFile> files;
+  if (const auto entries = list_folder(session.folder)) {
+    for (const FolderEntry& entry : *entries) {
+      if (is_stream(entry)) files.push_back(read_stream(session.folder / entry.name, entry.size_bytes));
+      if (is_stream(entry) || (entry.name == "session.json" && files.empty()))
+        session.changed_ns = std::max(session.changed_ns, after_epoch(entry.changed_ns));
+    }
+  }
+  if (const Result<void> taken = take_facts(files, session); !taken) return taken.failure();
+  for (ReadFile& file : files) session.streams.push_back(std::move(file.stream));
+
+  session.state = being_written           ? SessionState::recording
+                  : session.info.complete ? SessionState::complete
+                                          : SessionState::recovered;
+  sum_up(session);
   return session;
 }
 
-Result<Session> read_recording(const std::filesystem::path& file) {
+Result<Session> read_recording(const fs::path& file) {
   const Result<std::shared_ptr<const FileSource>> source = FileSource::open(file);
   if (!source) return source.failure();
   const Result<McapIndex> index = read_index(**source);
@@ -226,8 +227,7 @@ Result<Session> read_recording(const std::filesystem::path& file) {
 
   Session session{.folder = file.parent_path(), .info = info_of(*index, file)};
   session.one_file = true;
-  session.numbered =
-      std::ranges::find(index->metadata, kSessionMetadata, &mcap::Metadata::name) != index->metadata.end();
+  session.numbered = session_info_in(index->metadata).has_value();
   session.state = index->damage.empty() ? SessionState::complete : SessionState::damaged;
   session.message = index->damage;
   session.size_bytes = index->size_bytes;
@@ -252,9 +252,9 @@ Result<Session> read_recording(const std::filesystem::path& file) {
   return session;
 }
 
-Result<Session> open_session(const std::filesystem::path& path) {
+Result<Session> open_session(const fs::path& path) {
   std::error_code ignored;
-  return std::filesystem::is_regular_file(path, ignored) ? read_recording(path) : read_session(path);
+  return fs::is_regular_file(path, ignored) ? read_recording(path) : read_session(path);
 }
 
 }  // namespace robot::logging

@@ -7,30 +7,10 @@
 #include <vector>
 
 #include "robot/core/result.h"
-#include "robot/logging/mcap/writer.h"
+#include "robot/logging/sessions/session_info.h"
+#include "robot/logging/sessions/session_name.h"
 
 namespace robot::logging {
-
-/// The facts about a session at its beginning. The file `session.json` in its folder holds them.
-struct SessionInfo {
-  std::string name;   // from a person; may be empty
-  std::string robot;  // "14/2"
-  int team = 0, player = 0;
-  std::string build;           // of the recording program
-  std::string profile;         // "game", "vision", "full", or "import"
-  std::uint64_t start_ns = 0;  // [ns since the epoch]
-  bool kept = false;           // never deleted to make room
-  bool complete = false;       // its writer closed it
-
-  bool operator==(const SessionInfo&) const = default;
-};
-
-/// Convert to the text of `session.json` and back.
-std::string to_json(const SessionInfo& info);
-Result<SessionInfo> parse_session_info(std::string_view json);
-
-/// Returns the same facts as metadata records for each stream, so that a single downloaded file still names its origin.
-MetadataByName metadata_of(const SessionInfo& info);
 
 /// One stream of a session.
 struct StreamFile {
@@ -52,31 +32,36 @@ std::string_view name(SessionState state);
 
 /// A session on the disk.
 struct Session {
-  std::filesystem::path folder;
+  std::filesystem::path folder;  // without a slash at its end
   SessionInfo info;
   SessionState state = SessionState::complete;
   std::string message;  // one sentence about a problem, or empty
+  std::string rebuilt;  // reason why `info` is from the MCAP files, because session.json cannot be read; or empty
   std::vector<StreamFile> streams;
   bool one_file = false;  // one file holds all streams
   bool numbered = true;   // messages of a stream are numbered 1, 2, 3 …; false for files of other writers
   std::uint64_t size_bytes = 0;
   std::uint64_t start_ns = 0, end_ns = 0;  // [ns since the epoch] of all messages
+  std::uint64_t changed_ns = 0;  // [ns since the epoch] of the last change of a stream's file, or else of session.json
 
   /// Returns the name of the folder, which is the session's name in addresses.
   std::string id() const { return folder.filename().string(); }
 };
 
-/// Returns the file name of the stream of `topic`: "14.2.ball.mcap" for "/14/2/ball".
-/// Characters that do not suit a file name or an address become '_'.
-std::string stream_file_name(std::string_view topic);
-
-/// Reads the session in `folder`. Describes the readable part of a damaged stream. Returns an Error only if there is no
-/// session.
+/// Reads the session in `folder`. Describes the readable part of a damaged stream. If session.json is missing or damaged,
+/// takes the facts from the MCAP files. Returns an Error only if there is no session. Skips symbolic links, named pipes
+/// and folders in the folder.
 Result<Session> read_session(const std::filesystem::path& folder, bool being_written = false);
 
 /// Reads one MCAP file with many channels, such as a downloaded session or a simulated game, as a session. All streams
 /// of the session are in that file. Facts that its metadata lack are derived from the file's name and topics.
 Result<Session> read_recording(const std::filesystem::path& file);
+
+/// Returns `path` without dots and without a slash at its end, so that its last part is the session's name.
+std::filesystem::path plain_path(const std::filesystem::path& path);
+
+/// Returns the absolute path of the folder that contains the session at `path`.
+std::filesystem::path log_folder_of(const std::filesystem::path& path);
 
 /// Reads a folder as read_session() does, and a file as read_recording() does.
 Result<Session> open_session(const std::filesystem::path& path);
@@ -88,11 +73,8 @@ struct SessionFile {
   std::uint32_t crc32 = 0;  // of all its bytes
 };
 
-/// Returns all files in the folder of a session, by name. Reads every byte of them.
+/// Returns all files in the folder of a session, by name, without hidden ones. Reads every byte of them. Skips symbolic
+/// links, named pipes and folders.
 Result<std::vector<SessionFile>> read_session_files(const std::filesystem::path& folder);
-
-/// Returns a folder name for a session that starts at `start_ns`, for example "2026-11-21_14-02-11_game". The time is
-/// UTC, so that names sort by time.
-std::string session_folder_name(std::uint64_t start_ns, std::string_view name, std::string_view profile);
 
 }  // namespace robot::logging

@@ -4,24 +4,28 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "robot/core/folder.h"
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
+#include "robot/logging/sessions/retention.h"
 #include "robot/logging/sessions/session.h"
 
 namespace robot::logging {
 
-/// The sessions of a folder: it lists, keeps and deletes them. Any thread.
+/// The sessions of a folder: it lists, keeps and deletes them. Any thread. Does not throw.
+///
+/// It never deletes a session that a living process records, in this program or in another one. A session whose
+/// session.json is missing or damaged gets a new one, with the facts in its MCAP files, and is reported once.
+/// It follows no symbolic link in the log folder.
 class SessionStore {
  public:
-  /// make_room() never deletes a session younger than this [ns].
-  static constexpr std::uint64_t kSafeAgeNs = 24ull * 3600 * 1'000'000'000;
-
   /// `folder` may be missing; recording creates it. All sessions together may take at most `max_bytes`.
-  SessionStore(std::filesystem::path folder, std::uint64_t max_bytes)
-      : folder_(std::move(folder)), max_bytes_(max_bytes) {}
+  SessionStore(std::filesystem::path folder, std::uint64_t max_bytes);
 
   const std::filesystem::path& folder() const { return folder_; }
   std::uint64_t max_bytes() const { return max_bytes_; }
@@ -35,14 +39,12 @@ class SessionStore {
   /// Sets whether the session is kept, so that make_room() never deletes it.
   Result<void> keep(std::string_view id, bool keep);
 
-  /// Deletes a session of any age. Returns an Error for one that is kept or being written.
+  /// Deletes a session of any age. Returns an Error for one that is kept or being written, and for one that contains a
+  /// folder, because no recording makes one.
   Result<void> remove(std::string_view id);
 
-  /// Sets the session that is being written now; empty for none.
-  void set_recording(std::string id);
-
-  /// Deletes the oldest sessions until `bytes` of the cap are free. Never deletes a kept session, one of the last 24 h
-  /// before `now_ns`, or the one that is being written. Returns the ids of the deleted sessions.
+  /// Deletes the oldest sessions until `bytes` of the cap are free, and reports each. Deletes only those that
+  /// is_deletable() permits; the clocks are `now_ns` and the system's. Returns the ids of the deleted sessions.
   std::vector<std::string> make_room(std::uint64_t bytes, std::uint64_t now_ns);
 
   /// Returns how much make_room() could free at `now_ns` [bytes].
@@ -54,17 +56,36 @@ class SessionStore {
   /// Returns the size of all sessions [bytes].
   std::uint64_t size_bytes() const;
 
+  /// Returns the greatest number of a session in the folder, or 0.
+  std::uint64_t greatest_number() const;
+
  private:
-  Result<Session> read(const std::filesystem::path& folder) const;
-  bool deletable(const Session& session, std::uint64_t now_ns) const;
+  /// A folder that may hold a session.
+  struct Candidate {
+    std::filesystem::path folder;
+    std::vector<FolderEntry> entries;
+    bool described = false;  // has a file session.json
+    bool owned = false;      // a living process records it
+    std::uint64_t size_bytes = 0;
+  };
+
+  std::vector<Candidate> candidates() const;
+  std::vector<Candidate> session_candidates() const;
+  Candidate candidate(const std::string& id) const;
+  bool is_session(const Candidate& candidate) const;
+  Result<Session> read(const Candidate& candidate) const;
+  void mend(const Session& session) const;
+  std::vector<std::pair<Session, Candidate>> deletable(std::uint64_t now_ns) const;
+  Result<void> erase(const Candidate& candidate);
 
   const std::filesystem::path folder_;
   const std::uint64_t max_bytes_;
+  const std::string boot_;
 
   mutable Mutex lock_;
-  std::string recording_;
   // reading a session opens all its files, so the result is kept until the size or time of a file changes
-  mutable std::map<std::string, std::pair<std::string, Session>> cache_;
+  mutable std::map<std::string, std::pair<std::string, Result<Session>>> cache_;
+  mutable std::set<std::string> reported_;  // sessions about whose fault a sentence was written
 };
 
 }  // namespace robot::logging

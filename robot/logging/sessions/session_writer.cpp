@@ -4,19 +4,23 @@
 
 #include "robot/core/files.h"
 #include "robot/logging/sessions/profile.h"
+#include "robot/logging/sessions/stream_name.h"
 
 namespace robot::logging {
 
 Result<std::unique_ptr<SessionWriter>> SessionWriter::create(std::filesystem::path folder, SessionInfo info,
                                                              Compression compression) {
+  folder = plain_path(folder);
   std::error_code failed;
   if (std::filesystem::exists(folder / "session.json", failed))
     return Error{"session " + folder.string() + ": there is one already"};
   std::filesystem::create_directories(folder, failed);
   if (failed) return Error{"session: cannot make the folder " + folder.string() + ": " + failed.message()};
-  if (Result<void> written = replace_file(folder / "session.json", to_json(info)); !written)
+  Result<OwnedFolder> owned = OwnedFolder::own(folder);
+  if (!owned) return owned.failure("session");
+  if (Result<void> written = store_file(folder / "session.json", to_json(info)); !written)
     return written.failure("session");
-  return std::unique_ptr<SessionWriter>(new SessionWriter(std::move(folder), std::move(info), compression));
+  return std::unique_ptr<SessionWriter>(new SessionWriter(std::move(*owned), std::move(info), compression));
 }
 
 Result<SessionWriter::Stream*> SessionWriter::stream_of(const memory::ChannelInfo& info) {
@@ -46,7 +50,9 @@ Result<void> SessionWriter::close() {
     if (Result<void> one = stream.file->close(); !one && closed) closed = one;
   if (!closed) return closed;
   info_.complete = true;
-  return replace_file(folder_ / "session.json", to_json(info_));
+  const Result<void> written = store_file(folder_ / "session.json", to_json(info_));
+  owned_.reset();
+  return written;
 }
 
 }  // namespace robot::logging

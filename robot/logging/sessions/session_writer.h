@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
 #include "robot/logging/mcap/compression.h"
+#include "robot/logging/sessions/owned_folder.h"
 #include "robot/logging/sessions/session.h"
 #include "robot/logging/streams/file_provider.h"
 #include "robot/memory/channel.h"
@@ -20,7 +22,7 @@ namespace robot::logging {
 /// A session in writing, with one stream per topic. Used by one thread.
 class SessionWriter {
  public:
-  /// Creates the folder and begins the session. Returns an Error if the folder holds one already.
+  /// Creates the folder, owns it until close(), and begins the session. Returns an Error if the folder holds one already.
   static Result<std::unique_ptr<SessionWriter>> create(std::filesystem::path folder, SessionInfo info,
                                                        Compression compression = Compression::zstd);
 
@@ -39,12 +41,13 @@ class SessionWriter {
     std::unique_ptr<FileOutProvider> file;
   };
 
-  SessionWriter(std::filesystem::path folder, SessionInfo info, Compression compression)
-      : folder_(std::move(folder)), info_(std::move(info)), compression_(compression) {}
+  SessionWriter(OwnedFolder owned, SessionInfo info, Compression compression)
+      : folder_(owned.path()), owned_(std::move(owned)), info_(std::move(info)), compression_(compression) {}
 
   Result<Stream*> stream_of(const memory::ChannelInfo& info);
 
   const std::filesystem::path folder_;
+  std::optional<OwnedFolder> owned_;
   SessionInfo info_;
   const Compression compression_;
   ManualClock clock_;  // an imported message enters memory at its capture time

@@ -69,14 +69,22 @@ void Carrier::write(const memory::VersionPtr& version) {
 }
 
 /// Calls a function of the device and stores the outcome in the status. Reports a failure when it begins, not with every
-/// message.
+/// message. A success that only fills the provider's buffer ends no failure.
 bool Carrier::succeeds(const std::function<Result<void>()>& call) {
   const Result<void> outcome = attempt("writing to a device", call);
+  const bool delivered = outcome && provider_->flush_due_ns() == OutProvider::kNever;
   const std::lock_guard guard(lock_);
-  if (!outcome && !status_.failing) report(Level::error, "logging", outcome.error());
-  status_.failing = !outcome;
-  status_.problem = outcome ? "" : outcome.error();
-  return !status_.failing;
+  if (!outcome) {
+    if (!status_.failing) report(Level::error, "logging", outcome.error());
+    status_.failing = true;
+    status_.problem = outcome.error();
+    status_.failed_ns = monotonic_ns();
+  } else if (delivered) {
+    status_.failing = false;
+    status_.problem.clear();
+    status_.delivered_ns = monotonic_ns();
+  }
+  return bool(outcome);
 }
 
 }  // namespace robot::logging

@@ -16,7 +16,8 @@ namespace robot::logging {
 
 /// A queue from a channel to an OutProvider, without a thread. It collects every version that the provider wants,
 /// beginning with the newest version of the channel. After a failure of the device it tries again with the next version,
-/// but opens the device at most once a second. Refused versions count as dropped.
+/// but opens the device at most once a second. Refused versions count as dropped. The status is failing until the device
+/// has taken everything that the provider holds.
 ///
 /// One thread at a time may call carry() and finish().
 class Carrier {

@@ -11,9 +11,11 @@ struct StreamStatus {
   std::uint64_t messages = 0;      // written to the device, or read from it
   std::uint64_t dropped = 0;       // lost: the queue was full, the device refused them, or the stream reports a loss
   std::uint64_t queued_bytes = 0;  // in the queue now
-  bool failing = false;            // the last attempt failed; `problem` gives the reason
+  bool failing = false;            // the device has taken nothing since a failure; `problem` gives the reason
   bool ended = false;              // no more messages will follow
   std::string problem;             // one sentence, or empty without a problem
+  std::uint64_t failed_ns = 0;     // [ns, monotonic] of the last failure; 0: none
+  std::uint64_t delivered_ns = 0;  // [ns, monotonic] when the device had last taken everything; 0: never
 };
 
 }  // namespace robot::logging

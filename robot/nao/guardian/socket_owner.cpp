@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "robot/core/files.h"
+#include "robot/core/folder.h"
 
 namespace robot::nao {
 namespace {
@@ -22,17 +23,17 @@ constexpr std::size_t kMaxCommBytes = 64;
 
 /// Returns "name (process 123)" of the first other process with an open file whose link in /proc satisfies `is_it`.
 std::string process_with(const std::function<bool(const std::string&)>& is_it) {
-  const auto processes = entries_of("/proc");
+  const auto processes = list_folder("/proc");
   if (!processes) return "";
-  for (const std::filesystem::path& process : *processes) {
-    const std::string id = process.filename();
+  for (const auto& [id, kind, size_bytes, changed_ns] : *processes) {
+    const std::filesystem::path process = "/proc/" + id;
     if (id.find_first_not_of("0123456789") != std::string::npos || id == std::to_string(::getpid())) continue;
     // files of other users are unreadable, and processes may end during the search
-    const auto files = entries_of(process / "fd");
+    const auto files = list_folder(process / "fd");
     if (!files) continue;
-    for (const std::filesystem::path& file : *files) {
+    for (const FolderEntry& file : *files) {
       std::error_code unreadable;
-      if (!is_it(std::filesystem::read_symlink(file, unreadable))) continue;
+      if (!is_it(std::filesystem::read_symlink(process / "fd" / file.name, unreadable))) continue;
       const Result<std::string> name = read_file(process / "comm", kMaxCommBytes);
       return (name ? name->substr(0, name->find('\n')) : "a program") + " (process " + id + ")";
     }

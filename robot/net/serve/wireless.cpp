@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "robot/core/files.h"
+#include "robot/core/folder.h"
 
 namespace robot::net {
 namespace {
@@ -23,12 +23,13 @@ constexpr std::size_t kMostInterfaces = 64;
 
 std::vector<std::string> wireless_names() {
   std::vector<std::string> names;
-  const auto interfaces = entries_of("/sys/class/net");
+  const fs::path all = "/sys/class/net";
+  const auto interfaces = list_folder(all);
   if (!interfaces) return names;
   std::error_code failed;
-  for (const fs::path& interface : *interfaces)
-    if (fs::exists(interface / "wireless", failed) || fs::exists(interface / "phy80211", failed))
-      names.push_back(interface.filename().string());
+  for (const FolderEntry& interface : *interfaces)
+    if (fs::exists(all / interface.name / "wireless", failed) || fs::exists(all / interface.name / "phy80211", failed))
+      names.push_back(interface.name);
   return names;
 }
 

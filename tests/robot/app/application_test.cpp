@@ -5,6 +5,7 @@
 #include "robot/core/files.h"
 #include "robot/core/json_library.h"
 #include "robot/logging/mcap/format.h"
+#include "robot/logging/sessions/owned_folder.h"
 #include "robot/logging/sessions/session_writer.h"
 #include "tests/support/temporary_folder.h"
 
@@ -37,11 +38,11 @@ TEST_F(ServedSession, StatusReportsTheNamesOfTheProcess) {
 
 TEST_F(ServedSession, StatusReportsTheGame) {
   EXPECT_EQ(json::parse(application.status_json())["game"],
-            json({{"state", ""}, {"in_progress", false}, {"match_mode", false}, {"stopped", ""}}));
+            json({{"state", ""}, {"in_progress", false}, {"match_mode", false}, {"warning", ""}, {"stopped", ""}}));
   EXPECT_FALSE(application.match_mode());
   application.tell_game_by([] { return GameStatus{.state = "set", .in_progress = true, .match_mode = true}; });
   EXPECT_EQ(json::parse(application.status_json())["game"],
-            json({{"state", "set"}, {"in_progress", true}, {"match_mode", true}, {"stopped", ""}}));
+            json({{"state", "set"}, {"in_progress", true}, {"match_mode", true}, {"warning", ""}, {"stopped", ""}}));
   EXPECT_TRUE(application.match_mode());
 }
 
@@ -74,7 +75,7 @@ TEST_F(ServedSession, ADownloadIsReadFromAnyOffset) {
 }
 
 TEST_F(ServedSession, ADownloadOfARunningSessionRedirectsToATimeThatIsWritten) {
-  store.set_recording("one");
+  const auto owner = logging::OwnedFolder::own(folder / "one");
   const auto file = application.open_log({.session = "one"});
   ASSERT_TRUE(file);
   EXPECT_EQ(file->redirect_until_ns, 9'007'199'254'740'993 - logging::Downloads::kLiveMarginNs);
@@ -99,13 +100,20 @@ TEST_F(ServedSession, ItsFilesAreServedUnchanged) {
 }
 
 TEST_F(ServedSession, IsNeitherServedNorDeletedDuringItsRecording) {
-  store.set_recording("one");
+  std::optional owner = *logging::OwnedFolder::own(folder / "one");
   EXPECT_EQ(application.session_files("one").status, 409);
   EXPECT_FALSE(application.open_log({.session = "one", .file = "session.json"}));
   EXPECT_EQ(application.delete_session("one").status, 409);
-  store.set_recording("");
+  owner.reset();
   EXPECT_EQ(application.delete_session("one").status, 204);
   EXPECT_EQ(application.delete_session("one").status, 404);
+}
+
+TEST_F(ServedSession, ALinkInItsFolderIsNotFollowed) {
+  ASSERT_TRUE(replace_file(folder / "token", "secret"));
+  std::filesystem::create_symlink(folder / "token", folder / "one" / "link");
+  EXPECT_EQ(application.open_log({.session = "one", .file = "link"}).error(), "session one: there is no file 'link'");
+  EXPECT_EQ(json::parse(std::get<std::string>(application.session_files("one").body))["files"].size(), 2u);
 }
 
 TEST_F(ServedSession, AnUnknownSessionOrFileIsNamed) {

@@ -65,6 +65,16 @@ TEST(Files, ASpareDescriptorIsFreedWhenNoOtherIsLeft) {
   EXPECT_TRUE(spare_descriptor());
 }
 
+TEST(Files, AreStoredWithTheirNameAndLeaveNothingBeside) {
+  const tests::TemporaryFolder folder;
+  ASSERT_TRUE(store_file(folder / "a", "old"));
+  ASSERT_TRUE(store_file(folder / "a", "new"));
+  EXPECT_EQ(*read_file(folder / "a", 100), "new");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+  const std::string path = (folder / "none" / "a").string();
+  EXPECT_EQ(store_file(path, "").error(), "cannot write " + path + ": No such file or directory");
+}
+
 TEST(Files, NameTheFileThatCannotBeRead) {
   const tests::TemporaryFolder folder;
   const std::string path = (folder / "missing").string();

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "robot/app/build_id.h"
 #include "robot/app/services/recording_service.h"
@@ -79,6 +78,39 @@ TEST_F(Game, EachHalfIsItsOwnSession) {
   EXPECT_EQ(store.list().size(), 2u);
 }
 
+TEST_F(Game, AFullDiskDelaysTheRecordingAndDoesNotPreventIt) {
+  std::filesystem::remove(folder.path());
+  std::filesystem::create_symlink(folder.path().filename(), folder.path());  // no session can be made
+  hear(GameState::STATE_READY);
+  EXPECT_EQ(recorder.status().state, logging::RecordingStatus::State::disk_full);
+  EXPECT_TRUE(parameters.flag("recording"));
+  std::filesystem::remove(folder.path());
+  recorder.tend();
+  EXPECT_TRUE(recording());
+  hear(GameState::STATE_FINISHED);
+  EXPECT_FALSE(recording());
+  EXPECT_EQ(store.list().size(), 1u);
+}
+
+TEST_F(Game, ASessionWhoseFilesWereDeletedIsEndedAllTheSame) {
+  hear(GameState::STATE_READY);
+  std::filesystem::remove_all(folder.path());
+  recorder.tend();
+  EXPECT_TRUE(recording());
+  hear(GameState::STATE_FINISHED);
+  EXPECT_EQ(recorder.status().state, logging::RecordingStatus::State::off);
+  ASSERT_EQ(store.list().size(), 1u);
+  EXPECT_EQ(store.list()[0].state, logging::SessionState::complete);
+}
+
+TEST_F(Game, AFieldWhoseNameCannotBeUsedPreventsNoRecording) {
+  service_.emplace(GameOptions{.link = {.team = 14, .player = 3}, .field = std::string(5'000, 'A')}, *memory, clock,
+                   recorder, parameters);
+  hear(GameState::STATE_READY);
+  EXPECT_TRUE(recording());
+  EXPECT_EQ(store.list().at(0).info.name, "");
+}
+
 TEST_F(Game, ASessionThatAClientBeganIsNotTouched) {
   const std::string id = *recorder.start("mine", "game");
   hear(GameState::STATE_READY);
@@ -119,28 +151,6 @@ TEST_F(Game, AnUnreadableFormatIsRecordedInMatchMode) {
   EXPECT_TRUE(recording());
   EXPECT_TRUE(service().status().match_mode);
   EXPECT_EQ(store.list()[0].info.name, "A_format-21_14-3_" + std::string(kBuildId));
-}
-
-TEST_F(Game, ASessionThatCannotBeginIsTriedAgain) {
-  // a file stands in the place of the log folder
-  const std::filesystem::path logs = folder.path() / "later";
-  std::ofstream(logs) << "in the way";
-  logging::SessionStore blocked{logs, 4'000'000'000};
-  logging::Recorder recorder{channels, board, blocked, clock, {.info = {.robot = "14/3", .team = 14, .player = 3}}};
-  GameService service({.link = {.team = 14, .player = 3}}, *memory, clock, recorder, parameters);
-  GameState game;
-  game.set_state(GameState::STATE_PLAYING);
-  memory->game.write(game, clock.now_ns());
-  const auto recording = [&] {
-    service.follow();
-    return recorder.status().state == logging::RecordingStatus::State::recording;
-  };
-  EXPECT_FALSE(recording());
-  std::filesystem::remove(logs);
-  EXPECT_FALSE(recording()) << "within the same second";
-  clock.set(clock.now_ns() + kSecond);
-  EXPECT_TRUE(recording());
-  ASSERT_TRUE(recorder.stop());
 }
 
 TEST_F(Game, FollowsTheGameThatTheTeamsOwnCodeWrites) {

@@ -2,7 +2,6 @@
 #include "robot/logging/sessions/recorder.h"
 
 #include <gtest/gtest.h>
-#include <sys/mount.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 #include "proto/foresight/camera.pb.h"
 #include "robot/memory/memory.h"
 #include "tests/support/read_stream.h"
+#include "tests/support/recording.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_channel.h"
 
@@ -22,31 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 namespace pb = foresight;
 
-constexpr std::uint64_t kNow = 1'700'000'000 * kSecond;
-
-struct Recording : ::testing::Test {
-  Recording() { EXPECT_TRUE(list(memory, channels)); }
-
-  void write_ball(float x) {
-    pb::Ball ball;
-    ball.set_x(x);
-    memory->ball.write(ball, clock.now_ns());
-    clock.set(clock.now_ns() + 33 * kMillisecond);
-  }
-
-  std::vector<Record> ball_records(const std::string& session) {
-    return tests::read_stream(folder.path() / session / "14.2.ball.mcap");
-  }
-
-  const tests::TemporaryFolder folder;
-  ManualClock clock{kNow};
-  std::shared_ptr<memory::Memory> memory = std::make_shared<memory::Memory>("14/2", clock);
-  memory::Channels channels;
-  LoggingBoard board;
-  SessionStore store{folder.path(), 4'000'000'000};
-  Recorder recorder{
-      channels, board, store, clock, {.info = {.robot = "14/2", .team = 14, .player = 2, .build = "abc"}}};
-};
+using tests::kNow;
+using tests::Recording;
+using tests::SmallDisk;
 
 TEST_F(Recording, KeepsEveryVersionOfEveryObject) {
   const Result<std::string> session = recorder.start("", "full");
@@ -209,18 +187,6 @@ TEST(RecordingKilled, IsReadableAndItsIndexIsRebuilt) {
   EXPECT_EQ(tests::read_stream(sessions[0].folder / "14.2.ball.mcap").size(), 500u);
 }
 
-/// A small disk of its own, if the system allows it.
-struct SmallDisk {
-  SmallDisk(const fs::path& where, const char* size) : path(where) {
-    mounted = mount("tmpfs", path.c_str(), "tmpfs", 0, size) == 0;
-  }
-  ~SmallDisk() {
-    if (mounted) umount2(path.c_str(), MNT_DETACH);
-  }
-  const fs::path path;
-  bool mounted = false;
-};
-
 TEST_F(Recording, IsRefusedIfLessThanOneMinuteFits) {
   const SmallDisk disk(folder.path(), "size=1m");
   if (!disk.mounted) GTEST_SKIP() << "needs the right to mount a small tmpfs";
@@ -260,48 +226,6 @@ TEST_F(Recording, ReportsAFullDiskAndContinuesWhenThereIsRoom) {
   ASSERT_TRUE(recorder.stop());
   const std::vector<Record> records = tests::read_stream(folder.path() / *session / "14.2.blobs.mcap");
   EXPECT_GT(records.back().sequence, records.size()) << "lost messages leave a gap";
-}
-
-struct OldSessions : Recording {
-  /// Makes a complete session of about `bytes` that ended `age_hours` ago.
-  std::string make(std::uint64_t age_hours, std::size_t bytes, bool kept) {
-    const std::uint64_t start = kNow - age_hours * 3600 * kSecond;
-    const fs::path path = folder.path() / session_folder_name(start, "old", "game");
-    fs::create_directories(path);
-    std::ofstream(path / "session.json") << to_json(
-        {.robot = "14/2", .profile = "game", .start_ns = start, .kept = kept, .complete = true});
-    std::ofstream(path / "ballast") << std::string(bytes, 'x');
-    return path.filename().string();
-  }
-  bool there(const std::string& id) { return fs::exists(folder.path() / id); }
-};
-
-TEST_F(OldSessions, TheOldestAreDeletedFirstAndNeverAYoungOrAKeptOne) {
-  const std::string kept = make(96, 1'000'000, true);
-  const std::string oldest = make(72, 1'000'000, false);
-  const std::string older = make(48, 1'000'000, false);
-  const std::string young = make(23, 1'000'000, false);
-  SessionStore small(folder.path(), 3'500'000);
-  EXPECT_EQ(small.make_room(0, kNow), std::vector<std::string>{oldest});
-  EXPECT_EQ(small.make_room(3'000'000, kNow), std::vector<std::string>{older});
-  EXPECT_TRUE(there(kept));
-  EXPECT_TRUE(there(young));
-}
-
-TEST_F(OldSessions, APersonMayKeepAndRelease) {
-  const std::string id = make(72, 1'000, false);
-  SessionStore small(folder.path(), 0);
-  ASSERT_TRUE(small.keep(id, true));
-  EXPECT_TRUE(small.make_room(0, kNow).empty());
-  ASSERT_TRUE(small.keep(id, false));
-  EXPECT_EQ(small.make_room(0, kNow), std::vector<std::string>{id});
-}
-
-TEST_F(OldSessions, NamesThatContainAPathAreRefused) {
-  make(1, 10, false);
-  for (const char* id : {"", ".", "..", "../etc", "/etc", "a/b", ".hidden"})
-    EXPECT_EQ(store.find(id).error(), "session: expected the name of a session, got '" + std::string(id) + "'");
-  EXPECT_EQ(store.find("missing").error(), "session: there is none called 'missing'");
 }
 
 }  // namespace

@@ -1,12 +1,15 @@
 #include "robot/logging/sessions/session.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
+#include <optional>
 
 #include "robot/core/files.h"
 #include "robot/logging/mcap/format.h"
 #include "robot/logging/sessions/downloads.h"
+#include "robot/logging/sessions/owned_folder.h"
 #include "robot/logging/sessions/session_store.h"
 #include "robot/logging/sessions/session_writer.h"
 #include "robot/logging/streams/file_provider.h"
@@ -24,6 +27,8 @@ SessionInfo example() {
           .build = "0123abcd",
           .profile = "game",
           .start_ns = 1'700'000'000'123'456'789,
+          .number = 7,
+          .boot = "0b7e",
           .kept = true,
           .complete = true};
 }
@@ -50,10 +55,44 @@ TEST(SessionInfo, IsValidJsonAlsoIfTheNameIsNotUtf8) {
   EXPECT_TRUE(parse_session_info(to_json(info)));
 }
 
+TEST(SessionInfo, AcceptsAWholeNumberWithAPointAndSessionsOfEarlierVersions) {
+  std::string text = to_json(example());
+  text.replace(text.find(": 14\n"), 4, ": 14.0");
+  EXPECT_EQ(*parse_session_info(text), example());
+  for (const std::string key : {"\"number\": \"7\",", "\"boot\": \"0b7e\","}) text.erase(text.find(key), key.size());
+  ASSERT_TRUE(parse_session_info(text));
+  EXPECT_EQ(parse_session_info(text)->number, 0u);
+}
+
+TEST(SessionInfo, ReadableFactsAreTakenAndOthersStay) {
+  SessionInfo info{.name = "before", .team = 5};
+  EXPECT_EQ(take_session_info(R"({"name": 3, "team": 14, "kept": true})", info).error(),
+            "session.json: 'name' is missing or of the wrong type");
+  EXPECT_EQ(info.name, "before");
+  EXPECT_EQ(info.team, 14);
+  EXPECT_TRUE(info.kept);
+}
+
+TEST(SessionInfo, RoundTripsThroughTheMetadataOfAFile) {
+  std::vector<mcap::Metadata> metadata;
+  EXPECT_FALSE(session_info_in(metadata));
+  for (const auto& [name, entries] : metadata_of(example()))
+    metadata.push_back({.name = name, .entries = {entries.begin(), entries.end()}});
+  SessionInfo expected = example();
+  expected.kept = expected.complete = false;  // they change later, so a file does not hold them
+  EXPECT_EQ(*session_info_in(metadata), expected);
+}
+
+TEST(SessionNames, ThatCannotBeUsedAreRefused) {
+  EXPECT_TRUE(check_session_name(""));
+  EXPECT_TRUE(check_session_name("Fr\u00fchst\u00fcck / A"));
+  EXPECT_EQ(check_session_name(std::string(5'000, 'x')).error(), "session name: expected at most 100 bytes, got 5000");
+  for (const char* name : {"a\nb", "\x1b[2J", "\xff\xfe"})
+    EXPECT_TRUE(check_session_name(name).error().starts_with(
+        "session name: expected UTF-8 text without control characters, got '"));
+}
+
 TEST(SessionNames, HoldOnlySafeCharacters) {
-  EXPECT_EQ(stream_file_name("/14/2/camera_top"), "14.2.camera_top.mcap");
-  EXPECT_EQ(stream_file_name("/../../etc/passwd"), "......etc.passwd.mcap");
-  EXPECT_EQ(stream_file_name("/a b\n\"<>"), "a_b____.mcap");
   EXPECT_EQ(session_folder_name(1'700'000'000'000'000'000, "", "game"), "2023-11-14_22-13-20_game");
   EXPECT_EQ(session_folder_name(1'700'000'000'000'000'000, "../x y", "game"), "2023-11-14_22-13-20_.._x_y");
 }
@@ -102,13 +141,58 @@ TEST_F(WrittenSession, IsDeletedUnlessItIsKeptOrBeingWritten) {
   SessionStore store(folder.path(), 1'000'000);
   EXPECT_EQ(store.remove("s").error(), "session s: it is kept, and cannot be deleted");
   ASSERT_TRUE(store.keep("s", false));
-  store.set_recording("s");
+  std::optional owner = *OwnedFolder::own(folder / "s");
   EXPECT_EQ(store.remove("s").error(), "session s: it is being recorded, and cannot be deleted yet");
-  store.set_recording("");
+  owner.reset();
   EXPECT_FALSE(store.remove("../s"));
   EXPECT_TRUE(store.remove("s"));
   EXPECT_FALSE(std::filesystem::exists(folder / "s"));
   EXPECT_EQ(store.remove("s").error(), "session: there is none called 's'");
+}
+
+// a shell completes the name of a folder with a slash
+TEST_F(WrittenSession, HasTheSameNameWithASlashAtTheEnd) {
+  for (const char* path : {"s/", "s//", "s/.", "x/../s/"}) {
+    const Result<Session> session = open_session(folder / path);
+    ASSERT_TRUE(session) << session.error();
+    EXPECT_EQ(session->id(), "s");
+    EXPECT_EQ(session->folder, folder / "s");
+  }
+}
+
+TEST(PlainPath, EndsWithTheNameOfTheFolder) {
+  EXPECT_EQ(plain_path("logs/s/"), "logs/s");
+  EXPECT_EQ(plain_path("logs/./s"), "logs/s");
+  EXPECT_EQ(plain_path("/"), "/");
+  EXPECT_EQ(plain_path("."), std::filesystem::current_path());
+  EXPECT_EQ(plain_path(".."), std::filesystem::current_path().parent_path());
+}
+
+TEST(LogFolder, ContainsTheSessionAlsoWithASlashAtTheEnd) {
+  for (const char* path : {"/a/logs/s", "/a/logs/s/", "/a/logs/s/.", "/a/logs/game.mcap"})
+    EXPECT_EQ(log_folder_of(path), "/a/logs") << path;
+  EXPECT_EQ(log_folder_of("s/"), std::filesystem::current_path());
+  EXPECT_EQ(log_folder_of("."), std::filesystem::current_path().parent_path());
+}
+
+TEST_F(WrittenSession, PipesLinksAndFoldersInItsFolderAreSkipped) {
+  ASSERT_EQ(::mkfifo((folder / "s/pipe.mcap").c_str(), 0600), 0);
+  std::filesystem::create_symlink(folder / "s/14.2.a.mcap", folder / "s/link.mcap");
+  std::filesystem::create_directory(folder / "s/folder.mcap");
+  const Result<Session> session = read_session(folder / "s");
+  ASSERT_TRUE(session) << session.error();
+  EXPECT_EQ(session->state, SessionState::complete);
+  EXPECT_EQ(session->streams.size(), 2u);
+  EXPECT_EQ(read_session_files(folder / "s")->size(), 3u);
+}
+
+TEST_F(WrittenSession, ItsDescriptionIsNeitherAPipeNorALink) {
+  std::filesystem::remove(folder / "s/session.json");
+  ASSERT_EQ(::mkfifo((folder / "s/session.json").c_str(), 0600), 0);
+  const Result<Session> session = read_session(folder / "s");
+  ASSERT_TRUE(session) << session.error();
+  EXPECT_EQ(session->rebuilt, "cannot read " + (folder / "s/session.json").string() + ": expected a file");
+  EXPECT_EQ(session->info.robot, "14/2");
 }
 
 TEST_F(WrittenSession, IsNotOverwritten) {

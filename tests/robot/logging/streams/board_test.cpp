@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <future>
 #include <iterator>
@@ -94,6 +95,49 @@ TEST_P(Board, AFailingDeviceIsReportedAndTriedAgain) {
   EXPECT_EQ(status.messages, 1u);
   EXPECT_FALSE(status.failing);
   EXPECT_EQ(status.problem, "");
+}
+
+/// A device with a buffer: write() collects, flush() fails while the disk is full.
+class BufferedProvider final : public OutProvider {
+ public:
+  explicit BufferedProvider(std::shared_ptr<std::atomic<bool>> full) : full_(std::move(full)) {}
+  Result<void> open(const memory::ChannelInfo&) override { return {}; }
+  Result<void> write(const memory::VersionPtr&) override {
+    if (due_ns_ == kNever) due_ns_ = monotonic_ns() + 50 * kMillisecond;
+    return {};
+  }
+  std::uint64_t flush_due_ns() const override { return due_ns_; }
+  Result<void> flush() override {
+    due_ns_ = kNever;
+    return *full_ ? Result<void>(Error{"test device: full"}) : Result<void>();
+  }
+  Result<void> close() override { return {}; }
+
+ private:
+  const std::shared_ptr<std::atomic<bool>> full_;
+  std::uint64_t due_ns_ = kNever;
+};
+
+// a full disk once showed as healthy in every sample, because the buffer took each message
+TEST(BoardBuffer, AFailureLastsUntilTheDeviceHasTakenTheBuffer) {
+  ManualClock clock;
+  LoggingBoard board;
+  const auto channel = tests::make_channel(clock);
+  const auto full = std::make_shared<std::atomic<bool>>(true);
+  const auto stream = board.start_logger(channel, std::make_unique<BufferedProvider>(full));
+  ASSERT_TRUE(channel->write_bytes("lost", 1));
+  ASSERT_TRUE(tests::eventually([&] { return board.status(stream).failing; }));
+  const std::uint64_t failed_ns = board.status(stream).failed_ns;
+  while (board.status(stream).failed_ns == failed_ns) {  // until the next flush fails
+    ASSERT_TRUE(channel->write_bytes("lost", 2));
+    ASSERT_TRUE(board.status(stream).failing);
+    ASSERT_EQ(board.status(stream).problem, "test device: full");
+  }
+  *full = false;
+  ASSERT_TRUE(channel->write_bytes("kept", 3));
+  ASSERT_TRUE(tests::eventually([&] { return !board.status(stream).failing; }));
+  EXPECT_EQ(board.status(stream).problem, "");
+  EXPECT_GT(board.status(stream).delivered_ns, board.status(stream).failed_ns);
 }
 
 TEST_P(Board, AStreamThatNobodyWritesStillOpensAndClosesItsDevice) {

@@ -1,0 +1,49 @@
+// The facts about a session: in each of its MCAP files, and for people in the file session.json.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/logging/mcap/format.h"
+#include "robot/logging/mcap/writer.h"
+
+namespace robot::logging {
+
+/// The facts about a session at its beginning. The file `session.json` in its folder holds them.
+struct SessionInfo {
+  std::string name;   // from a person; may be empty
+  std::string robot;  // "14/2"
+  int team = 0, player = 0;
+  std::string build;           // of the recording program
+  std::string profile;         // "game", "vision", "full", or "import"
+  std::uint64_t start_ns = 0;  // [ns since the epoch]
+  std::uint64_t number = 0;    // counts the sessions of a log folder from 1; 0: not recorded by a robot
+  std::string boot;            // identity of the boot in which it was recorded; empty: unknown
+  bool kept = false;           // never deleted to make room
+  bool complete = false;       // its writer closed it
+
+  bool operator==(const SessionInfo&) const = default;
+};
+
+/// Converts to the text of `session.json`.
+std::string to_json(const SessionInfo& info);
+
+/// Converts the text of `session.json`. `number` and `boot` may be missing.
+Result<SessionInfo> parse_session_info(std::string_view json);
+
+/// Takes those facts from the text of a `session.json` that can be read, and leaves the others in `info` as they are.
+/// Returns the first fault as an Error.
+Result<void> take_session_info(std::string_view json, SessionInfo& info);
+
+/// Returns the same facts as metadata records for each stream, so that a single downloaded file still names its origin.
+/// They leave out `kept` and `complete`, which change later.
+MetadataByName metadata_of(const SessionInfo& info);
+
+/// Returns the facts in the metadata of a file, or nothing if it was not recorded as part of a session.
+std::optional<SessionInfo> session_info_in(const std::vector<mcap::Metadata>& metadata);
+
+}  // namespace robot::logging
