@@ -61,8 +61,8 @@ LinkStatus RobotLink::status() const {
 
 void RobotLink::run() {
   become_background_thread("relay");
-  for (std::size_t attempt = 0;; ++attempt) {
-    const std::string& address = options_.robot.addresses[attempt % options_.robot.addresses.size()];
+  for (std::size_t tries = 0;; ++tries) {
+    const std::string& address = options_.robot.addresses[tries % options_.robot.addresses.size()];
     {
       const std::lock_guard guard(lock_);
       status_.address = without_query(address);
