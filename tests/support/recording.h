@@ -5,6 +5,7 @@
 #include <sys/mount.h>
 
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,5 +54,11 @@ struct SmallDisk {
   const std::filesystem::path path;
   bool mounted = false;
 };
+
+/// Writes a file of that size, or as much of it as fits.
+inline void write_ballast(const std::filesystem::path& path, int megabytes) {
+  std::ofstream file(path);
+  for (int i = 0; i < megabytes; ++i) file << std::string(1'000'000, 'x') << std::flush;
+}
 
 }  // namespace tests

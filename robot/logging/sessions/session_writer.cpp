@@ -50,7 +50,7 @@ Result<void> SessionWriter::close() {
     if (Result<void> one = stream.file->close(); !one && closed) closed = one;
   if (!closed) return closed;
   info_.complete = true;
-  const Result<void> written = store_file(folder_ / "session.json", to_json(info_));
+  Result<void> written = store_file(folder_ / "session.json", to_json(info_));
   owned_.reset();
   return written;
 }

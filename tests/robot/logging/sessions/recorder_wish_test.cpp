@@ -104,7 +104,7 @@ TEST_F(Wishing, BeginsWhenAFileInPlaceOfTheLogFolderIsGone) {
 TEST_F(Wishing, BeginsWhenThereIsRoom) {
   const SmallDisk disk(folder.path(), "size=30m");
   if (!disk.mounted) GTEST_SKIP() << "needs the right to mount a small tmpfs";
-  std::ofstream(folder / "ballast") << std::string(28'000'000, 'x');
+  tests::write_ballast(folder / "ballast", 28);
   expect_a_later_begin(folder / "logs", recorder.room_for(profiles().front()).sentence,
                        [&] { fs::remove(folder / "ballast"); });
 }
@@ -153,7 +153,7 @@ struct FullDisk : Recording {
     write_blob();
     ASSERT_TRUE(tests::eventually([&] { return recorder.status().messages > 0; }));
     // fills the disk to the last byte, so that the session's own files cannot grow
-    std::ofstream(folder / "ballast") << std::string(70'000'000, 'x');
+    tests::write_ballast(folder / "ballast", 70);
     ASSERT_TRUE(eventually_while_writing([&] { return recorder.status().state == State::disk_full; }));
   }
   void write_blob() {

@@ -200,6 +200,16 @@ TEST_F(WrittenSession, IsNotOverwritten) {
             "session " + (folder / "s").string() + ": there is one already");
 }
 
+TEST_F(WrittenSession, IsOwnedUntilItIsClosed) {
+  EXPECT_FALSE(is_owned(folder / "s"));
+  auto writer = SessionWriter::create(folder / "new/", example());
+  ASSERT_TRUE(writer) << writer.error();
+  EXPECT_EQ((*writer)->folder(), folder / "new");
+  EXPECT_TRUE(is_owned(folder / "new"));
+  ASSERT_TRUE((*writer)->close());
+  EXPECT_FALSE(is_owned(folder / "new"));
+}
+
 TEST_F(WrittenSession, OpensItsReadablePartAndNamesTheDamage) {
   std::ofstream(folder / "s/14.2.a.mcap", std::ios::trunc) << "no recording at all";
   const Result<Session> session = read_session(folder / "s");
