@@ -13,6 +13,7 @@ namespace robot::app {
 namespace {
 
 constexpr std::uint64_t kTickNs = kSecond / 10;
+constexpr std::uint64_t kRoomNs = 10 * kSecond;  // between two attempts to delete old sessions
 
 std::string run_id() { return std::to_string(system_ns() / kMillisecond); }
 
@@ -143,7 +144,10 @@ void Runtime::every_second() {
   foresight::RuntimeStatistics statistics = statistics_.collect(server_->statistics());
   if (options_.add_statistics) options_.add_statistics(statistics);
   own_.runtime.write(statistics, clock_.now_ns());
-  if (options_.records) store_.make_room(0, clock_.now_ns());
+  // this reads all sessions, and is of no use while all of them are young or kept
+  if (!options_.records || monotonic_ns() < next_room_ns_ || store_.size_bytes() <= store_.max_bytes()) return;
+  store_.make_room(0, clock_.now_ns());
+  next_room_ns_ = monotonic_ns() + kRoomNs;
 }
 
 }  // namespace robot::app

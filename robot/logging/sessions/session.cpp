@@ -20,7 +20,6 @@ namespace {
 
 constexpr std::size_t kMaxSessionJsonBytes = 1 << 20;
 constexpr const char* kSessionMetadata = "foresight.session";
-constexpr std::size_t kPieceBytes = 1 << 18;
 using Type = nlohmann::json::value_t;
 
 /// Replaces everything but letters, digits and a few signs by '_'.
@@ -157,26 +156,6 @@ std::string stream_file_name(std::string_view topic) {
   return tame(file) + ".mcap";
 }
 
-Result<std::vector<SessionFile>> read_session_files(const std::filesystem::path& folder) {
-  std::vector<SessionFile> files;
-  std::string piece;
-  std::error_code failed;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
-    const auto source = FileSource::open(entry.path());
-    if (!source) return source.failure();
-    SessionFile file{.name = entry.path().filename().string(), .size_bytes = (*source)->size()};
-    for (std::uint64_t at = 0; at < file.size_bytes; at += kPieceBytes) {
-      piece.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kPieceBytes, file.size_bytes - at)));
-      if (const Result<void> read = (*source)->read(at, piece); !read) return read.failure();
-      file.crc32 = mcap::crc32(piece, file.crc32);
-    }
-    files.push_back(std::move(file));
-  }
-  if (failed) return Error{"session " + folder.string() + ": " + failed.message()};
-  std::ranges::sort(files, {}, &SessionFile::name);
-  return files;
-}
-
 std::string session_folder_name(std::uint64_t start_ns, std::string_view name, std::string_view profile) {
   const std::time_t seconds = static_cast<std::time_t>(start_ns / kSecond);
   std::tm utc{};
@@ -195,7 +174,8 @@ Result<Session> read_session(const std::filesystem::path& folder, bool being_wri
   Session session{.folder = folder, .info = std::move(*info)};
   std::error_code failed;
   for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
-    if (entry.path().extension() == ".mcap") session.streams.push_back(read_stream(entry.path()));
+    if (entry.path().extension() == ".mcap" && std::filesystem::is_regular_file(entry.symlink_status(failed)))
+      session.streams.push_back(read_stream(entry.path()));
   std::ranges::sort(session.streams, {}, &StreamFile::file);
 
   session.state = being_written           ? SessionState::recording

@@ -71,7 +71,7 @@ struct Session {
 std::string stream_file_name(std::string_view topic);
 
 /// Reads the session in `folder`. Describes the readable part of a damaged stream. Returns an Error only if there is no
-/// session.
+/// session. Leaves out links, pipes and subfolders.
 Result<Session> read_session(const std::filesystem::path& folder, bool being_written = false);
 
 /// Reads one MCAP file with many channels, such as a downloaded session or a simulated game, as a session. All streams
@@ -80,16 +80,6 @@ Result<Session> read_recording(const std::filesystem::path& file);
 
 /// Reads a folder as read_session() does, and a file as read_recording() does.
 Result<Session> open_session(const std::filesystem::path& path);
-
-/// A file of a session on the disk.
-struct SessionFile {
-  std::string name;  // "14.2.ball.mcap", "session.json"
-  std::uint64_t size_bytes = 0;
-  std::uint32_t crc32 = 0;  // of all its bytes
-};
-
-/// Returns all files in the folder of a session, by name. Reads every byte of them.
-Result<std::vector<SessionFile>> read_session_files(const std::filesystem::path& folder);
 
 /// Returns a folder name for a session that starts at `start_ns`, for example "2026-11-21_14-02-11_game". The time is
 /// UTC, so that names sort by time.

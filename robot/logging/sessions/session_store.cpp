@@ -4,6 +4,7 @@
 #include <mutex>
 #include <utility>
 
+#include "robot/core/clock.h"
 #include "robot/core/files.h"
 #include "robot/core/report.h"
 
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 
 bool is_session(const fs::path& folder) {
   std::error_code ignored;
-  return fs::exists(folder / "session.json", ignored);
+  return fs::is_regular_file(fs::symlink_status(folder / "session.json", ignored));
 }
 
 std::vector<fs::path> session_folders(const fs::path& folder) {
@@ -152,10 +153,6 @@ std::uint64_t SessionStore::disk_free_bytes() const {
   return failed ? 0 : space.available;
 }
 
-std::uint64_t SessionStore::size_bytes() const {
-  std::uint64_t bytes = 0;
-  for (const fs::path& folder : session_folders(folder_)) bytes += bytes_in(folder);
-  return bytes;
-}
+std::uint64_t SessionStore::size_bytes() const { return sizes_.total(system_ns()); }
 
 }  // namespace robot::logging

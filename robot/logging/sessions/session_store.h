@@ -9,6 +9,7 @@
 
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
+#include "robot/logging/sessions/folder_sizes.h"
 #include "robot/logging/sessions/session.h"
 
 namespace robot::logging {
@@ -21,7 +22,7 @@ class SessionStore {
 
   /// `folder` may be missing; recording creates it. All sessions together may take at most `max_bytes`.
   SessionStore(std::filesystem::path folder, std::uint64_t max_bytes)
-      : folder_(std::move(folder)), max_bytes_(max_bytes) {}
+      : folder_(std::move(folder)), max_bytes_(max_bytes), sizes_(folder_) {}
 
   const std::filesystem::path& folder() const { return folder_; }
   std::uint64_t max_bytes() const { return max_bytes_; }
@@ -51,7 +52,8 @@ class SessionStore {
   /// Returns the free space on the folder's disk [bytes], or 0 if it is unknown.
   std::uint64_t disk_free_bytes() const;
 
-  /// Returns the size of all sessions [bytes].
+  /// Returns the size of all sessions [bytes]. Never waits for another function, and costs nothing while all sessions
+  /// stay the same.
   std::uint64_t size_bytes() const;
 
  private:
@@ -60,6 +62,7 @@ class SessionStore {
 
   const std::filesystem::path folder_;
   const std::uint64_t max_bytes_;
+  mutable FolderSizes sizes_;
 
   mutable Mutex lock_;
   std::string recording_;

@@ -84,20 +84,6 @@ TEST_F(WrittenSession, IsReadWithItsStreamsAndTimes) {
   EXPECT_EQ(session->streams[1].messages, 5u);
 }
 
-TEST_F(WrittenSession, ItsFilesAreListedWithSizesAndChecksums) {
-  const auto files = read_session_files(folder / "s");
-  ASSERT_TRUE(files) << files.error();
-  ASSERT_EQ(files->size(), 3u);
-  EXPECT_EQ((*files)[0].name, "14.2.a.mcap");
-  EXPECT_EQ((*files)[2].name, "session.json");
-  for (const SessionFile& file : *files) {
-    const std::string bytes = *read_file(folder / "s" / file.name, 1 << 20);
-    EXPECT_EQ(file.size_bytes, bytes.size());
-    EXPECT_EQ(file.crc32, mcap::crc32(bytes));
-  }
-  EXPECT_FALSE(read_session_files(folder / "none"));
-}
-
 TEST_F(WrittenSession, IsDeletedUnlessItIsKeptOrBeingWritten) {
   SessionStore store(folder.path(), 1'000'000);
   EXPECT_EQ(store.remove("s").error(), "session s: it is kept, and cannot be deleted");
