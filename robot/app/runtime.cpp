@@ -1,11 +1,11 @@
 #include "robot/app/runtime.h"
 
-#include <csignal>
 #include <cstdio>
 #include <utility>
 
 #include "robot/app/build_id.h"
 #include "robot/app/services/recording_service.h"
+#include "robot/app/signals.h"
 #include "robot/core/report.h"
 #include "robot/net/foxglove/derived_channels.h"
 
@@ -122,11 +122,6 @@ Result<void> Runtime::record(std::string_view name, std::string_view profile) {
 }
 
 void Runtime::run(const std::function<bool()>& tick) {
-  // sigtimedwait below takes these signals; they do not end the process at once
-  sigset_t ends;
-  sigemptyset(&ends);
-  sigaddset(&ends, SIGINT);
-  sigaddset(&ends, SIGTERM);
   std::uint64_t next_second = monotonic_ns();
   while (tick()) {
     if (game_) game_->follow();
@@ -134,9 +129,10 @@ void Runtime::run(const std::function<bool()>& tick) {
       every_second();
       next_second += kSecond;
     }
-    const timespec wait{.tv_sec = 0, .tv_nsec = kTickNs};
-    if (sigtimedwait(&ends, nullptr, &wait) > 0) return;
+    if (wait_for_end(kTickNs)) break;
   }
+  // the files of a recording are closed when the process ends
+  if (recorder_.status().state != logging::RecordingStatus::State::off) end_within(kEndOfRecordingNs);
 }
 
 void Runtime::every_second() {

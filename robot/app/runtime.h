@@ -3,6 +3,7 @@
 //   thread            from      does                                                          how often
 //   main              run()     statistics, clock samples, room on the disk; the body's tick,  once a second; 10 Hz
 //                             sessions of a game
+//   end               signals.h takes SIGINT and SIGTERM; ends a process whose end takes too long  once
 //   net               Server    sockets: HTTP, WebSocket                                       on each event
 //   net status        Server    answers /api/status                                            on request
 //   net files         Server    answers about sessions and recordings                          on request
