@@ -69,10 +69,12 @@ Result<net::LogFile> open_file(const logging::Session& session, const std::strin
   if (session.state == logging::SessionState::recording)
     return Error{who + "it is being recorded, its files are not complete yet"};
   std::error_code ignored;
-  // a symbolic link could lead out of the log folder
-  const bool linked = std::filesystem::is_symlink(session.folder / file, ignored);
-  auto source = FileSource::open(session.folder / file);
-  if (linked || !source) return Error{who + "there is no file '" + file + "'"};
+  const auto kind = std::filesystem::symlink_status(session.folder / file, ignored).type();
+  if (kind == std::filesystem::file_type::not_found) return Error{who + "there is no file '" + file + "'"};
+  if (kind != std::filesystem::file_type::regular)
+    return Error{who + "expected an ordinary file '" + file + "', got a link, a pipe or a folder, which is not served"};
+  auto source = FileSource::open(session.folder / file, Links::refuse);
+  if (!source) return Error{who + "the file '" + file + "' cannot be read"};
   const auto written = std::filesystem::last_write_time(session.folder / file, ignored).time_since_epoch().count();
   return net::LogFile{.body = *source,
                       .etag = std::to_string((*source)->size()) + "-" + std::to_string(written),
@@ -115,12 +117,12 @@ Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
   return net::LogFile{.body = *assembly, .etag = (*assembly)->etag(), .redirect_until_ns = {}};
 }
 
-net::HttpResponse Application::session_files(const std::string& session) {
+net::HttpResponse Application::session_files(const std::string& session, const net::ClientLeft& left) {
   const Result<logging::Session> found = store_.find(session);
   if (!found) return net::error_response(404, found.error());
   if (found->state == logging::SessionState::recording)
     return net::error_response(409, "session " + session + ": it is being recorded, its files are not complete yet");
-  const auto files = logging::read_session_files(found->folder);
+  const auto files = checksums_.of_folder(found->folder, left);
   if (!files) return net::error_response(500, files.error());
   json list = json::array();
   for (const logging::SessionFile& file : *files) {

@@ -6,6 +6,7 @@
 
 #include "robot/app/services/game_service.h"
 #include "robot/core/clock.h"
+#include "robot/logging/sessions/checksums.h"
 #include "robot/logging/sessions/downloads.h"
 #include "robot/logging/sessions/recorder.h"
 #include "robot/logging/sessions/session_store.h"
@@ -42,7 +43,7 @@ class Application final : public net::Backend {
   std::string status_json() override;
   std::string sessions_json() override;
   Result<net::LogFile> open_log(const net::LogRequest& request) override;
-  net::HttpResponse session_files(const std::string& session) override;
+  net::HttpResponse session_files(const std::string& session, const net::ClientLeft& left) override;
   net::HttpResponse delete_session(const std::string& session) override;
   net::HttpResponse played(const net::PlayedRequest& request) override {
     return played_ ? played_(request) : net::Backend::played(request);
@@ -58,6 +59,7 @@ class Application final : public net::Backend {
   std::function<GameStatus()> game_;
   std::function<net::HttpResponse(const net::PlayedRequest&)> played_;
   logging::Downloads downloads_;
+  logging::Checksums checksums_;
 };
 
 }  // namespace robot::app

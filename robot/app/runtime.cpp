@@ -1,11 +1,11 @@
 #include "robot/app/runtime.h"
 
-#include <csignal>
 #include <cstdio>
 #include <utility>
 
 #include "robot/app/build_id.h"
 #include "robot/app/services/recording_service.h"
+#include "robot/app/signals.h"
 #include "robot/core/attempt.h"
 #include "robot/core/report.h"
 #include "robot/net/foxglove/derived_channels.h"
@@ -14,6 +14,7 @@ namespace robot::app {
 namespace {
 
 constexpr std::uint64_t kTickNs = kSecond / 10;
+constexpr std::uint64_t kRoomNs = 10 * kSecond;  // between two attempts to delete old sessions
 
 std::string run_id() { return std::to_string(system_ns() / kMillisecond); }
 
@@ -122,11 +123,6 @@ Result<void> Runtime::record(std::string_view name, std::string_view profile) {
 }
 
 void Runtime::run(const std::function<bool()>& tick) {
-  // sigtimedwait below takes these signals; they do not end the process at once
-  sigset_t ends;
-  sigemptyset(&ends);
-  sigaddset(&ends, SIGINT);
-  sigaddset(&ends, SIGTERM);
   std::uint64_t next_second = monotonic_ns();
   bool goes_on = true;
   while (goes_on) {
@@ -138,9 +134,10 @@ void Runtime::run(const std::function<bool()>& tick) {
       every_second();
     });
     if (!done) report(Level::error, "runtime", done.error());
-    const timespec wait{.tv_sec = 0, .tv_nsec = kTickNs};
-    if (goes_on && sigtimedwait(&ends, nullptr, &wait) > 0) return;
+    if (goes_on && wait_for_end(kTickNs)) break;
   }
+  // the files of a recording are closed when the process ends
+  if (recorder_.status().state != logging::RecordingStatus::State::off) end_within(kEndOfRecordingNs);
 }
 
 void Runtime::every_second() {
@@ -151,7 +148,10 @@ void Runtime::every_second() {
   own_.runtime.write(statistics, clock_.now_ns());
   if (!options_.records) return;
   recorder_.tend();
+  // this reads all sessions, and is of no use while all of them are young or kept
+  if (monotonic_ns() < next_room_ns_ || store_.size_bytes() <= store_.max_bytes()) return;
   (void)store_.make_room(0, clock_.now_ns());
+  next_room_ns_ = monotonic_ns() + kRoomNs;
 }
 
 }  // namespace robot::app

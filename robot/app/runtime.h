@@ -3,8 +3,13 @@
 //   thread            from      does                                                          how often
 //   main              run()     statistics, clock samples, room on the disk, files of the      once a second; 10 Hz
 //                             session; the body's tick, sessions of a game
+//   end               signals.h takes SIGINT and SIGTERM; ends a process whose end takes too long  once
 //   net               Server    sockets: HTTP, WebSocket                                       on each event
-//   net <helper>      Server    reads downloads; starts and stops loggers; control             on request
+//   net status        Server    answers /api/status                                            on request
+//   net files         Server    answers about sessions and recordings                          on request
+//   net checksums     Server    computes checksums of recordings                               on request
+//   net downloads     Server    reads pieces of downloads                                      on request
+//   net <helper>      Server    starts and stops loggers; control                              on request
 //   net questions     Server    asks foresight for clients and waits for the answer            on request
 //   log <object>      board     carries one memory object to a file                            each version
 //   log watched       board     three threads carry the watched memory objects to the server   each version
@@ -118,6 +123,7 @@ class Runtime {
   const RuntimeOptions options_;
   const Clock& clock_;
   OwnObjects own_;
+  std::uint64_t next_room_ns_ = 0;  // [monotonic]
 
   memory::Channels channels_;
   logging::LoggingBoard board_;

@@ -33,6 +33,15 @@ bool fill_randomly(std::span<unsigned char> bytes) {
   return device && read(device.get(), bytes.data(), bytes.size()) == all;
 }
 
+/// Returns the names of this machine, and the hosts that the options allow.
+std::vector<std::string> hosts_of(const ServerSettings& settings) {
+  char host_name[256] = "";
+  if (::gethostname(host_name, sizeof host_name - 1) != 0) host_name[0] = '\0';
+  std::vector<std::string> hosts = net::names_of_machine(host_name);
+  hosts.insert(hosts.end(), settings.allowed_hosts.begin(), settings.allowed_hosts.end());
+  return hosts;
+}
+
 Result<std::string> make_token() {
   unsigned char bytes[kTokenBytes];
   if (!fill_randomly(bytes)) return Error{"token: the system provides no random numbers"};
@@ -93,11 +102,10 @@ Result<net::AccessOptions> access_options(const ServerSettings& settings) {
   if (!token) return token.failure();
   const Result<std::string> cookie = make_token();
   if (!cookie) return cookie.failure();
-  return net::AccessOptions{
-      .origins = {.hosts = settings.allowed_hosts, .origins = settings.allowed_origins, .robots = {}},
-      .control_token = *token,
-      .read_token = settings.protect_reading ? *token : "",
-      .read_cookie = settings.protect_reading ? *cookie : ""};
+  return net::AccessOptions{.origins = {.hosts = hosts_of(settings), .origins = settings.allowed_origins, .robots = {}},
+                            .control_token = *token,
+                            .read_token = settings.protect_reading ? *token : "",
+                            .read_cookie = settings.protect_reading ? *cookie : ""};
 }
 
 }  // namespace robot::app

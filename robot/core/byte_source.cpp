@@ -36,10 +36,13 @@ Result<std::string> read_bytes(const ByteSource& source, std::uint64_t offset, s
 FileSource::FileSource(std::filesystem::path path, FileDescriptor file, std::uint64_t size)
     : path_(std::move(path)), name_(path_.filename().string()), file_(std::move(file)), size_(size) {}
 
-Result<std::shared_ptr<const FileSource>> FileSource::open(const std::filesystem::path& path) {
-  // O_NONBLOCK: a named pipe is refused below, and is not waited for
-  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+Result<std::shared_ptr<const FileSource>> FileSource::open(const std::filesystem::path& path, Links links) {
+  // O_NONBLOCK: opening a pipe would wait for its writer; it has no effect on files
+  const int follow = links == Links::refuse ? O_NOFOLLOW : 0;
+  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | follow));
   struct stat status {};
+  if (!file && errno == ELOOP && links == Links::refuse)
+    return Error{"cannot read " + path.string() + ": expected a file, got a symbolic link"};
   if (!file || ::fstat(file.get(), &status) != 0) return file_error("cannot read", path, errno);
   if (!S_ISREG(status.st_mode)) return Error{"cannot read " + path.string() + ": expected a file"};
   const auto size = static_cast<std::uint64_t>(status.st_size);

@@ -31,10 +31,14 @@ class ByteSource {
 /// Returns `length` bytes of `source` from `offset` on. Allocates nothing if there are not enough.
 Result<std::string> read_bytes(const ByteSource& source, std::uint64_t offset, std::uint64_t length);
 
+/// Whether a symbolic link is opened as the file that it names.
+enum class Links { follow, refuse };
+
 /// A file with the size that it had when it was opened.
 class FileSource final : public ByteSource {
  public:
-  static Result<std::shared_ptr<const FileSource>> open(const std::filesystem::path& path);
+  /// Opens the file at `path`. Returns an Error for a folder, a pipe or a device, without waiting for its other end.
+  static Result<std::shared_ptr<const FileSource>> open(const std::filesystem::path& path, Links links = Links::follow);
 
   const std::string& name() const override { return name_; }
   std::uint64_t size() const override { return size_; }

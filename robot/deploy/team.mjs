@@ -2,6 +2,7 @@
 //
 // It is `~/.config/foresight/robots.json`, or the file that $FORESIGHT_ROBOTS or --robots names. Example: robots.example.json.
 import { readFileSync } from "node:fs";
+import { isIP } from "node:net";
 import { homedir } from "node:os";
 import { basename, dirname, join, resolve } from "node:path";
 import { BadInput } from "./failure.mjs";
@@ -93,8 +94,8 @@ class Taken {
 
 /**
  * Parses `text` of the robots file. Returns [{name, addresses, model, body, player, team, colour, key, head_id, body_id,
- * user, ssh_port, http_port, rules, strategies, foresight}].
- * The members colour, key, ids, rules, strategies and foresight may be absent.
+ * user, ssh_port, http_port, rules, strategies, foresight, host_names}]. `host_names` are the addresses that are names.
+ * The members colour, key, ids, rules, strategies, foresight and host_names may be absent.
  * `file` is its name in errors, and its folder is that of the files of strategies. `home` replaces ~.
  */
 export function parseTeam(file, text, home = homedir()) {
@@ -118,6 +119,9 @@ export function parseTeam(file, text, home = homedir()) {
     if (whole.team === undefined) throw new BadInput(`${where}.team: expected ${kRobotKeys.team.words} here or for all, got nothing`);
     if (whole.body === "nao" && whole.model !== "nao-v6") throw new BadInput(`${where}.body: expected attached of a ${whole.model}, which has no LoLA, got nao`);
     whole.addresses = addressesOf(where, robot);
+    // browsers send these names, and the robot answers to no other than its own
+    const names = whole.addresses.filter((one) => isIP(one) === 0);
+    if (names.length > 0) whole.host_names = names;
     taken.claim(`${where}.name`, "name", robot.name);
     taken.claim(`${where}.player`, "player", `${whole.team}/${robot.player}`);
     for (const one of new Set(whole.addresses)) taken.claim(`${where}.address`, "address", `${one}:${whole.ssh_port}`);

@@ -24,6 +24,7 @@ export function settingsOf(robot, { field } = {}) {
     ...(robot.foresight ? ["foresight"] : []),
     "game-controller",
     ...(field === undefined ? [] : [`field=${field}`]),
+    ...(robot.host_names ?? []).map((host) => `allow-host=${host}`),
     "bind=0.0.0.0",
     `port=${robot.http_port}`,
     "log-dir=logs",

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "robot/core/json.h"
 #include "robot/core/json_library.h"
 #include "robot/foresight/question.h"
 #include "robot/foresight/shown.h"
@@ -53,9 +54,10 @@ class Reader {
   void read_count(const json& object, const std::string& path, const char* key, Set&& set) {
     const auto found = object.find(key);
     if (found == object.end()) return;
-    if (!found->is_number_unsigned() || found->get<std::uint64_t>() > 1'000'000'000)
+    const std::optional<std::int64_t> count = whole_number(*found);
+    if (!count || *count < 0 || *count > 1'000'000'000)
       return refuse("'" + below(path, key) + "' must be a whole number 0 .. 1000000000, got " + shown(*found));
-    set(found->get<std::uint32_t>());
+    set(static_cast<std::uint32_t>(*count));
   }
 
   template <class Set>

@@ -132,7 +132,7 @@ class NoApplication final : public net::Backend {
   std::string status_json() override { return "{}"; }
   std::string sessions_json() override { return "{}"; }
   robot::Result<net::LogFile> open_log(const net::LogRequest&) override { return robot::Error{"there are none"}; }
-  net::HttpResponse session_files(const std::string&) override { return {.status = 404}; }
+  net::HttpResponse session_files(const std::string&, const net::ClientLeft&) override { return {.status = 404}; }
   net::HttpResponse delete_session(const std::string&) override { return {.status = 404}; }
   bool match_mode() const override { return false; }
 };

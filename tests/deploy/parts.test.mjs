@@ -34,6 +34,17 @@ test("settings are options of the program, one per line", () => {
   assert.deepEqual(JSON.parse(identityOf(robot)), { name: "tim", team: 14, player: 2, colour: "blue", model: "nao-v6" });
 });
 
+test("a robot answers to the names that it has in the robots file", () => {
+  const text = JSON.stringify({ team: 14, robots: [
+    { name: "tim", wired: "tim.lab", wireless: "fe80::1", model: "nao-v6", player: 2 },
+    { name: "lea", address: "10.0.14.22", model: "nao-v6", player: 3 },
+  ] });
+  const [tim, lea] = parseTeam("robots.json", text);
+  assert.match(settingsOf(tim), /^allow-host=tim\.lab\nbind=/m);
+  assert.equal(settingsOf(tim).match(/allow-host/g).length, 1);
+  assert.doesNotMatch(settingsOf(lea), /allow-host/);
+});
+
 test("a team's strategies go to all of its robots, with its own files in the version", async (t) => {
   const folder = temporaryFolder(t);
   writeFileSync(join(folder, "press.json"), "{}");

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync, statSync, writeFileSync } from "node:fs";
 import net from "node:net";
-import { networkInterfaces } from "node:os";
+import { hostname, networkInterfaces } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Live, refusal } from "./live.mjs";
@@ -18,11 +18,15 @@ async function served(t, ...args) {
   return { folder, session, server: await play(t, folder, session, "--speed", "1000", ...args) };
 }
 
-test("a Host is accepted if it is an address, localhost, *.local or configured; a refusal names the option", async (t) => {
+// names of this machine
+const first = hostname().split(".")[0];
+const names = [hostname(), first, `${first}.local`];
+
+test("a Host is accepted if it is an address, localhost, our own name or configured; a refusal names the option", async (t) => {
   const { server } = await served(t, "--allow-host", "nao14.lab");
   const port = server.port;
-  const accepted = ["localhost", `localhost:${port}`, "127.0.0.1", `[::1]:${port}`, "10.0.14.2:80", "nao.local", "NAO14.lab:1", "LocalHost"];
-  const refused = ["evil.example", "localhost.evil.example", "nao.local.evil.example", ".local", "local", "10.0.14.2.evil.example", "127.0.0.1:x", "[::1", "a b"];
+  const accepted = ["localhost", `localhost:${port}`, "127.0.0.1", `[::1]:${port}`, "10.0.14.2:80", "NAO14.lab:1", "LocalHost", ...names, `${first}.local:${port}`];
+  const refused = ["evil.example", "evil.local", "localhost.evil.example", `${first}.local.evil.example`, ".local", "local", "10.0.14.2.evil.example", "127.0.0.1:x", "[::1", "a b"];
   for (const host of accepted) {
     assert.equal((await request(server, "/api/status", { headers: { host } })).status, 200, host);
     await (await Live.open(t, server, { headers: { host } })).socket.terminate();
@@ -59,8 +63,8 @@ test("a page of an Origin may connect if it is our own, local, a file, Foxglove 
     assert.equal((await request(server, "/api/status", { headers: { origin } })).headers["access-control-allow-origin"], undefined, origin);
   }
   // a page of the same name and port as the robot's Host is the robot's own
-  await Live.open(t, server, { headers: { host: "nao.local:8765", origin: "http://nao.local:8765" } });
-  assert.equal((await refusal(server, { headers: { host: "nao.local:8765", origin: "http://nao.local:80" } })).status, 403);
+  await Live.open(t, server, { headers: { host: `${first}.local:8765`, origin: `http://${first}.local:8765` } });
+  assert.equal((await refusal(server, { headers: { host: `${first}.local:8765`, origin: `http://${first}.local:80` } })).status, 403);
 });
 
 test("every page comes with a strict Content-Security-Policy and no referrer", async (t) => {

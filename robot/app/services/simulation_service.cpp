@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "robot/core/json.h"
 #include "robot/core/json_library.h"
 #include "sim/io/situation.h"
 #include "sim/math/tick.h"
@@ -48,15 +49,24 @@ Result<std::int64_t> whole(const json& request, const char* service, const char*
   const json* entry = find(request, key);
   if (!entry && otherwise) return *otherwise;
   constexpr std::int64_t kGreatest = body::SimBody::kGreatestSeed;
-  if (entry && entry->is_number_unsigned() && entry->get<std::uint64_t>() <= kGreatest)
-    return entry->get<std::int64_t>();
+  const std::optional<std::int64_t> number = entry ? whole_number(*entry) : std::nullopt;
+  if (number && *number >= 0 && *number <= kGreatest) return *number;
   return Error{std::string(service) + ": '" + key + "' must be a whole number 0 .. " + std::to_string(kGreatest) +
                (entry ? ", got " + entry->dump().substr(0, 40) : ", got none")};
+}
+
+/// Spells each whole number without a fraction, because the simulator reads its integers only so.
+void spell_whole_numbers(json& value) {
+  if (value.is_structured())
+    for (json& element : value) spell_whole_numbers(element);
+  else if (const auto number = value.is_number_float() ? whole_number(value) : std::nullopt)
+    value = *number;
 }
 
 /// Begins a game from the described situation. A given `seed` replaces the seed of the description.
 json begin(body::SimBody& body, json situation, std::optional<std::uint64_t> seed) {
   if (seed && situation.is_object()) situation["seed"] = *seed;
+  spell_whole_numbers(situation);
   const auto state = sim::io::parse_situation(situation.dump(), "situation", body.setup().params());
   if (!state) return net::failure("/sim/reset: " + state.error());
   body.reset(*state);

@@ -21,7 +21,11 @@ Result<std::shared_ptr<const Assembly>> Downloads::open(const Session& session,
     if (stream && file.file != *stream) continue;
     what += ' ' + file.file + ' ' + std::to_string(file.size_bytes);
     // a file without a complete head cannot be part of an assembly yet
-    if (!file.topic.empty()) files.push_back(session.folder / file.file);
+    if (file.topic.empty()) continue;
+    const std::filesystem::path path = session.folder / file.file;
+    // links and pipes are not served
+    std::error_code gone;
+    if (std::filesystem::is_regular_file(std::filesystem::symlink_status(path, gone))) files.push_back(path);
   }
   if (files.empty())
     return Error{"session " + session.id() + ": there is no stream" + (stream ? " '" + *stream + "'" : "")};
@@ -29,7 +33,7 @@ Result<std::shared_ptr<const Assembly>> Downloads::open(const Session& session,
 
   std::vector<std::shared_ptr<const ByteSource>> sources;
   for (const auto& file : files) {
-    Result<std::shared_ptr<const FileSource>> source = FileSource::open(file);
+    Result<std::shared_ptr<const FileSource>> source = FileSource::open(file, Links::refuse);
     if (!source) return source.failure();
     sources.push_back(std::move(*source));
   }

@@ -20,7 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxSessionJsonBytes = 1 << 20;
-constexpr std::size_t kPieceBytes = 1 << 18;
 
 /// The file of a stream, and the facts about the session in it.
 struct ReadFile {
@@ -165,26 +164,6 @@ std::string_view name(SessionState state) {
     case SessionState::damaged: return "damaged";
   }
   return "?";
-}
-
-Result<std::vector<SessionFile>> read_session_files(const fs::path& folder) {
-  const auto entries = list_folder(folder);
-  if (!entries) return entries.failure("session");
-  std::vector<SessionFile> files;
-  std::string piece;
-  for (const FolderEntry& entry : *entries) {
-    if (entry.kind != FolderEntry::Kind::file || entry.name.starts_with('.')) continue;
-    const auto source = FileSource::open(folder / entry.name);
-    if (!source) return source.failure();
-    SessionFile file{.name = entry.name, .size_bytes = (*source)->size()};
-    for (std::uint64_t at = 0; at < file.size_bytes; at += kPieceBytes) {
-      piece.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kPieceBytes, file.size_bytes - at)));
-      if (const Result<void> read = (*source)->read(at, piece); !read) return read.failure();
-      file.crc32 = mcap::crc32(piece, file.crc32);
-    }
-    files.push_back(std::move(file));
-  }
-  return files;
 }
 
 fs::path plain_path(const fs::path& path) {

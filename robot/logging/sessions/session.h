@@ -66,15 +66,5 @@ std::filesystem::path log_folder_of(const std::filesystem::path& path);
 /// Reads a folder as read_session() does, and a file as read_recording() does.
 Result<Session> open_session(const std::filesystem::path& path);
 
-/// A file of a session on the disk.
-struct SessionFile {
-  std::string name;  // "14.2.ball.mcap", "session.json"
-  std::uint64_t size_bytes = 0;
-  std::uint32_t crc32 = 0;  // of all its bytes
-};
-
-/// Returns all files in the folder of a session, by name, without hidden ones. Reads every byte of them. Skips symbolic
-/// links, named pipes and folders.
-Result<std::vector<SessionFile>> read_session_files(const std::filesystem::path& folder);
 
 }  // namespace robot::logging

@@ -34,7 +34,7 @@ bool has(const std::vector<FolderEntry>& entries, std::string_view name) {
 }  // namespace
 
 SessionStore::SessionStore(fs::path folder, std::uint64_t max_bytes)
-    : folder_(std::move(folder)), max_bytes_(max_bytes), boot_(boot_id()) {}
+    : folder_(std::move(folder)), max_bytes_(max_bytes), sizes_(folder_), boot_(boot_id()) {}
 
 SessionStore::Candidate SessionStore::candidate(const std::string& id) const {
   Candidate candidate{.folder = folder_ / id};
@@ -197,12 +197,7 @@ std::uint64_t SessionStore::disk_free_bytes() const {
   return failed ? 0 : space.available;
 }
 
-std::uint64_t SessionStore::size_bytes() const {
-  const std::lock_guard guard(lock_);
-  std::uint64_t bytes = 0;
-  for (const Candidate& candidate : session_candidates()) bytes += candidate.size_bytes;
-  return bytes;
-}
+std::uint64_t SessionStore::size_bytes() const { return sizes_.total(system_ns()); }
 
 std::uint64_t SessionStore::greatest_number() const {
   const std::lock_guard guard(lock_);

@@ -12,6 +12,7 @@
 #include "robot/core/folder.h"
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
+#include "robot/logging/sessions/folder_sizes.h"
 #include "robot/logging/sessions/retention.h"
 #include "robot/logging/sessions/session.h"
 
@@ -53,7 +54,8 @@ class SessionStore {
   /// Returns the free space on the folder's disk [bytes], or 0 if it is unknown.
   std::uint64_t disk_free_bytes() const;
 
-  /// Returns the size of all sessions [bytes].
+  /// Returns the size of all sessions [bytes]. Never waits for another function, and costs nothing while all sessions
+  /// stay the same.
   std::uint64_t size_bytes() const;
 
   /// Returns the greatest number of a session in the folder, or 0.
@@ -80,6 +82,7 @@ class SessionStore {
 
   const std::filesystem::path folder_;
   const std::uint64_t max_bytes_;
+  mutable FolderSizes sizes_;
   const std::string boot_;
 
   mutable Mutex lock_;

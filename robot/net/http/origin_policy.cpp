@@ -54,10 +54,16 @@ std::string shown(std::string_view text) {
 
 }  // namespace
 
+std::vector<std::string> names_of_machine(std::string_view host_name) {
+  const std::string name = lower(host_name), first = name.substr(0, name.find('.'));
+  if (first.empty()) return {};
+  return {name, first, first + ".local"};
+}
+
 Result<void> check_host(const OriginPolicy& policy, std::string_view host) {
   const std::string name = name_of(host);
-  const bool accepted = is_address(name) || name == "localhost" || (name.size() > 6 && name.ends_with(".local")) ||
-                        contains(policy.hosts, name) || contains(policy.robots, name);
+  const bool accepted =
+      is_address(name) || name == "localhost" || contains(policy.hosts, name) || contains(policy.robots, name);
   if (accepted) return {};
   return Error{"host '" + shown(host) + "' is not a name of this robot; if it is, start it with " +
                std::string(kAllowHost) + " " + (name.empty() ? "<name>" : shown(name))};

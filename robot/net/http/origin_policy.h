@@ -16,13 +16,16 @@ inline constexpr std::string_view kAllowOrigin = "--allow-origin";
 
 /// Hosts and origins that are accepted in addition to the built-in rules.
 struct OriginPolicy {
-  std::vector<std::string> hosts;    // further names of this machine: "nao.lab.example.org"
+  std::vector<std::string> hosts;    // names of this machine: "nao14.local", "nao.lab.example.org"
   std::vector<std::string> origins;  // further pages: "https://lab.example.org"
   std::vector<std::string> robots;   // hosts of the team's robots, whose viewers may connect here
 };
 
-/// Accepts the Host header of a request if it is an IP address, localhost, a name in *.local or a configured name.
-/// An attacker may point any other name at our address (DNS rebinding).
+/// Returns the names under which a machine called `host_name` is reached: "nao14.lab" is also "nao14" and "nao14.local".
+std::vector<std::string> names_of_machine(std::string_view host_name);
+
+/// Accepts the Host header of a request if it is an IP address, localhost or a name in `policy`. An attacker may point any
+/// other name at our address (DNS rebinding), in a local network also a name in *.local.
 Result<void> check_host(const OriginPolicy& policy, std::string_view host);
 
 /// Accepts the Origin of a page: our own host, a file, localhost at any port, the team's robots,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -38,12 +39,16 @@ struct PlayedRequest {
 /// Header of the answer to a PlayedRequest: its end [ns since the epoch]. The client requests the rest separately.
 inline constexpr const char* kPlayedUntil = "Foresight-Until";
 
-/// The source of status, sessions and recordings. Called by one thread of the server that may wait for the disk.
+/// A function that returns whether the client has left, so that nobody needs its answer any more. Any thread.
+using ClientLeft = std::function<bool()>;
+
+/// The source of status, sessions and recordings. Called by threads of the server that may wait: one for the status, one
+/// for checksums, one for the rest. Functions of different threads run at the same time.
 class Backend {
  public:
   virtual ~Backend() = default;
 
-  /// Returns the body of `GET /api/status`: a JSON object.
+  /// Returns the body of `GET /api/status`: a JSON object. Does not wait for other functions.
   virtual std::string status_json() = 0;
 
   /// Returns the body of `GET /api/sessions`: a JSON object with "sessions".
@@ -53,8 +58,8 @@ class Backend {
   virtual Result<LogFile> open_log(const LogRequest& request) = 0;
 
   /// Returns the answer to `GET /api/sessions/<session>/files`: 200 with a JSON object with "files", 404, or 409 during
-  /// recording.
-  virtual HttpResponse session_files(const std::string& session) = 0;
+  /// recording. It may read every byte of the session, and ends early when the client has left.
+  virtual HttpResponse session_files(const std::string& session, const ClientLeft& left) = 0;
 
   /// Returns the answer to `DELETE /logs/<session>`: 204, 404, or 409 if the session is kept or being recorded.
   virtual HttpResponse delete_session(const std::string& session) = 0;

@@ -39,7 +39,8 @@ struct ConnectionContext {
   const Routes& routes;
   Hub& hub;
   boost::asio::io_context& io;
-  Worker& disk;
+  Worker &status, &files, &checksums;  // answers, see Work
+  Worker& downloads;                   // pieces of answers that are recordings
 
   // these sets and their pending operations keep connections alive
   std::set<std::shared_ptr<HttpConnection>> http = {};

@@ -1,8 +1,11 @@
 #include "robot/net/serve/http_connection.h"
 
+#include <sys/socket.h>
+
 #include <algorithm>
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
+#include <cerrno>
 
 #include "robot/net/http/response_head.h"
 #include "robot/net/serve/web_socket_connection.h"
@@ -57,13 +60,34 @@ void HttpConnection::handle(HttpRequest request) {
   deadline_ns_ = UINT64_MAX;  // our own work has no deadline
   request_ = std::move(request);
   if (wants_web_socket(request_)) return upgrade(request_);
-  if (!Routes::may_wait(request_)) return respond(context_.routes.answer(request_, remote_.address));
+  switch (Routes::work_of(request_)) {
+    case Work::none: return respond(context_.routes.answer(request_, remote_.address, {}));
+    case Work::status: return answer_on(context_.status);
+    case Work::files: return answer_on(context_.files);
+    case Work::checksums: watch_client(); return answer_on(context_.checksums);
+  }
+}
 
-  context_.disk.post([self = shared_from_this(), request = request_] {
-    HttpResponse response = self->context_.routes.answer(request, self->remote_.address);
+void HttpConnection::answer_on(Worker& worker) {
+  worker.post([self = shared_from_this(), request = request_] {
+    const ClientLeft left = [&left = self->left_] { return left.load(); };
+    if (left()) return;
+    HttpResponse response = self->context_.routes.answer(request, self->remote_.address, left);
     boost::asio::post(self->context_.io, [self, response = std::move(response)]() mutable {
       if (self->state_ == State::answering) self->respond(std::move(response));
     });
+  });
+}
+
+/// Ends the connection if the client ends it before its answer is ready. Short answers do without: a client that has
+/// only finished sending, as `nc -N` does, still gets them.
+void HttpConnection::watch_client() {
+  watched_ = true;
+  socket_.async_wait(Socket::wait_read, [self = shared_from_this()](error_code error) {
+    if (error || !self->watched_ || self->state_ != State::answering) return;
+    char byte = 0;
+    const ssize_t n = ::recv(self->socket_.native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+    if (n == 0 || (n < 0 && errno != EAGAIN && errno != EINTR)) self->close();
   });
 }
 
@@ -114,6 +138,7 @@ Result<Upgrade> HttpConnection::agree(const HttpRequest& request, const Target& 
 
 void HttpConnection::respond(HttpResponse response) {
   state_ = State::answering;
+  watched_ = false;
   deadline_ns_ = monotonic_ns() + context_.options.idle_timeout_ns;
   response_ = std::move(response);
   body_sent_ = 0;
@@ -148,15 +173,16 @@ void HttpConnection::on_written() {
   wait_for_request(context_.options.idle_timeout_ns);
 }
 
-// the disk thread reads a piece, then the I/O thread writes it; neither waits for the device of the other
+// the thread of downloads reads a piece, then the I/O thread writes it; neither waits for the device of the other
 void HttpConnection::read_piece() {
   deadline_ns_ = UINT64_MAX;
   if (!piece_) piece_ = std::make_shared<std::string>();
   const BodyPart& part = std::get<BodyPart>(response_.body);
   const std::size_t wanted = static_cast<std::size_t>(std::min<std::uint64_t>(kPieceBytes, part.size - body_sent_));
 
-  context_.disk.post(
+  context_.downloads.post(
       [self = shared_from_this(), source = part.source, offset = part.offset + body_sent_, wanted, piece = piece_] {
+        if (self->left_) return;
         piece->resize(wanted);
         const bool whole = static_cast<bool>(source->read(offset, *piece));
         boost::asio::post(self->context_.io, [self, whole] {
@@ -185,6 +211,7 @@ void HttpConnection::check_deadline(std::uint64_t now_ns) {
 void HttpConnection::close() {
   if (state_ == State::closed) return;
   state_ = State::closed;
+  left_ = true;
   error_code ignored;
   socket_.close(ignored);
   context_.http.erase(shared_from_this());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <memory>
 #include <string>
 
@@ -36,6 +37,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void read();
   void take_requests();
   void handle(HttpRequest request);
+  void answer_on(Worker& worker);
+  void watch_client();
   void upgrade(const HttpRequest& request);
   Result<Upgrade> agree(const HttpRequest& request, const Target& target, HttpResponse& refusal) const;
   void respond(HttpResponse response);
@@ -50,6 +53,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   const std::uint64_t made_ns_;
 
   State state_ = State::waiting;
+  std::atomic<bool> left_ = false;  // the connection has ended; read by the threads that prepare answers
+  bool watched_ = false;            // an answer takes long: the client may leave before
   std::uint64_t deadline_ns_ = 0;
   HttpParser parser_;
   std::array<char, 8192> input_{};
@@ -59,7 +64,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   HttpResponse response_;
   std::string head_;
   std::uint64_t body_sent_ = 0;
-  std::shared_ptr<std::string> piece_;  // filled by the disk thread, which may outlive this connection
+  std::shared_ptr<std::string> piece_;  // filled by the thread of downloads, which may outlive this connection
 };
 
 }  // namespace robot::net

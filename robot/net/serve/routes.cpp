@@ -9,7 +9,8 @@
 namespace robot::net {
 namespace {
 
-constexpr std::string_view kLogs = "/logs/";
+constexpr std::string_view kLogs = "/logs/", kStatus = "/api/status";
+constexpr std::string_view kSessions = "/api/sessions/", kFilesOfSession = "/files";
 
 // data of the robot; all other paths belong to the viewer
 bool is_data(std::string_view path) { return path.starts_with("/api/") || path.starts_with("/logs"); }
@@ -77,12 +78,14 @@ Access access_of(const AccessOptions& options, std::string_view address, const H
           .may_control = control};
 }
 
-bool Routes::may_wait(const HttpRequest& request) {
+Work Routes::work_of(const HttpRequest& request) {
   const auto target = parse_target(request.target);
-  return target && is_data(target->path);
+  if (!target || !is_data(target->path)) return Work::none;
+  if (target->path == kStatus) return Work::status;
+  return between(kSessions, target->path, kFilesOfSession) ? Work::checksums : Work::files;
 }
 
-HttpResponse Routes::answer(const HttpRequest& request, std::string_view address) const {
+HttpResponse Routes::answer(const HttpRequest& request, std::string_view address, const ClientLeft& left) const {
   // with two Host headers, a proxy might check one and we the other
   if (std::ranges::count(request.headers, "host", &Headers::value_type::first) != 1)
     return error_response(400, "HTTP request: expected one Host header");
@@ -91,7 +94,7 @@ HttpResponse Routes::answer(const HttpRequest& request, std::string_view address
 
   HttpResponse response;
   if (const auto target = parse_target(request.target)) {
-    response = route(request, *target, address);
+    response = route(request, *target, address, left);
     add_cookie(*target, response);
   } else {
     response = error_response(400, target.error());
@@ -109,7 +112,8 @@ void Routes::add_cookie(const Target& target, HttpResponse& response) const {
       "Set-Cookie", std::string(kCookie) + "=" + access_.read_cookie + "; Path=/; HttpOnly; SameSite=Strict");
 }
 
-HttpResponse Routes::route(const HttpRequest& request, const Target& target, std::string_view address) const {
+HttpResponse Routes::route(const HttpRequest& request, const Target& target, std::string_view address,
+                           const ClientLeft& left) const {
   const bool reads = request.method == "GET" || request.method == "HEAD";
   if (request.method == "OPTIONS") return {.status = 204, .headers = {{"Allow", std::string(kMethods)}}};
   if (!reads && request.method != "DELETE") {
@@ -122,18 +126,20 @@ HttpResponse Routes::route(const HttpRequest& request, const Target& target, std
   if (auto asset = reads ? asset_response(assets_, request, target.path) : std::nullopt) return *std::move(asset);
   if (!is_data(target.path)) return error_response(404, "there is nothing at this path");
   const Access access = access_of(access_, address, request, target);
-  return reads ? answer_data(request, target, access) : delete_session(request, target, access);
+  return reads ? answer_data(request, target, access, left) : delete_session(request, target, access);
 }
 
-HttpResponse Routes::answer_data(const HttpRequest& request, const Target& target, const Access& access) const {
+HttpResponse Routes::answer_data(const HttpRequest& request, const Target& target, const Access& access,
+                                 const ClientLeft& left) const {
   if (!access.may_watch)
     return error_response(401, "reading from this robot needs its read token: add ?token=<token> to the address");
-  if (target.path == "/api/status") return text_response(200, "application/json", backend_.status_json());
+  if (target.path == kStatus) return text_response(200, "application/json", backend_.status_json());
   if (target.path == "/api/sessions") return text_response(200, "application/json", backend_.sessions_json());
   if (target.path == "/logs" || target.path == kLogs) return answer_sessions(request);
 
   if (!access.loopback && backend_.match_mode()) return game_in_progress();
-  if (const auto session = between("/api/sessions/", target.path, "/files")) return backend_.session_files(*session);
+  if (const auto session = between(kSessions, target.path, kFilesOfSession))
+    return backend_.session_files(*session, left);
   if (target.path.starts_with(kLogs)) return answer_log(request, target);
   if (target.path == "/api/played") return answer_played(target);
   return error_response(404, "there is nothing at this path");

@@ -34,6 +34,15 @@ struct Access {
 Access access_of(const AccessOptions& options, std::string_view address, const HttpRequest& request,
                  const Target& target);
 
+/// The kind of waiting for an answer. Each kind has a thread, so that the status never waits for the disk, and the list of
+/// sessions never for a checksum.
+enum class Work {
+  none,       // it does not wait
+  status,     // milliseconds
+  files,      // it reads the beginning or the index of files
+  checksums,  // it reads whole files, for minutes
+};
+
 /// The answers to all requests except WebSocket upgrades. Any thread.
 class Routes {
  public:
@@ -41,15 +50,17 @@ class Routes {
   Routes(const AccessOptions& access, std::span<const Asset> assets, Backend& backend)
       : access_(access), assets_(assets), backend_(backend) {}
 
-  /// Returns whether answer() may wait for the disk.
-  static bool may_wait(const HttpRequest& request);
+  /// Returns the work of answer().
+  static Work work_of(const HttpRequest& request);
 
-  /// Returns the answer to `request` from a client at `address`.
-  HttpResponse answer(const HttpRequest& request, std::string_view address) const;
+  /// Returns the answer to `request` from a client at `address`. Long work ends early when the client has left.
+  HttpResponse answer(const HttpRequest& request, std::string_view address, const ClientLeft& left) const;
 
  private:
-  HttpResponse route(const HttpRequest& request, const Target& target, std::string_view address) const;
-  HttpResponse answer_data(const HttpRequest& request, const Target& target, const Access& access) const;
+  HttpResponse route(const HttpRequest& request, const Target& target, std::string_view address,
+                     const ClientLeft& left) const;
+  HttpResponse answer_data(const HttpRequest& request, const Target& target, const Access& access,
+                           const ClientLeft& left) const;
   HttpResponse answer_played(const Target& target) const;
   HttpResponse answer_log(const HttpRequest& request, const Target& target) const;
   HttpResponse delete_session(const HttpRequest& request, const Target& target, const Access& access) const;

@@ -2,6 +2,8 @@
 
 #include "robot/net/serve/connection.h"  // Asio first, see there
 
+#include <sys/socket.h>
+
 #include <algorithm>
 #include <boost/asio/basic_socket_acceptor.hpp>
 #include <boost/asio/basic_waitable_timer.hpp>
@@ -12,8 +14,10 @@
 #include <thread>
 
 #include "robot/core/attempt.h"
+#include "robot/core/files.h"
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
+#include "robot/net/http/response_head.h"
 #include "robot/net/serve/http_connection.h"
 #include "robot/net/serve/web_socket_connection.h"
 #include "robot/net/serve/wireless.h"
@@ -63,8 +67,18 @@ class Server::Core {
                    });
              }),
         routes_(options_.access, options_.assets, backend),
-        disk_("net disk"),
-        context_{.options = options_, .routes = routes_, .hub = hub_, .io = io_, .disk = disk_},
+        status_("net status"),
+        files_("net files"),
+        checksums_("net checksums"),
+        downloads_("net downloads"),
+        context_{.options = options_,
+                 .routes = routes_,
+                 .hub = hub_,
+                 .io = io_,
+                 .status = status_,
+                 .files = files_,
+                 .checksums = checksums_,
+                 .downloads = downloads_},
         timer_(io_) {}
 
   Result<void> start();  // the owner's thread
@@ -85,6 +99,9 @@ class Server::Core {
   Result<void> listen(const std::string& address);
   void watch();
   void accept(Acceptor& acceptor);
+  bool make_room();
+  void turn_away(Acceptor& acceptor);
+  void take_back_spare();
   void admit(Socket socket);
   void tick();
   void beat(std::uint64_t now);
@@ -107,13 +124,15 @@ class Server::Core {
   Worker control_, questions_;
   Hub hub_;
   Routes routes_;
-  Worker disk_;
+  Worker status_, files_, checksums_, downloads_;
   ConnectionContext context_;
 
   std::vector<std::unique_ptr<Acceptor>> acceptors_;
   bool match_mode_ = false;
   Wireless wireless_;                       // the interfaces that stay silent in match mode
   std::vector<Acceptor*> tired_acceptors_;  // out of file descriptors: tried again with the next tick
+  FileDescriptor spare_ = spare_descriptor(),
+                 turned_away_;  // the second takes the place of the first until the next tick
   std::uint16_t port_ = 0;
   Timer timer_;
   std::uint64_t next_second_ns_ = 0;
@@ -184,6 +203,7 @@ void Server::Core::accept(Acceptor& acceptor) {
     if (error) {
       static Throttle throttle;
       throttle.report(Level::warning, "net", "cannot take a connection: " + error.message());
+      if (is_out_of_descriptors(error.value()) && !make_room()) turn_away(acceptor);
       return tired_acceptors_.push_back(&acceptor);
     }
     if (const Result<void> admitted = attempt("taking a connection", [&] { admit(std::move(socket)); }); !admitted)
@@ -192,20 +212,44 @@ void Server::Core::accept(Acceptor& acceptor) {
   });
 }
 
+/// Ends the connection that waits longest without a request. Returns whether there is one.
+bool Server::Core::make_room() {
+  std::shared_ptr<HttpConnection> oldest;
+  for (const auto& connection : context_.http)
+    if (connection->waits_for_request() && (!oldest || connection->made_ns() < oldest->made_ns())) oldest = connection;
+  if (oldest) oldest->close();
+  return oldest != nullptr;
+}
+
+/// Accepts one client instead of the spare file descriptor, and answers with 503 whatever it asks.
+void Server::Core::turn_away(Acceptor& acceptor) {
+  if (!spare_) return;
+  spare_.reset();
+  turned_away_ = FileDescriptor(::accept4(acceptor.native_handle(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+  if (!turned_away_ || wireless_.carries(turned_away_.get())) return;
+  const HttpResponse refusal = error_response(
+      503, "no file descriptor is left for one more client: end other clients, or raise the limit of open files");
+  const std::string bytes = response_head(refusal, false) + std::get<std::string>(refusal.body);
+  ::send(turned_away_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  ::shutdown(turned_away_.get(), SHUT_WR);
+}
+
+/// Closes the refused connection. Its request is read first: otherwise the kernel would discard the answer.
+void Server::Core::take_back_spare() {
+  if (spare_) return;
+  char request[4096];
+  while (turned_away_ && ::recv(turned_away_.get(), request, sizeof request, MSG_DONTWAIT) > 0) {
+  }
+  turned_away_.reset();
+  spare_ = spare_descriptor();
+}
+
 void Server::Core::admit(Socket socket) {
   error_code error;
   const auto remote = socket.remote_endpoint(error);
   if (error) return;                                                    // the client has gone already
   if (wireless_.carries(socket.native_handle())) return reset(socket);  // it connected just before the game
-  if (context_.http.size() >= options_.max_http_connections) {
-    // the oldest connection without a request makes room
-    std::shared_ptr<HttpConnection> oldest;
-    for (const auto& connection : context_.http)
-      if (connection->waits_for_request() && (!oldest || connection->made_ns() < oldest->made_ns()))
-        oldest = connection;
-    if (!oldest) return;
-    oldest->close();
-  }
+  if (context_.http.size() >= options_.max_http_connections && !make_room()) return;
   auto connection = std::make_shared<HttpConnection>(std::move(socket),
                                                      Remote{remote.address().to_string(), remote.port()}, context_);
   context_.http.insert(connection);
@@ -242,6 +286,7 @@ void Server::Core::beat(std::uint64_t now) {
   for (const auto& connection : std::vector(context_.web_sockets.begin(), context_.web_sockets.end()))
     connection->check_deadline(now);
   flush_all();
+  take_back_spare();
 }
 
 void Server::Core::follow_match() {
@@ -290,7 +335,7 @@ void Server::Core::stop() {
   }
   inbox_->close();  // loggers that wait for room go on
   streams_.finish();
-  for (Worker* worker : {&control_, &questions_, &disk_}) {
+  for (Worker* worker : {&control_, &questions_, &status_, &files_, &checksums_, &downloads_}) {
     worker->forget();
     worker->finish();
   }

@@ -41,8 +41,11 @@ struct ServerOptions {
   std::span<const Asset> assets = {kViewerAssets, kViewerAssetCount};
 };
 
-/// A server of HTTP and the Foxglove protocol with an I/O thread of its own and three helper threads.
-/// One waits for the disk, one for loggers that start and stop, one runs questions of clients.
+/// A server of HTTP and the Foxglove protocol with an I/O thread of its own and helper threads. Each kind of Work has one.
+/// Others read pieces of downloads, start and stop loggers, and run questions of clients.
+///
+/// Without a free file descriptor it ends the connection that waits longest without a request. If there is none, it
+/// answers one client with 503 and rests until the next tick.
 class Server {
  public:
   /// All references must outlive the server, and `services` must be complete. Channels may come later.

@@ -1,6 +1,9 @@
 #include "robot/app/application.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
 
 #include "robot/core/files.h"
 #include "robot/core/json_library.h"
@@ -83,7 +86,7 @@ TEST_F(ServedSession, ADownloadOfARunningSessionRedirectsToATimeThatIsWritten) {
 }
 
 TEST_F(ServedSession, ItsFilesAreServedUnchanged) {
-  const json files = json::parse(std::get<std::string>(application.session_files("one").body))["files"];
+  const json files = json::parse(std::get<std::string>(application.session_files("one", {}).body))["files"];
   ASSERT_EQ(files.size(), 2u);
   for (const json& listed : files) {
     const std::string name = listed["name"];
@@ -95,13 +98,39 @@ TEST_F(ServedSession, ItsFilesAreServedUnchanged) {
     EXPECT_EQ(bytes, *read_file(folder / "one" / name, 1 << 20));
     EXPECT_EQ(std::stoul(listed["crc32"].get<std::string>(), nullptr, 16), logging::mcap::crc32(bytes));
   }
-  EXPECT_EQ(application.session_files("two").status, 404);
+  EXPECT_EQ(application.session_files("two", {}).status, 404);
   EXPECT_EQ(application.open_log({.session = "one", .file = "token"}).error(), "session one: there is no file 'token'");
+}
+
+TEST_F(ServedSession, LinksPipesAndSubfoldersInItAreNotServed) {
+  ASSERT_TRUE(replace_file(folder / "secret", "secret"));
+  std::filesystem::create_symlink(folder / "secret", folder / "one" / "link");
+  std::filesystem::create_symlink(folder / "one" / "14.2.a.mcap", folder / "one" / "link.mcap");
+  std::filesystem::create_directory(folder / "one" / "sub");
+  for (const char* pipe : {"pipe", "pipe.mcap"}) ASSERT_EQ(::mkfifo((folder / "one" / pipe).c_str(), 0600), 0);
+  for (const char* name : {"link", "link.mcap", "sub", "pipe", "pipe.mcap"})
+    EXPECT_EQ(application.open_log({.session = "one", .file = name}).error(),
+              std::string("session one: expected an ordinary file '") + name +
+                  "', got a link, a pipe or a folder, which is not served");
+  EXPECT_EQ(application.open_log({.session = "one", .stream = "link"}).error(),
+            "session one: there is no stream 'link.mcap'");
+  EXPECT_EQ(application.open_log({.session = "one", .stream = "pipe"}).error(),
+            "session one: there is no stream 'pipe.mcap'");
+  // the rest of the session is served as before
+  EXPECT_TRUE(application.open_log({.session = "one"}));
+  const json session = json::parse(application.sessions_json())["sessions"][0];
+  EXPECT_EQ(session["streams"].size(), 1u);
+  EXPECT_EQ(json::parse(std::get<std::string>(application.session_files("one", {}).body))["files"].size(), 2u);
+  // a pipe instead of the description
+  std::filesystem::create_directory(folder / "two");
+  ASSERT_EQ(::mkfifo((folder / "two" / "session.json").c_str(), 0600), 0);
+  EXPECT_EQ(json::parse(application.sessions_json())["sessions"].size(), 1u);
+  EXPECT_EQ(application.session_files("two", {}).status, 404);
 }
 
 TEST_F(ServedSession, IsNeitherServedNorDeletedDuringItsRecording) {
   std::optional owner = *logging::OwnedFolder::own(folder / "one");
-  EXPECT_EQ(application.session_files("one").status, 409);
+  EXPECT_EQ(application.session_files("one", {}).status, 409);
   EXPECT_FALSE(application.open_log({.session = "one", .file = "session.json"}));
   EXPECT_EQ(application.delete_session("one").status, 409);
   owner.reset();

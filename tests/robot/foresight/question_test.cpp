@@ -38,6 +38,13 @@ TEST(Question, TheOpponentsPlayTheBaselineByDefault) {
   EXPECT_EQ(question->opponent(), "baseline");
 }
 
+TEST(Question, WholeNumbersMayBeSpelledAsDecimalFractions) {
+  const auto question = parse_question(nlohmann::json::parse(R"({"budget_ms": 250.0, "edit": {"own_score": 2e0}})"));
+  ASSERT_TRUE(question) << question.error();
+  EXPECT_EQ(question->budget_ms(), 250u);
+  EXPECT_EQ(question->edit().own_score(), 2u);
+}
+
 TEST(Question, SaysWhatIsWrong) {
   EXPECT_EQ(problem(R"({"horizn": 3})"), "'horizn' is no member of a question");
   EXPECT_EQ(problem(R"({"horizon": "far"})"), "'horizon' must be a number, got \"far\"");
@@ -47,6 +54,7 @@ TEST(Question, SaysWhatIsWrong) {
   EXPECT_EQ(problem(R"({"horizon": 1e-60})"), "'horizon' must be 1 .. 1200 [s], got 1e-60");
   EXPECT_EQ(problem(R"({"budget_ms": 0})"), "'budget_ms' must be 10 .. 10000 [ms], got 0");
   EXPECT_EQ(problem(R"({"budget_ms": 1000000000})"), "'budget_ms' must be 10 .. 10000 [ms], got 1000000000");
+  EXPECT_EQ(problem(R"({"budget_ms": 10.5})"), "'budget_ms' must be a whole number 0 .. 1000000000, got 10.5");
   EXPECT_EQ(problem(R"({"budget_ms": -1})"), "'budget_ms' must be a whole number 0 .. 1000000000, got -1");
   EXPECT_EQ(problem(R"({"rollouts": 1000000000})"), "'rollouts' is no member of a question");
   EXPECT_EQ(problem(R"({"strategies": ["baseline", "tiki_taka"]})"),

@@ -1,6 +1,8 @@
 // Helpers of several tests of robot/net.
 #pragma once
 
+#include <unistd.h>
+
 #include <atomic>
 #include <map>
 #include <memory>
@@ -52,7 +54,10 @@ class TestBackend final : public robot::net::Backend {
     return robot::net::LogFile{.body = std::make_shared<robot::MemorySource>(body), .etag = "e1"};
   }
 
-  robot::net::HttpResponse session_files(const std::string& session) override {
+  robot::net::HttpResponse session_files(const std::string& session, const robot::net::ClientLeft& left) override {
+    // as long as the client waits, like the checksum of a large recording
+    for (begun += session == "slow"; session == "slow" && !left();) ::usleep(1000);
+    ended += session == "slow";
     return robot::net::text_response(200, "application/json", R"({"session":")" + session + R"(","files":[]})");
   }
   robot::net::HttpResponse delete_session(const std::string& session) override {
@@ -70,6 +75,7 @@ class TestBackend final : public robot::net::Backend {
 
   std::string body = "0123456789", deleted;
   std::atomic<bool> game = false;
+  std::atomic<int> begun = 0, ended = 0;  // requests for the files of the session "slow"
 };
 
 }  // namespace tests

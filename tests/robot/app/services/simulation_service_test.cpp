@@ -97,6 +97,18 @@ TEST_F(SimulationService, ABadRequestGetsOneSentenceAndChangesNothing) {
             "/sim/seed: 'seed' must be a whole number 0 .. 9007199254740991, got -1");
 }
 
+TEST_F(SimulationService, WholeNumbersMayBeSpelledAsDecimalFractions) {
+  EXPECT_EQ(call("/sim/seed", json::parse(R"({"seed": 7.0})"))["seed"], 7);
+  EXPECT_EQ(call("/sim/seed", json::parse(R"({"seed": 8e0})"))["seed"], 8);
+  const json begun = call(
+      "/sim/reset",
+      json::parse(
+          R"({"seed": 9.0, "situation": {"seed": 3.0, "ball": {"x": 1.0, "y": 0.0}, "robots": [], "score": {"home": 2e0}}})"));
+  ASSERT_TRUE(begun.value("ok", false)) << begun;
+  EXPECT_EQ(begun["seed"], 9);
+  EXPECT_EQ(begun["home"]["score"], 2);
+}
+
 TEST_F(SimulationService, OnlyTheStateNeedsNoToken) {
   for (const auto& service : services.list()) {
     const json answer = json::parse(services.call(service.id, "{}", {.may_control = false}));

@@ -7,8 +7,9 @@
 namespace robot::net {
 namespace {
 
-const OriginPolicy kPolicy{
-    .hosts = {"Nao.Lab.example.org"}, .origins = {"https://lab.example.org"}, .robots = {"10.0.14.2", "nao2"}};
+const OriginPolicy kPolicy{.hosts = {"Nao.Lab.example.org", "nao.local"},
+                           .origins = {"https://lab.example.org"},
+                           .robots = {"10.0.14.2", "nao2"}};
 
 TEST(OriginPolicy, AcceptsOurOwnHosts) {
   for (const char* host :
@@ -18,12 +19,18 @@ TEST(OriginPolicy, AcceptsOurOwnHosts) {
 }
 
 TEST(OriginPolicy, RefusesForeignHosts) {
-  for (const char* host :
-       {"", "evil.example.com", "evil.example.com:8765", "localhost.evil.com", "nao.local.evil.com", ".local", "local",
-        "127.0.0.1.evil.com", "127.0.0.1:80:90", "127.0.0.1:8a", "[::1", "nao.lab.example.org.", "127.0.0.1@evil.com"})
+  for (const char* host : {"", "evil.example.com", "evil.example.com:8765", "localhost.evil.com", "nao.local.evil.com",
+                           ".local", "local", "evil.local", "nao3.local:8765", "127.0.0.1.evil.com", "127.0.0.1:80:90",
+                           "127.0.0.1:8a", "[::1", "nao.lab.example.org.", "127.0.0.1@evil.com"})
     EXPECT_FALSE(check_host(kPolicy, host)) << host;
   EXPECT_EQ(check_host(kPolicy, "nao.lan:8765").error(),
             "host 'nao.lan:8765' is not a name of this robot; if it is, start it with --allow-host nao.lan");
+}
+
+TEST(OriginPolicy, KnowsTheNamesOfAMachine) {
+  EXPECT_EQ(names_of_machine("Nao14"), (std::vector<std::string>{"nao14", "nao14", "nao14.local"}));
+  EXPECT_EQ(names_of_machine("nao14.lab"), (std::vector<std::string>{"nao14.lab", "nao14", "nao14.local"}));
+  EXPECT_TRUE(names_of_machine("").empty());
 }
 
 TEST(OriginPolicy, AcceptsThePagesThatMayConnect) {

@@ -38,7 +38,7 @@ class RoutesTest : public testing::Test {
                    std::string method = "GET") {
     headers.emplace_back("host", "127.0.0.1:8765");
     return routes.answer({.method = std::move(method), .target = std::move(target), .headers = std::move(headers)},
-                         address);
+                         address, {});
   }
   static std::string header(const HttpResponse& response, std::string_view name) {
     for (const auto& [key, value] : response.headers)
@@ -50,6 +50,18 @@ class RoutesTest : public testing::Test {
     return std::get<std::string>(response.body);
   }
 };
+
+TEST(Routes, EachKindOfWaitingIsWorkOfItsOwn) {
+  const auto work = [](const char* target) { return Routes::work_of({.method = "GET", .target = target}); };
+  EXPECT_EQ(work("/"), Work::none);
+  EXPECT_EQ(work("/../x"), Work::none);
+  EXPECT_EQ(work("/api/status?token=t"), Work::status);
+  EXPECT_EQ(work("/api/sessions"), Work::files);
+  EXPECT_EQ(work("/api/played?topic=/x"), Work::files);
+  EXPECT_EQ(work("/logs/a.mcap"), Work::files);
+  EXPECT_EQ(work("/api/sessions/a/files"), Work::checksums);
+  EXPECT_EQ(work("/api/sessions/a/b/files"), Work::files);
+}
 
 TEST_F(RoutesTest, TheViewerIsSentGzippedOrInflatedForClientsWithoutGzip) {
   const HttpResponse packed = get("/", {{"accept-encoding", "br, gzip"}});
@@ -205,12 +217,12 @@ TEST_F(RoutesTest, ABrowserWithATokenContinuesToReadWithItsCookie) {
 
 TEST_F(RoutesTest, OnlyOurNamesAreServed) {
   const auto with_host = [&](Headers headers) {
-    return routes.answer({.method = "GET", .target = "/", .headers = std::move(headers)}, "127.0.0.1").status;
+    return routes.answer({.method = "GET", .target = "/", .headers = std::move(headers)}, "127.0.0.1", {}).status;
   };
-  EXPECT_EQ(with_host({{"host", "nao.local"}}), 200);
+  EXPECT_EQ(with_host({{"host", "localhost"}}), 200);
   EXPECT_EQ(with_host({{"host", "evil.com"}}), 403);
   EXPECT_EQ(with_host({}), 400);
-  EXPECT_EQ(with_host({{"host", "nao.local"}, {"host", "evil.com"}}), 400);
+  EXPECT_EQ(with_host({{"host", "localhost"}, {"host", "evil.com"}}), 400);
 }
 
 TEST_F(RoutesTest, PagesOfAcceptedOriginsMayRead) {

@@ -9,6 +9,7 @@
 #include "robot/net/foxglove/web_socket_in_provider.h"
 #include "tests/robot/net/server_fixture.h"
 #include "tests/support/masked_frame.h"
+#include "tests/support/used_up_descriptors.h"
 
 namespace robot::net {
 namespace {
@@ -199,6 +200,40 @@ TEST_F(ServerTest, SurvivesAThousandSilentConnections) {
   EXPECT_EQ(peer.next_data(), "x");
 }
 
+TEST_F(ServerTest, WithoutFileDescriptorsAWaitingConnectionMakesRoomOrTheClientGetsASentence) {
+  const auto port = start();
+  Peer peer(port);
+  RawConnection idle(port);
+  idle.send(get("/api/status"));
+  idle.read(R"({"name":"test"})");
+  FileDescriptor one(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)),
+      two(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  const auto ask = [&](const FileDescriptor& socket, const std::string& request) {
+    const sockaddr_in address{.sin_family = AF_INET, .sin_port = htons(port), .sin_addr = {htonl(INADDR_LOOPBACK)}};
+    EXPECT_EQ(::connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    EXPECT_EQ(::send(socket.get(), request.data(), request.size(), MSG_NOSIGNAL), static_cast<ssize_t>(request.size()));
+  };
+  {
+    const tests::UsedUpDescriptors none;
+    ask(one, get("/api/sessions/slow/files"));
+    EXPECT_TRUE(idle.wait_closed());  // it made room
+    ASSERT_TRUE(tests::eventually([&] { return backend.begun == 1; }));
+    ask(two, get("/api/status"));  // no other connection waits
+    char block[4096];
+    const ssize_t n = ::recv(two.get(), block, sizeof block, 0);
+    const std::string refused(block, n > 0 ? static_cast<std::size_t>(n) : 0);
+    EXPECT_TRUE(refused.starts_with("HTTP/1.1 503")) << refused;
+    EXPECT_NE(refused.find("no file descriptor is left"), std::string::npos) << refused;
+  }
+  ::shutdown(one.get(), SHUT_RDWR);
+  write(*state, "x");
+  peer.subscribe(1);
+  EXPECT_EQ(peer.next_data(), "x");
+  RawConnection later(port);
+  later.send(get("/api/status"));
+  EXPECT_NE(later.read(R"({"name":"test"})").find("200 OK"), std::string::npos);
+}
+
 TEST_F(ServerTest, ClosesAConnectionWhoseHeadersArriveTooSlowly) {
   options.request_timeout_ns = kSecond / 5;
   const auto port = start();
@@ -284,6 +319,39 @@ TEST_F(ServerTest, AClientThatDisconnectsDuringADownloadLeavesNoConnection) {
   RawConnection whole(port);
   whole.send(get("/logs/old.mcap", "Connection: close\r\n"));
   EXPECT_GT(whole.read().size(), backend.body.size());
+}
+
+TEST_F(ServerTest, StatusSessionsAndDownloadsDoNotWaitForAChecksum) {
+  const auto port = start();
+  RawConnection hashing(port), other(port);
+  hashing.send(get("/api/sessions/slow/files"));
+  ASSERT_TRUE(tests::eventually([&] { return backend.begun == 1; }));
+  other.send(get("/api/status"));
+  EXPECT_NE(other.read(R"({"name":"test"})").find("200 OK"), std::string::npos);
+  other.send(get("/api/sessions"));
+  EXPECT_NE(other.read(R"({"sessions":)").find("200 OK"), std::string::npos);
+  other.send(get("/logs/old.mcap"));
+  EXPECT_NE(other.read(backend.body).find("200 OK"), std::string::npos);
+  EXPECT_EQ(backend.ended, 0);
+}
+
+TEST_F(ServerTest, AChecksumEndsWhenItsClientLeaves) {
+  const auto port = start();
+  auto leaving = std::make_unique<RawConnection>(port);
+  RawConnection behind(port);
+  leaving->send(get("/api/sessions/slow/files"));
+  ASSERT_TRUE(tests::eventually([&] { return backend.begun == 1; }));
+  behind.send(get("/api/sessions/old/files"));
+  leaving.reset();
+  EXPECT_NE(behind.read(R"("files":[])").find("200 OK"), std::string::npos);
+  EXPECT_EQ(backend.ended, 1);
+
+  // the server stops in spite of another one
+  RawConnection staying(port);
+  staying.send(get("/api/sessions/slow/files"));
+  ASSERT_TRUE(tests::eventually([&] { return backend.begun == 2; }));
+  server->stop();
+  EXPECT_EQ(backend.ended, 2);
 }
 
 TEST_F(ServerTest, ListsItsClients) {
