@@ -4,8 +4,8 @@
 #include <cctype>
 #include <cstdlib>
 #include <ctime>
+#include <initializer_list>
 #include <limits>
-#include <map>
 
 #include "robot/core/byte_source.h"
 #include "robot/core/clock.h"
@@ -14,6 +14,8 @@
 #include "robot/core/json_library.h"
 #include "robot/logging/mcap/format.h"
 #include "robot/logging/mcap/index.h"
+#include "robot/logging/mcap/time_span.h"
+#include "robot/logging/mcap/topic_streams.h"
 
 namespace robot::logging {
 namespace {
@@ -65,6 +67,16 @@ std::string robot_of(const std::string& topic) {
   return end == topic.npos ? std::string() : topic.substr(1, end - 1);
 }
 
+/// Joins the sentences that are not empty.
+std::string joined(std::initializer_list<std::string_view> sentences) {
+  std::string text;
+  for (const std::string_view sentence : sentences) {
+    if (!text.empty() && !sentence.empty()) text += "; ";
+    text += sentence;
+  }
+  return text;
+}
+
 /// Returns the facts in the file's metadata, or without them, facts derived from its name and topics.
 SessionInfo info_of(const McapIndex& index, const std::filesystem::path& file) {
   SessionInfo info{.name = file.stem().string(), .robot = "", .profile = "import", .complete = index.complete};
@@ -81,7 +93,6 @@ SessionInfo info_of(const McapIndex& index, const std::filesystem::path& file) {
   if (info.robot.empty()) info.robot = "0/1";
   info.team = std::atoi(info.robot.c_str());
   info.player = std::atoi(info.robot.c_str() + std::min(info.robot.find('/') + 1, info.robot.size()));
-  info.start_ns = index.statistics.start_ns;
   return info;
 }
 
@@ -218,37 +229,29 @@ Result<Session> read_session(const std::filesystem::path& folder, bool being_wri
   return session;
 }
 
-Result<Session> read_recording(const std::filesystem::path& file) {
-  const Result<std::shared_ptr<const FileSource>> source = FileSource::open(file);
-  if (!source) return source.failure();
-  const Result<McapIndex> index = read_index(**source);
-  if (!index) return index.failure();
+Result<Session> read_recording(const std::filesystem::path& path) {
+  const auto file = McapFile::open(path);
+  if (!file) return file.failure();
+  const McapIndex& index = (*file)->index();
 
-  Session session{.folder = file.parent_path(), .info = info_of(*index, file)};
-  session.one_file = true;
-  session.numbered =
-      std::ranges::find(index->metadata, kSessionMetadata, &mcap::Metadata::name) != index->metadata.end();
-  session.state = index->damage.empty() ? SessionState::complete : SessionState::damaged;
-  session.message = index->damage;
-  session.size_bytes = index->size_bytes;
-  session.start_ns = index->statistics.start_ns;
-  session.end_ns = index->statistics.end_ns;
-  std::map<std::uint16_t, std::uint64_t> messages(index->statistics.channel_messages.begin(),
-                                                  index->statistics.channel_messages.end());
-  for (const auto& [id, channel] : index->channels) {
-    // other writers may have several channels of one topic
-    const auto known = std::ranges::find(session.streams, channel.topic, &StreamFile::topic);
-    if (known != session.streams.end()) {
-      known->messages += messages[id];
-      continue;
-    }
-    session.streams.push_back({.topic = channel.topic,
-                               .file = file.filename().string(),
-                               .schema = channel_info(channel, index->schemas).schema.name,
-                               .messages = messages[id],
+  Session session{.folder = path.parent_path(), .info = info_of(index, path)};
+  session.one_file = *file;
+  session.numbered = std::ranges::find(index.metadata, kSessionMetadata, &mcap::Metadata::name) != index.metadata.end();
+  session.state = index.damage.empty() ? SessionState::complete : SessionState::damaged;
+  session.size_bytes = index.size_bytes;
+  const TimeSpan span = time_span((*file)->source(), index);
+  session.start_ns = session.info.start_ns = span.start_ns;
+  session.end_ns = span.end_ns;
+  session.message = joined({index.damage, span.note()});
+  for (TopicStream& stream : topic_streams(index))
+    session.streams.push_back({.topic = stream.info.topic,
+                               .file = path.filename().string(),
+                               .schema = stream.info.schema.name,
+                               .messages = stream.messages,
                                .start_ns = session.start_ns,
-                               .end_ns = session.end_ns});
-  }
+                               .end_ns = session.end_ns,
+                               .left_out = stream.left_out,
+                               .note = std::move(stream.note)});
   return session;
 }
 
