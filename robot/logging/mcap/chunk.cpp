@@ -41,14 +41,14 @@ Result<std::string_view> unpack_chunk(std::string_view content, std::uint64_t of
   if (head->packed_bytes > packed.size())
     return Error{at_chunk(offset, "expected " + std::to_string(head->packed_bytes) + " bytes of records, " +
                                       std::to_string(packed.size()) + " are left")};
-  if (head->unpacked_bytes > kMaxRecordBytes)
+  // other writers may give no size for records that are not compressed
+  if (!head->compression.empty() && head->unpacked_bytes > kMaxRecordBytes)
     return Error{at_chunk(offset, "expected at most " + std::to_string(kMaxRecordBytes) + " bytes unpacked, got " +
                                       std::to_string(head->unpacked_bytes))};
 
   const Result<Compression> compression = compression_named(head->compression);
   if (!compression) return Error{at_chunk(offset, compression.error())};
   std::string_view records = packed.substr(0, static_cast<std::size_t>(head->packed_bytes));
-  // other writers may give no size for records that are not compressed
   if (*compression != Compression::none) {
     Result<std::string> unpacked = decompress(*compression, records, static_cast<std::size_t>(head->unpacked_bytes));
     if (!unpacked) return Error{at_chunk(offset, unpacked.error())};

@@ -25,6 +25,16 @@ mcap::Numbers<std::uint16_t> counted_by_length(const mcap::ChunkIndex& chunk) {
   return {{chunk.message_indexes[0].first, (chunk.message_index_bytes - kHeadBytes) / kMessageIndexEntryBytes}};
 }
 
+/// Returns an Error if a reader must not take the piece into memory.
+Result<void> fits(const ChunkInfo& piece) {
+  const mcap::ChunkIndex& place = piece.index;
+  const bool expands = !place.compression.empty() && place.unpacked_bytes > mcap::kMaxRecordBytes;
+  if (!expands && place.record_bytes <= mcap::kMaxRecordBytes) return {};
+  return Error{place_of(piece) + ": expected at most " + std::to_string(mcap::kMaxRecordBytes) + " bytes" +
+               (expands ? " unpacked" : "") + ", got " +
+               std::to_string(expands ? place.unpacked_bytes : place.record_bytes)};
+}
+
 class Scan {
  public:
   Scan(const ByteSource& source, const mcap::Summary* summary) : source_(source), block_(source), summary_(summary) {}
@@ -33,6 +43,7 @@ class Scan {
     if (summary_) walk_between_chunks();
     if (!summary_) walk_to(source_.size());
     ends_run();
+    std::erase_if(index_.chunks, [&](const ChunkInfo& chunk) { return is_refused(chunk); });
     summary_counts_ = summary_counts();
     std::vector<ChunkInfo> found;
     found.swap(index_.chunks);
@@ -135,7 +146,7 @@ class Scan {
     chunk.index.packed_bytes = head->packed_bytes;
     chunk.index.unpacked_bytes = head->unpacked_bytes;
     index_.chunks.push_back(std::move(chunk));
-    summary_is_short_ = true;
+    summary_differs_ = true;
     return {};
   }
 
@@ -191,6 +202,14 @@ class Scan {
     run_messages_.clear();
   }
 
+  bool is_refused(const ChunkInfo& chunk) {
+    const Result<void> allowed = fits(chunk);
+    if (allowed) return false;
+    note(allowed.error());
+    summary_differs_ = true;
+    return true;
+  }
+
   /// Completes the facts about a chunk. Returns false if it is damaged.
   bool complete_chunk(ChunkInfo& chunk, bool last) {
     const bool last_of_interrupted = last && !index_.complete;
@@ -202,7 +221,7 @@ class Scan {
 
   /// Returns whether the summary has all facts that the chunks could give.
   bool summary_counts() const {
-    if (!summary_ || !summary_->statistics || summary_is_short_) return false;
+    if (!summary_ || !summary_->statistics || summary_differs_) return false;
     const mcap::Statistics& statistics = *summary_->statistics;
     std::uint64_t in_channels = 0, known = 0;
     for (const auto& [channel, count] : statistics.channel_messages) in_channels += count;
@@ -275,8 +294,8 @@ class Scan {
   const ByteSource& source_;
   BlockReader block_;
   const mcap::Summary* const summary_;
-  bool summary_is_short_ = false;  // the data have a chunk that the summary does not name
-  bool summary_counts_ = false;    // see summary_counts()
+  bool summary_differs_ = false;  // it lacks a chunk of the data, or has one that is refused
+  bool summary_counts_ = false;   // see summary_counts()
   std::uint64_t at_ = mcap::kMagic.size();
   bool in_run_ = false;                                  // the last run goes on
   std::map<std::uint16_t, std::uint64_t> run_messages_;  // of the last run, by channel
@@ -295,16 +314,13 @@ std::string place_of(const ChunkInfo& piece) {
 
 Result<std::string> read_records(const ByteSource& source, const ChunkInfo& piece) {
   const mcap::ChunkIndex& place = piece.index;
-  const std::string where = place_of(piece);
-  if (place.record_bytes < mcap::kRecordHeadBytes || place.record_bytes > mcap::kMaxRecordBytes)
-    return Error{where + ": expected at most " + std::to_string(mcap::kMaxRecordBytes) + " bytes, got " +
-                 std::to_string(place.record_bytes)};
+  if (const Result<void> allowed = fits(piece); !allowed) return allowed.failure();
   Result<std::string> bytes = read_bytes(source, place.offset, place.record_bytes);
   if (!bytes || piece.is_run) return bytes;
   std::size_t at = 0;
   const auto record = mcap::take_record(*bytes, at, place.offset);
   if (!record) return record.failure();
-  if (record->op != Op::chunk) return Error{where + ": expected a Chunk, got " + mcap::name(record->op)};
+  if (record->op != Op::chunk) return Error{place_of(piece) + ": expected a Chunk, got " + mcap::name(record->op)};
   std::string room;
   const auto records = mcap::unpack_chunk(record->content, place.offset, room);
   if (!records) return records.failure();

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "robot/logging/mcap/compression.h"
+#include "robot/logging/mcap/topic_streams.h"
 #include "tests/support/mcap_bytes.h"
 #include "tests/support/mcap_generator.h"
 #include "tests/support/mcap_text.h"
@@ -53,6 +54,9 @@ TEST(OrderedReader, ReadsWhatOtherWritersWriteInTheOrderOfTheTimes) {
     OrderedReader reader(file);
     std::vector<std::string> damages;
     ASSERT_EQ(all_of(reader, &damages), made.messages) << seed << ": " << made.features;
+    std::uint64_t counted = 0;
+    for (const TopicStream& stream : topic_streams(file->index())) counted += stream.messages + stream.left_out;
+    EXPECT_EQ(counted, made.messages.size()) << seed << ": " << made.features;
     // the file is not silent about messages that are left out
     const bool is_silent = file->index().damage.empty() && damages.empty();
     EXPECT_TRUE(made.unreadable == 0 || !is_silent) << seed << ": " << made.features;
