@@ -85,7 +85,7 @@ std::vector<body::MadeStream> made_by(const lab::Mapping& mapping) {
 }  // namespace
 
 Result<void> play(const PlayOptions& options) {
-  block_end_signals();
+  // until a thread starts, the signals end the process at once, also while it reads a large file
   const auto shifts_ns = shifts_between(options);
   if (!shifts_ns) return shifts_ns.failure();
   std::optional<lab::Mapping> mapping;
@@ -102,6 +102,8 @@ Result<void> play(const PlayOptions& options) {
                                             .made = mapping ? made_by(*mapping) : std::vector<body::MadeStream>(),
                                             .skipped_objects = {"lab/1/runtime", "lab/1/clock"}});
   if (!replay) return Error{(mapping ? mapping->name + ": " : "") + replay.error()};
+  block_end_signals();
+  for (const std::string& note : (*replay)->notes()) std::printf("note: %s\n", note.c_str());
   const std::string robot = mapping ? mapping->robot : (*replay)->robots().front();
   const Clock& clock = (*replay)->clock();
   const auto own = std::make_shared<LabObjects>(clock);

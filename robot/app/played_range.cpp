@@ -45,9 +45,10 @@ net::HttpResponse played_range(const body::Replay& replay, const net::PlayedRequ
   if (!stream) return net::error_response(404, "topic '" + request.topic + "' is not played");
   const auto info = stream->open();
   if (!info) return net::error_response(404, info.error());
-  // 1 ns earlier, because a seek finds the last of several messages of one time
-  if (const Result<void> sought = stream->seek(request.from_ns - std::min<std::uint64_t>(request.from_ns, 1)); !sought)
-    return net::error_response(500, sought.error());
+  // 1 ns earlier, because a seek finds the last of several messages of one time; a stream begins with those of time 0
+  if (request.from_ns > 0)
+    if (const Result<void> sought = stream->seek(request.from_ns - 1); !sought)
+      return net::error_response(500, sought.error());
   std::string file;
   auto writer = logging::McapWriter::open(std::make_unique<MemorySink>(file), {&*info, 1},
                                           {.metadata = {}, .compression = logging::Compression::lz4});

@@ -1,4 +1,4 @@
-// node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--kills N] [--jobs N] [--probes N] [--length N] [--large N] [--rollouts N] [--choices N] [--moments N]; see scripts/bench.
+// node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--kills N] [--jobs N] [--probes N] [--length N] [--large N] [--rollouts N] [--choices N] [--moments N] [--files N]; see scripts/bench.
 import { budget } from "./budget.mjs";
 import { compare } from "./compare.mjs";
 import { deploy } from "./deploy.mjs";
@@ -11,6 +11,7 @@ import { half } from "./half.mjs";
 import { interference } from "./interference.mjs";
 import { lola } from "./lola.mjs";
 import { matchDays } from "./match_days.mjs";
+import { mcap } from "./mcap.mjs";
 import { nao } from "./nao.mjs";
 import { shaped } from "./shaped.mjs";
 import { sim } from "./sim.mjs";
@@ -21,7 +22,7 @@ import { thesis } from "./thesis.mjs";
 import { viewer } from "./viewer.mjs";
 import { vivid } from "./vivid.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak, faults, "match-days": matchDays, door, sim, equivalence, soccer, nao, vivid, lola, budget, viewer, deploy, compare, thesis, foresight };
+const benches = { streaming, half, interference, shaped, fanout, soak, faults, "match-days": matchDays, door, sim, equivalence, soccer, nao, vivid, lola, budget, viewer, deploy, compare, thesis, foresight, mcap };
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};

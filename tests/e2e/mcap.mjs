@@ -4,12 +4,38 @@ import { join } from "node:path";
 import { require } from "./support.mjs";
 
 const { McapIndexedReader, McapStreamReader, McapWriter } = require("@mcap/core");
+const { crc32Final, crc32Init, crc32Update } = require("@foxglove/crc");
 const lz4 = require("@foxglove/wasm-lz4").default ?? require("@foxglove/wasm-lz4");
 const zstd = require("@foxglove/wasm-zstd");
 await Promise.all([lz4.isLoaded, zstd.isLoaded]);
 
+const kLz4Magic = 0x184d2204;
+
+/** Returns the frames of `bytes` without the skippable ones. The library below reads only one frame at a time. */
+function lz4Frames(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const frames = [];
+  for (let at = 0; at < bytes.length; ) {
+    const begin = at;
+    if (view.getUint32(at, true) !== kLz4Magic) {
+      at += 8 + view.getUint32(at + 4, true);
+      continue;
+    }
+    const flags = view.getUint8(at + 4);
+    const [blockChecksum, contentSize, contentChecksum, dictionary] = [0x10, 0x08, 0x04, 0x01].map((bit) => (flags & bit) !== 0);
+    at += 4 + 2 + (contentSize ? 8 : 0) + (dictionary ? 4 : 0) + 1;
+    for (let size = 1; size !== 0; ) {
+      size = view.getUint32(at, true) & 0x7fffffff;
+      at += 4 + size + (blockChecksum && size !== 0 ? 4 : 0);
+    }
+    at += contentChecksum ? 4 : 0;
+    frames.push(bytes.subarray(begin, at));
+  }
+  return frames;
+}
+
 const decompressHandlers = {
-  lz4: (bytes, size) => lz4(bytes, Number(size)),
+  lz4: (bytes, size) => Buffer.concat(lz4Frames(bytes).map((frame) => lz4(frame, Number(size)))),
   zstd: (bytes, size) => zstd.decompress(bytes, Number(size)),
 };
 
@@ -44,6 +70,44 @@ export function readStreamed(bytes) {
   for (let record; (record = reader.nextRecord()); ) contents.take(record);
   if (!reader.done()) throw new Error("the MCAP has no end");
   return contents;
+}
+
+/**
+ * Returns the number of messages of a file, and a checksum over all of them in the order of their log times. Messages of
+ * one time are in the order of the file. `tests/support/mcap_files.cpp` returns the same of our reader.
+ */
+export function sumsOf(bytes) {
+  const reader = new McapStreamReader({ decompressHandlers, validateCrcs: true });
+  const messages = [];
+  reader.append(bytes);
+  for (let record; (record = reader.nextRecord()); ) if (record.type === "Message") messages.push(record);
+  if (!reader.done()) throw new Error("the MCAP has no end");
+  messages.sort((left, right) => (left.logTime < right.logTime ? -1 : left.logTime > right.logTime ? 1 : 0));
+  let digest = crc32Init();
+  const head = Buffer.alloc(22);
+  for (const { channelId, sequence, logTime, publishTime, data } of messages) {
+    head.writeUInt16LE(channelId, 0);
+    head.writeUInt32LE(sequence, 2);
+    head.writeBigUInt64LE(logTime, 6);
+    head.writeBigUInt64LE(publishTime, 14);
+    digest = crc32Update(crc32Update(digest, head), data);
+  }
+  return { messages: messages.length, digest: crc32Final(digest) };
+}
+
+/**
+ * Compares what we found in a generated file, a line of `mcap_files read`, with what @mcap/core finds in its bytes.
+ * Returns a sentence about a difference, or nothing.
+ */
+export function difference(ours, bytes) {
+  if (ours.error) return ours.error;
+  if (ours.shown + ours.left_out !== ours.messages) return `expected ${ours.messages} messages in the streams, got ${ours.shown} and ${ours.left_out} left out`;
+  if (ours.left_out + ours.unreadable > 0 && ours.sentences.length === 0) return "messages are left out without a sentence";
+  if (ours.messages !== ours.written) return `expected ${ours.written} messages as written, got ${ours.messages}`;
+  if (!ours.valid) return undefined; // @mcap/core refuses damaged records
+  const theirs = sumsOf(bytes);
+  if (theirs.messages === ours.messages && theirs.digest === ours.digest) return undefined;
+  return `expected ${theirs.messages} messages with checksum ${theirs.digest}, got ${ours.messages} with ${ours.digest}`;
 }
 
 /** Reads a whole file by its index, as viewers do: messages by topic, in the order of their log times. */

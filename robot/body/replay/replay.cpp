@@ -1,9 +1,12 @@
 #include "robot/body/replay/replay.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
+#include "robot/core/report.h"
+#include "robot/logging/mcap/topic_streams.h"
 #include "robot/logging/sessions/session_provider.h"
 #include "robot/logging/streams/shifted_provider.h"
 
@@ -124,24 +127,58 @@ Result<void> Replay::check_made() const {
   return {};
 }
 
+std::vector<std::string> Replay::notes() const {
+  std::vector<std::string> notes;
+  for (const Recording& recording : recordings_) {
+    if (!recording.session.message.empty()) notes.push_back(recording.session.message);
+    for (const logging::StreamFile& stream : recording.session.streams)
+      if (!stream.note.empty()) notes.push_back(stream.note);
+  }
+  return notes;
+}
+
 void Replay::start(memory::Channels& channels, logging::LoggingBoard& board) {
   channels_ = &channels;
   board_ = &board;
   clock_.start();
   // not owned: the parsers end before the clock does
   const std::shared_ptr<logging::Pace> pace(std::shared_ptr<void>(), &clock_);
-  for (const Played& stream : played())
-    parsers_.push_back(board_->start_parser(open_stream(stream), {.destination =
-                                                                      [this, stream](const memory::ChannelInfo& info) {
-                                                                        return destination(*stream.recording, info);
-                                                                      },
-                                                                  .pace = pace}));
+  for (const Played& stream : played()) {
+    if (stream.recording->session.one_file && !stream.made) continue;
+    const auto to = [this, stream](const memory::ChannelInfo& info) { return destination(*stream.recording, info); };
+    parsers_.push_back(board_->start_parser(open_stream(stream), {.destination = to, .pace = pace}));
+  }
+  for (const Recording& recording : recordings_)
+    if (recording.session.one_file) start_file(recording);
+}
+
+/// Starts one player for all topics of a file.
+void Replay::start_file(const Recording& recording) {
+  std::map<std::string, logging::TopicStream> streams;
+  for (logging::TopicStream& stream : logging::topic_streams(recording.session.one_file->index()))
+    streams.emplace(stream.info.topic, stream);
+  std::vector<PlayedTopic> topics;
+  for (const Played& stream : played()) {
+    if (stream.recording != &recording || stream.made) continue;
+    const logging::TopicStream& of_topic = streams.at(stream.file->topic);
+    auto channel = destination(recording, of_topic.info);
+    if (!channel) {
+      report(Level::error, "logging", channel.error());
+      continue;
+    }
+    PlayedTopic topic{.channels = of_topic.channels, .to = std::move(*channel), .shift = nullptr};
+    if (recording.shift_ns != 0) topic.shift = std::make_unique<memory::TimeShift>(of_topic.info, recording.shift_ns);
+    topics.push_back(std::move(topic));
+  }
+  players_.push_back(
+      std::make_unique<FilePlayer>(recording.session.one_file, std::move(topics), recording.shift_ns, clock_));
 }
 
 Replay::Tick Replay::tick() {
   // a parser with a damaged file has ended and does not reach the end
   const auto gone = std::ranges::count_if(parsers_, [this](auto parser) { return board_->status(parser).ended; });
-  if (clock_.parsers_at_end() + static_cast<std::size_t>(gone) < parsers_.size()) return Tick::playing;
+  if (clock_.parsers_at_end() + static_cast<std::size_t>(gone) < parsers_.size() + players_.size())
+    return Tick::playing;
   if (!options_.loop) return Tick::ended;
   clock_.seek(start_ns_);
   return Tick::began_again;
@@ -149,12 +186,16 @@ Replay::Tick Replay::tick() {
 
 void Replay::stop() {
   clock_.stop();
+  for (const Recording& recording : recordings_)
+    if (recording.session.one_file) recording.session.one_file->end_reading();
   for (const auto parser : std::exchange(parsers_, {})) board_->stop(parser);
+  for (const auto& player : players_) player->stop();
 }
 
 std::uint64_t Replay::messages() const {
   std::uint64_t messages = 0;
   for (const auto parser : parsers_) messages += board_->status(parser).messages;
+  for (const auto& player : players_) messages += player->messages();
   return messages;
 }
 

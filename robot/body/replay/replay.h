@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/body/replay/file_player.h"
 #include "robot/body/replay/playback_clock.h"
 #include "robot/core/result.h"
 #include "robot/logging/sessions/session.h"
@@ -40,8 +41,9 @@ struct ReplayOptions {
   std::vector<std::string> skipped_objects;
 };
 
-/// A playback with one parser per stream. All parsers use one clock, so recordings of several robots are merged by
-/// capture time. Each stream goes into the channel of its topic; an unknown topic gets a new channel. Used by one
+/// A playback with one parser for each file: a stream of a session, or a whole file with many topics, which is read
+/// once. A made stream has a parser of its own. All parsers use one clock, so recordings of several robots are merged
+/// by capture time. Each stream goes into the channel of its topic; an unknown topic gets a new channel. Used by one
 /// thread, except the clock.
 class Replay {
  public:
@@ -60,6 +62,9 @@ class Replay {
   /// topic. Any thread.
   std::unique_ptr<logging::InProvider> stream_of(const std::string& topic) const;
 
+  /// Returns a sentence for each recording that is damaged or of which messages are left out.
+  std::vector<std::string> notes() const;
+
   /// Returns the robots that recorded, in the order of the paths.
   std::vector<std::string> robots() const;
 
@@ -77,6 +82,8 @@ class Replay {
   /// played.
   Tick tick();
 
+  /// Ends the playback, also of a reader that is reading now. The readers of stream_of() find no further message in a
+  /// file with many topics.
   void stop();
 
   /// Returns the number of messages played since the start.
@@ -106,6 +113,7 @@ class Replay {
   std::vector<Played> played() const;
   std::unique_ptr<logging::InProvider> open_stream(const Played& stream) const;
   Result<void> check_made() const;
+  void start_file(const Recording& recording);
   Result<std::shared_ptr<memory::Channel>> destination(const Recording& from, memory::ChannelInfo info);
 
   const std::vector<Recording> recordings_;
@@ -115,6 +123,7 @@ class Replay {
   memory::Channels* channels_ = nullptr;
   logging::LoggingBoard* board_ = nullptr;
   std::vector<logging::LoggingBoard::StreamId> parsers_;
+  std::vector<std::unique_ptr<FilePlayer>> players_;
 };
 
 }  // namespace robot::body

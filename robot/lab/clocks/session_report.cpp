@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <map>
+#include <set>
 
 #include "robot/core/clock.h"
 #include "robot/core/json_library.h"
+#include "robot/logging/mcap/ordered_reader.h"
+#include "robot/logging/mcap/topic_streams.h"
 #include "robot/logging/sessions/session_provider.h"
 
 namespace robot::lab {
@@ -27,44 +31,100 @@ std::string utc(std::uint64_t time_ns) {
   return text;
 }
 
+StreamReport described(const logging::StreamFile& file) {
+  return {.file = file.file,
+          .topic = file.topic,
+          .schema = file.schema,
+          .size_bytes = file.size_bytes,
+          .damage = file.damage,
+          .note = file.note};
+}
+
+/// The report of a stream while its messages are read.
+class Inspection {
+ public:
+  explicit Inspection(const logging::StreamFile& file) : report_(described(file)) {}
+
+  void take(const logging::Record& message) {
+    if (report_.messages++ == 0) {
+      report_.start_ns = report_.end_ns = message.capture_ns;
+      first_sequence_ = last_sequence_ = message.sequence;
+    } else if (message.capture_ns > last_capture_ns_) {
+      report_.longest_gap =
+          std::max(report_.longest_gap, static_cast<double>(message.capture_ns - last_capture_ns_) * 1e-9);
+    }
+    report_.start_ns = std::min(report_.start_ns, message.capture_ns);
+    report_.end_ns = std::max(report_.end_ns, message.capture_ns);
+    first_sequence_ = std::min(first_sequence_, message.sequence);
+    last_sequence_ = std::max(last_sequence_, message.sequence);
+    last_capture_ns_ = message.capture_ns;
+  }
+
+  void note_damage(const std::string& sentence) {
+    if (report_.damage.empty()) report_.damage = sentence;
+  }
+
+  /// Returns the report. `numbered`: the messages have the numbers 1, 2, 3 …
+  StreamReport finished(bool numbered) && {
+    // in the order of their times messages need not be in the order of their numbers
+    const std::uint64_t numbers = last_sequence_ - first_sequence_ + 1;
+    if (numbered && report_.messages > 0 && numbers > report_.messages) report_.missing = numbers - report_.messages;
+    if (report_.end_ns > report_.start_ns)
+      report_.rate_hz =
+          static_cast<double>(report_.messages - 1) / (static_cast<double>(report_.end_ns - report_.start_ns) * 1e-9);
+    return std::move(report_);
+  }
+
+ private:
+  StreamReport report_;
+  std::uint64_t first_sequence_ = 0, last_sequence_ = 0, last_capture_ns_ = 0;
+};
+
 StreamReport inspect_stream(const logging::Session& session, const logging::StreamFile& file) {
-  StreamReport report{.file = file.file,
-                      .topic = file.topic,
-                      .schema = file.schema,
-                      .size_bytes = file.size_bytes,
-                      .damage = file.damage};
+  Inspection inspection(file);
   const auto stream = logging::provider_of(session, file);
   if (const auto info = stream->open(); !info) {
+    StreamReport report = described(file);
     report.damage = info.error();
     return report;
   }
-  std::uint64_t last_sequence = 0, last_capture_ns = 0;
   while (true) {
     const Result<std::optional<logging::Record>> record = stream->read();
     if (!record) {
-      if (report.damage.empty()) report.damage = record.error();
+      inspection.note_damage(record.error());
       continue;
     }
-    if (!*record) break;
-    const logging::Record& message = **record;
-    if (report.messages == 0) report.start_ns = report.end_ns = message.capture_ns;
-    if (report.messages > 0) {
-      if (session.numbered && message.sequence > last_sequence + 1)
-        report.missing += message.sequence - last_sequence - 1;
-      if (message.capture_ns > last_capture_ns)
-        report.longest_gap =
-            std::max(report.longest_gap, static_cast<double>(message.capture_ns - last_capture_ns) * 1e-9);
-    }
-    report.start_ns = std::min(report.start_ns, message.capture_ns);
-    report.end_ns = std::max(report.end_ns, message.capture_ns);
-    last_sequence = message.sequence;
-    last_capture_ns = message.capture_ns;
-    ++report.messages;
+    if (!*record) return std::move(inspection).finished(session.numbered);
+    inspection.take(**record);
   }
-  if (report.end_ns > report.start_ns)
-    report.rate_hz =
-        static_cast<double>(report.messages - 1) / (static_cast<double>(report.end_ns - report.start_ns) * 1e-9);
-  return report;
+}
+
+/// Reads a file with many channels once, for all its streams.
+void inspect_file(SessionReport& report) {
+  const logging::Session& session = report.session;
+  std::vector<Inspection> inspections;
+  std::map<std::string, std::size_t> places;
+  for (const logging::StreamFile& file : session.streams) {
+    places.emplace(file.topic, inspections.size());
+    inspections.emplace_back(file);
+  }
+  std::map<std::uint16_t, std::size_t> of_channel;
+  std::set<std::uint16_t> wanted;
+  for (const logging::TopicStream& stream : logging::topic_streams(session.one_file->index()))
+    for (const std::uint16_t channel : stream.channels) {
+      of_channel[channel] = places.at(stream.info.topic);
+      wanted.insert(channel);
+    }
+  logging::OrderedReader reader(session.one_file, std::move(wanted));
+  while (true) {
+    const auto message = reader.next();
+    if (message && !*message) break;
+    if (!message)
+      report.damages.push_back(message.error());
+    else
+      inspections[of_channel.at((*message)->channel_id)].take((*message)->record);
+  }
+  for (Inspection& inspection : inspections) report.streams.push_back(std::move(inspection).finished(session.numbered));
 }
 
 }  // namespace
@@ -72,10 +132,13 @@ StreamReport inspect_stream(const logging::Session& session, const logging::Stre
 Result<SessionReport> inspect(const std::filesystem::path& path) {
   Result<logging::Session> session = logging::open_session(path);
   if (!session) return session.failure();
-  SessionReport report{.session = std::move(*session), .streams = {}, .clock = {}};
+  SessionReport report{.session = std::move(*session), .streams = {}, .damages = {}, .clock = {}};
   report.clock = read_clock(report.session);
-  for (const logging::StreamFile& file : report.session.streams)
-    report.streams.push_back(inspect_stream(report.session, file));
+  if (report.session.one_file)
+    inspect_file(report);
+  else
+    for (const logging::StreamFile& file : report.session.streams)
+      report.streams.push_back(inspect_stream(report.session, file));
   return report;
 }
 
@@ -90,6 +153,8 @@ std::string to_text(const SessionReport& report) {
   for (const auto& [peer, offset] : report.clock.peers)
     text += "clock    " + peer + " is " + to_text(offset) + " of that of " + report.clock.who + "\n";
   if (!session.message.empty()) text += "note     " + session.message + "\n";
+  for (const std::string& damage : report.damages)
+    if (session.message.find(damage) == std::string::npos) text += "note     " + damage + "\n";
   text += format("\n%-30s %-24s %9s %9s %9s %9s %11s\n", "topic", "schema", "messages", "Hz", "missing", "kB",
                  "longest gap");
   for (const StreamReport& stream : report.streams) {
@@ -99,6 +164,7 @@ std::string to_text(const SessionReport& report) {
                    static_cast<unsigned long long>(stream.missing), static_cast<double>(stream.size_bytes) * 1e-3,
                    stream.longest_gap);
     if (!stream.damage.empty()) text += "  damaged: " + stream.damage + "\n";
+    if (!stream.note.empty()) text += "  note: " + stream.note + "\n";
   }
   return text;
 }
@@ -117,7 +183,8 @@ nlohmann::json to_json(const SessionReport& report) {
                        {"rate_hz", stream.rate_hz},
                        {"missing", stream.missing},
                        {"longest_gap_s", stream.longest_gap},
-                       {"damage", stream.damage}});
+                       {"damage", stream.damage},
+                       {"note", stream.note}});
   nlohmann::json peers = nlohmann::json::object();
   for (const auto& [peer, offset] : report.clock.peers)
     peers[peer] = {{"offset_ns", std::to_string(offset.offset_ns)}, {"error_ns", std::to_string(offset.error_ns)}};
@@ -131,6 +198,7 @@ nlohmann::json to_json(const SessionReport& report) {
           {"end_ns", std::to_string(session.end_ns)},
           {"size_bytes", session.size_bytes},
           {"clock", {{"of", report.clock.who}, {"peers", std::move(peers)}}},
+          {"damages", report.damages},
           {"streams", std::move(streams)}};
 }
 

@@ -21,16 +21,18 @@ struct StreamReport {
   std::uint64_t missing = 0;               // skipped sequence numbers: messages dropped while recording
   double longest_gap = 0;                  // [s] between two capture times
   std::string damage;                      // one sentence, or empty
+  std::string note;                        // one sentence about messages that are left out, or empty
 };
 
 /// The report of a whole session.
 struct SessionReport {
   logging::Session session;
   std::vector<StreamReport> streams;
+  std::vector<std::string> damages;  // of a file with many channels, as found while reading: one sentence each
   RecordedClock clock;
 };
 
-/// Reads every message of a session's folder or of an MCAP file with many channels.
+/// Reads every message of a session's folder or of an MCAP file with many channels. The file is read once.
 Result<SessionReport> inspect(const std::filesystem::path& path);
 
 /// Formats the report as a table for a terminal, or as JSON.

@@ -65,9 +65,13 @@ class AssemblyBuilder {
     if (Result<void> added = add_channels(*index, source->name()); !added) return added;
     for (mcap::Metadata& metadata : index->metadata) metadata_.emplace(metadata.name, std::move(metadata));
     const auto file = static_cast<std::uint32_t>(assembly_.files_.size());
-    for (ChunkInfo& chunk : index->chunks)
-      if (is_chosen(chunk, options_) && holds_topic(chunk, *index, options_))
-        chosen_.push_back({file, std::move(chunk)});
+    for (ChunkInfo& chunk : index->chunks) {
+      if (!is_chosen(chunk, options_) || !holds_topic(chunk, *index, options_)) continue;
+      auto counts = count_messages(*source, chunk);
+      if (!counts) return counts.failure(source->name());
+      chunk.messages = std::move(*counts);
+      chosen_.push_back({file, std::move(chunk)});
+    }
     assembly_.files_.push_back(std::move(source));
     return {};
   }

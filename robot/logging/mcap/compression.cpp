@@ -9,8 +9,9 @@ namespace robot::logging {
 namespace {
 
 constexpr int kZstdLevel = 1;
-constexpr std::size_t kFirstGrowth = 512 * 1024;  // [bytes] of a decompressed run: our chunks fit at once
-constexpr int kZstdWindowLog = 23;                // the window of zstd -19; a larger one costs a reader too much memory
+constexpr std::size_t kFirstGrowth = 512 * 1024;         // [bytes] of a decompressed run: our chunks fit at once
+constexpr std::size_t kMostReserved = 64 * 1024 * 1024;  // [bytes] reserved memory costs nothing until it is filled
+constexpr int kZstdWindowLog = 27;                       // of the highest level; zstd fills no more of it than `size`
 
 struct FreeLz4 {
   void operator()(LZ4F_cctx* context) const { LZ4F_freeCompressionContext(context); }
@@ -77,20 +78,22 @@ Result<void> compress_zstd(ZSTD_CCtx* context, std::span<const std::string_view>
   return {};
 }
 
-/// Calls `step(in, out)` until the frame ends, and requires exactly `size` bytes of output. `step` reads from `in`,
-/// writes to `out`, shortens both by the bytes it used, and returns whether the frame has ended.
+/// Calls `step(in, out)` until all frames have ended, and requires exactly `size` bytes of output. `step` reads from
+/// `in`, writes to `out`, shortens both by the bytes it used, and returns whether a frame has ended.
 template <class Step>
 Result<std::string> grow_to(std::size_t size, std::string_view in, const char* what, Step&& step) {
   std::string out;
+  out.reserve(std::min(size, kMostReserved));
   std::size_t filled = 0;
-  while (true) {
+  bool in_frame = false;
+  while (!in.empty() || in_frame) {
     if (filled == out.size() && filled < size) out.resize(std::min(size, std::max(kFirstGrowth, 2 * out.size())));
     std::span<char> free(out.data() + filled, out.size() - filled);
     const std::size_t bytes_before = in.size(), free_before = free.size();
     const Result<bool> ended = step(in, free);
     if (!ended) return ended.failure(what);
     filled += free_before - free.size();
-    if (*ended) break;
+    in_frame = !*ended;
     const bool stuck = in.size() == bytes_before && free.size() == free_before;
     if (stuck && filled == size)
       return Error{std::string(what) + ": expected " + std::to_string(size) + " bytes, got more"};
@@ -98,7 +101,6 @@ Result<std::string> grow_to(std::size_t size, std::string_view in, const char* w
   }
   if (filled != size)
     return Error{std::string(what) + ": expected " + std::to_string(size) + " bytes, got " + std::to_string(filled)};
-  if (!in.empty()) return Error{std::string(what) + ": " + std::to_string(in.size()) + " bytes behind the end"};
   return out;
 }
 

@@ -44,7 +44,8 @@ class Compressor {
   std::unique_ptr<Contexts> contexts_;
 };
 
-/// Decompresses `bytes`. Returns an Error if this does not give exactly `size` bytes.
+/// Decompresses `bytes`: frames of any level, one after the other, also skippable ones. Returns an Error if this does
+/// not give exactly `size` bytes.
 /// The output never holds more than `size` bytes and grows only with the data, so that a false size costs no memory.
 Result<std::string> decompress(Compression compression, std::string_view bytes, std::size_t size);
 

@@ -42,97 +42,12 @@ Result<std::uint64_t> count_entries(const ByteSource& source, std::uint64_t offs
   return (mcap::kRecordHeadBytes + head->length - kIndexHeadBytes) / kIndexEntryBytes;
 }
 
-/// Returns the number of messages of each channel in a chunk.
-Result<mcap::Numbers<std::uint16_t>> count_messages(const ByteSource& source, const mcap::ChunkIndex& chunk) {
-  mcap::Numbers<std::uint16_t> counts;
-  if (chunk.message_indexes.empty()) {
-    const auto indexes = index_messages(source, chunk);
-    if (!indexes) return indexes.failure();
-    for (const mcap::MessageIndex& index : *indexes) counts.emplace_back(index.channel_id, index.entries.size());
-    return counts;
-  }
-  // one channel, as in all our files: the length gives the number
-  const std::uint64_t bytes = chunk.message_index_bytes;
-  if (chunk.message_indexes.size() == 1 && bytes >= kIndexHeadBytes) {
-    counts.emplace_back(chunk.message_indexes[0].first, (bytes - kIndexHeadBytes) / kIndexEntryBytes);
-    return counts;
-  }
-  for (const auto& [channel, offset] : chunk.message_indexes) {
-    const Result<std::uint64_t> count = count_entries(source, offset);
-    if (!count) return count.failure();
-    counts.emplace_back(channel, *count);
-  }
-  return counts;
-}
-
-Result<std::vector<mcap::Metadata>> read_metadata(const ByteSource& source, std::vector<mcap::MetadataIndex> indexes) {
-  std::sort(indexes.begin(), indexes.end(),
-            [](const auto& left, const auto& right) { return left.offset < right.offset; });
-  std::vector<mcap::Metadata> all;
-  std::uint64_t free = 0;
-  for (const mcap::MetadataIndex& index : indexes) {
-    const std::string where = source.name() + ": expected Metadata at byte " + std::to_string(index.offset);
-    if (index.offset < free || index.record_bytes > mcap::kMaxRecordBytes) return Error{where};
-    const Result<std::string> bytes = read_bytes(source, index.offset, index.record_bytes);
-    if (!bytes) return bytes.failure();
-    std::size_t at = 0;
-    const auto record = mcap::take_record(*bytes, at, index.offset);
-    if (!record || record->op != mcap::Op::metadata) return Error{where};
-    Result<mcap::Metadata> metadata = mcap::decode<mcap::Metadata>(record->content, index.offset);
-    if (!metadata) return metadata.failure(source.name());
-    all.push_back(std::move(*metadata));
-    free = index.offset + index.record_bytes;
-  }
-  return all;
-}
-
-/// Returns whether the summary holds everything that a scan would find.
-bool tells_all(const mcap::Summary& summary) {
-  return summary.statistics && summary.statistics->chunks == summary.chunk_indexes.size() &&
-         summary.statistics->channels == summary.channels.size() &&
-         summary.statistics->schemas == summary.schemas.size() &&
-         summary.statistics->metadata == summary.metadata_indexes.size();
-}
-
-Result<McapIndex> from_summary(const ByteSource& source, mcap::Summary summary) {
-  McapIndex index;
-  for (mcap::Schema& schema : summary.schemas) index.schemas.emplace(schema.id, std::move(schema));
-  for (mcap::Channel& channel : summary.channels) index.channels.emplace(channel.id, std::move(channel));
-  index.statistics = *summary.statistics;
-
-  std::uint64_t in_chunks = 0;
-  index.chunks.reserve(summary.chunk_indexes.size());
-  for (mcap::ChunkIndex& chunk : summary.chunk_indexes) {
-    auto counts = count_messages(source, chunk);
-    if (!counts) return counts.failure(source.name());
-    for (const auto& [channel, count] : *counts) in_chunks += count;
-    index.chunks.push_back({std::move(chunk), std::move(*counts)});
-  }
-  if (in_chunks > index.statistics.messages)
-    return Error{source.name() + ": Statistics: expected at least " + std::to_string(in_chunks) + " messages, got " +
-                 std::to_string(index.statistics.messages)};
-  index.unchunked_messages = index.statistics.messages - in_chunks;
-  index.complete = true;
-
-  auto metadata = read_metadata(source, std::move(summary.metadata_indexes));
-  if (metadata) index.metadata = std::move(*metadata);
-  if (!metadata) index.damage = metadata.error();
-  return index;
-}
-
 /// Returns the index without header and size.
 McapIndex read_body(const ByteSource& source) {
-  auto summary = mcap::read_summary(source);
-  std::string damage = summary ? "" : summary.error();
-  if (summary && *summary && tells_all(**summary)) {
-    Result<McapIndex> index = from_summary(source, std::move(**summary));
-    if (index) return std::move(*index);
-    damage = index.error();
-  }
-
-  McapIndex index = scan(source);
+  const auto summary = mcap::read_summary(source);
+  McapIndex index = scan(source, summary && *summary ? &**summary : nullptr);
   // the scan's damage is more specific than the missing end
-  if (index.damage.empty()) index.damage = damage;
+  if (index.damage.empty() && !summary) index.damage = summary.error();
   index.complete = summary && index.complete;
   return index;
 }
@@ -148,9 +63,27 @@ Result<McapIndex> read_index(const ByteSource& source) {
   return index;
 }
 
+Result<mcap::Numbers<std::uint16_t>> count_messages(const ByteSource& source, const ChunkInfo& chunk) {
+  if (!chunk.messages.empty()) return chunk.messages;
+  mcap::Numbers<std::uint16_t> counts;
+  if (chunk.index.message_indexes.empty()) {
+    const auto contents = read_chunk(source, chunk.index);
+    if (!contents) return contents.failure();
+    for (const auto& [channel, index] : contents->indexes) counts.emplace_back(channel, index.entries.size());
+    return counts;
+  }
+  for (const auto& [channel, offset] : chunk.index.message_indexes) {
+    const Result<std::uint64_t> count = count_entries(source, offset);
+    if (!count) return count.failure();
+    counts.emplace_back(channel, *count);
+  }
+  return counts;
+}
+
 Result<std::vector<mcap::MessageIndex>> index_messages(const ByteSource& source, const mcap::ChunkIndex& chunk) {
   const auto contents = read_chunk(source, chunk);
   if (!contents) return contents.failure();
+  if (!contents->damage.empty()) return Error{contents->damage};
   std::vector<mcap::MessageIndex> indexes;
   for (const auto& [channel, index] : contents->indexes) indexes.push_back(index);
   return indexes;
@@ -160,7 +93,8 @@ memory::ChannelInfo channel_info(const mcap::Channel& channel, const SchemasById
   memory::ChannelInfo info;
   info.topic = channel.topic;
   info.message_encoding = channel.message_encoding;
-  if (const auto schema = schemas.find(channel.schema_id); schema != schemas.end())
+  const auto schema = schemas.find(channel.schema_id);
+  if (channel.schema_id != 0 && schema != schemas.end())
     info.schema = {schema->second.name, schema->second.encoding, schema->second.data};
   const auto delivery = channel.metadata.find("delivery");
   for (const memory::Delivery known : {memory::Delivery::fifo, memory::Delivery::reliable})

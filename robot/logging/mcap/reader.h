@@ -21,6 +21,8 @@ namespace robot::logging {
 struct McapMessage {
   std::uint16_t channel_id = 0;
   Record record;
+
+  bool operator==(const McapMessage&) const = default;
 };
 
 /// The messages of an MCAP file with any number of channels, inside and outside chunks, in the order of the file.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <initializer_list>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -13,6 +13,8 @@
 #include "robot/core/folder.h"
 #include "robot/logging/mcap/format.h"
 #include "robot/logging/mcap/index.h"
+#include "robot/logging/mcap/time_span.h"
+#include "robot/logging/mcap/topic_streams.h"
 
 namespace robot::logging {
 namespace {
@@ -63,6 +65,16 @@ std::string robot_of(const std::string& topic) {
   return end == topic.npos ? std::string() : topic.substr(1, end - 1);
 }
 
+/// Joins the sentences that are not empty.
+std::string joined(std::initializer_list<std::string_view> sentences) {
+  std::string text;
+  for (const std::string_view sentence : sentences) {
+    if (!text.empty() && !sentence.empty()) text += "; ";
+    text += sentence;
+  }
+  return text;
+}
+
 /// Sets the numbers of team and player from the robot's name.
 void take_numbers(SessionInfo& info) {
   if (info.robot.empty()) info.robot = "0/1";
@@ -82,7 +94,6 @@ SessionInfo info_of(const McapIndex& index, const fs::path& file) {
   for (const auto& [id, channel] : index.channels)
     if (info.robot.empty()) info.robot = robot_of(channel.topic);
   take_numbers(info);
-  info.start_ns = index.statistics.start_ns;
   return info;
 }
 
@@ -198,36 +209,29 @@ Result<Session> read_session(const fs::path& folder, bool being_written) {
   return session;
 }
 
-Result<Session> read_recording(const fs::path& file) {
-  const Result<std::shared_ptr<const FileSource>> source = FileSource::open(file);
-  if (!source) return source.failure();
-  const Result<McapIndex> index = read_index(**source);
-  if (!index) return index.failure();
+Result<Session> read_recording(const fs::path& path) {
+  const auto file = McapFile::open(path);
+  if (!file) return file.failure();
+  const McapIndex& index = (*file)->index();
 
-  Session session{.folder = file.parent_path(), .info = info_of(*index, file)};
-  session.one_file = true;
-  session.numbered = session_info_in(index->metadata).has_value();
-  session.state = index->damage.empty() ? SessionState::complete : SessionState::damaged;
-  session.message = index->damage;
-  session.size_bytes = index->size_bytes;
-  session.start_ns = index->statistics.start_ns;
-  session.end_ns = index->statistics.end_ns;
-  std::map<std::uint16_t, std::uint64_t> messages(index->statistics.channel_messages.begin(),
-                                                  index->statistics.channel_messages.end());
-  for (const auto& [id, channel] : index->channels) {
-    // other writers may have several channels of one topic
-    const auto known = std::ranges::find(session.streams, channel.topic, &StreamFile::topic);
-    if (known != session.streams.end()) {
-      known->messages += messages[id];
-      continue;
-    }
-    session.streams.push_back({.topic = channel.topic,
-                               .file = file.filename().string(),
-                               .schema = channel_info(channel, index->schemas).schema.name,
-                               .messages = messages[id],
+  Session session{.folder = path.parent_path(), .info = info_of(index, path)};
+  session.one_file = *file;
+  session.numbered = session_info_in(index.metadata).has_value();
+  session.state = index.damage.empty() ? SessionState::complete : SessionState::damaged;
+  session.size_bytes = index.size_bytes;
+  const TimeSpan span = time_span((*file)->source(), index);
+  session.start_ns = session.info.start_ns = span.start_ns;
+  session.end_ns = span.end_ns;
+  session.message = joined({index.damage, span.note()});
+  for (TopicStream& stream : topic_streams(index))
+    session.streams.push_back({.topic = stream.info.topic,
+                               .file = path.filename().string(),
+                               .schema = stream.info.schema.name,
+                               .messages = stream.messages,
                                .start_ns = session.start_ns,
-                               .end_ns = session.end_ns});
-  }
+                               .end_ns = session.end_ns,
+                               .left_out = stream.left_out,
+                               .note = std::move(stream.note)});
   return session;
 }
 

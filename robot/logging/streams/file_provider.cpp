@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <system_error>
 #include <utility>
 
 #include "robot/core/clock.h"
-#include "robot/logging/mcap/assembly.h"
+#include "robot/logging/mcap/topic_streams.h"
 
 namespace robot::logging {
 
@@ -52,11 +53,11 @@ Result<void> FileOutProvider::counted(Result<void> result) {
 }
 
 Result<memory::ChannelInfo> FileInProvider::open() {
+  if (topic_) return open_topic();
   Result<std::shared_ptr<const FileSource>> source = FileSource::open(path_);
   if (!source) return source.failure();
   const Result<McapIndex> index = read_index(**source);
   if (!index) return index.failure();
-  if (topic_) return open_topic(std::move(*source), *index);
   if (index->channels.size() != 1)
     return Error{path_.string() + ": expected the recording of one channel, got " +
                  std::to_string(index->channels.size()) + (index->damage.empty() ? "" : " (" + index->damage + ")")};
@@ -64,30 +65,23 @@ Result<memory::ChannelInfo> FileInProvider::open() {
   return channel_info(index->channels.begin()->second, index->schemas);
 }
 
-/// Opens only the chunks of the file that hold the topic. Files of other writers may have several channels of one
-/// topic, and no chunks.
-Result<memory::ChannelInfo> FileInProvider::open_topic(std::shared_ptr<const ByteSource> source,
-                                                       const McapIndex& index) {
-  std::optional<memory::ChannelInfo> info;
-  for (const auto& [id, channel] : index.channels) {
-    if (channel.topic != *topic_) continue;
-    const memory::ChannelInfo one = channel_info(channel, index.schemas);
-    if (!info) info = one;
-    if (one == *info) channel_ids_.insert(id);
+/// Opens only the chunks of the file that hold the topic.
+Result<memory::ChannelInfo> FileInProvider::open_topic() {
+  if (!file_) {
+    auto file = McapFile::open(path_);
+    if (!file) return file.failure();
+    file_ = std::move(*file);
   }
-  if (!info) return Error{path_.string() + ": expected a channel " + *topic_ + ", there is none"};
-  if (index.unchunked_messages > 0) {
-    reader_.emplace(std::move(source));
-    return *info;
+  for (const TopicStream& stream : topic_streams(file_->index())) {
+    if (stream.info.topic != *topic_) continue;
+    ordered_.emplace(file_, stream.channels, &cancelled_);
+    return stream.info;
   }
-  Result<Assembly> chunks = assemble({std::move(source)}, {.topic = *topic_});
-  if (!chunks) return chunks.failure();
-  reader_.emplace(std::make_shared<const Assembly>(std::move(*chunks)));
-  return *info;
+  return Error{path_.string() + ": expected a channel " + *topic_ + ", there is none"};
 }
 
 Result<std::optional<Record>> FileInProvider::read() {
-  assert(reader_ && "a stream is opened before it is read");
+  assert((reader_ || ordered_) && "a stream is opened before it is read");
   if (ahead_.empty()) return read_on();
   std::optional<Record> record(std::move(ahead_.front()));
   ahead_.pop_front();
@@ -95,22 +89,28 @@ Result<std::optional<Record>> FileInProvider::read() {
 }
 
 Result<std::optional<Record>> FileInProvider::read_on() {
-  while (!cancelled_.load(std::memory_order_relaxed)) {
-    Result<std::optional<McapMessage>> message = reader_->next();
-    if (!message) return message.failure();
-    if (!*message) break;
-    if (topic_ && !channel_ids_.contains((*message)->channel_id)) continue;
-    return std::optional<Record>(std::move((*message)->record));
-  }
-  return std::optional<Record>();
+  if (cancelled_.load(std::memory_order_relaxed)) return std::optional<Record>();
+  Result<std::optional<McapMessage>> message = ordered_ ? ordered_->next() : reader_->next();
+  if (!message) return message.failure();
+  if (!*message) return std::optional<Record>();
+  return std::optional<Record>(std::move((*message)->record));
+}
+
+Result<void> FileInProvider::seek_topic(std::uint64_t capture_ns) {
+  std::vector<McapMessage> newest = ordered_->newest_until(capture_ns);
+  const bool is_last = capture_ns == std::numeric_limits<std::uint64_t>::max();
+  ordered_->seek(newest.empty() ? 0 : capture_ns + (is_last ? 0 : 1));
+  if (!newest.empty()) ahead_.push_back(std::move(newest.back().record));
+  return {};
 }
 
 Result<void> FileInProvider::seek(std::uint64_t capture_ns) {
-  assert(reader_ && "a stream is opened before it is read");
+  assert((reader_ || ordered_) && "a stream is opened before it is read");
   ahead_.clear();
+  if (ordered_) return seek_topic(capture_ns);
   Result<std::vector<std::uint64_t>> starts = reader_->chunk_starts_until(capture_ns);
   if (!starts) return starts.failure();
-  // begin at the last chunk that starts early enough; its first messages may belong to another channel
+  // begin at the last chunk that starts early enough
   std::ranges::reverse(*starts);
   for (const std::uint64_t start_ns : *starts) {
     if (Result<void> sought = reader_->seek(start_ns); !sought) return sought;

@@ -7,11 +7,12 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
+#include "robot/logging/mcap/mcap_file.h"
+#include "robot/logging/mcap/ordered_reader.h"
 #include "robot/logging/mcap/reader.h"
 #include "robot/logging/mcap/writer.h"
 #include "robot/logging/streams/provider.h"
@@ -48,12 +49,19 @@ class FileOutProvider final : public OutProvider {
   std::atomic<std::uint64_t> size_bytes_ = 0, messages_ = 0, lost_ = 0;
 };
 
-/// The stream of a file with one channel, or of one channel of a file with many. The file's writer may have died.
+/// The stream of a file with one channel, or of one topic of a file with many. The file's writer may have died.
 class FileInProvider final : public InProvider {
  public:
-  /// `topic` selects the channel in a file with many.
-  explicit FileInProvider(std::filesystem::path path, std::optional<std::string> topic = {})
-      : path_(std::move(path)), topic_(std::move(topic)) {}
+  /// A file with one channel. Its messages come in the order of the file.
+  explicit FileInProvider(std::filesystem::path path) : path_(std::move(path)) {}
+
+  /// A topic of a file with many. Its messages come in the order of their capture times. If channels of the topic have
+  /// different schemas or encodings, the stream has some of them, as topic_streams() chooses.
+  FileInProvider(std::filesystem::path path, std::string topic) : path_(std::move(path)), topic_(std::move(topic)) {}
+
+  /// As before, for a file that is open already.
+  FileInProvider(std::shared_ptr<const McapFile> file, std::string topic)
+      : path_(file->source().name()), topic_(std::move(topic)), file_(std::move(file)) {}
 
   /// Returns the channel. Returns an Error if the file has no channel of the topic, or without a topic, if it does not
   /// hold exactly one channel.
@@ -69,13 +77,15 @@ class FileInProvider final : public InProvider {
 
  private:
   Result<std::optional<Record>> read_on();
-  Result<memory::ChannelInfo> open_topic(std::shared_ptr<const ByteSource> source, const McapIndex& index);
+  Result<memory::ChannelInfo> open_topic();
+  Result<void> seek_topic(std::uint64_t capture_ns);
 
-  std::filesystem::path path_;
-  std::optional<std::string> topic_;
-  std::set<std::uint16_t> channel_ids_;  // of the topic
-  std::optional<McapReader> reader_;
-  std::deque<Record> ahead_;  // records that seek() has read already
+  const std::filesystem::path path_;
+  const std::optional<std::string> topic_;
+  std::shared_ptr<const McapFile> file_;  // of a topic
+  std::optional<McapReader> reader_;      // without a topic
+  std::optional<OrderedReader> ordered_;  // of a topic
+  std::deque<Record> ahead_;              // records that seek() has read already
   std::atomic<bool> cancelled_ = false;
 };
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "proto/foresight/ball.pb.h"
+#include "robot/core/byte_sink.h"
+#include "robot/logging/mcap/writer.h"
 #include "robot/logging/sessions/recorder.h"
 #include "robot/logging/sessions/session_writer.h"
 #include "robot/memory/memory.h"
@@ -257,6 +259,75 @@ TEST_F(Replaying, ARecordingWhoseClockIsOffIsPlayedInTheTimeOfTheOther) {
   for (const char* topic : {"/14/2/ball", "/14/3/ball"})
     ASSERT_TRUE(tests::eventually_equal([&] { return newest_ns(topic); }, kStart + 1000 * kMillisecond)) << topic;
   EXPECT_EQ(shown(), kStart + 1000 * kMillisecond);
+}
+
+/// One file with 1000 topics: a message of each every 10 ms, and one at time 0.
+struct ReplayingAFile : Replaying {
+  ReplayingAFile() {
+    std::vector<memory::ChannelInfo> infos;
+    for (int i = 0; i < kTopics; ++i) infos.push_back({.topic = topic(i), .message_encoding = "json", .schema = {}});
+    auto sink = FileSink::create(file);
+    auto writer = logging::McapWriter::open(std::move(*sink), infos, {});
+    for (std::uint64_t i = 0; i < kCount; ++i)
+      for (std::size_t channel = 0; channel < kTopics; ++channel)
+        EXPECT_TRUE(writer->write(channel, message(i + 1, time(i), std::to_string(i)), 0));
+    const std::string stray = "stray";
+    EXPECT_TRUE(writer->write(0, message(kCount + 1, 0, stray), 0));
+    EXPECT_TRUE(writer->close());
+  }
+
+  static logging::OutMessage message(std::uint64_t sequence, std::uint64_t time_ns, std::string_view bytes) {
+    return {.sequence = sequence, .capture_ns = time_ns, .publish_ns = time_ns, .bytes = bytes};
+  }
+  static std::string topic(int i) { return "/theirs/" + std::to_string(i); }
+  static std::uint64_t time(std::uint64_t i) { return kStart + i * 10 * kMillisecond; }
+
+  static constexpr int kTopics = 1000;
+  static constexpr std::uint64_t kCount = 50;
+  const fs::path file = folder / "theirs.mcap";
+};
+
+TEST_F(ReplayingAFile, GivesEveryMessageOfEveryTopic) {
+  auto replay = Replay::open({file}, {.speed = 100});
+  ASSERT_TRUE(replay) << replay.error();
+  (*replay)->start(channels, board);
+  wait_for_the_end(**replay);
+  EXPECT_EQ((*replay)->messages(), kTopics * kCount + 1);
+  for (int i = 0; i < kTopics; ++i) EXPECT_EQ(newest_ns(topic(i).c_str()), time(kCount - 1)) << i;
+  EXPECT_TRUE(board.statuses().empty()) << "one thread reads the file for all topics";
+}
+
+TEST_F(ReplayingAFile, LeavesStrayMessagesOutOfTheTimeLineAndSaysSo) {
+  auto replay = Replay::open({file}, {});
+  ASSERT_TRUE(replay) << replay.error();
+  EXPECT_EQ((*replay)->start_ns(), kStart);
+  EXPECT_EQ((*replay)->end_ns(), time(kCount - 1));
+  EXPECT_EQ((*replay)->notes(), std::vector<std::string>{
+                                    "1 message before 2023-11-14 22:13:20 UTC left out of the strip, because more than "
+                                    "30 days lie between"});
+}
+
+TEST_F(ReplayingAFile, AfterASeekEveryTopicHasItsValueOfThatTime) {
+  auto replay = Replay::open({file}, {.shifts_ns = {5 * kMillisecond}});
+  ASSERT_TRUE(replay) << replay.error();
+  (*replay)->start(channels, board);
+  (*replay)->clock().set(false, 1);
+  for (const std::uint64_t i : {20u, 3u, 49u, 0u, 15u}) {
+    (*replay)->clock().seek(time(i) + 9 * kMillisecond);
+    for (const int of : {0, 42, 999})
+      ASSERT_TRUE(tests::eventually_equal([&] { return newest_ns(topic(of).c_str()); }, time(i) + 5 * kMillisecond));
+  }
+}
+
+TEST_F(ReplayingAFile, RestartsAtTheEndAndStopsAtAnyTime) {
+  auto replay = Replay::open({file}, {.speed = 1000, .loop = true});
+  ASSERT_TRUE(replay) << replay.error();
+  (*replay)->start(channels, board);
+  EXPECT_TRUE(tests::eventually([&] { return (*replay)->tick() == Replay::Tick::began_again; }));
+  (*replay)->stop();
+  const auto stream = (*replay)->stream_of(topic(1));
+  ASSERT_TRUE(stream->open());
+  EXPECT_FALSE(*stream->read()) << "a stopped playback ends also the readers of its file";
 }
 
 }  // namespace

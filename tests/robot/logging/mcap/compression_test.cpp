@@ -6,6 +6,8 @@
 #include <random>
 #include <vector>
 
+#include "tests/support/foreign_frames.h"
+
 namespace robot::logging {
 namespace {
 
@@ -78,6 +80,28 @@ TEST(Compression, AFalseSizeCostsNoMemory) {
       decompress(Compression::lz4, packed(Compression::lz4, "x"), std::numeric_limits<std::size_t>::max() / 2));
   EXPECT_FALSE(
       decompress(Compression::zstd, packed(Compression::zstd, "x"), std::numeric_limits<std::size_t>::max() / 2));
+}
+
+TEST(Compression, ReadsAnyLevelAndAnyNumberOfFrames) {
+  std::mt19937 random(1);
+  const std::string bytes = some_bytes(random, 3000);
+  for (const Compression compression : {Compression::lz4, Compression::zstd})
+    for (int level = 1; level <= (compression == Compression::lz4 ? 12 : 22); ++level)
+      for (const int frames : {1, 2, 7}) {
+        const tests::FrameOptions options{.compression = std::string(name(compression)),
+                                          .level = level,
+                                          .frames = frames,
+                                          .skippable = level % 2 == 0,
+                                          .content_size = level % 3 > 0,
+                                          .checksum = level % 4 == 0};
+        const auto back = decompress(compression, tests::foreign_frames(bytes, options, random), bytes.size());
+        ASSERT_TRUE(back) << name(compression) << " " << level << ": " << back.error();
+        EXPECT_EQ(*back, bytes);
+      }
+  // as the highest level does if it does not know the size
+  const tests::FrameOptions wide{.compression = "zstd", .content_size = false, .window_log = 27};
+  EXPECT_EQ(*decompress(Compression::zstd, tests::foreign_frames(bytes, wide, random), bytes.size()), bytes);
+  EXPECT_EQ(*decompress(Compression::zstd, "", 0), "");
 }
 
 TEST(Compression, UsesTheNamesOfMcap) {

@@ -1,0 +1,80 @@
+#include "robot/body/replay/file_player.h"
+
+#include <limits>
+#include <utility>
+
+#include "robot/core/report.h"
+#include "robot/core/thread.h"
+
+namespace robot::body {
+namespace {
+
+std::set<std::uint16_t> all_channels(const std::vector<PlayedTopic>& topics) {
+  std::set<std::uint16_t> all;
+  for (const PlayedTopic& topic : topics) all.insert(topic.channels.begin(), topic.channels.end());
+  return all;
+}
+
+}  // namespace
+
+FilePlayer::FilePlayer(std::shared_ptr<const logging::McapFile> file, std::vector<PlayedTopic> topics,
+                       std::int64_t shift_ns, PlaybackClock& clock)
+    : topics_(std::move(topics)),
+      shift_ns_(shift_ns),
+      clock_(clock),
+      reader_(std::move(file), all_channels(topics_), &stopping_) {
+  for (const PlayedTopic& topic : topics_)
+    for (const std::uint16_t channel : topic.channels) topic_of_[channel] = &topic;
+  thread_ = std::thread([this] { run(); });
+}
+
+FilePlayer::~FilePlayer() { stop(); }
+
+void FilePlayer::stop() {
+  stopping_.store(true, std::memory_order_relaxed);
+  if (thread_.joinable()) thread_.join();
+}
+
+void FilePlayer::run() {
+  become_background_thread("player");
+  std::uint64_t moves = 0;
+  while (true) {
+    const auto message = reader_.next();
+    if (!message) {
+      report(Level::error, "logging", message.error());
+      continue;
+    }
+    const auto due =
+        *message ? clock_.wait_until_due((*message)->record.capture_ns + static_cast<std::uint64_t>(shift_ns_), moves)
+                 : clock_.wait_for_move(moves);
+    if (due == logging::Pace::Due::never) return;
+    if (due == logging::Pace::Due::now) {
+      play(**message);
+      continue;
+    }
+    const logging::Pace::Move move = clock_.last_move();
+    moves = move.count;
+    follow(move);
+  }
+}
+
+/// Gives each channel its value of the new time and continues after it.
+void FilePlayer::follow(const logging::Pace::Move& move) {
+  const auto theirs = static_cast<std::int64_t>(move.to_ns) - shift_ns_;
+  const bool before_all = shift_ns_ > 0 && theirs < 0;
+  const std::uint64_t to_ns = before_all ? 0 : move.to_ns - static_cast<std::uint64_t>(shift_ns_);
+  for (const logging::McapMessage& message : reader_.newest_until(to_ns)) play(message);
+  const bool is_last = to_ns == std::numeric_limits<std::uint64_t>::max();
+  reader_.seek(is_last ? to_ns : to_ns + 1);
+}
+
+void FilePlayer::play(const logging::McapMessage& message) {
+  const PlayedTopic& topic = *topic_of_.at(message.channel_id);
+  const logging::Record& record = message.record;
+  const Result<void> entered = topic.shift ? topic.to->write_bytes(topic.shift->moved(record.bytes, record.capture_ns),
+                                                                   (*topic.shift)(record.capture_ns))
+                                           : topic.to->write_bytes(record.bytes, record.capture_ns);
+  if (entered) messages_.fetch_add(1, std::memory_order_relaxed);
+}
+
+}  // namespace robot::body
