@@ -126,7 +126,7 @@ Result<void> play(const PlayOptions& options) {
                                         question, clock.now_ns());
                       });
   if (Result<void> started = runtime.start(); !started) return started;
-  (*replay)->start(runtime.channels(), runtime.board());
+  if (Result<void> started = (*replay)->start(runtime.channels(), runtime.board()); !started) return started;
   runtime.run([&] {
     if ((*replay)->tick() == body::Replay::Tick::began_again) runtime.server().restart_time();
     return true;  // a recording that has ended still shows its last moment

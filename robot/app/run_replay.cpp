@@ -34,7 +34,7 @@ Result<void> run_replay(const RobotOptions& options) {
   const Result<bool> begun = begin(runtime, options);
   if (!begun) return begun.failure();
   if (!*begun) return {};
-  (*replay)->start(runtime.channels(), runtime.board());
+  if (Result<void> started = (*replay)->start(runtime.channels(), runtime.board()); !started) return started;
   runtime.run([&] {
     if ((*replay)->tick() == body::Replay::Tick::began_again) runtime.server().restart_time();
     return true;

@@ -65,7 +65,10 @@ void block_end_signals() {
     if (end().watched) return;
     end().watched = true;
   }
-  std::thread(watch).detach();
+  std::thread watching;
+  if (const Result<void> started = start_thread(watching, "end", watch); started) return watching.detach();
+  // without the thread the signals end the process as they do by default
+  pthread_sigmask(SIG_UNBLOCK, &ends, nullptr);
 }
 
 bool wait_for_end(std::uint64_t duration_ns) {

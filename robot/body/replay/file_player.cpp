@@ -25,7 +25,10 @@ FilePlayer::FilePlayer(std::shared_ptr<const logging::McapFile> file, std::vecto
       reader_(std::move(file), all_channels(topics_), &stopping_) {
   for (const PlayedTopic& topic : topics_)
     for (const std::uint16_t channel : topic.channels) topic_of_[channel] = &topic;
-  thread_ = std::thread([this] { run(); });
+}
+
+Result<void> FilePlayer::start() {
+  return start_thread(thread_, "player", [this] { run(); });
 }
 
 FilePlayer::~FilePlayer() { stop(); }

@@ -27,9 +27,12 @@ struct PlayedTopic {
 /// the playhead each channel gets its newest message before the new time. It reports a damage and continues after it.
 class FilePlayer {
  public:
-  /// Starts the thread. `shift_ns` is the shift of all topics. `clock` outlives this.
+  /// `shift_ns` is the shift of all topics. `clock` outlives this.
   FilePlayer(std::shared_ptr<const logging::McapFile> file, std::vector<PlayedTopic> topics, std::int64_t shift_ns,
              PlaybackClock& clock);
+
+  /// Starts the thread, once. Returns an Error if the system allows no more threads.
+  Result<void> start();
 
   /// As stop().
   ~FilePlayer();

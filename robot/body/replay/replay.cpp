@@ -137,7 +137,7 @@ std::vector<std::string> Replay::notes() const {
   return notes;
 }
 
-void Replay::start(memory::Channels& channels, logging::LoggingBoard& board) {
+Result<void> Replay::start(memory::Channels& channels, logging::LoggingBoard& board) {
   channels_ = &channels;
   board_ = &board;
   clock_.start();
@@ -149,11 +149,13 @@ void Replay::start(memory::Channels& channels, logging::LoggingBoard& board) {
     parsers_.push_back(board_->start_parser(open_stream(stream), {.destination = to, .pace = pace}));
   }
   for (const Recording& recording : recordings_)
-    if (recording.session.one_file) start_file(recording);
+    if (recording.session.one_file)
+      if (Result<void> started = start_file(recording); !started) return started;
+  return {};
 }
 
 /// Starts one player for all topics of a file.
-void Replay::start_file(const Recording& recording) {
+Result<void> Replay::start_file(const Recording& recording) {
   std::map<std::string, logging::TopicStream> streams;
   for (logging::TopicStream& stream : logging::topic_streams(recording.session.one_file->index()))
     streams.emplace(stream.info.topic, stream);
@@ -172,6 +174,7 @@ void Replay::start_file(const Recording& recording) {
   }
   players_.push_back(
       std::make_unique<FilePlayer>(recording.session.one_file, std::move(topics), recording.shift_ns, clock_));
+  return players_.back()->start();
 }
 
 Replay::Tick Replay::tick() {

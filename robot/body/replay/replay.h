@@ -74,7 +74,7 @@ class Replay {
   std::uint64_t end_ns() const { return end_ns_; }
 
   /// Starts to play into `channels`. Both arguments outlive this.
-  void start(memory::Channels& channels, logging::LoggingBoard& board);
+  Result<void> start(memory::Channels& channels, logging::LoggingBoard& board);
 
   enum class Tick { playing, ended, began_again };
 
@@ -113,7 +113,7 @@ class Replay {
   std::vector<Played> played() const;
   std::unique_ptr<logging::InProvider> open_stream(const Played& stream) const;
   Result<void> check_made() const;
-  void start_file(const Recording& recording);
+  Result<void> start_file(const Recording& recording);
   Result<std::shared_ptr<memory::Channel>> destination(const Recording& from, memory::ChannelInfo info);
 
   const std::vector<Recording> recordings_;

@@ -65,7 +65,7 @@ TEST_F(Replaying, GivesEachMessageToTheTypedMemoryAndOthersAChannelOfTheirOwn) {
   const auto replay = open({.speed = 100});
   const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
   ASSERT_TRUE(list(memory, channels));
-  replay->start(channels, board);
+  ASSERT_TRUE(replay->start(channels, board));
   wait_for_the_end(*replay);
   EXPECT_EQ(memory->ball.read()->value().x(), 299);
   EXPECT_EQ(memory->ball.read()->capture_ns(), kStart + 2990 * kMillisecond);
@@ -81,7 +81,7 @@ TEST_F(Replaying, RecordedAnewIsTheSame) {
   logging::Recorder recorder(channels, board, store, replay->clock(), {});
   const Result<std::string> session = recorder.start("", "full");
   ASSERT_TRUE(session) << session.error();
-  replay->start(channels, board);
+  ASSERT_TRUE(replay->start(channels, board));
   wait_for_the_end(*replay);
   ASSERT_TRUE(recorder.stop());
   for (const char* file : {"14.2.ball.mcap", "14.2.vortex.mcap"}) {
@@ -97,7 +97,7 @@ TEST_F(Replaying, RecordedAnewIsTheSame) {
 
 TEST_F(Replaying, KeepsThePaceOfTheCaptureTimes) {
   const auto replay = open({.speed = 5});
-  replay->start(channels, board);
+  ASSERT_TRUE(replay->start(channels, board));
   const std::uint64_t began = monotonic_ns();
   wait_for_the_end(*replay);
   // never early; the delay depends on the machine
@@ -107,7 +107,7 @@ TEST_F(Replaying, KeepsThePaceOfTheCaptureTimes) {
 TEST_F(Replaying, ItsClockIsTheTimeOfTheRecording) {
   const auto replay = open({.speed = 100});
   EXPECT_EQ(replay->clock().now_ns(), kStart);
-  replay->start(channels, board);
+  ASSERT_TRUE(replay->start(channels, board));
   wait_for_the_end(*replay);
   EXPECT_LE(replay->clock().now_ns(), kStart + 2990 * kMillisecond);
   replay->stop();
@@ -116,7 +116,7 @@ TEST_F(Replaying, ItsClockIsTheTimeOfTheRecording) {
 
 TEST_F(Replaying, RestartsAtTheEndInALoop) {
   const auto replay = open({.speed = 1000, .loop = true});
-  replay->start(channels, board);
+  ASSERT_TRUE(replay->start(channels, board));
   EXPECT_TRUE(tests::eventually([&] { return replay->tick() == Replay::Tick::began_again; }));
 }
 
@@ -130,7 +130,7 @@ TEST_F(Replaying, StopsWherePausedAndContinues) {
   const auto replay = open({.speed = 1});
   const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
   ASSERT_TRUE(list(memory, channels));
-  replay->start(channels, board);
+  ASSERT_TRUE(replay->start(channels, board));
   replay->clock().set(false, 1);
   const std::uint64_t paused = replay->clock().now_ns();
   replay->clock().seek(paused);
@@ -145,7 +145,7 @@ TEST_F(Replaying, AfterASeekEveryObjectHasItsValueOfThatTime) {
   const auto replay = open({.speed = 1});
   const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
   ASSERT_TRUE(list(memory, channels));
-  replay->start(channels, board);
+  ASSERT_TRUE(replay->start(channels, board));
   replay->clock().set(false, 1);
   for (const std::uint64_t i : {200u, 3u, 299u, 0u, 150u}) {
     replay->clock().seek(kStart + i * 10 * kMillisecond + 5 * kMillisecond);
@@ -165,7 +165,7 @@ TEST_F(Replaying, AfterTheEndASeekPlaysItAgain) {
   const auto replay = open({.speed = 1000});
   const auto memory = std::make_shared<memory::Memory>("14/2", replay->clock());
   ASSERT_TRUE(list(memory, channels));
-  replay->start(channels, board);
+  ASSERT_TRUE(replay->start(channels, board));
   wait_for_the_end(*replay);
   replay->clock().set(false, 1000);
   replay->clock().seek(kStart);
@@ -185,7 +185,7 @@ TEST_F(Replaying, SeveralRobotsAreMergedByTime) {
   EXPECT_EQ((*replay)->robots(), (std::vector<std::string>{"14/2", "14/3"}));
   EXPECT_EQ((*replay)->start_ns(), kStart);
   EXPECT_EQ((*replay)->end_ns(), kStart + 9 * kSecond);
-  (*replay)->start(channels, board);
+  ASSERT_TRUE((*replay)->start(channels, board));
   (*replay)->clock().set(false, 1);
   (*replay)->clock().seek(kStart + 2 * kSecond);
   ASSERT_TRUE(tests::eventually_equal([&] { return newest_ns("/14/3/vortex"); }, kStart + kSecond));
@@ -197,14 +197,14 @@ TEST_F(Replaying, SeveralRobotsAreMergedByTime) {
 
 TEST_F(Replaying, CanBeStoppedAtAnyTime) {
   const auto replay = open({.speed = 0.01});
-  replay->start(channels, board);
+  ASSERT_TRUE(replay->start(channels, board));
   replay->stop();
   EXPECT_LT(replay->messages(), 400u);
 }
 
 TEST_F(Replaying, SkipsObjectsThatThisProcessWrites) {
   const auto replay = open({.speed = 1000, .skipped_objects = {"ball"}});
-  replay->start(channels, board);
+  ASSERT_TRUE(replay->start(channels, board));
   wait_for_the_end(*replay);
   EXPECT_EQ(channels.find("/14/2/ball"), nullptr);
   EXPECT_NE(channels.find("/14/2/vortex"), nullptr);
@@ -212,7 +212,7 @@ TEST_F(Replaying, SkipsObjectsThatThisProcessWrites) {
 
 TEST_F(Replaying, ShowsItsRobotUnderAnotherName) {
   const auto replay = open({.speed = 1000, .robot = "5/3"});
-  replay->start(channels, board);
+  ASSERT_TRUE(replay->start(channels, board));
   wait_for_the_end(*replay);
   EXPECT_EQ(channels.find("/14/2/ball"), nullptr);
   EXPECT_NE(channels.find("/5/3/ball"), nullptr);
@@ -244,7 +244,7 @@ TEST_F(Replaying, ARecordingWhoseClockIsOffIsPlayedInTheTimeOfTheOther) {
   ASSERT_TRUE(replay) << replay.error();
   EXPECT_EQ((*replay)->start_ns(), kStart);
   EXPECT_EQ((*replay)->end_ns(), kStart + 2990 * kMillisecond);
-  (*replay)->start(channels, board);
+  ASSERT_TRUE((*replay)->start(channels, board));
   wait_for_the_end(**replay);
   const auto shown = [&] {
     foresight::Ball ball;
@@ -290,7 +290,7 @@ struct ReplayingAFile : Replaying {
 TEST_F(ReplayingAFile, GivesEveryMessageOfEveryTopic) {
   auto replay = Replay::open({file}, {.speed = 100});
   ASSERT_TRUE(replay) << replay.error();
-  (*replay)->start(channels, board);
+  ASSERT_TRUE((*replay)->start(channels, board));
   wait_for_the_end(**replay);
   EXPECT_EQ((*replay)->messages(), kTopics * kCount + 1);
   for (int i = 0; i < kTopics; ++i) EXPECT_EQ(newest_ns(topic(i).c_str()), time(kCount - 1)) << i;
@@ -310,7 +310,7 @@ TEST_F(ReplayingAFile, LeavesStrayMessagesOutOfTheTimeLineAndSaysSo) {
 TEST_F(ReplayingAFile, AfterASeekEveryTopicHasItsValueOfThatTime) {
   auto replay = Replay::open({file}, {.shifts_ns = {5 * kMillisecond}});
   ASSERT_TRUE(replay) << replay.error();
-  (*replay)->start(channels, board);
+  ASSERT_TRUE((*replay)->start(channels, board));
   (*replay)->clock().set(false, 1);
   for (const std::uint64_t i : {20u, 3u, 49u, 0u, 15u}) {
     (*replay)->clock().seek(time(i) + 9 * kMillisecond);
@@ -322,7 +322,7 @@ TEST_F(ReplayingAFile, AfterASeekEveryTopicHasItsValueOfThatTime) {
 TEST_F(ReplayingAFile, RestartsAtTheEndAndStopsAtAnyTime) {
   auto replay = Replay::open({file}, {.speed = 1000, .loop = true});
   ASSERT_TRUE(replay) << replay.error();
-  (*replay)->start(channels, board);
+  ASSERT_TRUE((*replay)->start(channels, board));
   EXPECT_TRUE(tests::eventually([&] { return (*replay)->tick() == Replay::Tick::began_again; }));
   (*replay)->stop();
   const auto stream = (*replay)->stream_of(topic(1));
