@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/asio/basic_socket_acceptor.hpp>
 #include <boost/asio/basic_waitable_timer.hpp>
 #include <boost/asio/ip/v6_only.hpp>
@@ -95,6 +96,7 @@ class Server::Core {
   }
 
  private:
+  std::array<Worker*, 6> workers() { return {&control_, &questions_, &status_, &files_, &checksums_, &downloads_}; }
   void run();
   Result<void> listen(const std::string& address);
   void watch();
@@ -151,7 +153,7 @@ Result<void> Server::Core::start() {
   port_ = options_.port;
   for (const std::string& address : options_.bind)
     if (auto listening = listen(address); !listening) return listening;
-  for (Worker* worker : {&control_, &questions_, &disk_})
+  for (Worker* worker : workers())
     if (Result<void> started = worker->start(); !started) return started;
   if (Result<void> started = streams_.start_thread(); !started) return started;
   watch();
@@ -335,7 +337,7 @@ void Server::Core::stop() {
   }
   inbox_->close();  // loggers that wait for room go on
   streams_.finish();
-  for (Worker* worker : {&control_, &questions_, &status_, &files_, &checksums_, &downloads_}) {
+  for (Worker* worker : workers()) {
     worker->forget();
     worker->finish();
   }

@@ -142,7 +142,7 @@ TEST_F(ServedSession, ALinkInItsFolderIsNotFollowed) {
   ASSERT_TRUE(replace_file(folder / "token", "secret"));
   std::filesystem::create_symlink(folder / "token", folder / "one" / "link");
   EXPECT_EQ(application.open_log({.session = "one", .file = "link"}).error(), "session one: there is no file 'link'");
-  EXPECT_EQ(json::parse(std::get<std::string>(application.session_files("one").body))["files"].size(), 2u);
+  EXPECT_EQ(json::parse(std::get<std::string>(application.session_files("one", {}).body))["files"].size(), 2u);
 }
 
 TEST_F(ServedSession, AnUnknownSessionOrFileIsNamed) {

@@ -8,6 +8,7 @@
 
 #include "robot/core/files.h"
 #include "robot/logging/mcap/format.h"
+#include "robot/logging/sessions/checksums.h"
 #include "robot/logging/sessions/downloads.h"
 #include "robot/logging/sessions/owned_folder.h"
 #include "robot/logging/sessions/session_store.h"
