@@ -18,6 +18,12 @@ namespace {
 /// The recording time for which a new session makes room: a half with its breaks.
 constexpr double kMinutesWanted = 15;
 
+/// Returns the number of the newest version of `channel`, or 0 without one.
+std::uint64_t newest_number(const memory::Channel& channel) {
+  const memory::VersionPtr newest = channel.newest();
+  return newest ? newest->sequence() : 0;
+}
+
 }  // namespace
 
 std::string_view name(RecordingStatus::State state) {
@@ -32,10 +38,11 @@ std::string_view name(RecordingStatus::State state) {
 Recorder::Recorder(memory::Channels& channels, LoggingBoard& board, SessionStore& store, const Clock& clock,
                    Origin origin)
     : channels_(channels), board_(board), store_(store), clock_(clock), origin_(std::move(origin)) {
-  // objects that appear during a session join it
+  // objects that appear during a session join it; while it cannot begin, their versions are counted
   watcher_ = channels_.watch([this](const std::shared_ptr<memory::Channel>& channel) {
     const std::lock_guard guard(lock_);
     if (folder_) add(channel);
+    if (wish_ && !folder_) until_.try_emplace(channel->info().topic, 0);
   });
 }
 
@@ -69,6 +76,7 @@ void Recorder::take(Wish wish) {
   ++request_;
   dropped_ = 0;
   loss_.clear();
+  until_.clear();
   session_.clear();
   profile_name_ = wish.profile.name;
   wish_ = std::move(wish);
@@ -92,6 +100,8 @@ Result<std::uint64_t> Recorder::want(std::string_view name, std::string_view pro
   if (!wish) return wish.failure();
   take(std::move(*wish));
   try_to_begin();
+  if (!folder_)
+    for (const auto& channel : channels_.all()) until_[channel->info().topic] = newest_number(*channel);
   return request_;
 }
 
@@ -134,6 +144,8 @@ Result<void> Recorder::begin() {
   gone_ = std::make_shared<std::atomic<bool>>(false);
   folder_.emplace(std::move(*folder));
   session_ = folder_->name();
+  dropped_ += missed();
+  until_.clear();
   for (const auto& channel : channels_.all()) add(channel);
   report(Level::info, "logging", "recording the session " + session_);
   return {};
@@ -165,6 +177,20 @@ void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
   streams_.push_back({.id = board_.start_logger(channel, std::move(provider)), .topic = info.topic, .file = file});
 }
 
+/// Returns how many versions no session has, since the last one ended or since the request. Leaves out channels of which
+/// the profile does not want every version.
+std::uint64_t Recorder::missed() const {
+  std::uint64_t missed = 0;
+  for (const auto& [topic, until] : until_) {
+    const auto channel = channels_.find(topic);
+    if (!channel || (channel->info().schema.name == kImageSchema && !wish_->profile.raw_images)) continue;
+    // a session begins with the newest version
+    const std::uint64_t newest = newest_number(*channel);
+    if (newest > until + 1) missed += newest - until - 1;
+  }
+  return missed;
+}
+
 /// Reports whether the file that holds the messages of `stream` was deleted or replaced.
 bool Recorder::is_lost(Stream& stream, const StreamStatus& carried) const {
   if (carried.messages == 0) return false;  // a file appears before its first message
@@ -185,6 +211,7 @@ void Recorder::end() {
   const bool in_place = folder_->in_place();
   *gone_ = !in_place;
   for (Stream& stream : streams_) {
+    if (const auto channel = channels_.find(stream.topic)) until_[stream.topic] = newest_number(*channel);
     const StreamStatus last = board_.stop(stream.id);
     if (is_lost(stream, last)) lost += last.messages;
     dropped_ += last.dropped;
@@ -222,7 +249,7 @@ RecordingStatus Recorder::status() const {
   RecordingStatus status{.request = request_, .session = session_, .profile = profile_name_};
   if (!wish_) return status;
   status.mb_per_minute = wish_->profile.mb_per_minute;
-  status.dropped = dropped_;
+  status.dropped = dropped_ + missed();
   status.state = folder_ ? RecordingStatus::State::recording : RecordingStatus::State::disk_full;
   status.message = !folder_ ? wish_->problem : loss_.empty() ? advice_ : loss_;
   std::vector<StreamStatus> carried;

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,7 +31,7 @@ struct RecordingStatus {
   std::string session;        // id of the present session, or of the last one when off; empty: it has not begun
   std::string profile;
   std::uint64_t messages = 0;  // in the files of the session
-  std::uint64_t dropped = 0;   // lost since the request, also in deleted files
+  std::uint64_t dropped = 0;   // lost since the request: also in deleted files, and while no session could begin
   std::uint64_t size_bytes = 0;
   double mb_per_minute = 0;  // [10^6 bytes] as announced by the profile
   std::string message;       // one sentence about a problem or advice, or empty
@@ -107,6 +108,7 @@ class Recorder {
   Result<void> describe(const Wish& wish, OwnedFolder& folder);
   void try_to_begin();
   void add(const std::shared_ptr<memory::Channel>& channel);
+  std::uint64_t missed() const;
   bool is_lost(Stream& stream, const StreamStatus& carried) const;
   bool is_whole();
   void end();
@@ -127,7 +129,9 @@ class Recorder {
   SessionInfo info_;
   std::string session_, profile_name_;  // the present or last one
   std::vector<Stream> streams_;
-  std::uint64_t dropped_ = 0;  // by streams that have ended, since the request
+  std::uint64_t dropped_ = 0;  // since the request, without the present streams
+  // by topic, while a wanted session cannot begin: number of the newest version that is not missed
+  std::map<std::string, std::uint64_t> until_;
   std::string advice_;
   std::string loss_;  // one sentence about files that were deleted since the request, or empty
 };

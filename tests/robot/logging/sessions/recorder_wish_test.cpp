@@ -65,6 +65,29 @@ TEST_F(Wishing, WrongUsageIsRefused) {
   EXPECT_EQ(recorder.status().state, State::off);
 }
 
+TEST_F(Wishing, VersionsBeforeTheBeginAreCountedAsDropped) {
+  write_ball(0);  // before the request
+  fs::create_symlink("loop", folder / "loop");
+  SessionStore here(folder / "loop", 4'000'000'000);
+  Recorder waiting(channels, board, here, clock, {});
+  ASSERT_TRUE(waiting.want("half", "game"));
+  EXPECT_EQ(waiting.status().dropped, 0u);
+  for (int i = 1; i <= 10; ++i) write_ball(static_cast<float>(i));
+  EXPECT_EQ(waiting.status().dropped, 9u) << "the session will begin with the newest";
+  const auto late = tests::make_channel(clock, "/14/2/late");
+  ASSERT_TRUE(channels.add(late));
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(late->write_bytes("late", clock.now_ns()));
+  EXPECT_EQ(waiting.status().dropped, 11u) << "an object that appears meanwhile";
+  fs::remove(folder / "loop");
+  waiting.tend();
+  write_ball(11);
+  EXPECT_EQ(waiting.status().dropped, 11u);
+  const std::string session = *waiting.stop();
+  const auto records = tests::read_stream(folder.path() / "loop" / session / "14.2.ball.mcap");
+  ASSERT_EQ(records.size(), 2u);
+  EXPECT_EQ(records[0].sequence, 11u);
+}
+
 TEST_F(Wishing, CanBeTakenBack) {
   fs::create_symlink("loop", folder / "loop");
   SessionStore here(folder / "loop", 4'000'000'000);
