@@ -1,8 +1,8 @@
 // The layout of ~/foresight on a robot, and the shell commands that change it.
 //
 //   staging/            a version that is being sent; nothing runs from here
-//   versions/NAME/      bin/foresight-robot, etc/settings, etc/robot.json, foresight, foresight.service; of a robot that has
-//                       the body nao also guardian/
+//   versions/NAME/      bin/foresight-robot, etc/settings, etc/robot.json, etc/strategies/, foresight, foresight.service; of a
+//                       robot that has the body nao also guardian/
 //   current, previous   links to two of them
 //   guardian/           the owner of LoLA, a copy from a version; a new version replaces it only without stiffness
 //   logs/ state/        written by the runtime; no deployment touches them

@@ -15,9 +15,16 @@
 #include <boost/asio/post.hpp>
 #include <boost/beast/core/bind_handler.hpp>
 #include <boost/beast/websocket/stream.hpp>
+#include <charconv>
 #include <chrono>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include "robot/core/clock.h"
+#include "robot/core/lock.h"
+#include "robot/core/thread.h"
 #include "robot/net/websocket/handshake.h"
 
 namespace robot::net {
@@ -33,6 +40,7 @@ using Executor = asio::io_context::executor_type;
 
 constexpr std::uint64_t kForever = UINT64_MAX;
 constexpr std::uint64_t kLongestSleep = 3600 * kSecond;  // steps of a wait, so that no deadline overflows
+constexpr std::uint64_t kCancelNs = kSecond / 20;        // the longest time until a search notices cancel()
 constexpr std::size_t kMaxReservedBytes = 1 << 20;
 constexpr std::size_t kMaxQuotedBytes = 200;  // of the server's words in an error sentence
 
@@ -50,6 +58,55 @@ void async_teardown(beast::role_type, Socket& socket, Handler&& handler) {
   asio::post(socket.get_executor(), beast::bind_front_handler(std::forward<Handler>(handler), error_code()));
 }
 
+using Endpoints = std::vector<tcp::endpoint>;
+
+/// A search for the addresses of a name, on a thread of its own: the system's search can take many seconds, and cannot be
+/// ended. A search that nobody waits for any more ends by itself.
+class Search {
+ public:
+  /// Returns null if the system has no room for another thread.
+  static std::shared_ptr<Search> begin(const std::string& host, const std::string& port) {
+    auto search = std::make_shared<Search>();
+    try {
+      std::thread([search, host, port] { search->run(host, port); }).detach();
+    } catch (const std::system_error&) {
+      return nullptr;
+    }
+    return search;
+  }
+
+  /// Waits until the search has ended, at most until `until_ns`. Returns whether it has.
+  bool wait(std::uint64_t until_ns) {
+    const std::lock_guard guard(lock_);
+    if (!done_) ended_.wait_until(lock_, until_ns);
+    return done_;
+  }
+
+  // after wait() returned true
+  const Endpoints& endpoints() const { return endpoints_; }
+  const error_code& error() const { return error_; }
+
+ private:
+  void run(const std::string& host, const std::string& port) {
+    become_background_thread("resolve");
+    asio::io_context io;
+    error_code error;
+    const auto found =
+        asio::ip::basic_resolver<tcp, Executor>(io).resolve(host, port, tcp::resolver::numeric_service, error);
+    const std::lock_guard guard(lock_);
+    for (const auto& entry : found) endpoints_.push_back(entry.endpoint());
+    error_ = error;
+    done_ = true;
+    ended_.notify_all();
+  }
+
+  Mutex lock_;
+  Condition ended_;
+  bool done_ = false;
+  Endpoints endpoints_;
+  error_code error_;
+};
+
 /// The state of an asynchronous operation.
 struct Step {
   bool done = false;
@@ -63,6 +120,7 @@ struct WebSocketClient::Connection {
   // returns false when cancelled, an Error at the deadline
   Result<bool> wait(const Step& step, std::uint64_t deadline_ns);
   Result<void> finish(const Step& step, std::uint64_t deadline_ns);
+  Result<Endpoints> find(const WebSocketUrl& url, std::uint64_t deadline_ns);
   Result<void> open_socket(const WebSocketUrl& url, std::uint64_t deadline_ns);
   Result<void> shake_hands(const WebSocketUrl& url, std::uint64_t deadline_ns);
   void prepare();
@@ -128,14 +186,29 @@ std::string WebSocketClient::Connection::refusal() const {
          (reason.empty() ? "" : ": " + reason.substr(0, kMaxQuotedBytes));
 }
 
-Result<void> WebSocketClient::Connection::open_socket(const WebSocketUrl& url, std::uint64_t deadline_ns) {
-  error_code error;
-  asio::ip::basic_resolver<tcp, Executor> resolver(io);
-  const auto endpoints = resolver.resolve(url.host, url.port, tcp::resolver::numeric_service, error);
-  if (error) return problem(error.message());
+Result<Endpoints> WebSocketClient::Connection::find(const WebSocketUrl& url, std::uint64_t deadline_ns) {
+  error_code is_name;
+  const auto address = asio::ip::make_address(url.host, is_name);
+  std::uint16_t port = 0;
+  const auto [end, wrong] = std::from_chars(url.port.data(), url.port.data() + url.port.size(), port);
+  if (!is_name && wrong == std::errc() && end == url.port.data() + url.port.size())
+    return Endpoints{tcp::endpoint(address, port)};
+  const auto search = Search::begin(url.host, url.port);
+  if (!search) return problem("the system has no room for another thread");
+  while (!search->wait(std::min(deadline_ns, monotonic_ns() + kCancelNs))) {
+    if (io.stopped()) return problem("cancelled");
+    if (monotonic_ns() >= deadline_ns) return problem("the name '" + url.host + "' was not found in time");
+  }
+  if (search->error()) return problem(search->error().message());
+  return search->endpoints();
+}
 
+Result<void> WebSocketClient::Connection::open_socket(const WebSocketUrl& url, std::uint64_t deadline_ns) {
+  const Result<Endpoints> endpoints = find(url, deadline_ns);
+  if (!endpoints) return endpoints.failure();
+  error_code error;
   Socket& socket = stream->next_layer();
-  asio::async_connect(socket, endpoints, [this](const error_code& result, const tcp::endpoint&) {
+  asio::async_connect(socket, *endpoints, [this](const error_code& result, const tcp::endpoint&) {
     opened = {true, result};
   });
   if (auto connected = finish(opened, deadline_ns); !connected) return connected;

@@ -26,7 +26,8 @@ class WebSocketClient {
   WebSocketClient();
   ~WebSocketClient();
 
-  /// Connects to `url` and agrees on the Foxglove subprotocol. Call it once. cancel() ends it.
+  /// Connects to `url` and agrees on the Foxglove subprotocol. Call it once. cancel() and the timeout end it also while
+  /// the address of a name is searched.
   Result<void> connect(std::string_view url, std::uint64_t timeout_ns);
 
   /// Returns the next message, or nothing when the server has closed the connection normally or cancel() was called.

@@ -284,6 +284,23 @@ TEST(WebSocketClient, CancelEndsAWaitingCallAndAllLaterOnes) {
   done.set_value();
 }
 
+TEST(WebSocketClient, TheSearchForANameEndsInTimeAndByCancel) {
+  ScriptedServer server([](ScriptedPeer& peer) {
+    peer.send(peer.read_request() + server_frame(Opcode::text, "hello"));
+    peer.wait_closed();
+  });
+  const std::string by_name = replaced(server.url(), "127.0.0.1", "localhost");
+  WebSocketClient client, late, cancelled, nobody;
+  ASSERT_TRUE(client.connect(by_name, kPatience));
+  EXPECT_EQ(next(client), "1:hello");
+  const auto refused = late.connect(by_name, 0);
+  ASSERT_FALSE(refused);
+  EXPECT_TRUE(refused.error().ends_with(" in time")) << refused.error();
+  cancelled.cancel();
+  EXPECT_EQ(cancelled.connect(by_name, kPatience).error(), by_name + ": cancelled");
+  EXPECT_FALSE(nobody.connect("ws://nobody.invalid:1/", kPatience));
+}
+
 // every truncation and every flipped byte of a conversation: messages, nothing or a sentence, and an end
 TEST(WebSocketClient, SurvivesEveryDamage) {
   const std::string frames = server_frame(Opcode::text, "Hel", false) + server_frame(Opcode::ping, "p") +
