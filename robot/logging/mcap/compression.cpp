@@ -9,9 +9,9 @@ namespace robot::logging {
 namespace {
 
 constexpr int kZstdLevel = 1;
-constexpr std::size_t kFirstGrowth = 512 * 1024;         // [bytes] of a decompressed run: our chunks fit at once
-constexpr std::size_t kMostReserved = 64 * 1024 * 1024;  // [bytes] reserved memory costs nothing until it is filled
-constexpr int kZstdWindowLog = 27;                       // of the highest level; zstd fills no more of it than `size`
+constexpr std::size_t kFirstGrowth = 512 * 1024;  // [bytes] of a decompressed run: our chunks fit at once
+constexpr std::size_t kUsualRatio = 8;            // of the sizes; for it no byte is moved while the output grows
+constexpr int kZstdWindowLog = 27;                // of the highest level; zstd fills no more of it than `size`
 
 struct FreeLz4 {
   void operator()(LZ4F_cctx* context) const { LZ4F_freeCompressionContext(context); }
@@ -83,7 +83,7 @@ Result<void> compress_zstd(ZSTD_CCtx* context, std::span<const std::string_view>
 template <class Step>
 Result<std::string> grow_to(std::size_t size, std::string_view in, const char* what, Step&& step) {
   std::string out;
-  out.reserve(std::min(size, kMostReserved));
+  out.reserve(std::min(size, kUsualRatio * in.size()));
   std::size_t filled = 0;
   bool in_frame = false;
   while (!in.empty() || in_frame) {

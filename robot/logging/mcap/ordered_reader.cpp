@@ -207,8 +207,10 @@ std::vector<McapMessage> OrderedReader::newest_until(std::uint64_t capture_ns) {
   std::ranges::sort(candidates, std::greater());
 
   Newest newest;
-  for (const auto& [last, piece] : candidates) {
+  for (const auto& candidate : candidates) {
     if (ended()) return {};
+    const Place& last = candidate.first;
+    const std::size_t piece = candidate.second;
     if (!has_any(*pieces_[piece], [&](std::uint16_t channel) { return newest.wants(channel, last); })) continue;
     const std::optional<Open> open = load(piece, {});
     if (!open) continue;
