@@ -67,11 +67,9 @@ class Search {
   /// Returns null if the system has no room for another thread.
   static std::shared_ptr<Search> begin(const std::string& host, const std::string& port) {
     auto search = std::make_shared<Search>();
-    try {
-      std::thread([search, host, port] { search->run(host, port); }).detach();
-    } catch (const std::system_error&) {
-      return nullptr;
-    }
+    std::thread searching;
+    if (!start_thread(searching, "resolve", [search, host, port] { search->run(host, port); })) return nullptr;
+    searching.detach();
     return search;
   }
 
