@@ -23,11 +23,9 @@ constexpr std::size_t kMostKept = 100'000;  // about 10 MB
 std::optional<Checksums::Identity> Checksums::identity_of(const std::filesystem::path& path) {
   struct stat status {};
   if (::lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-  return Identity{.device = status.st_dev,
-                  .inode = status.st_ino,
-                  .size_bytes = static_cast<std::uint64_t>(status.st_size),
-                  .changed_ns = static_cast<std::uint64_t>(status.st_mtim.tv_sec) * kSecond +
-                                static_cast<std::uint64_t>(status.st_mtim.tv_nsec)};
+  return Identity(
+      status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size),
+      static_cast<std::uint64_t>(status.st_mtim.tv_sec) * kSecond + static_cast<std::uint64_t>(status.st_mtim.tv_nsec));
 }
 
 Result<std::vector<SessionFile>> Checksums::of_folder(const std::filesystem::path& folder,
@@ -47,7 +45,7 @@ Result<std::vector<SessionFile>> Checksums::of_folder(const std::filesystem::pat
       // a file that changed meanwhile is read again next time
       if (identity_of(path) == identity) keep(*identity, *crc32);
     }
-    files.push_back({.name = entry.name, .size_bytes = identity->size_bytes, .crc32 = *crc32});
+    files.push_back({.name = entry.name, .size_bytes = std::get<2>(*identity), .crc32 = *crc32});
   }
   return files;
 }

@@ -3,13 +3,13 @@
 
 #include <sys/types.h>
 
-#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "robot/core/lock.h"
@@ -38,12 +38,8 @@ class Checksums {
   std::uint64_t bytes_read() const;
 
  private:
-  struct Identity {
-    dev_t device = 0;
-    ino_t inode = 0;
-    std::uint64_t size_bytes = 0, changed_ns = 0;
-    auto operator<=>(const Identity&) const = default;
-  };
+  // device, inode, size [bytes], time of the last change [ns since the epoch]
+  using Identity = std::tuple<dev_t, ino_t, std::uint64_t, std::uint64_t>;
 
   static std::optional<Identity> identity_of(const std::filesystem::path& path);
   Result<std::uint32_t> read(const std::filesystem::path& path, const std::function<bool()>& cancelled);

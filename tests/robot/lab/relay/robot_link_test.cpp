@@ -422,11 +422,15 @@ TEST_F(Relaying, ARobotWhoseClockServiceFailsIsRelayedWithoutIt) {
       peer.send(answers ? tests::server_frame(net::Opcode::binary, service_response(7, 1, "json", "{\"ok\":false}"))
                         : tests::server_frame(net::Opcode::text, service_call_failure(7, 1, "broken")));
       EXPECT_NE(peer.next_frame().find("subscribe"), std::string::npos);
+      std::string message;
+      append_message_data_header(message, 1, 7);
+      peer.send(tests::server_frame(net::Opcode::binary, message + (answers ? "after an answer" : "after a failure")));
       peer.wait_closed();
     });
     const RobotLink link(1, {.robot = {.name = "tim", .addresses = {server.url()}}}, channels, claims, clock,
                          [](auto&&...) {});
-    ASSERT_TRUE(tests::eventually([&] { return link.status().state == LinkStatus::State::connected; }));
+    wait_for("/x", answers ? "after an answer" : "after a failure");
+    EXPECT_EQ(link.status().state, LinkStatus::State::connected);
     EXPECT_EQ(link.status().clock, std::nullopt);
   }
 }
