@@ -12,6 +12,7 @@
 #include "robot/app/services/what_if_service.h"
 #include "robot/app/signals.h"
 #include "robot/body/replay/replay.h"
+#include "robot/core/report.h"
 #include "robot/lab/clocks/clock_agreement.h"
 #include "robot/lab/mapping/mapping.h"
 
@@ -102,7 +103,6 @@ Result<void> play(const PlayOptions& options) {
                                             .skipped_objects = {"lab/1/runtime", "lab/1/clock"}});
   if (!replay) return Error{(mapping ? mapping->name + ": " : "") + replay.error()};
   block_end_signals();
-  for (const std::string& note : (*replay)->notes()) std::printf("note: %s\n", note.c_str());
   const std::string robot = mapping ? mapping->robot : (*replay)->robots().front();
   const Clock& clock = (*replay)->clock();
   const auto own = std::make_shared<LabObjects>(clock);
@@ -119,6 +119,8 @@ Result<void> play(const PlayOptions& options) {
                    .played = [&replay](const net::PlayedRequest& asked) { return played_range(**replay, asked); }},
                   clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
+  // viewers see the last of them in the log
+  for (const std::string& note : (*replay)->notes()) report(Level::warning, "recording", note);
   add_what_if_service(runtime.services(), robot, seer.strategies(),
                       [&](const std::string& whose, const foresight::WhatIf& question) {
                         return seer.ask([&](const std::string& topic) { return (*replay)->stream_of(topic); }, whose,
