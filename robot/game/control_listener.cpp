@@ -74,7 +74,7 @@ void ControlListener::take(const Datagram& datagram) {
 void ControlListener::take_game(pb::GameState game, const Endpoint& from, std::uint64_t now_ns) {
   if (follows_another(from, now_ns)) {
     warn("two GameControllers send for team " + std::to_string(options_.team) + ": " + text_of(followed_->from) +
-             " is followed, " + text_of(from) + " is ignored until the first is silent for 10 s",
+             " is followed, " + text_of(from) + " is ignored until the first is silent",
          now_ns);
     const std::lock_guard guard(lock_);
     ++counts_.second;
@@ -103,7 +103,9 @@ void ControlListener::take_unreadable(pb::GameState game, const Endpoint& from, 
 }
 
 bool ControlListener::follows_another(const Endpoint& from, std::uint64_t now_ns) const {
-  return followed_ && followed_->from != from && now_ns < followed_->last_ns + kFollowedSilenceNs;
+  if (!followed_ || followed_->from == from) return false;
+  const bool restarted = followed_->from.address == from.address;
+  return now_ns < followed_->last_ns + (restarted ? kRestartSilenceNs : kFollowedSilenceNs);
 }
 
 void ControlListener::write(pb::GameState game, std::uint64_t now_ns) {

@@ -22,9 +22,11 @@ namespace pb = foresight;
 /// The port to which the GameController broadcasts twice a second: GAMECONTROLLER_DATA_PORT of all formats.
 inline constexpr std::uint16_t kControlPort = 3838;
 
-/// The GameController that is followed keeps its place until it is silent for this time [ns]. It sends twice a second. A
-/// restarted GameController has another port, so it waits this long.
+/// The GameController that is followed keeps its place until it is silent for this time [ns]. It sends twice a second.
 inline constexpr std::uint64_t kFollowedSilenceNs = 10'000'000'000;
+
+/// The same against a sender with the same address and another port: a GameController that was started again [ns].
+inline constexpr std::uint64_t kRestartSilenceNs = 2'000'000'000;
 
 /// The settings of a ControlListener.
 struct ListenerOptions {
@@ -43,8 +45,8 @@ struct ListenerCounts {
 
 /// A receiver of the GameController's packets, with its own thread. It never sends.
 /// Every packet about our team becomes a version of `game`, if it is from the GameController that is followed: the first
-/// one that sent such a packet. Another one is refused until the first is silent for kFollowedSilenceNs. So a laptop that
-/// was left on cannot end a match. A packet in an unreadable format counts only while no readable one is followed.
+/// one that sent such a packet. Another one is refused until the first is silent. So a laptop that was
+/// left on cannot end a match. A packet in an unreadable format counts only while no readable one is followed.
 class ControlListener {
  public:
   /// Starts to listen. Returns an Error if the port cannot be opened. `game` and `clock` outlive the listener.

@@ -76,10 +76,10 @@ export class World {
     return this.on(robot, "find . -mindepth 1 -printf '%y %m %u %P %l\\n' | sort; find . -type f -exec sha256sum {} + | sort -k 2");
   }
 
-  /** Sends the GameController's state to a robot twice a second, as the GameController does. */
+  /** Sends the GameController's state to a robot. The GameController keeps its port, and robots follow one sender. */
   sendState(robot, state) {
     const packet = controlPacket(state).toString("base64");
-    const send = `const socket = require("dgram").createSocket("udp4"); socket.send(Buffer.from("${packet}", "base64"), 3838, "${robot.address}", () => socket.close());`;
+    const send = `const socket = require("dgram").createSocket("udp4"); socket.bind(38380, () => socket.send(Buffer.from("${packet}", "base64"), 3838, "${robot.address}", () => socket.close()));`;
     execFileSync(inNetwork(this.field.lab)[0], [...inNetwork(this.field.lab).slice(1), process.execPath, "-e", send]);
   }
 }

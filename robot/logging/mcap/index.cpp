@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "robot/logging/mcap/chunk.h"
+#include "robot/logging/mcap/piece.h"
 #include "robot/logging/mcap/scan.h"
 #include "robot/logging/mcap/summary.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "robot/logging/mcap/scan.h"
+#include "robot/logging/mcap/piece.h"
 
 namespace robot::logging {
 namespace {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "robot/logging/mcap/block_reader.h"
+#include "robot/logging/mcap/piece.h"
 
 namespace robot::logging {
 namespace {
@@ -23,16 +24,6 @@ mcap::Numbers<std::uint16_t> counted_by_length(const mcap::ChunkIndex& chunk) {
   constexpr std::uint64_t kHeadBytes = mcap::kRecordHeadBytes + kMessageIndexHeadBytes;
   if (chunk.message_indexes.size() != 1 || chunk.message_index_bytes < kHeadBytes) return {};
   return {{chunk.message_indexes[0].first, (chunk.message_index_bytes - kHeadBytes) / kMessageIndexEntryBytes}};
-}
-
-/// Returns an Error if a reader must not take the piece into memory.
-Result<void> fits(const ChunkInfo& piece) {
-  const mcap::ChunkIndex& place = piece.index;
-  const bool expands = !place.compression.empty() && place.unpacked_bytes > mcap::kMaxRecordBytes;
-  if (!expands && place.record_bytes <= mcap::kMaxRecordBytes) return {};
-  return Error{place_of(piece) + ": expected at most " + std::to_string(mcap::kMaxRecordBytes) + " bytes" +
-               (expands ? " unpacked" : "") + ", got " +
-               std::to_string(expands ? place.unpacked_bytes : place.record_bytes)};
 }
 
 class Scan {
@@ -203,7 +194,7 @@ class Scan {
   }
 
   bool is_refused(const ChunkInfo& chunk) {
-    const Result<void> allowed = fits(chunk);
+    const Result<void> allowed = fits_memory(chunk);
     if (allowed) return false;
     note(allowed.error());
     summary_differs_ = true;
@@ -307,35 +298,5 @@ class Scan {
 }  // namespace
 
 McapIndex scan(const ByteSource& source, const mcap::Summary* summary) { return Scan(source, summary).run(); }
-
-std::string place_of(const ChunkInfo& piece) {
-  return (piece.is_run ? "records at byte " : "Chunk at byte ") + std::to_string(piece.index.offset);
-}
-
-Result<std::string> read_records(const ByteSource& source, const ChunkInfo& piece) {
-  const mcap::ChunkIndex& place = piece.index;
-  if (const Result<void> allowed = fits(piece); !allowed) return allowed.failure();
-  Result<std::string> bytes = read_bytes(source, place.offset, place.record_bytes);
-  if (!bytes || piece.is_run) return bytes;
-  std::size_t at = 0;
-  const auto record = mcap::take_record(*bytes, at, place.offset);
-  if (!record) return record.failure();
-  if (record->op != Op::chunk) return Error{place_of(piece) + ": expected a Chunk, got " + mcap::name(record->op)};
-  std::string room;
-  const auto records = mcap::unpack_chunk(record->content, place.offset, room);
-  if (!records) return records.failure();
-  if (!room.empty() || records->empty()) return room;
-  // the records are within the bytes that were read: no second copy of a large chunk
-  const std::size_t size = records->size();
-  bytes->erase(0, static_cast<std::size_t>(records->data() - bytes->data()));
-  bytes->resize(size);
-  return bytes;
-}
-
-Result<mcap::ChunkContents> read_chunk(const ByteSource& source, const mcap::ChunkIndex& chunk) {
-  const Result<std::string> records = read_records(source, {.index = chunk});
-  if (!records) return records.failure();
-  return mcap::survey_records(*records, place_of({.index = chunk}));
-}
 
 }  // namespace robot::logging

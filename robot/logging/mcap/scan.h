@@ -1,10 +1,7 @@
 // The walk over the records of an MCAP file that its index is made of.
 #pragma once
 
-#include <string>
-
 #include "robot/core/byte_source.h"
-#include "robot/logging/mcap/chunk.h"
 #include "robot/logging/mcap/index.h"
 #include "robot/logging/mcap/summary.h"
 
@@ -18,14 +15,5 @@ namespace robot::logging {
 /// heads are not sufficient. These are the last chunk of an interrupted file, chunks that no one has counted, and chunks
 /// with channels that were not described before.
 McapIndex scan(const ByteSource& source, const mcap::Summary* summary);
-
-/// Reads and unpacks one chunk or run. Returns its records.
-Result<std::string> read_records(const ByteSource& source, const ChunkInfo& piece);
-
-/// Reads and unpacks one chunk.
-Result<mcap::ChunkContents> read_chunk(const ByteSource& source, const mcap::ChunkIndex& chunk);
-
-/// Returns "Chunk at byte 7" or "records at byte 7", for the sentence of an Error.
-std::string place_of(const ChunkInfo& piece);
 
 }  // namespace robot::logging

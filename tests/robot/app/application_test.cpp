@@ -138,13 +138,6 @@ TEST_F(ServedSession, IsNeitherServedNorDeletedDuringItsRecording) {
   EXPECT_EQ(application.delete_session("one").status, 404);
 }
 
-TEST_F(ServedSession, ALinkInItsFolderIsNotFollowed) {
-  ASSERT_TRUE(replace_file(folder / "token", "secret"));
-  std::filesystem::create_symlink(folder / "token", folder / "one" / "link");
-  EXPECT_EQ(application.open_log({.session = "one", .file = "link"}).error(), "session one: there is no file 'link'");
-  EXPECT_EQ(json::parse(std::get<std::string>(application.session_files("one", {}).body))["files"].size(), 2u);
-}
-
 TEST_F(ServedSession, AnUnknownSessionOrFileIsNamed) {
   EXPECT_EQ(application.open_log({.session = "two"}).error(), "session: there is none called 'two'");
   EXPECT_EQ(application.open_log({.session = "one", .stream = "b"}).error(),

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "robot/core/byte_sink.h"
 #include "robot/core/byte_source.h"
 #include "robot/logging/mcap/reader.h"
+#include "robot/logging/mcap/writer.h"
 #include "robot/logging/sessions/session_writer.h"
 #include "tests/support/temporary_folder.h"
 
@@ -86,6 +88,21 @@ TEST_F(PlayedRange, ALargeRangeTakesSeveralAnswers) {
 
 TEST_F(PlayedRange, ATopicThatIsNotPlayedGives404) {
   EXPECT_EQ(played_range(*replay, {.topic = "/14/2/y"}).status, 404);
+}
+
+TEST(PlayedRangeOfAFile, BeginsWithAllMessagesOfTimeZero) {
+  const tests::TemporaryFolder folder;
+  const memory::ChannelInfo info{.topic = "/theirs", .message_encoding = "json", .schema = {}};
+  auto writer = logging::McapWriter::open(std::move(*FileSink::create(folder / "theirs.mcap")), {&info, 1}, {});
+  ASSERT_TRUE(writer);
+  for (const std::uint64_t time_ns : {0, 0, 0, 5})
+    ASSERT_TRUE(writer->write(0, {.capture_ns = time_ns, .publish_ns = time_ns, .bytes = "{}"}, 0));
+  ASSERT_TRUE(writer->close());
+  const auto replay = body::Replay::open({folder / "theirs.mcap"}, {});
+  ASSERT_TRUE(replay) << replay.error();
+  const net::HttpResponse response = played_range(**replay, {.topic = "/theirs", .from_ns = 0, .to_ns = 9});
+  logging::McapReader reader(std::make_shared<MemorySource>(std::get<std::string>(response.body)));
+  for (const std::uint64_t time_ns : {0, 0, 0, 5}) EXPECT_EQ((*reader.next())->record.capture_ns, time_ns);
 }
 
 }  // namespace

@@ -77,9 +77,10 @@ TEST_F(Listening, CountsRefusedPacketsAndContinues) {
 }
 
 TEST_F(Listening, FollowsTheFirstGameControllerUntilItIsSilent) {
-  Result<UdpSocket> laptop = UdpSocket::open(kLoopback, 0);
+  // all of 127.0.0.0/8 is this machine
+  Result<UdpSocket> laptop = UdpSocket::open(kLoopback + 1, 0);
   const std::string first = "127.0.0.1:" + std::to_string(referee->port());
-  const std::string second = "127.0.0.1:" + std::to_string(laptop->port());
+  const std::string second = "127.0.0.2:" + std::to_string(laptop->port());
   send(ControlPacketText{.state = 3}.bytes(18));
   EXPECT_EQ(listener->warning(), "");
 
@@ -89,7 +90,7 @@ TEST_F(Listening, FollowsTheFirstGameControllerUntilItIsSilent) {
   EXPECT_EQ(listener->game_controller(), (Endpoint{kLoopback, referee->port()}));
   EXPECT_GE(listener->counts().second, 1u);
   EXPECT_EQ(listener->warning(), "two GameControllers send for team 14: " + first + " is followed, " + second +
-                                     " is ignored until the first is silent for 10 s");
+                                     " is ignored until the first is silent");
 
   send(ControlPacketText{.state = 3}.bytes(18));  // it was not silent for long enough
   clock.set(clock.now_ns() + kFollowedSilenceNs - 1);
@@ -100,7 +101,18 @@ TEST_F(Listening, FollowsTheFirstGameControllerUntilItIsSilent) {
   EXPECT_EQ(listener->warning(), "") << "an old warning is gone";
   send(*laptop, ControlPacketText{.state = 0}.bytes(18));
   EXPECT_EQ((*memory.game.read())->state(), pb::GameState::STATE_INITIAL);
-  EXPECT_EQ(listener->game_controller(), (Endpoint{kLoopback, laptop->port()}));
+  EXPECT_EQ(listener->game_controller(), (Endpoint{kLoopback + 1, laptop->port()}));
+}
+
+TEST_F(Listening, FollowsARestartedGameControllerSooner) {
+  Result<UdpSocket> again = UdpSocket::open(kLoopback, 0);
+  send(ControlPacketText{.state = 3}.bytes(18));
+  clock.set(clock.now_ns() + kRestartSilenceNs - 1);
+  send(*again, ControlPacketText{.state = 1}.bytes(18));
+  EXPECT_EQ((*memory.game.read())->state(), pb::GameState::STATE_PLAYING) << "both may be alive";
+  clock.set(clock.now_ns() + 1);
+  send(*again, ControlPacketText{.state = 1}.bytes(18));
+  EXPECT_EQ((*memory.game.read())->state(), pb::GameState::STATE_READY);
 }
 
 TEST_F(Listening, AGameOfOtherTeamsDoesNotTakeThePlace) {

@@ -37,7 +37,7 @@ struct Answer : ::testing::Test {
 };
 
 TEST_F(Answer, Has32BytesSince2022) {
-  for (std::uint32_t version = 14; version <= 18; ++version) {
+  for (std::uint32_t version = 14; version <= 20; ++version) {
     const std::string packet = return_packet(version, status()).value();
     ASSERT_EQ(packet.size(), 32u);
     EXPECT_EQ(packet.substr(0, 8), std::string("RGrt\x04\x03\x0e\x01"));
@@ -73,8 +73,8 @@ TEST_F(Answer, IsASignOfLifeBefore2022) {
     EXPECT_EQ(return_packet(version, status()), std::string("RGrt\x03\x0e\x03\x00", 8));
 }
 
-TEST_F(Answer, IsAbsentForFormatsWithAnotherPort) {
-  for (std::uint32_t version : {0u, 7u, 8u, 19u}) EXPECT_FALSE(return_packet(version, status()));
+TEST_F(Answer, IsAbsentForUnknownFormatsAndThoseWithAnotherPort) {
+  for (std::uint32_t version : {0u, 7u, 8u, 21u}) EXPECT_FALSE(return_packet(version, status()));
 }
 
 }  // namespace

@@ -97,6 +97,7 @@ class HubTest : public testing::Test {
   std::vector<std::string> thought_about;
 
   void SetUp() override {
+    ASSERT_TRUE(control.start_thread());
     parameters.declare("quality", std::int64_t{75}, {.min = 1, .max = 100});
     add_clock_sync(services, clock, {});
     services.add("think", Services::For::questions, [this](const Json& request, const ClientContext& asker) -> Json {
