@@ -12,134 +12,129 @@
 #include "robot/app/services/what_if_service.h"
 #include "robot/app/signals.h"
 #include "robot/body/replay/replay.h"
-<<<<<<< HEAD
-#include "robot/core/files.h"
-    == == ==
-    =
 #include "robot/core/report.h"
-        >>>>>>> i21c
 #include "robot/lab/clocks/clock_agreement.h"
 #include "robot/lab/mapping/mapping.h"
 
-        namespace robot::app {
-  namespace {
+namespace robot::app {
+namespace {
 
-  /// The playback of a Replay as clients control it.
-  class RecordingPlayback final : public net::Playback {
-   public:
-    explicit RecordingPlayback(body::Replay& replay) : replay_(replay) {}
+/// The playback of a Replay as clients control it.
+class RecordingPlayback final : public net::Playback {
+ public:
+  explicit RecordingPlayback(body::Replay& replay) : replay_(replay) {}
 
-    std::uint64_t start_ns() const override { return replay_.start_ns(); }
-    std::uint64_t end_ns() const override { return replay_.end_ns(); }
+  std::uint64_t start_ns() const override { return replay_.start_ns(); }
+  std::uint64_t end_ns() const override { return replay_.end_ns(); }
 
-    State state() const override {
-      using Status = net::foxglove::Playback;
-      const body::PlaybackClock& clock = replay_.clock();
-      const std::uint64_t now_ns = clock.now_ns();
-      const Status running = now_ns < end_ns() ? Status::playing : Status::ended;
-      return {.status = clock.running() ? running : Status::paused,
-              .time_ns = now_ns,
-              .speed = static_cast<float>(clock.speed())};
-    }
-
-    bool control(const net::foxglove::PlaybackControl& wish) override {
-      body::PlaybackClock& clock = replay_.clock();
-      // "play" at the end of the recording begins again at its start
-      const bool again = wish.play && !wish.seek_ns && clock.now_ns() >= end_ns();
-      // set before seek: a paused clock then stays exactly at the time of the seek
-      clock.set(wish.play, static_cast<double>(wish.speed));
-      if (wish.seek_ns || again) clock.seek(wish.seek_ns.value_or(start_ns()));
-      return wish.seek_ns || again;
-    }
-
-   private:
-    body::Replay& replay_;
-  };
-
-  /// Returns the shift [ns] to add to the times of each session, and prints the reasons. Empty for a single session.
-  Result<std::vector<std::int64_t>> shifts_between(const PlayOptions& options) {
-    std::vector<std::int64_t> shifts_ns;
-    const auto most_ns = clock_offset_ns(options.max_clock_offset);
-    if (!most_ns) return most_ns.failure();
-    if (options.sessions.size() < 2) return shifts_ns;
-    std::vector<lab::RecordedClock> clocks;
-    for (const std::filesystem::path& path : options.sessions) {
-      const auto session = logging::open_session(path);
-      if (!session) return session.failure();
-      clocks.push_back(lab::read_clock(*session));
-    }
-    const auto agreements = lab::agree(clocks, *most_ns);
-    if (!agreements) return agreements.failure("play");
-    for (const lab::Agreement& agreement : *agreements) {
-      shifts_ns.push_back(agreement.shift_ns);
-      if (!agreement.sentence.empty()) std::printf("%s\n", agreement.sentence.c_str());
-    }
-    return shifts_ns;
+  State state() const override {
+    using Status = net::foxglove::Playback;
+    const body::PlaybackClock& clock = replay_.clock();
+    const std::uint64_t now_ns = clock.now_ns();
+    const Status running = now_ns < end_ns() ? Status::playing : Status::ended;
+    return {.status = clock.running() ? running : Status::paused,
+            .time_ns = now_ns,
+            .speed = static_cast<float>(clock.speed())};
   }
 
-  std::vector<body::MadeStream> made_by(const lab::Mapping& mapping) {
-    std::vector<body::MadeStream> made;
-    for (const lab::TopicRule& rule : mapping.topics)
-      made.push_back(
-          {.from = rule.from, .to = rule.info.topic, .make = [rule](std::unique_ptr<logging::InProvider> stream) {
-             return std::make_unique<lab::MappedInProvider>(std::move(stream), rule);
-           }});
-    return made;
+  bool control(const net::foxglove::PlaybackControl& wish) override {
+    body::PlaybackClock& clock = replay_.clock();
+    // "play" at the end of the recording begins again at its start
+    const bool again = wish.play && !wish.seek_ns && clock.now_ns() >= end_ns();
+    // set before seek: a paused clock then stays exactly at the time of the seek
+    clock.set(wish.play, static_cast<double>(wish.speed));
+    if (wish.seek_ns || again) clock.seek(wish.seek_ns.value_or(start_ns()));
+    return wish.seek_ns || again;
   }
 
-  }  // namespace
+ private:
+  body::Replay& replay_;
+};
 
-  Result<void> play(const PlayOptions& options) {
-    // until a thread starts, the signals end the process at once, also while it reads a large file
-    const auto shifts_ns = shifts_between(options);
-    if (!shifts_ns) return shifts_ns.failure();
-    std::optional<lab::Mapping> mapping;
-    if (!options.map.empty()) {
-      auto read = lab::read_mapping(options.map);
-      if (!read) return read.failure();
-      mapping = std::move(*read);
-    }
-    auto replay =
-        body::Replay::open(options.sessions, {.speed = options.speed,
-                                              .loop = options.loop,
-                                              .robot = "",
-                                              .shifts_ns = *shifts_ns,
-                                              .made = mapping ? made_by(*mapping) : std::vector<body::MadeStream>(),
-                                              .skipped_objects = {"lab/1/runtime", "lab/1/clock"}});
-    if (!replay) return Error{(mapping ? mapping->name + ": " : "") + replay.error()};
-    block_end_signals();
-    const std::string robot = mapping ? mapping->robot : (*replay)->robots().front();
-    const Clock& clock = (*replay)->clock();
-    const auto own = std::make_shared<LabObjects>(clock);
-    RecordingPlayback playback(**replay);
-    LabForesight seer(options.foresight);  // outlives the server, which calls it
-    Runtime runtime({.program = "foresight-lab",
-                     .body = "recording",
-                     .robot = robot,
-                     .server = options.server,
-                     .log_folder = logging::log_folder_of(options.sessions.front()),
-                     .log_bytes = std::numeric_limits<std::uint64_t>::max(),
-                     .records = false,
-                     .playback = &playback,
-                     .played = [&replay](const net::PlayedRequest& asked) { return played_range(**replay, asked); }},
-                    clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
-    if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
-    // viewers see the last of them in the log
-    for (const std::string& note : (*replay)->notes()) report(Level::warning, "recording", note);
-    add_what_if_service(runtime.services(), robot, seer.strategies(),
-                        [&](const std::string& whose, const foresight::WhatIf& question) {
-                          return seer.ask([&](const std::string& topic) { return (*replay)->stream_of(topic); }, whose,
-                                          question, clock.now_ns());
-                        });
-    if (Result<void> started = runtime.start(); !started) return started;
-    if (Result<void> started = (*replay)->start(runtime.channels(), runtime.board()); !started) return started;
-    runtime.run([&] {
-      if ((*replay)->tick() == body::Replay::Tick::began_again) runtime.server().restart_time();
-      return true;  // a recording that has ended still shows its last moment
-    });
-    (*replay)->stop();
-    seer.hurry();
-    return {};
+/// Returns the shift [ns] to add to the times of each session, and prints the reasons. Empty for a single session.
+Result<std::vector<std::int64_t>> shifts_between(const PlayOptions& options) {
+  std::vector<std::int64_t> shifts_ns;
+  const auto most_ns = clock_offset_ns(options.max_clock_offset);
+  if (!most_ns) return most_ns.failure();
+  if (options.sessions.size() < 2) return shifts_ns;
+  std::vector<lab::RecordedClock> clocks;
+  for (const std::filesystem::path& path : options.sessions) {
+    const auto session = logging::open_session(path);
+    if (!session) return session.failure();
+    clocks.push_back(lab::read_clock(*session));
   }
+  const auto agreements = lab::agree(clocks, *most_ns);
+  if (!agreements) return agreements.failure("play");
+  for (const lab::Agreement& agreement : *agreements) {
+    shifts_ns.push_back(agreement.shift_ns);
+    if (!agreement.sentence.empty()) std::printf("%s\n", agreement.sentence.c_str());
+  }
+  return shifts_ns;
+}
+
+std::vector<body::MadeStream> made_by(const lab::Mapping& mapping) {
+  std::vector<body::MadeStream> made;
+  for (const lab::TopicRule& rule : mapping.topics)
+    made.push_back(
+        {.from = rule.from, .to = rule.info.topic, .make = [rule](std::unique_ptr<logging::InProvider> stream) {
+           return std::make_unique<lab::MappedInProvider>(std::move(stream), rule);
+         }});
+  return made;
+}
+
+}  // namespace
+
+Result<void> play(const PlayOptions& options) {
+  // until a thread starts, the signals end the process at once, also while it reads a large file
+  const auto shifts_ns = shifts_between(options);
+  if (!shifts_ns) return shifts_ns.failure();
+  std::optional<lab::Mapping> mapping;
+  if (!options.map.empty()) {
+    auto read = lab::read_mapping(options.map);
+    if (!read) return read.failure();
+    mapping = std::move(*read);
+  }
+  auto replay =
+      body::Replay::open(options.sessions, {.speed = options.speed,
+                                            .loop = options.loop,
+                                            .robot = "",
+                                            .shifts_ns = *shifts_ns,
+                                            .made = mapping ? made_by(*mapping) : std::vector<body::MadeStream>(),
+                                            .skipped_objects = {"lab/1/runtime", "lab/1/clock"}});
+  if (!replay) return Error{(mapping ? mapping->name + ": " : "") + replay.error()};
+  block_end_signals();
+  const std::string robot = mapping ? mapping->robot : (*replay)->robots().front();
+  const Clock& clock = (*replay)->clock();
+  const auto own = std::make_shared<LabObjects>(clock);
+  RecordingPlayback playback(**replay);
+  LabForesight seer(options.foresight);  // outlives the server, which calls it
+  Runtime runtime({.program = "foresight-lab",
+                   .body = "recording",
+                   .robot = robot,
+                   .server = options.server,
+                   .log_folder = logging::log_folder_of(options.sessions.front()),
+                   .log_bytes = std::numeric_limits<std::uint64_t>::max(),
+                   .records = false,
+                   .playback = &playback,
+                   .played = [&replay](const net::PlayedRequest& asked) { return played_range(**replay, asked); }},
+                  clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
+  if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
+  // viewers see the last of them in the log
+  for (const std::string& note : (*replay)->notes()) report(Level::warning, "recording", note);
+  add_what_if_service(runtime.services(), robot, seer.strategies(),
+                      [&](const std::string& whose, const foresight::WhatIf& question) {
+                        return seer.ask([&](const std::string& topic) { return (*replay)->stream_of(topic); }, whose,
+                                        question, clock.now_ns());
+                      });
+  if (Result<void> started = runtime.start(); !started) return started;
+  if (Result<void> started = (*replay)->start(runtime.channels(), runtime.board()); !started) return started;
+  runtime.run([&] {
+    if ((*replay)->tick() == body::Replay::Tick::began_again) runtime.server().restart_time();
+    return true;  // a recording that has ended still shows its last moment
+  });
+  (*replay)->stop();
+  seer.hurry();
+  return {};
+}
 
 }  // namespace robot::app

@@ -73,7 +73,7 @@ class Replay {
   std::uint64_t start_ns() const { return start_ns_; }  // [ns since the epoch]
   std::uint64_t end_ns() const { return end_ns_; }
 
-  /// Starts to play into `channels`. Both arguments outlive this.
+  /// Starts to play into `channels`. Both arguments outlive this. Returns an Error if the system allows no more threads.
   Result<void> start(memory::Channels& channels, logging::LoggingBoard& board);
 
   enum class Tick { playing, ended, began_again };

@@ -391,8 +391,9 @@ TEST_F(Relaying, AWrongItemIsLeftOutAndReportedOnceAndTheRestGoesOn) {
       peer.send(tests::server_frame(net::Opcode::binary, message + "fine"));
       peer.wait_closed();
     });
-    const RobotLink link(1, {.robot = {.name = "tim", .addresses = {server.url()}}}, channels, claims, clock,
-                         [](auto&&...) {});
+    RobotLink link(1, {.robot = {.name = "tim", .addresses = {server.url()}}}, channels, claims, clock,
+                   [](auto&&...) {});
+    ASSERT_TRUE(link.start());
     wait_for("/1/2/good", "fine");
     EXPECT_EQ(link.status().connections, 1u);
     EXPECT_EQ(link.status().problem, "");
@@ -427,8 +428,9 @@ TEST_F(Relaying, ARobotWhoseClockServiceFailsIsRelayedWithoutIt) {
       peer.send(tests::server_frame(net::Opcode::binary, message + (answers ? "after an answer" : "after a failure")));
       peer.wait_closed();
     });
-    const RobotLink link(1, {.robot = {.name = "tim", .addresses = {server.url()}}}, channels, claims, clock,
-                         [](auto&&...) {});
+    RobotLink link(1, {.robot = {.name = "tim", .addresses = {server.url()}}}, channels, claims, clock,
+                   [](auto&&...) {});
+    ASSERT_TRUE(link.start());
     wait_for("/x", answers ? "after an answer" : "after a failure");
     EXPECT_EQ(link.status().state, LinkStatus::State::connected);
     EXPECT_EQ(link.status().clock, std::nullopt);
