@@ -8,8 +8,8 @@ import { scratch, sleep, start } from "./programs.mjs";
 import { Report } from "./report.mjs";
 
 const kLibrary = fileURLToPath(new URL("../../build/release/bin/libfailing_calls.so", import.meta.url));
-const kEach = 3; // failures of each place in a program
-const kPause_ms = 20;
+const kEach = 30; // failures of each place in a program
+const kPause_ms = 10;
 
 /** The words in front of a program in which calls fail. */
 const failing = ["env", `LD_PRELOAD=${kLibrary}`, `FORESIGHT_FAULTS=${scratch}`, `FORESIGHT_FAULTS_EACH=${kEach}`, `FORESIGHT_FAULTS_PAUSE_MS=${kPause_ms}`];
@@ -24,7 +24,7 @@ export async function faults({ seconds = 240 }) {
   console.log(`   two robots and a relay, ${seconds} s; each place in a program fails ${kEach} times, one failure per ${kPause_ms} ms and program`);
   const door = join(scratch, "door");
   const attached = await program("foresight-robot", ["--body", "attached", "--team", 14, "--player", 2, "--door", door, "--game-controller", "--game-port", kGamePort], join(scratch, "attached"), { before: failing });
-  const played = await program("foresight-robot", ["--body", "sim", "--seed", 7, "--speed", 4, "--loop", "--record", "--profile", "full"], join(scratch, "sim"), { before: failing });
+  const played = await program("foresight-robot", ["--body", "sim", "--seed", 7, "--speed", 4, "--loop", "--record"], join(scratch, "sim"), { before: failing });
   const robots = [attached, played].map(({ url, token }) => `${url.replace("http", "ws")}/?token=${token}`);
   const relay = await program("foresight-lab", ["relay", ...robots, "--record", "--pictures", "none"], join(scratch, "relay"), { before: failing });
   const programs = [attached, played, relay];

@@ -21,6 +21,15 @@ struct CollectedChunk {
 
   bool empty() const { return index.entries.empty(); }
 
+  /// Makes room for one more message of `data_bytes`, so that add_head() and the data allocate nothing. If there is no
+  /// memory, it throws and changes nothing.
+  void make_room(std::uint64_t data_bytes) {
+    constexpr std::size_t kHeadBytes = 64;  // of a record and its message, rounded up
+    if (index.entries.size() == index.entries.capacity())
+      index.entries.reserve(std::max<std::size_t>(64, 2 * index.entries.size()));
+    records.reserve(records.size() + kHeadBytes + data_bytes);
+  }
+
   /// Appends `message`, which is still without its data, and enters it into the index. The caller appends the
   /// `data_bytes` of data to `records`, or writes them to the file directly after `records`.
   void add_head(const Message& message, std::uint64_t data_bytes) {

@@ -5,11 +5,15 @@
 #include <cassert>
 #include <utility>
 
+#include "robot/core/attempt.h"
+
 namespace robot::logging {
 namespace {
 
 // leaves room for earlier messages of the chunk and for growth by compression
 constexpr std::uint64_t kMaxMessageBytes = mcap::kMaxRecordBytes / 2;
+
+constexpr std::size_t kMaxChunkIndexBytes = 256;  // of a chunk with one channel
 
 std::uint64_t total(std::span<const std::string_view> pieces) {
   std::uint64_t size = 0;
@@ -92,6 +96,12 @@ Result<void> McapWriter::write(std::size_t channel, const OutMessage& message, s
                  std::to_string(message.bytes.size())};
   }
   mcap::CollectedChunk& chunk = chunks_[channel];
+  const bool fills = chunk.records.size() + message.bytes.size() >= chunk_bytes_;
+  const Result<void> room = attempt("collecting a message", [&] { chunk.make_room(fills ? 0 : message.bytes.size()); });
+  if (!room) {
+    ++lost_;
+    return with_loss(room, 1);
+  }
   if (chunk.empty()) chunk.due_ns = now_ns + std::min(chunk_time_ns_, kNever - now_ns);
   const mcap::Message head{
       chunk.index.channel_id, static_cast<std::uint32_t>(message.sequence), message.capture_ns, message.publish_ns, {}};
@@ -127,7 +137,7 @@ Result<void> McapWriter::flush(std::uint64_t now_ns) {
 
 /// Writes the collected messages of a channel. `last_bytes` are the data of the last one. After an Error they are lost.
 Result<void> McapWriter::write_chunk(std::size_t channel, std::string_view last_bytes) {
-  Result<void> written = append_chunk(channel, last_bytes);
+  Result<void> written = attempt("writing a chunk", [&] { return append_chunk(channel, last_bytes); });
   if (!written) lost_ += chunks_[channel].index.entries.size();
   chunks_[channel].clear();
   return written;
@@ -151,6 +161,7 @@ Result<void> McapWriter::append_chunk(std::size_t channel, std::string_view last
   std::uint32_t crc = mcap::crc32_of_both(mcap::crc32(chunk_head, crc_), records_crc, head->packed_bytes);
   crc = mcap::crc32(index, crc);
 
+  summary_.chunk_indexes.reserve(summary_.chunk_indexes.size() + kMaxChunkIndexBytes);  // nothing fails after the write
   if (Result<void> written = append(pieces, crc); !written) return written;
   count_chunk(channel, *head, chunk_head.size() + head->packed_bytes, index.size());
   return {};

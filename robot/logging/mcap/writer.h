@@ -46,6 +46,8 @@ struct OutMessage {
 /// chunk with its index in one operation. Without close() the file is readable up to its last chunk, as after the death
 /// of the process. The same calls give the same bytes.
 ///
+/// A lack of memory costs the message or the chunk for which there was none; the file stays whole.
+///
 /// After a failed write the writer truncates the file to its last good end. It counts the messages of that chunk as
 /// lost and tries again with the next chunk, so that recording continues when a full disk has space again.
 ///

@@ -40,7 +40,8 @@ void Carrier::finish() {
   open();
   while (carry_queued()) {
   }
-  if (open_) succeeds([&] { return provider_->close(); });
+  // a second attempt, so that one failure leaves no file without an end
+  if (open_ && !succeeds([&] { return provider_->close(); })) succeeds([&] { return provider_->close(); });
   open_ = false;
   const std::lock_guard guard(lock_);
   status_.ended = true;
