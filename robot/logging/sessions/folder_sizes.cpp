@@ -78,7 +78,8 @@ void FolderSizes::measure(const std::filesystem::path& session, Size& size) {
   for (const FolderEntry& entry : entries ? *entries : std::vector<FolderEntry>()) {
     if (entry.kind != FolderEntry::Kind::file) continue;
     size.bytes += entry.size_bytes;
-    size.changed_ns = std::max(size.changed_ns, static_cast<std::uint64_t>(std::max<std::int64_t>(entry.changed_ns, 0)));
+    size.changed_ns =
+        std::max(size.changed_ns, static_cast<std::uint64_t>(std::max<std::int64_t>(entry.changed_ns, 0)));
     is_session |= entry.name == "session.json";
   }
   if (!is_session) size.bytes = 0;
