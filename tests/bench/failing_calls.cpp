@@ -86,8 +86,8 @@ __attribute__((constructor)) void prepare() {
   std::snprintf(path, sizeof path, "%s/clock", folder);
   const int clock = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (ftruncate(clock, sizeof(std::int64_t)) == 0)
-    clock_offset_ns = static_cast<std::atomic<std::int64_t>*>(
-        mmap(nullptr, sizeof(std::int64_t), PROT_READ, MAP_SHARED, clock, 0));
+    clock_offset_ns =
+        static_cast<std::atomic<std::int64_t>*>(mmap(nullptr, sizeof(std::int64_t), PROT_READ, MAP_SHARED, clock, 0));
   close(clock);
   void* warm[1];
   backtrace(warm, 1);  // loads its library now

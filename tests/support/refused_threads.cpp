@@ -19,7 +19,8 @@ int refused_threads() { return refused; }
 }  // namespace tests
 
 // stands before the function of the C library, also for the C++ library
-extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*), void* argument) {
+extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*),
+                              void* argument) {
   for (int left = tests::to_refuse; left > 0;)
     if (tests::to_refuse.compare_exchange_weak(left, left - 1)) {
       ++tests::refused;

@@ -55,8 +55,8 @@ TEST_F(RefusedThreads, AreReportedByTheirPurpose) {
 }
 
 TEST_F(RefusedThreads, ALoggerBeginsLater) {
-  const auto other = board.start_logger(tests::make_channel(clock), std::make_unique<tests::KeepingProvider>(
-                                                                         std::make_shared<tests::Arrivals>()));
+  const auto other = board.start_logger(tests::make_channel(clock),
+                                        std::make_unique<tests::KeepingProvider>(std::make_shared<tests::Arrivals>()));
   tests::refuse_threads(kAll);  // the bell runs
   expect_all_later(board.start_logger(channel, std::make_unique<tests::KeepingProvider>(arrivals)));
   board.stop(other);
