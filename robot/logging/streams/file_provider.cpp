@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "robot/core/attempt.h"
 #include "robot/core/clock.h"
 #include "robot/logging/mcap/topic_streams.h"
 
@@ -18,14 +19,18 @@ Result<void> FileOutProvider::open(const memory::ChannelInfo& info) {
   assert(!writer_ && "a stream is opened once");
   Result<std::unique_ptr<FileSink>> sink = FileSink::create(path_);
   if (!sink) return sink.failure();
-  Result<McapWriter> writer = McapWriter::open(std::move(*sink), {&info, 1}, options_);
-  if (!writer) {
+  const Result<void> opened = attempt("a new recording", [&]() -> Result<void> {
+    Result<McapWriter> writer = McapWriter::open(std::move(*sink), {&info, 1}, options_);
+    if (!writer) return writer.failure();
+    writer_ = std::move(*writer);
+    return {};
+  });
+  if (!opened) {
     // the file is ours and empty: remove it, or the next attempt would find an existing file
     std::error_code ignored;
     std::filesystem::remove(path_, ignored);
-    return writer.failure();
+    return opened;
   }
-  writer_ = std::move(*writer);
   return counted({});
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <future>
 #include <iterator>
+#include <new>
 
 #include "tests/support/eventually.h"
 #include "tests/support/test_channel.h"
@@ -128,16 +129,50 @@ TEST(BoardBuffer, AFailureLastsUntilTheDeviceHasTakenTheBuffer) {
   ASSERT_TRUE(channel->write_bytes("lost", 1));
   ASSERT_TRUE(tests::eventually([&] { return board.status(stream).failing; }));
   const std::uint64_t failed_ns = board.status(stream).failed_ns;
-  while (board.status(stream).failed_ns == failed_ns) {  // until the next flush fails
-    ASSERT_TRUE(channel->write_bytes("lost", 2));
-    ASSERT_TRUE(board.status(stream).failing);
-    ASSERT_EQ(board.status(stream).problem, "test device: full");
-  }
+  ASSERT_TRUE(tests::eventually([&] {  // the next flush fails, too
+    EXPECT_TRUE(channel->write_bytes("lost", 2));
+    EXPECT_TRUE(board.status(stream).failing);
+    EXPECT_EQ(board.status(stream).problem, "test device: full");
+    return board.status(stream).failed_ns != failed_ns;
+  }));
   *full = false;
   ASSERT_TRUE(channel->write_bytes("kept", 3));
   ASSERT_TRUE(tests::eventually([&] { return !board.status(stream).failing; }));
   EXPECT_EQ(board.status(stream).problem, "");
   EXPECT_GT(board.status(stream).delivered_ns, board.status(stream).failed_ns);
+}
+
+/// A device for which there is no memory, once for each of its functions.
+class ThrowingProvider final : public OutProvider {
+ public:
+  Result<void> open(const memory::ChannelInfo&) override { return once(opens_); }
+  Result<void> write(const memory::VersionPtr&) override { return once(writes_); }
+  Result<void> close() override { return once(closes_); }
+
+ private:
+  static Result<void> once(int& calls) {
+    if (calls++ == 0) throw std::bad_alloc();
+    return {};
+  }
+
+  int opens_ = 0, writes_ = 0, closes_ = 0;
+};
+
+TEST(BoardWithoutMemory, AnExceptionOfTheDeviceCostsOneVersion) {
+  ManualClock clock;
+  LoggingBoard board;
+  const auto channel = tests::make_channel(clock);
+  const auto stream = board.start_logger(channel, std::make_unique<ThrowingProvider>());
+  ASSERT_TRUE(channel->write_bytes("no device yet", 1));
+  ASSERT_TRUE(tests::eventually([&] { return board.status(stream).dropped == 1; }));
+  EXPECT_EQ(board.status(stream).problem, "writing to a device failed: std::bad_alloc");
+  ASSERT_TRUE(tests::eventually([&] {  // it opens again after a second; then the first write fails
+    EXPECT_TRUE(channel->write_bytes("next", 2));
+    return board.status(stream).messages > 0;
+  }));
+  const StreamStatus last = board.stop(stream);
+  EXPECT_TRUE(last.ended);
+  EXPECT_FALSE(last.failing) << "the device was closed with the second attempt";
 }
 
 TEST_P(Board, AStreamThatNobodyWritesStillOpensAndClosesItsDevice) {
