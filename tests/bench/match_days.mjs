@@ -44,7 +44,7 @@ export async function matchDays({ minutes = 120 }) {
   const door = join(scratch, "door");
   const before = ["env", `LD_PRELOAD=${kLibrary}`, `FORESIGHT_FAULTS=${scratch}`];
   const robot = await program("foresight-robot", ["--body", "attached", "--team", 14, "--player", 2, "--door", door, "--game-controller", "--game-port", kGamePort], disk, { before, log_mb: 300 });
-  const simulated = await program("foresight-robot", ["--body", "sim", "--seed", 7, "--speed", 10, "--loop"], join(scratch, "sim"));
+  const simulated = await program("foresight-robot", ["--body", "sim", "--seed", 7, "--speed", 10, "--loop", "--team", 15], join(scratch, "sim"));
   const robots = [robot, simulated].map(({ url, token }) => `${url.replace("http", "ws")}/?token=${token}`);
   const startRelay = () => start("foresight-lab", ["relay", ...robots, "--port", 0, "--state-dir", join(scratch, "relay"), "--log-dir", join(scratch, "relay/logs")]);
   const startPeer = () => start("bench_door_peer", ["sensors", 60 * minutes + 60], ["env", `FORESIGHT_DOOR=${door}`]);
@@ -58,7 +58,8 @@ export async function matchDays({ minutes = 120 }) {
     "the disk is full": async () => {
       const filler = join(disk, "filler");
       const { bavail, bsize } = statfsSync(disk);
-      execFileSync("fallocate", ["-l", String(bavail * bsize), filler]);
+      // the robot writes meanwhile, so the last bytes may not fit
+      execFileSync("sh", ["-c", `head -c ${bavail * bsize} /dev/zero >'${filler}' || :`], { stdio: "ignore" });
       await sleep(kLasts_s);
       rmSync(filler);
     },
