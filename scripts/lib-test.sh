@@ -93,12 +93,10 @@ quietly() {
   talk=$("$@" 2>&1) || { printf '%s\n' "$talk"; return 1; }
 }
 
-# Steps of scripts/test after the set-up, and of scripts/check before its own ones; how many these are. A function
-# beside_the_tests, if there is one, starts work that needs the build and goes on in the background.
+# Steps of scripts/test after the set-up, and of scripts/check before its own ones; how many these are.
 test_step_count=11
 test_steps() {
   if step prepare 'build dev' "$root/scripts/build" dev; then
-    if declare -F beside_the_tests >/dev/null; then beside_the_tests; fi
     step tests 'C++' run_ctest 'C++' dev || true
   fi
 
