@@ -95,10 +95,10 @@ std::optional<OrderedReader::Open> OrderedReader::load(std::size_t piece, const 
     if (!channels_.contains(channel)) continue;
     for (const auto& [time_ns, offset] : index.entries) {
       const Entry entry{time_ns, static_cast<std::uint32_t>(offset), static_cast<std::uint32_t>(offset)};
-      if (place_of(piece, entry) >= from) open.entries.push_back(entry);
+      if (!(place_of(piece, entry) < from)) open.entries.push_back(entry);
     }
   }
-  std::ranges::sort(open.entries);
+  std::ranges::sort(open.entries, {}, [](const Entry& entry) { return std::tuple(entry.time_ns, entry.offset); });
   return open;
 }
 

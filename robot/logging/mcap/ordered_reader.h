@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -10,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "robot/core/result.h"
@@ -50,7 +50,10 @@ class OrderedReader {
     std::uint64_t time_ns = 0;
     std::uint64_t piece_offset = 0;  // of its chunk in the file
     std::uint64_t offset = 0;        // in the unpacked chunk
-    auto operator<=>(const Place&) const = default;
+
+    bool operator<(const Place& other) const {
+      return std::tie(time_ns, piece_offset, offset) < std::tie(other.time_ns, other.piece_offset, other.offset);
+    }
   };
 
   /// A message of an open chunk. 32 bits suffice, because a chunk has at most kMaxRecordBytes.
@@ -58,7 +61,6 @@ class OrderedReader {
     std::uint64_t time_ns;
     std::uint32_t offset;  // in the unpacked chunk
     std::uint32_t at;      // in Open::records
-    auto operator<=>(const Entry&) const = default;
   };
 
   /// An open chunk, or the part of it that comes next.
