@@ -18,6 +18,7 @@ int refused_threads() { return refused; }
 
 }  // namespace tests
 
+#ifndef TESTS_WITH_SANITIZER
 // stands before the function of the C library, also for the C++ library
 extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*),
                               void* argument) {
@@ -30,3 +31,4 @@ extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attribute
   static const auto create = reinterpret_cast<Create>(dlsym(RTLD_NEXT, "pthread_create"));
   return create(thread, attributes, run, argument);
 }
+#endif

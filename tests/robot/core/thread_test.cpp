@@ -18,6 +18,9 @@ namespace {
 constexpr int kAll = 1'000'000;
 
 struct RefusedThreads : ::testing::Test {
+  void SetUp() override {
+    if (!tests::kCanRefuseThreads) GTEST_SKIP() << "the sanitizer starts the threads of this program";
+  }
   ~RefusedThreads() override { tests::refuse_threads(0); }
 
   /// Writes versions and expects all of them in `arrivals`, once the system allows threads again.
