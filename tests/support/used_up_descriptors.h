@@ -10,6 +10,13 @@
 
 namespace tests {
 
+/// Whether a test may use up all file descriptors. The sanitizer of undefined behaviour cannot check objects without one.
+#ifdef TESTS_NEED_DESCRIPTORS
+inline constexpr bool kCanUseUpDescriptors = false;
+#else
+inline constexpr bool kCanUseUpDescriptors = true;
+#endif
+
 /// Takes all file descriptors that this process may still open, and gives them back at its end.
 class UsedUpDescriptors {
  public:
