@@ -184,10 +184,7 @@ fs::path plain_path(const fs::path& path) {
   return plain.has_filename() || !plain.has_relative_path() ? plain : plain.parent_path();
 }
 
-fs::path log_folder_of(const fs::path& path) {
-  std::error_code failed;
-  return plain_path(fs::absolute(plain_path(path), failed)).parent_path();
-}
+fs::path log_folder_of(const fs::path& path) { return absolute_path(path).parent_path(); }
 
 Result<Session> read_session(const fs::path& folder, bool being_written) {
   Session session{.folder = plain_path(folder)};
