@@ -19,7 +19,7 @@ Result<void> FileOutProvider::open(const memory::ChannelInfo& info) {
   assert(!writer_ && "a stream is opened once");
   Result<std::unique_ptr<FileSink>> sink = FileSink::create(path_);
   if (!sink) return sink.failure();
-  const Result<void> opened = attempt("a new recording", [&]() -> Result<void> {
+  Result<void> opened = attempt("a new recording", [&]() -> Result<void> {
     Result<McapWriter> writer = McapWriter::open(std::move(*sink), {&info, 1}, options_);
     if (!writer) return writer.failure();
     writer_ = std::move(*writer);

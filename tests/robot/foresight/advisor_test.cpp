@@ -254,8 +254,9 @@ TEST(Advisor, FollowsTheStrategyThatTheCaptainSent) {
   Fixture fixture(false);
   play_second(fixture.game);
   ASSERT_TRUE(tests::eventually_equal([&] { return fixture.advisor->strategy(); }, "kick_now"));
-  ASSERT_TRUE(tests::eventually_equal([&] { return fixture.game.memory->strategy.read()->value().epoch(); }, 44u));
-  EXPECT_TRUE(fixture.game.memory->strategy.read()->value().chosen());
+  const auto strategy = [&] { return fixture.game.memory->strategy.read(); };
+  ASSERT_TRUE(tests::eventually([&] { return strategy() && strategy()->value().epoch() == 44; }));
+  EXPECT_TRUE(strategy()->value().chosen());
 }
 
 TEST(Advisor, FollowsTheCaptainWhileQuestionsCome) {
