@@ -33,15 +33,31 @@ export function startGameController() {
   return () => (clearInterval(timer), socket.close());
 }
 
-/** A program of ours, with the counts of its sessions that it reported last. `before` are words in front of its name. */
+/**
+ * A program of ours, with the counts of its sessions that it reported last. `before` are words in front of its name.
+ * `restart()` kills it and starts it again with the same folders and the same port.
+ */
 export async function program(name, args, folder, { before = [], log_mb = 2000 } = {}) {
   mkdirSync(folder, { recursive: true });
-  const own = ["--port", 0, "--state-dir", join(folder, "state"), "--log-dir", join(folder, "logs"), "--log-mb", log_mb];
-  const child = start(name, [...args, ...own], before);
-  const made = { name, folder, child, ended: false, seen: new Map() };
-  child.output.then(() => (made.ended = true), () => (made.ended = true));
-  made.url = await child.address;
-  made.token = readFileSync(join(folder, "state/token"), "utf8").trim();
+  const own = ["--state-dir", join(folder, "state"), "--log-dir", join(folder, "logs"), "--log-mb", log_mb];
+  const made = { name, folder, seen: new Map(), kills: 0 };
+  const begin = async (port) => {
+    const child = start(name, [...args, ...own, "--port", port], before);
+    const ended = () => (made.ended ||= made.child === child);
+    Object.assign(made, { child, ended: false });
+    child.output.then(ended, ended);
+    made.url = await Promise.race([child.address, child.output]); // fails with the program
+    made.token = readFileSync(join(folder, "state/token"), "utf8").trim();
+  };
+  made.restart = async () => {
+    const killed = made.child;
+    made.child = undefined;
+    ++made.kills;
+    process.kill(killed.pid, "SIGKILL");
+    await killed.output.catch(() => {});
+    await begin(new URL(made.url).port);
+  };
+  await begin(0);
   return made;
 }
 
@@ -107,10 +123,12 @@ export async function use(robot, until_ms) {
 
 /** Messages in the files of a session, and numbers missing between the first and the last one of each object. */
 function countFiles(folder) {
-  const found = { stored: 0, gaps: 0, unreadable: 0 };
+  const found = { stored: 0, gaps: 0, unreadable: 0, unfinished: false };
   for (const name of readdirSync(folder).filter((file) => file.endsWith(".mcap"))) {
     try {
-      for (const [topic, { messages }] of readStreamed(readFileSync(join(folder, name))).topics) {
+      const contents = readStreamed(readFileSync(join(folder, name)), { allowUnfinished: true });
+      found.unfinished ||= contents.unfinished;
+      for (const [topic, { messages }] of contents.topics) {
         found.stored += messages.length;
         if (/camera/.test(topic) || messages.length === 0) continue; // pictures are thinned
         const numbers = messages.map(({ sequence }) => sequence);
@@ -124,26 +142,33 @@ function countFiles(folder) {
   return found;
 }
 
+const kPerSecond = 200; // messages of a robot, at most
+
 /**
  * The account of all messages. A message is lost if its number is missing between the first and the last of its object. It is
  * lost without being counted if the program counted fewer, or counts it among those in its files.
  */
 export class Account {
-  #sum = { stored: 0, counted: 0, lost: 0, uncounted: 0, unreadable: 0 };
+  #sum = { stored: 0, counted: 0, lost: 0, uncounted: 0, unreadable: 0, unfinished: 0, kills: 0, unwritten: 0 };
 
   /** Counts the sessions of a program in one log folder. */
   add(robot, logs) {
     for (const session of existsSync(logs) ? readdirSync(logs).filter((name) => robot.seen.has(name)) : []) {
-      const { stored, gaps, unreadable } = countFiles(join(logs, session));
+      const { stored, gaps, unreadable, unfinished } = countFiles(join(logs, session));
       const { dropped, messages } = robot.seen.get(session);
       this.#sum.stored += stored;
       this.#sum.counted += dropped;
       this.#sum.lost += gaps;
       // a relay keeps the numbers of its robots, and a busy robot leaves out old versions for it
-      this.#sum.uncounted += Math.max(0, messages - stored) + (robot.name === "foresight-lab" ? 0 : Math.max(0, gaps - dropped));
+      this.#sum.uncounted += robot.name === "foresight-lab" ? 0 : Math.max(0, gaps - dropped);
+      const unwritten = Math.max(0, messages - stored);
+      if (unfinished) this.#sum.unwritten = Math.max(this.#sum.unwritten, unwritten);
+      else this.#sum.uncounted += unwritten;
       this.#sum.unreadable += unreadable;
-      console.log(`   ${robot.name} ${session}: ${stored} stored, ${gaps} missing, ${dropped} counted as lost`);
+      this.#sum.unfinished += Number(unfinished);
+      console.log(`   ${robot.name} ${session}: ${stored} stored, ${gaps} missing, ${dropped} counted as lost${unfinished ? ", no end" : ""}`);
     }
+    [this.#sum.kills, robot.kills] = [this.#sum.kills + robot.kills, 0];
   }
 
   tell(report) {
@@ -151,6 +176,9 @@ export class Account {
     report.figure("messages lost", this.#sum.lost);
     report.figure("messages counted as lost", this.#sum.counted);
     report.figure("messages lost without being counted", this.#sum.uncounted, "", { exactly: 0 });
+    report.figure("kills", this.#sum.kills);
+    report.figure("messages not yet written at a kill, at most", this.#sum.unwritten, "", { atMost: 2 * kPerSecond });
+    report.figure("sessions without an end", this.#sum.unfinished, "", { atMost: this.#sum.kills });
     report.figure("files that another reader cannot read", this.#sum.unreadable, "", { exactly: 0 });
   }
 }

@@ -53,6 +53,7 @@ export async function matchDays({ minutes = 120 }) {
 
   const faults = {
     "the team's process is killed": async () => (process.kill(peer.pid, "SIGKILL"), (peer = startPeer())),
+    "the robot's program is killed": () => robot.restart(),
     "the relay is killed": async () => (process.kill(relay.pid, "SIGKILL"), (relay = startRelay())),
     "the relay is silent": async () => (process.kill(relay.pid, "SIGSTOP"), await sleep(kLasts_s), process.kill(relay.pid, "SIGCONT")),
     "the disk is full": async () => {

@@ -62,13 +62,17 @@ class Contents {
 
 const plain = ({ sequence, logTime, publishTime, data }) => ({ sequence, logTime, publishTime, data: Buffer.from(data) });
 
-/** Reads a whole file from the front, as from a network, and checks every checksum. */
-export function readStreamed(bytes) {
+/**
+ * Reads a whole file from the front, as from a network, and checks every checksum. A file of a killed program has no end, and
+ * can be `unfinished` if that is allowed.
+ */
+export function readStreamed(bytes, { allowUnfinished = false } = {}) {
   const reader = new McapStreamReader({ includeChunks: true, decompressHandlers, validateCrcs: true });
   const contents = new Contents();
   reader.append(bytes);
   for (let record; (record = reader.nextRecord()); ) contents.take(record);
-  if (!reader.done()) throw new Error("the MCAP has no end");
+  contents.unfinished = !reader.done();
+  if (contents.unfinished && !allowUnfinished) throw new Error("the MCAP has no end");
   return contents;
 }
 
