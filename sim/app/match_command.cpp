@@ -27,8 +27,7 @@ void take_notes(const State& state, const referee::Events& events, report::GameR
 }
 
 void count_events(report::GameReport& report) {
-  for (const report::Decision& decision : report.decisions)
-    ++report.result.events[static_cast<int>(decision.event.kind)][static_cast<int>(decision.event.side)];
+  for (const report::Decision& decision : report.decisions) report.result.count(decision.event);
 }
 
 /// Returns the shortest length of a game; dead time makes it longer.

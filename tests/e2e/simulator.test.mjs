@@ -74,7 +74,7 @@ test("wrong usage and wrong input are one sentence and exit status 2", async (t)
   for (const [args, sentence] of [
     [["match", "--home", "basline"], "foresight-sim: no strategy 'basline'; there are: align_first, baseline, high_line, idle, kick_now, passing, foresight\n"],
     [["match", "--models", "match,walk.forward=9"], "foresight-sim: models 'match,walk.forward=9': walk.forward must be 0.01 .. 3 [m/s], got 9\n"],
-    [["match", "--rules", "spl1999"], "foresight-sim: no rules 'spl1999'; there are: spl2012, spl2025\n"],
+    [["match", "--rules", "spl1999"], "foresight-sim: no rules 'spl1999'; there are: hsl2026, spl2012, spl2025\n"],
     [["match", "--mcap", "x", "--games", "2"], "foresight-sim: --mcap records one game, got --games 2\n"],
     [["match", "--home-team", "5"], "foresight-sim: the teams must have different numbers, got 5 twice\n"],
     [["situation", situation], `foresight-sim: situation '${situation}': ball is missing\n`],
