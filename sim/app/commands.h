@@ -46,6 +46,9 @@ std::unique_ptr<Command> choosing_command(CLI::App& app);
 std::unique_ptr<Command> outlook_command(CLI::App& app);
 std::unique_ptr<Command> vet_command(CLI::App& app);
 std::unique_ptr<Command> signature_command(CLI::App& app);
+/// List the words of a strategy.
+std::unique_ptr<Command> skills_command(CLI::App& app);
+std::unique_ptr<Command> features_command(CLI::App& app);
 /// Lists the embedded rules, models, strategies or situations.
 std::unique_ptr<Command> list_command(CLI::App& app, const std::string& kind);
 

@@ -1,7 +1,7 @@
 #include "sim/io/condition.h"
 
 #include "robot/core/json_library.h"
-#include "sim/io/words.h"
+#include "sim/io/vocabulary.h"
 
 namespace sim::io {
 
@@ -30,14 +30,6 @@ std::vector<std::string_view> split(std::string_view text, std::string_view betw
 }
 
 std::string quoted(std::string_view text) { return shown(std::string(text)); }
-
-Result<Feature> feature_named(std::string_view name) {
-  const Feature feature = agent::find_feature(name);
-  if (feature != agent::kNoFeature) return feature;
-  std::vector<std::string_view> known;
-  for (int i = 0; i < agent::feature_count(); ++i) known.emplace_back(info_of(static_cast<Feature>(i)).name);
-  return Error{"no feature " + quoted(name) + hint(name, known)};
-}
 
 /// A comparison operator as written. An operator comes before any that is its beginning.
 struct Operator {
@@ -83,6 +75,17 @@ Result<Term> parse_term(std::string_view text, Values& values) {
 }
 
 }  // namespace
+
+std::string text_of(const Term& term) {
+  const FeatureInfo& info = info_of(term.feature);
+  const std::string name = info.name;
+  if (info.kind == FeatureInfo::Kind::yes_no) return (term.comparison == Comparison::less ? "not " : "") + name;
+  for (const Operator& each : kOperators)
+    if (each.comparison == term.comparison)
+      return name + " " + std::string(trimmed(each.text)) + " " +
+             value_text(term.threshold, {info.unit, info.least, info.most, info.names});
+  return name;
+}
 
 Result<Condition> parse_condition(std::string_view text, Values& values) {
   if (text.size() > kMaxConditionBytes)
