@@ -1,4 +1,4 @@
-// Conditions of a strategy: "role is chaser and ball_distance < 0.35 m".
+// Conditions of a strategy: "role is chaser and ball_distance < 0.35 m", "not mates_time_to_ball < time_to_ball".
 #pragma once
 
 #include <string>
@@ -16,7 +16,8 @@ struct Term {
   agent::Feature feature;
   agent::Comparison comparison;
   float threshold;
-  std::string text;  // as written
+  std::string text;                          // as written
+  agent::Feature other = agent::kNoFeature;  // unless kNoFeature: compared instead of `threshold`
 };
 
 /// A condition: it holds if all terms of one alternative hold. No alternative is empty.

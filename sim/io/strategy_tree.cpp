@@ -205,7 +205,7 @@ class Compiler {
       entry = yes;
       for (auto term = terms->rbegin(); term != terms->rend(); ++term) {
         if (tree_.nodes.size() == agent::kMaxNodes) return refuse(place, "the tree is too large"), std::uint16_t{0};
-        tree_.nodes.push_back({term->feature, term->comparison, entry, fails, term->threshold});
+        tree_.nodes.push_back({term->feature, term->comparison, entry, fails, term->threshold, term->other});
         tree_.node_words.push_back({place.names, place.names.substr(place.names.rfind('/') + 1), term->text});
         entry = static_cast<std::uint16_t>(tree_.nodes.size() - 1);
       }
@@ -217,8 +217,7 @@ class Compiler {
     const auto check = [&](const char* section, const std::set<std::string, std::less<>>& used) {
       for (const auto& [key, value] : object_at(own, section).items())
         if (!used.contains(key))
-          refuse({std::string(section) + "." + key, ""},
-                 "is not used" + did_you_mean(key, {used.begin(), used.end()}));
+          refuse({std::string(section) + "." + key, ""}, "is not used" + did_you_mean(key, {used.begin(), used.end()}));
     };
     check("subtrees", used_);
     check("parameters", values_.used());

@@ -35,12 +35,6 @@ std::vector<std::string_view> all_skills() {
   return names;
 }
 
-std::vector<std::string_view> all_features() {
-  std::vector<std::string_view> names;
-  for (int i = 0; i < agent::feature_count(); ++i) names.emplace_back(info_of(static_cast<Feature>(i)).name);
-  return names;
-}
-
 std::string quoted(std::string_view text) { return shown(std::string(text)); }
 
 /// Adds spaces up to that column, and at least two.
@@ -63,7 +57,8 @@ float usual_threshold(const FeatureInfo& info) {
 
 std::string range_text(const Expected& expected) {
   std::string words;
-  for (const char* const* name = expected.names; name && *name; ++name) words += (words.empty() ? "" : ", ") + std::string(*name);
+  for (const char* const* name = expected.names; name && *name; ++name)
+    words += (words.empty() ? "" : ", ") + std::string(*name);
   if (!words.empty()) return words;
   return short_text(expected.least) + " .. " + value_text(expected.most, expected);
 }
@@ -86,6 +81,12 @@ Json standard_of(const ParameterInfo& info) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> all_features() {
+  std::vector<std::string_view> names;
+  for (int i = 0; i < agent::feature_count(); ++i) names.emplace_back(info_of(static_cast<Feature>(i)).name);
+  return names;
+}
 
 Result<Skill> skill_named(std::string_view name) {
   const Skill skill = agent::find_skill(name);
@@ -157,7 +158,7 @@ std::string text_of(Skill skill) {
     const ParameterInfo& parameter = info.parameters[i];
     const Expected expected = expected_of(parameter);
     text += padded("  " + std::string(parameter.name), 16);
-    text += padded(range_text(expected) + "; default " + value_text(parameter.standard, expected), 40);
+    text += padded(range_text(expected) + "; default " + value_text(parameter.standard, expected), 52);
     text += std::string(parameter.about) + "\n";
   }
   return text + "  example: " + example_of(skill) + "\n";
@@ -166,9 +167,9 @@ std::string text_of(Skill skill) {
 std::string text_of(Feature feature) {
   const FeatureInfo& info = info_of(feature);
   const bool is_number = info.kind == FeatureInfo::Kind::number;
-  const std::string range = is_number                                   ? range_text(expected_of(info))
+  const std::string range = is_number                                ? range_text(expected_of(info))
                             : info.kind == FeatureInfo::Kind::yes_no ? "yes or no"
-                                                                       : "a word";
+                                                                     : "a word";
   return padded(std::string(info.name) + (info.needs_ball ? " *" : ""), kNameColumn) + padded(range, kRangeColumn) +
          padded(example_of(feature), kExampleColumn) + info.about + "\n";
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "robot/core/result.h"
 #include "sim/agent/features.h"
@@ -10,6 +11,9 @@
 #include "sim/io/json.h"
 
 namespace sim::io {
+
+/// Returns the names of all features, in the order of their ids.
+std::vector<std::string_view> all_features();
 
 /// Find a word. The Error for an unknown one has the most similar words, or all of them if they are few.
 robot::Result<agent::Skill> skill_named(std::string_view name);
