@@ -111,7 +111,8 @@ class Scene {
     if (const Json* ball = reader_.find(json, "ball", Fields::all)) read_ball(*ball);
     if (const Json* robots = reader_.find(json, "robots", Fields::all)) read_robots(*robots);
     reader_.refuse_unknown(
-        json, "", {"about", "seed", "phase", "set_play", "kicking", "half", "clock", "score", "ball", "robots"});
+        json, "",
+        {"about", "seed", "phase", "set_play", "kicking", "half", "clock", "score", "ball", "robots", "check"});
     if (!reader_.good()) return state_;
     if (shaken_) shake();
     start_play(params_, state_);

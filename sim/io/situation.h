@@ -12,7 +12,8 @@
 //
 // Frame: field, which never flips: in the second half the home side attacks towards -x. Metres, seconds, radians.
 // Required are the ball's x and y and each robot's side, player, x and y. `clock` is the time since the half began.
-// `penalised` is the remaining time of a robot off the field. A robot that is not listed does not play.
+// `penalised` is the remaining time of a robot off the field. A robot that is not listed does not play. "check" makes the
+// situation a test (sim/check/scenario.h), and is ignored here.
 #pragma once
 
 #include <string>
