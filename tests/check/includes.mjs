@@ -25,6 +25,7 @@ export const rows = {
   "sim/io": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee", "sim/match", "sim/foresight", "robot/core"],
   "sim/guest": ["sim/math", "sim/field", "sim/motion", "sim/world", "sim/agent", "robot/core"],
   "sim/contest": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee", "sim/match", "sim/foresight", "sim/compare", "sim/io", "sim/guest", "robot/core"],
+  "sim/check": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee", "sim/match", "sim/foresight", "sim/compare", "sim/io", "sim/guest", "sim/contest", "robot/core"],
   "sim/report": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee", "sim/match", "sim/foresight", "sim/compare", "sim/io", "sim/guest", "sim/contest", "robot/core"],
   "sim/app": "everything",
   "robot/core": [],

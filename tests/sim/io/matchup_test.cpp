@@ -42,9 +42,11 @@ TEST(PreparedGame, NamesUnknownParts) {
     return setup ? "" : setup.error();
   };
   EXPECT_EQ(error({.rules = "spl1999"}), "no rules 'spl1999'; there are: hsl2026, spl2012, spl2025");
-  EXPECT_EQ(error({.models = {"match", "mach"}}), "no models 'mach'; there are: friendly, match, perfect");
-  EXPECT_EQ(error({.strategies = {"basline", "idle"}}),
-            "no strategy 'basline'; there are: align_first, baseline, high_line, idle, kick_now, passing, foresight");
+  EXPECT_EQ(error({.models = {"match", "mach"}}), "no models 'mach'; did you mean 'match'?");
+  EXPECT_EQ(error({.strategies = {"basline", "idle"}}), "no strategy 'basline'; did you mean 'baseline'?");
+  EXPECT_EQ(error({.strategies = {"idle", "forsight"}}), "no strategy 'forsight'; did you mean 'foresight'?");
+  EXPECT_EQ(error({.strategies = {"chess", "idle"}}),
+            "no strategy 'chess'; there are: align_first, baseline, high_line, idle, kick_now, passing, foresight");
   EXPECT_EQ(error({.players = 8}), "players must be 1 .. 7 a side, got 8");
 }
 
