@@ -59,7 +59,8 @@ TEST(RealGames, NamesTheError) {
 
   json = described();
   json["figures"]["headers"] = {{"mean", 1}};
-  EXPECT_TRUE(error_of(json).starts_with("real games 'mine': figures.headers is unknown; there are: kicks, fast_kicks,"));
+  EXPECT_TRUE(
+      error_of(json).starts_with("real games 'mine': figures.headers is unknown; there are: kicks, fast_kicks,"));
 
   json = described();
   json["figures"]["kicks"]["unit"] = "1/s";
@@ -75,8 +76,9 @@ TEST(RealGames, NamesTheError) {
 
   json = described();
   json["figures"]["kicks"] = {{"mean", 9}, {"low", 1}, {"high", 2}, {"unit", "1/min"}};
-  EXPECT_EQ(error_of(json),
-            R"(real games 'mine': figures.kicks: expected low <= mean <= high, got {"mean":9,"low":1,"high":2,"unit":"1/min…)");
+  EXPECT_EQ(
+      error_of(json),
+      R"(real games 'mine': figures.kicks: expected low <= mean <= high, got {"mean":9,"low":1,"high":2,"unit":"1/min…)");
 }
 
 }  // namespace

@@ -48,9 +48,8 @@ TEST(Realism, RealMeansThemselvesAreInside) {
   const io::RealGames games = real();
   statistics::Figures means;
   std::size_t next = 0;
-  statistics::Figures::visit(means, [&](const char*, double& value, const char*, const char*) {
-    value = games.figures[next++].mean;
-  });
+  statistics::Figures::visit(
+      means, [&](const char*, double& value, const char*, const char*) { value = games.figures[next++].mean; });
   const Realism realism = realism_of({means}, games, "recorded");
   EXPECT_EQ(realism.inside(), realism.judged());
   EXPECT_GT(realism.judged(), 15u);

@@ -68,8 +68,7 @@ TEST(BallPath, AWrongBoxDoesNotMoveTheBall) {
 }
 
 TEST(BallPath, ABallThatAHandPlacesHasNoSpeed) {
-  const Path path =
-      smoothed(path_of(4, [](double now) { return now < 2 ? Vec2{-2, 0} : Vec2{2, 0}; }));
+  const Path path = smoothed(path_of(4, [](double now) { return now < 2 ? Vec2{-2, 0} : Vec2{2, 0}; }));
   for (const std::optional<double>& speed : speeds_of(path)) EXPECT_TRUE(!speed || *speed < 1e-6);
 }
 

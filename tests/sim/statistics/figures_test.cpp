@@ -55,7 +55,8 @@ TEST(Figures, KnownDistances) {
   Window window;
   window.ball = Path(100, Vec2{0, 0});
   const auto add = [&](int side, int player, Vec2 place) {
-    window.robots.push_back(tests::robot_of(side, player, 100. / kFramesPerSecond, [=](double) { return Sighting{.position = place}; }));
+    window.robots.push_back(
+        tests::robot_of(side, player, 100. / kFramesPerSecond, [=](double) { return Sighting{.position = place}; }));
   };
   add(0, 1, {-4, 0}), add(0, 2, {-0.5, 0}), add(0, 3, {-1, 0}), add(0, 4, {-2, 1});
   add(1, 1, {4, 0}), add(1, 2, {0.7f, 0}), add(1, 3, {0.7f, 0.3f}), add(1, 4, {2, 2});
@@ -93,7 +94,8 @@ TEST(Figures, NoiseOfACameraChangesLittle) {
   const auto measured = all_of(noisy);
   EXPECT_NEAR(noisy.kicks, clean.kicks, 0.05);
   EXPECT_NEAR(noisy.fast_kicks, clean.fast_kicks, 0.05);
-  for (const char* key : {"roll_median", "ball_speed", "nearest", "second", "third", "mates", "extent_x", "walking_median"})
+  for (const char* key :
+       {"roll_median", "ball_speed", "nearest", "second", "third", "mates", "extent_x", "walking_median"})
     EXPECT_NEAR(measured.at(key), all_of(clean).at(key), 0.05) << key;
   EXPECT_NEAR(noisy.ball_still, clean.ball_still, 0.01);
   EXPECT_EQ(noisy.falls, clean.falls);

@@ -19,7 +19,8 @@ Window with(std::vector<Robot> robots) {
 Robot circling(double seconds, double speed, double radius) {
   return robot_of(0, 2, seconds, [=](double now) {
     const double angle = speed / radius * now;
-    return Sighting{.position = {static_cast<float>(radius * std::cos(angle)), static_cast<float>(radius * std::sin(angle))}};
+    return Sighting{
+        .position = {static_cast<float>(radius * std::cos(angle)), static_cast<float>(radius * std::sin(angle))}};
   });
 }
 
@@ -41,9 +42,7 @@ TEST(Walking, HalfTheRobotsStand) {
 }
 
 TEST(Walking, ARobotThatIsCarriedDoesNotWalk) {
-  const Robot carried = robot_of(0, 2, 60, [](double now) {
-    return Sighting{.position = {now < 30 ? -3.f : 3.f, 0}};
-  });
+  const Robot carried = robot_of(0, 2, 60, [](double now) { return Sighting{.position = {now < 30 ? -3.f : 3.f, 0}}; });
   const Walking walking = walking_of(with({carried}));
   EXPECT_LT(walking.speed_99, 0.8);
   EXPECT_NEAR(walking.metres_per_minute, 0, 0.2);

@@ -34,8 +34,7 @@ Path path_of(double seconds, const std::function<std::optional<Vec2>(double)>& p
   return path;
 }
 
-Robot robot_of(int side, int player, double seconds,
-               const std::function<std::optional<Sighting>(double)>& place) {
+Robot robot_of(int side, int player, double seconds, const std::function<std::optional<Sighting>(double)>& place) {
   Robot robot{.side = side, .player = player, .frames = {}};
   for (std::size_t i = 0; i < frames_in(seconds); ++i)
     robot.frames.push_back(place(static_cast<double>(i) / kFramesPerSecond));
