@@ -44,8 +44,7 @@ void read_figure(Reader& reader, const Json& entry, const std::string& path, Rea
   figure.mean = *mean;
   if (low.has_value() != high.has_value()) reader.refuse(path + " must have both low and high, or neither");
   if (!low || !high) return;
-  if (!(*low <= *mean && *mean <= *high))
-    reader.refuse(path + ": expected low <= mean <= high, got " + shown(entry));
+  if (!(*low <= *mean && *mean <= *high)) reader.refuse(path + ": expected low <= mean <= high, got " + shown(entry));
   figure.interval = {.low = *low, .high = *high};
 }
 
@@ -56,7 +55,8 @@ Result<RealGames> parse_real_games(std::string_view text, const std::string& cal
   if (!json) return json.failure();
   Reader reader(called);
   reader.refuse_unknown(*json, "", {"name", "about", "figures"});
-  RealGames games{.name = text_of(reader, *json, "", "name"), .about = text_of(reader, *json, "", "about"), .figures = {}};
+  RealGames games{
+      .name = text_of(reader, *json, "", "name"), .about = text_of(reader, *json, "", "about"), .figures = {}};
   const Json* figures = reader.find(*json, "figures", Fields::all);
   if (!figures || !reader.is_object(*figures, "figures")) return reader.error();
 

@@ -51,8 +51,8 @@ void Film::add_frame(const World& world) {
     const Body& body = world.bodies[robot];
     statistics::Robot& film = now_.robots[next++];
     if (body.doing == Body::Doing::removed) return;
-    film.frames.back() = statistics::Sighting{.position = filmed(world, static_cast<std::uint8_t>(robot), body.position, kRobotNoise),
-                          .down = lies(body)};
+    film.frames.back() = statistics::Sighting{
+        .position = filmed(world, static_cast<std::uint8_t>(robot), body.position, kRobotNoise), .down = lies(body)};
   });
 }
 

@@ -52,7 +52,8 @@ Realism realism_of(const std::vector<statistics::Figures>& windows, const io::Re
 
   Realism realism{.name = real.name, .measured = std::move(measured), .windows = windows.size(), .rows = {}};
   for (std::size_t i = 0; i < real.figures.size(); ++i) {
-    RealismRow row{.real = real.figures[i], .measured = contest::mean_of(values[i]), .windows = values[i].size(), .inside = {}};
+    RealismRow row{
+        .real = real.figures[i], .measured = contest::mean_of(values[i]), .windows = values[i].size(), .inside = {}};
     if (row.real.interval && row.windows > 0)
       row.inside = row.real.interval->low <= row.measured.mean && row.measured.mean <= row.real.interval->high;
     realism.rows.push_back(std::move(row));
@@ -65,17 +66,20 @@ Json to_json(const Realism& realism) {
   for (const RealismRow& row : realism.rows) {
     const auto& interval = row.real.interval;
     const bool known = row.windows > 0;
-    figures[row.real.key] = {
-        {"about", row.real.about},
-        {"unit", row.real.unit},
-        {"real", {{"mean", row.real.mean}, {"low", interval ? Json(interval->low) : Json()}, {"high", interval ? Json(interval->high) : Json()}, {"source", row.real.source}}},
-        {"measured",
-         {{"mean", known ? number_or_null(row.measured.mean) : Json()},
-          {"standard_error", row.windows > 1 ? Json(row.measured.error) : Json()},
-          {"windows", row.windows}}},
-        {"inside", row.inside ? Json(*row.inside) : Json()}};
+    figures[row.real.key] = {{"about", row.real.about},
+                             {"unit", row.real.unit},
+                             {"real",
+                              {{"mean", row.real.mean},
+                               {"low", interval ? Json(interval->low) : Json()},
+                               {"high", interval ? Json(interval->high) : Json()},
+                               {"source", row.real.source}}},
+                             {"measured",
+                              {{"mean", known ? number_or_null(row.measured.mean) : Json()},
+                               {"standard_error", row.windows > 1 ? Json(row.measured.error) : Json()},
+                               {"windows", row.windows}}},
+                             {"inside", row.inside ? Json(*row.inside) : Json()}};
   }
-  return {{"real", realism.name},         {"measured", realism.measured}, {"windows", realism.windows},
+  return {{"real", realism.name},       {"measured", realism.measured}, {"windows", realism.windows},
           {"inside", realism.inside()}, {"judged", realism.judged()},   {"figures", std::move(figures)}};
 }
 
@@ -85,16 +89,15 @@ std::string to_text(const Realism& realism) {
     const auto& interval = row.real.interval;
     const bool known = row.windows > 0;
     text += padded(with_unit(row.real), 52);
-    text += padded(number(row.real.mean) +
-                       (interval ? " [" + number(interval->low) + ", " + number(interval->high) + "]" : ""),
-                   24);
+    text += padded(
+        number(row.real.mean) + (interval ? " [" + number(interval->low) + ", " + number(interval->high) + "]" : ""),
+        24);
     text += padded(number(row.measured.mean, known) + (row.windows > 1 ? " ± " + number(row.measured.error) : ""), 18);
     text += !row.inside ? "–\n" : *row.inside ? "yes\n" : "no\n";
   }
   text += "\n" + std::to_string(realism.inside()) + " of " + std::to_string(realism.judged()) +
-          " figures lie inside the interval of real games (" + realism.name + "); " +
-          std::to_string(realism.windows) + (realism.windows == 1 ? " window" : " windows") +
-          "; ± one standard error\n";
+          " figures lie inside the interval of real games (" + realism.name + "); " + std::to_string(realism.windows) +
+          (realism.windows == 1 ? " window" : " windows") + "; ± one standard error\n";
   return text;
 }
 

@@ -39,7 +39,9 @@ std::string text(const char* format, Values... values) {
 }
 
 const char* style_of(const RealismRow& row) { return !row.inside ? "open" : *row.inside ? "yes" : "no"; }
-const char* verdict_of(const RealismRow& row) { return !row.inside ? "not judged" : *row.inside ? "inside" : "outside"; }
+const char* verdict_of(const RealismRow& row) {
+  return !row.inside ? "not judged" : *row.inside ? "inside" : "outside";
+}
 
 /// Draws the real interval as a bar, its mean as a line and the measured mean with its error as a dot. The scale begins
 /// at 0.
@@ -67,8 +69,8 @@ std::string drawing(const RealismRow& row) {
 
 std::string row_of(const RealismRow& row) {
   const bool known = row.windows > 0;
-  std::string all = "<tr><td title=\"" + escaped(row.real.source) + "\">" + escaped(row.real.about) + "</td><td class=\"plot\">" +
-                    drawing(row) + "</td>";
+  std::string all = "<tr><td title=\"" + escaped(row.real.source) + "\">" + escaped(row.real.about) +
+                    "</td><td class=\"plot\">" + drawing(row) + "</td>";
   all += text("<td class=\"number\">%.3g</td>", row.real.mean);
   all += known ? text("<td class=\"number\" data-of=\"%s\">%.3g ± %.2g</td>", row.real.key.c_str(), row.measured.mean,
                       row.measured.error)
@@ -80,14 +82,17 @@ std::string row_of(const RealismRow& row) {
 }  // namespace
 
 std::string page_of(const Realism& realism, const std::string& about) {
-  const std::string headline = text("%zu of %zu figures lie inside the interval of real games", realism.inside(), realism.judged());
+  const std::string headline =
+      text("%zu of %zu figures lie inside the interval of real games", realism.inside(), realism.judged());
   std::string all =
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
       headline + "</title>\n<style>" + kStyle + "</style></head>\n<body><main>\n<h1>" + headline + "</h1>\n";
   all += "<p class=\"soft\">" + escaped(about) + " " +
-         text("Bar: the interval of real games (%s); line: their mean; dot: the %s mean of %zu windows ± one standard error.",
-              escaped(realism.name).c_str(), escaped(realism.measured).c_str(), realism.windows) +
+         text(
+             "Bar: the interval of real games (%s); line: their mean; dot: the %s mean of %zu windows ± one standard "
+             "error.",
+             escaped(realism.name).c_str(), escaped(realism.measured).c_str(), realism.windows) +
          "</p>\n<div class=\"card\"><table>\n<tr><th>figure</th><th>from 0</th><th>real</th><th>" +
          escaped(realism.measured) + "</th><th>unit</th><th></th></tr>\n";
   for (const RealismRow& row : realism.rows) all += row_of(row);

@@ -10,17 +10,17 @@ namespace {
 
 constexpr std::size_t frames_in(double seconds) { return static_cast<std::size_t>(seconds * kFramesPerSecond + 0.5); }
 
-constexpr std::size_t kLongestGap = 10;                // frames from one known place to the next: 0.35 s
-constexpr std::size_t kMedianReach = 3;                // frames before and after
-constexpr std::size_t kSpeedSpan = frames_in(0.2);     // frames
-constexpr double kFastest = 4;                         // [m/s]
-constexpr double kKick = 0.5, kRise = 0.4;             // [m/s] a kick; speed from which one is looked for
-constexpr double kRolledOut = 0.1;                     // [m/s]
-constexpr float kRestRadius = 0.15f;                   // [m]
-constexpr std::size_t kPeakSpan = frames_in(0.6);      // in which the peak lies
-constexpr std::size_t kBefore = frames_in(0.6);        // the speed before a kick: from here
-constexpr std::size_t kShortlyBefore = 4;              // to here
-constexpr std::size_t kAfterPeak = frames_in(0.3);     // before the next kick can begin
+constexpr std::size_t kLongestGap = 10;             // frames from one known place to the next: 0.35 s
+constexpr std::size_t kMedianReach = 3;             // frames before and after
+constexpr std::size_t kSpeedSpan = frames_in(0.2);  // frames
+constexpr double kFastest = 4;                      // [m/s]
+constexpr double kKick = 0.5, kRise = 0.4;          // [m/s] a kick; speed from which one is looked for
+constexpr double kRolledOut = 0.1;                  // [m/s]
+constexpr float kRestRadius = 0.15f;                // [m]
+constexpr std::size_t kPeakSpan = frames_in(0.6);   // in which the peak lies
+constexpr std::size_t kBefore = frames_in(0.6);     // the speed before a kick: from here
+constexpr std::size_t kShortlyBefore = 4;           // to here
+constexpr std::size_t kAfterPeak = frames_in(0.3);  // before the next kick can begin
 constexpr std::size_t kLongestRoll = frames_in(8);
 
 Path filled(const Path& seen) {
@@ -143,8 +143,7 @@ double displacement_after(const Path& smooth, double seconds) {
   const std::size_t span = frames_in(seconds);
   std::vector<double> values;
   for (std::size_t i = 0; i + span < smooth.size(); ++i)
-    if (smooth[i] && smooth[i + span])
-      values.push_back(static_cast<double>(distance(*smooth[i], *smooth[i + span])));
+    if (smooth[i] && smooth[i + span]) values.push_back(static_cast<double>(distance(*smooth[i], *smooth[i + span])));
   return median(std::move(values));
 }
 

@@ -8,9 +8,9 @@
 namespace sim::statistics {
 namespace {
 
-constexpr std::size_t kStride = 10;     // [frames]
-constexpr std::size_t kFewest = 3;      // robots of a side whose distances mean something
-constexpr double kClose = 0.5;          // [m]
+constexpr std::size_t kStride = 10;  // [frames]
+constexpr std::size_t kFewest = 3;   // robots of a side whose distances mean something
+constexpr double kClose = 0.5;       // [m]
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// The robots seen in one frame.
@@ -93,10 +93,8 @@ Room room_between(const Window& window) {
       extents_y.push_back(extent(field_players, [](Vec2 place) { return place.y; }));
     }
   }
-  return {.mates = mean_of(mates),
-          .close = close.value(),
-          .extent_x = mean_of(extents_x),
-          .extent_y = mean_of(extents_y)};
+  return {
+      .mates = mean_of(mates), .close = close.value(), .extent_x = mean_of(extents_x), .extent_y = mean_of(extents_y)};
 }
 
 }  // namespace sim::statistics

@@ -15,8 +15,8 @@ NearBall near_ball(const Window& window, const Path& smooth);
 
 /// The room between robots, over every tenth frame.
 struct Room {
-  double mates;             // [m] mean distance between the robots of a side, if at least three are seen
-  double close;             // share of robots with another one within 0.5 m
+  double mates;               // [m] mean distance between the robots of a side, if at least three are seen
+  double close;               // share of robots with another one within 0.5 m
   double extent_x, extent_y;  // [m] mean extent of a side's field players, if at least three are seen
 };
 Room room_between(const Window& window);

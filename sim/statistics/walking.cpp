@@ -8,10 +8,10 @@ namespace sim::statistics {
 namespace {
 
 constexpr std::size_t kFewestFrames = 50;
-constexpr std::size_t kReach = 5;             // frames averaged before and after
-constexpr std::size_t kStride = 3;            // [frames]
-constexpr std::size_t kSpan = 10;             // [strides] 1 s
-constexpr double kStanding = 0.05, kFastest = 0.8;  // [m/s]
+constexpr std::size_t kReach = 5;                         // frames averaged before and after
+constexpr std::size_t kStride = 3;                        // [frames]
+constexpr std::size_t kSpan = 10;                         // [strides] 1 s
+constexpr double kStanding = 0.05, kFastest = 0.8;        // [m/s]
 constexpr std::size_t kDownBefore = 15, kDownAfter = 15;  // frames around: from - 15 to + 14
 constexpr int kDownFrames = 22;
 
@@ -26,7 +26,8 @@ std::optional<Vec2> mean_around(const Frames& frames, std::size_t at) {
   double x = 0, y = 0;
   int count = 0;
   for (std::size_t i = at < kReach ? 0 : at - kReach; i < std::min(frames.size(), at + kReach + 1); ++i)
-    if (frames[i]) x += static_cast<double>(frames[i]->position.x), y += static_cast<double>(frames[i]->position.y), ++count;
+    if (frames[i])
+      x += static_cast<double>(frames[i]->position.x), y += static_cast<double>(frames[i]->position.y), ++count;
   if (count == 0) return std::nullopt;
   return Vec2{static_cast<float>(x / count), static_cast<float>(y / count)};
 }
