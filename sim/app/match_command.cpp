@@ -7,9 +7,11 @@
 #include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/app/game_file.h"
+#include "sim/app/match_statistics.h"
 #include "sim/app/progress.h"
 #include "sim/contest/openings.h"
 #include "sim/io/json.h"
+#include "sim/io/real_games.h"
 #include "sim/io/saved_moment.h"
 #include "sim/report/game_line.h"
 #include "sim/report/game_report.h"
@@ -114,6 +116,9 @@ class MatchCommand final : public Command {
     options().add_option("--seconds", seconds_, "[s] longest game, dead time included")->check(CLI::Range(1., 36000.));
     options().add_flag("--json", json_, "report as JSON");
     options().add_flag("--lines", lines_, "print a line of JSON per game, with the errors of the robots' beliefs");
+    options().add_flag("--statistics", statistics_, "print figures of the games beside those of real games");
+    options().add_option("--html", html_, "with --statistics: file for an HTML page");
+    options().add_option("--real", real_, "with --statistics: the real games, a name or a file")->capture_default_str();
     options().add_option("--mcap", mcap_, "new file for a recording of the game: truth, beliefs and decisions");
     options()
         .add_option(
@@ -142,10 +147,21 @@ class MatchCommand final : public Command {
     if (teams_.home == teams_.away)
       return fail("the teams must have different numbers, got " + std::to_string(teams_.home) + " twice");
     if (lines_ && !from_.empty()) return fail("--lines and --from do not go together");
+    if (statistics_ && (lines_ || !mcap_.empty())) return fail("--statistics goes with neither --lines nor --mcap");
+    if (!statistics_ && !html_.empty()) return fail("--html needs --statistics, whose table it draws");
     const auto lineup = choice_.line_up();
     if (!lineup) return fail(lineup.error());
     const auto openings = contest::Openings::read(from_, fuzz_, lineup->params());
     if (!openings) return fail(openings.error());
+    if (statistics_)
+      return run_statistics({.seed = seed_,
+                             .games = games_,
+                             .threads = threads_,
+                             .seconds = seconds_,
+                             .real = real_,
+                             .html = html_,
+                             .json = json_},
+                            *lineup, *openings);
     if (lines_) return run_lines(*lineup);
     return games_ > 1 ? run_many(*lineup, *openings) : run_one(*lineup, *openings);
   }
@@ -249,8 +265,8 @@ class MatchCommand final : public Command {
   std::uint64_t seed_ = 1;
   int games_ = 1, threads_ = 0;
   float seconds_ = 0;
-  bool json_ = false, lines_ = false, fuzz_ = false;
-  std::string mcap_, from_;
+  bool json_ = false, lines_ = false, fuzz_ = false, statistics_ = false;
+  std::string mcap_, from_, html_, real_ = io::kNewestRealGames;
   std::vector<std::string> save_at_;  // moment and file, or empty
   robot::bridge::TeamNumbers teams_;
 };

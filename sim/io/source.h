@@ -17,7 +17,8 @@ struct Source {
   std::string called;  // "models 'match'"
 };
 
-/// Returns the names of the embedded files of that kind ("models", "outlooks", "rules", "strategies"), ascending.
+/// Returns the names of the embedded files of that kind ("games", "models", "outlooks", "rules", "strategies"),
+/// ascending.
 std::vector<std::string_view> names_of(std::string_view kind);
 
 /// Returns whether `name` is a path: it contains '/' or ends in ".json". Otherwise it is an embedded name.

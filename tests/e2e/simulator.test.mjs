@@ -303,3 +303,29 @@ test("a recorded game is never overwritten", async (t) => {
   assert.equal((await sim("match", ...kShort, "--mcap", nowhere)).status, 2);
   assert.ok(!existsSync(nowhere));
 });
+
+test("figures of games stand beside those of real games, also from a recording of a game", async (t) => {
+  const folder = temporaryFolder(t);
+  const long = ["match", "--rules", "spl2012:2,half_duration=200,ready_duration=10", "--seed", "3"];
+  const page = join(folder, "real.html");
+  const played = await json(...long, "--statistics", "--html", page);
+  assert.ok(played.windows >= 1);
+  assert.equal(Object.values(played.figures).filter(({ inside }) => inside !== null).length, played.judged);
+  assert.equal(readFileSync(page, "utf8").match(/<svg/g).length, Object.keys(played.figures).length);
+
+  const file = join(folder, "game.mcap");
+  assert.equal((await sim(...long, "--mcap", file)).status, 0);
+  const { status, stdout, stderr } = await run("foresight-lab", "game-statistics", file, "--json");
+  assert.equal(status, 0, stderr);
+  const recorded = JSON.parse(stdout);
+  for (const key of ["ball_speed", "mates", "walked", "nearest"]) {
+    const [one, other] = [played, recorded].map((all) => all.figures[key].measured.mean);
+    assert.ok(Math.abs(one - other) < 0.2 * one, `${key}: ${one} and ${other}`);
+  }
+});
+
+test("figures of games that are too short are refused in one sentence", async () => {
+  const { status, stderr } = await sim("match", ...kShort, "--statistics");
+  assert.equal(status, 2);
+  assert.equal(stderr, "foresight-sim: --statistics needs a game with at least 167 s in play; play more or longer games\n");
+});
