@@ -20,7 +20,7 @@ class CompareCommand final : public Command {
   explicit CompareCommand(CLI::App& app)
       : Command(app.add_subcommand("compare", "is behaviour B better than A? pairs of games with the same luck")) {
     options().add_option("a", choice_.a, "behaviour: name, file, library or pipe:command");
-    options().add_option("b", choice_.b, "behaviour; default: A, whose games against itself must be identical");
+    options().add_option("b", choice_.b, "behaviour; default: A, whose games against itself must be the same games");
     options().add_option("--vs", choice_.opponent, "a third behaviour that both play against, instead of each other");
     options()
         .add_option("--changed", choice_.changed, "number N: on B's side players 1 .. N play B, the others A")
@@ -34,7 +34,7 @@ class CompareCommand final : public Command {
     options().add_flag("--explain", explain_,
                        "list the pairs with the largest gains, and the commands that replay them");
     options().add_flag("--json", task_.json, "report as JSON");
-    options().footer("Exit status: 0 B is better, 1 it is not, 3 undecided, 2 bad usage or input.");
+    options().footer("Exit status: 0 B is better, 1 it is not, 3 undecided or too rare, 2 bad usage or input.");
   }
 
   int run() override {
@@ -93,9 +93,9 @@ class CompareCommand final : public Command {
   }
 
   void add_length() {
-    CLI::Option* const sprt = options()
-                                  .add_option("--sprt", question_, "H0,H1: a sequential test of these gains per game")
-                                  ->capture_default_str();
+    CLI::Option* const sprt = options().add_option(
+        "--sprt", question_,
+        "H0,H1: a sequential test of these gains per game; default: 0 and a tenth of the gain's standard deviation");
     CLI::Option* const pairs = options()
                                    .add_option("--pairs", task_.pairs, "a fixed number of pairs instead")
                                    ->check(CLI::Range(2, 10'000'000));
@@ -126,7 +126,8 @@ class CompareCommand final : public Command {
     kinds->require_option(0, 1);
     kinds->add_flag("--robust", robust_, "repeat the verdict with other walks, kicks and ball noise");
     kinds->add_option("--aa", itself_,
-                      "behaviour: compare it with itself; neither copy and no end of the field may gain");
+                      "behaviour: compare it with itself; neither copy and no end of the field may gain; with --from "
+                      "the sides exchange the moment in half of the games");
     kinds->add_flag("--plan", plan_, "estimate the number of games for an answer, from a pilot of 200 pairs");
     options()
         .add_option("--delta", task_.delta, "with --plan: the gain per game to detect, instead of --sprt's")
@@ -177,14 +178,22 @@ class CompareCommand final : public Command {
       return "--robust and --aa are several runs: --out, --html and --engine slurm are of one";
     if (task_.delta > 0 && !plan_) return "--delta is for --plan; a test is asked by --sprt";
     choice_.pace = every_tick_ ? Pace::every_tick : Pace::thinned;
+    if (task_.pairs > 0) contest_.pairs = task_.pairs;
+    if (const std::string wrong = read_question(); !wrong.empty()) return wrong;
+    return read_metric();
+  }
+
+  std::string read_question() {
     compare::Hypothesis& question = contest_.question;
+    if (question_.empty()) {
+      question.part = compare::kUsualPart;
+      return "";
+    }
     int used = 0;
     if (std::sscanf(question_.c_str(), "%lf,%lf%n", &question.h0, &question.h1, &used) != 2 ||
         used != static_cast<int>(question_.size()) || !(question.h0 < question.h1) || !std::isfinite(question.h1))
       return "--sprt: expected two gains, the smaller one first, such as 0,0.1, got '" + question_ + "'";
-    if (task_.pairs > 0) contest_.pairs = task_.pairs;
-
-    return read_metric();
+    return "";
   }
 
   std::string read_metric() {
@@ -233,7 +242,7 @@ class CompareCommand final : public Command {
   CompareTask task_;
   contest::ComparisonChoice& choice_ = task_.choice;
   contest::ContestOptions& contest_ = task_.contest;
-  std::string question_ = "0,0.1", metric_ = "goals", html_, itself_, engine_ = "local";
+  std::string question_, metric_ = "goals", html_, itself_, engine_ = "local";
   bool every_tick_ = false, resume_ = false, verify_ = false, plan_ = false, explain_ = false;
   bool robust_ = false, merge_ = false;
 };

@@ -10,6 +10,7 @@
 #include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/contest/slurm.h"
+#include "sim/report/contest_plan.h"
 #include "sim/report/contest_report.h"
 #include "sim/report/robust.h"
 
@@ -35,7 +36,8 @@ double pairs_left(const contest::ContestOptions& options, const contest::Mark& m
 int status_of(compare::Verdict verdict) {
   switch (verdict) {
     case compare::Verdict::better: return kDone;
-    case compare::Verdict::undecided: return kUndecided;
+    case compare::Verdict::undecided:
+    case compare::Verdict::too_rare: return kUndecided;
     default: return kNo;
   }
 }
@@ -58,7 +60,7 @@ void clear_line() {
 
 int run_plan(const CompareTask& task, const contest::Comparison& comparison) {
   contest::ContestOptions pilot = task.contest;
-  if (task.delta > 0) pilot.question.h1 = pilot.question.h0 + task.delta;
+  if (task.delta > 0) pilot.question.h1 = pilot.question.h0 + task.delta, pilot.question.part = 0;
   // --pilot gives the variance; a few pairs played here give the time of a pair
   const bool played_before = !task.pilot.empty();
   pilot.pairs = played_before ? contest::RunFolder::kPairsPerBlock : task.pairs > 0 ? task.pairs : kPilotPairs;
@@ -109,11 +111,64 @@ int run_robust(CompareTask task) {
   return status_of(found.front().verdict);
 }
 
+namespace {
+
+/// A behaviour against itself: pairs of the same luck, and games of other luck.
+struct Itself {
+  const CompareTask& task;
+  compare::PairStatistics paired, unpaired;
+
+  double unit() const { return contest::unit_of(task.choice.metric); }
+  bool even() const { return paired.same == paired.pairs && paired.gain_squares == 0; }
+  bool too_rare() const { return unpaired.eventful_games < compare::kFewestUneven; }
+  compare::Interval advantage() const { return compare::home_advantage(unpaired, unit()); }
+  bool fair() const { return advantage().low <= 0 && advantage().high >= 0; }
+
+  int status() const {
+    if (!even() || !fair()) return kNo;
+    return too_rare() ? kUndecided : kDone;
+  }
+};
+
+report::Json json_of(const Itself& itself) {
+  const compare::Interval bias = itself.advantage();
+  return {{"behaviour", itself.task.choice.a},
+          {"paired",
+           {{"pairs", itself.paired.pairs},
+            {"gain", compare::gain_per_game(itself.paired, itself.unit()).mean},
+            {"even", itself.even()}}},
+          {"unpaired",
+           {{"games", 2 * itself.unpaired.pairs},
+            {"eventful_games", itself.unpaired.eventful_games},
+            {"too_rare", itself.too_rare()},
+            {"home_advantage", {{"mean", bias.mean}, {"low", bias.low}, {"high", bias.high}}},
+            {"fair", itself.fair()}}}};
+}
+
+std::string advantage_text(const Itself& itself) {
+  const long long games = 2 * itself.unpaired.pairs, eventful = itself.unpaired.eventful_games;
+  char text[300];
+  if (itself.too_rare()) {
+    std::snprintf(text, sizeof text,
+                  "too rare to tell a home advantage: %lld of %lld games had a gain; raise --pairs or choose a longer "
+                  "metric",
+                  eventful, games);
+    return text;
+  }
+  const compare::Interval bias = itself.advantage();
+  std::snprintf(text, sizeof text, "%lld games of other luck%s   home advantage %+.4f (95 %%: %+.4f .. %+.4f), %s",
+                games, itself.task.choice.situation.empty() ? "" : ", each moment as often for either side", bias.mean,
+                bias.low, bias.high, itself.fair() ? "none that shows" : "one end of the field IS better");
+  return text;
+}
+
+}  // namespace
+
 int run_itself(CompareTask task) {
   contest::ContestOptions paired = task.contest, unpaired = task.contest;
   paired.pairs = kPairedPairs;
   unpaired.pairs = task.pairs > 0 ? task.pairs : kUnpairedPairs;
-  compare::PairStatistics tallies[2];
+  Itself itself{.task = task, .paired = {}, .unpaired = {}};
   for (const bool is_unpaired : {false, true}) {
     task.choice.unpaired = is_unpaired;
     const auto comparison = contest::Comparison::prepare(task.choice);
@@ -122,30 +177,18 @@ int run_itself(CompareTask task) {
         contest::play_contest(*comparison, is_unpaired ? unpaired : paired, nullptr, progress_line(task.contest));
     clear_line();
     if (!outcome) return fail(outcome.error());
-    tallies[is_unpaired ? 1 : 0] = outcome->tally;
+    (is_unpaired ? itself.unpaired : itself.paired) = outcome->tally;
   }
-  const double unit = contest::unit_of(task.choice.metric);
-  const compare::Interval gain = compare::gain_per_game(tallies[0], unit);
-  const compare::Interval bias = compare::home_advantage(tallies[1], unit);
-  const bool even = tallies[0].gain_squares == 0, fair = bias.low <= 0 && bias.high >= 0;
-  const std::int64_t games = 2 * tallies[1].pairs;
   if (task.json) {
-    const report::Json json = {{"behaviour", task.choice.a},
-                               {"paired", {{"pairs", tallies[0].pairs}, {"gain", gain.mean}, {"even", even}}},
-                               {"unpaired",
-                                {{"games", games},
-                                 {"home_advantage", {{"mean", bias.mean}, {"low", bias.low}, {"high", bias.high}}},
-                                 {"fair", fair}}}};
-    std::printf("%s\n", json.dump(2).c_str());
-  } else {
-    std::printf("%s against itself\n", task.choice.a.c_str());
-    std::printf("  %lld pairs of the same luck   gain %+.3f ± %.3f, %s\n", static_cast<long long>(tallies[0].pairs),
-                gain.mean, gain.high - gain.mean, even ? "0 in each, as it must be" : "NOT 0 in each");
-    std::printf("  %lld games of other luck   home advantage %+.4f (95 %%: %+.4f .. %+.4f), %s\n",
-                static_cast<long long>(games), bias.mean, bias.low, bias.high,
-                fair ? "none that shows" : "one end of the field IS better");
+    std::printf("%s\n", json_of(itself).dump(2).c_str());
+    return itself.status();
   }
-  return even && fair ? kDone : kNo;
+  const compare::Interval gain = compare::gain_per_game(itself.paired, itself.unit());
+  std::printf("%s against itself\n", task.choice.a.c_str());
+  std::printf("  %lld pairs of the same luck   gain %+.3f ± %.3f, %s\n", static_cast<long long>(itself.paired.pairs),
+              gain.mean, gain.high - gain.mean, itself.even() ? "0 in each, as it must be" : "NOT 0 in each");
+  std::printf("  %s\n", advantage_text(itself).c_str());
+  return itself.status();
 }
 
 int run_blocks(const CompareTask& task, const contest::Comparison& comparison, const contest::RunFolder& folder) {

@@ -36,8 +36,9 @@ void clear_line();
 int run_plan(const CompareTask& task, const contest::Comparison& comparison);
 /// Repeats the verdict under other models, with one change at a time.
 int run_robust(CompareTask task);
-/// Compares a behaviour with itself, as a test that only the behaviour decides. Each pair must have a gain of 0. Games
-/// with different seeds must favour neither end of the field.
+/// Compares a behaviour with itself, as a test that only the behaviour decides. Each pair must be the same game twice.
+/// Games with different seeds must favour neither end of the field. In half of them the sides exchange the situation, so
+/// that its own advantage is nobody's.
 int run_itself(CompareTask task);
 /// Plays the requested blocks of a run.
 int run_blocks(const CompareTask& task, const contest::Comparison& comparison, const contest::RunFolder& folder);

@@ -141,7 +141,7 @@ class MatchCommand final : public Command {
   int run() override {
     if (!mcap_.empty() && lines_) return fail("--mcap and --lines do not go together");
     if (!mcap_.empty() && games_ > 1) return fail("--mcap records one game, got --games " + std::to_string(games_));
-    if (!save_at_.empty() && (lines_ || games_ > 1))
+    if (!save_at_.empty() && (lines_ || statistics_ || games_ > 1))
       return fail("--save-at is of one game, without --lines and --games");
     if (fuzz_ && from_.empty()) return fail("--fuzz needs --from, the situation that is varied");
     if (teams_.home == teams_.away)

@@ -11,6 +11,7 @@ void PairStatistics::add(const Pair& pair) {
   for (const int place : {0, 1}) {
     const GameResult& game = pair.games[place];
     sum += game.gain;
+    if (game.gain != 0) ++eventful_games;
     game_gain[place] += game.gain;
     game_gain_squares[place] += std::int64_t{game.gain} * game.gain;
     for (const int behaviour : {kA, kB}) {
@@ -24,6 +25,8 @@ void PairStatistics::add(const Pair& pair) {
   ++points[got];
   gain += sum;
   gain_squares += sum * sum;
+  if (sum != 0) ++uneven;
+  if (pair.same) ++same;
 }
 
 void PairStatistics::add(const PairStatistics& other) {
@@ -40,6 +43,9 @@ void PairStatistics::add(const PairStatistics& other) {
   drawn += other.drawn;
   lost += other.lost;
   for (int i = 0; i < 5; ++i) points[i] += other.points[i];
+  same += other.same;
+  uneven += other.uneven;
+  eventful_games += other.eventful_games;
 }
 
 }  // namespace sim::compare

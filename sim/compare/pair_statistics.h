@@ -20,7 +20,9 @@ struct GameResult {
 
 /// Two games with the same luck and the ends swapped: an advantage of an end helps each behaviour once.
 struct Pair {
-  GameResult games[2];  // B is the away team in the first, the home team in the second
+  GameResult games[2];     // B is the away team in the first, the home team in the second
+  bool same = false;       // B played what A played: the games of both are the same games, with A and B exchanged
+  std::uint64_t hash = 0;  // of all that happened in its games; pairs with equal hashes are the same pair
 
   friend bool operator==(const Pair&, const Pair&) = default;
 };
@@ -33,6 +35,9 @@ struct PairStatistics {
   std::int64_t goals[2] = {0, 0}, conceded[2] = {0, 0};               // by behaviour
   std::int64_t won = 0, drawn = 0, lost = 0;                          // games, from B's side
   std::int64_t points[5] = {0, 0, 0, 0, 0};  // pairs by B's points 0 .. 4: 2 for a win, 1 for a draw
+  std::int64_t same = 0;                     // pairs in which B played what A played
+  std::int64_t uneven = 0;                   // pairs whose gain is not 0
+  std::int64_t eventful_games = 0;           // games whose gain is not 0
 
   void add(const Pair& pair);
   void add(const PairStatistics& other);

@@ -7,6 +7,8 @@ namespace sim::compare {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::int64_t kPatience = 1000;  // [pairs] after which a sequential test gives up on a rare gain
+constexpr std::int64_t kRare = 20;        // a gain in fewer than one of this many pairs is rare
 constexpr double kNormal975 = 1.959963984540054, kNormal95 = 1.644853626951473, kNormal80 = 0.841621233572914;
 
 /// Returns the 97.5 % quantile of Student's t (Cornish and Fisher's expansion; error < 0.2 % from 5 degrees on).
@@ -67,13 +69,18 @@ Bounds bounds_of(const Hypothesis& hypothesis) {
           .h1 = std::log((1 - hypothesis.beta) / hypothesis.alpha)};
 }
 
+Hypothesis asked(const Hypothesis& hypothesis, const PairStatistics& statistics, double unit) {
+  Hypothesis made = hypothesis;
+  if (hypothesis.part > 0) made.h1 = made.h0 + made.part * std::sqrt(pair_variance(statistics, unit));
+  return made;
+}
+
 double llr(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit) {
+  const Hypothesis made = asked(hypothesis, statistics, unit);
   const double variance = pair_variance(statistics, unit);
-  const double mean = gain_per_game(statistics, unit).mean;
-  const double towards_h1 = static_cast<double>(statistics.pairs) * (hypothesis.h1 - hypothesis.h0) *
-                            (2 * mean - hypothesis.h0 - hypothesis.h1) / 2;
-  if (variance > 0) return towards_h1 / variance;
-  return towards_h1 == 0 ? 0 : std::copysign(kInfinity, towards_h1);
+  const double beyond_middle = gain_per_game(statistics, unit).mean - (made.h0 + made.h1) / 2;
+  if (variance > 0) return static_cast<double>(statistics.pairs) * (made.h1 - made.h0) * beyond_middle / variance;
+  return beyond_middle == 0 ? 0 : std::copysign(kInfinity, beyond_middle);
 }
 
 std::string_view name(Verdict verdict) {
@@ -82,13 +89,15 @@ std::string_view name(Verdict verdict) {
     case Verdict::not_better: return "not better";
     case Verdict::undecided: return "undecided";
     case Verdict::identical: return "identical";
+    case Verdict::too_rare: return "too rare";
   }
   return "";
 }
 
 Verdict decide(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit) {
   if (statistics.pairs < hypothesis.fewest_pairs) return Verdict::undecided;
-  if (statistics.gain_squares == 0) return Verdict::identical;
+  if (statistics.same == statistics.pairs) return Verdict::identical;
+  if (statistics.uneven < kFewestUneven) return statistics.pairs < kPatience ? Verdict::undecided : Verdict::too_rare;
   const double ratio = llr(statistics, hypothesis, unit);
   const Bounds bounds = bounds_of(hypothesis);
   if (ratio >= bounds.h1) return Verdict::better;
@@ -97,10 +106,12 @@ Verdict decide(const PairStatistics& statistics, const Hypothesis& hypothesis, d
 
 Verdict judge(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit) {
   if (statistics.pairs < 2) return Verdict::undecided;
-  if (statistics.gain_squares == 0) return Verdict::identical;
+  if (statistics.same == statistics.pairs) return Verdict::identical;
+  if (statistics.uneven < kFewestUneven)
+    return statistics.uneven * kRare < statistics.pairs ? Verdict::too_rare : Verdict::undecided;
   const Interval gain = gain_per_game(statistics, unit);
   if (gain.low > hypothesis.h0) return Verdict::better;
-  return gain.high < hypothesis.h1 ? Verdict::not_better : Verdict::undecided;
+  return gain.high < asked(hypothesis, statistics, unit).h1 ? Verdict::not_better : Verdict::undecided;
 }
 
 namespace {
@@ -153,7 +164,8 @@ struct Walk {
 
 // the motion is the log-likelihood ratio: per pair it drifts by (h1-h0)(2 gain-h0-h1)/(2 variance), and varies by
 // (h1-h0)^2/variance
-Interval unbiased_gain(const PairStatistics& statistics, const Hypothesis& hypothesis, double unit) {
+Interval unbiased_gain(const PairStatistics& statistics, const Hypothesis& question, double unit) {
+  const Hypothesis hypothesis = asked(question, statistics, unit);
   const double variance = pair_variance(statistics, unit);
   const double step = hypothesis.h1 - hypothesis.h0;
   const double ratio = llr(statistics, hypothesis, unit);

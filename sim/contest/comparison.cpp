@@ -6,6 +6,7 @@
 
 #include "robot/core/files.h"
 #include "robot/core/json_library.h"
+#include "sim/contest/run_folder.h"
 #include "sim/io/source.h"
 #include "sim/match/hash.h"
 #include "sim/match/play.h"
@@ -96,7 +97,8 @@ Result<Comparison> Comparison::prepare(const ComparisonChoice& choice) {
   const auto build = made.probe();
   if (!build) return build.failure();
 
-  nlohmann::ordered_json json = {{"a", choice.a},
+  nlohmann::ordered_json json = {{"format", RunFolder::kFormat},
+                                 {"a", choice.a},
                                  {"b", choice.b},
                                  {"vs", choice.opponent},
                                  {"rules", choice.rules},
@@ -120,10 +122,12 @@ Result<Comparison> Comparison::prepare(const ComparisonChoice& choice) {
   return made;
 }
 
-Result<Comparison::Score> Comparison::play(const Seat& seat, std::uint64_t seed) const {
-  const Cast cast(seat.lineup, seed);
+Result<Comparison::Score> Comparison::play(const Seat& seat, const Start& start) const {
+  const Cast cast(seat.lineup, start.seed);
   const Params& params = cast.params();
-  State state = seat.openings.begin(params, seed);
+  referee::Events events;
+  State state = seat.openings.begin(params, start, events);
+  Hash happened;
   const int before[2] = {state.book.score[0], state.book.score[1]};
   const Tick end = choice_.seconds > 0 ? state.world.tick + ticks(static_cast<float>(choice_.seconds)) : kNever;
   const float sign = attack_sign(state.world, seat.side);
@@ -133,6 +137,7 @@ Result<Comparison::Score> Comparison::play(const Seat& seat, std::uint64_t seed)
   sim::play(
       params, state, [&](const State& now) { return now.world.tick >= end || (first && first_ends) || cast.failed(); },
       [&](const referee::Event& event) {
+        happened.add(static_cast<std::uint64_t>(event.kind)), happened.add(event.tick);
         if (event.kind == Kind::goal && !first) first = event.side;
       });
   if (cast.failed()) return Error{cast.problem()};
@@ -141,7 +146,8 @@ Result<Comparison::Score> Comparison::play(const Seat& seat, std::uint64_t seed)
     const int index = static_cast<int>(side);
     return state.book.score[index] - before[index];
   };
-  Score score{.own = scored(seat.side), .other = scored(other(seat.side))};
+  happened.add(hash_of_game(state));
+  Score score{.own = scored(seat.side), .other = scored(other(seat.side)), .hash = happened.value()};
   score.cost[0] = cast.cost(seat.side), score.cost[1] = cast.cost(other(seat.side));
   const int winner = !first ? 0 : *first == seat.side ? 1 : -1;
   switch (choice_.metric) {
@@ -161,26 +167,35 @@ Result<Comparison::Score> Comparison::play(const Seat& seat, std::uint64_t seed)
 
 Result<PlayedPair> Comparison::play(std::int64_t number) const {
   PlayedPair played;
+  Hash happened;
+  std::uint64_t of_b[2] = {}, of_a[2] = {};
   for (const int place : {0, 1}) {
     const auto index = static_cast<std::size_t>(place);
-    const std::uint64_t seed = seed_of(number) + (choice_.unpaired && place == 1 ? kOtherLuck : 0);
-    const auto b = play(b_[index], seed);
+    const bool other_luck = choice_.unpaired && place == 1;
+    const Start start{
+        .seed = seed_of(number) + (other_luck ? kOtherLuck : 0), .moment = seed_of(number), .turned = other_luck};
+    const auto b = play(b_[index], start);
     if (!b) return b.failure();
     Score a{.own = b->other, .other = b->own};  // against each other: the same game from A's side
     a.cost[0] = b->cost[1];
     int gain = b->value;
     if (!a_.empty()) {
-      const auto other_game = play(a_[index], seed);
+      const auto other_game = play(a_[index], start);
       if (!other_game) return other_game.failure();
       a = *other_game;
       gain = b->value - a.value;
     } else if (choice_.metric == Metric::score_within) {
       gain = b->value - (b->other > 0 ? 1 : 0);
     }
+    // against each other: the game in which A has B's seat is the other one of the pair
+    of_b[place] = b->hash, of_a[a_.empty() ? 1 - place : place] = a_.empty() ? b->hash : a.hash;
+    happened.add(b->hash), happened.add(a.hash);
     played.pair.games[place] = {.gain = gain, .goals = {a.own, b->own}, .conceded = {a.other, b->other}};
     played.cost[0].add(a.cost[0]);
     played.cost[1].add(b->cost[0]);
   }
+  played.pair.same = of_a[0] == of_b[0] && of_a[1] == of_b[1];
+  played.pair.hash = happened.value();
   return played;
 }
 

@@ -40,7 +40,8 @@ struct ComparisonChoice {
   double seconds = 0;  // [s] longest game; 0: to its end
   Metric metric = Metric::goals;
   std::uint64_t seed = 1;  // of the first pair
-  bool unpaired = false;   // the second game of a pair has another seed: tests the ends of the field
+  // the second game of a pair has another seed, and the sides exchange the situation: tests the ends of the field
+  bool unpaired = false;
   Conditions conditions;
 };
 
@@ -79,10 +80,11 @@ class Comparison {
   struct Score {
     int own = 0, other = 0;  // goals
     int value = 0;           // by the metric
+    std::uint64_t hash = 0;  // of all that happened
     DecisionCost cost[2];    // of the judged side, of the other side
   };
 
-  robot::Result<Score> play(const Seat& seat, std::uint64_t seed) const;
+  robot::Result<Score> play(const Seat& seat, const Start& start) const;
   robot::Result<void> seat(std::vector<Seat>& seats, const std::string& judged, const std::string& against, Side side,
                            bool changed);
   robot::Result<std::string> probe() const;

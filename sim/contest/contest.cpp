@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <unordered_set>
 
 #include "sim/contest/crew.h"
 
@@ -50,15 +51,20 @@ void add_mark(std::vector<Mark>& marks, const Mark& mark) {
 class Judge {
  public:
   Judge(const Comparison& comparison, const ContestOptions& options)
-      : unit_(comparison.unit()), column_(column_of(comparison.choice().metric)), options_(options) {
+      : unit_(comparison.unit()),
+        column_(column_of(comparison.choice().metric)),
+        models_(comparison.choice().models),
+        options_(options) {
     outcome_.histogram.resize(2 * Outcome::kWidest + 1);
   }
 
-  const Mark& take(std::int64_t block, const Pairs& pairs) {
+  /// Returns the mark behind the block, or an Error if its pairs are repetitions.
+  Result<Mark> take(std::int64_t block, const Pairs& pairs) {
     const std::int64_t wanted = options_.pairs.value_or(options_.most_pairs);
     for (std::int64_t i = 0; i < kPerBlock && block * kPerBlock + i < wanted; ++i)
       take_pair(block * kPerBlock + i, pairs[static_cast<std::size_t>(i)]);
     const compare::PairStatistics& tally = outcome_.tally;
+    if (outcome_.different < tally.pairs && tally.same < tally.pairs) return repetition();
     add_mark(outcome_.marks, {.pairs = tally.pairs,
                               .gain = compare::gain_per_game(tally, unit_),
                               .llr = compare::llr(tally, options_.question, unit_)});
@@ -79,8 +85,20 @@ class Judge {
   }
 
  private:
+  bool is_known(std::uint64_t hash) {
+    if (hashes_.size() >= kRemembered) return hashes_.contains(hash);
+    return !hashes_.insert(hash).second;
+  }
+
+  Error repetition() const {
+    return Error{"the games repeat: expected " + std::to_string(outcome_.tally.pairs) + " different pairs, got " +
+                 std::to_string(outcome_.different) + "; with models '" + models_ +
+                 "' a seed changes too little: choose models with noise, or vary the start with --from and --fuzz"};
+  }
+
   void take_pair(std::int64_t number, const compare::Pair& pair) {
     outcome_.tally.add(pair);
+    if (!is_known(pair.hash)) ++outcome_.different;
     const int gain = pair.games[0].gain + pair.games[1].gain;
     note(outcome_.decisive, {.number = number, .gain = gain});
     const auto column = static_cast<int>(std::lround(gain / (unit_ * column_)));
@@ -89,8 +107,10 @@ class Judge {
   }
 
   const double unit_, column_;
+  const std::string models_;
   const ContestOptions& options_;
   Outcome outcome_;
+  std::unordered_set<std::uint64_t> hashes_;  // of the different pairs, at most kRemembered
 };
 
 /// Blocks from the disk or from workers. A limited number is played ahead of the requested one.
@@ -159,8 +179,9 @@ Result<Outcome> play_contest(const Comparison& comparison, const ContestOptions&
     const auto pairs = played.take(block, deadline);
     if (!pairs) break;
     if (!*pairs) return pairs->failure();
-    const Mark& mark = judge.take(block, **pairs);
-    if (progress) progress(mark, static_cast<double>(2 * mark.pairs) * 60 / since(start));
+    const auto mark = judge.take(block, **pairs);
+    if (!mark) return mark.failure();
+    if (progress) progress(*mark, static_cast<double>(2 * mark->pairs) * 60 / since(start));
   }
   return judge.finish(since(start), played.cost());
 }
@@ -192,7 +213,8 @@ Result<Outcome> merge(const Comparison& comparison, const ContestOptions& option
     const auto pairs = folder.read(block);
     if (!pairs) return pairs.failure();
     // blocks after the answer are checked but not judged
-    if (judge.undecided()) judge.take(block, *pairs);
+    if (!judge.undecided()) continue;
+    if (const auto mark = judge.take(block, *pairs); !mark) return mark.failure();
   }
   return judge.finish(since(start), {});
 }

@@ -41,6 +41,7 @@ struct DecisivePair {
 
 struct Outcome {
   compare::PairStatistics tally;
+  std::int64_t different = 0;  // pairs that are no repetition of an earlier one
   compare::Verdict verdict = compare::Verdict::undecided;
   bool sequential = false;             // the test itself has answered
   std::vector<Mark> marks;             // one per block, thinned to at most 400
@@ -56,7 +57,11 @@ struct Outcome {
 /// Returns the width of a column of the histogram, in the metric's unit.
 constexpr double column_of(Metric metric) { return metric == Metric::ball_advance ? 0.5 : 1; }
 
-/// Plays blocks until there is a verdict. Calls `progress` after each block. The result depends only on the comparison
+/// Number of pairs whose hashes are remembered to find repetitions, so that memory does not grow.
+inline constexpr std::size_t kRemembered = 100'000;
+
+/// Plays blocks until there is a verdict. Returns an Error if pairs repeat earlier ones, because the seed changes nothing:
+/// they are no independent games, and no interval holds for them. Pairs in which B played what A played may repeat. Calls `progress` after each block. The result depends only on the comparison
 /// and the options, not on the order in which blocks finish, unless the time limit ends the run. Blocks that are in
 /// `folder` are not played again; `folder` may be null.
 robot::Result<Outcome> play_contest(const Comparison& comparison, const ContestOptions& options,

@@ -42,7 +42,9 @@ Result<Openings> Openings::read(const std::string& from, bool fuzz, const Params
     if (!source) return source.failure();
     auto state = io::parse_situation(source->text, source->called, params);
     if (!state) return state.failure();
-    openings.descriptions_.push_back({std::move(source->text), std::move(source->called), *state});
+    // a description that was valid is valid when it is turned
+    const State turned = io::parse_situation(source->text, source->called, params, nullptr, true).value();
+    openings.descriptions_.push_back({std::move(source->text), std::move(source->called), *state, turned});
   }
   return openings;
 }
@@ -53,16 +55,20 @@ State Openings::begin(const Params& params, std::uint64_t seed) const {
 }
 
 State Openings::begin(const Params& params, std::uint64_t seed, referee::Events& events) const {
+  return begin(params, {.seed = seed, .moment = seed}, events);
+}
+
+State Openings::begin(const Params& params, const Start& start, referee::Events& events) const {
   events.count = 0;
-  if (descriptions_.empty()) return sim::begin(params, {.seed = seed}, events);
-  const Description& description = descriptions_[seed % descriptions_.size()];
-  State state = description.state;
+  if (descriptions_.empty()) return sim::begin(params, {.seed = start.seed}, events);
+  const Description& description = descriptions_[start.moment % descriptions_.size()];
+  State state = start.turned ? description.turned : description.state;
   if (fuzz_) {
     // a description that was valid without fuzz is valid with it
-    const RandomKey luck{state.world.key.seed + seed};
-    state = io::parse_situation(description.text, description.called, params, &luck).value();
+    const RandomKey luck{state.world.key.seed + start.seed};
+    state = io::parse_situation(description.text, description.called, params, &luck, start.turned).value();
   }
-  state.world.key.seed += seed;
+  state.world.key.seed += start.seed;
   return state;
 }
 

@@ -31,6 +31,8 @@ Json to_json(const compare::Pair& pair) {
   Json json = Json::array();
   for (const compare::GameResult& game : pair.games)
     json.push_back({game.gain, game.goals[0], game.goals[1], game.conceded[0], game.conceded[1]});
+  json.push_back(pair.same);
+  json.push_back(pair.hash);
   return json;
 }
 
@@ -41,7 +43,16 @@ compare::Pair pair_of(const Json& json) {
     pair.games[place] = {
         .gain = numbers.at(0), .goals = {numbers.at(1), numbers.at(2)}, .conceded = {numbers.at(3), numbers.at(4)}};
   }
+  pair.same = json.at(2).get<bool>();
+  pair.hash = json.at(3).get<std::uint64_t>();
   return pair;
+}
+
+/// Returns the format that a specification names, or 1, the format without a name.
+int format_of(const std::string& specification) {
+  const Json json = Json::parse(specification, nullptr, false);
+  if (!json.is_object() || !json.contains("format") || !json["format"].is_number_integer()) return 1;
+  return json["format"].get<int>();
 }
 
 }  // namespace
@@ -60,6 +71,9 @@ robot::Result<RunFolder> RunFolder::open(const std::filesystem::path& folder, co
   }
   const auto there = robot::read_file(file, kMaxBytes);
   if (!there) return there.failure();
+  if (const int written = format_of(*there), expected = format_of(specification); written != expected)
+    return Error{"run " + folder.string() + ": expected format " + std::to_string(expected) + ", got format " +
+                 std::to_string(written) + " of another version of this program; choose another --out"};
   if (*there != specification + "\n")
     return Error{"run " + folder.string() +
                  ": expected nothing or the same comparison on the same build, got another one; choose another --out"};

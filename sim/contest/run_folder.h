@@ -16,6 +16,8 @@ namespace sim::contest {
 class RunFolder {
  public:
   static constexpr std::int64_t kPairsPerBlock = 25;
+  /// The version of the files, in the specification as "format". Increment it when the contents change their meaning.
+  static constexpr int kFormat = 2;
 
   /// The use of a run's folder.
   enum class Use {
@@ -24,8 +26,8 @@ class RunFolder {
     share,  // likewise, and other processes write other blocks meanwhile
   };
 
-  /// Opens or creates the folder of a run. Refuses a folder that holds another run, or that another process uses,
-  /// unless all processes share it.
+  /// Opens or creates the folder of a run. Refuses a folder that holds another run or another format, or that another
+  /// process uses, unless all processes share it.
   static robot::Result<RunFolder> open(const std::filesystem::path& folder, const std::string& specification, Use use);
 
   /// Returns the pairs of a block, or an Error if it is missing, damaged or of another run.

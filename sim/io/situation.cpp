@@ -101,8 +101,8 @@ Enum name_at(Reader& reader, const Json& object, const std::string& path, const 
 /// The builder of a state from a description.
 class Scene {
  public:
-  Scene(Reader& reader, const Params& params, const RandomKey* shaken)
-      : reader_(reader), params_(params), shaken_(shaken) {}
+  Scene(Reader& reader, const Params& params, const RandomKey* shaken, bool turned)
+      : reader_(reader), params_(params), shaken_(shaken), turned_(turned) {}
 
   State build(const Json& json) {
     referee::Events events;
@@ -114,6 +114,7 @@ class Scene {
         json, "",
         {"about", "seed", "phase", "set_play", "kicking", "half", "clock", "score", "ball", "robots", "check"});
     if (!reader_.good()) return state_;
+    if (turned_) turn();
     if (shaken_) shake();
     start_play(params_, state_);
     set_phase(json);
@@ -156,6 +157,7 @@ class Scene {
     book.phase = name_at(reader_, json, "", "phase", kPhases, Phase::playing);
     book.set_play = name_at(reader_, json, "", "set_play", kSetPlays, SetPlay::none);
     book.kicking = name_at(reader_, json, "", "kicking", kSides, Side::home);
+    if (turned_) book.kicking = other(book.kicking);
     book.last_touch = book.kicking;
     book.ball_free = book.set_play == SetPlay::none;
   }
@@ -221,6 +223,25 @@ class Scene {
     state_.book.penalised_until[robot] = until;
   }
 
+  /// Gives each side the other's moment: half a turn round the middle of the field, with exchanged robots and score.
+  void turn() {
+    World& world = state_.world;
+    const Vec2 velocity = world.ball.velocity;
+    sim::place(world.ball, -world.ball.position);
+    world.ball.velocity = -velocity;
+    std::swap(state_.book.score[0], state_.book.score[1]);
+    for (int robot = 0; robot < kMaxPlayers; ++robot) {
+      std::swap(world.bodies[robot], world.bodies[robot + kMaxPlayers]);
+      std::swap(state_.book.penalised_until[robot], state_.book.penalised_until[robot + kMaxPlayers]);
+    }
+    for_each_robot(world.players, [&](int robot) {
+      Body& body = world.bodies[robot];
+      body.position = -body.position;
+      body.heading = normalized(body.heading + kPi);
+      body.facing = direction(body.heading);
+    });
+  }
+
   /// Moves each to the first free place drawn near its own.
   void shake() {
     World& world = state_.world;
@@ -261,6 +282,7 @@ class Scene {
   Reader& reader_;
   const Params& params_;
   const RandomKey* const shaken_;
+  const bool turned_;
   State state_;
   bool named_[kMaxRobots] = {};
 };
@@ -268,11 +290,11 @@ class Scene {
 }  // namespace
 
 Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params,
-                              const RandomKey* shaken) {
+                              const RandomKey* shaken, bool turned) {
   const Result<Json> json = parse_object(text, called);
   if (!json) return json.failure();
   Reader reader(called);
-  const State state = Scene(reader, params, shaken).build(*json);
+  const State state = Scene(reader, params, shaken, turned).build(*json);
   if (!reader.good()) return reader.error();
   return state;
 }

@@ -27,9 +27,10 @@ namespace sim::io {
 
 /// Makes the state of that moment, to be played on. All robots have just seen and reported the ball, and stand still.
 /// `shaken` moves robots and ball by random amounts of that game, up to 0.3 m along each axis and 20 degrees, without
-/// overlaps.
+/// overlaps. `turned` turns the field by half a turn and exchanges the sides: each side then has the other's moment, and
+/// attacks the same goal as before.
 robot::Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params,
-                                     const RandomKey* shaken = nullptr);
+                                     const RandomKey* shaken = nullptr, bool turned = false);
 
 /// Loads an embedded situation by name, or a file by path.
 robot::Result<State> load_situation(const std::string& name, const Params& params);

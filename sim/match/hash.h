@@ -31,6 +31,10 @@ class Hash {
 /// Returns the hash of the bits of every field of a state.
 std::uint64_t hash_of(const State& state);
 
+/// Returns the hash of all that has happened in a game: the state without its seed and without the memories of the agents.
+/// Two strategies that act alike, or two seeds that change nothing, have the same hash.
+std::uint64_t hash_of_game(const State& state);
+
 /// Returns the hash as 16 hexadecimal digits.
 std::string hex(std::uint64_t hash);
 

@@ -108,8 +108,8 @@ std::string verdict_plot(const Json& report) {
   const double room = 0.12 * (top - bottom);
   Plot plot(0, path.back().first, bottom - room, top + room);
   plot.level("zero", 0, "");
-  plot.level("up", high, text("better by %g: %+.2f", number(report.at("h1")), high));
-  plot.level("down", low, text("better by %g at most: %+.2f", number(report.at("h0")), low));
+  plot.level("up", high, text("better by %.3g: %+.2f", number(report.at("h1")), high));
+  plot.level("down", low, text("better by %.3g at most: %+.2f", number(report.at("h0")), low));
   plot.line("path", path);
   return plot.svg("the log-likelihood ratio over the pairs played, and the bounds of the test", "pairs of games");
 }
@@ -133,7 +133,7 @@ std::string mean_plot(const Json& report) {
   Plot plot(0, mean.back().first, bottom - room, largest + room);
   plot.band("interval", pairs, low, high);
   plot.level("zero", 0, "");
-  plot.level("goal", number(report.at("h1")), text("asked for: %+g", number(report.at("h1"))));
+  plot.level("goal", number(report.at("h1")), text("asked for: %+.3g", number(report.at("h1"))));
   plot.line("mean", mean);
   return plot.svg("the mean gain over the pairs played, with its 95 % interval", "pairs of games");
 }
@@ -254,13 +254,16 @@ std::string page_of(const Json& report) {
   all += fact(figure("gain.mean", "%+.3f", gain.at("mean")), unit_of(report) + "<br>95 %: " + interval("gain", gain));
   if (report.at("unbiased_gain").is_object())
     all += fact(figure("unbiased_gain.mean", "%+.3f", report.at("unbiased_gain").at("mean")),
-                "when to stop allowed for<br>95 %: " + interval("unbiased_gain", report.at("unbiased_gain")));
+                "corrected for the early stop<br>95 %: " + interval("unbiased_gain", report.at("unbiased_gain")));
   all += fact(figure("games", "%.0f", report.at("games")),
-              "games in " + figure("pairs", "%.0f", report.at("pairs")) + " pairs");
+              "games in " + figure("pairs", "%.0f", report.at("pairs")) + " pairs,<br>" +
+                  figure("different_pairs", "%.0f", report.at("different_pairs")) + " of them different");
   all += fact(figure("pairing_gain", "%.2f×", report.at("pairing_gain")), "as many games as this<br>without pairs");
   const Json& home = report.at("home_advantage");
+  const bool kick_off = report.at("run").at("situation").get<std::string>().empty();
   all += fact(figure("home_advantage.mean", "%+.3f", home.at("mean")),
-              "home advantage<br>95 %: " + interval("home_advantage", home));
+              std::string(kick_off ? "home advantage" : "worth of the home side's place") +
+                  "<br>95 %: " + interval("home_advantage", home));
   all += "</div>\n<div class=\"plots\">\n";
 
   all += card("The test",

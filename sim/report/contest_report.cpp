@@ -91,6 +91,11 @@ std::optional<Interval> unbiased(const ContestReport& report) {
   return compare::unbiased_gain(report.outcome.tally, report.options.question, unit);
 }
 
+/// Returns the question with its h1 in the metric's unit.
+compare::Hypothesis question_of(const ContestReport& report) {
+  return compare::asked(report.options.question, report.outcome.tally, report.comparison.unit());
+}
+
 Json unbiased_json(const ContestReport& report) {
   const auto gain = unbiased(report);
   return gain ? to_json(*gain) : Json();
@@ -98,19 +103,39 @@ Json unbiased_json(const ContestReport& report) {
 
 }  // namespace
 
+namespace {
+
+/// "+0.123 goals per game (95 %: +0.045 .. +0.201)"; after the answer of a sequential test with the correction.
+std::string amount_of(const ContestReport& report) {
+  const auto corrected = unbiased(report);
+  const Interval gain = corrected ? *corrected : compare::gain_per_game(report.outcome.tally, report.comparison.unit());
+  return text("%+.3f %s per game (95 %%: %+.3f .. %+.3f%s)", gain.mean, noun(report.comparison.choice().metric),
+              gain.low, gain.high, corrected ? ", corrected for the early stop" : "");
+}
+
+/// "0.098 per game, which is 0.1 of its standard deviation", or only the number if it was asked for.
+std::string h1_of(const ContestReport& report) {
+  const compare::Hypothesis question = question_of(report);
+  std::string said = text("%.2g per game", question.h1);
+  if (question.part > 0) said += text(" (%g of its standard deviation)", question.part);
+  return said;
+}
+
+}  // namespace
+
 std::string sentence_of(const ContestReport& report) {
   const contest::ComparisonChoice& choice = report.comparison.choice();
-  const Interval gain = compare::gain_per_game(report.outcome.tally, report.comparison.unit());
-  const std::string amount =
-      text("%+.3f %s per game (95 %%: %+.3f .. %+.3f)", gain.mean, noun(choice.metric), gain.low, gain.high);
+  const compare::PairStatistics& tally = report.outcome.tally;
+  const std::string a = choice.a, b = name_of_b(choice);
   switch (report.outcome.verdict) {
-    case Verdict::better: return name_of_b(choice) + " is better than " + choice.a + ": " + amount;
-    case Verdict::not_better:
-      return name_of_b(choice) + " is not better than " + choice.a +
-             text(" by %.2g per game: ", report.options.question.h1) + amount;
-    case Verdict::undecided:
-      return "undecided whether " + name_of_b(choice) + " is better than " + choice.a + ": " + amount;
-    case Verdict::identical: return name_of_b(choice) + " and " + choice.a + " are identical: every pair came out even";
+    case Verdict::better: return b + " is better than " + a + ": " + amount_of(report);
+    case Verdict::not_better: return b + " is not better than " + a + " by " + h1_of(report) + ": " + amount_of(report);
+    case Verdict::undecided: return "undecided whether " + b + " is better than " + a + ": " + amount_of(report);
+    case Verdict::identical: return b + " and " + a + " are identical: each plays the games of the other";
+    case Verdict::too_rare:
+      return "too rare to tell whether " + b + " is better than " + a +
+             text(": %lld of %lld pairs had a gain; raise --pairs or choose a longer metric",
+                  static_cast<long long>(tally.uneven), static_cast<long long>(tally.pairs));
   }
   return "";
 }
@@ -119,19 +144,25 @@ Json to_json(const ContestReport& report) {
   const auto& [comparison, options, outcome] = report;
   const compare::PairStatistics& tally = outcome.tally;
   const double unit = comparison.unit();
-  const double ratio = compare::llr(tally, options.question, unit);
-  const compare::Bounds bounds = compare::bounds_of(options.question);
+  const compare::Hypothesis question = question_of(report);
+  const double ratio = compare::llr(tally, question, unit);
+  const compare::Bounds bounds = compare::bounds_of(question);
   Json json = {{"run", Json::parse(comparison.specification())},
                {"verdict", compare::name(outcome.verdict)},
                {"sentence", sentence_of(report)},
                {"pairs", tally.pairs},
                {"games", games_of(outcome)},
+               {"different_pairs", outcome.different},
+               {"uneven_pairs", tally.uneven},
+               {"same_pairs", tally.same},
                {"gain", to_json(compare::gain_per_game(tally, unit))},
                {"unbiased_gain", unbiased_json(report)},
                {"llr", std::isfinite(ratio) ? Json(ratio) : Json()},
                {"bounds", {bounds.h0, bounds.h1}},
-               {"h0", options.question.h0},
-               {"h1", options.question.h1}};
+               {"h0", question.h0},
+               {"h1", question.h1},
+               {"h1_part", question.part},
+               {"standard_deviation", std::sqrt(compare::pair_variance(tally, unit))}};
   for (const int behaviour : {kA, kB})
     json[behaviour == kA ? "a" : "b"] = {{"goals", per_game(outcome, tally.goals[behaviour])},
                                          {"conceded", per_game(outcome, tally.conceded[behaviour])}};
@@ -179,79 +210,38 @@ std::string to_text(const ContestReport& report, bool explain) {
 
   out += text("games            %lld in %lld pairs", static_cast<long long>(games_of(outcome)),
               static_cast<long long>(tally.pairs));
+  out += outcome.different == tally.pairs ? ", no two alike"
+                                          : text(", %lld of them different", static_cast<long long>(outcome.different));
   // blocks from the disk took no time
   if (outcome.cost[kA].timed > 0)
     out += text(", %.0f s, %.0f a minute", outcome.seconds,
                 static_cast<double>(games_of(outcome)) * 60 / std::max(outcome.seconds, 1e-3));
   out += "\n";
-  const compare::Bounds bounds = compare::bounds_of(options.question);
+  const compare::Hypothesis question = question_of(report);
+  const compare::Bounds bounds = compare::bounds_of(question);
   if (!options.pairs)
-    out += text("test             LLR %+.2f of %+.2f for %g, %+.2f for %g\n",
-                compare::llr(tally, options.question, comparison.unit()), bounds.h0, options.question.h0, bounds.h1,
-                options.question.h1);
+    out += text("test             LLR %+.2f of %+.2f for %.3g, %+.2f for %.3g\n",
+                compare::llr(tally, question, comparison.unit()), bounds.h0, question.h0, bounds.h1, question.h1);
+  if (question.h1 > question.h0 && question.part > 0)
+    out += text(
+        "asked            is the gain at least %.3g per game? %g of its standard deviation over these pairs, %.3g\n",
+        question.h1, question.part, std::sqrt(compare::pair_variance(tally, comparison.unit())));
   if (const double gain = compare::pairing_gain(tally); gain > 0)
     out += text("pairing gain     %.2f times as many games without pairs\n", gain);
   const Interval home = compare::home_advantage(tally, comparison.unit());
-  out += text("home advantage   %+.3f (95 %%: %+.3f .. %+.3f)\n", home.mean, home.low, home.high);
+  out += text("%-16s %+.3f (95 %%: %+.3f .. %+.3f)%s\n", choice.situation.empty() ? "home advantage" : "the moment",
+              home.mean, home.low, home.high, choice.situation.empty() ? "" : " for the home side's place in it");
   out += "holds for        rules " + choice.rules + ", models " + choice.models + " (not fitted to robots of yours)\n";
-  if (const auto gain = unbiased(report))
-    out += text("unbiased gain    %+.3f (95 %%: %+.3f .. %+.3f), when to stop allowed for\n", gain->mean, gain->low,
-                gain->high);
+  if (unbiased(report)) {
+    const Interval plain = compare::gain_per_game(tally, comparison.unit());
+    out += text("plain mean       %+.3f (95 %%: %+.3f .. %+.3f), which an early stop makes too extreme\n", plain.mean,
+                plain.low, plain.high);
+  }
   if (!explain) return out;
 
   out += "\nmost decisive pairs, with the game that B plays at home\n";
   for (const contest::DecisivePair& pair : outcome.decisive)
     out += text("  %+g  ", pair.gain / comparison.unit()) + replay_of(report, pair) + "\n";
-  return out;
-}
-
-namespace {
-
-struct Needed {
-  double variance, seconds_per_pair;
-  compare::Plan plan;
-};
-
-Needed needed_by(const ContestReport& pilot) {
-  const double variance = compare::pair_variance(pilot.outcome.tally, pilot.comparison.unit());
-  compare::Plan plan = compare::plan(variance, pilot.options.question.h1 - pilot.options.question.h0);
-  // the sequential test gives no answer before this number of pairs
-  const auto fewest = static_cast<double>(pilot.options.question.fewest_pairs);
-  for (double* const pairs : {&plan.sequential, &plan.sequential_worst}) *pairs = std::max(*pairs, fewest);
-  return {.variance = variance,
-          .seconds_per_pair =
-              pilot.outcome.seconds / static_cast<double>(std::max<std::int64_t>(1, pilot.outcome.tally.pairs)),
-          .plan = plan};
-}
-
-}  // namespace
-
-Json plan_json(const ContestReport& pilot) {
-  const auto [variance, seconds, plan] = needed_by(pilot);
-  const auto entry = [seconds = seconds](double pairs) {
-    return Json{{"games", 2 * std::ceil(pairs)}, {"seconds", pairs * seconds}};
-  };
-  return {{"delta", pilot.options.question.h1 - pilot.options.question.h0},
-          {"pilot_pairs", pilot.outcome.tally.pairs},
-          {"pair_variance", variance},
-          {"fixed_80", entry(plan.fixed_80)},
-          {"fixed_95", entry(plan.fixed_95)},
-          {"sequential", entry(plan.sequential)},
-          {"sequential_worst", entry(plan.sequential_worst)}};
-}
-
-std::string plan_text(const ContestReport& pilot) {
-  const auto [variance, seconds, plan] = needed_by(pilot);
-  std::string out = text("to tell a gain of %g per game from none (a pilot of %lld pairs, variance %.2f):\n\n",
-                         pilot.options.question.h1 - pilot.options.question.h0,
-                         static_cast<long long>(pilot.outcome.tally.pairs), variance);
-  const auto line = [&out, seconds = seconds](const char* what, double pairs) {
-    out += text("  %-52s%9.0f games%9.1f min\n", what, 2 * std::ceil(pairs), pairs * seconds / 60);
-  };
-  line("sequential test, where one of its answers is true", plan.sequential);
-  line("sequential test, where the truth lies between them", plan.sequential_worst);
-  line("fixed number, found in 80 % of runs", plan.fixed_80);
-  line("fixed number, found in 95 % of runs", plan.fixed_95);
   return out;
 }
 

@@ -25,8 +25,4 @@ Json to_whole_json(const ContestReport& report);
 /// Returns the report as text. With `explain` it lists the decisive pairs and the commands that replay them.
 std::string to_text(const ContestReport& report, bool explain);
 
-/// Return the number of games that an answer needs, estimated from a pilot run.
-Json plan_json(const ContestReport& pilot);
-std::string plan_text(const ContestReport& pilot);
-
 }  // namespace sim::report

@@ -20,10 +20,11 @@ import { soak } from "./soak.mjs";
 import { soccer } from "./soccer.mjs";
 import { streaming } from "./streaming.mjs";
 import { thesis } from "./thesis.mjs";
+import { verdicts } from "./verdicts.mjs";
 import { viewer } from "./viewer.mjs";
 import { vivid } from "./vivid.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak, faults, "match-days": matchDays, door, sim, equivalence, soccer, realism, nao, vivid, lola, budget, viewer, deploy, compare, thesis, foresight, mcap };
+const benches = { streaming, half, interference, shaped, fanout, soak, faults, "match-days": matchDays, door, sim, equivalence, soccer, realism, nao, vivid, lola, budget, viewer, deploy, compare, verdicts, thesis, foresight, mcap };
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};

@@ -23,10 +23,47 @@ test("a behaviour compared with itself is exactly identical", async () => {
   assert.equal(status, 1);
   const report = JSON.parse(stdout);
   assert.equal(report.verdict, "identical");
+  assert.equal(report.sentence, "baseline and baseline are identical: each plays the games of the other");
+  assert.deepEqual([report.same_pairs, report.different_pairs], [100, 100]);
   assert.deepEqual(report.gain, { mean: 0, low: 0, high: 0 });
   assert.equal(report.games, 200);
   const sequential = JSON.parse((await compare("baseline", "--json")).stdout);
   assert.deepEqual([sequential.verdict, sequential.pairs], ["identical", 50]);
+});
+
+test("settings that change games without goals are not identical, and the answer says that goals are too rare", async () => {
+  const words = ["compare", "align_first", "kick_now", "--from", "far_free", "--seconds", "3"];
+  const { status, stdout } = await run("foresight-sim", ...words, "--pairs", "200");
+  assert.equal(status, 3);
+  assert.match(stdout, /^too rare to tell whether kick_now is better than align_first: 0 of 200 pairs had a gain; raise --pairs or choose a longer metric\n/);
+  // without a number of pairs it gives up, too
+  const sequential = await run("foresight-sim", ...words, "--json");
+  const { verdict, pairs } = JSON.parse(sequential.stdout);
+  assert.deepEqual([sequential.status, verdict, pairs], [3, "too rare", 1000]);
+});
+
+test("games that repeat are refused", async () => {
+  const words = ["compare", "align_first", "kick_now", "--models", "perfect", "--metric", "score_within:30s", "--from", "near_free", "--pairs", "50"];
+  const { status, stdout, stderr } = await run("foresight-sim", ...words);
+  assert.deepEqual([status, stdout], [2, ""]);
+  assert.match(stderr, /the games repeat: expected 25 different pairs, got 1; with models 'perfect' a seed changes too little: choose models with noise, or vary the start with --from and --fuzz/);
+  const varied = await run("foresight-sim", ...words, "--fuzz");
+  assert.match(varied.stdout, /\ngames {12}100 in 50 pairs, no two alike/);
+  const kickedOff = await run("foresight-sim", "compare", "--aa", "baseline", "--models", "perfect", "--seconds", "60");
+  assert.equal(kickedOff.status, 2);
+  assert.match(kickedOff.stderr, /the games repeat: expected 25 different pairs, got \d; /);
+});
+
+test("the usual question is a part of the metric's standard deviation, and the sentence has the gain corrected for the stop", async () => {
+  const { stdout } = await run("foresight-sim", "compare", "align_first", "kick_now", "--from", "close_free", "--fuzz", "--metric", "score_within:30s", "--json");
+  const report = JSON.parse(stdout);
+  assert.equal(report.verdict, "better");
+  assert.equal(report.h1_part, 0.1);
+  assert.ok(Math.abs(report.h1 - 0.1 * report.standard_deviation) < 1e-12);
+  assert.ok(report.h1 > 0.01 && report.h1 < 0.06, `${report.h1}`);
+  const { mean, low, high } = report.unbiased_gain;
+  const signed = (value) => (value < 0 ? "" : "\\+") + value.toFixed(3);
+  assert.match(report.sentence, new RegExp(`: ${signed(mean)} of scoring in time per game \\(95 %: ${signed(low)} \\.\\. ${signed(high)}, corrected for the early stop\\)$`));
 });
 
 test("a team that hardly plays is not better, and its opponent is", async () => {
@@ -224,13 +261,17 @@ test("a behaviour gains nothing against itself, at either end of the field", asy
   assert.equal(unpaired.games, 200);
   assert.equal(status, unpaired.fair ? 0 : 1);
   assert.ok(unpaired.home_advantage.low < unpaired.home_advantage.high);
+  // a lopsided moment is nobody's advantage when the sides exchange it
+  const moment = await run("foresight-sim", "compare", "--aa", "baseline", "--from", "close_free", "--metric", "score_within:30s", "--pairs", "200", "--json");
+  const { mean, low, high } = JSON.parse(moment.stdout).unpaired.home_advantage;
+  assert.ok(Math.abs(mean) < 0.15 && high - low < 0.3, `${low} .. ${high}`);
   assert.match((await compare("--aa", "baseline", "--pairs", "50")).stdout, /50 pairs of the same luck {3}gain \+0\.000 ± 0\.000, 0 in each, as it must be/);
 });
 
 test("a robust verdict is repeated under other models", async () => {
   const { status, stdout } = await compare("baseline", "idle", "--robust", "--pairs", "25", "--metric", "first_goal", "--vs", "baseline", "--json");
   const report = JSON.parse(stdout);
-  assert.equal(status, report.verdict === "undecided" ? 3 : 1);
+  assert.equal(status, ["undecided", "too rare"].includes(report.verdict) ? 3 : 1);
   assert.deepEqual(report.conditions.map(({ name }) => name), ["as modelled", "walk x0.8", "walk x1.2", "kick x0.8", "kick x1.2", "ball noise x0.5", "ball noise x2", "opponent x0.8", "opponent x1.2"]);
   assert.equal(new Set(report.conditions.map(({ gain }) => gain.mean)).size > 1, true);
   assert.deepEqual(report.turned_by, report.conditions.filter(({ verdict }) => verdict !== report.verdict).map(({ name }) => name));

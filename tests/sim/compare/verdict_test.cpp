@@ -90,13 +90,47 @@ TEST(Llr, IsTheRatioForEqualVariances) {
   EXPECT_NEAR(bounds_of({}).h0, -2.944, 1e-3);
 }
 
+/// Makes a pair in which B played what A played.
+Pair same_pair(int first) {
+  Pair pair = pair_of(first, -first);
+  pair.same = true;
+  return pair;
+}
+
 TEST(Decide, ABehaviourAgainstItselfIsIdentical) {
-  EXPECT_EQ(decide(statistics_of(std::vector(50, pair_of(-2, 2))), {}), Verdict::identical);
-  EXPECT_EQ(decide(statistics_of(std::vector(49, pair_of(-2, 2))), {}), Verdict::undecided);
-  EXPECT_EQ(judge(statistics_of(std::vector(50, pair_of(-2, 2))), {}), Verdict::identical);
+  EXPECT_EQ(decide(statistics_of(std::vector(50, same_pair(2))), {}), Verdict::identical);
+  EXPECT_EQ(decide(statistics_of(std::vector(49, same_pair(2))), {}), Verdict::undecided);
+  EXPECT_EQ(judge(statistics_of(std::vector(50, same_pair(2))), {}), Verdict::identical);
   // a constant gain has no variance either, but is a gain
   EXPECT_EQ(decide(statistics_of(std::vector(50, pair_of(1, 1))), {}), Verdict::better);
   EXPECT_EQ(decide(statistics_of(std::vector(50, pair_of(-1, -1))), {}), Verdict::not_better);
+}
+
+TEST(Decide, DifferentGamesWithAlmostNoGainAreTooRareAndNeverIdentical) {
+  std::vector<Pair> pairs(999, pair_of(0, 0));
+  pairs.resize(990);
+  pairs.insert(pairs.end(), 9, pair_of(1, 0));
+  EXPECT_EQ(decide(statistics_of(pairs), {}), Verdict::undecided) << "999 pairs: it plays on";
+  EXPECT_EQ(judge(statistics_of(pairs), {}), Verdict::too_rare);
+  pairs.push_back(pair_of(0, 0));
+  EXPECT_EQ(statistics_of(pairs).uneven, 9);
+  EXPECT_EQ(decide(statistics_of(pairs), {}), Verdict::too_rare);
+  EXPECT_EQ(decide(statistics_of(std::vector(1000, pair_of(-2, 2))), {}), Verdict::too_rare);
+  EXPECT_EQ(judge(statistics_of(std::vector(4, pair_of(1, 1))), {}), Verdict::undecided)
+      << "few pairs, not a rare gain";
+}
+
+TEST(Asked, IsAPartOfTheStandardDeviationInAnyUnit) {
+  // the sums of pairs are +-2: per game +-1
+  std::vector<Pair> pairs(50, pair_of(1, 1));
+  pairs.insert(pairs.end(), 50, pair_of(-1, -1));
+  const double deviation = std::sqrt(100 / 99.);
+  EXPECT_NEAR(asked({.part = 0.1}, statistics_of(pairs)).h1, 0.1 * deviation, 1e-12);
+  EXPECT_NEAR(asked({.h0 = 0.5, .part = 0.1}, statistics_of(pairs), 100).h1, 0.5 + 0.001 * deviation, 1e-12);
+  EXPECT_EQ(asked({.h1 = 0.3}, statistics_of(pairs)).h1, 0.3);
+  // the ratio is the same in any unit
+  pairs.insert(pairs.end(), 20, pair_of(1, 1));
+  EXPECT_NEAR(llr(statistics_of(pairs), {.part = 0.1}, 1), llr(statistics_of(pairs), {.part = 0.1}, 100), 1e-12);
 }
 
 TEST(Judge, UsesTheInterval) {
@@ -186,6 +220,53 @@ TEST(Decide, ErrsAsOftenAsStatedOnPlayedPairs) {
   };
   EXPECT_LE(part_of(0), 0.05);
   EXPECT_NEAR(part_of(0.1), 0.95, 0.02);
+}
+
+/// The result of tests of a gain that is 1, 0 or -1 per pair.
+struct Rates {
+  double better = 0, too_rare = 0, covered = 0, pairs = 0;
+};
+
+/// Runs usual tests. A pair has a gain with the probability `chance`; its mean is `effect` standard deviations.
+Rates rates_of(double chance, double effect) {
+  constexpr int kTests = 1000, kIntervals = 200;
+  const double mean = effect * std::sqrt(chance / (1 + effect * effect)), up = (chance + mean) / 2;
+  const Hypothesis question{.part = kUsualPart};
+  Rates rates;
+  int intervals = 0;
+  for (std::uint64_t test = 0; test < kTests; ++test) {
+    PairStatistics statistics;
+    Verdict verdict = Verdict::undecided;
+    for (std::uint32_t i = 0; verdict == Verdict::undecided; ++i) {
+      const double drawn = static_cast<double>(uniform(draw({.seed = test}, kNobody, Draw::situation, i)[0]));
+      statistics.add(pair_of(drawn < up ? 1 : drawn < chance ? -1 : 0, 0));
+      if (statistics.pairs % 25 == 0) verdict = decide(statistics, question);
+    }
+    rates.better += verdict == Verdict::better;
+    rates.too_rare += verdict == Verdict::too_rare;
+    rates.pairs += static_cast<double>(statistics.pairs);
+    if (verdict == Verdict::too_rare || intervals >= kIntervals) continue;
+    ++intervals;
+    const Interval found = unbiased_gain(statistics, question);
+    rates.covered += found.low <= mean / 2 && mean / 2 <= found.high;
+  }
+  rates.covered /= intervals;
+  for (double* const rate : {&rates.better, &rates.too_rare, &rates.pairs}) *rate /= kTests;
+  return rates;
+}
+
+// a metric of chances: the usual question errs as often as for goals, however rare they are
+TEST(Decide, ErrsAsOftenAsStatedForTheUsualQuestionOfAnyMetric) {
+  for (const double chance : {0.5, 0.2, 0.05, 0.02}) {
+    const Rates none = rates_of(chance, 0), asked_for = rates_of(chance, kUsualPart);
+    EXPECT_LE(none.better, 0.05) << chance;
+    EXPECT_GE(asked_for.better, 0.9) << chance;
+    EXPECT_LE(none.too_rare, 0.02) << chance;
+    EXPECT_GE(none.covered, 0.92) << chance;
+    EXPECT_GE(asked_for.covered, 0.92) << chance;
+    EXPECT_LE(none.pairs, 1000) << chance;
+  }
+  EXPECT_GE(rates_of(0.005, 0).too_rare, 0.9);
 }
 
 TEST(UnbiasedGain, IsAsOftenTooHighAsTooLowAndCoversTheTruth) {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "sim/compare/verdict.h"
+
 namespace sim::contest {
 namespace {
 
@@ -63,11 +67,55 @@ TEST(Comparison, ABehaviourGainsExactlyNothingOverItself) {
     ComparisonChoice choice = short_games(Metric::ball_advance);
     choice.b = choice.a, choice.opponent = opponent;
     const Comparison itself = prepared(choice);
+    std::set<std::uint64_t> hashes;
     for (std::int64_t number = 0; number < 4; ++number) {
       const compare::Pair pair = pair_of(itself, number);
       EXPECT_EQ(pair.games[0].gain + pair.games[1].gain, 0) << "against '" << opponent << "', pair " << number;
+      EXPECT_TRUE(pair.same) << "against '" << opponent << "', pair " << number;
+      hashes.insert(pair.hash);
+    }
+    EXPECT_EQ(hashes.size(), 4u) << "each seed has its own games";
+  }
+}
+
+TEST(Comparison, BehavioursThatActDifferentlyPlayDifferentGamesAlsoWithoutGoals) {
+  for (const char* opponent : {"", "baseline"}) {
+    const Comparison comparison =
+        prepared({.a = "align_first", .b = "kick_now", .opponent = opponent, .situation = "far_free", .seconds = 3});
+    for (std::int64_t number = 0; number < 4; ++number) {
+      const compare::Pair pair = pair_of(comparison, number);
+      EXPECT_EQ(pair.games[0].gain, 0);
+      EXPECT_EQ(pair.games[1].gain, 0);
+      EXPECT_FALSE(pair.same) << "against '" << opponent << "', pair " << number;
     }
   }
+}
+
+TEST(Comparison, WithoutNoiseASeedRepeatsTheGame) {
+  const Comparison comparison =
+      prepared({.a = "align_first", .b = "kick_now", .models = "perfect", .situation = "near_free", .seconds = 10});
+  EXPECT_EQ(pair_of(comparison, 0).hash, pair_of(comparison, 1).hash);
+}
+
+TEST(Comparison, OfABehaviourWithItselfExchangesTheMomentForTheOtherLuck) {
+  ComparisonChoice choice{.a = "baseline",
+                          .b = "baseline",
+                          .situation = "close_free",
+                          .seconds = 30,
+                          .metric = Metric::score_within,
+                          .unpaired = true};
+  const Comparison itself = prepared(choice);
+  choice.unpaired = false;
+  const Comparison plain = prepared(choice);
+  compare::PairStatistics exchanged, as_given;
+  for (std::int64_t number = 0; number < 100; ++number) exchanged.add(pair_of(itself, number));
+  for (std::int64_t number = 0; number < 50; ++number) as_given.add(pair_of(plain, number));
+  // the striker is at home, so the moment is lopsided
+  EXPECT_GT(compare::home_advantage(as_given).low, 0.05);
+  const compare::Interval advantage = compare::home_advantage(exchanged);
+  EXPECT_LT(advantage.low, 0);
+  EXPECT_GT(advantage.high, 0);
+  EXPECT_LT(advantage.high - advantage.low, 0.3);
 }
 
 TEST(Comparison, RefusesAMetricThatLacksItsSetting) {

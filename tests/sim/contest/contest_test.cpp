@@ -112,6 +112,40 @@ TEST(Contest, FindsABehaviourIdenticalToItself) {
   ASSERT_TRUE(outcome) << outcome.error();
   EXPECT_EQ(outcome->verdict, compare::Verdict::identical);
   EXPECT_EQ(outcome->tally.gain_squares, 0);
+  EXPECT_EQ(outcome->different, RunFolder::kPairsPerBlock);
+}
+
+TEST(Contest, FindsDifferentGamesWithoutGoalsTooRareAndNotIdentical) {
+  const auto differing =
+      Comparison::prepare({.a = "align_first", .b = "kick_now", .situation = "far_free", .seconds = 3});
+  ASSERT_TRUE(differing) << differing.error();
+  const auto outcome = play_contest(*differing, {.question = {}, .pairs = 50}, nullptr, {});
+  ASSERT_TRUE(outcome) << outcome.error();
+  EXPECT_EQ(outcome->verdict, compare::Verdict::too_rare);
+  EXPECT_EQ(outcome->tally.same, 0);
+  EXPECT_EQ(outcome->different, 50);
+}
+
+TEST(Contest, RefusesPairsThatRepeat) {
+  const auto played = [](bool fuzz, const char* b) {
+    const auto comparison = Comparison::prepare(
+        {.a = "align_first", .b = b, .models = "perfect", .situation = "near_free", .fuzz = fuzz, .seconds = 10});
+    EXPECT_TRUE(comparison) << comparison.error();
+    return play_contest(*comparison, {.question = {}, .pairs = 50}, nullptr, {});
+  };
+  const auto repeated = played(false, "kick_now");
+  ASSERT_FALSE(repeated);
+  EXPECT_EQ(repeated.error(),
+            "the games repeat: expected 25 different pairs, got 1; with models 'perfect' a seed changes too little: "
+            "choose models with noise, or vary the start with --from and --fuzz");
+  const auto varied = played(true, "kick_now");
+  ASSERT_TRUE(varied) << varied.error();
+  EXPECT_EQ(varied->different, 50);
+  // a behaviour against itself needs no luck
+  const auto itself = played(false, "align_first");
+  ASSERT_TRUE(itself) << itself.error();
+  EXPECT_EQ(itself->verdict, compare::Verdict::identical);
+  EXPECT_EQ(itself->different, 1);
 }
 
 TEST(Contest, TheHistogramHoldsEachPairOnce) {

@@ -55,6 +55,20 @@ TEST(Openings, FuzzMovesTheBallALittle) {
   EXPECT_LT(length(one - two), 1);
 }
 
+TEST(Openings, GiveTheOtherSideTheMomentOfTheSameNumber) {
+  const tests::TemporaryFolder folder;
+  for (const int i : {1, 2, 3}) std::ofstream(folder.path() / ("s" + std::to_string(i) + ".json")) << situation(i);
+  const auto openings = Openings::read(folder.path().string(), false, params());
+  ASSERT_TRUE(openings) << openings.error();
+  referee::Events events;
+  for (std::uint64_t moment = 0; moment < 6; ++moment) {
+    const State state = openings->begin(params(), {.seed = 1000, .moment = moment, .turned = true}, events);
+    EXPECT_EQ(state.world.ball.position, (Vec2{-static_cast<float>(moment % 3 + 1), 0}));
+    EXPECT_NE(state.world.bodies[robot_of(Side::away, 2)].doing, Body::Doing::removed);
+    EXPECT_EQ(state.world.bodies[robot_of(Side::home, 2)].doing, Body::Doing::removed);
+  }
+}
+
 TEST(Openings, RefuseAFolderWithoutSituations) {
   const tests::TemporaryFolder folder;
   const auto openings = Openings::read(folder.path().string(), false, params());

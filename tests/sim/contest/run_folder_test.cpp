@@ -23,6 +23,10 @@ Pairs some_pairs(int first) {
       game = {.gain = first - 30, .goals = {first, first + 1}, .conceded = {first + 2, first + 3}};
       ++first;
     }
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    pairs[i].same = i % 3 == 0;
+    pairs[i].hash = 0xfedcba9876543210u + i;
+  }
   return pairs;
 }
 
@@ -103,6 +107,13 @@ TEST_F(RunFolders, BelongToOneComparison) {
   EXPECT_EQ(error_of_open("run", Use::go_on), "");
   EXPECT_EQ(error_of_open("run", Use::go_on, "{}"),
             place + "expected nothing or the same comparison on the same build, got another one; choose another --out");
+}
+
+TEST_F(RunFolders, RefuseARunOfAnotherFormat) {
+  const std::string place = "run " + (root_ / "run").string() + ": ";
+  open("run");
+  EXPECT_EQ(error_of_open("run", Use::go_on, R"({"format":2,"a":"baseline","b":"kick_now"})"),
+            place + "expected format 2, got format 1 of another version of this program; choose another --out");
 }
 
 TEST_F(RunFolders, HaveOneUserUnlessAllShare) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sim/io/source.h"
 #include "sim/match/fields.h"
 #include "sim/match/step.h"
@@ -126,6 +128,30 @@ TEST(Situation, NamesTheError) {
 
 TEST(Situation, EveryTruncationIsRefused) {
   for (std::size_t size = 0; size < kDuel.size(); ++size) EXPECT_NE(error_of(kDuel.substr(0, size)), "") << size;
+}
+
+TEST(Situation, TurnedGivesEachSideTheMomentOfTheOther) {
+  const State plain = parsed(kDuel);
+  const State turned = parse_situation(kDuel, "situation", setup().params, nullptr, true).value();
+  EXPECT_EQ(turned.world.ball.position, -plain.world.ball.position);
+  EXPECT_EQ(turned.world.ball.velocity, -plain.world.ball.velocity);
+  EXPECT_EQ(turned.world.home_attacks, plain.world.home_attacks);
+  EXPECT_EQ(turned.book.score[0], plain.book.score[1]);
+  EXPECT_EQ(turned.book.score[1], plain.book.score[0]);
+  EXPECT_EQ(turned.book.kicking, other(plain.book.kicking));
+  for_each_robot(plain.world.players, [&](int robot) {
+    const int image = robot_of(other(side_of(robot)), player_of(robot));
+    const Body &was = plain.world.bodies[robot], &is = turned.world.bodies[image];
+    EXPECT_EQ(is.doing, was.doing);
+    EXPECT_EQ(turned.book.penalised_until[image], plain.book.penalised_until[robot]);
+    if (was.doing == Body::Doing::removed) return;
+    EXPECT_EQ(is.position, -was.position);
+    EXPECT_NEAR(std::cos(is.heading), -std::cos(was.heading), 1e-5);
+    EXPECT_NEAR(std::sin(is.heading), -std::sin(was.heading), 1e-5);
+    // each sees what the other saw: in its own frame the ball is where it was
+    const agent::Beliefs &believed = plain.robots[robot].beliefs, &believes = turned.robots[image].beliefs;
+    EXPECT_NEAR(length(believes.ball.position - believed.ball.position), 0, 1e-5);
+  });
 }
 
 TEST(Situation, ShakingMovesAllRobotsALittleByTheGamesRandomNumbers) {

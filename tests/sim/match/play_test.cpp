@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/match/fields.h"
+#include "sim/match/hash.h"
 #include "tests/sim/support/games.h"
 
 namespace sim {
@@ -123,6 +124,18 @@ TEST(Play, StopsOnRequest) {
   EXPECT_EQ(heard[0].kind, Kind::set);
   EXPECT_EQ(heard[1].kind, Kind::playing);
   EXPECT_EQ(heard[1].tick + 1, played);
+}
+
+TEST(HashOfGame, IgnoresTheSeedAndTheAgentsMemoryOnly) {
+  const auto setup = setup_of(choice_of("spl2012", "baseline", "match"));
+  const State state = test::after(setup.params, begun(setup.params, 4), 2000);
+  State other = state;
+  ++other.world.key.seed;
+  ++other.robots[2].mind.leaf;
+  EXPECT_EQ(hash_of_game(other), hash_of_game(state));
+  other.world.bodies[2].walked += 1;
+  EXPECT_NE(hash_of_game(other), hash_of_game(state));
+  EXPECT_NE(hash_of_game(test::after(setup.params, begun(setup.params, 5), 2000)), hash_of_game(state));
 }
 
 TEST(Possession, IsZeroInAGameWithoutPlay) {
