@@ -8,7 +8,9 @@
 namespace sim::statistics {
 namespace {
 
-constexpr std::size_t frames_in(double seconds) { return static_cast<std::size_t>(seconds * kFramesPerSecond + 0.5); }
+constexpr std::size_t frames_in(double seconds) {
+  return static_cast<std::size_t>(0.5 * (2 * seconds * kFramesPerSecond + 1));
+}
 
 constexpr std::size_t kLongestGap = 10;             // frames from one known place to the next: 0.35 s
 constexpr std::size_t kMedianReach = 3;             // frames before and after

@@ -42,7 +42,9 @@ export async function realism({ games = 12, jobs = 2 }) {
   for (const { name, choice } of kChoices)
     tell(report, name, await json("foresight-sim", "match", "--statistics", "--games", games, "--threads", jobs, ...words(choice)));
   const halves = await importHalves();
-  if (halves.length > 0) tell(report, "real halves", await json("foresight-lab", "game-statistics", ...halves));
-  else console.log("   the real halves are left out; set FORESIGHT_DATA to the folder of recordings");
+  if (halves.length > 0) {
+    const real = await json("foresight-lab", "game-statistics", ...halves);
+    tell(report, "real halves", real, { exactly: real.judged });
+  } else console.log("   the real halves are left out; set FORESIGHT_DATA to the folder of recordings");
   return report.finish();
 }

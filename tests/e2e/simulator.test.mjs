@@ -306,7 +306,7 @@ test("a recorded game is never overwritten", async (t) => {
 
 test("figures of games stand beside those of real games, also from a recording of a game", async (t) => {
   const folder = temporaryFolder(t);
-  const long = ["match", "--rules", "spl2012:2,half_duration=200,ready_duration=10", "--seed", "3"];
+  const long = ["match", "--rules", "spl2012:4,half_duration=200,ready_duration=10", "--seed", "3"];
   const page = join(folder, "real.html");
   const played = await json(...long, "--statistics", "--html", page);
   assert.ok(played.windows >= 1);

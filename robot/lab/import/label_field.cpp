@@ -51,7 +51,7 @@ int team_of(const RobotBox& robot, const Teams& teams) {
 Ground FieldView::at(double x_px, double y_px, double above) const {
   const Ground seen = camera.at(x_px, y_px, above);
   const double x = seen.x - middle.x, y = seen.y - middle.y;
-  return {.x = scale * (ahead_x * x + ahead_y * y), .y = scale * stretch * (ahead_x * y - ahead_y * x)};
+  return {.x = scale * (ahead_x * x + ahead_y * y), .y = scale * (ahead_x * y - ahead_y * x)};
 }
 
 Result<FieldView> find_field(const Camera& camera, const std::vector<Frame>& frames, const Teams& teams) {

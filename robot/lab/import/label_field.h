@@ -24,7 +24,6 @@ struct FieldView {
   Ground middle;                    // of the field, before the camera
   double ahead_x = 1, ahead_y = 0;  // unit vector of the field's +x, before the camera
   double scale = 1;                 // metres of the field for one of the camera's
-  double stretch = 1;               // of y, which the fit may compress
 
   /// Returns the point of the field [m] seen at a pixel, if it is `above` [m] the ground.
   Ground at(double x_px, double y_px, double above = 0) const;

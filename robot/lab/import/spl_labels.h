@@ -3,7 +3,8 @@
 // A CSV file: "<time in ms>.jpg,label,x_min,y_min,x_max,y_max,color,number", for images of 1920x1080 pixels at 30 Hz of
 // an action camera that stands beside the field. Label 0 is a robot, 1 the ball. The camera is not described, so it is
 // fitted to the robots' boxes: a standing robot's head is above its feet (label_camera.h). The goalkeepers' places give
-// scale and direction (label_field.h). Lengths are good to 10 to 15 %.
+// scale and direction (label_field.h). Lengths are good to 10 to 15 %. In some videos the depth is compressed by up to a
+// quarter, which nothing in the boxes shows; it is not corrected.
 #pragma once
 
 #include <cstdint>

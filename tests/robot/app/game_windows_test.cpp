@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "proto/foresight/game.pb.h"
+#include "proto/foresight/truth.pb.h"
 #include "robot/core/clock.h"
 #include "robot/lab/import/session_sink.h"
 #include "tests/support/temporary_folder.h"

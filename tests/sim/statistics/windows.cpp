@@ -11,7 +11,7 @@ using namespace sim::statistics;
 
 namespace {
 
-std::size_t frames_in(double seconds) { return static_cast<std::size_t>(seconds * kFramesPerSecond + 0.5); }
+std::size_t frames_in(double seconds) { return static_cast<std::size_t>(0.5 * (2 * seconds * kFramesPerSecond + 1)); }
 
 Vec2 disturbed(Vec2 place, float deviation, std::uint32_t robot, std::size_t frame) {
   const auto words = draw({.seed = 5}, robot, Draw::situation, static_cast<std::uint32_t>(frame));

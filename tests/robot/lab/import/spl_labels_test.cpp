@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "proto/foresight/truth.pb.h"
 #include "robot/core/files.h"
@@ -105,6 +106,52 @@ TEST(SplLabels, AFileWithoutGoalkeepersOrWithFewBoxesIsRefused) {
   EXPECT_EQ(import_spl_labels(file, 0, sink).error(),
             "the field: expected at least 50 boxes of the goalkeeper with number 1 and colour 5, got 0");
   EXPECT_TRUE(sink.entries.empty());
+}
+
+/// Fits a camera to each half of a real file and expects a small error on the other half, and places on the carpet.
+void expect_good_camera(const std::filesystem::path& file) {
+  const auto bytes = read_file(file, 100'000'000);
+  ASSERT_TRUE(bytes) << bytes.error();
+  const auto rows = labels::read_rows(*bytes);
+  ASSERT_TRUE(rows) << rows.error();
+  EXPECT_EQ(rows->damage, "");
+  ASSERT_EQ(rows->frames.size(), 5000u);
+  const auto middle = rows->frames.begin() + 2500;
+  const auto first = labels::upright_boxes({rows->frames.begin(), middle});
+  const auto second = labels::upright_boxes({middle, rows->frames.end()});
+  EXPECT_LT(labels::error_of(labels::fit_camera(first).value(), second).share, 0.02);
+  EXPECT_LT(labels::error_of(labels::fit_camera(second).value(), first).share, 0.02);
+
+  RecordingSink sink;
+  ASSERT_TRUE(import_spl_labels(*bytes, 0, sink));
+  std::size_t balls = 0, on_carpet = 0;
+  for (const pb::GroundTruth* truth : sink.of<pb::GroundTruth>("/truth/world")) {
+    if (!truth->has_ball()) continue;
+    ++balls;
+    on_carpet += std::abs(truth->ball().x()) < 5.2f && std::abs(truth->ball().y()) < 3.7f ? 1 : 0;
+  }
+  EXPECT_GT(balls, 3000u);
+  EXPECT_GT(on_carpet, balls * 99 / 100);
+}
+
+TEST(SplLabels, TheCameraOfTheFirstRealHalfHasASmallErrorOnItsOtherHalf) {
+  REAL_DATA_OR_SKIP(path, "spl_labels/B-Human__2019-07-07_13-30-00_B-Human_vs_Nao-Team_HTWK_half1-A.csv");
+  expect_good_camera(path);
+}
+
+TEST(SplLabels, TheCameraOfTheSecondRealHalfHasASmallErrorOnItsOtherHalf) {
+  REAL_DATA_OR_SKIP(path, "spl_labels/Nao_Devils__2019-07-07_10-00-00_Nao-Team_HTWK_vs_Nao_Devils_half1-E.csv");
+  expect_good_camera(path);
+}
+
+TEST(SplLabels, TheCameraOfTheThirdRealHalfHasASmallErrorOnItsOtherHalf) {
+  REAL_DATA_OR_SKIP(path, "spl_labels/NomadZ__2019-07-06_12-15-00_HULKs_vs_NomadZ_half2-D.csv");
+  expect_good_camera(path);
+}
+
+TEST(SplLabels, TheCameraOfTheFourthRealHalfHasASmallErrorOnItsOtherHalf) {
+  REAL_DATA_OR_SKIP(path, "spl_labels/R-ZWEI_KICKERS__2019-07-07_09-10-00_B-Human_vs_rUNSWift_half1-D.csv");
+  expect_good_camera(path);
 }
 
 TEST(SplLabels, EndsWithTheErrorOfTheSink) {
