@@ -222,7 +222,7 @@ std::string to_text(const ContestReport& report, bool explain) {
   if (!options.pairs)
     out += text("test             LLR %+.2f of %+.2f for %.3g, %+.2f for %.3g\n",
                 compare::llr(tally, question, comparison.unit()), bounds.h0, question.h0, bounds.h1, question.h1);
-  if (question.part > 0)
+  if (question.h1 > question.h0 && question.part > 0)
     out += text(
         "asked            is the gain at least %.3g per game? %g of its standard deviation over these pairs, %.3g\n",
         question.h1, question.part, std::sqrt(compare::pair_variance(tally, comparison.unit())));
