@@ -58,7 +58,7 @@ Agent::Decision Agent::decide(bridge::Recollection recollection) {
   sim::agent::Trace trace;
   trace.clear();
   const sim::motion::Command command =
-      team.behaviour->decide({.field = &game_.params.rules.field, .motion = &team.models.motion}, knowledge->game,
+      team.behaviour->decide({.rules = &game_.params.rules, .motion = &team.models.motion}, knowledge->game,
                              knowledge->beliefs, knowledge->now, mind_, &trace);
   bridge::to_proto(command, team.models.motion, decision.command);
   if (*trace.skill != '\0') bridge::to_proto(trace, decision.trace.emplace());

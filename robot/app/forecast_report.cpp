@@ -8,32 +8,13 @@
 #include "proto/foresight/game.pb.h"
 #include "proto/foresight/sim.pb.h"
 #include "proto/foresight/strategy.pb.h"
-#include "robot/bridge/from_messages.h"
+#include "robot/app/read_all.h"
 #include "robot/foresight/foreseer.h"
 #include "robot/foresight/scorer.h"
-#include "robot/logging/sessions/session_provider.h"
 #include "sim/io/rules.h"
 
 namespace robot::app {
 namespace {
-
-/// Reads all messages of `topic`, in the order of writing.
-template <class Message>
-std::vector<bridge::Remembered<Message>> read_all(const logging::Session& session, const std::string& topic) {
-  std::vector<bridge::Remembered<Message>> all;
-  const auto file = std::ranges::find(session.streams, topic, &logging::StreamFile::topic);
-  if (file == session.streams.end()) return all;
-  const auto stream = logging::provider_of(session, *file);
-  if (!stream->open()) return all;
-  while (true) {
-    const Result<std::optional<logging::Record>> record = stream->read();
-    if (!record) continue;  // the table of streams reports the damage
-    if (!*record) break;
-    bridge::Remembered<Message> message{.value = {}, .capture_ns = (*record)->capture_ns};
-    if (message.value.ParseFromString((*record)->bytes)) all.push_back(std::move(message));
-  }
-  return all;
-}
 
 /// Returns the delay [s] of the referee's message about a goal: by the rules of the recorded simulation, or by the
 /// newest rules if no simulation was recorded.

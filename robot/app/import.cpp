@@ -3,8 +3,10 @@
 #include "robot/app/build_id.h"
 #include "robot/core/files.h"
 #include "robot/lab/import/bhuman2009.h"
+#include "robot/lab/import/label_rows.h"
 #include "robot/lab/import/nblog.h"
 #include "robot/lab/import/session_sink.h"
+#include "robot/lab/import/spl_labels.h"
 #include "robot/lab/synthetic/synthetic.h"
 #include "robot/logging/sessions/session_writer.h"
 
@@ -16,13 +18,14 @@ constexpr std::size_t kMaxRecordingBytes = 2'000'000'000;
 std::string format_of(std::string_view bytes) {
   // an nblog begins with 4 bytes for the size of its header; the header begins with its name
   if (bytes.size() > 10 && bytes.substr(4, 6) == "(nblog") return "nblog";
-  return "bhuman2009";
+  return lab::labels::is_label_file(bytes) ? "spl_labels" : "bhuman2009";
 }
 
 Result<lab::ImportReport> import_bytes(const std::string& format, std::string_view bytes, lab::ImportSink& sink) {
   if (format == "bhuman2009") return lab::import_bhuman2009(bytes, kUndatedEpochNs, sink);
   if (format == "nblog") return lab::import_nblog(bytes, kUndatedEpochNs, sink);
-  return Error{"import: expected the format bhuman2009, nblog or auto, got '" + format + "'"};
+  if (format == "spl_labels") return lab::import_spl_labels(bytes, kUndatedEpochNs, sink);
+  return Error{"import: expected the format bhuman2009, nblog, spl_labels or auto, got '" + format + "'"};
 }
 
 logging::SessionInfo session_info(RobotName robot, std::string name, std::uint64_t start_ns) {
@@ -43,6 +46,7 @@ auto write_session(const std::filesystem::path& folder, logging::SessionInfo inf
   if (!writer) return writer.failure();
   lab::SessionSink sink(info.robot, **writer);
   auto filled = fill(sink);
+  if (filled) (*writer)->describe(filled->about);
   Result<void> closed = (*writer)->close();
   if (filled && closed) return filled;
   std::error_code ignored;

@@ -12,7 +12,7 @@ namespace robot::app {
 
 /// The arguments of an import.
 struct ImportRequest {
-  std::string format;  // "bhuman2009", "nblog", or "auto": recognised by the first bytes of the file
+  std::string format;  // "bhuman2009", "nblog", "spl_labels", or "auto": recognised by the first bytes of the file
   std::filesystem::path file;
   std::filesystem::path session;  // folder that is created
   RobotName robot;

@@ -284,7 +284,7 @@ void to_proto(const sim::agent::Trace& trace, pb::DecisionTrace& message) {
     node.set_path(visited.path);
     node.set_condition(visited.condition);
     node.set_feature(visited.feature);
-    if (asks) node.set_threshold(visited.threshold);
+    if (asks && !std::isnan(visited.threshold)) node.set_threshold(visited.threshold);
     if (asks && visited.known) node.set_value(visited.value);
     node.set_result(visited.result);
   }

@@ -5,7 +5,7 @@
 
 #include "sim/agent/beliefs.h"
 #include "sim/agent/mind.h"
-#include "sim/field/field.h"
+#include "sim/field/rules.h"
 #include "sim/motion/command.h"
 #include "sim/motion/model.h"
 
@@ -13,7 +13,7 @@ namespace sim::agent {
 
 /// The agent's knowledge that does not change during a game.
 struct Surroundings {
-  const field::Field* field;
+  const field::Rules* rules;
   const motion::Model* motion;  // of the own body
 };
 

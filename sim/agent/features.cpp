@@ -289,7 +289,7 @@ bool rolls_into_own_goal(const View& view) {
   if (velocity.x > -kRolls || to_line <= 0) return false;
   const Vec2 way = (to_line / -velocity.x) * velocity;
   const float y = view.ball_in_team.y + way.y;
-  if (std::abs(y) > 0.5f * view.around.field->goal_width + kBeside) return false;
+  if (std::abs(y) > 0.5f * view.around.rules->field.goal_width + kBeside) return false;
   return !std::isnan(rolling_time(length(velocity), kShort * length(way)));
 }
 
@@ -316,7 +316,7 @@ float clearance(const View& view, Vec2 from, Vec2 to) {
 }
 
 Gap widest_gap(const View& view) {
-  const float post = 0.5f * view.around.field->goal_width - kBallRadius;
+  const float post = 0.5f * view.around.rules->field.goal_width - kBallRadius;
   const Vec2 ball = view.ball_in_team;
 
   // the part of the goal line that each opponent in front of the ball hides

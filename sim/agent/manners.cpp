@@ -7,7 +7,7 @@ namespace {
 
 using Body = motion::Command::Body;
 
-constexpr float kMargin = 0.05f;  // [m] tolerance of keep_clear
+constexpr float kMargin = 0.05f;  // [m] tolerance of the distance from the ball
 
 /// Changes the command to walk to `place` [team_field]. The heading stays as commanded.
 void divert(const View& view, motion::Command& command, Vec2 place) {
@@ -16,11 +16,17 @@ void divert(const View& view, motion::Command& command, Vec2 place) {
   command.walk = view.to_robot(place);
 }
 
+/// Returns the distance [m] that the robot keeps from the ball of the opponents' kick: its habit, at least the rule.
+float clear_of_ball(const View& view) {
+  const float habit = view.settings.habits.keep_clear, rule = view.around.rules->clear_distance + kMargin;
+  return habit > rule ? habit : rule;
+}
+
 /// Returns whether the robot is too near to the ball of the opponents' kick.
-bool too_near(const View& view) { return view.ball_distance < view.settings.habits.keep_clear - kMargin; }
+bool too_near(const View& view) { return view.ball_distance < clear_of_ball(view) - kMargin; }
 
 void keep_clear(const View& view, motion::Command& command) {
-  const float clear = view.settings.habits.keep_clear;
+  const float clear = clear_of_ball(view);
   if (command.body == Body::kick) command.body = Body::stand;
 
   // a robot that is too near goes straight away from the ball
@@ -38,7 +44,7 @@ void keep_clear(const View& view, motion::Command& command) {
 }
 
 void leave_goal_area(const View& view, motion::Command& command) {
-  const field::Field& field = *view.around.field;
+  const field::Field& field = view.around.rules->field;
   const Vec2 place = view.to_team(command.walk);
   const float edge = -view.half_length + field.goal_area_length + 0.15f;
   if (place.x < edge && std::abs(place.y) < 0.5f * field.goal_area_width + 0.15f)

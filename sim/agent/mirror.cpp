@@ -52,6 +52,7 @@ motion::Command mirrored(motion::Command command) {
 Tree mirrored(Tree tree) {
   for (Node& node : tree.nodes) {
     if (!info_of(node.feature).lateral) continue;
+    // both features of a comparison change their sign, or neither
     node.comparison = turned_round(node.comparison);
     node.threshold = -node.threshold;
   }

@@ -94,7 +94,7 @@ motion::Command keep_goal(const View& view, Mind&, const KeepGoal& with) {
   }
 
   // the arc is flattened to the goal's width, so that it stands in front of the goal and not beside it
-  const float widest = 0.5f * view.around.field->goal_width - kInsidePost;
+  const float widest = 0.5f * view.around.rules->field.goal_width - kInsidePost;
   const Vec2 place{-view.half_length + clamp(with.radius * way.x, kOffLine, with.radius),
                    clamp(with.radius * way.y, -widest, widest)};
   const Vec2 target = view.to_robot(place);
@@ -114,7 +114,7 @@ Vec2 ready_place(const View& view) {
 
   // inside the own half; only the robot that kicks off may be in the circle
   place.x = clamp(place.x, -view.half_length, -kReadyMargin);
-  const float circle = view.around.field->centre_circle_radius + kReadyMargin;
+  const float circle = view.around.rules->field.centre_circle_radius + kReadyMargin;
   const bool kicks_off = ours && index == 1;
   return kicks_off ? place : away_from(place, {}, circle);
 }

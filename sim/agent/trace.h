@@ -13,8 +13,8 @@ struct Trace {
     const char* condition;  // as text, e.g. "ball_distance < 0.35"; empty for a leaf
     const char* feature;    // empty for a leaf
     float value = 0;        // [SI] of the feature
-    float threshold = 0;
-    bool known = true;  // false: the robot does not know the value, and the result is false
+    float threshold = 0;    // [SI], or the value of the other feature; NaN: unknown, and the result is false
+    bool known = true;      // false: the robot does not know the value, and the result is false
     bool result = true;
   };
   struct Argument {

@@ -25,13 +25,13 @@ void remember_leaf(Mind& mind, std::uint16_t leaf, Tick now) {
   mind.leaf = leaf;
 }
 
-Trace::Node explained(const Node& node, const Words& words, float value, bool result) {
+Trace::Node explained(const Node& node, const Words& words, float value, float threshold, bool result) {
   return {.path = words.path.c_str(),
           .name = words.name.c_str(),
           .condition = words.condition.c_str(),
           .feature = info_of(node.feature).name,
           .value = value,
-          .threshold = node.threshold,
+          .threshold = threshold,
           .known = !std::isnan(value),
           .result = result};
 }
@@ -44,15 +44,16 @@ void explain_leaf(const Leaf& leaf, const Words& words, const Mind& mind, Trace&
   trace.role = name_of(mind.role);
 }
 
-/// Walks from `at` to a leaf and returns its number. Calls see(node, its number, value, result) at each node.
+/// Walks from `at` to a leaf and returns its number. Calls see(node, its number, value, threshold, result) at each node.
 template <class See>
 std::uint16_t walk_down(const Tree& tree, std::uint16_t at, const View& view, See&& see) {
   const Node* nodes = tree.nodes.data();
   while (!(at & kLeafBit)) {
     const Node& node = nodes[at];
     const float value = value_of(node.feature, view);
-    const bool result = holds(node.comparison, value, node.threshold);
-    see(node, at, value, result);
+    const float threshold = node.other == kNoFeature ? node.threshold : value_of(node.other, view);
+    const bool result = holds(node.comparison, value, threshold);
+    see(node, at, value, threshold, result);
     at = result ? node.yes : node.no;
   }
   return static_cast<std::uint16_t>(at & ~kLeafBit);
@@ -60,9 +61,10 @@ std::uint16_t walk_down(const Tree& tree, std::uint16_t at, const View& view, Se
 
 /// Walks from the root and explains each step.
 std::uint16_t walk_down_explaining(const Tree& tree, const View& view, Trace& trace) {
-  return walk_down(tree, tree.root, view, [&](const Node& node, std::uint16_t at, float value, bool result) {
-    trace.visited.push_back(explained(node, tree.node_words[at], value, result));
-  });
+  return walk_down(tree, tree.root, view,
+                   [&](const Node& node, std::uint16_t at, float value, float threshold, bool result) {
+                     trace.visited.push_back(explained(node, tree.node_words[at], value, threshold, result));
+                   });
 }
 
 }  // namespace
@@ -85,7 +87,7 @@ TreeBehaviour::TreeBehaviour(Tree tree) : tree_(std::move(tree)) {
       std::uint16_t at = tree_.root;
       while (!(at & kLeafBit)) {
         const Node& node = tree_.nodes[at];
-        const bool settled = node.feature == ball_known || node.feature == own_role;
+        const bool settled = (node.feature == ball_known || node.feature == own_role) && node.other == kNoFeature;
         if (!settled) break;
         const int value = node.feature == own_role ? role : known;
         at = holds(node.comparison, static_cast<float>(value), node.threshold) ? node.yes : node.no;

@@ -25,7 +25,8 @@ struct Node {
   Comparison comparison;
   std::uint16_t yes;
   std::uint16_t no;
-  float threshold;
+  float threshold;             // [SI] compared with the feature
+  Feature other = kNoFeature;  // unless kNoFeature: compared with the feature instead of `threshold`
 };
 
 struct Leaf {
@@ -51,7 +52,12 @@ struct Tree {
   std::uint16_t root = kLeafBit;
 };
 
-/// Returns whether a value passes. An unknown value (NaN) never passes.
+/// Returns the comparison that passes all known values that `comparison` does not.
+constexpr Comparison negated(Comparison comparison) {
+  return static_cast<Comparison>(7 ^ static_cast<int>(comparison));
+}
+
+/// Returns whether a value passes. An unknown value or threshold (NaN) never passes.
 inline bool holds(Comparison comparison, float value, float threshold) {
   // without branches, which would be mispredicted
   const int is = (value < threshold) | (value > threshold) << 1 | (value == threshold) << 2;

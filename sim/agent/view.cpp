@@ -35,8 +35,8 @@ void find_ball(View& view) {
 View::View(const Surroundings& surroundings, const Settings& set, const Game& told, const Beliefs& believed, Tick time,
            const Mind& remembered)
     : around(surroundings), settings(set), game(told), beliefs(believed), mind(remembered), now(time) {
-  half_length = 0.5f * surroundings.field->length;
-  half_width = 0.5f * surroundings.field->width;
+  half_length = 0.5f * surroundings.rules->field.length;
+  half_width = 0.5f * surroundings.rules->field.width;
   position = believed.pose.pose.position;
   const SinCos heading = sin_cos(believed.pose.pose.heading);
   facing = {heading.cos, heading.sin};

@@ -39,6 +39,7 @@ class ChoiceOptions {
 
 std::unique_ptr<Command> match_command(CLI::App& app);
 std::unique_ptr<Command> situation_command(CLI::App& app);
+std::unique_ptr<Command> check_command(CLI::App& app);
 std::unique_ptr<Command> compare_command(CLI::App& app);
 std::unique_ptr<Command> bench_command(CLI::App& app);
 std::unique_ptr<Command> calibration_command(CLI::App& app);
@@ -46,6 +47,9 @@ std::unique_ptr<Command> choosing_command(CLI::App& app);
 std::unique_ptr<Command> outlook_command(CLI::App& app);
 std::unique_ptr<Command> vet_command(CLI::App& app);
 std::unique_ptr<Command> signature_command(CLI::App& app);
+/// List the words of a strategy.
+std::unique_ptr<Command> skills_command(CLI::App& app);
+std::unique_ptr<Command> features_command(CLI::App& app);
 /// Lists the embedded rules, models, strategies or situations.
 std::unique_ptr<Command> list_command(CLI::App& app, const std::string& kind);
 

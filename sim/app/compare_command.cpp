@@ -8,6 +8,7 @@
 #include "sim/app/commands.h"
 #include "sim/app/compare_runs.h"
 #include "sim/contest/series.h"
+#include "sim/io/words.h"
 #include "sim/report/contest_page.h"
 #include "sim/report/contest_report.h"
 
@@ -216,7 +217,8 @@ class CompareCommand final : public Command {
       choice_.seconds = seconds;
     } else {
       return "--metric: expected goals, first_goal, conceded, score_within:30s or ball_advance:30s, got '" + metric_ +
-             "'";
+             "'" +
+             io::did_you_mean(metric_, {"goals", "first_goal", "conceded", "score_within:30s", "ball_advance:30s"});
     }
     return "";
   }

@@ -11,6 +11,7 @@ int sim_main(int argc, char** argv) {
   robot::command::Commands commands;
   commands.push_back(match_command(app));
   commands.push_back(situation_command(app));
+  commands.push_back(check_command(app));
   commands.push_back(compare_command(app));
   commands.push_back(bench_command(app));
   commands.push_back(calibration_command(app));
@@ -18,6 +19,8 @@ int sim_main(int argc, char** argv) {
   commands.push_back(outlook_command(app));
   commands.push_back(vet_command(app));
   commands.push_back(signature_command(app));
+  commands.push_back(skills_command(app));
+  commands.push_back(features_command(app));
   for (const char* kind : {"rules", "models", "strategies", "situations"}) commands.push_back(list_command(app, kind));
   return robot::command::run(app, commands, argc, argv);
 }

@@ -3,11 +3,16 @@
 #include <functional>
 #include <optional>
 
+#include "robot/core/files.h"
 #include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/app/game_file.h"
+#include "sim/app/match_statistics.h"
 #include "sim/app/progress.h"
 #include "sim/contest/openings.h"
+#include "sim/io/json.h"
+#include "sim/io/real_games.h"
+#include "sim/io/saved_moment.h"
 #include "sim/report/game_line.h"
 #include "sim/report/game_report.h"
 
@@ -27,8 +32,7 @@ void take_notes(const State& state, const referee::Events& events, report::GameR
 }
 
 void count_events(report::GameReport& report) {
-  for (const report::Decision& decision : report.decisions)
-    ++report.result.events[static_cast<int>(decision.event.kind)][static_cast<int>(decision.event.side)];
+  for (const report::Decision& decision : report.decisions) report.result.count(decision.event);
 }
 
 /// Returns the shortest length of a game; dead time makes it longer.
@@ -44,14 +48,17 @@ struct Recording {
   std::uint64_t messages = 0, size_bytes = 0;
 };
 
-/// Plays a game, and records it unless `recording` is null.
+/// Plays a game, and records it unless `recording` is null. Calls watch(state), unless it is empty, at the beginning and
+/// after each tick.
 robot::Result<report::GameReport> play_one(const contest::Cast& cast, const contest::Openings& openings, float seconds,
-                                           std::uint64_t seed, Recording* recording, ProgressBar* progress) {
+                                           std::uint64_t seed, Recording* recording, ProgressBar* progress,
+                                           const std::function<void(const State&)>& watch = {}) {
   const Params& params = cast.params();
   report::GameReport report{.seed = seed};
   referee::Events events;
   State state = openings.begin(params, seed, events);
   take_notes(state, events, report);
+  if (watch) watch(state);
 
   std::optional<robot::bridge::SimulatedGame> game;
   std::optional<GameFile> file;
@@ -74,6 +81,7 @@ robot::Result<report::GameReport> play_one(const contest::Cast& cast, const cont
       step(params, state, events);
     }
     take_notes(state, events, report);
+    if (watch) watch(state);
     if (progress) progress->at(std::min(state.world.tick, expected));
   }
   if (file) {
@@ -108,7 +116,18 @@ class MatchCommand final : public Command {
     options().add_option("--seconds", seconds_, "[s] longest game, dead time included")->check(CLI::Range(1., 36000.));
     options().add_flag("--json", json_, "report as JSON");
     options().add_flag("--lines", lines_, "print a line of JSON per game, with the errors of the robots' beliefs");
+    options().add_flag("--statistics", statistics_, "print figures of the games beside those of real games");
+    options().add_option("--html", html_, "with --statistics: file for an HTML page");
+    options().add_option("--real", real_, "with --statistics: the real games, a name or a file")->capture_default_str();
     options().add_option("--mcap", mcap_, "new file for a recording of the game: truth, beliefs and decisions");
+    options()
+        .add_option(
+            "--save-at", save_at_,
+            "moment and file: saves that moment of the game as a situation. The moment is in [s] since the first "
+            "tick, dead time included, or half:minutes:seconds on the clock such as 2:05:12. A situation holds "
+            "ball, robots, score and clock, not what the robots believe, remember and do")
+        ->expected(2)
+        ->type_name("MOMENT FILE");
     options()
         .add_option("--home-team", teams_.home, "team number in the recording")
         ->check(CLI::Range(1, 999))
@@ -122,14 +141,27 @@ class MatchCommand final : public Command {
   int run() override {
     if (!mcap_.empty() && lines_) return fail("--mcap and --lines do not go together");
     if (!mcap_.empty() && games_ > 1) return fail("--mcap records one game, got --games " + std::to_string(games_));
+    if (!save_at_.empty() && (lines_ || statistics_ || games_ > 1))
+      return fail("--save-at is of one game, without --lines and --games");
     if (fuzz_ && from_.empty()) return fail("--fuzz needs --from, the situation that is varied");
     if (teams_.home == teams_.away)
       return fail("the teams must have different numbers, got " + std::to_string(teams_.home) + " twice");
     if (lines_ && !from_.empty()) return fail("--lines and --from do not go together");
+    if (statistics_ && (lines_ || !mcap_.empty())) return fail("--statistics goes with neither --lines nor --mcap");
+    if (!statistics_ && !html_.empty()) return fail("--html needs --statistics, whose table it draws");
     const auto lineup = choice_.line_up();
     if (!lineup) return fail(lineup.error());
     const auto openings = contest::Openings::read(from_, fuzz_, lineup->params());
     if (!openings) return fail(openings.error());
+    if (statistics_)
+      return run_statistics({.seed = seed_,
+                             .games = games_,
+                             .threads = threads_,
+                             .seconds = seconds_,
+                             .real = real_,
+                             .html = html_,
+                             .json = json_},
+                            *lineup, *openings);
     if (lines_) return run_lines(*lineup);
     return games_ > 1 ? run_many(*lineup, *openings) : run_one(*lineup, *openings);
   }
@@ -142,12 +174,19 @@ class MatchCommand final : public Command {
     const contest::Cast cast(lineup, seed_);
     const Params& params = cast.params();
     std::optional<Recording> recording;
+    auto moment = io::SavedMoment::parse(save_at_.empty() ? "0" : save_at_[0]);
+    if (!moment) return fail("--save-at: " + moment.error());
+    const std::string about = save_at_.empty() ? "" : origin();
     if (!mcap_.empty()) recording = {.path = mcap_, .names = {.rules = choice_.choice().rules, .teams = teams_}};
     const auto report = [&] {
       ProgressBar progress("recording", recording ? expected_ticks(params.rules) : 0);
-      return play_one(cast, openings, seconds_, seed_, recording ? &*recording : nullptr, &progress);
+      return play_one(cast, openings, seconds_, seed_, recording ? &*recording : nullptr, &progress,
+                      [&](const State& state) {
+                        if (!save_at_.empty()) moment->see(state, about);
+                      });
     }();
     if (!report) return fail(report.error());
+    if (const auto saved = save(*moment, report->result); !saved) return fail(saved.error());
     if (json_)
       std::printf("%s\n", report::to_json(*report, params.rules.players).dump(2).c_str());
     else
@@ -157,6 +196,23 @@ class MatchCommand final : public Command {
       std::printf("\n%s: %llu messages, %.1f MB\n", mcap_.c_str(), static_cast<unsigned long long>(recording->messages),
                   static_cast<double>(recording->size_bytes) / 1e6);
     return kDone;
+  }
+
+  /// Returns the text that tells from which game a saved moment comes.
+  std::string origin() const {
+    const io::Matchup choice = choice_.choice();
+    return choice.strategies[0] + " against " + choice.strategies[1] + ", " + choice.rules + ", seed " +
+           std::to_string(seed_) + ", moment " + save_at_[0];
+  }
+
+  /// Writes the file of --save-at.
+  robot::Result<void> save(const io::SavedMoment& moment, const Result& result) const {
+    if (save_at_.empty()) return {};
+    if (!moment.reached())
+      return robot::Error{"--save-at: expected a moment before the end of the game, which is " +
+                          io::short_text(static_cast<float>(result.ticks) * kTickDuration) +
+                          " s after the first tick, got " + save_at_[0]};
+    return robot::replace_file(save_at_[1], moment.text());
   }
 
   int run_many(const contest::Lineup& lineup, const contest::Openings& openings) {
@@ -209,8 +265,9 @@ class MatchCommand final : public Command {
   std::uint64_t seed_ = 1;
   int games_ = 1, threads_ = 0;
   float seconds_ = 0;
-  bool json_ = false, lines_ = false, fuzz_ = false;
-  std::string mcap_, from_;
+  bool json_ = false, lines_ = false, fuzz_ = false, statistics_ = false;
+  std::string mcap_, from_, html_, real_ = io::kNewestRealGames;
+  std::vector<std::string> save_at_;  // moment and file, or empty
   robot::bridge::TeamNumbers teams_;
 };
 

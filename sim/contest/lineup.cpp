@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include "sim/io/chooser.h"
 
@@ -22,7 +23,10 @@ Result<Named> find(const std::string& name, const io::Matchup& game, Side side) 
     return Named{.tree = nullptr, .guest = *std::move(source)};
   }
   auto tree = io::load_behaviour(name, game, side);
-  if (!tree) return tree.failure();
+  if (!tree) {
+    if (std::string advice = guest::advice_about(name); !advice.empty()) return robot::Error{std::move(advice)};
+    return tree.failure();
+  }
   return Named{.tree = *std::move(tree), .guest = nullptr};
 }
 

@@ -44,6 +44,7 @@ struct Rules {
   float stuck_local;       // time with several robots round a ball that does not get away; 0: no such rule
   float stuck_global;      // time without a touch of the ball; 0: no such rule
   float leaving_distance;  // beyond the edge of the carpet
+  float ball_radius;       // of the league's ball; 0: that of the models
 
   int message_budget;      // packets of a team in a game; 0: no limit
   float message_interval;  // least time between two packets of one robot
@@ -70,6 +71,7 @@ struct Rules {
     see("stuck_local", self.stuck_local, "s", 0.f, 120.f);
     see("stuck_global", self.stuck_global, "s", 0.f, 120.f);
     see("leaving_distance", self.leaving_distance, "m", 0.f, 3.f);
+    see("ball_radius", self.ball_radius, "m", 0.f, 0.15f);
     see("message_budget", self.message_budget, "messages", 0, 100000);
     see("message_interval", self.message_interval, "s", 0.03f, 60.f);
   }

@@ -14,10 +14,25 @@ namespace {
 
 constexpr std::string_view kPipe = "pipe:";
 constexpr std::size_t kMostBytes = 256 << 20;  // of a library
+constexpr std::size_t kMostTreeBytes = 1 << 20;
 
 /// FNV-1a.
 void add(std::uint64_t& hash, std::string_view bytes) {
   for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+}
+
+bool holds_json(const std::string& path) {
+  const auto text = robot::read_file(path, kMostTreeBytes);
+  if (!text) return false;
+  const std::size_t first = text->find_first_not_of(" \t\r\n");
+  return first != text->npos && (*text)[first] == '{';
+}
+
+bool is_executable(const std::string& path) {
+  using std::filesystem::perms;
+  std::error_code failed;
+  const perms execute = perms::owner_exec | perms::group_exec | perms::others_exec;
+  return (std::filesystem::status(path, failed).permissions() & execute) != perms::none;
 }
 
 }  // namespace
@@ -48,6 +63,17 @@ bool is_guest(const std::string& name) { return name.starts_with(kPipe) || name.
 
 robot::Result<std::shared_ptr<const GuestFactory>> open(const std::string& name) {
   return name.starts_with(kPipe) ? open_pipe(name, name.substr(kPipe.size())) : open_library(name);
+}
+
+std::string advice_about(const std::string& name) {
+  std::error_code failed;
+  if (name.ends_with(".json") || !std::filesystem::is_regular_file(name, failed)) return {};
+  const std::string called = "behaviour '" + name + "' ";
+  const std::string path = name.find('/') == name.npos ? "./" + name : name;
+  if (holds_json(name)) return path == name ? "" : called + "is a file of JSON: use '" + path + "'";
+  if (name.ends_with(".py")) return called + "is a program: use 'pipe:python3 " + name + "'";
+  if (is_executable(name)) return called + "is a program: use 'pipe:" + path + "'";
+  return called + "is a file, but neither JSON nor a shared library (.so) nor a program that may be executed";
 }
 
 std::uint64_t content_of(const std::string& name) {

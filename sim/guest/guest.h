@@ -60,6 +60,10 @@ bool is_guest(const std::string& name);
 /// Opens the guest `name`. Errors are found before any game begins.
 robot::Result<std::shared_ptr<const GuestFactory>> open(const std::string& name);
 
+/// Returns the sentence for a file that exists and is not named as a behaviour: a program is started by pipe:, and JSON
+/// is found by its path. Returns "" if there is no such file, or if its name or content says that it is a tree.
+std::string advice_about(const std::string& name);
+
 /// Returns a hash of the content: the bytes of the library, or the command and the files that it names.
 std::uint64_t content_of(const std::string& name);
 

@@ -59,8 +59,8 @@ ForesightPlayer player_of(const agent::Surroundings& surroundings, const agent::
   ForesightPlayer player{};
   player.seed = seed;
   player.player = game.player, player.players = game.players;
-  player.field_length = surroundings.field->length, player.field_width = surroundings.field->width;
-  player.goal_width = surroundings.field->goal_width;
+  player.field_length = surroundings.rules->field.length, player.field_width = surroundings.rules->field.width;
+  player.goal_width = surroundings.rules->field.goal_width;
   player.walk_forward = body.walk.forward, player.walk_backward = body.walk.backward;
   player.walk_sideward = body.walk.sideward, player.walk_turn = body.walk.turn_rate;
   player.kick_count = body.kick_count;

@@ -11,7 +11,6 @@
 
 namespace sim::io {
 
-using robot::Error;
 using robot::Result;
 
 namespace {
@@ -80,10 +79,13 @@ Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string
   const Result<std::string> chooser = find_chooser(variation->name, called);
   if (!chooser) return chooser.failure();
   if (chooser->empty()) {
+    if (!is_path(variation->name) && !is_embedded("strategies", variation->name)) {
+      std::vector<std::string_view> known = names_of("strategies");
+      for (const std::string_view playbook : names_of("playbooks")) known.push_back(playbook);
+      return unknown_name("strategy", variation->name, known);
+    }
     auto tree = load_strategy(name);
-    // the names of playbooks belong to the list of names
-    const bool unknown = !is_path(variation->name) && !is_embedded("strategies", variation->name);
-    if (!tree) return Error{tree.error() + (unknown ? ", " + listed(names_of("playbooks")) : "")};
+    if (!tree) return tree.failure();
     return Behaviour(std::move(*tree));
   }
 

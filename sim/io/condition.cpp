@@ -1,6 +1,7 @@
 #include "sim/io/condition.h"
 
 #include "robot/core/json_library.h"
+#include "sim/io/vocabulary.h"
 #include "sim/io/words.h"
 
 namespace sim::io {
@@ -31,14 +32,6 @@ std::vector<std::string_view> split(std::string_view text, std::string_view betw
 
 std::string quoted(std::string_view text) { return shown(std::string(text)); }
 
-Result<Feature> feature_named(std::string_view name) {
-  const Feature feature = agent::find_feature(name);
-  if (feature != agent::kNoFeature) return feature;
-  std::vector<std::string_view> known;
-  for (int i = 0; i < agent::feature_count(); ++i) known.emplace_back(info_of(static_cast<Feature>(i)).name);
-  return Error{"no feature " + quoted(name) + hint(name, known)};
-}
-
 /// A comparison operator as written. An operator comes before any that is its beginning.
 struct Operator {
   std::string_view text;
@@ -50,19 +43,50 @@ constexpr Operator kOperators[] = {
     {">", Comparison::greater, false},  {" is not ", Comparison::unequal, true}, {" is ", Comparison::equal, true},
 };
 
-/// Parses the term of a yes-or-no feature: "our_kick", "not our_kick".
+/// Parses the term of a yes-or-no feature: "our_kick".
 Result<Term> parse_yes_no(std::string_view text) {
-  const bool negated = text.starts_with("not ");
-  const Result<Feature> feature = feature_named(negated ? trimmed(text.substr(4)) : text);
+  const Result<Feature> feature = feature_named(text);
   if (!feature) return feature.failure();
   const FeatureInfo& info = info_of(*feature);
   if (info.kind != FeatureInfo::Kind::yes_no)
     return Error{std::string(info.name) + " must be compared with a value, got " + quoted(text)};
-  return Term{*feature, negated ? Comparison::less : Comparison::greater, 0.5f, std::string(text)};
+  return Term{.feature = *feature, .comparison = Comparison::greater, .threshold = 0.5f, .text = {}};
 }
 
-Result<Term> parse_term(std::string_view text, Values& values) {
-  if (text.empty()) return Error{"a comparison is missing"};
+/// Returns the reason why two features cannot be compared with each other, or "".
+std::string reason_against(const FeatureInfo& left, const FeatureInfo& right) {
+  const std::string both = std::string(left.name) + " and " + right.name;
+  if (left.kind != FeatureInfo::Kind::number || right.kind != FeatureInfo::Kind::number)
+    return both + " cannot be compared, because both must be numbers";
+  if (std::string_view(left.unit) != right.unit)
+    return both + " must have one unit, got [" + left.unit + "] and [" + right.unit + "]";
+  if (left.lateral != right.lateral)
+    return both + " cannot be compared, because only " + (left.lateral ? left : right).name +
+           " changes its sign when left and right are exchanged";
+  return {};
+}
+
+/// Parses the right side of a comparison, a feature or a value, into `term`. Returns the reason against it, or "".
+std::string parse_right(std::string_view text, Values& values, Term& term) {
+  const FeatureInfo& info = info_of(term.feature);
+  const Feature other = agent::find_feature(text);
+  if (other != agent::kNoFeature && info.kind == FeatureInfo::Kind::number) {
+    term.other = other;
+    return reason_against(info, info_of(other));
+  }
+  const Result<float> threshold = values.read(text, {info.unit, info.least, info.most, info.names});
+  if (threshold) {
+    term.threshold = *threshold;
+    return {};
+  }
+  // a word may be a mistyped feature
+  const bool is_word = !text.empty() && text.front() >= 'a' && text.front() <= 'z' && !info.names;
+  return "the value for " + std::string(info.name) + " " + threshold.error() +
+         (is_word ? did_you_mean(text, all_features()) : "");
+}
+
+/// Parses a comparison without "not".
+Result<Term> parse_comparison(std::string_view text, Values& values) {
   for (const Operator& each : kOperators) {
     const std::size_t at = text.find(each.text);
     if (at == text.npos) continue;
@@ -74,15 +98,39 @@ Result<Term> parse_term(std::string_view text, Values& values) {
     if (each.of_names != (info.kind == FeatureInfo::Kind::name))
       return Error{std::string(info.name) + " is compared by " + (each.of_names ? "< <= > >=" : "is, is not") +
                    ", got " + quoted(text)};
-    const Result<float> threshold =
-        values.read(trimmed(text.substr(at + each.text.size())), {info.unit, info.least, info.most, info.names});
-    if (!threshold) return Error{"the value for " + std::string(info.name) + " " + threshold.error()};
-    return Term{*feature, each.comparison, *threshold, std::string(text)};
+    Term term{.feature = *feature, .comparison = each.comparison, .threshold = 0, .text = {}};
+    if (std::string reason = parse_right(trimmed(text.substr(at + each.text.size())), values, term); !reason.empty())
+      return Error{std::move(reason)};
+    return term;
   }
   return parse_yes_no(text);
 }
 
+Result<Term> parse_term(std::string_view text, Values& values) {
+  constexpr std::string_view kNot = "not ";
+  if (text.empty()) return Error{"a comparison is missing"};
+  const bool is_negated = text.starts_with(kNot);
+  Result<Term> term = parse_comparison(is_negated ? trimmed(text.substr(kNot.size())) : text, values);
+  if (!term) return term;
+  if (is_negated) term->comparison = negated(term->comparison);
+  term->text = text;
+  return term;
+}
+
 }  // namespace
+
+std::string text_of(const Term& term) {
+  const FeatureInfo& info = info_of(term.feature);
+  std::string name = info.name;
+  if (info.kind == FeatureInfo::Kind::yes_no) return (term.comparison == Comparison::greater ? "" : "not ") + name;
+  for (const Operator& each : kOperators)
+    if (each.comparison == term.comparison)
+      return name + " " + std::string(trimmed(each.text)) + " " +
+             (term.other == agent::kNoFeature
+                  ? value_text(term.threshold, {info.unit, info.least, info.most, info.names})
+                  : info_of(term.other).name);
+  return name;
+}
 
 Result<Condition> parse_condition(std::string_view text, Values& values) {
   if (text.size() > kMaxConditionBytes)

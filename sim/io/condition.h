@@ -1,4 +1,4 @@
-// Conditions of a strategy: "role is chaser and ball_distance < 0.35 m".
+// Conditions of a strategy: "role is chaser and ball_distance < 0.35 m", "not mates_time_to_ball < time_to_ball".
 #pragma once
 
 #include <string>
@@ -16,7 +16,8 @@ struct Term {
   agent::Feature feature;
   agent::Comparison comparison;
   float threshold;
-  std::string text;  // as written
+  std::string text;                          // as written
+  agent::Feature other = agent::kNoFeature;  // unless kNoFeature: compared instead of `threshold`
 };
 
 /// A condition: it holds if all terms of one alternative hold. No alternative is empty.
@@ -25,6 +26,9 @@ struct Condition {
 };
 
 inline constexpr std::size_t kMaxConditionBytes = 1000;
+
+/// Returns the comparison as text, which parse_condition reads back identically: "ball_distance < 0.35 m".
+std::string text_of(const Term& term);
 
 /// Parses a condition. The Error is the end of a sentence that begins with the place of the condition.
 robot::Result<Condition> parse_condition(std::string_view text, Values& values);

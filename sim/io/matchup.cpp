@@ -29,6 +29,7 @@ Result<PreparedGame> prepare(const Matchup& matchup) {
     game.behaviours[side] = std::move(*behaviour);
     game.params.teams[side] = {.behaviour = game.behaviours[side].get(), .models = std::move(*models)};
   }
+  take_ball_of_rules(game.params);
   return game;
 }
 

@@ -5,6 +5,7 @@
 
 #include "robot/core/json_library.h"
 #include "sim/io/source.h"
+#include "sim/io/words.h"
 
 namespace sim::io {
 namespace {
@@ -30,9 +31,11 @@ const Json* Reader::find(const Json& parent, const char* name, Fields fields) {
 }
 
 void Reader::refuse_unknown(const Json& object, const std::string& path, const std::vector<std::string_view>& known) {
-  for (const auto& [key, value] : object.items())
-    if (std::find(known.begin(), known.end(), key) == known.end())
-      refuse(below(path, key) + " is unknown; there are: " + listed(known));
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    const std::string similar = did_you_mean(key, known);
+    refuse(below(path, key) + " is unknown" + (similar.empty() ? "; there are: " + listed(known) : similar));
+  }
 }
 
 std::string Reader::range(float least, float most, std::string_view unit) {

@@ -111,7 +111,8 @@ class Scene {
     if (const Json* ball = reader_.find(json, "ball", Fields::all)) read_ball(*ball);
     if (const Json* robots = reader_.find(json, "robots", Fields::all)) read_robots(*robots);
     reader_.refuse_unknown(
-        json, "", {"about", "seed", "phase", "set_play", "kicking", "half", "clock", "score", "ball", "robots"});
+        json, "",
+        {"about", "seed", "phase", "set_play", "kicking", "half", "clock", "score", "ball", "robots", "check"});
     if (!reader_.good()) return state_;
     if (turned_) turn();
     if (shaken_) shake();
@@ -304,11 +305,13 @@ Result<State> load_situation(const std::string& name, const Params& params) {
   return parse_situation(source->text, source->called, params);
 }
 
-std::string save_situation(const State& state) {
+std::string save_situation(const State& state, const std::string& about) {
   const World& world = state.world;
   const referee::Book& book = state.book;
   const auto name = [](const auto& names, auto enumerator) { return names[static_cast<std::size_t>(enumerator)]; };
-  Json json = {{"seed", world.key.seed},
+  Json json = Json::object();
+  if (!about.empty()) json["about"] = about;
+  json.update({{"seed", world.key.seed},
                {"phase", name(kPhases, book.phase)},
                {"set_play", name(kSetPlays, book.set_play)},
                {"kicking", name(kSides, book.kicking)},
@@ -320,7 +323,7 @@ std::string save_situation(const State& state) {
                  {"y", short_number(world.ball.position.y)},
                  {"velocity_x", short_number(world.ball.velocity.x)},
                  {"velocity_y", short_number(world.ball.velocity.y)}}},
-               {"robots", Json::array()}};
+               {"robots", Json::array()}});
   for_each_robot(world.players, [&](int robot) {
     const Body& body = world.bodies[robot];
     const Tick until = book.penalised_until[robot];

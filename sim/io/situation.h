@@ -12,7 +12,8 @@
 //
 // Frame: field, which never flips: in the second half the home side attacks towards -x. Metres, seconds, radians.
 // Required are the ball's x and y and each robot's side, player, x and y. `clock` is the time since the half began.
-// `penalised` is the remaining time of a robot off the field. A robot that is not listed does not play.
+// `penalised` is the remaining time of a robot off the field. A robot that is not listed does not play. "check" makes the
+// situation a test (sim/check/scenario.h), and is ignored here.
 #pragma once
 
 #include <string>
@@ -34,7 +35,11 @@ robot::Result<State> parse_situation(std::string_view text, const std::string& c
 /// Loads an embedded situation by name, or a file by path.
 robot::Result<State> load_situation(const std::string& name, const Params& params);
 
-/// Returns a description of the moment for parse_situation, without beliefs and motion of the robots.
-std::string save_situation(const State& state);
+/// Returns a description of the moment for parse_situation, with `about` unless it is empty.
+///
+/// It holds the true places of ball and robots, penalties, score, clock, phase and set play. It does not hold what the
+/// robots believe, remember and do (walk, kick, squat, fall). Likewise not the age of a set play, the last touch, the
+/// counts of the game and the walking referee. So a game that is played on from it is another game.
+std::string save_situation(const State& state, const std::string& about = {});
 
 }  // namespace sim::io

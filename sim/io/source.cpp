@@ -2,6 +2,7 @@
 
 #include "robot/core/files.h"
 #include "sim/io/embedded.h"
+#include "sim/io/words.h"
 
 namespace sim::io {
 
@@ -17,6 +18,10 @@ std::vector<std::string_view> names_of(std::string_view kind) {
 
 bool is_path(std::string_view name) { return name.find('/') != name.npos || name.ends_with(".json"); }
 
+Error unknown_name(std::string_view noun, std::string_view name, const std::vector<std::string_view>& known) {
+  return {"no " + std::string(noun) + " '" + std::string(name) + "'" + hint(name, known)};
+}
+
 Result<Source> find_source(std::string_view kind, std::string_view noun, const std::string& name) {
   Source source{.text = {}, .called = std::string(noun) + " '" + name + "'"};
   if (is_path(name)) {
@@ -30,7 +35,7 @@ Result<Source> find_source(std::string_view kind, std::string_view noun, const s
       source.text = file.text;
       return source;
     }
-  return Error{"no " + source.called + "; there are: " + listed(names_of(kind))};
+  return unknown_name(noun, name, names_of(kind));
 }
 
 std::string listed(const std::vector<std::string_view>& names) {

@@ -17,14 +17,19 @@ struct Source {
   std::string called;  // "models 'match'"
 };
 
-/// Returns the names of the embedded files of that kind ("models", "outlooks", "rules", "strategies"), ascending.
+/// Returns the names of the embedded files of that kind ("games", "models", "outlooks", "rules", "strategies"),
+/// ascending.
 std::vector<std::string_view> names_of(std::string_view kind);
 
 /// Returns whether `name` is a path: it contains '/' or ends in ".json". Otherwise it is an embedded name.
 bool is_path(std::string_view name);
 
-/// Finds the description. The Error for an unknown name lists the known ones: "no models 'mach'; there are: friendly,
-/// match, perfect". `noun` is the word for the kind in that sentence.
+/// Returns the Error for a name that is not among `known`. It names a similar one, or else lists all: "no models 'mach';
+/// did you mean 'match'?", "no models 'x'; there are: friendly, match, perfect".
+robot::Error unknown_name(std::string_view noun, std::string_view name, const std::vector<std::string_view>& known);
+
+/// Finds the description. The Error for an unknown name is unknown_name(). `noun` is the word for the kind in that
+/// sentence.
 robot::Result<Source> find_source(std::string_view kind, std::string_view noun, const std::string& name);
 
 /// Returns "a, b, c".

@@ -18,10 +18,13 @@
 //
 // A rule is a list of rules, or an object: "if" (optional) with "then", "do" (a skill, "with" its arguments) or "use"
 // (a subtree). If the condition fails, "else" is next; without "else" the next rule of the list. Conditions
-// compare a feature by < <= > >= is, is not; a yes-or-no feature stands alone or behind "not"; "and" binds closer than
-// "or". Values are numbers in SI, or with deg, cm or min. Every rule may have a "name" for the trace, and an "about".
+// compare a feature by < <= > >= is, is not; a yes-or-no feature stands alone. A feature may also be compared with
+// another one of the same unit: "mates_time_to_ball < time_to_ball". "not" stands before one comparison; "and" binds
+// closer than "or". A comparison with an unknown value is false, with and without "not". Values are numbers in SI, or
+// with deg, cm or min. Every rule may have a "name" for the trace, and an "about".
 //
-// The tables of features and skills are in sim/agent/features.cpp and sim/agent/skills.cpp.
+// The tables of features and skills are in sim/agent/features.cpp and sim/agent/skills.cpp. `foresight-sim features` and
+// `foresight-sim skills` print them.
 #pragma once
 
 #include <memory>
@@ -34,7 +37,7 @@
 namespace sim::io {
 
 /// Parses the tree in `text`. `called` opens the sentence of an Error, which names the place:
-/// "strategy 'mine': tree[2].if: no feature 'bal_age'; did you mean 'ball_age'?"
+/// "strategy 'mine': tree[2].if: no feature "bal_age"; did you mean 'ball_age'?"
 robot::Result<agent::Tree> parse_strategy(std::string_view text, const std::string& called);
 
 /// Loads an embedded strategy by name, or a file by path; changed parameters follow behind commas: "baseline,near=0.3".

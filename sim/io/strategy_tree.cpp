@@ -6,6 +6,7 @@
 #include "robot/core/json_library.h"
 #include "sim/io/condition.h"
 #include "sim/io/values.h"
+#include "sim/io/vocabulary.h"
 #include "sim/io/words.h"
 
 namespace sim::io {
@@ -164,20 +165,16 @@ class Compiler {
 
   std::uint16_t leaf(const Json& json, const Place& place) {
     const Json& name = json["do"];
-    const Skill skill = name.is_string() ? agent::find_skill(name.get_ref<const std::string&>()) : agent::kNoSkill;
-    if (skill == agent::kNoSkill) {
-      std::vector<std::string_view> known;
-      for (int i = 0; i < agent::skill_count(); ++i) known.emplace_back(info_of(static_cast<Skill>(i)).name);
-      return refuse(place.at(".do"),
-                    "no skill " + shown(name) + (name.is_string() ? hint(name.get<std::string>(), known) : "")),
-             std::uint16_t{0};
-    }
-    agent::Leaf made{.skill = skill};
-    read_arguments(json.contains("with") ? json["with"] : kNothing, info_of(skill), place.at(".with"), made);
+    if (!name.is_string()) return refuse(place.at(".do"), "must be a text, got " + shown(name)), std::uint16_t{0};
+    const Result<Skill> skill = skill_named(name.get_ref<const std::string&>());
+    if (!skill) return refuse(place.at(".do"), skill.error()), std::uint16_t{0};
+    const SkillInfo& info = info_of(*skill);
+    agent::Leaf made{.skill = *skill};
+    read_arguments(json.contains("with") ? json["with"] : kNothing, info, place.at(".with"), made);
     if (!problem_.empty()) return 0;
     if (tree_.leaves.size() == agent::kMaxLeaves) return refuse(place, "the tree is too large"), std::uint16_t{0};
     tree_.leaves.push_back(made);
-    tree_.leaf_words.push_back({place.names + "/" + info_of(skill).name, info_of(skill).name, ""});
+    tree_.leaf_words.push_back({place.names + "/" + info.name, info.name, ""});
     return static_cast<std::uint16_t>((tree_.leaves.size() - 1) | agent::kLeafBit);
   }
 
@@ -208,7 +205,7 @@ class Compiler {
       entry = yes;
       for (auto term = terms->rbegin(); term != terms->rend(); ++term) {
         if (tree_.nodes.size() == agent::kMaxNodes) return refuse(place, "the tree is too large"), std::uint16_t{0};
-        tree_.nodes.push_back({term->feature, term->comparison, entry, fails, term->threshold});
+        tree_.nodes.push_back({term->feature, term->comparison, entry, fails, term->threshold, term->other});
         tree_.node_words.push_back({place.names, place.names.substr(place.names.rfind('/') + 1), term->text});
         entry = static_cast<std::uint16_t>(tree_.nodes.size() - 1);
       }
@@ -217,10 +214,13 @@ class Compiler {
   }
 
   void refuse_unused(const Json& own) {
-    for (const auto& [key, value] : object_at(own, "subtrees").items())
-      if (!used_.contains(key)) refuse({"subtrees." + key, ""}, "is not used");
-    for (const auto& [key, value] : object_at(own, "parameters").items())
-      if (!values_.used().contains(key)) refuse({"parameters." + key, ""}, "is not used");
+    const auto check = [&](const char* section, const std::set<std::string, std::less<>>& used) {
+      for (const auto& [key, value] : object_at(own, section).items())
+        if (!used.contains(key))
+          refuse({std::string(section) + "." + key, ""}, "is not used" + did_you_mean(key, {used.begin(), used.end()}));
+    };
+    check("subtrees", used_);
+    check("parameters", values_.used());
   }
 
   agent::Tree& tree_;

@@ -49,6 +49,11 @@ std::string quoted(std::string_view text) { return shown(std::string(text)); }
 
 }  // namespace
 
+std::string value_text(float value, const Expected& expected) {
+  if (expected.names) return expected.names[static_cast<int>(value)];
+  return short_text(value) + (*expected.unit ? " " + std::string(expected.unit) : "");
+}
+
 Result<float> Values::read(const Json& value, const Expected& expected) {
   if (value.is_string()) return read(std::string_view(value.get_ref<const std::string&>()), expected);
   if (!value.is_number() || expected.names) return wrong(expected, shown(value));

@@ -18,6 +18,9 @@ struct Expected {
   const char* const* names;  // the words for 0, 1, …, ended by nullptr; nullptr: a number
 };
 
+/// Returns the value as Values reads it: "0.35 m", "2", "goal".
+std::string value_text(float value, const Expected& expected);
+
 /// A reader of values. It resolves "$name" to the parameters and records the used ones.
 class Values {
  public:

@@ -40,4 +40,10 @@ struct Params {
   Pace pace = Pace::thinned;
 };
 
+/// Replaces the ball of the models by that of the rules, if the rules have one.
+inline void take_ball_of_rules(Params& params) {
+  if (params.rules.ball_radius > 0)
+    for (Team& team : params.teams) team.models.ball.radius = params.rules.ball_radius;
+}
+
 }  // namespace sim

@@ -3,10 +3,6 @@
 namespace sim {
 namespace {
 
-void count(Result& result, const referee::Event& event) {
-  ++result.events[static_cast<int>(event.kind)][static_cast<int>(event.side)];
-}
-
 /// Fills in everything but the events.
 void sum_up(const State& state, Result& result) {
   result.counts = state.counts;
@@ -25,20 +21,27 @@ Result play_on(const Params& params, State& state, Tick most, Result result) {
   const Tick end = most < kNever - state.world.tick ? state.world.tick + most : kNever;
   play(
       params, state, [&](const State& now) { return now.world.tick >= end; },
-      [&](const referee::Event& event) { count(result, event); });
+      [&](const referee::Event& event) { result.count(event); });
   sum_up(state, result);
   return result;
 }
 
 }  // namespace
 
+void Result::count(const referee::Event& event) {
+  const auto side = static_cast<int>(event.side);
+  ++events[static_cast<int>(event.kind)][side];
+  if (event.kind != referee::Event::Kind::ball_free) return;
+  ++(event.robot != kNobody ? taken : expired)[static_cast<int>(event.set_play)][side];
+}
+
 float Result::possession(Side side) const {
   const std::uint32_t all = counts.possession[0] + counts.possession[1];
   return all == 0 ? 0 : static_cast<float>(counts.possession[static_cast<int>(side)]) / static_cast<float>(all);
 }
 
-Result result_of(const State& state) {
-  Result result{};
+Result result_of(const State& state, const Result& decided) {
+  Result result = decided;
   sum_up(state, result);
   return result;
 }
@@ -49,7 +52,7 @@ Result play_game(const Params& params, RandomKey key) {
   Result result{};
   referee::Events events;
   State state = begin(params, key, events);
-  for (int i = 0; i < events.count; ++i) count(result, events.list[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < events.count; ++i) result.count(events.list[static_cast<std::size_t>(i)]);
   return play_on(params, state, kNever, result);
 }
 

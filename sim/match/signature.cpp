@@ -47,6 +47,7 @@ Scenario scenario(const Ingredients& ingredients, int number) {
     params.teams[side].models = pick(ingredients.models, what[1 + side]);
     turn_effects_over(params.teams[side].models.effects, how[side]);
   }
+  take_ball_of_rules(params);
   params.pace = how[2] % 2 == 0 ? Pace::every_tick : Pace::thinned;
 
   referee::Events events;

@@ -43,7 +43,7 @@ SideParams side_params(const Params& params, Side side) {
   return {team,
           {own.perception, own.effects, params.rules.field, params.marks, common(params).contact, ball},
           {own.motion, own.effects, ball},
-          {&params.rules.field, &own.motion}};
+          {&params.rules, &own.motion}};
 }
 
 referee::RefereeParams referee_params(const Params& params) {

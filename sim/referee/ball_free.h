@@ -16,6 +16,7 @@ inline bool due(const Court& court) {
 
 inline void apply(Court& court) {
   Book& book = court.book;
+  report(court, Event::Kind::ball_free, book.kicking, court.world.touched, court.world.ball.position);
   begin_phase(court, Phase::playing);
   const bool kick_off = book.set_play == SetPlay::kick_off && court.world.touched != kNobody;
   if (kick_off && !court.rules.kick_off_goal) book.kick_off_by = court.world.touched;
@@ -23,7 +24,6 @@ inline void apply(Court& court) {
   book.set_play = SetPlay::none;
   book.last_touch_tick = court.world.tick;
   book.stuck_since = court.world.tick;
-  report(court, Event::Kind::ball_free, book.kicking, court.world.touched, court.world.ball.position);
 }
 
 }  // namespace sim::referee::ball_free

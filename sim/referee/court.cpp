@@ -15,8 +15,12 @@ float own_place(const field::Rules& rules, int player) {
 }  // namespace
 
 void report(Court& court, Event::Kind kind, Side side, int robot, Vec2 at) {
-  court.events.add(
-      {.kind = kind, .side = side, .robot = static_cast<std::uint8_t>(robot), .tick = court.world.tick, .at = at});
+  court.events.add({.kind = kind,
+                    .side = side,
+                    .robot = static_cast<std::uint8_t>(robot),
+                    .tick = court.world.tick,
+                    .at = at,
+                    .set_play = court.book.set_play});
 }
 
 void place_ball(Court& court, Vec2 at) {

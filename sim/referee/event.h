@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sim/agent/beliefs.h"
 #include "sim/math/tick.h"
 #include "sim/math/vec2.h"
 #include "sim/world/world.h"
@@ -43,7 +44,8 @@ struct Event {
   Side side = Side::home;        // side that scored, has the kick, or owns the robot
   std::uint8_t robot = kNobody;  // index; kNobody: not about one robot
   Tick tick = 0;
-  Vec2 at;  // [m, field] of the ball or the robot
+  Vec2 at;                                                     // [m, field] of the ball or the robot
+  agent::Game::SetPlay set_play = agent::Game::SetPlay::none;  // that ran until this decision
 };
 
 /// Returns the words for a report: "goal", "kick-in", ...

@@ -17,6 +17,16 @@ bool is_out(Kind kind) {
   return kind == Kind::out || kind == Kind::kick_in || kind == Kind::goal_kick || kind == Kind::corner_kick;
 }
 
+/// Returns how many set plays of each kind ended by a kick, and how many because their time was up.
+Json set_plays(const Result& result) {
+  static constexpr const char* kKinds[kSetPlays] = {nullptr, "kick_off", "kick_in", "goal_kick", "corner_kick"};
+  Json json;
+  for (int kind = 1; kind < kSetPlays; ++kind)
+    json[kKinds[kind]] = {{"taken", result.taken[kind][0] + result.taken[kind][1]},
+                          {"expired", result.expired[kind][0] + result.expired[kind][1]}};
+  return json;
+}
+
 }  // namespace
 
 std::string game_line(const Params& params, std::uint64_t seed) {
@@ -26,7 +36,7 @@ std::string game_line(const Params& params, std::uint64_t seed) {
   Census census;
   Json first_goal;
   int outs = 0;
-  std::uint32_t events[kEventKinds][2] = {};
+  Result decided{};
   play(
       params, state,
       [&](const State& now) {
@@ -34,17 +44,17 @@ std::string game_line(const Params& params, std::uint64_t seed) {
         return false;
       },
       [&](const referee::Event& event) {
-        ++events[static_cast<int>(event.kind)][static_cast<int>(event.side)];
+        decided.count(event);
         if (is_out(event.kind)) ++outs;
         if (event.kind == Kind::goal && first_goal.is_null()) first_goal = seconds(event.tick);
       });
-  report.result = result_of(state);
-  std::copy(&events[0][0], &events[0][0] + 2 * kEventKinds, &report.result.events[0][0]);
+  report.result = result_of(state, decided);
 
   Json json = to_json(report, params.rules.players);
   json.erase("events");  // there are hundreds
   json["first_goal_seconds"] = first_goal;
   json["out"] = outs;
+  json["set_plays"] = set_plays(report.result);
   json["home"].update(census.of(Side::home));
   json["away"].update(census.of(Side::away));
   json["seen"] = Json::array();

@@ -13,6 +13,7 @@ import { lola } from "./lola.mjs";
 import { matchDays } from "./match_days.mjs";
 import { mcap } from "./mcap.mjs";
 import { nao } from "./nao.mjs";
+import { realism } from "./realism.mjs";
 import { shaped } from "./shaped.mjs";
 import { sim } from "./sim.mjs";
 import { soak } from "./soak.mjs";
@@ -23,7 +24,7 @@ import { verdicts } from "./verdicts.mjs";
 import { viewer } from "./viewer.mjs";
 import { vivid } from "./vivid.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak, faults, "match-days": matchDays, door, sim, equivalence, soccer, nao, vivid, lola, budget, viewer, deploy, compare, verdicts, thesis, foresight, mcap };
+const benches = { streaming, half, interference, shaped, fanout, soak, faults, "match-days": matchDays, door, sim, equivalence, soccer, realism, nao, vivid, lola, budget, viewer, deploy, compare, verdicts, thesis, foresight, mcap };
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};

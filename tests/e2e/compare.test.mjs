@@ -151,6 +151,7 @@ test("wrong input is refused with a sentence", async () => {
     [["baseline", "kick_now", "--sprt", "0.1,0"], /--sprt: expected two gains, the smaller one first, such as 0,0\.1, got '0\.1,0'/],
     [[], /expected behaviours to compare, such as baseline kick_now/],
     [["baseline", "kick_now", "--metric", "beauty"], /--metric: expected goals, first_goal, conceded, score_within:30s or ball_advance:30s, got 'beauty'/],
+    [["baseline", "kick_now", "--metric", "gaols"], /, got 'gaols'; did you mean 'goals'\?/],
     [["baseline", "kick_now", "--fuzz"], /--fuzz needs --from/],
     [["baseline", "kick_now", "--from", "nowhere"], /no situation 'nowhere'; there are: blocked, close_free/],
     [["baseline", "--aa", "kick_now"], /--aa names the behaviour; got another one: 'baseline'/],

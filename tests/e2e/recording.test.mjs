@@ -94,16 +94,17 @@ test("the strip spans the whole recording; a press anywhere shows the tree of th
   await page.keyboard.press(",");
   await until(() => at(page) < middle, "a frame back");
   await page.keyboard.press(",");
-  const last = truth.findLast((time) => time <= middle);
-  await until(() => at(page) === truth[truth.indexOf(last) - 1], `two frames back: ${at(page)} of ${truth.slice(truth.indexOf(last) - 3, truth.indexOf(last) + 2)}`);
+  const last = truth.findLastIndex((time) => time <= middle);
+  /** Waits for the frame `by` frames behind the last one before the middle. */
+  const frame = (by) => until(() => at(page) === truth[last + by], `frame ${by}, ${truth[last + by]}`, undefined, () => `${at(page)}`);
+  await frame(-1);
   for (const ahead of [0, 1, 2]) {
-    const wanted = truth[truth.indexOf(last) + ahead];
     await page.keyboard.press(".");
-    await until(() => at(page) === wanted, `frame ${ahead} on: ${at(page)} of ${truth.slice(truth.indexOf(last) - 3, truth.indexOf(last) + 4)}`);
+    await frame(ahead);
   }
   // also when the keys follow each other fast
   for (let i = 0; i < 5; ++i) await page.keyboard.press(".");
-  await until(() => at(page) === truth[truth.indexOf(last) + 7], "five frames on");
+  await frame(7);
   await shoot(page, "recording-objects");
 
   // a link opens the same moment in the other view

@@ -71,14 +71,23 @@ test("wrong usage and wrong input are one sentence and exit status 2", async (t)
   const folder = temporaryFolder(t);
   const situation = join(folder, "situation.json");
   writeFileSync(situation, "{}");
+  const program = join(folder, "mine.py");
+  writeFileSync(program, "print('{}')\n");
   for (const [args, sentence] of [
-    [["match", "--home", "basline"], "foresight-sim: no strategy 'basline'; there are: align_first, baseline, high_line, idle, kick_now, passing, foresight\n"],
+    [["match", "--home", "basline"], "foresight-sim: no strategy 'basline'; did you mean 'baseline'?\n"],
+    [["match", "--home", "chess"], "foresight-sim: no strategy 'chess'; there are: align_first, baseline, high_line, idle, kick_now, passing, foresight\n"],
+    [["match", "--away", program], `foresight-sim: behaviour '${program}' is a program: use 'pipe:python3 ${program}'\n`],
     [["match", "--models", "match,walk.forward=9"], "foresight-sim: models 'match,walk.forward=9': walk.forward must be 0.01 .. 3 [m/s], got 9\n"],
-    [["match", "--rules", "spl1999"], "foresight-sim: no rules 'spl1999'; there are: spl2012, spl2025\n"],
+    [["match", "--rules", "spl2012,half_durtion=60"], "foresight-sim: rules 'spl2012,half_durtion=60': half_durtion is unknown; did you mean 'half_duration'?\n"],
+    [["skills", "kik"], "foresight-sim: no skill \"kik\"; did you mean 'kick'?\n"],
+    [["features", "bal_age"], "foresight-sim: no feature \"bal_age\"; did you mean 'ball_age'?\n"],
+    [["match", "--rules", "spl1999"], "foresight-sim: no rules 'spl1999'; there are: hsl2026, spl2012, spl2025\n"],
     [["match", "--mcap", "x", "--games", "2"], "foresight-sim: --mcap records one game, got --games 2\n"],
+    [["match", "--save-at", "soon", "x"], "foresight-sim: --save-at: a moment must be 0 .. 36000 [s] since the first tick, or half:minutes:seconds on the clock such as 2:05:12, got 'soon'\n"],
+    [["match", "--save-at", "5", "x", "--games", "2"], "foresight-sim: --save-at is of one game, without --lines and --games\n"],
     [["match", "--home-team", "5"], "foresight-sim: the teams must have different numbers, got 5 twice\n"],
     [["situation", situation], `foresight-sim: situation '${situation}': ball is missing\n`],
-    [["models", "--show", "mach"], "foresight-sim: no models 'mach'; there are: friendly, match, perfect\n"],
+    [["models", "--show", "mach"], "foresight-sim: no models 'mach'; did you mean 'match'?\n"],
   ]) {
     const { status, stdout, stderr } = await sim(...args);
     assert.deepEqual({ status, stdout, stderr }, { status: 2, stdout: "", stderr: sentence }, args.join(" "));
@@ -86,6 +95,19 @@ test("wrong usage and wrong input are one sentence and exit status 2", async (t)
   for (const args of [[], ["dance"], ["match", "--games", "0"], ["match", "--players", "8"], ["match", "--seed", "-1"], ["situation"]])
     assert.equal((await sim(...args)).status, 2, args.join(" "));
   for (const args of [["--help"], ["match", "--help"], ["--version"]]) assert.equal((await sim(...args)).status, 0, args.join(" "));
+});
+
+test("all skills and features are described, for people and as JSON", async () => {
+  for (const [kind, known] of [["skills", "kick"], ["features", "ball_distance"]]) {
+    const words = await json(kind);
+    assert.ok(words.length > 10 && words.some(({ name }) => name === known));
+    const { status, stdout } = await sim(kind);
+    assert.equal(status, 0);
+    for (const { name, about, example } of words) for (const part of [name, about, example]) assert.ok(stdout.includes(part), `'${part}' in ${kind}`);
+    assert.deepEqual(await json(kind, known), words.filter(({ name }) => name === known));
+  }
+  const { arguments: parameters } = (await json("skills", "kick"))[0];
+  assert.deepEqual(parameters[1], { name: "tolerance", about: "angle by which the direction of the ball may miss the aim", unit: "rad", least: 0.01, most: 3, default: 0.2 });
 });
 
 test("rules, models and strategies can be listed, shown and played from a file", async (t) => {
@@ -122,6 +144,34 @@ test("a situation is rolled out as often as asked, the same every time", async (
   const { status, stdout } = await sim("situation", file, "--rollouts", "5");
   assert.equal(status, 0);
   assert.match(stdout, /5 rollouts of 60 s/);
+});
+
+test("a moment of a game is saved as a situation, from which games are played and compared", async (t) => {
+  const folder = temporaryFolder(t);
+  const save = async (moment, name) => {
+    const file = join(folder, name);
+    const { status, stderr } = await sim("match", ...kShort, "--seed", "7", "--save-at", moment, file);
+    assert.equal(status, 0, stderr);
+    return file;
+  };
+  const [one, again, clock] = await Promise.all([save("32", "one.json"), save("32", "again.json"), save("2:00:10", "clock.json")]);
+  assert.deepEqual(readFileSync(one), readFileSync(again));
+  const { about, half, robots } = JSON.parse(readFileSync(one));
+  assert.match(about, /^baseline against baseline, .*seed 7, moment 32$/);
+  assert.deepEqual([half, robots.length], [1, 4]);
+  const later = JSON.parse(readFileSync(clock));
+  assert.ok(later.half === 2 && Math.abs(later.clock - 10) < 0.01, JSON.stringify(later));
+
+  const rolled = await json("situation", one, ...kShort, "--rollouts", "4", "--seconds", "5");
+  assert.equal(rolled.rollouts, 4);
+  assert.equal((await json("match", "--from", one, ...kShort, "--seconds", "5")).seconds > 0, true);
+  const compared = await sim("compare", "baseline", "kick_now", "--from", one, ...kShort, "--seconds", "5", "--pairs", "4");
+  assert.notEqual(compared.status, 2, compared.stderr);
+
+  const late = await sim("match", ...kShort, "--save-at", "4000", join(folder, "late.json"));
+  assert.equal(late.status, 2);
+  assert.match(late.stderr, /--save-at: expected a moment before the end of the game, which is [\d.]+ s after the first tick, got 4000/);
+  assert.equal(existsSync(join(folder, "late.json")), false);
 });
 
 test("forecasts are compared with the course of simulated games, the same every time", async () => {
@@ -252,4 +302,30 @@ test("a recorded game is never overwritten", async (t) => {
   const nowhere = join(file, "no", "folder.mcap");
   assert.equal((await sim("match", ...kShort, "--mcap", nowhere)).status, 2);
   assert.ok(!existsSync(nowhere));
+});
+
+test("figures of games stand beside those of real games, also from a recording of a game", async (t) => {
+  const folder = temporaryFolder(t);
+  const long = ["match", "--rules", "spl2012:2,half_duration=200,ready_duration=10", "--seed", "3"];
+  const page = join(folder, "real.html");
+  const played = await json(...long, "--statistics", "--html", page);
+  assert.ok(played.windows >= 1);
+  assert.equal(Object.values(played.figures).filter(({ inside }) => inside !== null).length, played.judged);
+  assert.equal(readFileSync(page, "utf8").match(/<svg/g).length, Object.keys(played.figures).length);
+
+  const file = join(folder, "game.mcap");
+  assert.equal((await sim(...long, "--mcap", file)).status, 0);
+  const { status, stdout, stderr } = await run("foresight-lab", "game-statistics", file, "--json");
+  assert.equal(status, 0, stderr);
+  const recorded = JSON.parse(stdout);
+  for (const key of ["ball_speed", "mates", "walked", "nearest"]) {
+    const [one, other] = [played, recorded].map((all) => all.figures[key].measured.mean);
+    assert.ok(Math.abs(one - other) < 0.2 * one, `${key}: ${one} and ${other}`);
+  }
+});
+
+test("figures of games that are too short are refused in one sentence", async () => {
+  const { status, stderr } = await sim("match", ...kShort, "--statistics");
+  assert.equal(status, 2);
+  assert.equal(stderr, "foresight-sim: --statistics needs a game with at least 167 s in play; play more or longer games\n");
 });

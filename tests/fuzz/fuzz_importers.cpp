@@ -5,6 +5,7 @@
 
 #include "robot/lab/import/bhuman2009.h"
 #include "robot/lab/import/nblog.h"
+#include "robot/lab/import/spl_labels.h"
 
 namespace {
 
@@ -22,9 +23,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   Swallow sink;
-  if (data[0] % 2 == 0)
-    static_cast<void>(robot::lab::import_bhuman2009(bytes, 0, sink));
-  else
-    static_cast<void>(robot::lab::import_nblog(bytes, 0, sink));
+  switch (data[0] % 3) {
+    case 2: static_cast<void>(robot::lab::import_bhuman2009(bytes, 0, sink)); break;
+    case 1: static_cast<void>(robot::lab::import_nblog(bytes, 0, sink)); break;
+    default: static_cast<void>(robot::lab::import_spl_labels(bytes, 0, sink));
+  }
   return 0;
 }

@@ -13,7 +13,7 @@ class ImportCommand final : public Command {
  public:
   explicit ImportCommand(CLI::App& app)
       : Command(app.add_subcommand("import", "make a session from another program's recording")) {
-    options().add_option("format", format_, "bhuman2009, nblog, or auto")->required();
+    options().add_option("format", format_, "bhuman2009, nblog, spl_labels, or auto")->required();
     options().add_option("file", file_, "file of the recording")->required();
     auto* folder = options().add_option_group("where", "one of")->require_option(1);
     folder->add_option("--out", out_, "log folder; the session becomes a new folder in it");
@@ -42,6 +42,7 @@ class ImportCommand final : public Command {
     if (json_) {
       const nlohmann::json said = {{"session", folder.string()},
                                    {"messages", report.messages},
+                                   {"about", report.about},
                                    {"warnings", report.warnings},
                                    {"damage", report.damage}};
       std::printf("%s\n", said.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
@@ -49,6 +50,7 @@ class ImportCommand final : public Command {
     }
     for (const auto& [object, count] : report.messages)
       std::printf("%8llu  %s\n", static_cast<unsigned long long>(count), object.c_str());
+    if (!report.about.empty()) std::printf("%s\n", report.about.c_str());
     for (const std::string& warning : report.warnings) std::printf("note: %s\n", warning.c_str());
     if (!report.damage.empty()) std::printf("damaged: %s\n", report.damage.c_str());
     std::printf("%s\n", folder.c_str());

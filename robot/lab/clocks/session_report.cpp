@@ -147,6 +147,7 @@ std::string to_text(const SessionReport& report) {
   std::string text = format("session  %s (%s)\n", session.id().c_str(), std::string(name(session.state)).c_str());
   text += format("robot    %s, profile %s, build %s\n", session.info.robot.c_str(), session.info.profile.c_str(),
                  session.info.build.c_str());
+  if (!session.info.about.empty()) text += "about    " + session.info.about + "\n";
   text += format("time     %s UTC, %.1f s\n", utc(session.start_ns).c_str(),
                  static_cast<double>(session.end_ns - session.start_ns) * 1e-9);
   text += format("size     %.1f MB\n", static_cast<double>(session.size_bytes) * 1e-6);
@@ -191,6 +192,7 @@ nlohmann::json to_json(const SessionReport& report) {
   return {{"session", session.id()},
           {"state", name(session.state)},
           {"message", session.message},
+          {"about", session.info.about},
           {"robot", session.info.robot},
           {"profile", session.info.profile},
           {"build", session.info.build},

@@ -28,8 +28,9 @@ class ImportSink {
 /// The result of an import.
 struct ImportReport {
   std::map<std::string, std::uint64_t> messages;  // number of messages in the sink, by object
-  std::vector<std::string> warnings;              // sentences about omitted or odd data of a file that is not damaged
-  std::string damage;                             // one sentence: place and kind of the damage; empty if there is none
+  std::string about;                  // one sentence about the data, for the session's description; or empty
+  std::vector<std::string> warnings;  // sentences about omitted or odd data of a file that is not damaged
+  std::string damage;                 // one sentence: place and kind of the damage; empty if there is none
 };
 
 /// A sink that passes messages on to `sink` and counts them in `report`. Both outlive it.

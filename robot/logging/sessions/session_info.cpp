@@ -60,19 +60,19 @@ class Taker {
 }  // namespace
 
 std::string to_json(const SessionInfo& info) {
-  return nlohmann::json{{"name", info.name},
-                        {"robot", info.robot},
-                        {"team", info.team},
-                        {"player", info.player},
-                        {"build", info.build},
-                        {"profile", info.profile},
-                        {"start_ns", std::to_string(info.start_ns)},
-                        {"number", std::to_string(info.number)},
-                        {"boot", info.boot},
-                        {"kept", info.kept},
-                        {"complete", info.complete}}
-             .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
-         "\n";
+  nlohmann::json json{{"name", info.name},
+                      {"robot", info.robot},
+                      {"team", info.team},
+                      {"player", info.player},
+                      {"build", info.build},
+                      {"profile", info.profile},
+                      {"start_ns", std::to_string(info.start_ns)},
+                      {"number", std::to_string(info.number)},
+                      {"boot", info.boot},
+                      {"kept", info.kept},
+                      {"complete", info.complete}};
+  if (!info.about.empty()) json["about"] = info.about;
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 Result<SessionInfo> parse_session_info(std::string_view text) {
@@ -97,7 +97,8 @@ Result<void> take_session_info(std::string_view text, SessionInfo& info) {
   taker.take("build", info.build);
   taker.take("profile", info.profile);
   taker.take("start_ns", info.start_ns);
-  // sessions of earlier versions and of other programs have neither
+  // sessions of earlier versions and of other programs have none of these
+  if (taker.has("about")) taker.take("about", info.about);
   if (taker.has("number")) taker.take("number", info.number);
   if (taker.has("boot")) taker.take("boot", info.boot);
   taker.take("kept", info.kept);
@@ -115,6 +116,7 @@ MetadataByName metadata_of(const SessionInfo& info) {
                             {"build", info.build},
                             {"profile", info.profile},
                             {"start_ns", std::to_string(info.start_ns)}}}};
+  if (!info.about.empty()) metadata[kSessionMetadata]["about"] = info.about;
   if (info.number > 0) metadata[kSessionMetadata]["number"] = std::to_string(info.number);
   if (!info.boot.empty()) metadata[kSessionMetadata]["boot"] = info.boot;
   return metadata;
@@ -126,6 +128,7 @@ std::optional<SessionInfo> session_info_in(const std::vector<mcap::Metadata>& me
   SessionInfo info;
   for (const auto& [key, value] : found->entries) {
     if (key == "name") info.name = value;
+    if (key == "about") info.about = value;
     if (key == "robot") info.robot = value;
     if (key == "team") info.team = std::atoi(value.c_str());
     if (key == "player") info.player = std::atoi(value.c_str());

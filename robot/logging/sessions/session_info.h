@@ -16,6 +16,7 @@ namespace robot::logging {
 /// The facts about a session at its beginning. The file `session.json` in its folder holds them.
 struct SessionInfo {
   std::string name;   // from a person; may be empty
+  std::string about;  // from the recording program, such as the error of a calibration; may be empty
   std::string robot;  // "14/2"
   int team = 0, player = 0;
   std::string build;           // of the recording program
@@ -32,7 +33,7 @@ struct SessionInfo {
 /// Converts to the text of `session.json`.
 std::string to_json(const SessionInfo& info);
 
-/// Converts the text of `session.json`. `number` and `boot` may be missing.
+/// Converts the text of `session.json`. `about`, `number` and `boot` may be missing.
 Result<SessionInfo> parse_session_info(std::string_view json);
 
 /// Takes those facts from the text of a `session.json` that can be read, and leaves the others in `info` as they are.

@@ -30,6 +30,9 @@ class SessionWriter {
   /// Numbers the messages of a stream in the order of the calls.
   Result<void> write(const memory::ChannelInfo& info, std::uint64_t capture_ns, std::string_view bytes);
 
+  /// Sets the description of the session, for session.json after close() and for streams that begin later.
+  void describe(std::string about) { info_.about = std::move(about); }
+
   /// Closes all streams and the session.
   Result<void> close();
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <random>
 
 #include "sim/math/vec2.h"
@@ -102,6 +104,13 @@ TEST(Convert, UnknownDataHaveNoValue) {
                            .threshold = 0.35f,
                            .known = false,
                            .result = false});
+  trace.visited.push_back({.path = "tree/late",
+                           .name = "late",
+                           .condition = "player < time_to_ball",
+                           .feature = "player",
+                           .value = 2,
+                           .threshold = std::numeric_limits<float>::quiet_NaN(),
+                           .result = false});
   trace.visited.push_back({.path = "tree/search", .name = "search", .condition = "", .feature = ""});
   trace.skill = "search_ball";
   trace.arguments.push_back({.name = "side", .value = -1});
@@ -109,12 +118,15 @@ TEST(Convert, UnknownDataHaveNoValue) {
   trace.strategy = "baseline";
   to_proto(trace, message);
   EXPECT_EQ(message.strategy(), "baseline");
-  ASSERT_EQ(message.visited_size(), 2);
+  ASSERT_EQ(message.visited_size(), 3);
   EXPECT_FALSE(message.visited(0).has_value());
   EXPECT_TRUE(message.visited(0).has_threshold());
   EXPECT_EQ(message.visited(0).kind(), pb::DecisionTrace::Node::KIND_CONDITION);
+  EXPECT_EQ(message.visited(1).value(), 2);
   EXPECT_FALSE(message.visited(1).has_threshold());
-  EXPECT_EQ(message.visited(1).kind(), pb::DecisionTrace::Node::KIND_SKILL);
+  EXPECT_EQ(message.visited(1).kind(), pb::DecisionTrace::Node::KIND_CONDITION);
+  EXPECT_FALSE(message.visited(2).has_threshold());
+  EXPECT_EQ(message.visited(2).kind(), pb::DecisionTrace::Node::KIND_SKILL);
   EXPECT_EQ(message.skill(), "search_ball");
   EXPECT_EQ(message.arguments(0).value(), -1);
 }

@@ -34,6 +34,22 @@ TEST(Manners, AtTheOpponentsKickNoRobotKicksOrGoesNearTheBall) {
   }
 }
 
+TEST(Manners, RulesThatAskForMoreRoomThanTheHabitAreKept) {
+  field::Rules rules = *surroundings().rules;
+  rules.clear_distance = 1.5f;
+  const Surroundings wide{&rules, surroundings().motion};
+  Scene scene;
+  scene.game.set_play = Game::SetPlay::kick_in;
+  scene.game.own_kick = false;
+  scene.see_ball({1.2f, 0});
+  const View view(wide, scene.settings, scene.game, scene.beliefs, scene.now, scene.mind);
+  motion::Command command;
+  command.body = Body::kick;
+  mind_manners(view, command);
+  ASSERT_EQ(command.body, Body::walk_to);
+  EXPECT_GE(distance(command.walk, view.ball), 1.5f) << "away from the ball";
+}
+
 TEST(Manners, OnlyTheKeeperWalksIntoTheOwnGoalArea) {
   const TreeBehaviour behaviour(shipped("baseline"));
   std::mt19937 random(2);
@@ -46,7 +62,7 @@ TEST(Manners, OnlyTheKeeperWalksIntoTheOwnGoalArea) {
     const motion::Command command = scene.decide(behaviour);
     if (command.body != Body::walk_to) continue;
     const Vec2 place = scene.view().to_team(command.walk);
-    const field::Field& field = *surroundings().field;
+    const field::Field& field = surroundings().rules->field;
     EXPECT_FALSE(place.x < -0.5f * field.length + field.goal_area_length &&
                  std::abs(place.y) < 0.5f * field.goal_area_width);
     ++diverted;
@@ -67,7 +83,7 @@ TEST(Manners, PlacesOfTheKickOffAreInTheOwnHalfAndApart) {
         EXPECT_LE(place.x, -0.2f);
         EXPECT_GE(place.x, -scene.view().half_length);
         EXPECT_LE(std::abs(place.y), scene.view().half_width);
-        EXPECT_TRUE((ours && player == 2) || length(place) > surroundings().field->centre_circle_radius + 0.2f)
+        EXPECT_TRUE((ours && player == 2) || length(place) > surroundings().rules->field.centre_circle_radius + 0.2f)
             << player;
         for (const Vec2 other : places) EXPECT_GT(distance(place, other), 0.5f) << players << " " << player;
         places.push_back(place);

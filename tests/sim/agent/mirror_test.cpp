@@ -56,6 +56,8 @@ constexpr const char* kLateral = R"({
     { "if": "lane > 0.2", "do": "block", "with": { "spread": "1 m" } },
     { "if": "crossing_left < 0.1", "do": "keep_goal" },
     { "if": "goal_bearing < -0.3", "do": "dribble" },
+    { "if": "ball_left > y or not ball_y >= ball_left", "do": "look_round" },
+    { "if": "not ball_distance < ball_off_centre", "do": "walk_to_ball" },
     { "if": "ball_y < 0.2", "do": "kick" },
     { "do": "search_ball" }
   ]

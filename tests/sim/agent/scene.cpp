@@ -27,7 +27,7 @@ Tick lately(std::mt19937& random, Tick now) {
 const Surroundings& surroundings() {
   static const field::Rules rules = io::load_rules("spl2012").value();
   static const Models models = io::load_models("match").value();
-  static const Surroundings around{&rules.field, &models.motion};
+  static const Surroundings around{&rules, &models.motion};
   return around;
 }
 

@@ -81,6 +81,63 @@ TEST(Tree, UnknownValuesNeverPass) {
     EXPECT_FALSE(holds(comparison, unknown, 0));
 }
 
+TEST(Tree, UnknownThresholdsNeverPass) {
+  const float unknown = std::numeric_limits<float>::quiet_NaN();
+  for (const auto comparison : {Comparison::less, Comparison::at_most, Comparison::greater, Comparison::at_least,
+                                Comparison::equal, Comparison::unequal})
+    EXPECT_FALSE(holds(comparison, 0, unknown));
+}
+
+TEST(Tree, ANegatedComparisonPassesAllKnownValuesThatTheComparisonDoesNot) {
+  const float unknown = std::numeric_limits<float>::quiet_NaN();
+  for (const auto comparison : {Comparison::less, Comparison::at_most, Comparison::greater, Comparison::at_least,
+                                Comparison::equal, Comparison::unequal}) {
+    for (const float a : {-1.f, 0.f, 2.f})
+      for (const float b : {-1.f, 0.f, 2.f}) EXPECT_NE(holds(comparison, a, b), holds(negated(comparison), a, b));
+    EXPECT_FALSE(holds(negated(comparison), unknown, 0));
+    EXPECT_EQ(negated(negated(comparison)), comparison);
+  }
+}
+
+TEST(Tree, TwoFeaturesAreComparedByTheirValuesWhichTheTraceHas) {
+  const TreeBehaviour behaviour(tree_of(R"({"name": "two", "tree": [
+    {"if": "mates_time_to_ball < time_to_ball", "do": "position"},
+    {"if": "not ball_ahead <= ball_off_centre", "do": "walk_to_ball"},
+    {"do": "stand"}]})"));
+  const Feature mates = find_feature("mates_time_to_ball"), own = find_feature("time_to_ball"),
+                ahead = find_feature("ball_ahead"), off_centre = find_feature("ball_off_centre");
+  const float unknown = std::numeric_limits<float>::quiet_NaN();
+  int reached[3] = {};
+  std::mt19937 random(4);
+  for (int n = 0; n < 3000; ++n) {
+    Scene scene = random_scene(random);
+    const Scene before = scene;
+    Trace trace;
+    scene.decide(behaviour, &trace);
+    Scene after = before;
+    after.mind.role = scene.mind.role, after.mind.time_to_ball = scene.mind.time_to_ball;
+    const View view = after.view();
+    const auto same = [&](float value, float expected) {
+      return value == expected || (std::isnan(value) && std::isnan(expected));
+    };
+    ASSERT_GE(trace.visited.size(), 2u);
+    EXPECT_STREQ(trace.visited[0].condition, "mates_time_to_ball < time_to_ball");
+    EXPECT_STREQ(trace.visited[0].feature, "mates_time_to_ball");
+    EXPECT_TRUE(same(trace.visited[0].value, value_of(mates, view)));
+    EXPECT_TRUE(same(trace.visited[0].threshold, value_of(own, view)));
+    EXPECT_EQ(trace.visited[0].result, value_of(mates, view) < value_of(own, view));
+    if (trace.visited.size() == 3) {
+      EXPECT_TRUE(same(trace.visited[1].threshold, value_of(off_centre, view)));
+      EXPECT_EQ(trace.visited[1].result, value_of(ahead, view) > value_of(off_centre, view));
+    }
+    ++reached[std::string_view(trace.skill) == "position"       ? 0
+              : std::string_view(trace.skill) == "walk_to_ball" ? 1
+                                                                : 2];
+  }
+  for (const int count : reached) EXPECT_GT(count, 100);
+  EXPECT_FALSE(holds(Comparison::less, unknown, unknown));
+}
+
 TEST(Tree, ComparisonsDoWhatTheirNamesSay) {
   for (const float a : {-1.f, 0.f, 2.f})
     for (const float b : {-1.f, 0.f, 2.f}) {

@@ -94,7 +94,7 @@ TEST(Chooser, ARobotThatHearsNobodyForLongPlaysTheDefault) {
   const auto chooser = io::load_behaviour("foresight,stale=5", {}, Side::home);
   ASSERT_TRUE(chooser) << chooser.error();
   const io::PreparedGame setup = game_of("baseline", "match", 60);
-  const agent::Surroundings around{&setup.params.rules.field, &setup.params.teams[0].models.motion};
+  const agent::Surroundings around{&setup.params.rules, &setup.params.teams[0].models.motion};
   agent::Game game{.phase = agent::Game::Phase::playing, .player = 1};  // the keeper never chooses
   agent::Beliefs beliefs;
   agent::Mind mind;

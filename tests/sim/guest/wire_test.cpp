@@ -18,7 +18,7 @@ TEST(Wire, TheGreetingHasTheConstantsOfTheGame) {
   const Json json = Json::parse(greeting_of(player(scene)));
   EXPECT_EQ(json["version"], FORESIGHT_BEHAVIOUR_VERSION);
   EXPECT_EQ(json["players"], 4);
-  EXPECT_EQ(json["field"]["length"].get<float>(), agent::surroundings().field->length);
+  EXPECT_EQ(json["field"]["length"].get<float>(), agent::surroundings().rules->field.length);
   EXPECT_EQ(json["walk"]["forward"].get<float>(), agent::surroundings().motion->walk.forward);
   EXPECT_EQ(json["kicks"].size(), static_cast<std::size_t>(agent::surroundings().motion->kick_count));
   EXPECT_EQ(json["kicks"][0]["name"], agent::surroundings().motion->kicks[0].name);

@@ -26,15 +26,27 @@ TEST(PreparedGame, HoldsTheNamedParts) {
   EXPECT_EQ(params.pace, Pace::every_tick);
 }
 
+TEST(PreparedGame, PlaysWithTheBallOfTheRulesIfTheyHaveOne) {
+  const auto radius = [](const std::string& rules) {
+    const auto game = prepare({.rules = rules, .models = {"match,ball.radius=0.04", "match"}});
+    return game ? game->params.teams[0].models.ball.radius : 0.f;
+  };
+  EXPECT_EQ(radius("spl2025"), 0.04f);
+  EXPECT_EQ(radius("spl2025,ball_radius=0.06"), 0.06f);
+  EXPECT_EQ(radius("hsl2026"), 0.07f);
+}
+
 TEST(PreparedGame, NamesUnknownParts) {
   const auto error = [](const Matchup& choice) {
     const auto setup = prepare(choice);
     return setup ? "" : setup.error();
   };
-  EXPECT_EQ(error({.rules = "spl1999"}), "no rules 'spl1999'; there are: spl2012, spl2025");
-  EXPECT_EQ(error({.models = {"match", "mach"}}), "no models 'mach'; there are: friendly, match, perfect");
-  EXPECT_EQ(error({.strategies = {"basline", "idle"}}),
-            "no strategy 'basline'; there are: align_first, baseline, high_line, idle, kick_now, passing, foresight");
+  EXPECT_EQ(error({.rules = "spl1999"}), "no rules 'spl1999'; there are: hsl2026, spl2012, spl2025");
+  EXPECT_EQ(error({.models = {"match", "mach"}}), "no models 'mach'; did you mean 'match'?");
+  EXPECT_EQ(error({.strategies = {"basline", "idle"}}), "no strategy 'basline'; did you mean 'baseline'?");
+  EXPECT_EQ(error({.strategies = {"idle", "forsight"}}), "no strategy 'forsight'; did you mean 'foresight'?");
+  EXPECT_EQ(error({.strategies = {"chess", "idle"}}),
+            "no strategy 'chess'; there are: align_first, baseline, high_line, idle, kick_now, passing, foresight");
   EXPECT_EQ(error({.players = 8}), "players must be 1 .. 7 a side, got 8");
 }
 

@@ -112,11 +112,16 @@ TEST(Models, EveryEffectCanBeSwitchedByItsName) {
 }
 
 TEST(Models, NamesTheErrorInAVariation) {
-  EXPECT_EQ(error_of("mach"), "no models 'mach'; there are: friendly, match, perfect");
+  EXPECT_EQ(error_of("mach"), "no models 'mach'; did you mean 'match'?");
   EXPECT_EQ(error_of("match,walk.forward=9"),
             "models 'match,walk.forward=9': walk.forward must be 0.01 .. 3 [m/s], got 9");
   EXPECT_EQ(error_of("match,falls=maybe"),
             "models 'match,falls=maybe': effects.falls must be true or false, got \"maybe\"");
+  EXPECT_EQ(error_of("match,wlak.forward=0.2"),
+            "models 'match,wlak.forward=0.2': wlak is unknown; did you mean 'walk'?");
+  EXPECT_EQ(error_of("match,walk.foward=0.2"),
+            "models 'match,walk.foward=0.2': walk.foward is unknown; did you mean 'forward'?");
+  EXPECT_EQ(error_of("match,fals=on"), "models 'match,fals=on': effects.fals is unknown; did you mean 'falls'?");
   EXPECT_EQ(error_of("match,head.yaw=1"),
             "models 'match,head.yaw=1': head.yaw is unknown; there are: yaw_limit, pitch_up, pitch_down, yaw_speed, "
             "pitch_speed");
@@ -137,7 +142,7 @@ TEST(Models, NamesTheErrorInADescription) {
   EXPECT_EQ(error(R"({"name": "mine"})"), "models 'mine': effects is missing");
   EXPECT_EQ(error(R"({"based_on": "match"})"), "models 'mine': name is missing");
   EXPECT_EQ(error(R"({"name": "mine", "based_on": "mach"})"),
-            "models 'mine': based_on: no models 'mach'; there are: friendly, match, perfect");
+            "models 'mine': based_on: no models 'mach'; did you mean 'match'?");
   EXPECT_EQ(error(R"({"name": "mine", "based_on": "match", "walk": 3})"),
             "models 'mine': walk must be an object, got 3");
   EXPECT_EQ(error(R"({"name": "mine", "based_on": "match", "kicks": {"a_name_far_too_long": {}}})"),

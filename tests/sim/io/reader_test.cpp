@@ -77,7 +77,7 @@ TEST(Reader, NamesTheErrorInAnEntry) {
   EXPECT_EQ(wrong_with(R"({"speed": {"value": 1}})"), "car 'red': wheels.speed must have the unit 'm/s', got none");
   EXPECT_EQ(wrong_with(R"({"speed": {"unit": "m/s"}})"), "car 'red': wheels.speed has no value");
   EXPECT_EQ(wrong_with(R"({"speed": {"value": 1, "unit": "m/s", "sauce": 1}})"),
-            "car 'red': wheels.speed.sauce is unknown; there are: value, unit, source");
+            "car 'red': wheels.speed.sauce is unknown; did you mean 'source'?");
   EXPECT_EQ(wrong_with(R"({"speed": {"value": 1, "unit": "m/s", "source": 1}})"),
             "car 'red': wheels.speed.source must be a text, got 1");
 }
@@ -85,7 +85,8 @@ TEST(Reader, NamesTheErrorInAnEntry) {
 TEST(Reader, NamesMissingAndUnknownEntries) {
   EXPECT_EQ(wrong_with(R"({"speed": 1, "spinning": false})", Fields::all),
             "car 'red': wheels.count is missing, expected 1 .. 7");
-  EXPECT_EQ(wrong_with(R"({"speeds": 1})"), "car 'red': wheels.speeds is unknown; there are: speed, count, spinning");
+  EXPECT_EQ(wrong_with(R"({"speeds": 1})"), "car 'red': wheels.speeds is unknown; did you mean 'speed'?");
+  EXPECT_EQ(wrong_with(R"({"wide": 1})"), "car 'red': wheels.wide is unknown; there are: speed, count, spinning");
 }
 
 TEST(Reader, RefusesTextThatIsNoDescription) {

@@ -19,8 +19,8 @@ field::Rules loaded(const std::string& name) {
   return *rules;
 }
 
-TEST(Rules, BothYearsExist) {
-  EXPECT_EQ(listed(names_of("rules")), "spl2012, spl2025");
+TEST(Rules, AllYearsExist) {
+  EXPECT_EQ(listed(names_of("rules")), "hsl2026, spl2012, spl2025");
   const field::Rules then = loaded("spl2012"), now = loaded("spl2025");
   EXPECT_EQ(then.field.length, 6);
   EXPECT_EQ(then.field.width, 4);
@@ -32,6 +32,17 @@ TEST(Rules, BothYearsExist) {
   EXPECT_EQ(now.ball_out, field::BallOut::set_play);
   EXPECT_EQ(now.message_budget, 1200);
   for (const field::Rules& rules : {then, now}) EXPECT_EQ(rules.half_duration * static_cast<float>(rules.halves), 1200);
+}
+
+TEST(Rules, TheSmallDivisionOf2026IsThatOfTheLeaguesFiles) {
+  const field::Rules rules = loaded("hsl2026");
+  EXPECT_EQ(rules.players, 4);
+  EXPECT_FLOAT_EQ(rules.field.length + rules.field.line_width, 9) << "to the outside of the lines";
+  EXPECT_FLOAT_EQ(rules.field.width + rules.field.line_width, 6);
+  EXPECT_EQ(rules.set_play_duration, 45);
+  EXPECT_EQ(rules.penalty_duration, 30);
+  EXPECT_EQ(rules.message_budget, 12000);
+  EXPECT_EQ(rules.half_duration * static_cast<float>(rules.halves), 1200);
 }
 
 TEST(Rules, ANumberBehindTheNameIsTheNumberOfPlayers) {
@@ -50,7 +61,7 @@ TEST(Rules, VariationsChangeTheNamedEntries) {
 }
 
 TEST(Rules, NamesTheError) {
-  EXPECT_EQ(error_of("spl2011"), "no rules 'spl2011'; there are: spl2012, spl2025");
+  EXPECT_EQ(error_of("spl2011"), "no rules 'spl2011'; did you mean 'spl2012'?");
   EXPECT_EQ(error_of("spl2012,halves=0"), "rules 'spl2012,halves=0': halves must be a whole number, 1 .. 4, got 0");
   EXPECT_EQ(error_of("spl2012,ball_out=gone"),
             "rules 'spl2012,ball_out=gone': ball_out must be \"placed_back\" or \"set_play\", got \"gone\"");
@@ -61,7 +72,7 @@ TEST(Rules, NamesTheError) {
 }
 
 TEST(Rules, APrintedDescriptionReadsBackIdentically) {
-  for (const char* name : {"spl2012", "spl2025:7", "spl2012,half_duration=61.7,illegal_defender=off"}) {
+  for (const char* name : {"spl2012", "spl2025:7", "hsl2026", "spl2012,half_duration=61.7,illegal_defender=off"}) {
     const std::string printed = print_rules(loaded(name), "mine");
     const auto again = parse_rules(printed, "again");
     ASSERT_TRUE(again) << again.error();

@@ -187,7 +187,7 @@ TEST(Situation, TheEmbeddedOnesAreFoundByName) {
     EXPECT_TRUE(load_situation(std::string(name), setup().params));
   const auto unknown = load_situation("blockd", setup().params);
   ASSERT_FALSE(unknown);
-  EXPECT_EQ(unknown.error().find("no situation 'blockd'; there are: blocked, close_free"), 0u) << unknown.error();
+  EXPECT_EQ(unknown.error().find("no situation 'blockd'; did you mean 'blocked'?"), 0u) << unknown.error();
 }
 
 TEST(Situation, AMissingFileIsNamedInTheError) {

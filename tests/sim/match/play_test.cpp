@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "sim/match/fields.h"
@@ -35,6 +36,31 @@ TEST(Play, GoesToTheEndOfTheGame) {
       EXPECT_GE(result.ticks, 2 * ticks(60));
     }
   }
+}
+
+/// Returns the number of set plays of a kind that both sides took, and of those whose time was up.
+std::pair<std::uint32_t, std::uint32_t> set_plays(const Result& result, agent::Game::SetPlay kind) {
+  const auto& taken = result.taken[static_cast<int>(kind)];
+  const auto& expired = result.expired[static_cast<int>(kind)];
+  return {taken[0] + taken[1], expired[0] + expired[1]};
+}
+
+TEST(Play, CountsTheSetPlaysThatAreTakenAndThoseThatExpire) {
+  using SetPlay = agent::Game::SetPlay;
+  for (const char* rules : {"spl2012", "spl2025", "hsl2026"}) {
+    const Result result = play_game(setup_of(choice_of(rules, "baseline", "match")).params, {3});
+    std::uint32_t all = 0;
+    for (const SetPlay kind : {SetPlay::kick_off, SetPlay::kick_in, SetPlay::goal_kick, SetPlay::corner_kick}) {
+      const auto [taken, expired] = set_plays(result, kind);
+      all += taken + expired;
+    }
+    EXPECT_EQ(all, of(result, Kind::ball_free)) << rules << ": each one ends once";
+    EXPECT_GT(set_plays(result, SetPlay::kick_off).first, 0u) << rules;
+  }
+  // nobody takes a kick-off
+  const Result idle = play_game(setup_of(choice_of("spl2025", "idle", "match")).params, {3});
+  EXPECT_EQ(set_plays(idle, SetPlay::kick_off).first, 0u);
+  EXPECT_GT(set_plays(idle, SetPlay::kick_off).second, 1u);
 }
 
 TEST(Play, KeepsTheBudgetOfPackets) {

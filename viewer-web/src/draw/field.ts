@@ -27,6 +27,10 @@ export const kFields: Record<string, Field> = {
     length: 9, width: 6, border: 0.7, lineWidth: 0.05, centreCircleRadius: 0.75, goalAreaLength: 0.6, goalAreaWidth: 2.2,
     penaltyAreaLength: 1.65, penaltyAreaWidth: 4, penaltyMark: 1.3, goalWidth: 1.6, goalDepth: 0.5,
   },
+  hsl2026: {
+    length: 8.95, width: 5.95, border: 1.025, lineWidth: 0.05, centreCircleRadius: 0.725, goalAreaLength: 0.95, goalAreaWidth: 2.95,
+    penaltyAreaLength: 1.95, penaltyAreaWidth: 3.95, penaltyMark: 1.475, goalWidth: 1.9, goalDepth: 0.48,
+  },
 };
 
 /** The field if none is reported. */

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { Decisions, decisionOf, whyNot } from "./decisions";
+import { comparison, Decisions, decisionOf, whyNot } from "./decisions";
 import { History } from "./history";
 import type { MemoryObject } from "./memory_object";
 import { EnumValue, type Fields, type Value } from "./value";
@@ -54,6 +54,16 @@ test("a leaf that was not chosen names the condition that failed and by how much
   expect(whyNot(walk!, decisionOf(kKick))).toBe("“ball_distance < $near” holds: ball_distance 0.2, compared with 0.3. While it holds, an earlier node is chosen.");
   expect(whyNot(kick!, decisionOf(kKick))).toBeUndefined();
   expect(whyNot(kick!, decisionOf(fields({})))).toBe("Nothing was decided.");
+});
+
+test("a comparison shows both values, also of two features and when one is unknown", () => {
+  const shownOf = (visit: Fields) => comparison(decisionOf(trace("stand", visit)).visited[0]!);
+  const two = (entries: Record<string, Value>) =>
+    fields({ kind: new EnumValue(1, "KIND_CONDITION"), path: "t/late", condition: "mates_time_to_ball < time_to_ball", feature: "mates_time_to_ball", ...entries });
+  expect(shownOf(two({ value: 1.5, threshold: 2.25 }))).toBe("mates_time_to_ball 1.5, compared with 2.25");
+  expect(shownOf(two({ value: 1.5 }))).toBe("mates_time_to_ball 1.5, compared with not known");
+  expect(shownOf(two({ threshold: 2.25 }))).toBe("mates_time_to_ball not known, compared with 2.25");
+  expect(shownOf(skill("t/stand"))).toBe("");
 });
 
 test("another strategy starts another tree, and a seek starts another past", () => {

@@ -14,6 +14,7 @@ export interface Visit {
   feature: string;
   /** In the feature's own unit. NaN if nothing was compared or the value was unknown. */
   value: number;
+  /** The number in the condition, or the value of the second feature if the condition compares two. NaN as `value`. */
   threshold: number;
   result: boolean;
 }
@@ -164,9 +165,9 @@ export class Decisions {
 
 const shown = (value: number): string => (Number.isFinite(value) ? String(Number(value.toPrecision(3))) : "not known");
 
-/** Describes the comparison of a visit: "ball_distance is 0.52, compared with 0.35". */
+/** Describes the comparison of a visit by both values: "ball_distance 0.52, compared with 0.35". */
 export const comparison = ({ feature, value, threshold }: Visit): string =>
-  feature && Number.isFinite(threshold) ? `${feature} ${shown(value)}, compared with ${shown(threshold)}` : "";
+  feature ? `${feature} ${shown(value)}, compared with ${shown(threshold)}` : "";
 
 /**
  * Explains why `now` did not end in `node`: the first condition that differs from the newest decision that did.

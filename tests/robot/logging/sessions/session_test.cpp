@@ -22,6 +22,7 @@ namespace {
 
 SessionInfo example() {
   return {.name = "half 1",
+          .about = "a camera 1.2 m above the ground",
           .robot = "14/2",
           .team = 14,
           .player = 2,
@@ -60,7 +61,9 @@ TEST(SessionInfo, AcceptsAWholeNumberWithAPointAndSessionsOfEarlierVersions) {
   std::string text = to_json(example());
   text.replace(text.find(": 14\n"), 4, ": 14.0");
   EXPECT_EQ(*parse_session_info(text), example());
-  for (const std::string key : {"\"number\": \"7\",", "\"boot\": \"0b7e\","}) text.erase(text.find(key), key.size());
+  for (const std::string key :
+       {"\"about\": \"a camera 1.2 m above the ground\",", "\"number\": \"7\",", "\"boot\": \"0b7e\","})
+    text.erase(text.find(key), key.size());
   ASSERT_TRUE(parse_session_info(text));
   EXPECT_EQ(parse_session_info(text)->number, 0u);
 }

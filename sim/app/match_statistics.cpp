@@ -1,0 +1,80 @@
+#include "sim/app/match_statistics.h"
+
+#include <cstdio>
+#include <vector>
+
+#include "robot/core/files.h"
+#include "robot/core/json_library.h"
+#include "sim/app/commands.h"
+#include "sim/app/progress.h"
+#include "sim/match/play.h"
+#include "sim/report/film.h"
+#include "sim/report/realism.h"
+
+namespace sim::app {
+namespace {
+
+/// Plays a game and returns the figures of its windows.
+std::vector<statistics::Figures> measure_game(const StatisticsTask& task, const contest::Cast& cast,
+                                              const contest::Openings& openings, std::uint64_t seed) {
+  State state = openings.begin(cast.params(), seed);
+  const Tick end = task.seconds > 0 ? state.world.tick + ticks(task.seconds) : kNever;
+  report::Film film;
+  play(
+      cast.params(), state,
+      [&](const State& now) {
+        film.look(now);
+        return now.world.tick >= end || cast.failed();
+      },
+      [](const referee::Event&) {});
+  std::vector<statistics::Figures> figures;
+  for (const statistics::Window& window : film.windows()) figures.push_back(statistics::measure(window));
+  return figures;
+}
+
+/// Returns the figures of all complete windows of all games, in the order of the seeds.
+robot::Result<std::vector<statistics::Figures>> measure_games(const StatisticsTask& task, const contest::Lineup& lineup,
+                                                              const contest::Openings& openings) {
+  std::vector<std::vector<statistics::Figures>> games(static_cast<std::size_t>(task.games));
+  ProgressBar progress("measuring", static_cast<std::uint64_t>(task.games));
+  contest::Problem problem;
+  contest::for_each_game(
+      task.games, task.threads > 0 ? task.threads : contest::threads_for(task.games),
+      [&](int game) {
+        if (problem.is_known()) return;
+        const std::uint64_t seed = task.seed + static_cast<std::uint64_t>(game);
+        const contest::Cast cast(lineup, seed);
+        games[static_cast<std::size_t>(game)] = measure_game(task, cast, openings, seed);
+        if (cast.failed()) problem.tell(cast.problem());
+      },
+      [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
+  if (problem.is_known()) return robot::Error{problem.text()};
+
+  std::vector<statistics::Figures> windows;
+  for (const auto& game : games) windows.insert(windows.end(), game.begin(), game.end());
+  if (windows.empty())
+    return robot::Error{"--statistics needs a game with at least 167 s in play; play more or longer games"};
+  return windows;
+}
+
+}  // namespace
+
+int run_statistics(const StatisticsTask& task, const contest::Lineup& lineup, const contest::Openings& openings) {
+  const auto real = io::load_real_games(task.real);
+  if (!real) return fail(real.error());
+  const auto windows = measure_games(task, lineup, openings);
+  if (!windows) return fail(windows.error());
+  const report::Realism realism = report::realism_of(*windows, *real, "simulated");
+  if (!task.html.empty()) {
+    const std::string about = std::to_string(task.games) + " simulated games.";
+    if (const auto written = robot::replace_file(task.html, report::page_of(realism, about)); !written)
+      return fail(written.error());
+  }
+  if (task.json)
+    std::printf("%s\n", report::to_json(realism).dump(2).c_str());
+  else
+    std::fputs(report::to_text(realism).c_str(), stdout);
+  return kDone;
+}
+
+}  // namespace sim::app

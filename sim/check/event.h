@@ -1,0 +1,28 @@
+// Events that a situation prescribes: "at 5 s: penalise home/3", "at 8 s: ball at 1.2 m, 0.5 m".
+#pragma once
+
+#include <string_view>
+
+#include "robot/core/result.h"
+#include "sim/match/params.h"
+#include "sim/match/state.h"
+
+namespace sim::check {
+
+/// An event at a time since the start of the game.
+struct Event {
+  enum class Kind { penalise, ball };
+  Kind kind = Kind::penalise;
+  Tick at = 0;
+  int robot = kNobody;  // index of the penalised robot
+  Vec2 ball = {};       // [m, field] new place of the ball, at rest
+};
+
+/// Parses an event of a game with `players` a side.
+robot::Result<Event> parse_event(std::string_view text, int players);
+
+/// Lets the event happen now. A penalised robot leaves as if the referee had removed it for pushing; one that is off
+/// the field stays there.
+void apply(const Event& event, const Params& params, State& state);
+
+}  // namespace sim::check

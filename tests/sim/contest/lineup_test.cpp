@@ -1,0 +1,52 @@
+#include "sim/contest/lineup.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/support/temporary_folder.h"
+
+namespace sim::contest {
+namespace {
+
+std::string refusal(const std::string& strategy) {
+  const auto lineup = Lineup::prepare({.game = {.strategies = {strategy, "baseline"}}, .rest = {}});
+  return lineup ? "it was taken" : lineup.error();
+}
+
+/// Writes a file and returns its path.
+std::string written(const tests::TemporaryFolder& folder, const std::string& name, const std::string& text) {
+  const std::filesystem::path path = folder.path() / name;
+  std::ofstream(path) << text;
+  return path.string();
+}
+
+TEST(Lineup, AFileThatIsAProgramIsRefusedWithThePipeThatStartsIt) {
+  const tests::TemporaryFolder folder;
+  const std::string python = written(folder, "mine.py", "print(1)\n"), program = written(folder, "mine", "#!/bin/sh\n");
+  EXPECT_EQ(refusal(python), "behaviour '" + python + "' is a program: use 'pipe:python3 " + python + "'");
+  EXPECT_EQ(refusal(program), "behaviour '" + program +
+                                  "' is a file, but neither JSON nor a shared library (.so) nor a program that may be "
+                                  "executed");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  EXPECT_EQ(refusal(program), "behaviour '" + program + "' is a program: use 'pipe:" + program + "'");
+}
+
+TEST(Lineup, AFileOfJsonKeepsItsOwnError) {
+  const tests::TemporaryFolder folder;
+  for (const char* name : {"mine.json", "mine.txt"}) {
+    const std::string tree = written(folder, name, R"({"name": "mine"})");
+    EXPECT_EQ(refusal(tree), "strategy '" + tree + "': tree is missing");
+  }
+  const std::string broken = written(folder, "broken.json", "print(1)");
+  EXPECT_EQ(refusal(broken).find("strategy '" + broken + "': not JSON: "), 0u) << refusal(broken);
+}
+
+TEST(Lineup, AStrategyThatIsNoFileKeepsItsOwnError) {
+  EXPECT_EQ(refusal("basline"), "no strategy 'basline'; did you mean 'baseline'?");
+  EXPECT_EQ(refusal("no/such.py").find("strategy 'no/such.py': "), 0u) << refusal("no/such.py");
+}
+
+}  // namespace
+}  // namespace sim::contest
