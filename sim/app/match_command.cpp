@@ -142,7 +142,7 @@ class MatchCommand final : public Command {
     if (!mcap_.empty() && lines_) return fail("--mcap and --lines do not go together");
     if (!mcap_.empty() && games_ > 1) return fail("--mcap records one game, got --games " + std::to_string(games_));
     if (!save_at_.empty() && (lines_ || statistics_ || games_ > 1))
-      return fail("--save-at is of one game, without --lines and --games");
+      return fail("--save-at is of one game, without --lines, --statistics and --games");
     if (fuzz_ && from_.empty()) return fail("--fuzz needs --from, the situation that is varied");
     if (teams_.home == teams_.away)
       return fail("the teams must have different numbers, got " + std::to_string(teams_.home) + " twice");

@@ -84,7 +84,7 @@ test("wrong usage and wrong input are one sentence and exit status 2", async (t)
     [["match", "--rules", "spl1999"], "foresight-sim: no rules 'spl1999'; there are: hsl2026, spl2012, spl2025\n"],
     [["match", "--mcap", "x", "--games", "2"], "foresight-sim: --mcap records one game, got --games 2\n"],
     [["match", "--save-at", "soon", "x"], "foresight-sim: --save-at: a moment must be 0 .. 36000 [s] since the first tick, or half:minutes:seconds on the clock such as 2:05:12, got 'soon'\n"],
-    [["match", "--save-at", "5", "x", "--games", "2"], "foresight-sim: --save-at is of one game, without --lines and --games\n"],
+    [["match", "--save-at", "5", "x", "--games", "2"], "foresight-sim: --save-at is of one game, without --lines, --statistics and --games\n"],
     [["match", "--home-team", "5"], "foresight-sim: the teams must have different numbers, got 5 twice\n"],
     [["situation", situation], `foresight-sim: situation '${situation}': ball is missing\n`],
     [["models", "--show", "mach"], "foresight-sim: no models 'mach'; did you mean 'match'?\n"],

@@ -52,7 +52,7 @@ TEST(RealGames, ATruncationIsAnError) {
 }
 
 TEST(RealGames, NamesTheError) {
-  EXPECT_EQ(load_real_games("robocup1066").error(), "no real games 'robocup1066'; there are: robocup2019");
+  EXPECT_EQ(load_real_games("robocup1066").error(), "no real games 'robocup1066'; did you mean 'robocup2019'?");
   Json json = described();
   json["figures"].erase("kicks");
   EXPECT_EQ(error_of(json), "real games 'mine': kicks is missing");
