@@ -46,6 +46,12 @@ test("the truth does not depend on the robots' beliefs", () => {
   expect(scene.robots[0]).toMatchObject({ truth: { x: 1.1, y: 0.4, heading: 1.5 }, fallen: true, pose: undefined });
 });
 
+test("in a truth without other objects the first team is at home, so that the sides differ", () => {
+  const robots = [3, 1, 3].map((team, i) => fields({ team, player: i + 1, x: i, y: 0 }));
+  const scene = sceneOf([told(memoryOf({ "/truth/world": { robots } }), [])], 0);
+  expect(scene.robots.map(({ name, home }) => [name, home])).toEqual([["1/2", true], ["3/1", false], ["3/3", false]]);
+});
+
 test("a belief ages and is dropped after ten seconds", () => {
   const values = { "/14/2/pose": kPose, "/truth/world": kTruth };
   expect(only(memoryOf(values, { "/14/2/pose": 8_500_000_000n })).pose!.age).toBe(1.5);

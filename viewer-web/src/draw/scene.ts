@@ -48,7 +48,7 @@ export const oneWorld = (told: Told[]): Told[] => told.filter(({ memory }, i) =>
 export function sceneOf(told: Told[], now: number): Scene {
   const worlds = told.map(({ memory }) => valueOf(memory.get(kTruth)));
   const simulations = told.map(({ memory }) => valueOf(memory.get(kSimulation)));
-  const homeTeam = homeTeamOf(simulations, told);
+  const homeTeam = homeTeamOf(simulations, told, worlds);
   return {
     field: simulations.map((fields) => fieldOf(fieldsOf(fields, "field"))).find((field) => field),
     ball: worlds.map((world) => ballOf(fieldsOf(world, "ball"))).find((ball) => ball),
@@ -61,10 +61,12 @@ function ballOf(fields: Fields): Scene["ball"] {
   return place && { ...place, velocity: pointOf(fields, "velocity_x", "velocity_y") };
 }
 
-/** Returns the home team of the simulation, else the first team. */
-function homeTeamOf(simulations: Fields[], told: Told[]): number {
+/** Returns the home team of the simulation, else the first team of those that send objects, else the first in the truth. */
+function homeTeamOf(simulations: Fields[], told: Told[], worlds: Fields[]): number {
   const numbers = simulations.map((fields) => numberOf(fieldsOf(fields, "home"), "number"));
-  return numbers.find(Number.isFinite) ?? Math.min(...told.flatMap(({ robots }) => robots.map(teamOf)));
+  const sending = told.flatMap(({ robots }) => robots.map(teamOf));
+  const seen = worlds.flatMap((world) => listOf(world, "robots").map((robot) => numberOf(robot, "team")));
+  return numbers.find(Number.isFinite) ?? Math.min(...(sending.length > 0 ? sending : seen));
 }
 
 const teamOf = (name: RobotName): number => Number(name.split("/")[0]);
