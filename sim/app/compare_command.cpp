@@ -179,7 +179,7 @@ class CompareCommand final : public Command {
     if (task_.delta > 0 && !plan_) return "--delta is for --plan; a test is asked by --sprt";
     choice_.pace = every_tick_ ? Pace::every_tick : Pace::thinned;
     if (task_.pairs > 0) contest_.pairs = task_.pairs;
-    if (const std::string wrong = read_question(); !wrong.empty()) return wrong;
+    if (std::string wrong = read_question(); !wrong.empty()) return wrong;
     return read_metric();
   }
 

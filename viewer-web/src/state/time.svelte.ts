@@ -22,13 +22,13 @@ export interface TimeRange {
   last_ns: bigint;
 }
 
-/** A step from a moment to the next or previous message of an object, which the server must tell. */
+/** A step from one message of an object to the next or previous one, which is not on the page yet. */
 interface Step {
   object: MemoryObject;
   from_ns: bigint;
   by: 1 | -1;
   /** A later message: the next one, unless another lies between. */
-  later_ns: bigint | undefined;
+  later_ns?: bigint;
 }
 
 /** The part of the viewer that time uses. */
@@ -258,19 +258,19 @@ export class Time {
       this.#steps += by;
       return;
     }
-    const { history } = object;
+    const { history, shown } = object;
     const [shift_ns, at_ns] = [this.shiftOf(server), this.at_ns + this.shiftOf(server)];
     const index = history.indexAt(at_ns);
     const onIt = history.timeOf(index) === at_ns;
-    const known_ns = history.timeOf(by > 0 ? index + 1 : onIt ? index - 1 : index);
-    if (!server.played) return known_ns === undefined ? undefined : this.seek(known_ns - shift_ns);
-    if (by > 0 ? at_ns >= server.played.end_ns : at_ns <= server.played.start_ns) return;
-    // a busy page misses messages, so only the server knows the neighbour; without a later message playback continues
-    const later_ns = by > 0 && known_ns !== undefined && server.memory.holds(known_ns) ? known_ns : undefined;
-    if (by < 0) this.#ask(false, at_ns - 1n - shift_ns);
-    else if (later_ns !== undefined) this.#ask(false, later_ns - 1n - shift_ns);
+    const next_ns = history.timeOf(by > 0 ? index + 1 : onIt ? index - 1 : index);
+    if (next_ns !== undefined && (!server.played || server.memory.holds(next_ns))) return this.seek(next_ns - shift_ns);
+    if (!server.played || !shown || (by > 0 && at_ns >= server.played.end_ns)) return;
+    // not on the page, but the server has it: the previous one is known, and the next one arrives when playback
+    // continues
+    if (by < 0 && shown.log_ns < at_ns) return this.seek(shown.log_ns - shift_ns);
+    if (by < 0) this.seek(shown.log_ns - 1n - shift_ns);
     else this.#ask(true, this.live ? undefined : this.#at_ns);
-    this.#stepping = { object, from_ns: at_ns, by, later_ns };
+    this.#stepping = { object, from_ns: shown.log_ns, by };
   }
 
   #finishStep(): void {
@@ -283,15 +283,14 @@ export class Time {
     this.step(by);
   }
 
-  /** Shows the message before a moment, or seeks back until no message lies between a moment and the known later one. */
+  /** A slow page misses messages while playing. Seeks back until the message directly before the known one is found. */
   #look(step: Step, server: Server): void {
     const newest_ns = step.object.newest?.log_ns;
+    if (newest_ns === undefined) return;
     const shift_ns = this.shiftOf(server);
     if (step.by < 0) {
-      const isEarlier = newest_ns !== undefined && newest_ns < step.from_ns;
-      this.#stepping = undefined;
-      this.seek((isEarlier ? newest_ns : step.from_ns) - shift_ns);
-    } else if (newest_ns === undefined || newest_ns <= step.from_ns) {
+      if (newest_ns !== step.from_ns) this.seek(newest_ns - shift_ns);
+    } else if (newest_ns <= step.from_ns) {
       if (step.later_ns !== undefined) this.seek(step.later_ns - shift_ns);
       else if (server.ended) this.#stepping = undefined;
     } else {
