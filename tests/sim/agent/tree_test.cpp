@@ -50,18 +50,29 @@ TEST(Tree, TheTraceHasThePathAndTheComparedValues) {
   EXPECT_STREQ(trace.visited.back().path, "traced/close/strike/kick");
 }
 
+/// The reasons of a decision, and the memory after it.
+struct Decided {
+  Trace trace;
+  Mind mind;
+};
+
+/// Decides. The scene stays as it was, but for the values that the decision changed before it used them.
+Decided decide(Scene& scene, const TreeBehaviour& behaviour) {
+  Scene after = scene;
+  Decided decided;
+  after.decide(behaviour, &decided.trace);
+  decided.mind = after.mind;
+  scene.mind.role = after.mind.role, scene.mind.time_to_ball = after.mind.time_to_ball;
+  return decided;
+}
+
 TEST(Tree, ValuesInTheTraceEqualTheFeaturesAndLeadToTheTracedLeaf) {
   const TreeBehaviour behaviour(shipped("passing"));
   std::mt19937 random(1);
   for (int n = 0; n < 2000; ++n) {
     Scene scene = random_scene(random);
-    const Scene before = scene;
-    Trace trace;
-    scene.decide(behaviour, &trace);
-    // the decision used the values that it changed itself
-    Scene after = before;
-    after.mind.role = scene.mind.role, after.mind.time_to_ball = scene.mind.time_to_ball;
-    const View view = after.view();
+    const auto [trace, mind] = decide(scene, behaviour);
+    const View view = scene.view();
     for (std::size_t i = 0; i + 1 < trace.visited.size(); ++i) {
       const Trace::Node& node = trace.visited[i];
       const float value = value_of(find_feature(node.feature), view);
@@ -69,8 +80,8 @@ TEST(Tree, ValuesInTheTraceEqualTheFeaturesAndLeadToTheTracedLeaf) {
       EXPECT_TRUE(node.known ? node.value == value : !node.result) << node.condition;
     }
     ASSERT_FALSE(trace.visited.empty());
-    EXPECT_EQ(behaviour.tree().leaf_words[scene.mind.leaf].path, trace.visited.back().path);
-    EXPECT_STREQ(info_of(behaviour.tree().leaves[scene.mind.leaf].skill).name, trace.skill);
+    EXPECT_EQ(behaviour.tree().leaf_words[mind.leaf].path, trace.visited.back().path);
+    EXPECT_STREQ(info_of(behaviour.tree().leaves[mind.leaf].skill).name, trace.skill);
   }
 }
 
@@ -111,12 +122,8 @@ TEST(Tree, TwoFeaturesAreComparedByTheirValuesWhichTheTraceHas) {
   std::mt19937 random(4);
   for (int n = 0; n < 3000; ++n) {
     Scene scene = random_scene(random);
-    const Scene before = scene;
-    Trace trace;
-    scene.decide(behaviour, &trace);
-    Scene after = before;
-    after.mind.role = scene.mind.role, after.mind.time_to_ball = scene.mind.time_to_ball;
-    const View view = after.view();
+    const auto [trace, mind] = decide(scene, behaviour);
+    const View view = scene.view();
     const auto same = [&](float value, float expected) {
       return value == expected || (std::isnan(value) && std::isnan(expected));
     };
