@@ -9,6 +9,7 @@
 #include "robot/app/lab_objects.h"
 #include "robot/app/played_range.h"
 #include "robot/app/runtime.h"
+#include "robot/app/services/step_service.h"
 #include "robot/app/services/what_if_service.h"
 #include "robot/app/signals.h"
 #include "robot/body/replay/replay.h"
@@ -126,6 +127,7 @@ Result<void> play(const PlayOptions& options) {
                         return seer.ask([&](const std::string& topic) { return (*replay)->stream_of(topic); }, whose,
                                         question, clock.now_ns());
                       });
+  add_step_service(runtime.services(), [&replay](const std::string& topic) { return (*replay)->stream_of(topic); });
   if (Result<void> started = runtime.start(); !started) return started;
   if (Result<void> started = (*replay)->start(runtime.channels(), runtime.board()); !started) return started;
   runtime.run([&] {

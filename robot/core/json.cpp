@@ -1,6 +1,7 @@
 #include "robot/core/json.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -52,5 +53,19 @@ std::optional<std::int64_t> whole_number(const nlohmann::json& value) {
   if (!(std::abs(number) <= kGreatestExact) || std::trunc(number) != number) return std::nullopt;
   return static_cast<std::int64_t>(number);
 }
+
+template <class T>
+std::optional<T> number_in_text(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_string()) return std::nullopt;
+  const auto& text = found->get_ref<const std::string&>();
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+template std::optional<std::int64_t> number_in_text(const nlohmann::json&, const char*);
+template std::optional<std::uint64_t> number_in_text(const nlohmann::json&, const char*);
 
 }  // namespace robot

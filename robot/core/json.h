@@ -22,4 +22,9 @@ Result<nlohmann::json> parse_json(std::string_view text);
 /// text and other values, and for a number that such a spelling cannot hold exactly (above 2^53) or an int64 cannot hold.
 std::optional<std::int64_t> whole_number(const nlohmann::json& value);
 
+/// Returns the number that the decimal text `object[key]` spells, or nothing for anything else. 64-bit numbers are texts
+/// in JSON, because the numbers of JavaScript hold 53 bits. T: std::int64_t or std::uint64_t.
+template <class T>
+std::optional<T> number_in_text(const nlohmann::json& object, const char* key);
+
 }  // namespace robot

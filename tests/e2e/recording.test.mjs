@@ -116,6 +116,34 @@ test("the strip spans the whole recording; a press anywhere shows the tree of th
   assert.deepEqual([...problems, ...colleague.problems], []);
 });
 
+test("steps by frames miss none on a page that misses two of three messages", async (t) => {
+  const { server, topics, first_ns } = await game(t);
+  const { page, problems } = await open(t, "about:blank");
+  let messages = 0;
+  const isMissed = (data) => data[0] === 1 && ++messages % 3 !== 0; // message data; texts and other frames pass
+  await page.routeWebSocket(/./, (socket) => {
+    const behind = socket.connectToServer();
+    behind.onMessage((data) => (typeof data === "string" || !isMissed(data) ? socket.send(data) : undefined));
+  });
+  await page.goto(`${server.http}/#/14/2/field`);
+  await until(async () => (await place(page)) > 2, "two seconds were played");
+  await page.keyboard.press("Space");
+  await stands(page);
+  await until(() => at(page) > first_ns, "a moment in the address");
+  const truth = topics.get("/truth/world").messages.map(({ logTime }) => logTime);
+  const begin = truth.findLastIndex((time) => time <= at(page));
+  const isFrame = (wanted) => until(() => at(page) === truth[wanted], `frame ${wanted - begin}, ${truth[wanted]}`, undefined, () => `${at(page)}`);
+  let index = begin;
+  for (const key of "..,,,,.,..") {
+    index += key === "." ? 1 : -1;
+    await page.keyboard.press(key);
+    await isFrame(index);
+  }
+  for (let i = 0; i < 20; ++i) await page.keyboard.press(","); // faster than the answers
+  await isFrame(index - 20);
+  assert.deepEqual(problems, []);
+});
+
 test("all viewers share the server's playback: pause, speed, position; playing backwards is local to a page", async (t) => {
   const { server, first_ns, last_ns } = await game(t);
   const [one, other] = [await open(t, `${server.http}/#/14/2/field`), await open(t, `${server.http}/#/14/3/plot?plot=/14/2/pose.x`)];

@@ -1,29 +1,13 @@
 #include "robot/net/foxglove/services.h"
 
-#include <charconv>
 #include <utility>
 
 #include "robot/core/json.h"
 #include "robot/core/json_library.h"
 
 namespace robot::net {
-namespace {
 
 using Json = nlohmann::json;
-
-// 64-bit numbers are decimal texts in JSON, because JavaScript's numbers have 53 bits
-template <class T>
-std::optional<T> whole_number(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  if (found == object.end() || !found->is_string()) return std::nullopt;
-  const auto& text = found->get_ref<const std::string&>();
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-}  // namespace
 
 Json failure(std::string_view sentence) { return {{"ok", false}, {"error", sentence}}; }
 
@@ -75,10 +59,10 @@ void add_clock_sync(Services& services, const Clock& clock, std::function<void(c
       "clock_sync", Services::For::everybody,
       [&clock, on_measured = std::move(on_measured)](const Json& request, const ClientContext& client) -> Json {
         const std::uint64_t received_ns = clock.now_ns();
-        if (!whole_number<std::uint64_t>(request, "sent_ns"))
+        if (!number_in_text<std::uint64_t>(request, "sent_ns"))
           return failure("clock_sync: 'sent_ns' must be a text with a whole number");
-        if (const auto offset = whole_number<std::int64_t>(request, "offset_ns"); offset && on_measured)
-          on_measured({client.address, *offset, whole_number<std::uint64_t>(request, "round_trip_ns")});
+        if (const auto offset = number_in_text<std::int64_t>(request, "offset_ns"); offset && on_measured)
+          on_measured({client.address, *offset, number_in_text<std::uint64_t>(request, "round_trip_ns")});
         return {{"ok", true}, {"sent_ns", request["sent_ns"]}, {"received_ns", std::to_string(received_ns)}};
       });
 }

@@ -52,6 +52,20 @@ TEST(Json, AWholeNumberMayBeSpelledInAnyWay) {
   EXPECT_FALSE(parse_json("NaN"));
 }
 
+TEST(Json, ANumberInATextKeeps64Bits) {
+  const nlohmann::json object = {{"most", "18446744073709551615"},
+                                 {"least", "-9223372036854775808"},
+                                 {"bare", 1},
+                                 {"empty", ""},
+                                 {"rest", "1 "},
+                                 {"real", "1.0"}};
+  EXPECT_EQ(number_in_text<std::uint64_t>(object, "most"), UINT64_MAX);
+  EXPECT_EQ(number_in_text<std::int64_t>(object, "least"), INT64_MIN);
+  EXPECT_EQ(number_in_text<std::int64_t>(object, "most"), std::nullopt);
+  for (const char* none : {"least", "bare", "empty", "rest", "real", "absent"})
+    EXPECT_EQ(number_in_text<std::uint64_t>(object, none), std::nullopt) << none;
+}
+
 TEST(Json, ManyListsBesideEachOtherAreNotDeep) {
   std::string text = "[";
   for (int i = 0; i < 1000; ++i) text += "[{}],";

@@ -157,4 +157,24 @@ test("after a seek, objects without a value at that time are cleared, and the ot
   memory.dropOutdated();
   expect(memory.get("/14/2/a")!.decoded()!.fields!.get("x")).toBe(1);
   expect(memory.get("/14/2/b")!.decoded()).toBeUndefined();
+
+  // a slow server: the value comes late
+  memory.arrived("/14/2/b", 15n, percept({ x: 7 }), 1);
+  expect(memory.get("/14/2/b")!.decoded()!.fields!.get("x")).toBe(7);
+});
+
+test("an object without a value at the time of a seek keeps its history of the part that the page has seen", () => {
+  const memory = new Memory();
+  memory.offer(channel(kTopic));
+  const played = (memory.played = new Played(0n, 1000n));
+  memory.sought(100n);
+  memory.subscribed(kTopic, true, 0);
+  memory.arrived(kTopic, 120n, percept({ x: 2 }), 0);
+  played.told({ status: "paused", time_ns: 150n, speed: 1 }, 0);
+  memory.reached(0);
+  memory.sought(110n);
+  memory.dropOutdated();
+  expect(memory.get(kTopic)!.decoded()).toBeUndefined();
+  memory.show(130n);
+  expect(memory.get(kTopic)!.decoded()!.fields!.get("x")).toBe(2);
 });

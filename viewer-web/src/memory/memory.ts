@@ -46,8 +46,8 @@ export class Memory {
 
   /**
    * Handles a seek: playback continues at `at_ns`, and the newest message of each object from before it comes next.
-   * The old values stay until then, so that nothing flickers. dropOutdated() clears the objects that have no value at
-   * that time.
+   * The old values stay until then, so that nothing flickers. dropOutdated() drops the values of objects that have none
+   * at that time.
    */
   sought(at_ns: bigint): void {
     const { from_ns, to_ns } = this.#seen;
@@ -61,9 +61,9 @@ export class Memory {
     this.log.sought(at_ns);
   }
 
-  /** Clears the objects that have no value at the time of the last seek. */
+  /** Drops the values of the objects that have none at the time of the last seek. One that comes late is shown again. */
   dropOutdated(): void {
-    for (const object of this.#objects.values()) if (object.outdated) object.forget();
+    for (const object of this.#objects.values()) if (object.outdated) object.dropNewest();
   }
 
   /** Notes that playback has reached `now`. */

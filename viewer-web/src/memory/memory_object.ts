@@ -72,11 +72,10 @@ export class MemoryObject {
     this.rate.arrived(now);
   }
 
-  /** Forgets all values. */
-  forget(): void {
+  /** Drops a value that is not of the present time. The history keeps it. */
+  dropNewest(): void {
     this.newest = undefined;
     this.outdated = false;
-    this.history.clear();
   }
 
   /** The message that views show: the newest, or the newest at the chosen moment. */

@@ -16,6 +16,7 @@ import { now } from "./frame.svelte";
 /** Bodies that are no real robot; the page names them, so that nobody takes them for live. */
 const kBodyWords: Record<string, string> = { recording: "a recording", replay: "a replay", sim: "a simulation" };
 
+const kStepService = "message_beside";
 const kOutdated = 0.3; // [s] after a seek: an object without a message by then has no value there
 const kIntroduction = 1; // [s] for the introduction of a server without services
 const kSettled = 0.15; // [s] the page waits at a moment before the server seeks it too
@@ -121,6 +122,21 @@ export class Server implements Listener {
   ask(wish: PlaybackWish): void {
     this.#left_ns = this.memory.moment_ns;
     this.#wishes.ask(wish, now());
+  }
+
+  /** Whether it plays a recording and finds its messages by time. */
+  get findsFrames(): boolean {
+    return this.played !== undefined && this.serviceNames.includes(kStepService);
+  }
+
+  /**
+   * Returns the capture time of the message of `topic` that is `by` messages after `from_ns`, or before it if negative.
+   * At an end of the recording it is that of the last message. Rejects with a sentence.
+   */
+  async frameBeside(topic: string, from_ns: bigint, by: number): Promise<bigint> {
+    const { at_ns } = await this.client.call(kStepService, { topic, from_ns: String(from_ns), by });
+    if (typeof at_ns !== "string" || !/^\d{1,20}$/.test(at_ns)) throw new Error("The server did not name the time of the frame.");
+    return BigInt(at_ns);
   }
 
   /** Pauses at `at_ns`: at once if the page holds the moment, else by a wish. */

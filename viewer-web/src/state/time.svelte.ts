@@ -11,6 +11,7 @@ export const kSpeeds = [-20, -10, -5, -2, -1, -0.5, -0.1, 0.01, 0.05, 0.1, 0.25,
 
 /** Clocks that differ by less count as equal. Over wireless, the page measures no better than the robots do. */
 const kAgree_ns = 250_000_000n;
+const kLongestStep = 100; // frames that the server finds at once
 const kLeastLoop_ns = 20_000_000n; // a shorter one is a click, not a range
 
 export const seconds = (duration_ns: bigint): number => Number(duration_ns) / 1e9;
@@ -20,15 +21,6 @@ const abs = (value: bigint): bigint => (value < 0n ? -value : value);
 export interface TimeRange {
   first_ns: bigint;
   last_ns: bigint;
-}
-
-/** A step from one message of an object to the next or previous one, which is not on the page yet. */
-interface Step {
-  object: MemoryObject;
-  from_ns: bigint;
-  by: 1 | -1;
-  /** A later message: the next one, unless another lies between. */
-  later_ns?: bigint;
 }
 
 /** The part of the viewer that time uses. */
@@ -55,8 +47,8 @@ export class Time {
   #shifts = new Map<Server, bigint>(); // [ns] offset of each clock to the reference when the page stopped following
   #asked_ns: bigint | undefined; // requested by the address, until it is shown
   #noted = 0; // [s] time of the last change of the address
-  #stepping: Step | undefined; // by the server: the message is on its way
-  #steps = 0; // steps to make after it has arrived
+  #steps = 0; // frames to go, negative backwards
+  #search: object | undefined; // the server's search for the frame of some of these steps
 
   constructor(readonly viewer: Watched) {
     const asked = viewer.get("at");
@@ -135,7 +127,7 @@ export class Time {
     this.#frame = time;
     for (const server of this.viewer.servers) server.frame();
     this.#obeyAddress();
-    this.#finishStep();
+    this.#makeSteps();
     const range = this.range();
     if (!range) return this.live ? undefined : this.now();
     if (this.#early && this.#isThere) this.pause();
@@ -144,7 +136,7 @@ export class Time {
     // the shown moment may have been dropped from memory
     if (!this.live && this.#at_ns < range.first_ns) this.#at_ns = range.first_ns;
     if (!this.live) this.#show();
-    if (!this.runs && !this.#early && !this.#stepping && (!this.live || this.recorded) && time - this.#noted > 0.3) this.#note(String(this.at_ns));
+    if (!this.runs && !this.#early && this.#steps === 0 && (!this.live || this.recorded) && time - this.#noted > 0.3) this.#note(String(this.at_ns));
     else if (this.moves && this.viewer.get("at") && this.recorded) this.#note("");
   }
 
@@ -225,7 +217,8 @@ export class Time {
     const range = this.range();
     if (!range) return;
     this.#begin();
-    this.#asked_ns = this.#stepping = undefined;
+    this.#asked_ns = undefined;
+    this.#endSteps();
     this.#at_ns = at_ns < range.first_ns ? range.first_ns : at_ns > range.last_ns ? range.last_ns : at_ns;
     this.#show();
   }
@@ -250,53 +243,56 @@ export class Time {
 
   /** Goes to the next or previous frame of the most even object of the chosen robot or its world. */
   step(by: 1 | -1): void {
+    if (this.#steps === 0) this.pause();
+    this.#steps += by;
+    this.#makeSteps();
+  }
+
+  #endSteps(): void {
+    this.#steps = 0;
+    this.#search = undefined;
+  }
+
+  #makeSteps(): void {
     const { server } = this.viewer;
-    if (!this.#stepping) this.pause();
+    // a server that is about to pause has not reported the place yet
+    if (this.#steps === 0 || this.#search || (this.live && server.asked)) return;
     const object = this.#beat(server);
-    if (!object) return;
-    if (this.#stepping || (server.played && (server.asked || object.outdated))) {
-      this.#steps += by;
-      return;
+    if (!object) return this.#endSteps();
+    if (server.findsFrames) void this.#searchFrame(server, object);
+    else this.#stepInHistory(server, object);
+  }
+
+  /**
+   * Asks the server of a recording for the frame, because the page misses messages: those of places that it has not
+   * shown, and any while it is slow. Steps that are made meanwhile come next.
+   */
+  async #searchFrame(server: Server, object: MemoryObject): Promise<void> {
+    const search = (this.#search = {});
+    const [shift_ns, by] = [this.shiftOf(server), Math.max(-kLongestStep, Math.min(this.#steps, kLongestStep))];
+    try {
+      const frame_ns = await server.frameBeside(object.channel.topic, this.at_ns + shift_ns, by);
+      if (this.#search !== search) return;
+      const left = this.#steps - by;
+      this.seek(frame_ns - shift_ns);
+      this.#steps = left;
+    } catch (error) {
+      if (this.#search !== search) return;
+      if (!this.#stepInHistory(server, object)) server.status("warning", (error as Error).message, "step");
     }
-    const { history, shown } = object;
-    const [shift_ns, at_ns] = [this.shiftOf(server), this.at_ns + this.shiftOf(server)];
+  }
+
+  /** Makes all steps among the messages that the page holds. Returns false if it does not hold them. */
+  #stepInHistory(server: Server, { history }: MemoryObject): boolean {
+    const [steps, shift_ns] = [this.#steps, this.shiftOf(server)];
+    this.#endSteps();
+    const at_ns = this.at_ns + shift_ns;
     const index = history.indexAt(at_ns);
-    const onIt = history.timeOf(index) === at_ns;
-    const next_ns = history.timeOf(by > 0 ? index + 1 : onIt ? index - 1 : index);
-    if (next_ns !== undefined && (!server.played || server.memory.holds(next_ns))) return this.seek(next_ns - shift_ns);
-    if (!server.played || !shown || (by > 0 && at_ns >= server.played.end_ns)) return;
-    // not on the page, but the server has it: the previous one is known, and the next one arrives when playback
-    // continues
-    if (by < 0 && shown.log_ns < at_ns) return this.seek(shown.log_ns - shift_ns);
-    if (by < 0) this.seek(shown.log_ns - 1n - shift_ns);
-    else this.#ask(true, this.live ? undefined : this.#at_ns);
-    this.#stepping = { object, from_ns: shown.log_ns, by };
-  }
-
-  #finishStep(): void {
-    const { server } = this.viewer;
-    const step = this.#stepping;
-    if (step && !server.asked && !step.object.outdated) this.#look(step, server);
-    if (this.#stepping || this.#steps === 0 || server.asked) return;
-    const by = this.#steps > 0 ? 1 : -1;
-    this.#steps -= by;
-    this.step(by);
-  }
-
-  /** A slow page misses messages while playing. Seeks back until the message directly before the known one is found. */
-  #look(step: Step, server: Server): void {
-    const newest_ns = step.object.newest?.log_ns;
-    if (newest_ns === undefined) return;
-    const shift_ns = this.shiftOf(server);
-    if (step.by < 0) {
-      if (newest_ns !== step.from_ns) this.seek(newest_ns - shift_ns);
-    } else if (newest_ns <= step.from_ns) {
-      if (step.later_ns !== undefined) this.seek(step.later_ns - shift_ns);
-      else if (server.ended) this.#stepping = undefined;
-    } else {
-      this.#ask(false, newest_ns - 1n - shift_ns);
-      this.#stepping = { ...step, later_ns: newest_ns };
-    }
+    const isBetween = history.timeOf(index) !== at_ns;
+    const frame_ns = history.timeOf(index + steps + (isBetween && steps < 0 ? 1 : 0));
+    if (frame_ns === undefined || (server.played && !server.memory.holds(frame_ns))) return false;
+    this.seek(frame_ns - shift_ns);
+    return true;
   }
 
   /** All events of all servers, in the reference's time, oldest first. */
@@ -382,7 +378,7 @@ export class Time {
   #ask(play: boolean, seek_ns?: bigint): void {
     this.live = true;
     this.playing = false;
-    this.#stepping = undefined;
+    this.#endSteps();
     const speed = this.#speed > 0 ? this.#speed : this.reference.speed;
     for (const server of this.viewer.servers) {
       if (server.played) server.ask({ play, speed, seek_ns: seek_ns === undefined ? undefined : server.played.within(seek_ns + this.shiftOf(server)) });
@@ -392,7 +388,7 @@ export class Time {
 
   /** The object that defines frames: the image, else the world, else the decision or a belief. */
   #beat(server: Server): MemoryObject | undefined {
-    const objects = server.memory.objectsOf(this.viewer.robot).filter(({ newest }) => newest);
+    const objects = server.memory.objectsOf(this.viewer.robot).filter(({ received }) => received > 0);
     const wanted = [({ isImage }: MemoryObject) => isImage, ...["truth/world", "decision", "pose", "joints"].map((name) => (object: MemoryObject) => object.name === name)];
     for (const is of wanted) {
       const found = objects.find(is);
