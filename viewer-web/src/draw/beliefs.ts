@@ -33,6 +33,8 @@ export interface BallBelief extends Point, Aged {
 
 export interface Teammate extends Pose, Aged {
   player: number;
+  /** It said that it lies on the ground. */
+  fallen: boolean;
 }
 
 export interface OpponentBelief extends Point, Aged {
@@ -148,7 +150,7 @@ function teammatesOf(object: MemoryObject | undefined, turned: boolean): Teammat
     const received_ns = mate.get("received_ns");
     if (!pose || told_ns === undefined || typeof received_ns !== "bigint") return [];
     const age = Number(told_ns - received_ns) / 1e9;
-    return age > 3 * kForgotten ? [] : [{ ...pose, player: numberOf(mate, "player"), age }];
+    return age > 3 * kForgotten ? [] : [{ ...pose, player: numberOf(mate, "player"), fallen: mate.get("fallen") === true, age }];
   });
 }
 

@@ -1,20 +1,23 @@
 import { expect, test } from "vitest";
 import { drawScene, freshness, kUsualLayers, type Layer } from "./draw_scene";
-import { kUsualField, toScreen } from "./field";
+import { kFields, toScreen } from "./field";
 import { factsAt, robotAt } from "./hover";
+import { kLiveries } from "./robot_sign";
 import type { Robot, Scene } from "./scene";
 import { testPen } from "./test_pen";
 
+const kField = kFields["spl2012"]!;
 const kCamera = { scale: 100, centreX: 400, centreY: 300 };
+const liveries = (home: boolean) => ({ home, livery: home ? kLiveries.home : kLiveries.away, rivals: home ? kLiveries.away : kLiveries.home });
 const robot = (name: string, x: number, more: Partial<Robot> = {}): Robot => ({
-  name, key: name, home: name.startsWith("14/"), truth: { x, y: 1, heading: 0 }, fallen: false, pose: undefined, ball: undefined,
+  name, key: name, ...liveries(name.startsWith("14/")), truth: { x, y: 1, heading: 0 }, fallen: false, pose: undefined, ball: undefined,
   teammates: [], opponents: [], view: undefined, target: undefined, kick: undefined, role: "", skill: "", ...more,
 });
 const kPose = { x: 0, y: 1, heading: 0, deviation: 0.3, uncertainty: { a: 0.3, b: 0.1, angle: 0 }, headingDeviation: 0.1, age: 0 };
-const scene = (...robots: Robot[]): Scene => ({ field: kUsualField, ball: { x: 0.5, y: -0.25, velocity: undefined }, robots });
+const scene = (...robots: Robot[]): Scene => ({ ball: { x: 0.5, y: -0.25, velocity: undefined }, robots });
 const drawn = (what: Scene, chosen = "", layers: Layer[] = kUsualLayers) => {
   const pen = testPen();
-  drawScene(pen, kCamera, what, { chosen, layers: new Set(layers), trails: [] });
+  drawScene(pen, kCamera, what, { field: kField, chosen, layers: new Set(layers), trails: [] });
   return pen;
 };
 
@@ -24,8 +27,23 @@ test("each robot is drawn at its place with its number", () => {
     { text: "2", ...toScreen(kCamera, { x: -1, y: 1 }) },
     { text: "3", ...toScreen(kCamera, { x: 2, y: 1 }) },
   ]);
-  const [home, away] = pen.texts.map(({ x, y }) => pen.circles.find((circle) => circle.filled && circle.x === x && circle.y === y)!);
-  expect(home!.style).not.toBe(away!.style);
+  expect(pen.circles.find(({ filled, x, y }) => filled && x === pen.texts[0]!.x && y === pen.texts[0]!.y)!.style).toBe(kLiveries.home.colour);
+  expect(pen.polygons).toHaveLength(1);
+  expect(pen.polygons[0]).toMatchObject({ style: kLiveries.away.colour, alpha: 1 });
+  for (const { x, y } of pen.polygons[0]!.corners) expect(Math.hypot(x - pen.texts[1]!.x, y - pen.texts[1]!.y)).toBeCloseTo(18.75);
+});
+
+test("a fallen robot is as strong as a standing one, has a bold sign, and is named", () => {
+  for (const name of ["14/2", "5/3"]) {
+    const [standing, fallen] = [false, true].map((is) => drawn(scene(robot(name, -1, { fallen: is }))));
+    const bodies = (pen: typeof standing) => [...pen!.circles, ...pen!.polygons].filter(({ filled, style }) => filled && [kLiveries.home.colour, kLiveries.away.colour].includes(style));
+    expect(bodies(fallen).map(({ alpha }) => alpha)).toEqual(bodies(standing).map(({ alpha }) => alpha));
+    expect(fallen!.texts.map(({ text }) => text)).toContain("fallen");
+    expect(standing!.texts.map(({ text }) => text)).not.toContain("fallen");
+    expect(fallen!.circles.some(({ filled, alpha, radius }) => !filled && alpha === 1 && radius > 20)).toBe(true);
+  }
+  const mate = { x: 0, y: 0, heading: 0, age: 0, player: 4, fallen: true };
+  expect(drawn(scene(robot("14/2", -1, { teammates: [mate] })), "14/2", ["team"]).texts.map(({ text }) => text)).toContain("fallen");
 });
 
 test("the ball is drawn at its place, and not at all without a ball", () => {
@@ -70,7 +88,7 @@ test("a hidden layer draws nothing, and the field stays", () => {
 });
 
 test("without the truth, the belief gets the disc", () => {
-  const pen = drawn({ field: undefined, ball: undefined, robots: [robot("14/2", 0, { truth: undefined, pose: kPose })] }, "14/2");
+  const pen = drawn({ ball: undefined, robots: [robot("14/2", 0, { truth: undefined, pose: kPose })] }, "14/2");
   expect(pen.texts).toEqual([{ text: "2", ...toScreen(kCamera, kPose) }]);
 });
 
@@ -97,11 +115,11 @@ test("opponents are drawn at their believed places, fade while unseen, and are d
 });
 
 test("rollouts are drawn along their paths, and only if the layer is on", () => {
-  const foreseen = { home: true, paths: [{ spacing: 1, ball: [{ x: 0, y: 0 }, { x: 2.5, y: -1.5 }], robots: [] }] };
+  const foreseen = { colour: kLiveries.home.colour, paths: [{ spacing: 1, ball: [{ x: 0, y: 0 }, { x: 2.5, y: -1.5 }], robots: [] }] };
   const end = toScreen(kCamera, { x: 2.5, y: -1.5 });
   const leads = (layers: Layer[]) => {
     const pen = testPen();
-    drawScene(pen, kCamera, scene(), { chosen: "", layers: new Set(layers), trails: [], foreseen });
+    drawScene(pen, kCamera, scene(), { field: kField, chosen: "", layers: new Set(layers), trails: [], foreseen });
     return pen.points.some(({ x, y }) => x === end.x && y === end.y);
   };
   expect([leads(["forecast"]), leads(kUsualLayers)]).toEqual([true, false]);

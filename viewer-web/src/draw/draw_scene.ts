@@ -4,9 +4,10 @@
 import type { Path } from "../memory/forecast";
 import type { BallBelief, Beliefs, Pose, PoseBelief } from "./beliefs";
 import { drawField, fillCircle, fillEllipse, fillSector, strokeArrow, strokeCircle, strokeEllipse, strokeLine, strokePath, toScreen } from "./field";
-import type { Camera, Pen, Point } from "./field";
+import type { Camera, Field, Pen, Point } from "./field";
 import { drawPaths } from "./futures";
-import { fieldIn, type Robot, type Scene } from "./scene";
+import { drawFallen, drawNumber, drawOutlined, drawWord, fillBody, kBright, kInk, kRobotRadius, strokeBody, strokeHeading } from "./robot_sign";
+import type { Robot, Scene } from "./scene";
 
 export const kLayers = {
   truth: "what is so, where somebody tells it",
@@ -28,11 +29,13 @@ export const kUsualLayers: Layer[] = ["truth", "belief", "error", "uncertainty",
 /** In the frame `field`. */
 export interface Foreseen {
   paths: Path[];
-  home: boolean;
+  /** Of its team. */
+  colour: string;
 }
 
 /** Everything that a scene is drawn from. Trails go from old to new. */
 export interface Drawing {
+  field: Field;
   chosen: string;
   layers: ReadonlySet<Layer>;
   trails: { key: string; points: Point[]; kind: "ball" | "truth" | "belief" }[];
@@ -40,28 +43,23 @@ export interface Drawing {
   foreseen?: Foreseen | undefined;
 }
 
-const kRobotRadius = 0.15; // [m] of a Nao from above, arms included
 const kBallRadius = 0.05; // [m] larger than the real ball, to be visible
 const kViewRange = 1.6; // [m] of the drawn cone
-export const kRobotColours = { home: "#5aa9f8", away: "#ff9f40" };
-const kInk = "#0d1712";
-const kBright = "#ffffff";
 
 /** 1 for a thing seen just now, falling to 0.15 after five seconds. */
 export const freshness = (age: number): number => Math.min(1, Math.max(0.15, 1 - age / 5));
 
-const colourOf = ({ home }: Robot): string => (home ? kRobotColours.home : kRobotColours.away);
-/** The chosen robot's beliefs are white, to contrast with the discs. */
-const inkOf = (robot: Robot, front: boolean): string => (front ? kBright : colourOf(robot));
+/** The chosen robot's beliefs are white, to contrast with the bodies. */
+const inkOf = ({ livery }: Robot, front: boolean): string => (front ? kBright : livery.colour);
 
-export function drawScene(pen: Pen, camera: Camera, scene: Scene, { chosen, layers, trails, foreseen }: Drawing): void {
+export function drawScene(pen: Pen, camera: Camera, scene: Scene, { field, chosen, layers, trails, foreseen }: Drawing): void {
   const isFront = ({ key }: Robot) => key === chosen;
   const inOrder = [...scene.robots].sort((a, b) => Number(isFront(a)) - Number(isFront(b)));
   const detailed = inOrder.filter((robot) => isFront(robot) || layers.has("everyone"));
   const when = (layer: Layer, draw: () => void) => layers.has(layer) && draw();
 
-  drawField(pen, camera, fieldIn(scene));
-  when("forecast", () => foreseen && drawPaths(pen, camera, foreseen.paths, { strength: 0.45, colour: kRobotColours[foreseen.home ? "home" : "away"] }));
+  drawField(pen, camera, field);
+  when("forecast", () => foreseen && drawPaths(pen, camera, foreseen.paths, { strength: 0.45, colour: foreseen.colour }));
   when("view", () => detailed.forEach((robot) => drawView(pen, camera, robot)));
   when("trail", () => drawTrails(pen, camera, scene, trails));
   when("belief", () => inOrder.filter((robot) => !detailed.includes(robot)).forEach((robot) => drawFaintBeliefs(pen, camera, robot)));
@@ -95,24 +93,17 @@ function dashed(pen: Pen, draw: () => void): void {
 }
 
 function drawRobot(pen: Pen, camera: Camera, robot: Robot, pose: Pose, front: boolean): void {
-  pen.globalAlpha = robot.fallen ? 0.55 : 1;
-  fillCircle(pen, camera, pose, kRobotRadius, colourOf(robot));
-  style(pen, front ? kBright : kInk, front ? 3 : 1.5, pen.globalAlpha);
-  strokeCircle(pen, camera, pose, kRobotRadius);
-  style(pen, front ? kBright : colourOf(robot), 3, pen.globalAlpha);
-  if (Number.isFinite(pose.heading)) strokeLine(pen, camera, ahead(pose, kRobotRadius), ahead(pose, 1.7 * kRobotRadius));
-  drawNumber(pen, camera, robot, pose, kInk);
   pen.globalAlpha = 1;
+  fillBody(pen, camera, pose, robot.livery);
+  style(pen, front ? kBright : kInk, front ? 3 : 1.5);
+  strokeBody(pen, camera, pose, robot.livery);
+  style(pen, front ? kBright : robot.livery.colour, 3);
+  strokeHeading(pen, camera, pose);
+  drawNumber(pen, camera, numberOf(robot), pose, robot.livery);
+  if (robot.fallen) drawFallen(pen, camera, pose);
 }
 
-function drawNumber(pen: Pen, camera: Camera, { name }: Robot, at: Point, colour: string): void {
-  const { x, y } = toScreen(camera, at);
-  pen.fillStyle = colour;
-  pen.font = `600 ${Math.max(10, Math.round(0.17 * camera.scale))}px system-ui, sans-serif`;
-  pen.textAlign = "center";
-  pen.textBaseline = "middle";
-  pen.fillText(name.split("/").at(-1)!, x, y);
-}
+const numberOf = ({ name }: Robot): string => name.split("/").at(-1)!;
 
 function drawBall(pen: Pen, camera: Camera, ball: NonNullable<Scene["ball"]>): void {
   pen.globalAlpha = 1;
@@ -124,38 +115,38 @@ function drawBall(pen: Pen, camera: Camera, ball: NonNullable<Scene["ball"]>): v
 function drawFaintBeliefs(pen: Pen, camera: Camera, robot: Robot): void {
   const { pose, ball } = robot;
   if (!pose) return;
-  if (!robot.truth) drawBody(pen, camera, robot, pose, 0.6);
-  style(pen, colourOf(robot), 1, 0.45 * freshness(pose.age));
-  strokeCircle(pen, camera, pose, kRobotRadius);
-  strokeLine(pen, camera, ahead(pose, kRobotRadius), ahead(pose, 1.7 * kRobotRadius));
+  if (!robot.truth) drawBelievedBody(pen, camera, robot, pose, 0.6);
+  style(pen, robot.livery.colour, 1, 0.45 * freshness(pose.age));
+  strokeBody(pen, camera, pose, robot.livery);
+  strokeHeading(pen, camera, pose);
   if (ball) drawBelievedBall(pen, camera, robot, ball, 0.45);
 }
 
 function drawBeliefs(pen: Pen, camera: Camera, robot: Robot, front: boolean): void {
   const { pose, ball } = robot;
   if (!pose) return;
-  if (!robot.truth) drawBody(pen, camera, robot, pose, 1);
+  if (!robot.truth) drawBelievedBody(pen, camera, robot, pose, 1);
   style(pen, inkOf(robot, front), front ? 2 : 1.5, freshness(pose.age));
-  strokeCircle(pen, camera, pose, kRobotRadius);
-  strokeLine(pen, camera, ahead(pose, kRobotRadius), ahead(pose, 1.7 * kRobotRadius));
+  strokeBody(pen, camera, pose, robot.livery);
+  strokeHeading(pen, camera, pose);
   if (ball) drawBelievedBall(pen, camera, robot, ball, 1);
 }
 
-/** Draws a robot at its believed place. Without the truth, the belief gets the disc. */
-function drawBody(pen: Pen, camera: Camera, robot: Robot, pose: PoseBelief, strength: number): void {
+/** Draws a robot at its believed place. Without the truth, the belief gets the body. */
+function drawBelievedBody(pen: Pen, camera: Camera, robot: Robot, pose: PoseBelief, strength: number): void {
   pen.globalAlpha = 0.8 * strength * freshness(pose.age);
-  fillCircle(pen, camera, pose, kRobotRadius, colourOf(robot));
-  drawNumber(pen, camera, robot, pose, kInk);
+  fillBody(pen, camera, pose, robot.livery);
+  drawNumber(pen, camera, numberOf(robot), pose, robot.livery);
 }
 
 function drawBelievedBall(pen: Pen, camera: Camera, robot: Robot, ball: BallBelief, strength: number): void {
   pen.globalAlpha = strength * freshness(ball.age);
-  fillCircle(pen, camera, ball, 0.8 * kBallRadius, colourOf(robot));
+  fillCircle(pen, camera, ball, 0.8 * kBallRadius, robot.livery.colour);
   if (strength < 1) return;
   style(pen, kInk, 1, pen.globalAlpha);
   strokeCircle(pen, camera, ball, 0.8 * kBallRadius);
   // its place in one second
-  style(pen, colourOf(robot), 2, pen.globalAlpha);
+  style(pen, robot.livery.colour, 2, pen.globalAlpha);
   if (Math.hypot(ball.velocity.x, ball.velocity.y) > 0.05)
     strokeArrow(pen, camera, ball, { x: ball.x + ball.velocity.x, y: ball.y + ball.velocity.y });
 }
@@ -209,27 +200,27 @@ function drawIntent(pen: Pen, camera: Camera, robot: Robot, front: boolean): voi
   }
 }
 
-function drawTeammates(pen: Pen, camera: Camera, robot: Robot): void {
-  for (const mate of robot.teammates) {
-    style(pen, colourOf(robot), 1.5, 0.9 * freshness(mate.age / 3));
-    dashed(pen, () => strokeCircle(pen, camera, mate, kRobotRadius));
-    if (Number.isFinite(mate.heading)) strokeLine(pen, camera, mate, ahead(mate, 1.5 * kRobotRadius));
-    const at = ahead({ ...mate, heading: Math.PI / 2 }, 1.9 * kRobotRadius);
-    drawNumber(pen, camera, { ...robot, name: String(mate.player) }, at, colourOf(robot));
+function drawTeammates(pen: Pen, camera: Camera, { teammates, livery }: Robot): void {
+  for (const mate of teammates) {
+    style(pen, livery.colour, 1.5, 0.9 * freshness(mate.age / 3));
+    dashed(pen, () => strokeBody(pen, camera, mate, livery));
+    strokeHeading(pen, camera, mate, 0);
+    drawWord(pen, camera, String(mate.player), beside(mate), livery.colour);
+    if (mate.fallen) drawFallen(pen, camera, mate);
   }
 }
 
+const beside = ({ x, y }: Point): Point => ({ x, y: y + 1.9 * kRobotRadius });
+
 /** Draws crosses in the other team's colour, which differ clearly from true places. */
-function drawOpponents(pen: Pen, camera: Camera, robot: Robot): void {
-  const colour = kRobotColours[robot.home ? "away" : "home"];
-  for (const opponent of robot.opponents) {
-    style(pen, colour, 2, 0.9 * freshness(opponent.age / 3));
+function drawOpponents(pen: Pen, camera: Camera, { opponents, rivals }: Robot): void {
+  for (const opponent of opponents) {
+    style(pen, rivals.colour, 2, 0.9 * freshness(opponent.age / 3));
     const arm = 0.6 * kRobotRadius;
     for (const side of [-1, 1]) strokeLine(pen, camera, { x: opponent.x - arm, y: opponent.y - side * arm }, { x: opponent.x + arm, y: opponent.y + side * arm });
-    style(pen, colour, 1.5, pen.globalAlpha);
+    style(pen, rivals.colour, 1.5, pen.globalAlpha);
     dashed(pen, () => strokeCircle(pen, camera, opponent, Math.max(kRobotRadius, opponent.deviation)));
-    const at = { x: opponent.x, y: opponent.y + 1.9 * kRobotRadius };
-    if (opponent.player !== undefined) drawNumber(pen, camera, { ...robot, name: String(opponent.player) }, at, colour);
+    if (opponent.player !== undefined) drawWord(pen, camera, String(opponent.player), beside(opponent), rivals.colour);
   }
 }
 
@@ -237,7 +228,7 @@ function drawTrails(pen: Pen, camera: Camera, { robots }: Scene, trails: Drawing
   const kParts = 4; // number of parts; older ones are fainter
   for (const { key, points, kind } of trails) {
     const robot = robots.find((robot) => robot.key === key);
-    const colour = kind === "truth" && robot ? colourOf(robot) : kBright;
+    const colour = kind === "truth" && robot ? robot.livery.colour : kBright;
     for (let part = 0; part < kParts; ++part) {
       const piece = points.slice(Math.floor((part * (points.length - 1)) / kParts), Math.floor(((part + 1) * (points.length - 1)) / kParts) + 1);
       if (piece.length < 2) continue;
@@ -252,17 +243,8 @@ function drawName(pen: Pen, camera: Camera, robot: Robot, front: boolean): void 
   const at = robot.truth ?? robot.pose;
   const words = wordsOf(robot);
   if (!at || !words) return;
-  const { x, y } = toScreen(camera, at);
   pen.globalAlpha = front ? 1 : 0.85;
-  pen.font = `${front ? 600 : 400} 12px system-ui, sans-serif`;
-  pen.textAlign = "center";
-  pen.textBaseline = "middle";
-  // dark below light: readable over lines too
-  const below = y + camera.scale * kRobotRadius * 1.8 + 8;
-  pen.fillStyle = kInk;
-  for (const [dx, dy] of [[-1, 0], [1, 0], [0, 1]] as const) pen.fillText(words, x + dx, below + dy);
-  pen.fillStyle = front ? kBright : "#dfe9e2";
-  pen.fillText(words, x, below);
+  drawOutlined(pen, toScreen(camera, at), camera.scale * kRobotRadius * 1.8 + 8, words, { colour: front ? kBright : "#dfe9e2", weight: front ? 600 : 400 });
 }
 
 const wordsOf = ({ role, skill }: Beliefs): string => [role, skill.replaceAll("_", " ")].filter(Boolean).join(" · ");

@@ -33,9 +33,6 @@ export const kFields: Record<string, Field> = {
   },
 };
 
-/** The field if none is reported. */
-export const kUsualField = kFields["spl2012"]!;
-
 /** The part of a canvas' context that the drawing uses, so that tests can replace it. */
 export type Pen = Pick<
   CanvasRenderingContext2D,
@@ -118,6 +115,16 @@ function drawGoals(pen: Pen, camera: Camera, { length, goalWidth, goalDepth }: F
   }
 }
 
+function polygon(pen: Pen, camera: Camera, corners: Point[]): void {
+  pen.beginPath();
+  corners.forEach((corner, i) => {
+    const { x, y } = toScreen(camera, corner);
+    if (i === 0) pen.moveTo(x, y);
+    else pen.lineTo(x, y);
+  });
+  pen.closePath();
+}
+
 export function strokePath(pen: Pen, camera: Camera, points: Point[]): void {
   pen.beginPath();
   points.forEach((point, i) => {
@@ -145,6 +152,17 @@ export function fillCircle(pen: Pen, camera: Camera, centre: Point, radius: numb
   pen.fillStyle = style;
   circle(pen, camera, centre, radius);
   pen.fill();
+}
+
+export function fillPolygon(pen: Pen, camera: Camera, corners: Point[], style: string): void {
+  pen.fillStyle = style;
+  polygon(pen, camera, corners);
+  pen.fill();
+}
+
+export function strokePolygon(pen: Pen, camera: Camera, corners: Point[]): void {
+  polygon(pen, camera, corners);
+  pen.stroke();
 }
 
 /** Half axes [m] and the direction of the first one [rad]. */

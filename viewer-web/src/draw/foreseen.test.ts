@@ -1,11 +1,13 @@
 import { expect, test } from "vitest";
 import type { Path, Situation } from "../memory/forecast";
 import { kNoEdit, moved } from "../memory/question";
-import { kUsualField, toScreen } from "./field";
+import { kFields, toScreen } from "./field";
 import { drawForeseen, fieldRound, gripAt, kEditColour, onCarpet, standingOf, warmth, type Foreseen } from "./foreseen";
 import { lengthOf, placeAt } from "./futures";
+import { kLiveries } from "./robot_sign";
 import { testPen } from "./test_pen";
 
+const kField = kFields["spl2012"]!;
 const kCamera = { scale: 100, centreX: 400, centreY: 300 };
 const kSituation: Situation = {
   ball: { x: 1, y: 0.5, deviation: 0.2 },
@@ -15,18 +17,28 @@ const kSituation: Situation = {
   ],
 };
 const kPath: Path = { spacing: 0.5, ball: [{ x: 0, y: 0 }, { x: 1, y: 0 }, { x: 1, y: 2 }], robots: [{ player: 2, points: [{ x: -1, y: 0 }, { x: -1, y: 1 }] }] };
+const kSides = { own: kLiveries.home, opponent: kLiveries.away };
 const drawn = (more: Partial<Foreseen>) => {
   const pen = testPen();
-  drawForeseen(pen, kCamera, { field: kUsualField, believed: kSituation, edit: kNoEdit, heat: undefined, paths: [], at: 0, held: undefined, stale: false, ...more });
+  drawForeseen(pen, kCamera, { field: kField, liveries: kSides, believed: kSituation, edit: kNoEdit, heat: undefined, paths: [], at: 0, held: undefined, stale: false, ...more });
   return pen;
 };
+
+test("both sides look as on the field, also when the robot that foresees plays away", () => {
+  for (const liveries of [kSides, { own: kLiveries.away, opponent: kLiveries.home }]) {
+    const pen = drawn({ liveries });
+    const disc = toScreen(kCamera, kSituation.bodies.find(({ side }) => liveries[side].shape === "disc")!);
+    expect(pen.circles.filter(({ filled, radius }) => filled && radius === 15)).toMatchObject([{ ...disc, style: kLiveries.home.colour }]);
+    expect(pen.polygons.map(({ style }) => style)).toEqual([kLiveries.away.colour]);
+  }
+});
 
 test("deviations are circles of their size, and certain things have none", () => {
   const radii = (x: number, y: number) => drawn({}).circles.filter((circle) => !circle.filled && circle.x === x && circle.y === y).map(({ radius }) => Math.round(radius));
   const [ball, own, opponent] = [kSituation.ball!, ...kSituation.bodies].map((at) => toScreen(kCamera, at));
   expect(radii(ball!.x, ball!.y)).toContain(20);
   expect(radii(own!.x, own!.y)).toEqual([10, 15]);
-  expect(radii(opponent!.x, opponent!.y)).toEqual([15]);
+  expect(radii(opponent!.x, opponent!.y)).toEqual([]);
 });
 
 test("a moved thing is marked at its new place and shows its believed place", () => {
@@ -91,9 +103,9 @@ test("the nearest thing is gripped, the ball before the robot behind it, and the
 });
 
 test("nothing can be dragged off the carpet, and things believed beyond it are visible", () => {
-  expect(onCarpet(kUsualField, { x: 99, y: -99 })).toEqual({ x: 3.71, y: -2.71 });
-  expect(onCarpet(kUsualField, { x: 1, y: 1 })).toEqual({ x: 1, y: 1 });
-  const away = (x: number) => fieldRound(kUsualField, { ball: undefined, bodies: [{ side: "opponent", player: 1, x, y: 0, heading: 0, deviation: 0 }] }).border;
-  expect([away(0), away(1e9)]).toEqual([kUsualField.border, 2]);
+  expect(onCarpet(kField, { x: 99, y: -99 })).toEqual({ x: 3.71, y: -2.71 });
+  expect(onCarpet(kField, { x: 1, y: 1 })).toEqual({ x: 1, y: 1 });
+  const away = (x: number) => fieldRound(kField, { ball: undefined, bodies: [{ side: "opponent", player: 1, x, y: 0, heading: 0, deviation: 0 }] }).border;
+  expect([away(0), away(1e9)]).toEqual([kField.border, 2]);
   expect(away(4)).toBeCloseTo(1.3);
 });

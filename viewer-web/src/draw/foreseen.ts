@@ -3,21 +3,22 @@
 
 import type { Body, Heat, Path, Situation } from "../memory/forecast";
 import { bodyOf, edited, movedIn, thingOf, type Edit, type Standing, type Thing } from "../memory/question";
-import { kRobotColours } from "./draw_scene";
 import { drawPaths, placeAt } from "./futures";
 import { drawField, fillCircle, strokeCircle, strokeLine, toField, toScreen, type Camera, type Field, type Pen, type Point } from "./field";
+import { drawNumber, fillBody, kBright, kInk, kRobotRadius, strokeBody, strokeHeading, type Livery } from "./robot_sign";
 
-const kRobotRadius = 0.15; // [m] of a Nao from above, arms included
 const kBallRadius = 0.06; // [m] larger than the real ball, to be visible
 const kHandle = 0.42; // [m] from a robot's middle to the handle that turns it
 const kReach = 0.22; // [m] radius of a hit
-const kInk = "#0d1712";
-const kBright = "#ffffff";
 export const kHeatColour = "#ffe9a3";
 export const kEditColour = "#ff66aa";
 
+/** By the side of the robot that foresees. */
+export type Sides = Record<"own" | "opponent", Livery>;
+
 export interface Foreseen {
   field: Field;
+  liveries: Sides;
   /** The beliefs without the edit. */
   believed: Situation;
   edit: Edit;
@@ -32,16 +33,16 @@ export interface Foreseen {
   stale: boolean;
 }
 
-export function drawForeseen(pen: Pen, camera: Camera, { field, believed, edit, heat, paths, at, held, stale }: Foreseen): void {
+export function drawForeseen(pen: Pen, camera: Camera, { field, liveries, believed, edit, heat, paths, at, held, stale }: Foreseen): void {
   const strength = stale ? 0.3 : 1;
   const now = edited(believed, edit);
   drawField(pen, camera, field);
   if (heat) drawHeat(pen, camera, field, heat, strength);
-  drawPaths(pen, camera, paths, { strength, colour: kRobotColours.home, at });
+  drawPaths(pen, camera, paths, { strength, colour: liveries.own.colour, at });
   // a moving thing leaves a shadow at its start
-  drawSituation(pen, camera, believed, now, edit, at > 0 ? 0.35 : 1);
+  drawSituation(pen, camera, { believed, now, edit, liveries }, at > 0 ? 0.35 : 1);
   if (held) drawHandle(pen, camera, now, held);
-  if (at > 0) for (const path of paths) drawThen(pen, camera, path, at, strength);
+  if (at > 0) for (const path of paths) drawThen(pen, camera, path, liveries.own, at, strength);
   pen.globalAlpha = 1;
 }
 
@@ -84,16 +85,17 @@ function drawHeat(pen: Pen, camera: Camera, { length, width }: Field, heat: Heat
 
 // rollouts
 
-function drawThen(pen: Pen, camera: Camera, { spacing, ball, robots }: Path, at: number, strength: number): void {
+function drawThen(pen: Pen, camera: Camera, { spacing, ball, robots }: Path, livery: Livery, at: number, strength: number): void {
   for (const { player, points } of robots) {
     const place = placeAt(points, spacing, at);
     if (!place) continue;
     pen.globalAlpha = 0.9 * strength;
-    fillCircle(pen, camera, place, 0.8 * kRobotRadius, kRobotColours.home);
+    const then = { ...place, heading: NaN };
+    fillBody(pen, camera, then, livery, 0.8 * kRobotRadius);
     pen.strokeStyle = kInk;
     pen.lineWidth = 1;
-    strokeCircle(pen, camera, place, 0.8 * kRobotRadius);
-    drawNumber(pen, camera, player, place);
+    strokeBody(pen, camera, then, livery, 0.8 * kRobotRadius);
+    drawNumber(pen, camera, String(player), place, livery);
   }
   const place = placeAt(ball, spacing, at);
   if (place) drawBall(pen, camera, place, strength);
@@ -101,7 +103,7 @@ function drawThen(pen: Pen, camera: Camera, { spacing, ball, robots }: Path, at:
 
 // situation
 
-function drawSituation(pen: Pen, camera: Camera, believed: Situation, now: Situation, edit: Edit, alpha: number): void {
+function drawSituation(pen: Pen, camera: Camera, { believed, now, edit, liveries }: { believed: Situation; now: Situation; edit: Edit; liveries: Sides }, alpha: number): void {
   for (const thing of movedIn(edit)) drawMove(pen, camera, standingOf(believed, thing), standingOf(now, thing));
   const doubt = (at: Point, deviation: number, colour: string) => {
     if (!(deviation > 0)) return;
@@ -112,20 +114,21 @@ function drawSituation(pen: Pen, camera: Camera, believed: Situation, now: Situa
     pen.lineWidth = 1;
     strokeCircle(pen, camera, at, deviation);
   };
-  for (const body of now.bodies) doubt(body, body.deviation, colourOf(body.side));
+  for (const body of now.bodies) doubt(body, body.deviation, liveries[body.side].colour);
   if (now.ball) doubt(now.ball, now.ball.deviation, kBright);
   // moved robots lie on top of the others
   const isMoved = (body: Body) => Number(edit.robots.has(thingOf(body)));
   for (const body of [...now.bodies].sort((a, b) => isMoved(a) - isMoved(b))) {
+    const livery = liveries[body.side];
     pen.globalAlpha = alpha;
-    fillCircle(pen, camera, body, kRobotRadius, colourOf(body.side));
+    fillBody(pen, camera, body, livery);
     pen.strokeStyle = kInk;
     pen.lineWidth = 1.5;
-    strokeCircle(pen, camera, body, kRobotRadius);
-    pen.strokeStyle = colourOf(body.side);
+    strokeBody(pen, camera, body, livery);
+    pen.strokeStyle = livery.colour;
     pen.lineWidth = 3;
-    strokeLine(pen, camera, ahead(body, kRobotRadius), ahead(body, 1.7 * kRobotRadius));
-    drawNumber(pen, camera, body.player, body);
+    strokeHeading(pen, camera, body);
+    drawNumber(pen, camera, String(body.player), body, livery);
     if (edit.robots.has(thingOf(body))) drawMark(pen, camera, body, kRobotRadius);
   }
   if (now.ball) drawBall(pen, camera, now.ball, alpha);
@@ -176,16 +179,6 @@ function drawBall(pen: Pen, camera: Camera, at: Point, alpha: number): void {
   strokeCircle(pen, camera, at, kBallRadius);
 }
 
-function drawNumber(pen: Pen, camera: Camera, player: number, at: Point): void {
-  const { x, y } = toScreen(camera, at);
-  pen.fillStyle = kInk;
-  pen.font = `600 ${Math.max(10, Math.round(0.17 * camera.scale))}px system-ui, sans-serif`;
-  pen.textAlign = "center";
-  pen.textBaseline = "middle";
-  pen.fillText(String(player), x, y);
-}
-
-const colourOf = (side: "own" | "opponent"): string => (side === "own" ? kRobotColours.home : kRobotColours.away);
 const ahead = ({ x, y, heading }: Standing, distance: number): Point => ({ x: x + distance * Math.cos(heading), y: y + distance * Math.sin(heading) });
 
 // pointer

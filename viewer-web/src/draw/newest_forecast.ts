@@ -4,6 +4,7 @@ import { chosenOf, forecastOf, type Path, type Place } from "../memory/forecast"
 import type { MemoryObject } from "../memory/memory_object";
 import { valueOf } from "./beliefs";
 import type { Foreseen } from "./draw_scene";
+import { kLiveries } from "./robot_sign";
 import type { Robot, Told } from "./scene";
 
 const read = new WeakMap<Uint8Array, Path[]>(); // each message is read once
@@ -11,7 +12,7 @@ const read = new WeakMap<Uint8Array, Path[]>(); // each message is read once
 /** Returns the offered topics that are read. */
 export const forecastTopicsOf = ({ memory, robots }: Pick<Told, "memory" | "robots">): string[] => robots.map((robot) => `/${robot}/forecast`).filter((topic) => memory.get(topic));
 
-/** Returns the chosen robot's forecast if there is one, else the newest of another. `robots` contain the home team. */
+/** Returns the chosen robot's forecast if there is one, else the newest of another. `robots` have the liveries. */
 export function foreseenBy(told: Told[], robots: Robot[], chosen: string): Foreseen | undefined {
   const all = told.flatMap(({ memory, robots, keyOf }) =>
     robots.flatMap((robot) => {
@@ -21,7 +22,7 @@ export function foreseenBy(told: Told[], robots: Robot[], chosen: string): Fores
   );
   const newest = all.find(({ key }) => key === chosen) ?? all.sort((a, b) => Number(b.at_ns - a.at_ns))[0];
   if (!newest) return undefined;
-  return { paths: pathsOf(newest.object, newest.game), home: robots.find(({ key }) => key === newest.key)?.home ?? true };
+  return { paths: pathsOf(newest.object, newest.game), colour: (robots.find(({ key }) => key === newest.key)?.livery ?? kLiveries.home).colour };
 }
 
 function pathsOf(object: MemoryObject, game: MemoryObject | undefined): Path[] {

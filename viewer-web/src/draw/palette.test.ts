@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
-import { kRobotColours } from "./draw_scene";
 import { kEditColour, kHeatColour } from "./foreseen";
 import { kOverlayColours } from "./overlay";
 import { kSkillColours } from "./phases";
 import { kLineStyles } from "./plot";
+import { kLiveries, liveriesOf } from "./robot_sign";
 import { distance, kSights } from "./test_sight";
 
 /** Returns the two colours of a palette that look most alike in the sight that separates them least. */
@@ -35,8 +35,24 @@ test("with every kind of sight, lines of a plot with equal dashes differ", () =>
 });
 
 test("with every kind of sight, both teams differ from each other and from the carpet", () => {
-  const { apart, who } = nearest([kRobotColours.home, kRobotColours.away, "#23523a"]);
+  const { apart, who } = nearest([kLiveries.home.colour, kLiveries.away.colour, "#23523a"]);
   expect(apart, who).toBeGreaterThan(35);
+});
+
+test("teams differ by brightness and shape too", () => {
+  const brightness = (colour: string) => {
+    const [red, green, blue] = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16) / 255).map((value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * red! + 0.7152 * green! + 0.0722 * blue! + 0.05; // WCAG 2.1
+  };
+  const { home, away } = kLiveries;
+  expect(brightness(home.colour) / brightness(away.colour)).toBeGreaterThan(2);
+  expect(brightness(away.colour) / brightness("#23523a")).toBeGreaterThan(2);
+  expect(home.shape).not.toBe(away.shape);
+});
+
+test("jerseys give the sides their colours, unless they are unknown or equal", () => {
+  expect(liveriesOf("red", "black")).toMatchObject({ home: { colour: "#e33b2e", shape: "disc" }, away: { colour: "#20252b", shape: "square" } });
+  for (const [home, away] of [["red", "red"], ["unspecified", "blue"], ["", ""]] as const) expect(liveriesOf(home, away)).toEqual(kLiveries);
 });
 
 test("with every kind of sight, skills differ, and so do the overlays of pictures", () => {
@@ -47,6 +63,6 @@ test("with every kind of sight, skills differ, and so do the overlays of picture
 });
 
 test("with every kind of sight, teams, heat and edits on the What-if field differ", () => {
-  const { apart, who } = nearest([kRobotColours.home, kRobotColours.away, kEditColour, kHeatColour, "#23523a"]);
+  const { apart, who } = nearest([kLiveries.home.colour, kLiveries.away.colour, kEditColour, kHeatColour, "#23523a"]);
   expect(apart, who).toBeGreaterThan(20);
 });

@@ -1,10 +1,9 @@
 import { expect, test } from "vitest";
 import type { Memory } from "../memory/memory";
-import type { Value } from "../memory/value";
-import { kUsualField } from "./field";
+import { EnumValue, type Value } from "../memory/value";
 import { ellipseOf } from "./beliefs";
-import { fieldIn, oneWorld, sceneOf, topicsOf } from "./scene";
-
+import { liveriesOf } from "./robot_sign";
+import { liveriesFor, oneWorld, sceneOf, topicsOf } from "./scene";
 const fields = (entries: Record<string, Value>) => new Map(Object.entries(entries));
 
 /** A memory of decoded values, by topic; all of one capture time unless `log_ns` has another. */
@@ -52,6 +51,20 @@ test("in a truth without other objects the first team is at home, so that the si
   expect(scene.robots.map(({ name, home }) => [name, home])).toEqual([["1/2", true], ["3/1", false], ["3/3", false]]);
 });
 
+test("a team wears the jersey that the GameController reports, whichever robot passes it on", () => {
+  const team = (number: number, field_colour: string) => fields({ number, field_colour: new EnumValue(0, `COLOUR_${field_colour}`) });
+  const game = (own: Value, opponent: Value) => ({ own, opponent }) as Record<string, Value>;
+  const [red, yellow] = [team(14, "RED"), team(5, "YELLOW")];
+  for (const [robot, its] of [["14/2", game(red, yellow)], ["5/1", game(yellow, red)]] as const) {
+    const robots = [14, 5].map((number) => fields({ team: number, player: 2, x: 0, y: 0 }));
+    const memory = memoryOf({ [`/${robot}/game`]: its, "/truth/world": { robots }, "/sim/state": { home: fields({ number: 14 }) } });
+    const colours = Object.fromEntries(sceneOf([told(memory, [robot])], 0).robots.map(({ name, livery, rivals }) => [name.split("/")[0], [livery.colour, rivals.colour]]));
+    const { home, away } = liveriesOf("red", "yellow");
+    expect(colours).toEqual({ "14": [home.colour, away.colour], "5": [away.colour, home.colour] });
+    expect(liveriesFor([told(memory, [robot])], robot).own.colour).toBe(robot.startsWith("14") ? home.colour : away.colour);
+  }
+});
+
 test("a belief ages and is dropped after ten seconds", () => {
   const values = { "/14/2/pose": kPose, "/truth/world": kTruth };
   expect(only(memoryOf(values, { "/14/2/pose": 8_500_000_000n })).pose!.age).toBe(1.5);
@@ -77,7 +90,7 @@ test("teammates are at their reported places and as old as the report", () => {
   const mate = fields({ player: 3, pose: fields({ x: 2, y: 1, heading: 0 }), received_ns: 8_000_000_000n });
   const silent = fields({ player: 4, received_ns: 8_000_000_000n });
   const values = { "/14/2/team": { teammates: [mate, silent] }, "/14/2/game": { attacks_positive_x: false } };
-  expect(only(memoryOf(values)).teammates).toEqual([{ x: -2, y: -1, heading: Math.PI, player: 3, age: 2 }]);
+  expect(only(memoryOf(values)).teammates).toEqual([{ x: -2, y: -1, heading: Math.PI, player: 3, fallen: false, age: 2 }]);
 });
 
 test("a covariance is an ellipse whose axes are its own", () => {
@@ -106,13 +119,10 @@ test("two truths are two games, and only the first one's is shown, with robots t
   expect(oneWorld([live!, game!])).toEqual([live]);
 });
 
-test("the simulation says who plays at home and on which field", () => {
-  const field = { length: 9, width: 6, border: 0.7, line_width: 0.05, penalty_area_length: 1.65, penalty_area_width: 4 };
-  const simulation = { home: fields({ number: 14 }), field: fields(field) };
+test("the simulation says who plays at home", () => {
+  const simulation = { home: fields({ number: 14 }) };
   const scene = sceneOf([told(memoryOf({ "/sim/state": simulation }), ["5/1", "14/2"])], 0);
   expect(scene.robots.map(({ name, home }) => [name, home])).toEqual([["5/1", false], ["14/2", true]]);
-  expect(scene.field).toMatchObject({ length: 9, width: 6, penaltyAreaWidth: 4 });
-  expect(fieldIn(sceneOf([told(memoryOf({}), [])], 0))).toEqual(kUsualField);
 });
 
 test("without valid data nothing is drawn", () => {

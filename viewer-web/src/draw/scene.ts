@@ -3,23 +3,25 @@
 import type { Memory } from "../memory/memory";
 import type { RobotName } from "../memory/memory_object";
 import { kSimulation } from "../memory/simulation";
-import { fieldsOf, listOf, numberOf, type Fields } from "../memory/value";
+import { fieldsOf, listOf, numberOf, wordOf, type Fields } from "../memory/value";
 import { beliefsOf, kBeliefs, pointOf, valueOf, type Beliefs, type Pose } from "./beliefs";
-import { kUsualField, type Field, type Point } from "./field";
+import type { Point } from "./field";
+import { kLiveries, liveriesOf, type Liveries, type Livery } from "./robot_sign";
 
 export interface Robot extends Beliefs {
   name: RobotName;
   /** Of the page's address: with the server where that is not the page's own. */
   key: string;
   home: boolean;
+  livery: Livery;
+  /** The opponents' livery. */
+  rivals: Livery;
   /** The true pose, or undefined if unknown. */
   truth: Pose | undefined;
   fallen: boolean;
 }
 
 export interface Scene {
-  /** Undefined if unknown. */
-  field: Field | undefined;
   ball: (Point & { velocity: Point | undefined }) | undefined;
   robots: Robot[];
 }
@@ -44,15 +46,15 @@ export function topicsOf(memory: Memory, robots: RobotName[]): string[] {
 /** Returns the servers of one field: the first, and those without a truth of their own. Two truths are two games. */
 export const oneWorld = (told: Told[]): Told[] => told.filter(({ memory }, i) => i === 0 || !memory.get(kTruth)?.shown);
 
-/** Merges all servers: truth and field of the first that sends them, robots of all. */
+/** Merges all servers: the truth of the first that sends it, robots of all. */
 export function sceneOf(told: Told[], now: number): Scene {
   const worlds = told.map(({ memory }) => valueOf(memory.get(kTruth)));
   const simulations = told.map(({ memory }) => valueOf(memory.get(kSimulation)));
   const homeTeam = homeTeamOf(simulations, told, worlds);
+  const liveries = liveriesIn(told, homeTeam);
   return {
-    field: simulations.map((fields) => fieldOf(fieldsOf(fields, "field"))).find((field) => field),
     ball: worlds.map((world) => ballOf(fieldsOf(world, "ball"))).find((ball) => ball),
-    robots: told.flatMap((server, i) => robotsOf(server, worlds[i]!, homeTeam, now)),
+    robots: told.flatMap((server, i) => robotsOf(server, worlds[i]!, { homeTeam, liveries }, now)),
   };
 }
 
@@ -69,43 +71,49 @@ function homeTeamOf(simulations: Fields[], told: Told[], worlds: Fields[]): numb
   return numbers.find(Number.isFinite) ?? Math.min(...(sending.length > 0 ? sending : seen));
 }
 
+interface Sides {
+  homeTeam: number;
+  liveries: Liveries;
+}
+
+/** Returns the liveries by the jerseys that the GameController reports, or the usual ones. */
+function liveriesIn(told: Told[], homeTeam: number): Liveries {
+  for (const { memory, robots } of told)
+    for (const robot of robots) {
+      const game = valueOf(memory.get(`/${robot}/game`));
+      const [own, opponent] = ["own", "opponent"].map((side) => fieldsOf(game, side));
+      const [mine, theirs] = [own!, opponent!].map((team) => wordOf(team, "field_colour").replace("colour_", ""));
+      if (mine && theirs) return numberOf(own!, "number") === homeTeam ? liveriesOf(mine, theirs) : liveriesOf(theirs, mine);
+    }
+  return kLiveries;
+}
+
+/** Returns the liveries of the team of `robot` and of its opponents. */
+export function liveriesFor(told: Told[], robot: RobotName): { own: Livery; opponent: Livery } {
+  const values = (topic: string) => told.map(({ memory }) => valueOf(memory.get(topic)));
+  const homeTeam = homeTeamOf(values(kSimulation), told, values(kTruth));
+  const { home, away } = liveriesIn(told, homeTeam);
+  return teamOf(robot) === homeTeam ? { own: home, opponent: away } : { own: away, opponent: home };
+}
+
 const teamOf = (name: RobotName): number => Number(name.split("/")[0]);
 
-function robotsOf({ memory, robots, keyOf }: Told, world: Fields, homeTeam: number, now: number): Robot[] {
+function robotsOf({ memory, robots, keyOf }: Told, world: Fields, { homeTeam, liveries }: Sides, now: number): Robot[] {
   const truths = new Map(listOf(world, "robots").map((robot) => [`${numberOf(robot, "team")}/${numberOf(robot, "player")}`, robot]));
   const names = [...new Set([...robots, ...truths.keys()])].sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
   return names.map((name) => {
     const truth = truths.get(name);
     const place = truth && pointOf(truth);
+    const home = teamOf(name) === homeTeam;
     return {
       ...beliefsOf(memory, name, now),
       name,
       key: keyOf(name),
-      home: teamOf(name) === homeTeam,
+      home,
+      livery: home ? liveries.home : liveries.away,
+      rivals: home ? liveries.away : liveries.home,
       truth: place && { ...place, heading: numberOf(truth!, "heading") },
       fallen: truth?.get("fallen") === true,
     };
   });
 }
-
-/** Reads the field of /sim/state, or returns undefined. */
-export function fieldOf(fields: Fields): Field | undefined {
-  if (!(numberOf(fields, "length") > 0 && numberOf(fields, "width") > 0)) return undefined;
-  const size = (name: string) => numberOf(fields, name) || 0;
-  return {
-    length: size("length"),
-    width: size("width"),
-    border: size("border"),
-    lineWidth: size("line_width"),
-    centreCircleRadius: size("centre_circle_radius"),
-    goalAreaLength: size("goal_area_length"),
-    goalAreaWidth: size("goal_area_width"),
-    penaltyAreaLength: size("penalty_area_length"),
-    penaltyAreaWidth: size("penalty_area_width"),
-    penaltyMark: size("penalty_mark"),
-    goalWidth: size("goal_width"),
-    goalDepth: size("goal_depth"),
-  };
-}
-
-export const fieldIn = ({ field }: Scene): Field => field ?? kUsualField;

@@ -6,6 +6,7 @@ export interface TestPen extends Pen {
   /** Corners of boxes, ends of lines, middles of circles [px]. */
   points: Point[];
   circles: (Point & { radius: number; filled: boolean; style: string; alpha: number })[];
+  polygons: { corners: Point[]; filled: boolean; style: string; alpha: number }[];
   texts: (Point & { text: string })[];
   /** Filled. */
   boxes: (Point & { width: number; height: number; style: string })[];
@@ -13,6 +14,8 @@ export interface TestPen extends Pen {
 
 export function testPen(): TestPen {
   let circle: (Point & { radius: number }) | undefined;
+  let path: Point[] = [];
+  let closed = false;
   const points: Point[] = [];
   const box = (x: number, y: number, width: number, height: number) => {
     for (const [dx, dy] of [[0, 0], [width, 0], [0, height], [width, height]] as const) points.push({ x: x + dx, y: y + dy });
@@ -20,6 +23,7 @@ export function testPen(): TestPen {
   const pen: TestPen = {
     points,
     circles: [],
+    polygons: [],
     texts: [],
     boxes: [],
     fillStyle: "",
@@ -29,19 +33,33 @@ export function testPen(): TestPen {
     font: "",
     textAlign: "start",
     textBaseline: "alphabetic",
-    beginPath: () => (circle = undefined),
-    moveTo: (x, y) => void points.push({ x, y }),
-    lineTo: (x, y) => void points.push({ x, y }),
+    beginPath() {
+      circle = undefined;
+      path = [];
+      closed = false;
+    },
+    moveTo(x, y) {
+      points.push({ x, y });
+      path.push({ x, y });
+    },
+    lineTo(x, y) {
+      points.push({ x, y });
+      path.push({ x, y });
+    },
     arc(x, y, radius) {
       points.push({ x, y });
       circle = { x, y, radius };
     },
-    closePath: () => {},
+    closePath: () => (closed = true),
     ellipse(x, y, radius) {
       points.push({ x, y });
       circle = { x, y, radius };
     },
-    fill: () => circle && pen.circles.push({ ...circle, filled: true, style: String(pen.fillStyle), alpha: pen.globalAlpha }),
+    fill() {
+      const look = { filled: true, style: String(pen.fillStyle), alpha: pen.globalAlpha };
+      if (circle) pen.circles.push({ ...circle, ...look });
+      else if (closed) pen.polygons.push({ corners: path, ...look });
+    },
     stroke: () => circle && pen.circles.push({ ...circle, filled: false, style: String(pen.strokeStyle), alpha: pen.globalAlpha }),
     fillRect(x, y, width, height) {
       box(x, y, width, height);

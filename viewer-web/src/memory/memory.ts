@@ -7,6 +7,7 @@ import { MemoryObject, type Moment, type RobotName } from "./memory_object";
 import { Past } from "./past";
 import type { Played } from "./played";
 import { ServerClock } from "./server_clock";
+import { simulationOf } from "./simulation";
 
 export class Memory {
   readonly clock = new ServerClock();
@@ -16,6 +17,7 @@ export class Memory {
   played: Played | undefined;
   #objects = new Map<string, MemoryObject>();
   #moment: Moment = { ns: undefined };
+  #arrived: number | undefined;
   #seen = { from_ns: 0n, to_ns: 0n }; // for a recording: the page has received all of this part, without a gap
 
   constructor(readonly past = new Past()) {}
@@ -23,6 +25,11 @@ export class Memory {
   /** The capture time that all objects show, or undefined for the newest of each. */
   get moment_ns(): bigint | undefined {
     return this.#moment.ns;
+  }
+
+  /** [s] Arrival of the newest message of a robot or its world. The server's reports on itself do not count. */
+  get arrivedAt(): number | undefined {
+    return this.#arrived;
   }
 
   /** Shows the moment `log_ns` in all objects, or the newest of each if undefined. */
@@ -70,7 +77,7 @@ export class Memory {
   reached(now: number): void {
     const at_ns = this.played?.at(now) ?? 0n;
     if (at_ns > this.#seen.to_ns) this.#seen.to_ns = at_ns;
-    this.#moment.still = this.played !== undefined && !this.played.runs;
+    this.#moment.still = this.played ? !this.played.runs : simulationOf(this)?.paused === true;
   }
 
   /** The part of a recording whose histories are complete, or undefined if there is none. */
@@ -93,6 +100,7 @@ export class Memory {
   /** Forgets everything, because another run of the server begins. */
   reset(): void {
     for (const topic of [...this.#objects.keys()]) this.withdraw(topic);
+    this.#arrived = undefined;
     this.clock.clear();
     this.log.clear();
     this.events.clear();
@@ -131,6 +139,7 @@ export class Memory {
     const object = this.#objects.get(topic);
     if (!object) return;
     object.arrived(log_ns, data, now);
+    if (!kOwnKinds.includes(object.kind)) this.#arrived = now;
     this.#keep(object);
     if (isLog(object)) this.log.arrived(object, object.newest!);
     this.events.arrived(object, object.newest!);
@@ -190,5 +199,8 @@ export class Memory {
       .sort((a, b) => Number(a.robot === "") - Number(b.robot === "") || a.name.localeCompare(b.name, "en"));
   }
 }
+
+/** Objects in which a server reports on itself, also while its robot is silent. */
+const kOwnKinds = ["runtime", "log", "clock"];
 
 const isLog = (object: MemoryObject): boolean => object.kind === "log" && !object.derived;

@@ -23,7 +23,7 @@ export function objectOf(channel: Pick<Channel, "topic" | "metadata">): string {
 /** The moment that all objects of a server show: a capture time, or undefined for now. */
 export interface Moment {
   ns: bigint | undefined;
-  /** True while the recording is paused: no message is due. */
+  /** True while the recording or the simulated game is paused: no message is due. */
   still?: boolean;
 }
 

@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { Memory } from "../memory/memory";
 import { kPerceptChannel, percept } from "../memory/test_schema";
+import type { Value } from "../memory/value";
 import { warningOf } from "./warnings";
 
 const kTopic = kPerceptChannel.topic;
@@ -39,4 +40,21 @@ test("one old value is no late flow", () => {
   memory.clock.heard(at_ns(100), 0);
   memory.arrived(kTopic, at_ns(3), percept(), 0);
   expect(warning(memory, 0.1)).toBeUndefined();
+});
+
+test("the silence of a penalised robot or of a paused game is no fault", () => {
+  const memory = flowing(0);
+  expect(warning(memory, 14)).toMatch("silent");
+  const [, team, player] = /^\/(\d+)\/(\d+)\//.exec(kTopic)!;
+  const told = (penalised: boolean) => {
+    const players = [...Array(Number(player)).keys()].map((i) => new Map<string, Value>([["penalised", penalised && i === Number(player) - 1]]));
+    const game = new Map<string, Value>([["own_player", Number(player)], ["own", new Map<string, Value>([["players", players]])]]);
+    const get = (topic: string) => (topic === `/${team}/${player}/game` ? { decoded: () => ({ fields: game }) } : undefined);
+    return { get, age: () => undefined } as unknown as Memory;
+  };
+  const object = memory.get(kTopic)!;
+  expect(warningOf(object, undefined, told(true), 14)).toBeUndefined();
+  expect(warningOf(object, undefined, told(false), 14)).toMatch("silent");
+  object.moment.still = true; // as Memory.reached() sets it
+  expect(warning(memory, 14)).toBeUndefined();
 });

@@ -3,6 +3,7 @@
 import { duration, hertz } from "./format";
 import type { Memory } from "../memory/memory";
 import type { MemoryObject } from "../memory/memory_object";
+import { fieldsOf, listOf, numberOf } from "../memory/value";
 import type { StreamStatistics } from "../memory/statistics";
 
 const kLate = 1; // [s] an older image is misleading
@@ -10,7 +11,7 @@ const kLate = 1; // [s] an older image is misleading
 /** Returns the sentence about this object's problem, or undefined. */
 export function warningOf(object: MemoryObject, statistics: StreamStatistics | undefined, memory: Memory, now: number): string | undefined {
   const overdue = object.overdue(now);
-  if (overdue !== undefined)
+  if (overdue !== undefined && !isPenalised(object, memory))
     return `${object.name} has been silent for ${duration(overdue)}; before, it came at ${hertz(1 / object.rate.interval()!)} Hz.`;
 
   const lost = statistics?.dropped;
@@ -22,6 +23,13 @@ export function warningOf(object: MemoryObject, statistics: StreamStatistics | u
   const late = age !== undefined && object.newest ? age - (now - object.newest.arrived) : 0;
   if (late > kLate && object.rate.hz(now) > 1) return `${object.name} arrives ${duration(late)} late: the network or this computer is too slow.`;
   return undefined;
+}
+
+/** A penalised robot stands aside: its objects may pause. */
+function isPenalised({ robot }: MemoryObject, memory: Memory): boolean {
+  const game = memory.get(`/${robot}/game`)?.decoded()?.fields ?? new Map();
+  const [player] = listOf(fieldsOf(game, "own"), "players").slice(numberOf(game, "own_player") - 1);
+  return player?.get("penalised") === true;
 }
 
 const messages = (count: number): string => (count === 1 ? "1 message" : `${count} messages`);

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { withAlert, withoutAlerts, type Alert } from "./alerts";
+import { Dismissed, withAlert, withoutAlerts, type Alert } from "./alerts";
 
 const texts = (alerts: Alert[]) => alerts.map(({ text, times }) => `${times}x ${text}`);
 
@@ -18,4 +18,11 @@ test("a flood leaves the newest twenty", () => {
   for (let i = 0; i < 100; ++i) alerts = withAlert(alerts, "error", `flood ${i}`);
   expect(alerts).toHaveLength(20);
   expect(alerts[0]!.text).toBe("flood 99");
+});
+
+test("a dismissed warning stays away for five minutes; errors and other warnings do not", () => {
+  const dismissed = new Dismissed();
+  dismissed.add("drops", 100);
+  expect([100, 399, 401].map((now) => dismissed.hides("warning", "drops", now))).toEqual([true, true, false]);
+  expect([dismissed.hides("error", "drops", 101), dismissed.hides("warning", "disk", 101)]).toEqual([false, false]);
 });

@@ -20,3 +20,18 @@ export function withAlert(alerts: Alert[], level: Level, text: string, key: stri
 }
 
 export const withoutAlerts = (alerts: Alert[], keys: string[]): Alert[] => alerts.filter(({ key }) => !keys.includes(key));
+
+const kHidden = 300; // [s]
+
+/** The sentences that a person has dismissed. A warning that comes again and again then stays away for a while. */
+export class Dismissed {
+  #since = new Map<string, number>(); // [s] by key
+
+  add(key: string, now: number): void {
+    this.#since.set(key, now);
+  }
+
+  hides(level: Level, key: string, now: number): boolean {
+    return level === "warning" && now - (this.#since.get(key) ?? -Infinity) < kHidden;
+  }
+}

@@ -6,6 +6,8 @@ import type { Past } from "../memory/past";
 import { Played } from "../memory/played";
 import { allStreamStatistics, recordingStatistics, runtimesOf, type RecordingStatistics, type StreamStatistics } from "../memory/statistics";
 import { Client, type Connection, type Listener, type Socket } from "../source/client";
+import { livenessOf, type Liveness } from "../present/liveness";
+import { simulationOf } from "../memory/simulation";
 import { ClockExchange } from "../source/clock_exchange";
 import type { PlaybackState, PlaybackWish } from "../source/frames";
 import type { Target } from "../source/target";
@@ -87,6 +89,13 @@ export class Server implements Listener {
 
   objectsOf(robot: RobotName) {
     return (this.#offers, this.memory.objectsOf(robot));
+  }
+
+  /** Whether the page shows this robot as it is now. */
+  liveness(): Liveness {
+    const { memory, info, connectionState } = this;
+    const paused = simulationOf(memory)?.paused === true;
+    return livenessOf({ connected: connectionState.state === "open", known: info !== undefined, arrived: memory.arrivedAt, paused }, now());
   }
 
   // the played recording

@@ -1,13 +1,15 @@
 // The state of the page: watched servers, chosen robot and view, shown time. Values of memory objects are plain and
 // read while drawing; only rarely changing values are reactive.
 
-import { kTruth } from "../draw/scene";
+import { knownField, type KnownField } from "../draw/known_field";
+import { kTruth, type Told } from "../draw/scene";
 import type { MemoryObject, RobotName } from "../memory/memory_object";
 import { capsFor, Past } from "../memory/past";
 import { addressOf, targetOfHost, type Target } from "../source/target";
 import type { Level } from "../source/texts";
-import { withAlert, withoutAlerts, type Alert } from "./alerts";
+import { Dismissed, withAlert, withoutAlerts, type Alert } from "./alerts";
 import { keep, kept } from "./browser";
+import { now } from "./frame.svelte";
 import { Moments } from "./moments.svelte";
 import { hashOf, routeOf, type Route, type View } from "./route";
 import { Server, type Speaker } from "./server.svelte";
@@ -47,8 +49,23 @@ export class Viewer implements Speaker {
   robot: RobotName = $derived(this.source?.robot ?? "");
   robotKey: string = $derived(this.source?.key ?? "");
   objects: MemoryObject[] = $derived(this.server.objectsOf(this.robot));
+  /** All servers with their robots; the chosen robot's world comes first. */
+  told: Told[] = $derived(
+    [this.server, ...this.servers.filter((server) => server !== this.server)].map((server) => ({
+      memory: server.memory,
+      robots: server.robots,
+      keyOf: (robot) => this.#keyOf(server, robot),
+    })),
+  );
   /** The chosen view. Without a choice: camera, or field for a game without a camera. */
   view: View = $derived(this.route.view || (this.#playsBlind() ? "field" : "camera"));
+
+  #dismissed = new Dismissed();
+
+  /** The field of the game, and who says so. */
+  knownField(): KnownField {
+    return knownField(this.told, this.get("field"));
+  }
 
   constructor(readonly target: Target) {
     this.servers = [new Server(target, this.past, this)];
@@ -162,12 +179,19 @@ export class Viewer implements Speaker {
 
   // sentences
 
-  say(level: Level, text: string, key?: string): void {
+  say(level: Level, text: string, key: string = text): void {
+    if (this.#dismissed.hides(level, key, now())) return;
     this.alerts = withAlert(this.alerts, level, text, key);
   }
 
   follow(server: Server): void {
     this.time?.follow(server);
+  }
+
+  /** Dismisses a sentence for a person. A warning that comes again and again then stays away for a while. */
+  mute(key: string): void {
+    this.#dismissed.add(key, now());
+    this.dismiss([key]);
   }
 
   dismiss(keys: string[]): void {
