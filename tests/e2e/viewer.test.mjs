@@ -224,6 +224,24 @@ test("? lists the keys, numbers open views, and typing in a field triggers no ke
     await page.keyboard.press(key);
     await page.getByRole("region", { name: view, exact: true }).waitFor();
   }
+  // a key that comes before the closed dialog has lost the focus
+  await page.keyboard.press("?");
+  await page.getByRole("dialog", { name: "Keys" }).waitFor();
+  await page.evaluate(() => {
+    const dialog = document.querySelector("dialog");
+    dialog.close();
+    dialog.querySelector("button").dispatchEvent(new KeyboardEvent("keydown", { key: "1", bubbles: true }));
+  });
+  await page.getByRole("region", { name: "Field", exact: true }).waitFor();
+  // a setting that changes before the page hears of a link that was followed
+  await page.evaluate(() => {
+    const named = (selector, name) => [...document.querySelectorAll(selector)].find(({ textContent }) => textContent.trim() === name);
+    const layer = named("button", "names");
+    named("nav a", "objects").click();
+    layer.click();
+  });
+  await page.waitForURL(/objects\?.*layers=[^&]*names/);
+  await page.getByRole("region", { name: "Objects", exact: true }).waitFor();
   const robot = await page.getByLabel("Robot", { exact: true }).inputValue();
   await page.keyboard.press("j");
   await until(async () => (await page.getByLabel("Robot", { exact: true }).inputValue()) !== robot, "the next robot");

@@ -64,7 +64,8 @@ export function belongsElsewhere(event: Pick<KeyboardEvent, "key" | "ctrlKey" | 
   const element = event.target instanceof Element ? event.target : undefined;
   if (element?.matches("input:not([type=checkbox]):not([type=range]), textarea, select, [contenteditable]")) return true;
   if (element?.matches("input[type=range], input[type=checkbox], summary, button") && [" ", "Enter"].includes(event.key)) return true;
-  return element?.closest("dialog") !== null && element !== undefined;
+  // a dialog that has just been closed keeps the focus until the next frame
+  return element?.closest("dialog[open]") != null;
 }
 
 /** Runs the key's action. Returns false if the key has none. */

@@ -115,10 +115,11 @@ export class Viewer implements Speaker {
    */
   set(name: string, value: string): void {
     if (this.get(name) === value) return;
-    const settings = new Map(this.route.settings);
+    const route = routeOf(location.hash); // may be newer than this.route: the event of a link that was followed comes later
+    const settings = new Map(route.settings);
     if (value) settings.set(name, value);
     else settings.delete(name);
-    this.route = { ...this.route, settings };
+    this.route = { ...route, settings };
     history.replaceState(null, "", hashOf({ ...this.route, robot: this.route.robot, view: this.route.view || this.view }));
   }
 
