@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "robot/core/json_library.h"
 #include "sim/io/reader.h"
@@ -20,7 +21,7 @@ using SetPlay = agent::Game::SetPlay;
 
 // by enumerator
 constexpr std::array kPhases = {"initial", "ready", "set", "playing", "finished"};
-constexpr std::array kSetPlays = {"none", "kick_off", "kick_in", "goal_kick", "corner_kick"};
+constexpr std::span kSetPlayWords = std::span(agent::kSetPlayWords).first<agent::kSetPlays>();
 constexpr std::array kSides = {"home", "away"};
 
 constexpr float kKnownDeviation = 0.1f;  // [m] and [m/s] of a ball or robot just seen
@@ -86,12 +87,12 @@ struct Standing {
 };
 
 /// Returns the enumerator named by the text at `key`, or `otherwise`.
-template <class Enum, std::size_t Count>
+template <class Enum>
 Enum name_at(Reader& reader, const Json& object, const std::string& path, const char* key,
-             const std::array<const char*, Count>& names, Enum otherwise) {
+             std::span<const char* const> names, Enum otherwise) {
   const auto found = object.find(key);
   if (found == object.end()) return otherwise;
-  for (std::size_t i = 0; i < Count; ++i)
+  for (std::size_t i = 0; i < names.size(); ++i)
     if (*found == names[i]) return static_cast<Enum>(i);
   reader.refuse(Reader::below(path, key) + " must be one of " + listed({names.begin(), names.end()}) + ", got " +
                 shown(*found));
@@ -155,7 +156,7 @@ class Scene {
   void set_phase(const Json& json) {
     referee::Book& book = state_.book;
     book.phase = name_at(reader_, json, "", "phase", kPhases, Phase::playing);
-    book.set_play = name_at(reader_, json, "", "set_play", kSetPlays, SetPlay::none);
+    book.set_play = name_at(reader_, json, "", "set_play", kSetPlayWords, SetPlay::none);
     book.kicking = name_at(reader_, json, "", "kicking", kSides, Side::home);
     if (turned_) book.kicking = other(book.kicking);
     book.last_touch = book.kicking;
@@ -313,7 +314,7 @@ std::string save_situation(const State& state, const std::string& about) {
   if (!about.empty()) json["about"] = about;
   json.update({{"seed", world.key.seed},
                {"phase", name(kPhases, book.phase)},
-               {"set_play", name(kSetPlays, book.set_play)},
+               {"set_play", name(kSetPlayWords, book.set_play)},
                {"kicking", name(kSides, book.kicking)},
                {"half", book.half},
                {"clock", short_number(static_cast<float>(book.clock) * kTickDuration)},

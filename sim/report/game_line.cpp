@@ -19,11 +19,10 @@ bool is_out(Kind kind) {
 
 /// Returns how many set plays of each kind ended by a kick, and how many because their time was up.
 Json set_plays(const Result& result) {
-  static constexpr const char* kKinds[kSetPlays] = {nullptr, "kick_off", "kick_in", "goal_kick", "corner_kick"};
   Json json;
   for (int kind = 1; kind < kSetPlays; ++kind)
-    json[kKinds[kind]] = {{"taken", result.taken[kind][0] + result.taken[kind][1]},
-                          {"expired", result.expired[kind][0] + result.expired[kind][1]}};
+    json[agent::kSetPlayWords[kind]] = {{"taken", result.taken[kind][0] + result.taken[kind][1]},
+                                        {"expired", result.expired[kind][0] + result.expired[kind][1]}};
   return json;
 }
 
