@@ -16,6 +16,9 @@ using robot::command::Command, robot::command::kDone, robot::command::kBadInput;
 /// Prints the sentence on stderr and returns the exit status of bad input.
 int fail(const std::string& sentence);
 
+/// Prints a sentence on stderr if the games of a series repeat.
+void warn_of_repetition(std::int64_t games, std::int64_t different, const io::Matchup& choice);
+
 /// --rules, --home, --away, --home-rest, --away-rest, --changed, --models, --home-models, --away-models, --players,
 /// --every-tick: the options of every command that plays games.
 class ChoiceOptions {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "robot/core/json_library.h"
+#include "sim/match/hash.h"
 #include "sim/report/census.h"
 #include "sim/report/game_report.h"
 
@@ -28,7 +29,7 @@ Json set_plays(const Result& result) {
 
 }  // namespace
 
-std::string game_line(const Params& params, std::uint64_t seed) {
+GameLine game_line(const Params& params, std::uint64_t seed) {
   GameReport report{.seed = seed};
   referee::Events opening;
   State state = begin(params, {.seed = seed}, opening);
@@ -60,7 +61,7 @@ std::string game_line(const Params& params, std::uint64_t seed) {
   for_each_robot(params.rules.players, [&](int robot) {
     json["seen"].push_back(seconds(state.counts.seen[robot]) / seconds(std::max<Tick>(1, state.counts.in_play)));
   });
-  return json.dump() + "\n";
+  return {.text = json.dump() + "\n", .hash = hash_of_game(state)};
 }
 
 }  // namespace sim::report

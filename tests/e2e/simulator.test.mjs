@@ -65,6 +65,17 @@ test("a series equals its games", async () => {
   assert.deepEqual([series.scores[1].home, series.scores[1].away], one.score);
   const mean = series.scores.reduce((sum, { home }) => sum + home, 0) / 3;
   assert.ok(Math.abs(series.means.home.goals.mean - mean) < 1e-9);
+  assert.equal(series.different_games, 3);
+});
+
+test("a series whose games repeat is reported with a warning", async () => {
+  const words = ["match", ...kShort, "--models", "perfect", "--games", "4"];
+  for (const kind of ["--json", "--lines"]) {
+    const { status, stdout, stderr } = await sim(...words, kind);
+    assert.equal(status, 0);
+    assert.ok(stdout.length > 0);
+    assert.equal(stderr, "foresight-sim: the games repeat: expected 4 different games, got 2; with models 'perfect' a seed changes too little: choose models with noise, or vary the start with --from and --fuzz\n");
+  }
 });
 
 test("wrong usage and wrong input are one sentence and exit status 2", async (t) => {
