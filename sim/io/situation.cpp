@@ -44,6 +44,14 @@ struct Clock {
   }
 };
 
+struct Teams : SituationTeams {
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("home", self.home, "", 1, 999);
+    see("away", self.away, "", 1, 999);
+  }
+};
+
 struct Score {
   int home = 0, away = 0;
 
@@ -108,12 +116,13 @@ class Scene {
   State build(const Json& json) {
     referee::Events events;
     state_ = begin(params_, {.seed = seed_in(json)}, events);
+    read_teams(reader_, json);
     read_game(json);
     if (const Json* ball = reader_.find(json, "ball", Fields::all)) read_ball(*ball);
     if (const Json* robots = reader_.find(json, "robots", Fields::all)) read_robots(*robots);
-    reader_.refuse_unknown(
-        json, "",
-        {"about", "seed", "phase", "set_play", "kicking", "half", "clock", "score", "ball", "robots", "check"});
+    reader_.refuse_unknown(json, "",
+                           {"about", "seed", "teams", "phase", "set_play", "kicking", "half", "clock", "score", "ball",
+                            "robots", "check"});
     if (!reader_.good()) return state_;
     if (turned_) turn();
     if (shaken_) shake();
@@ -289,6 +298,16 @@ class Scene {
 };
 
 }  // namespace
+
+SituationTeams read_teams(Reader& reader, const Json& situation) {
+  Teams teams;
+  const auto found = situation.find("teams");
+  if (found == situation.end()) return {};
+  reader.read(*found, "teams", Fields::all, teams);
+  if (reader.good() && teams.home == teams.away)
+    reader.refuse("teams must have different numbers, got " + std::to_string(teams.home) + " twice");
+  return teams;
+}
 
 Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params,
                               const RandomKey* shaken, bool turned) {

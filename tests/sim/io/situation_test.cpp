@@ -53,6 +53,17 @@ TEST(Situation, EqualsItsDescription) {
   EXPECT_EQ(state.book.kicking, Side::away);
 }
 
+TEST(Situation, TheNumbersOfTheTeamsChangeNothing) {
+  const std::string numbered = std::string(R"({"teams": {"home": 14, "away": 5}, )") + std::string(kDuel.substr(4));
+  EXPECT_EQ(save_situation(parsed(numbered)), save_situation(parsed(kDuel)));
+  EXPECT_EQ(error_of(R"({"teams": {"home": 14, "away": 14}, "ball": {"x": 0, "y": 0}, "robots": []})"),
+            "situation 'duel': teams must have different numbers, got 14 twice");
+  EXPECT_EQ(error_of(R"({"teams": {"home": 0, "away": 14}, "ball": {"x": 0, "y": 0}, "robots": []})"),
+            "situation 'duel': teams.home must be a whole number, 1 .. 999, got 0");
+  EXPECT_EQ(error_of(R"({"teams": {"home": 14}, "ball": {"x": 0, "y": 0}, "robots": []})"),
+            "situation 'duel': teams.away is missing, expected 1 .. 999");
+}
+
 TEST(Situation, ARobotThatIsNotListedDoesNotPlay) {
   State state = parsed(kDuel);
   referee::Events events;
