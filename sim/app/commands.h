@@ -42,6 +42,7 @@ class ChoiceOptions {
 
 std::unique_ptr<Command> match_command(CLI::App& app);
 std::unique_ptr<Command> situation_command(CLI::App& app);
+std::unique_ptr<Command> replay_command(CLI::App& app);
 std::unique_ptr<Command> check_command(CLI::App& app);
 std::unique_ptr<Command> compare_command(CLI::App& app);
 std::unique_ptr<Command> bench_command(CLI::App& app);
