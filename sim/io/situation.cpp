@@ -35,12 +35,13 @@ constexpr std::uint32_t kShakes = 1000;  // first number of the event
 
 struct Clock {
   int half = 1;
-  float clock = 0;
+  float clock = 0, remaining = -1;  // remaining < 0: not given
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
     see("half", self.half, "", 1, 4);
     see("clock", self.clock, "", 0.f, 36000.f);
+    see("remaining", self.remaining, "", 0.f, 36000.f);
   }
 };
 
@@ -121,8 +122,8 @@ class Scene {
     if (const Json* ball = reader_.find(json, "ball", Fields::all)) read_ball(*ball);
     if (const Json* robots = reader_.find(json, "robots", Fields::all)) read_robots(*robots);
     reader_.refuse_unknown(json, "",
-                           {"about", "seed", "teams", "phase", "set_play", "kicking", "half", "clock", "score", "ball",
-                            "robots", "check"});
+                           {"about", "seed", "teams", "phase", "set_play", "kicking", "half", "clock", "remaining",
+                            "score", "ball", "robots", "check"});
     if (!reader_.good()) return state_;
     if (turned_) turn();
     if (shaken_) shake();
@@ -144,13 +145,18 @@ class Scene {
   void read_game(const Json& json) {
     referee::Book& book = state_.book;
     Clock clock;
-    read_some(json, "", clock, {"half", "clock"});
+    read_some(json, "", clock, {"half", "clock", "remaining"});
     if (clock.half > params_.rules.halves)
       reader_.refuse("half must be at most " + std::to_string(params_.rules.halves) + " by these rules, got " +
                      std::to_string(clock.half));
     if (clock.clock > params_.rules.half_duration)
       reader_.refuse("clock must be at most " + short_text(params_.rules.half_duration) + " [s] by these rules, got " +
                      short_text(clock.clock));
+    if (clock.remaining > params_.rules.half_duration)
+      reader_.refuse("remaining must be at most " + short_text(params_.rules.half_duration) +
+                     " [s] by these rules, got " + short_text(clock.remaining));
+    if (clock.remaining >= 0 && json.contains("clock")) reader_.refuse("expected clock or remaining, got both");
+    if (clock.remaining >= 0) clock.clock = params_.rules.half_duration - clock.remaining;
     Score score;
     if (const auto found = json.find("score"); found != json.end()) reader_.read(*found, "score", Fields::some, score);
 

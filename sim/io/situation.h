@@ -11,7 +11,8 @@
 // }
 //
 // Frame: field, which never flips: in the second half the home side attacks towards -x. Metres, seconds, radians.
-// Required are the ball's x and y and each robot's side, player, x and y. `clock` is the time since the half began.
+// Required are the ball's x and y and each robot's side, player, x and y. `clock` is the time since the half began;
+// `remaining`, the time to its end, may stand instead.
 // `penalised` is the remaining time of a robot off the field. A robot that is not listed does not play. "check" makes the
 // situation a test (sim/check/scenario.h), and is ignored here. "teams": {"home": 14, "away": 5} gives the
 // teams their numbers; only events of "check" use them.

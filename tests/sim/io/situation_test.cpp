@@ -64,6 +64,17 @@ TEST(Situation, TheNumbersOfTheTeamsChangeNothing) {
             "situation 'duel': teams.away is missing, expected 1 .. 999");
 }
 
+TEST(Situation, TheClockMayBeTheTimeThatRemains) {
+  const auto with = [](const std::string& entry) {
+    return "{" + entry + R"("ball": {"x": 0, "y": 0}, "robots": [{"side": "home", "player": 2, "x": 1, "y": 1}]})";
+  };
+  EXPECT_EQ(parsed(with(R"("remaining": 200, )")).book.clock, ticks(400));
+  EXPECT_EQ(error_of(with(R"("remaining": 601, )")),
+            "situation 'duel': remaining must be at most 600 [s] by these rules, got 601");
+  EXPECT_EQ(error_of(with(R"("remaining": 200, "clock": 400, )")),
+            "situation 'duel': expected clock or remaining, got both");
+}
+
 TEST(Situation, ARobotThatIsNotListedDoesNotPlay) {
   State state = parsed(kDuel);
   referee::Events events;
