@@ -20,6 +20,7 @@ static const float kDeceleration = 0.3f;         // [m/s²] of a rolling ball
 static const float kAvoidRadius = 0.45f;  // [m] from a robot in the way
 static const float kLookAhead = 1.5f;     // [m] robots farther away are not in the way yet
 static const float kThere = 0.12f;        // [m] near enough to a place
+static const float kFarthest = 20;        // [m]
 static const float kFaces = 0.35f;        // [rad] near enough to a heading
 static const float kKeepClear = 0.9f;     // [m] from the ball of the opponents' kick
 // roles
@@ -163,8 +164,9 @@ static inline Point round_robots(const Sight* sight, Point target) {
   return way;
 }
 
-// Walks to a place [robot] with that heading on arrival.
+// Walks to a place [robot] with that heading on arrival, kFarthest at a time: a false ball may seem to lie anywhere.
 static inline void walk(Point place, float heading, ForesightCommand* command) {
+  if (size(place) > kFarthest) place = times(kFarthest, unit(place));
   command->body = FORESIGHT_WALK_TO;
   command->x = place.x, command->y = place.y, command->turn = wrapped(heading);
 }
@@ -203,11 +205,8 @@ static inline void keep_clear(const Sight* sight, ForesightCommand* command) {
   const float edge = sight->own_goal.x + 0.8f;  // 0.6 m of the area, and room
   if (sight->me->player != 1 && place.x < edge && fabsf(place.y) < 1.3f) place.x = edge;
   if (place.x == wanted.x && place.y == wanted.y) return;
-  walk(to_robot(sight, place), walks ? command->turn : 0, command);
-  if (theirs) {
-    const Point step = round_circle(sight->ball, kKeepClear - 0.05f, point(command->x, command->y));
-    command->x = step.x, command->y = step.y;
-  }
+  const Point target = to_robot(sight, place);
+  walk(theirs ? round_circle(sight->ball, kKeepClear - 0.05f, target) : target, walks ? command->turn : 0, command);
 }
 
 // ---- roles

@@ -19,6 +19,7 @@ DECELERATION = 0.3  # [m/s²] of a rolling ball
 AVOID_RADIUS = 0.45  # [m] from a robot in the way
 LOOK_AHEAD = 1.5  # [m] robots farther away are not in the way yet
 THERE = 0.12  # [m] near enough to a place
+FARTHEST = 20  # [m]
 FACES = 0.35  # [rad] near enough to a heading
 KEEP_CLEAR = 0.9  # [m] from the ball of the opponents' kick
 # roles
@@ -143,7 +144,9 @@ def round_robots(sight, target):
 
 
 def walk(place, heading, answer):
-    """Walks to a place [robot] with that heading on arrival."""
+    """Walks to a place [robot] with that heading on arrival, FARTHEST at a time: a false ball may lie anywhere."""
+    if abs(place) > FARTHEST:
+        place = FARTHEST * unit(place)
     answer.update(body="walk_to", x=place.real, y=place.imag, turn=wrapped(heading))
 
 

@@ -118,6 +118,18 @@ TEST(Soccer, KicksABallInTheGateAndWalksBehindAnyOther) {
   EXPECT_NEAR(walks.x, 0.5f - 0.18f, 0.02f);
 }
 
+TEST(Soccer, WalksTowardsABallThatSeemsToLieFarAway) {
+  const ForesightPlayer me = facts(2);
+  const ForesightMoment now = moment(point(90, 120));
+  const Sight sight = look(&me, &now);
+  SoccerMemory memory = fresh();
+  ForesightCommand command{};
+  kick_to(&sight, &memory, sight.goal, 0, 0.3f, 2, &command);
+  EXPECT_EQ(command.body, FORESIGHT_WALK_TO);
+  EXPECT_NEAR(size(point(command.x, command.y)), kFarthest, 1e-3f);
+  EXPECT_NEAR(command.y / command.x, 120.f / 90, 0.02f);
+}
+
 TEST(Soccer, ASupporterGoesWhereNobodyIs) {
   const ForesightPlayer me = facts(3);
   ForesightMoment now = moment(point(1, 0));
