@@ -8,9 +8,10 @@
 #include "proto/foresight/game.pb.h"
 #include "proto/foresight/sim.pb.h"
 #include "proto/foresight/strategy.pb.h"
-#include "robot/app/read_all.h"
+#include "robot/bridge/from_messages.h"
 #include "robot/foresight/foreseer.h"
 #include "robot/foresight/scorer.h"
+#include "robot/logging/sessions/read_all.h"
 #include "sim/io/rules.h"
 
 namespace robot::app {
@@ -18,7 +19,7 @@ namespace {
 
 /// Returns the delay [s] of the referee's message about a goal: by the rules of the recorded simulation, or by the
 /// newest rules if no simulation was recorded.
-float goal_delay_of(const std::vector<bridge::Remembered<foresight::Simulation>>& simulations) {
+float goal_delay_of(const std::vector<logging::Recorded<foresight::Simulation>>& simulations) {
   const std::string rules = simulations.empty() ? foreseeing::kNewestRules : simulations.front().value.rules();
   const auto loaded = sim::io::load_rules(rules);
   return loaded ? loaded->goal_message_delay : 0;
@@ -29,19 +30,19 @@ float goal_delay_of(const std::vector<bridge::Remembered<foresight::Simulation>>
 std::map<std::string, foresight::ForecastScore> score_forecasts(const logging::Session& session) {
   constexpr std::string_view kForecast = "/forecast";
   std::map<std::string, foresight::ForecastScore> scores;
-  auto simulations = read_all<foresight::Simulation>(session, bridge::kSimulationTopic);
+  auto simulations = logging::read_all<foresight::Simulation>(session, bridge::kSimulationTopic);
   const float goal_delay = goal_delay_of(simulations);
-  std::ranges::stable_sort(simulations, {}, &bridge::Remembered<foresight::Simulation>::capture_ns);
+  std::ranges::stable_sort(simulations, {}, &logging::Recorded<foresight::Simulation>::capture_ns);
   for (const logging::StreamFile& file : session.streams) {
     if (!file.topic.ends_with(kForecast)) continue;
     const std::string robot = file.topic.substr(1, file.topic.size() - 1 - kForecast.size());
-    const auto forecasts = read_all<foresight::Forecast>(session, file.topic);
-    auto games = read_all<foresight::GameState>(session, "/" + robot + "/game");
+    const auto forecasts = logging::read_all<foresight::Forecast>(session, file.topic);
+    auto games = logging::read_all<foresight::GameState>(session, "/" + robot + "/game");
     if (forecasts.empty() || games.empty()) continue;
-    std::ranges::stable_sort(games, {}, &bridge::Remembered<foresight::GameState>::capture_ns);
+    std::ranges::stable_sort(games, {}, &logging::Recorded<foresight::GameState>::capture_ns);
     foreseeing::Scorer scorer(goal_delay);
     // in the order of writing, because a choice carries the time of its question and replaces newer values
-    for (const auto& strategy : read_all<foresight::Strategy>(session, "/" + robot + "/strategy"))
+    for (const auto& strategy : logging::read_all<foresight::Strategy>(session, "/" + robot + "/strategy"))
       scorer.see(strategy.value, strategy.capture_ns);
     auto next = forecasts.begin();
     auto truth = simulations.begin();

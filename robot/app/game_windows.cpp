@@ -6,15 +6,15 @@
 
 #include "proto/foresight/game.pb.h"
 #include "proto/foresight/truth.pb.h"
-#include "robot/app/read_all.h"
 #include "robot/core/clock.h"
+#include "robot/logging/sessions/read_all.h"
 
 namespace robot::app {
 namespace {
 
 namespace statistics = sim::statistics;
-using Truths = std::vector<bridge::Remembered<foresight::GroundTruth>>;
-using Games = std::vector<bridge::Remembered<foresight::GameState>>;
+using Truths = std::vector<logging::Recorded<foresight::GroundTruth>>;
+using Games = std::vector<logging::Recorded<foresight::GameState>>;
 
 constexpr const char* kTruth = "/truth/world";
 constexpr std::size_t kFewestFrames = 60 * statistics::kFramesPerSecond;
@@ -26,7 +26,7 @@ Games games_of(const logging::Session& session) {
   const auto file = std::ranges::find_if(session.streams, [](const logging::StreamFile& stream) {
     return stream.topic.ends_with("/game") && stream.schema == foresight::GameState::descriptor()->full_name();
   });
-  return file == session.streams.end() ? Games{} : read_in_order<foresight::GameState>(session, file->topic);
+  return file == session.streams.end() ? Games{} : logging::read_in_order<foresight::GameState>(session, file->topic);
 }
 
 /// Returns the numbers of the two teams that are seen most, the lower one first.
@@ -111,7 +111,7 @@ class Referee {
 }  // namespace
 
 Result<std::vector<statistics::Window>> windows_of(const logging::Session& session) {
-  const Truths truths = read_in_order<foresight::GroundTruth>(session, kTruth);
+  const Truths truths = logging::read_in_order<foresight::GroundTruth>(session, kTruth);
   if (truths.empty()) return Error{session.id() + " has no " + kTruth};
   const std::uint64_t start_ns = truths.front().capture_ns;
   if (truths.back().capture_ns - start_ns > kLongestNs)

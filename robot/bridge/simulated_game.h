@@ -33,6 +33,12 @@ class SimulatedGame {
   /// Sets the strategy that a robot follows from now on, as its own process has chosen it.
   void follow(int robot, const sim::agent::Choice& choice);
 
+  /// Changes the state between two ticks, for example to place a robot by hand. The odometry goes on.
+  template <class Change>
+  void change(Change&& change) {
+    change(state_);
+  }
+
   /// Plays one tick, 1/30 s, and keeps the decision of each robot. `events` get the referee's decisions.
   /// Not to be called after the end.
   void tick(sim::referee::Events& events);

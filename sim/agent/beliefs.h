@@ -91,4 +91,10 @@ struct Game {
   float since_phase = 0;  // [s] since phase or set play last changed
 };
 
+/// The words of the set plays in all texts, by enumerator. A null pointer ends them.
+inline constexpr const char* kSetPlayWords[] = {"none", "kick_off", "kick_in", "goal_kick", "corner_kick", nullptr};
+/// Number of set plays, with `none`.
+inline constexpr int kSetPlays = static_cast<int>(Game::SetPlay::corner_kick) + 1;
+static_assert(sizeof(kSetPlayWords) / sizeof(kSetPlayWords[0]) == kSetPlays + 1);
+
 }  // namespace sim::agent

@@ -117,7 +117,6 @@ float seconds_since(Tick now, Tick then) {
 bool is_set_play(const View& view) { return view.game.set_play != Game::SetPlay::none; }
 
 constexpr const char* kRoleNames[] = {"keeper", "chaser", "supporter", "defender", nullptr};
-constexpr const char* kSetPlayNames[] = {"none", "kick_off", "kick_in", "goal_kick", "corner_kick", nullptr};
 
 // makers of rows
 constexpr FeatureInfo number(const char* name, const char* unit, float least, float most, const char* about,
@@ -245,7 +244,7 @@ constexpr FeatureInfo kTable[] = {
            [](const View& view) { return is_set_play(view) && view.game.own_kick ? 1.f : 0.f; }),
     yes_no("their_kick", "a kick-off or set play of the opponents",
            [](const View& view) { return is_set_play(view) && !view.game.own_kick ? 1.f : 0.f; }),
-    one_of("set_play", kSetPlayNames, 4, "none, kick_off, kick_in, goal_kick or corner_kick",
+    one_of("set_play", kSetPlayWords, kSetPlays - 1, "none, kick_off, kick_in, goal_kick or corner_kick",
            [](const View& view) { return static_cast<float>(view.game.set_play); }),
     number("phase_age", "s", 0, 1000, "time since phase or set play last changed",
            [](const View& view) { return view.game.since_phase; }),

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "robot/core/json_library.h"
+#include "sim/contest/repetition.h"
 #include "sim/io/ingredients.h"
 #include "sim/io/models.h"
 #include "sim/io/rules.h"
@@ -81,6 +82,13 @@ class ListCommand final : public Command {
 }  // namespace
 
 int fail(const std::string& sentence) { return robot::command::fail("foresight-sim", sentence); }
+
+void warn_of_repetition(std::int64_t games, std::int64_t different, const io::Matchup& choice) {
+  if (different == games) return;
+  const std::string models =
+      choice.models[0] == choice.models[1] ? choice.models[0] : choice.models[0] + "' and '" + choice.models[1];
+  std::fprintf(stderr, "foresight-sim: %s\n", contest::repetition(games, different, "games", models).c_str());
+}
 
 void ChoiceOptions::add_to(CLI::App& command) {
   command.add_option("--rules", choice_.rules, "rules of a year: name, name:players, name,field=value or file")

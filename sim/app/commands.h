@@ -16,6 +16,9 @@ using robot::command::Command, robot::command::kDone, robot::command::kBadInput;
 /// Prints the sentence on stderr and returns the exit status of bad input.
 int fail(const std::string& sentence);
 
+/// Prints a sentence on stderr if the games of a series repeat.
+void warn_of_repetition(std::int64_t games, std::int64_t different, const io::Matchup& choice);
+
 /// --rules, --home, --away, --home-rest, --away-rest, --changed, --models, --home-models, --away-models, --players,
 /// --every-tick: the options of every command that plays games.
 class ChoiceOptions {
@@ -39,6 +42,7 @@ class ChoiceOptions {
 
 std::unique_ptr<Command> match_command(CLI::App& app);
 std::unique_ptr<Command> situation_command(CLI::App& app);
+std::unique_ptr<Command> replay_command(CLI::App& app);
 std::unique_ptr<Command> check_command(CLI::App& app);
 std::unique_ptr<Command> compare_command(CLI::App& app);
 std::unique_ptr<Command> bench_command(CLI::App& app);

@@ -11,6 +11,7 @@ int sim_main(int argc, char** argv) {
   robot::command::Commands commands;
   commands.push_back(match_command(app));
   commands.push_back(situation_command(app));
+  commands.push_back(replay_command(app));
   commands.push_back(check_command(app));
   commands.push_back(compare_command(app));
   commands.push_back(bench_command(app));

@@ -10,9 +10,11 @@
 #include "sim/app/match_statistics.h"
 #include "sim/app/progress.h"
 #include "sim/contest/openings.h"
+#include "sim/contest/repetition.h"
 #include "sim/io/json.h"
 #include "sim/io/real_games.h"
 #include "sim/io/saved_moment.h"
+#include "sim/match/hash.h"
 #include "sim/report/game_line.h"
 #include "sim/report/game_report.h"
 
@@ -89,6 +91,7 @@ robot::Result<report::GameReport> play_one(const contest::Cast& cast, const cont
     recording->messages = file->messages(), recording->size_bytes = file->size_bytes();
   }
   if (cast.failed()) return robot::Error{cast.problem()};
+  report.hash = hash_of_game(state);
   report.result = result_of(state);
   count_events(report);
   return report;
@@ -160,7 +163,8 @@ class MatchCommand final : public Command {
                              .seconds = seconds_,
                              .real = real_,
                              .html = html_,
-                             .json = json_},
+                             .json = json_,
+                             .choice = choice_.choice()},
                             *lineup, *openings);
     if (lines_) return run_lines(*lineup);
     return games_ > 1 ? run_many(*lineup, *openings) : run_one(*lineup, *openings);
@@ -226,6 +230,7 @@ class MatchCommand final : public Command {
       costs.add(cast);
     });
     if (!problem.empty()) return fail(problem);
+    warn_of_repetition(games_, report::different_games(reports), choice_.choice());
     if (json_)
       std::printf("%s\n", report::to_json(reports, lineup.params().rules.players).dump(2).c_str());
     else
@@ -234,12 +239,15 @@ class MatchCommand final : public Command {
   }
 
   int run_lines(const contest::Lineup& lineup) {
-    std::vector<std::string> lines(static_cast<std::size_t>(games_));
+    std::vector<report::GameLine> lines(static_cast<std::size_t>(games_));
     const std::string problem = play_all(lineup, [&](int game, std::uint64_t seed, const contest::Cast& cast) {
       lines[static_cast<std::size_t>(game)] = report::game_line(cast.params(), seed);
     });
     if (!problem.empty()) return fail(problem);
-    for (const std::string& line : lines) std::fputs(line.c_str(), stdout);
+    std::vector<std::uint64_t> hashes;
+    for (const report::GameLine& line : lines) hashes.push_back(line.hash);
+    warn_of_repetition(games_, contest::different_games(std::move(hashes)), choice_.choice());
+    for (const report::GameLine& line : lines) std::fputs(line.text.c_str(), stdout);
     return kDone;
   }
 

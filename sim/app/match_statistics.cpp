@@ -7,6 +7,8 @@
 #include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/app/progress.h"
+#include "sim/contest/repetition.h"
+#include "sim/match/hash.h"
 #include "sim/match/play.h"
 #include "sim/report/film.h"
 #include "sim/report/realism.h"
@@ -14,9 +16,15 @@
 namespace sim::app {
 namespace {
 
-/// Plays a game and returns the figures of its windows.
-std::vector<statistics::Figures> measure_game(const StatisticsTask& task, const contest::Cast& cast,
-                                              const contest::Openings& openings, std::uint64_t seed) {
+/// The figures of a game's windows, and the hash of the game.
+struct MeasuredGame {
+  std::vector<statistics::Figures> figures;
+  std::uint64_t hash = 0;
+};
+
+/// Plays a game and measures its windows.
+MeasuredGame measure_game(const StatisticsTask& task, const contest::Cast& cast, const contest::Openings& openings,
+                          std::uint64_t seed) {
   State state = openings.begin(cast.params(), seed);
   const Tick end = task.seconds > 0 ? state.world.tick + ticks(task.seconds) : kNever;
   report::Film film;
@@ -27,15 +35,15 @@ std::vector<statistics::Figures> measure_game(const StatisticsTask& task, const 
         return now.world.tick >= end || cast.failed();
       },
       [](const referee::Event&) {});
-  std::vector<statistics::Figures> figures;
-  for (const statistics::Window& window : film.windows()) figures.push_back(statistics::measure(window));
-  return figures;
+  MeasuredGame measured{.hash = hash_of_game(state)};
+  for (const statistics::Window& window : film.windows()) measured.figures.push_back(statistics::measure(window));
+  return measured;
 }
 
 /// Returns the figures of all complete windows of all games, in the order of the seeds.
 robot::Result<std::vector<statistics::Figures>> measure_games(const StatisticsTask& task, const contest::Lineup& lineup,
                                                               const contest::Openings& openings) {
-  std::vector<std::vector<statistics::Figures>> games(static_cast<std::size_t>(task.games));
+  std::vector<MeasuredGame> games(static_cast<std::size_t>(task.games));
   ProgressBar progress("measuring", static_cast<std::uint64_t>(task.games));
   contest::Problem problem;
   contest::for_each_game(
@@ -50,8 +58,13 @@ robot::Result<std::vector<statistics::Figures>> measure_games(const StatisticsTa
       [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
   if (problem.is_known()) return robot::Error{problem.text()};
 
+  std::vector<std::uint64_t> hashes;
   std::vector<statistics::Figures> windows;
-  for (const auto& game : games) windows.insert(windows.end(), game.begin(), game.end());
+  for (const MeasuredGame& game : games) {
+    hashes.push_back(game.hash);
+    windows.insert(windows.end(), game.figures.begin(), game.figures.end());
+  }
+  warn_of_repetition(task.games, contest::different_games(std::move(hashes)), task.choice);
   if (windows.empty())
     return robot::Error{"--statistics needs a game with at least 167 s in play; play more or longer games"};
   return windows;

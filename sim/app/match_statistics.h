@@ -12,10 +12,11 @@ namespace sim::app {
 struct StatisticsTask {
   std::uint64_t seed = 1;  // of the first game
   int games = 1, threads = 1;
-  float seconds = 0;  // [s] longest game; 0: no limit
-  std::string real;   // name or file of the real games
-  std::string html;   // file of the page; empty: none
-  bool json = false;  // report as JSON
+  float seconds = 0;        // [s] longest game; 0: no limit
+  std::string real;         // name or file of the real games
+  std::string html;         // file of the page; empty: none
+  bool json = false;        // report as JSON
+  io::Matchup choice = {};  // the game as typed, for sentences
 };
 
 /// Plays the games and prints their figures beside those of real games. Returns the exit status.

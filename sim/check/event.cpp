@@ -34,24 +34,44 @@ Result<float> read(std::string_view text, const io::Expected& expected) {
   return io::Values(kNoParameters).read(trimmed(text), expected);
 }
 
-/// Parses "home/3" as the index of a robot, or returns kNobody.
-int robot_at(std::string_view text, int players) {
-  const Side side = text.starts_with("home/") ? Side::home : Side::away;
-  if (!text.starts_with("home/") && !text.starts_with("away/")) return kNobody;
-  int player = 0;
-  const std::string_view number = text.substr(5);
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), player);
-  const bool whole = error == std::errc{} && end == number.data() + number.size();
-  return whole && player >= 1 && player <= players ? robot_of(side, player) : int{kNobody};
+/// Parses a whole number, or returns 0.
+int number_in(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size() ? number : 0;
 }
 
-Result<Event> penalise(Event event, std::string_view text, int players) {
+/// Returns whether the text names that side: "home" or the number of its team.
+bool names(std::string_view text, Side side, const io::SituationTeams& teams) {
+  return text == (side == Side::home ? "home" : "away") || (teams.of(side) != 0 && number_in(text) == teams.of(side));
+}
+
+/// Parses "home/3" or "14/3" as the index of a robot, or returns kNobody.
+int robot_at(std::string_view text, int players, const io::SituationTeams& teams) {
+  const std::size_t slash = text.find('/');
+  if (slash == text.npos) return kNobody;
+  const int player = number_in(text.substr(slash + 1));
+  if (player < 1 || player > players) return kNobody;
+  for (const Side side : {Side::home, Side::away})
+    if (names(text.substr(0, slash), side, teams)) return robot_of(side, player);
+  return kNobody;
+}
+
+/// Returns the names that a robot may have, for an error.
+std::string robots(int players, const io::SituationTeams& teams) {
+  const bool numbered = teams.home != 0;
+  const std::string numbers =
+      numbered ? ", " + std::to_string(teams.home) + "/N or " + std::to_string(teams.away) + "/N" : "";
+  return (numbered ? "home/N, away/N" : "home/N or away/N") + numbers + ", N from 1 to " + std::to_string(players);
+}
+
+Result<Event> penalise(Event event, std::string_view text, int players, const io::SituationTeams& teams) {
   event.kind = Event::Kind::penalise;
-  event.robot = robot_at(text, players);
-  if (event.robot == kNobody)
-    return Error{"penalise: expected home/N or away/N, N from 1 to " + std::to_string(players) + ", got '" +
-                 std::string(text) + "'"};
-  return event;
+  event.robot = robot_at(text, players, teams);
+  if (event.robot != kNobody) return event;
+  const bool unnamed = teams.home == 0 && number_in(text.substr(0, text.find('/'))) > 0;
+  return Error{"penalise: expected " + robots(players, teams) + ", got '" + std::string(text) + "'" +
+               (unnamed ? "; the situation has no \"teams\"" : "")};
 }
 
 Result<Event> place_ball(Event event, std::string_view text) {
@@ -68,7 +88,7 @@ Result<Event> place_ball(Event event, std::string_view text) {
 
 }  // namespace
 
-Result<Event> parse_event(std::string_view text, int players) {
+Result<Event> parse_event(std::string_view text, int players, const io::SituationTeams& teams) {
   std::string_view rest = trimmed(text);
   const std::size_t colon = rest.find(':');
   if (!take(rest, "at ") || colon == text.npos)
@@ -78,7 +98,7 @@ Result<Event> parse_event(std::string_view text, int players) {
   if (!seconds) return Error{"the time " + seconds.error()};
   std::string_view action = trimmed(rest.substr(time.size() + 1));
   const Event event{.at = ticks(*seconds)};
-  if (take(action, "penalise ")) return penalise(event, action, players);
+  if (take(action, "penalise ")) return penalise(event, action, players, teams);
   if (take(action, "ball at ")) return place_ball(event, action);
   return Error{"expected 'penalise home/N' or 'ball at X, Y', got '" + std::string(action) + "'"};
 }

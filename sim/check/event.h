@@ -1,9 +1,11 @@
-// Events that a situation prescribes: "at 5 s: penalise home/3", "at 8 s: ball at 1.2 m, 0.5 m".
+// Events that a situation prescribes: "at 5 s: penalise home/3", "at 8 s: ball at 1.2 m, 0.5 m". Where the situation
+// names the numbers of its teams, "14/3" is player 3 of team 14.
 #pragma once
 
 #include <string_view>
 
 #include "robot/core/result.h"
+#include "sim/io/situation.h"
 #include "sim/match/params.h"
 #include "sim/match/state.h"
 
@@ -18,8 +20,8 @@ struct Event {
   Vec2 ball = {};       // [m, field] new place of the ball, at rest
 };
 
-/// Parses an event of a game with `players` a side.
-robot::Result<Event> parse_event(std::string_view text, int players);
+/// Parses an event of a game with `players` a side. `teams` are those of the situation.
+robot::Result<Event> parse_event(std::string_view text, int players, const io::SituationTeams& teams = {});
 
 /// Lets the event happen now. A penalised robot leaves as if the referee had removed it for pushing; one that is off
 /// the field stays there.

@@ -84,7 +84,8 @@ void read_expectations(Reader& reader, const Json& check, std::vector<NamedMetri
   }
 }
 
-void read_events(Reader& reader, const Json& check, int players, std::vector<Event>& into) {
+void read_events(Reader& reader, const Json& check, int players, const io::SituationTeams& teams,
+                 std::vector<Event>& into) {
   const Json* events = reader.find(check, "events", Fields::some);
   if (!events) return;
   if (!events->is_array() || events->size() > kMostEvents)
@@ -93,7 +94,7 @@ void read_events(Reader& reader, const Json& check, int players, std::vector<Eve
     const Json& text = (*events)[i];
     const std::string path = "check.events[" + std::to_string(i) + "]";
     if (!text.is_string()) return reader.refuse(path + " must be a text, got " + io::shown(text));
-    const Result<Event> event = parse_event(text.get_ref<const std::string&>(), players);
+    const Result<Event> event = parse_event(text.get_ref<const std::string&>(), players, teams);
     if (!event) return reader.refuse(path + ": " + event.error());
     into.push_back(*event);
   }
@@ -143,7 +144,8 @@ Result<Scenario> load_scenario(const std::string& path, const Overrides& overrid
 
   auto lineup = contest::Lineup::prepare({.game = scenario.game, .rest = {}});
   if (!lineup) return lineup.failure(source->called);
-  read_events(reader, *check, lineup->params().rules.players, scenario.events);
+  const io::SituationTeams teams = io::read_teams(reader, *json);
+  if (reader.good()) read_events(reader, *check, lineup->params().rules.players, teams, scenario.events);
   if (!reader.good()) return reader.error();
   auto openings = contest::Openings::read(plain, fuzz, lineup->params());
   if (!openings) return openings.failure();

@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "sim/contest/crew.h"
+#include "sim/contest/repetition.h"
 
 namespace sim::contest {
 namespace {
@@ -91,9 +92,7 @@ class Judge {
   }
 
   Error repetition() const {
-    return Error{"the games repeat: expected " + std::to_string(outcome_.tally.pairs) + " different pairs, got " +
-                 std::to_string(outcome_.different) + "; with models '" + models_ +
-                 "' a seed changes too little: choose models with noise, or vary the start with --from and --fuzz"};
+    return Error{contest::repetition(outcome_.tally.pairs, outcome_.different, "pairs", models_)};
   }
 
   void take_pair(std::int64_t number, const compare::Pair& pair) {

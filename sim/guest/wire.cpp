@@ -7,6 +7,7 @@
 
 #include "robot/core/json.h"
 #include "robot/core/json_library.h"
+#include "sim/agent/beliefs.h"
 
 namespace sim::guest {
 namespace {
@@ -15,7 +16,7 @@ using Json = nlohmann::json;
 
 // by enumerator
 constexpr const char* kPhases[] = {"initial", "ready", "set", "playing", "finished"};
-constexpr const char* kSetPlays[] = {"none", "kick_off", "kick_in", "goal_kick", "corner_kick"};
+constexpr std::span kSetPlayWords = std::span(agent::kSetPlayWords).first<agent::kSetPlays>();
 constexpr const char* kRoles[] = {"keeper", "chaser", "supporter", "defender"};
 constexpr const char* kBodies[] = {"usual", "stand", "walk_speed", "walk_to", "kick", "squat"};
 constexpr const char* kHeads[] = {"usual", "angles", "look_to"};
@@ -55,9 +56,9 @@ class Line {
   bool first_ = true;
 };
 
-template <std::size_t Count>
-const char* word(const char* const (&words)[Count], std::int32_t number) {
-  return number >= 0 && number < static_cast<int>(Count) ? words[number] : "unknown";
+const char* word(std::span<const char* const> words, std::int32_t number) {
+  const auto index = static_cast<std::size_t>(number);  // a negative one is too large
+  return index < words.size() ? words[index] : "unknown";
 }
 
 std::string shown(const std::string& answer) {
@@ -142,7 +143,7 @@ std::string greeting_of(const ForesightPlayer& player) {
 std::string question_of(const ForesightPlayer& player, const ForesightMoment& moment) {
   Line line;
   line.number("player", player.player).number("now", moment.now).flag("entered", moment.entered);
-  line.add("phase", word(kPhases, moment.phase)).add("set_play", word(kSetPlays, moment.set_play));
+  line.add("phase", word(kPhases, moment.phase)).add("set_play", word(kSetPlayWords, moment.set_play));
   line.flag("own_kick", moment.own_kick).flag("penalised", moment.penalised).number("half", moment.half);
   line.number("own_score", moment.own_score).number("opponent_score", moment.opponent_score);
   line.number("remaining", moment.remaining).number("since_phase", moment.since_phase);

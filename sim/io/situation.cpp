@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "robot/core/json_library.h"
 #include "sim/io/reader.h"
@@ -20,7 +21,7 @@ using SetPlay = agent::Game::SetPlay;
 
 // by enumerator
 constexpr std::array kPhases = {"initial", "ready", "set", "playing", "finished"};
-constexpr std::array kSetPlays = {"none", "kick_off", "kick_in", "goal_kick", "corner_kick"};
+constexpr std::span kSetPlayWords = std::span(agent::kSetPlayWords).first<agent::kSetPlays>();
 constexpr std::array kSides = {"home", "away"};
 
 constexpr float kKnownDeviation = 0.1f;  // [m] and [m/s] of a ball or robot just seen
@@ -34,12 +35,21 @@ constexpr std::uint32_t kShakes = 1000;  // first number of the event
 
 struct Clock {
   int half = 1;
-  float clock = 0;
+  float clock = 0, remaining = -1;  // remaining < 0: not given
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
     see("half", self.half, "", 1, 4);
     see("clock", self.clock, "", 0.f, 36000.f);
+    see("remaining", self.remaining, "", 0.f, 36000.f);
+  }
+};
+
+struct Teams : SituationTeams {
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("home", self.home, "", 1, 999);
+    see("away", self.away, "", 1, 999);
   }
 };
 
@@ -86,12 +96,12 @@ struct Standing {
 };
 
 /// Returns the enumerator named by the text at `key`, or `otherwise`.
-template <class Enum, std::size_t Count>
+template <class Enum>
 Enum name_at(Reader& reader, const Json& object, const std::string& path, const char* key,
-             const std::array<const char*, Count>& names, Enum otherwise) {
+             std::span<const char* const> names, Enum otherwise) {
   const auto found = object.find(key);
   if (found == object.end()) return otherwise;
-  for (std::size_t i = 0; i < Count; ++i)
+  for (std::size_t i = 0; i < names.size(); ++i)
     if (*found == names[i]) return static_cast<Enum>(i);
   reader.refuse(Reader::below(path, key) + " must be one of " + listed({names.begin(), names.end()}) + ", got " +
                 shown(*found));
@@ -107,12 +117,13 @@ class Scene {
   State build(const Json& json) {
     referee::Events events;
     state_ = begin(params_, {.seed = seed_in(json)}, events);
+    read_teams(reader_, json);
     read_game(json);
     if (const Json* ball = reader_.find(json, "ball", Fields::all)) read_ball(*ball);
     if (const Json* robots = reader_.find(json, "robots", Fields::all)) read_robots(*robots);
-    reader_.refuse_unknown(
-        json, "",
-        {"about", "seed", "phase", "set_play", "kicking", "half", "clock", "score", "ball", "robots", "check"});
+    reader_.refuse_unknown(json, "",
+                           {"about", "seed", "teams", "phase", "set_play", "kicking", "half", "clock", "remaining",
+                            "score", "ball", "robots", "check"});
     if (!reader_.good()) return state_;
     if (turned_) turn();
     if (shaken_) shake();
@@ -134,13 +145,18 @@ class Scene {
   void read_game(const Json& json) {
     referee::Book& book = state_.book;
     Clock clock;
-    read_some(json, "", clock, {"half", "clock"});
+    read_some(json, "", clock, {"half", "clock", "remaining"});
     if (clock.half > params_.rules.halves)
       reader_.refuse("half must be at most " + std::to_string(params_.rules.halves) + " by these rules, got " +
                      std::to_string(clock.half));
     if (clock.clock > params_.rules.half_duration)
       reader_.refuse("clock must be at most " + short_text(params_.rules.half_duration) + " [s] by these rules, got " +
                      short_text(clock.clock));
+    if (clock.remaining > params_.rules.half_duration)
+      reader_.refuse("remaining must be at most " + short_text(params_.rules.half_duration) +
+                     " [s] by these rules, got " + short_text(clock.remaining));
+    if (clock.remaining >= 0 && json.contains("clock")) reader_.refuse("expected clock or remaining, got both");
+    if (clock.remaining >= 0) clock.clock = params_.rules.half_duration - clock.remaining;
     Score score;
     if (const auto found = json.find("score"); found != json.end()) reader_.read(*found, "score", Fields::some, score);
 
@@ -155,7 +171,7 @@ class Scene {
   void set_phase(const Json& json) {
     referee::Book& book = state_.book;
     book.phase = name_at(reader_, json, "", "phase", kPhases, Phase::playing);
-    book.set_play = name_at(reader_, json, "", "set_play", kSetPlays, SetPlay::none);
+    book.set_play = name_at(reader_, json, "", "set_play", kSetPlayWords, SetPlay::none);
     book.kicking = name_at(reader_, json, "", "kicking", kSides, Side::home);
     if (turned_) book.kicking = other(book.kicking);
     book.last_touch = book.kicking;
@@ -289,6 +305,16 @@ class Scene {
 
 }  // namespace
 
+SituationTeams read_teams(Reader& reader, const Json& situation) {
+  Teams teams;
+  const auto found = situation.find("teams");
+  if (found == situation.end()) return {};
+  reader.read(*found, "teams", Fields::all, teams);
+  if (reader.good() && teams.home == teams.away)
+    reader.refuse("teams must have different numbers, got " + std::to_string(teams.home) + " twice");
+  return teams;
+}
+
 Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params,
                               const RandomKey* shaken, bool turned) {
   const Result<Json> json = parse_object(text, called);
@@ -313,7 +339,7 @@ std::string save_situation(const State& state, const std::string& about) {
   if (!about.empty()) json["about"] = about;
   json.update({{"seed", world.key.seed},
                {"phase", name(kPhases, book.phase)},
-               {"set_play", name(kSetPlays, book.set_play)},
+               {"set_play", name(kSetPlayWords, book.set_play)},
                {"kicking", name(kSides, book.kicking)},
                {"half", book.half},
                {"clock", short_number(static_cast<float>(book.clock) * kTickDuration)},

@@ -11,19 +11,34 @@
 // }
 //
 // Frame: field, which never flips: in the second half the home side attacks towards -x. Metres, seconds, radians.
-// Required are the ball's x and y and each robot's side, player, x and y. `clock` is the time since the half began.
+// Required are the ball's x and y and each robot's side, player, x and y. `clock` is the time since the half began;
+// `remaining`, the time to its end, may stand instead.
 // `penalised` is the remaining time of a robot off the field. A robot that is not listed does not play. "check" makes the
-// situation a test (sim/check/scenario.h), and is ignored here.
+// situation a test (sim/check/scenario.h), and is ignored here. "teams": {"home": 14, "away": 5} gives the
+// teams their numbers; only events of "check" use them.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 #include "robot/core/result.h"
+#include "sim/io/json.h"
 #include "sim/io/matchup.h"
 #include "sim/match/state.h"
 
 namespace sim::io {
+
+class Reader;
+
+/// The numbers of the two teams of a situation; 0: it names none.
+struct SituationTeams {
+  int home = 0, away = 0;
+
+  int of(Side side) const { return side == Side::home ? home : away; }
+};
+
+/// Reads "teams" of a description. Gives the reader an error if they are no two different numbers in [1..999].
+SituationTeams read_teams(Reader& reader, const Json& situation);
 
 /// Makes the state of that moment, to be played on. All robots have just seen and reported the ball, and stand still.
 /// `shaken` moves robots and ball by random amounts of that game, up to 0.3 m along each axis and 20 degrees, without

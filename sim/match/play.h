@@ -7,7 +7,7 @@ namespace sim {
 
 inline constexpr int kEventKinds = static_cast<int>(referee::Event::Kind::placed) + 1;
 
-inline constexpr int kSetPlays = static_cast<int>(agent::Game::SetPlay::corner_kick) + 1;
+using agent::kSetPlays;
 
 /// The result of a game or of a part of one. Pairs are by Side.
 struct Result {

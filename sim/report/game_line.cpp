@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "robot/core/json_library.h"
+#include "sim/match/hash.h"
 #include "sim/report/census.h"
 #include "sim/report/game_report.h"
 
@@ -19,17 +20,16 @@ bool is_out(Kind kind) {
 
 /// Returns how many set plays of each kind ended by a kick, and how many because their time was up.
 Json set_plays(const Result& result) {
-  static constexpr const char* kKinds[kSetPlays] = {nullptr, "kick_off", "kick_in", "goal_kick", "corner_kick"};
   Json json;
   for (int kind = 1; kind < kSetPlays; ++kind)
-    json[kKinds[kind]] = {{"taken", result.taken[kind][0] + result.taken[kind][1]},
-                          {"expired", result.expired[kind][0] + result.expired[kind][1]}};
+    json[agent::kSetPlayWords[kind]] = {{"taken", result.taken[kind][0] + result.taken[kind][1]},
+                                        {"expired", result.expired[kind][0] + result.expired[kind][1]}};
   return json;
 }
 
 }  // namespace
 
-std::string game_line(const Params& params, std::uint64_t seed) {
+GameLine game_line(const Params& params, std::uint64_t seed) {
   GameReport report{.seed = seed};
   referee::Events opening;
   State state = begin(params, {.seed = seed}, opening);
@@ -61,7 +61,7 @@ std::string game_line(const Params& params, std::uint64_t seed) {
   for_each_robot(params.rules.players, [&](int robot) {
     json["seen"].push_back(seconds(state.counts.seen[robot]) / seconds(std::max<Tick>(1, state.counts.in_play)));
   });
-  return json.dump() + "\n";
+  return {.text = json.dump() + "\n", .hash = hash_of_game(state)};
 }
 
 }  // namespace sim::report

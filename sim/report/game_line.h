@@ -8,8 +8,14 @@
 
 namespace sim::report {
 
+/// The figures of a game as one line of JSON with its newline, and the hash of the game (hash_of_game).
+struct GameLine {
+  std::string text;
+  std::uint64_t hash = 0;
+};
+
 /// Plays a game and returns its figures: those of its report, the time of the first goal and the number of balls out.
-/// Each robot's share of time with the ball in view and the figures of a Census follow. The line ends with a newline.
-std::string game_line(const Params& params, std::uint64_t seed);
+/// Each robot's share of time with the ball in view and the figures of a Census follow.
+GameLine game_line(const Params& params, std::uint64_t seed);
 
 }  // namespace sim::report

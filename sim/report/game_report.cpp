@@ -1,5 +1,6 @@
 #include "sim/report/game_report.h"
 #include "robot/core/json_library.h"
+#include "sim/contest/repetition.h"
 
 #include <array>
 #include <cstdio>
@@ -128,8 +129,17 @@ std::string to_text(const GameReport& report, const io::Matchup& choice, const P
   return all;
 }
 
+std::int64_t different_games(const std::vector<GameReport>& reports) {
+  std::vector<std::uint64_t> hashes;
+  for (const GameReport& report : reports) hashes.push_back(report.hash);
+  return contest::different_games(std::move(hashes));
+}
+
 Json to_json(const std::vector<GameReport>& reports, int players) {
-  Json json = {{"games", reports.size()}, {"means", Json::object()}, {"scores", Json::array()}};
+  Json json = {{"games", reports.size()},
+               {"different_games", different_games(reports)},
+               {"means", Json::object()},
+               {"scores", Json::array()}};
   for (const int side : {0, 1})
     for (const Row& row : kRows) {
       std::vector<double> values;

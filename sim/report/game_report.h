@@ -23,6 +23,7 @@ struct Decision {
 
 struct GameReport {
   std::uint64_t seed = 0;
+  std::uint64_t hash = 0;  // of the game (hash_of_game): games with the same hash are the same game
   Result result{};
   std::vector<Decision> decisions;
 };
@@ -35,6 +36,9 @@ std::string clock_text(float seconds);
 Json to_json(const GameReport& report, int players);
 /// Returns the score, a table of both sides, and the list of events.
 std::string to_text(const GameReport& report, const io::Matchup& choice, const Params& params);
+
+/// Returns the number of different games among the reports.
+std::int64_t different_games(const std::vector<GameReport>& reports);
 
 /// Return the means of several games with their standard errors.
 Json to_json(const std::vector<GameReport>& reports, int players);

@@ -21,6 +21,7 @@ export const rows = {
   "sim/referee": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent"],
   "sim/match": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee"],
   "sim/foresight": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee", "sim/match"],
+  "sim/replay": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee", "sim/match"],
   "sim/compare": [],
   "sim/statistics": ["sim/math"],
   "sim/io": ["sim/math", "sim/field", "sim/world", "sim/motion", "sim/agent", "sim/perception", "sim/referee", "sim/match", "sim/foresight", "sim/statistics", "robot/core"],

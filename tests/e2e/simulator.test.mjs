@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { Live } from "./live.mjs";
+import { decode, Live } from "./live.mjs";
 import { readIndexed, readStreamed } from "./mcap.mjs";
 import { play, run, temporaryFolder } from "./support.mjs";
 
@@ -65,6 +65,17 @@ test("a series equals its games", async () => {
   assert.deepEqual([series.scores[1].home, series.scores[1].away], one.score);
   const mean = series.scores.reduce((sum, { home }) => sum + home, 0) / 3;
   assert.ok(Math.abs(series.means.home.goals.mean - mean) < 1e-9);
+  assert.equal(series.different_games, 3);
+});
+
+test("a series whose games repeat is reported with a warning", async () => {
+  const words = ["match", ...kShort, "--models", "perfect", "--games", "4"];
+  for (const kind of ["--json", "--lines"]) {
+    const { status, stdout, stderr } = await sim(...words, kind);
+    assert.equal(status, 0);
+    assert.ok(stdout.length > 0);
+    assert.equal(stderr, "foresight-sim: the games repeat: expected 4 different games, got 2; with models 'perfect' a seed changes too little: choose models with noise, or vary the start with --from and --fuzz\n");
+  }
 });
 
 test("wrong usage and wrong input are one sentence and exit status 2", async (t) => {
@@ -272,6 +283,68 @@ test("a recorded game holds the truth and every robot's memory, and is the same 
   }
   const truth = topics.get("/truth/world").messages;
   assert.ok(truth.every(({ logTime }, i) => logTime === epoch + (BigInt(i) * 100000000n) / 3n));
+});
+
+test("one side of a recorded game moves as recorded while the other plays", async (t) => {
+  const folder = temporaryFolder(t);
+  const file = join(folder, "game.mcap");
+  await json("match", ...kShort, "--seed", "7", "--mcap", file);
+  const truthOf = (path) => {
+    const { schema, messages } = readStreamed(readFileSync(path)).topics.get("/truth/world");
+    return messages.map(({ data }) => decode(schema.name, schema.data, data));
+  };
+  const places = (truth, team) => Object.fromEntries(truth.robots.filter((robot) => !team || robot.team === team).map(({ team, player, x, y, heading }) => [`${team}/${player}`, { x, y, heading }]));
+  const [from, ticks] = [12, 90];
+  const original = truthOf(file).slice(from * 30, from * 30 + ticks + 1);
+  const replay = async (side, ...args) => {
+    const path = join(folder, `${side}.mcap`);
+    const { status, stdout, stderr } = await sim("replay", file, "--side", side, "--from", String(from), "--seconds", "3", "--mcap", path, ...args);
+    assert.equal(status, 0, stderr);
+    return { stdout, truth: truthOf(path) };
+  };
+
+  // with both sides as recorded, all positions equal the recording's
+  const both = await replay("both");
+  assert.equal(both.truth.length, original.length);
+  for (const [i, truth] of both.truth.entries()) {
+    assert.deepEqual(places(truth), places(original[i]), `tick ${i}`);
+    assert.deepEqual([truth.ball.x, truth.ball.y], [original[i].ball.x, original[i].ball.y], `tick ${i}`);
+  }
+  assert.match(both.stdout, /as recorded from 12 s on: both sides and the ball/);
+
+  const away = await replay("away", "--strategy", "kick_now");
+  for (const [i, truth] of away.truth.entries()) assert.deepEqual(places(truth, 5), places(original[i], 5), `tick ${i}`);
+  assert.notDeepEqual(places(away.truth.at(-1), 14), places(original.at(-1), 14));
+  assert.match(away.stdout, /home {2}kick_now/);
+
+  const lines = (await sim("replay", file, "--from", String(from), "--seconds", "3", "--games", "3", "--lines")).stdout.trim().split("\n").map(JSON.parse);
+  assert.deepEqual(lines.map(({ seed, recorded, from }) => [seed, recorded, from]), [1, 2, 3].map((seed) => [seed, "away", from]));
+  assert.equal((await json("replay", file, "--from", String(from), "--seconds", "3")).seconds, 3);
+
+  for (const [args, sentence] of [
+    [["replay", join(folder, "none")], /^foresight-sim: session .*none: cannot read /],
+    [["replay", file, "--from", "4000"], /^foresight-sim: --from: expected a moment before the end of .*game\.mcap, which is [\d.]+ s after its start, got 4000 s\n$/],
+    [["replay", file, "--home-team", "77"], /has no robot of team 77 at 0 s; choose another --from\n$/],
+    [["replay", file, "--strategy", "basline"], /^foresight-sim: no strategy 'basline'; did you mean 'baseline'\?\n$/],
+    [["replay", file, "--mcap", "x", "--games", "2"], /^foresight-sim: --mcap records one replay, without --lines and --games\n$/],
+  ]) {
+    const { status, stderr } = await sim(...args);
+    assert.equal(status, 2, args.join(" "));
+    assert.match(stderr, sentence);
+  }
+});
+
+test("a replay says which recorded robots had no data", async (t) => {
+  const folder = temporaryFolder(t);
+  const file = join(folder, "game.mcap");
+  // robots leave for penalties
+  await json("match", "--rules", "spl2012:4,half_duration=300", "--seed", "7", "--mcap", file);
+  const found = (await json("replay", file, "--side", "both", "--seconds", "600")).without_data;
+  assert.ok(found.length > 0, "a penalty");
+  for (const { robot, stood_seconds, absent_seconds } of found) {
+    assert.match(robot, /^(14|5)\/[1-4]$/);
+    assert.ok(stood_seconds > 0 && absent_seconds > 10, `${stood_seconds} s, ${absent_seconds} s`);
+  }
 });
 
 test("a recorded game is played with every robot's memory under its topics", async (t) => {

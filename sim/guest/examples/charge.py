@@ -1,109 +1,86 @@
 #!/usr/bin/env python3
-"""A complete behaviour in its own process, Python 3.6 or newer, standard library only; charge.c is the same in C.
+"""A complete behaviour in its own process, Python 3.6 or newer, standard library only: the starting point of your own.
 
     foresight-sim match --home 'pipe:python3 sim/guest/examples/charge.py'
 
+It plays about as well as `baseline`. The skills are in soccer.py; the decisions are here. charge.c is the same in C.
 It answers each line with one line; sim/guest/wire.h documents them. Its output to stderr is shown.
-Metres, seconds, radians; ticks are 1/30 s of game time.
 """
 import json
-import math
 import sys
 
-FORGOTTEN = 5 * 30  # [ticks] a ball that was not seen for so long is lost
-SEARCH_TURN = 0.8  # [rad/s]
-BEHIND = 0.3  # [m] from where it turns to the goal
-STRAIGHT = 0.35  # [rad] a kick may go so far off the middle of the goal
-AHEAD = 0.5  # [m] that a teammate must be nearer to the ball, to be left alone
+from soccer import (
+    Memory,
+    Sight,
+    dribble_to,
+    guard_goal,
+    hold,
+    keep_clear,
+    kick_to,
+    opening,
+    place_between,
+    place_in_space,
+    search_ball,
+    settle_role,
+)
+
+TOLERANCE = 0.26  # [rad] allowed error of a kick
+ANY_WAY = 1.05  # [rad] where the direction matters little
 
 
-class Player:
-    def __init__(self, facts):
-        self.facts = facts
-        self.lost_since = None
+def keep(sight, memory, answer):
+    """The goalkeeper comes out and clears a near ball."""
+    out = sight.ball_in_team - sight.own_goal
+    if abs(out) < 1.3 and sight.ball_distance < 1.4 and sight.ball_age < 30:
+        kick_to(sight, memory, sight.ball_in_team + out, 0, ANY_WAY, 5, answer)
+    else:
+        guard_goal(sight, answer)
 
-    def decide(self, moment):
-        number = moment["player"]
-        if moment["entered"]:
-            self.lost_since = None
-        answer = {"role": "keeper" if number == 1 else "supporter", "time_to_ball": 1e6}
-        # outside play and at the opponents' kick: the default
-        if moment["phase"] != "playing" or moment["penalised"]:
-            return answer
-        ball = moment["ball"]
-        if ball["seen"] is None or moment["now"] - ball["seen"] > FORGOTTEN:
-            return self.search(moment, answer)
-        self.lost_since = None
-        distance = math.hypot(ball["x"], ball["y"])
-        bearing = math.atan2(ball["y"], ball["x"])
-        answer["time_to_ball"] = distance / self.facts["walk"]["forward"]
-        if moment["set_play"] != "none" and not moment["own_kick"]:
-            return answer
 
-        if number == 1:
-            x, y = self.to_robot(moment, -self.facts["field"]["length"] / 2 + 0.4, 0)
-            return walk_to(answer, x, y, bearing)
-        if self.is_left_to_a_mate(moment, distance):
-            c, s = math.cos(moment["heading"]), math.sin(moment["heading"])
-            return walk_to(answer, ball["x"] - 1.5 * c, ball["y"] + 1.5 * s, bearing)
-        answer["role"] = "chaser"
-        return self.attack(moment, ball, distance, answer)
+def chase(sight, memory, answer):
+    ball = sight.ball_in_team
+    to_goal = abs(sight.goal - ball)
+    target, slack = opening(sight)
+    if sight.moment["set_play"] == "kick_off" and sight.moment["own_kick"]:
+        kick_to(sight, memory, ball + 1, 0, ANY_WAY, 1, answer)
+    elif to_goal < 0.6:
+        dribble_to(sight, target, 2 * TOLERANCE, answer)
+    else:
+        pressed = sight.opponent_distance(ball) < 0.6 or to_goal < 1.5
+        kick_to(sight, memory, target, slack, TOLERANCE, 1.8 if pressed else 5, answer)
 
-    def to_robot(self, moment, x, y):
-        """Returns a point of the field in the frame of the robot."""
-        c, s = math.cos(moment["heading"]), math.sin(moment["heading"])
-        dx, dy = x - moment["x"], y - moment["y"]
-        return c * dx + s * dy, c * dy - s * dx
 
-    def is_left_to_a_mate(self, moment, distance):
-        """Returns whether another field player is nearer to the ball."""
-        for mate in moment["mates"]:
-            if mate["player"] == 1 or not mate["active"] or moment["now"] - mate["sent"] > 300:
-                continue
-            if mate["time_to_ball"] * self.facts["walk"]["forward"] < distance - AHEAD:
-                return True
-        return False
-
-    def search(self, moment, answer):
-        if self.lost_since is None:
-            self.lost_since = moment["now"]
-        turns = (moment["now"] - self.lost_since) // 240
-        answer.update(body="walk_speed", turn=SEARCH_TURN if turns % 2 == 0 else -SEARCH_TURN)
+def decide(facts, memory, moment):
+    answer = {}
+    sight = Sight(facts, moment)
+    role = settle_role(sight, memory, answer)
+    # outside play: the default
+    if moment["phase"] != "playing" or moment["penalised"]:
         return answer
-
-    def attack(self, moment, ball, distance, answer):
-        goal_x, goal_y = self.to_robot(moment, self.facts["field"]["length"] / 2, 0)
-        way = math.atan2(goal_y - ball["y"], goal_x - ball["x"])  # of the ball, seen from the robot
-        c, s = math.cos(way), math.sin(way)
-        if distance > 2 * BEHIND:
-            return walk_to(answer, ball["x"] - BEHIND * c, ball["y"] - BEHIND * s, way)
-        kick = self.facts["kicks"][0]
-        left = ball["y"] > 0
-        foot = kick["ball_y"] if left else -kick["ball_y"]
-        in_gate = abs(ball["x"] - kick["ball_x"]) < kick["gate_x"] and abs(ball["y"] - foot) < kick["gate_y"]
-        if in_gate and abs(way) < STRAIGHT:
-            answer.update(body="kick", kick=kick["name"], kick_left=left)
-            return answer
-        # to where the ball lies before the foot, facing the goal
-        x, y = kick["ball_x"], foot
-        return walk_to(answer, ball["x"] - c * x + s * y, ball["y"] - s * x - c * y, way)
-
-
-def walk_to(answer, x, y, turn):
-    answer.update(body="walk_to", x=x, y=y, turn=turn)
+    if not sight.ball_known or (role == "chaser" and sight.ball_age > 3 * 30):
+        search_ball(sight, memory, role == "keeper", answer)
+        return answer
+    memory.searching = None
+    if role == "keeper":
+        guard_goal(sight, answer) if sight.theirs else keep(sight, memory, answer)
+    elif role == "chaser" and not sight.theirs:
+        chase(sight, memory, answer)
+    else:
+        hold(sight, place_in_space(sight) if role == "supporter" else place_between(sight), answer)
+    keep_clear(sight, answer)
     return answer
 
 
 def main():
     facts = json.loads(sys.stdin.readline())
     print(json.dumps({"version": 1, "name": "charge"}), flush=True)
-    players = {}
+    memories = {}
     for line in sys.stdin:
         moment = json.loads(line)
         number = moment["player"]
-        if number not in players:
-            players[number] = Player(facts)
-        print(json.dumps(players[number].decide(moment)), flush=True)
+        if number not in memories or moment["entered"]:
+            memories[number] = Memory()
+        print(json.dumps(decide(facts, memories[number], moment)), flush=True)
 
 
 if __name__ == "__main__":

@@ -32,6 +32,24 @@ TEST(Event, IsReadWithItsTime) {
   EXPECT_EQ(ball->ball, (Vec2{-1.2f, 0.5f}));
 }
 
+TEST(Event, NamesARobotByTheNumberOfItsTeamWhereTheSituationNamesTheTeams) {
+  const io::SituationTeams teams{.home = 14, .away = 5};
+  for (const auto& [text, robot] : {std::pair{"14/3", robot_of(Side::home, 3)},
+                                    {"5/1", robot_of(Side::away, 1)},
+                                    {"away/3", robot_of(Side::away, 3)}}) {
+    const auto event = parse_event(std::string("at 5 s: penalise ") + text, 4, teams);
+    ASSERT_TRUE(event) << event.error();
+    EXPECT_EQ(event->robot, robot) << text;
+  }
+  const auto refused = [&](const char* text) { return parse_event(text, 4, teams).error(); };
+  EXPECT_EQ(refused("at 5 s: penalise 7/3"),
+            "penalise: expected home/N, away/N, 14/N or 5/N, N from 1 to 4, got '7/3'");
+  EXPECT_EQ(refused("at 5 s: penalise 14/5"),
+            "penalise: expected home/N, away/N, 14/N or 5/N, N from 1 to 4, got '14/5'");
+  EXPECT_EQ(refusal("at 5 s: penalise 14/3"),
+            "penalise: expected home/N or away/N, N from 1 to 4, got '14/3'; the situation has no \"teams\"");
+}
+
 TEST(Event, APenalisedRobotLeavesAndComesBack) {
   State state = io::load_situation("blocked", params()).value();
   const int robot = robot_of(Side::home, 3);
@@ -69,7 +87,7 @@ TEST(Event, NamesTheError) {
     EXPECT_EQ(refusal(wrong), std::string(kForm) + wrong + "'");
   EXPECT_EQ(refusal("at soon: ball at 1, 2"), "the time must be 0 .. 3600 [s], got \"soon\"");
   EXPECT_EQ(refusal("at 5 s: dance"), "expected 'penalise home/N' or 'ball at X, Y', got 'dance'");
-  for (const char* wrong : {"home/5", "home/0", "ours/3", "home", "home/", "home/3x", "14/3"})
+  for (const char* wrong : {"home/5", "home/0", "ours/3", "home", "home/", "home/3x", "x4/3"})
     EXPECT_EQ(refusal(std::string("at 5 s: penalise ") + wrong),
               std::string("penalise: expected home/N or away/N, N from 1 to 4, got '") + wrong + "'");
   EXPECT_EQ(refusal("at 5 s: ball at 1"), "ball at: expected x, y in [m], got '1'");

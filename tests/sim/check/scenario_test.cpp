@@ -28,6 +28,17 @@ std::string refusal(const std::string& check) {
   return scenario.error().substr(std::min(called.size(), scenario.error().size()));
 }
 
+TEST(Scenario, AnEventNamesATeamOfTheSituation) {
+  const tests::TemporaryFolder folder;
+  const std::string path = (folder.path() / "it.json").string();
+  std::ofstream(path) << R"({"teams": {"home": 14, "away": 5}, "ball": {"x": 1, "y": 0}, "robots": [],
+    "check": {"metrics": {"touch": "our touch"}, "events": ["at 5 s: penalise 5/3"]}})";
+  const auto scenario = load_scenario(path, {});
+  ASSERT_TRUE(scenario) << scenario.error();
+  ASSERT_EQ(scenario->events.size(), 1u);
+  EXPECT_EQ(scenario->events[0].robot, robot_of(Side::away, 3));
+}
+
 TEST(Scenario, EqualsItsDescription) {
   const tests::TemporaryFolder folder;
   const auto scenario = load_scenario(written(folder, "it.json", R"({

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "sim/match/play.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sim::contest {
@@ -46,6 +47,26 @@ TEST(Lineup, AFileOfJsonKeepsItsOwnError) {
 TEST(Lineup, AStrategyThatIsNoFileKeepsItsOwnError) {
   EXPECT_EQ(refusal("basline"), "no strategy 'basline'; did you mean 'baseline'?");
   EXPECT_EQ(refusal("no/such.py").find("strategy 'no/such.py': "), 0u) << refusal("no/such.py");
+}
+
+TEST(Lineup, TheExampleOfABehaviourFromOutsidePlaysAboutAsWellAsBaseline) {
+  constexpr int kGames = 24;
+  int goals[2] = {0, 0};  // of the example, of baseline
+  for (const int side : {0, 1}) {
+    io::Matchup game;
+    game.strategies[side] = FORESIGHT_CHARGE;
+    const auto lineup = Lineup::prepare({.game = game, .rest = {}});
+    ASSERT_TRUE(lineup) << lineup.error();
+    for (std::uint64_t seed = 1; seed <= kGames / 2; ++seed) {
+      const Cast cast(*lineup, seed);
+      const Result result = play_game(cast.params(), {.seed = seed});
+      ASSERT_FALSE(cast.failed()) << cast.problem();
+      goals[0] += result.score[side], goals[1] += result.score[1 - side];
+    }
+  }
+  // the standard error of the difference is 0.4 goals a game
+  EXPECT_NEAR(goals[0], goals[1], 1.2 * kGames);
+  EXPECT_GT(goals[0], kGames / 2);
 }
 
 }  // namespace

@@ -53,6 +53,28 @@ TEST(Situation, EqualsItsDescription) {
   EXPECT_EQ(state.book.kicking, Side::away);
 }
 
+TEST(Situation, TheNumbersOfTheTeamsChangeNothing) {
+  const std::string numbered = std::string(R"({"teams": {"home": 14, "away": 5}, )") + std::string(kDuel.substr(4));
+  EXPECT_EQ(save_situation(parsed(numbered)), save_situation(parsed(kDuel)));
+  EXPECT_EQ(error_of(R"({"teams": {"home": 14, "away": 14}, "ball": {"x": 0, "y": 0}, "robots": []})"),
+            "situation 'duel': teams must have different numbers, got 14 twice");
+  EXPECT_EQ(error_of(R"({"teams": {"home": 0, "away": 14}, "ball": {"x": 0, "y": 0}, "robots": []})"),
+            "situation 'duel': teams.home must be a whole number, 1 .. 999, got 0");
+  EXPECT_EQ(error_of(R"({"teams": {"home": 14}, "ball": {"x": 0, "y": 0}, "robots": []})"),
+            "situation 'duel': teams.away is missing, expected 1 .. 999");
+}
+
+TEST(Situation, TheClockMayBeTheTimeThatRemains) {
+  const auto with = [](const std::string& entry) {
+    return "{" + entry + R"("ball": {"x": 0, "y": 0}, "robots": [{"side": "home", "player": 2, "x": 1, "y": 1}]})";
+  };
+  EXPECT_EQ(parsed(with(R"("remaining": 200, )")).book.clock, ticks(400));
+  EXPECT_EQ(error_of(with(R"("remaining": 601, )")),
+            "situation 'duel': remaining must be at most 600 [s] by these rules, got 601");
+  EXPECT_EQ(error_of(with(R"("remaining": 200, "clock": 400, )")),
+            "situation 'duel': expected clock or remaining, got both");
+}
+
 TEST(Situation, ARobotThatIsNotListedDoesNotPlay) {
   State state = parsed(kDuel);
   referee::Events events;

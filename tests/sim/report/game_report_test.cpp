@@ -73,6 +73,12 @@ TEST(GameReport, MeansOfManyGamesAreTheMeansOfTheirReports) {
   EXPECT_DOUBLE_EQ(json["means"]["away"]["kicks"]["mean"].get<double>(), kicks);
 }
 
+TEST(GameReport, CountsDifferentGamesByTheirHashes) {
+  const std::vector<GameReport> reports = {{.seed = 1, .hash = 5}, {.seed = 2, .hash = 6}, {.seed = 3, .hash = 5}};
+  EXPECT_EQ(different_games(reports), 2);
+  EXPECT_EQ(to_json(reports, 4)["different_games"], 2);
+}
+
 TEST(GameReport, ShowsTheClockInMinutesAndSeconds) {
   EXPECT_EQ(clock_text(0), "00:00");
   EXPECT_EQ(clock_text(451), "07:31");
@@ -80,7 +86,7 @@ TEST(GameReport, ShowsTheClockInMinutesAndSeconds) {
 }
 
 TEST(GameLine, IsOneLineWithTheFiguresOfTheReport) {
-  const std::string line = game_line(game().params, 2);
+  const std::string line = game_line(game().params, 2).text;
   EXPECT_EQ(std::ranges::count(line, '\n'), 1);
   EXPECT_TRUE(line.ends_with('\n'));
   const Json json = Json::parse(line), report = to_json(short_game(game().params, 2), game().params.rules.players);
