@@ -2,6 +2,7 @@
 
 #include "sim/agent/features.h"
 #include "sim/agent/head.h"
+#include "sim/agent/past.h"
 #include "sim/agent/walk.h"
 
 namespace sim::agent {
@@ -23,8 +24,9 @@ float intend(const View& view, Mind& mind, Vec2 way, Vec2 face) {
 }
 
 /// Chooses a direction for a ball that is walked ahead, and the leg for a later kick.
-Vec2 walking_way(const View& view, Mind& mind, const Where& to, float tolerance) {
-  const Vec2 way = way_in(sector_of(view, target_of(view, to, 0), tolerance), view, {1, 0});
+Vec2 walking_way(const View& view, Mind& mind, const Where& to, float tolerance, const Dribble* past = nullptr) {
+  Vec2 way = way_in(sector_of(view, target_of(view, to, 0), tolerance), view, {1, 0});
+  if (past && past->past == Past::nearest) way = past_nearest(view, way, past->room);
   const float side = cross(way, view.ball);
   if (std::abs(side) > kOtherLeg) mind.search_side = left_or_right(side);
   return way;
@@ -90,7 +92,7 @@ motion::Command kick(const View& view, Mind& mind, const Kick& with) {
 }
 
 motion::Command dribble(const View& view, Mind& mind, const Dribble& with) {
-  const Vec2 way = walking_way(view, mind, with.to, with.tolerance);
+  const Vec2 way = walking_way(view, mind, with.to, with.tolerance, &with);
   const float heading = intend(view, mind, way, way);
   const float off = cross(way, view.ball);
   const bool behind = dot(way, view.ball) > 0 && std::abs(off) < 0.08f && view.ball_distance < 0.45f;

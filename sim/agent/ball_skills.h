@@ -83,20 +83,30 @@ struct Kick {
 /// The robot goes no farther round the ball than the tolerance requires.
 motion::Command kick(const View& view, Mind& mind, const Kick& with);
 
+/// The opponents round which the ball is driven.
+enum class Past : std::uint8_t { nobody, nearest };
+inline constexpr const char* kPasts[] = {"nobody", "nearest", nullptr};  // by Past
+inline constexpr Range kPastRange{.unit = "", .least = 0, .most = 1, .names = kPasts, .example = R"("nearest")"};
+
 struct Dribble {
   Where to;
   float tolerance = 0.3f;  // [rad]
   float gain = 1;
+  Past past = Past::nobody;
+  float room = 0.4f;  // [m] half a robot, the ball and some space
 
   template <class Self, class See>
   static constexpr void visit(Self& self, See&& see) {
     see("aim", self.to.aim, kAimRange, "where the ball shall go");
     see("tolerance", self.tolerance, kToleranceRange, "angle by which the direction of the ball may miss the aim");
     see("gain", self.gain, kGainRange, "share of the greatest speed");
+    see("past", self.past, kPastRange, "nearest: drives the ball round the nearest opponent in the way");
+    see("room", self.room, Range{"m", 0.2f, 1.5f}, "from the middle of that opponent to the way of the ball");
     see_target(self.to, see);
   }
 };
-/// Goes behind the ball, then walks on through it.
+/// Goes behind the ball, then walks on through it. With Past::nearest the way of the ball misses the nearest opponent in
+/// front of it by `room`.
 motion::Command dribble(const View& view, Mind& mind, const Dribble& with);
 
 struct Pass {

@@ -122,9 +122,15 @@ std::string example_of(Skill skill) {
   const SkillInfo& info = info_of(skill);
   Json rule = Json::object();
   rule["do"] = info.name;
-  for (int i = 0; i < info.count; ++i)
-    if (Json standard = standard_of(info.parameters[i]); !standard.is_null())
-      rule["with"][info.parameters[i].name] = std::move(standard);
+  for (int i = 0; i < info.count; ++i) {
+    const ParameterInfo& parameter = info.parameters[i];
+    Json standard = standard_of(parameter);
+    if (standard.is_null()) continue;
+    if (parameter.range.point)
+      rule["with"][parameter.key()].push_back(std::move(standard));
+    else
+      rule["with"][parameter.key()] = std::move(standard);
+  }
   return rule.dump();
 }
 

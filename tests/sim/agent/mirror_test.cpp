@@ -85,6 +85,15 @@ TEST(Mirror, KicksOfAllKindsAreMirroredWithTheirTargets) {
   }
 }
 
+TEST(Mirror, PlacesAndDribblesAreMirrored) {
+  for (const char* leaf : {R"("do": "go_to", "with": {"point": [1, 0.7]})",
+                           R"("do": "go_to", "with": {"point": [-1, 2], "direction": "50 deg"})",
+                           R"("do": "dribble", "with": {"past": "nearest", "direction": "-20 deg"})"}) {
+    SCOPED_TRACE(leaf);
+    expect_mirrored_decisions(tree_of(std::string(R"({"name": "p", "tree": {)") + leaf + "}}"), 5000, true);
+  }
+}
+
 TEST(Mirror, MirroringTwiceChangesNothing) {
   std::mt19937 random(2);
   const TreeBehaviour behaviour(tree_of(kLateral)), twice(mirrored(mirrored(behaviour.tree())));
