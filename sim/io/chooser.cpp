@@ -88,9 +88,10 @@ Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string
     auto tree = load_strategy(name);
     if (!tree) return tree.failure();
     if ((*tree)->tree().settings.kicks.count > 0) {
-      const Result<Models> models = load_models(game.models[static_cast<std::size_t>(side)]);
-      if (!models) return models.failure();
-      if (auto checked = check_kicks((*tree)->tree(), *models); !checked) return checked.failure();
+      Team team;
+      const std::string& models = game.models[static_cast<std::size_t>(side)];
+      if (auto loaded = load_team_models(models, kMaxPlayers, team); !loaded) return loaded.failure();
+      if (auto checked = check_kicks((*tree)->tree(), team); !checked) return checked.failure();
     }
     return Behaviour(std::move(*tree));
   }

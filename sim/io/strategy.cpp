@@ -133,14 +133,17 @@ Result<std::unique_ptr<agent::TreeBehaviour>> load_strategy(const std::string& n
   return std::make_unique<agent::TreeBehaviour>(std::move(*tree));
 }
 
-Result<void> check_kicks(const agent::Tree& tree, const Models& models) {
-  std::vector<std::string_view> known;
-  for (int i = 0; i < models.motion.kick_count; ++i) known.emplace_back(models.motion.kicks[i].name);
-  for (int i = 0; i < tree.settings.kicks.count; ++i) {
-    const std::string name = tree.settings.kicks.names[i];
-    if (motion::find_kick(models.motion, name) < 0)
-      return Error{"strategy '" + tree.name + "': models '" + models.name + "' have no kick " + shown(name) +
-                   hint(name, known)};
+Result<void> check_kicks(const agent::Tree& tree, const Team& team) {
+  for (int player = 1; player <= kMaxPlayers; ++player) {
+    const Models& models = team.models_of(player);
+    std::vector<std::string_view> known;
+    for (int i = 0; i < models.motion.kick_count; ++i) known.emplace_back(models.motion.kicks[i].name);
+    for (int i = 0; i < tree.settings.kicks.count; ++i) {
+      const std::string name = tree.settings.kicks.names[i];
+      if (motion::find_kick(models.motion, name) < 0)
+        return Error{"strategy '" + tree.name + "': models '" + models.name + "' have no kick " + shown(name) +
+                     hint(name, known)};
+    }
   }
   return {};
 }

@@ -225,12 +225,13 @@ TEST(Strategy, NamesOfKicksAreCheckedAgainstTheModelsOfTheGame) {
                                    "strategy 'mine'");
   ASSERT_TRUE(tree) << tree.error();
   EXPECT_EQ(tree->settings.kicks.count, 2);
-  const Models models = load_models("match").value();
-  EXPECT_EQ(check_kicks(*tree, models).error(),
-            "strategy 'mine': models 'match' have no kick \"sid\"; did you mean 'side'?");
+  Team team;
+  ASSERT_TRUE(load_team_models("match+3=perfect", 5, team));
+  EXPECT_EQ(check_kicks(*tree, team).error(),
+            "strategy 'mine': models 'match+3=perfect' have no kick \"sid\"; did you mean 'side'?");
   agent::Tree right = *tree;
   right.settings.kicks.count = 1;
-  EXPECT_TRUE(check_kicks(right, models));
+  EXPECT_TRUE(check_kicks(right, team));
   EXPECT_EQ(
       refusal_of_tree(R"({"do": "kick", "with": {"kick": "a kick with a long name"}})"),
       "strategy 'mine': tree.with.kick: must be front, any or a kick's name of 1 .. 15 bytes, got \"a kick with a "
