@@ -57,10 +57,11 @@ Agent::Decision Agent::decide(bridge::Recollection recollection) {
   const sim::Team& team = game_.params.teams[0];
   sim::agent::Trace trace;
   trace.clear();
+  const sim::motion::Model& body = team.models_of(knowledge->game.player).motion;
   const sim::motion::Command command =
-      team.behaviour->decide({.rules = &game_.params.rules, .motion = &team.models.motion}, knowledge->game,
-                             knowledge->beliefs, knowledge->now, mind_, &trace);
-  bridge::to_proto(command, team.models.motion, decision.command);
+      team.behaviour->decide({.rules = &game_.params.rules, .motion = &body}, knowledge->game, knowledge->beliefs,
+                             knowledge->now, mind_, &trace);
+  bridge::to_proto(command, body, decision.command);
   if (*trace.skill != '\0') bridge::to_proto(trace, decision.trace.emplace());
   return decision;
 }

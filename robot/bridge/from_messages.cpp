@@ -294,7 +294,7 @@ Result<sim::foresight::Knowledge> knowledge_of(const Recollection& from, const s
   see_opponents(from, lineups.opponents, knowledge);
   take_away(from.game->value.own(), lineups.own, params.rules.players, knowledge.away[0]);
   take_away(from.game->value.opponent(), lineups.opponents, params.rules.players, knowledge.away[1]);
-  if (from.motion) knowledge.body = body_of(from.motion->value, params.teams[0].models.motion, from.now);
+  if (from.motion) knowledge.body = body_of(from.motion->value, params.teams[0].models_of(own).motion, from.now);
   if (from.decision) knowledge.mind.role = role_of(from.decision->value.role());
   knowledge.mind.role_since = knowledge.mind.leaf_since = from.now;
   return knowledge;

@@ -113,10 +113,11 @@ void Narrator::write(const SimulatedGame& game, const Timeline& timeline) {
 
 /// Writes the beliefs and the decision that came from an image.
 void Narrator::write_mind(const SimulatedGame& game, int robot, const Timeline& timeline, std::uint64_t capture_ns) {
-  const sim::Team& team = game.team_of(robot);
+  const sim::Models& own = sim::models_of(game.params(), robot);
   const sim::Robot& mind = game.state().robots[robot];
   memory::Memory& memory = *memories_[static_cast<std::size_t>(robot)];
-  if (auto ball = memory.ball.draft(); to_proto(mind.beliefs.ball, team.models.ball.deceleration, timeline, *ball))
+  if (auto ball = memory.ball.draft();
+      to_proto(mind.beliefs.ball, game.team_of(robot).models.ball.deceleration, timeline, *ball))
     memory.ball.write(std::move(ball), capture_ns);
   auto pose = memory.pose.draft();
   to_proto(mind.beliefs.pose, *pose);
@@ -133,17 +134,17 @@ void Narrator::write_mind(const SimulatedGame& game, int robot, const Timeline& 
     memory.opponents.write(std::move(opponents), capture_ns);
   }
   auto command = memory.motion_command.draft();
-  to_proto(mind.command, team.models.motion, *command);
+  to_proto(mind.command, own.motion, *command);
   memory.motion_command.write(std::move(command), capture_ns);
 }
 
 /// Writes the state of the body at the end of the tick.
 void Narrator::write_body(const SimulatedGame& game, int robot, std::uint64_t capture_ns) {
   const sim::State& state = game.state();
-  const sim::Team& team = game.team_of(robot);
+  const sim::Models& own = sim::models_of(game.params(), robot);
   memory::Memory& memory = *memories_[static_cast<std::size_t>(robot)];
   auto status = memory.motion_status.draft();
-  to_proto(state.world.bodies[robot], state.robots[robot].command, team.models.motion, state.world.tick, *status);
+  to_proto(state.world.bodies[robot], state.robots[robot].command, own.motion, state.world.tick, *status);
   memory.motion_status.write(std::move(status), capture_ns);
   auto odometry = memory.odometry.draft();
   odometry->set_x(game.odometry(robot).position.x);

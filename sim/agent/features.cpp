@@ -99,7 +99,10 @@ bool aligned(const View& view) {
 }
 
 float kick_error(const View& view) {
-  const Vec2 wanted = turned_back(direction(view.mind.kick_direction), view.facing);
+  const motion::Model& model = *view.around.motion;
+  Vec2 wanted = turned_back(direction(view.mind.kick_direction), view.facing);
+  const float bend = view.mind.kick < model.kick_count ? model.kicks[view.mind.kick].direction : 0;
+  if (bend != 0) wanted = turned_back(wanted, direction(static_cast<float>(view.mind.search_side) * bend));
   return atan2(std::abs(wanted.y), wanted.x);
 }
 
@@ -204,7 +207,9 @@ constexpr FeatureInfo kTable[] = {
                      [](const View& view) { return aligned(view) ? 1.f : 0.f; })),
     number("aligned_for", "decisions", 0, 255, "number of decisions in a row in which it did",
            [](const View& view) { return static_cast<float>(view.mind.aligned); }),
-    number("kick_error", "rad", 0, 3.15f, "angle between the own heading and the direction of the kick", &kick_error),
+    number("kick_error", "rad", 0, 3.15f,
+           "angle between the wanted direction of the ball and the one in which the kick would send it now",
+           &kick_error),
     // the others
     with_ball(number("time_to_ball", "s", 0, 1000, "time until the robot stands behind the ball",
                      [](const View& view) { return view.mind.time_to_ball; })),

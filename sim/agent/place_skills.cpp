@@ -21,12 +21,6 @@ constexpr float kOffEndLine = 0.2f;    // [m] places stay this far from the oppo
 constexpr float kReadyMargin = 0.25f;  // [m] from the halfway line and the circle at a kick-off: half a robot, and more
 constexpr float kReadyScan = 0.7f;     // [rad] the head's swing on the way to the kick-off place
 
-/// Returns the place of the ball [m, team_field]: believed, last remembered, or the middle.
-Vec2 supposed_ball(const View& view) {
-  if (view.ball_known) return view.ball_in_team;
-  return view.mind.ball_seen == kNever ? Vec2{} : view.mind.ball;
-}
-
 /// Goes to a place in the field and faces the ball.
 motion::Command hold(const View& view, Vec2 place, Vec2 ball, float gain) {
   const Vec2 inside{clamp(place.x, -view.half_length, view.half_length - kOffEndLine),
@@ -50,6 +44,11 @@ void watch(const View& view, motion::Command& command) {
 }
 
 }  // namespace
+
+Vec2 supposed_ball(const View& view) {
+  if (view.ball_known) return view.ball_in_team;
+  return view.mind.ball_seen == kNever ? Vec2{} : view.mind.ball;
+}
 
 motion::Command position(const View& view, Mind&, const Position& with) {
   const Vec2 ball = supposed_ball(view);

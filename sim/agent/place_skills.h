@@ -28,6 +28,9 @@ struct Position {
     see("gain", self.gain, kGainRange, "share of the greatest speed");
   }
 };
+/// Returns the place of the ball [m, team_field]: believed, last remembered, or the middle.
+Vec2 supposed_ball(const View& view);
+
 /// x = base·half length + follow_x·ball x + x, y = follow_y·ball y + y + spread·lane, kept inside the field and away
 /// from the ball; faces the ball.
 motion::Command position(const View& view, Mind& mind, const Position& with);

@@ -1,8 +1,10 @@
-// The settings of a strategy beside its tree: roles, habits of head and legs, places at a kick-off.
+// The settings of a strategy beside its tree: roles, habits of head and legs, places at a kick-off,
+// names of kicks.
 #pragma once
 
 #include "sim/field/rules.h"
 #include "sim/math/vec2.h"
+#include "sim/motion/model.h"
 
 namespace sim::agent {
 
@@ -55,10 +57,19 @@ struct Formation {
                               {-0.65f, 0.3f}, {-0.4f, -0.55f}, {-0.7f, 0}};
 };
 
+inline constexpr int kMaxNamedKicks = 8;
+
+/// The kicks that the leaves of the tree name.
+struct NamedKicks {
+  int count = 0;
+  char names[kMaxNamedKicks][sizeof motion::Kick::name] = {};
+};
+
 struct Settings {
   Roles roles;
   Habits habits;
   Formation formation;
+  NamedKicks kicks;
 };
 
 }  // namespace sim::agent

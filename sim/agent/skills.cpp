@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "sim/agent/ball_skills.h"
+#include "sim/agent/go_to.h"
 #include "sim/agent/head.h"
 #include "sim/agent/own.h"
 #include "sim/agent/place_skills.h"
@@ -31,6 +32,7 @@ constexpr SkillInfo kTable[] = {
     skill<Kick, kick>("kick", "aligns, and kicks as soon as the ball lies right"),
     skill<Dribble, dribble>("dribble", "walks the ball towards the aim"),
     skill<Pass, pass>("pass", "kicks to the free teammate, or straight ahead when there is none"),
+    skill<GoTo, go_to>("go_to", "goes to a point of the field and stays there"),
     skill<Position, position>("position", "holds a place relative to ball and field"),
     skill<Block, block>("block", "stands between the ball and the own goal"),
     skill<KeepGoal, keep_goal>("keep_goal",

@@ -1,10 +1,13 @@
 // The skills that a leaf of a tree can name: each turns a view and a few arguments into a command.
 //
 // The table of skills is in skills.cpp, one row per skill. A skill's arguments are a struct that lists its parameters
-// once: visit(self, see(name, member, range, about)). A member's initialiser is the value when the tree gives none.
+// once: visit(self, see(name, member, range, about)). A member's initialiser is the value when the tree gives none;
+// kNotGiven makes the argument optional.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <type_traits>
 
@@ -13,7 +16,11 @@
 
 namespace sim::agent {
 
-inline constexpr int kMaxArguments = 8;
+inline constexpr int kMaxArguments = 12;
+
+/// The value of an optional argument that the tree does not give. It is NaN.
+inline constexpr float kNotGiven = std::numeric_limits<float>::quiet_NaN();
+inline bool is_given(float argument) { return !std::isnan(argument); }
 
 /// The values that a parameter may have.
 struct Range {
@@ -22,16 +29,38 @@ struct Range {
   float most;
   bool lateral = false;                // the value changes its sign when left and right are exchanged
   const char* const* names = nullptr;  // the words for the values 0, 1, …, ended by nullptr; nullptr: a number
+  bool names_kicks = false;            // other words than `names` are kicks of the model (Settings.kicks)
+  bool alternative = false;            // a leaf gives at most one of the alternatives
+  const char* point = nullptr;         // the argument of which this is a coordinate: a tree writes it as [x, y]
+  int coordinate = 0;                  // of the point: 0 is x, 1 is y
+  const char* example = nullptr;       // as a tree writes it; nullptr: the default is the example
 };
 constexpr Range lateral_range(const char* unit, float most) { return {unit, -most, most, true}; }
+// the coordinates of an optional point of the field [m, team_field]
+constexpr Range point_x(const char* name, const char* example, bool alternative) {
+  return {.unit = "m", .least = -8, .most = 8, .alternative = alternative, .point = name, .example = example};
+}
+constexpr Range point_y(const char* name, const char* example, bool alternative) {
+  return {.unit = "m",
+          .least = -6,
+          .most = 6,
+          .lateral = true,
+          .alternative = alternative,
+          .point = name,
+          .coordinate = 1,
+          .example = example};
+}
 inline constexpr Range kGainRange{"", 0.1f, 1};  // share of the greatest speed
 
 /// One parameter of a skill.
 struct ParameterInfo {
   const char* name;
   Range range;
-  float standard;  // when the tree gives no value
+  float standard;  // when the tree gives no value; kNotGiven: it is optional
   const char* about;
+
+  /// Returns the name by which a tree gives it.
+  const char* key() const { return range.point ? range.point : name; }
 };
 
 /// One row of the table of skills. The arguments of a leaf are in the order of `parameters`.

@@ -40,7 +40,8 @@ void explain_leaf(const Leaf& leaf, const Words& words, const Mind& mind, Trace&
   trace.visited.push_back({.path = words.path.c_str(), .name = words.name.c_str(), .condition = "", .feature = ""});
   const SkillInfo& skill = info_of(leaf.skill);
   trace.skill = skill.name;
-  for (int i = 0; i < skill.count; ++i) trace.arguments.push_back({skill.parameters[i].name, leaf.arguments[i]});
+  for (int i = 0; i < skill.count; ++i)
+    if (is_given(leaf.arguments[i])) trace.arguments.push_back({skill.parameters[i].name, leaf.arguments[i]});
   trace.role = name_of(mind.role);
 }
 

@@ -25,4 +25,11 @@ Vec2 round_robots(const View& view, Vec2 target);
 /// Returns the next point of a way to `target` that stays `radius` from `centre` [m, robot].
 Vec2 round_circle(Vec2 centre, float radius, Vec2 target, float side_if_even);
 
+/// Returns the place [m, robot] of a robot that faces `face` and has `ball` where the kick of that leg needs it.
+inline Vec2 place_for(const motion::Kick& kick, Vec2 ball, Vec2 face, float side) {
+  return ball - kick.ball_x * face - (side * kick.ball_y) * left_of(face);
+}
+/// Returns the distance [m] that a robot keeps from the ball on its way to have it `ahead` [m] in front.
+constexpr float room_of(float ahead) { return ahead + 0.07f < 0.3f ? ahead + 0.07f : 0.3f; }
+
 }  // namespace sim::agent

@@ -101,7 +101,9 @@ void ChoiceOptions::add_to(CLI::App& command) {
   command.add_option("--away-rest", rest_[1], "behaviour of the away players after the first --changed");
   command.add_option("--changed", changed_, "number of players that play --home or --away, on a side with a rest")
       ->check(CLI::Range(1, kMaxPlayers));
-  command.add_option("--models", models_, "models of the robots: name, name,effect=off,walk.forward=0.2 or file")
+  command
+      .add_option("--models", models_,
+                  "models of the robots: name, name,effect=off,walk.forward=0.2 or file; player 3 another: name+3=name")
       ->capture_default_str();
   command.add_option("--home-models", home_models_, "models of the home side's robots, and of ball and contacts");
   command.add_option("--away-models", away_models_, "models of the away side's robots");

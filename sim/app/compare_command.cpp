@@ -69,7 +69,8 @@ class CompareCommand final : public Command {
         .add_option("--rules", choice_.rules, "rules of a year: name, name:players, name,field=value or file")
         ->capture_default_str();
     options()
-        .add_option("--models", choice_.models, "models of the robots: name, name,effect=off or file")
+        .add_option("--models", choice_.models,
+                    "models of the robots: name, name,effect=off or file; player 3 another: name+3=name")
         ->capture_default_str();
     options()
         .add_option("--players", choice_.players, "players per side; by the rules if not given")

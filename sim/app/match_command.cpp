@@ -50,11 +50,11 @@ struct Recording {
   std::uint64_t messages = 0, size_bytes = 0;
 };
 
-/// Plays a game, and records it unless `recording` is null. Calls watch(state), unless it is empty, at the beginning and
+/// Plays a game, with a penalty shoot-out after a draw if asked for, and records it unless `recording` is null. Calls watch(state), unless it is empty, at the beginning and
 /// after each tick.
 robot::Result<report::GameReport> play_one(const contest::Cast& cast, const contest::Openings& openings, float seconds,
-                                           std::uint64_t seed, Recording* recording, ProgressBar* progress,
-                                           const std::function<void(const State&)>& watch = {}) {
+                                           std::uint64_t seed, bool shoot_out, Recording* recording,
+                                           ProgressBar* progress, const std::function<void(const State&)>& watch = {}) {
   const Params& params = cast.params();
   report::GameReport report{.seed = seed};
   referee::Events events;
@@ -94,6 +94,9 @@ robot::Result<report::GameReport> play_one(const contest::Cast& cast, const cont
   report.hash = hash_of_game(state);
   report.result = result_of(state);
   count_events(report);
+  const bool drawn = finished(state) && state.book.score[0] == state.book.score[1];
+  if (shoot_out && drawn) report.shoot_out = play_shoot_out(params, {.seed = seed});
+  if (cast.failed()) return robot::Error{cast.problem()};
   return report;
 }
 
@@ -117,6 +120,7 @@ class MatchCommand final : public Command {
                          "start of the game: name or file of a described moment, or a folder of moments, used in turn");
     options().add_flag("--fuzz", fuzz_, "with --from: begins with slightly shifted robots and ball");
     options().add_option("--seconds", seconds_, "[s] longest game, dead time included")->check(CLI::Range(1., 36000.));
+    options().add_flag("--shoot-out", shoot_out_, "a drawn game is decided by a penalty shoot-out, by the rules");
     options().add_flag("--json", json_, "report as JSON");
     options().add_flag("--lines", lines_, "print a line of JSON per game, with the errors of the robots' beliefs");
     options().add_flag("--statistics", statistics_, "print figures of the games beside those of real games");
@@ -154,6 +158,9 @@ class MatchCommand final : public Command {
     if (!statistics_ && !html_.empty()) return fail("--html needs --statistics, whose table it draws");
     const auto lineup = choice_.line_up();
     if (!lineup) return fail(lineup.error());
+    if (const field::Rules& rules = lineup->params().rules; shoot_out_ && (!has_shoot_out(rules) || rules.players < 2))
+      return fail("--shoot-out needs rules with a penalty shoot-out and two players a side, got " +
+                  choice_.choice().rules + " with " + std::to_string(rules.players));
     const auto openings = contest::Openings::read(from_, fuzz_, lineup->params());
     if (!openings) return fail(openings.error());
     if (statistics_)
@@ -184,7 +191,7 @@ class MatchCommand final : public Command {
     if (!mcap_.empty()) recording = {.path = mcap_, .names = {.rules = choice_.choice().rules, .teams = teams_}};
     const auto report = [&] {
       ProgressBar progress("recording", recording ? expected_ticks(params.rules) : 0);
-      return play_one(cast, openings, seconds_, seed_, recording ? &*recording : nullptr, &progress,
+      return play_one(cast, openings, seconds_, seed_, shoot_out_, recording ? &*recording : nullptr, &progress,
                       [&](const State& state) {
                         if (!save_at_.empty()) moment->see(state, about);
                       });
@@ -223,7 +230,7 @@ class MatchCommand final : public Command {
     std::vector<report::GameReport> reports(static_cast<std::size_t>(games_));
     contest::Costs costs;
     const std::string problem = play_all(lineup, [&](int game, std::uint64_t seed, const contest::Cast& cast) {
-      if (auto report = play_one(cast, openings, seconds_, seed, nullptr, nullptr)) {
+      if (auto report = play_one(cast, openings, seconds_, seed, shoot_out_, nullptr, nullptr)) {
         report->decisions.clear();
         reports[static_cast<std::size_t>(game)] = *std::move(report);
       }
@@ -241,7 +248,7 @@ class MatchCommand final : public Command {
   int run_lines(const contest::Lineup& lineup) {
     std::vector<report::GameLine> lines(static_cast<std::size_t>(games_));
     const std::string problem = play_all(lineup, [&](int game, std::uint64_t seed, const contest::Cast& cast) {
-      lines[static_cast<std::size_t>(game)] = report::game_line(cast.params(), seed);
+      lines[static_cast<std::size_t>(game)] = report::game_line(cast.params(), seed, shoot_out_);
     });
     if (!problem.empty()) return fail(problem);
     std::vector<std::uint64_t> hashes;
@@ -273,7 +280,7 @@ class MatchCommand final : public Command {
   std::uint64_t seed_ = 1;
   int games_ = 1, threads_ = 0;
   float seconds_ = 0;
-  bool json_ = false, lines_ = false, fuzz_ = false, statistics_ = false;
+  bool json_ = false, lines_ = false, fuzz_ = false, shoot_out_ = false, statistics_ = false;
   std::string mcap_, from_, html_, real_ = io::kNewestRealGames;
   std::vector<std::string> save_at_;  // moment and file, or empty
   robot::bridge::TeamNumbers teams_;

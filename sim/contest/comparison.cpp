@@ -7,6 +7,7 @@
 #include "robot/core/files.h"
 #include "robot/core/json_library.h"
 #include "sim/contest/run_folder.h"
+#include "sim/io/models.h"
 #include "sim/io/source.h"
 #include "sim/match/hash.h"
 #include "sim/match/play.h"
@@ -115,8 +116,10 @@ Result<Comparison> Comparison::prepare(const ComparisonChoice& choice) {
                                  {"unpaired", choice.unpaired},
                                  {"version", FORESIGHT_VERSION},
                                  {"build", *build}};
-  for (const std::string* file : {&choice.a, &choice.b, &choice.opponent, &choice.rules, &choice.models})
-    if (const std::uint64_t content = content_of(*file)) json["files"][*file] = hex(content);
+  std::vector<std::string> files = io::names_of_models(choice.models);
+  files.insert(files.end(), {choice.a, choice.b, choice.opponent, choice.rules});
+  for (const std::string& file : files)
+    if (const std::uint64_t content = content_of(file)) json["files"][file] = hex(content);
   if (!choice.situation.empty()) json["files"][choice.situation] = hex(made.b_[0].openings.content());
   made.specification_ = json.dump();
   return made;

@@ -12,6 +12,14 @@ void scale_kicks(float factor, motion::Model& model) {
   for (int i = 0; i < model.kick_count; ++i) model.kicks[i].range *= factor;
 }
 
+void scale(const Conditions& conditions, float pace, Models& models) {
+  scale_walk(conditions.walk * pace, models.motion);
+  scale_kicks(conditions.kick * pace, models.motion);
+  perception::Noise& noise = models.perception.noise;
+  for (float* const error : {&noise.pixels, &noise.tilt, &noise.tilt_walking, &noise.roll})
+    *error *= conditions.ball_noise;
+}
+
 }  // namespace
 
 std::vector<Conditions> robust_conditions(bool third) {
@@ -30,13 +38,15 @@ std::vector<Conditions> robust_conditions(bool third) {
 
 void put_upon(const Conditions& conditions, const Side* opponent, Params& params) {
   for (const Side side : {Side::home, Side::away}) {
-    Models& models = params.teams[static_cast<int>(side)].models;
+    Team& team = params.teams[static_cast<int>(side)];
     const float pace = opponent && *opponent == side ? conditions.opponent_pace : 1;
-    scale_walk(conditions.walk * pace, models.motion);
-    scale_kicks(conditions.kick * pace, models.motion);
-    perception::Noise& noise = models.perception.noise;
-    for (float* const error : {&noise.pixels, &noise.tilt, &noise.tilt_walking, &noise.roll})
-      *error *= conditions.ball_noise;
+    scale(conditions, pace, team.models);
+    for (std::shared_ptr<const Models>& single : team.single) {
+      if (!single) continue;
+      const auto scaled = std::make_shared<Models>(*single);
+      scale(conditions, pace, *scaled);
+      single = scaled;
+    }
   }
 }
 

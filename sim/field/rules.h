@@ -46,6 +46,10 @@ struct Rules {
   float leaving_distance;  // beyond the edge of the carpet
   float ball_radius;       // of the league's ball; 0: that of the models
 
+  int shoot_out_shots;         // of a side in the penalty shoot-out after a draw; 0: no shoot-out
+  int shoot_out_sudden_shots;  // of a side in the sudden death that follows a draw
+  float shoot_out_duration;    // longest, of one shot
+
   int message_budget;      // packets of a team in a game; 0: no limit
   float message_interval;  // least time between two packets of one robot
 
@@ -72,6 +76,9 @@ struct Rules {
     see("stuck_global", self.stuck_global, "s", 0.f, 120.f);
     see("leaving_distance", self.leaving_distance, "m", 0.f, 3.f);
     see("ball_radius", self.ball_radius, "m", 0.f, 0.15f);
+    see("shoot_out_shots", self.shoot_out_shots, "shots", 0, 20);
+    see("shoot_out_sudden_shots", self.shoot_out_sudden_shots, "shots", 0, 100);
+    see("shoot_out_duration", self.shoot_out_duration, "s", 1.f, 300.f);
     see("message_budget", self.message_budget, "messages", 0, 100000);
     see("message_interval", self.message_interval, "s", 0.03f, 60.f);
   }

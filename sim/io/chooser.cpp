@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/foresight/chooser.h"
+#include "sim/io/models.h"
 #include "sim/io/playbook.h"
 #include "sim/io/reader.h"
 #include "sim/io/source.h"
@@ -86,6 +87,12 @@ Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string
     }
     auto tree = load_strategy(name);
     if (!tree) return tree.failure();
+    if ((*tree)->tree().settings.kicks.count > 0) {
+      Team team;
+      const std::string& models = game.models[static_cast<std::size_t>(side)];
+      if (auto loaded = load_team_models(models, kMaxPlayers, team); !loaded) return loaded.failure();
+      if (auto checked = check_kicks((*tree)->tree(), team); !checked) return checked.failure();
+    }
     return Behaviour(std::move(*tree));
   }
 

@@ -22,12 +22,13 @@ Result<PreparedGame> prepare(const Matchup& matchup) {
   game.params.pace = matchup.pace;
 
   for (const int side : {0, 1}) {
-    Result<Models> models = load_models(matchup.models[side]);
-    if (!models) return models.failure();
+    Team& team = game.params.teams[side];
+    if (auto loaded = load_team_models(matchup.models[side], game.params.rules.players, team); !loaded)
+      return loaded.failure();
     auto behaviour = load_behaviour(matchup.strategies[side], matchup, static_cast<Side>(side));
     if (!behaviour) return behaviour.failure();
     game.behaviours[side] = std::move(*behaviour);
-    game.params.teams[side] = {.behaviour = game.behaviours[side].get(), .models = std::move(*models)};
+    team.behaviour = game.behaviours[side].get();
   }
   take_ball_of_rules(game.params);
   return game;

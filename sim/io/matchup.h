@@ -10,6 +10,7 @@
 namespace sim::io {
 
 /// Rules, strategies and models of a game, as typed: each is a name or a path, with changes where they are allowed.
+/// Models may differ for single robots (load_team_models in sim/io/models.h).
 struct Matchup {
   std::string rules = "spl2012";
   std::string strategies[2] = {"baseline", "baseline"};  // by Side

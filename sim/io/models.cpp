@@ -1,6 +1,7 @@
 #include "sim/io/models.h"
 
 #include <cstring>
+#include <memory>
 
 #include "robot/core/json_library.h"
 #include "sim/io/reader.h"
@@ -111,6 +112,19 @@ Json with_effects_below(const Json& changes) {
   return sorted;
 }
 
+/// Splits "match+3=perfect" into "match" and "3=perfect".
+std::vector<std::string> split_single(std::string_view name) {
+  std::vector<std::string> parts;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i + 2 < name.size(); ++i)
+    if (name[i] == '+' && name[i + 1] >= '0' && name[i + 1] <= '9' && name[i + 2] == '=') {
+      parts.emplace_back(name.substr(from, i - from));
+      from = i + 1;
+    }
+  parts.emplace_back(name.substr(from));
+  return parts;
+}
+
 }  // namespace
 
 Result<Models> parse_models(std::string_view text, const std::string& called, Sources* sources) {
@@ -132,6 +146,33 @@ Result<Models> load_models(const std::string& name, Sources* sources) {
   if (!reader.good()) return reader.error();
   models->name += name.substr(variation->name.size());
   return models;
+}
+
+Result<void> load_team_models(const std::string& name, int players, Team& team) {
+  const std::string called = "models '" + name + "'";
+  const std::vector<std::string> parts = split_single(name);
+  Result<Models> all = load_models(parts.front());
+  if (!all) return all.failure();
+  team.models = std::move(*all);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const int player = parts[i].front() - '0';
+    if (player < 1 || player > players)
+      return Error{called + ": the player before '=' must be 1 .. " + std::to_string(players) + ", got " +
+                   std::to_string(player)};
+    std::shared_ptr<const Models>& single = team.single[player - 1];
+    if (single) return Error{called + ": player " + std::to_string(player) + " has models twice"};
+    Result<Models> own = load_models(parts[i].substr(2));
+    if (!own) return own.failure();
+    team.models.name += "+" + parts[i].substr(0, 2) + own->name;
+    single = std::make_shared<const Models>(std::move(*own));
+  }
+  return {};
+}
+
+std::vector<std::string> names_of_models(const std::string& name) {
+  std::vector<std::string> names = split_single(name);
+  for (std::size_t i = 1; i < names.size(); ++i) names[i].erase(0, 2);
+  return names;
 }
 
 std::string print_models(const Models& models, const Sources& sources) {

@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "robot/core/result.h"
 #include "sim/io/reader.h"
@@ -17,6 +18,12 @@ namespace sim::io {
 /// "match,falls=on,walk.forward=0.2". The models have the name in the file, plus the changes. `sources` receives the
 /// source of each value; a changed value has none.
 robot::Result<Models> load_models(const std::string& name, Sources* sources = nullptr);
+
+/// Loads the models of a team into `team`. Behind the models of all robots may follow those of single robots, by their
+/// player number: "match+3=perfect+5=match,walk.forward=0.2". `players` is the number of players.
+robot::Result<void> load_team_models(const std::string& name, int players, Team& team);
+/// Returns the names of the models in the name of a team's: "match" and "perfect" of "match+3=perfect".
+std::vector<std::string> names_of_models(const std::string& name);
 
 /// Parses the models described in `text`; `called` opens the sentence of an Error ("models 'match'").
 robot::Result<Models> parse_models(std::string_view text, const std::string& called, Sources* sources = nullptr);

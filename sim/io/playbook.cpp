@@ -38,6 +38,7 @@ Result<Playbook> prepare_playbook(const PlaybookChoice& choice) {
   for (const std::string& name : choice.strategies) {
     auto behaviour = load_strategy(name);
     if (!behaviour) return behaviour.failure();
+    if (auto checked = check_kicks((*behaviour)->tree(), setup->params.teams[own]); !checked) return checked.failure();
     playbook.params.push_back(setup->params);
     playbook.params.back().teams[own].behaviour = behaviour->get();
     playbook.behaviours.push_back(std::move(*behaviour));

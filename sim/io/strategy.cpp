@@ -5,6 +5,8 @@
 #include "sim/io/source.h"
 #include "sim/io/strategy_tree.h"
 #include "sim/io/variation.h"
+#include "sim/io/words.h"
+#include "sim/motion/motion.h"
 
 namespace sim::io {
 
@@ -129,6 +131,21 @@ Result<std::unique_ptr<agent::TreeBehaviour>> load_strategy(const std::string& n
   if (!tree) return tree.failure();
   tree->name += name.substr(variation->name.size());
   return std::make_unique<agent::TreeBehaviour>(std::move(*tree));
+}
+
+Result<void> check_kicks(const agent::Tree& tree, const Team& team) {
+  for (int player = 1; player <= kMaxPlayers; ++player) {
+    const Models& models = team.models_of(player);
+    std::vector<std::string_view> known;
+    for (int i = 0; i < models.motion.kick_count; ++i) known.emplace_back(models.motion.kicks[i].name);
+    for (int i = 0; i < tree.settings.kicks.count; ++i) {
+      const std::string name = tree.settings.kicks.names[i];
+      if (motion::find_kick(models.motion, name) < 0)
+        return Error{"strategy '" + tree.name + "': models '" + models.name + "' have no kick " + shown(name) +
+                     hint(name, known)};
+    }
+  }
+  return {};
 }
 
 }  // namespace sim::io

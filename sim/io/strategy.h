@@ -33,6 +33,7 @@
 
 #include "robot/core/result.h"
 #include "sim/agent/tree.h"
+#include "sim/match/params.h"
 
 namespace sim::io {
 
@@ -42,5 +43,9 @@ robot::Result<agent::Tree> parse_strategy(std::string_view text, const std::stri
 
 /// Loads an embedded strategy by name, or a file by path; changed parameters follow behind commas: "baseline,near=0.3".
 robot::Result<std::unique_ptr<agent::TreeBehaviour>> load_strategy(const std::string& name);
+
+/// Returns an Error if a leaf of the tree names a kick that a robot of the team lacks. Its sentence has similar names:
+/// "strategy 'mine': models 'match' have no kick "sid"; did you mean 'side'?"
+robot::Result<void> check_kicks(const agent::Tree& tree, const Team& team);
 
 }  // namespace sim::io

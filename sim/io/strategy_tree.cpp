@@ -181,16 +181,29 @@ class Compiler {
   void read_arguments(const Json& with, const SkillInfo& skill, const Place& place, agent::Leaf& leaf) {
     if (!with.is_object()) return refuse(place, "must be an object, got " + shown(with));
     std::vector<std::string_view> known;
+    std::string chosen;  // the given one of the alternatives
     for (int i = 0; i < skill.count; ++i) {
       const agent::ParameterInfo& info = skill.parameters[i];
-      known.emplace_back(info.name);
+      const std::string key = info.key();
+      known.emplace_back(info.key());
       leaf.arguments[i] = info.standard;
-      const auto given = with.find(info.name);
+      const auto given = with.find(key);
       if (given == with.end()) continue;
-      const Result<float> value =
-          values_.read(*given, {info.range.unit, info.range.least, info.range.most, info.range.names});
-      if (!value) return refuse(place.at("." + std::string(info.name)), value.error());
-      leaf.arguments[i] = *value;
+      if (info.range.alternative && !chosen.empty() && chosen != key)
+        return refuse(place, "takes '" + chosen + "' or '" + key + "', got both");
+      if (info.range.alternative) chosen = key;
+      const bool is_point = given->is_array() && given->size() == 2;
+      if (info.range.point && !is_point)
+        return refuse(place.at("." + key), "must be a point [x, y] in m, got " + shown(*given));
+      const Json& value = info.range.point ? (*given)[static_cast<std::size_t>(info.range.coordinate)] : *given;
+      const Result<float> read =
+          values_.read(value, {.unit = info.range.unit,
+                               .least = info.range.least,
+                               .most = info.range.most,
+                               .names = info.range.names,
+                               .kicks = info.range.names_kicks ? &tree_.settings.kicks : nullptr});
+      if (!read) return refuse(place.at("." + std::string(info.name)), read.error());
+      leaf.arguments[i] = *read;
     }
     for (const auto& [key, value] : with.items())
       if (std::find(known.begin(), known.end(), key) == known.end())

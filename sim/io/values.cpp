@@ -47,6 +47,21 @@ double factor_to(std::string_view given, std::string_view unit) {
 
 std::string quoted(std::string_view text) { return shown(std::string(text)); }
 
+/// Returns the value of a kick's name, which it adds to the list if it is new.
+Result<float> named_kick(std::string_view name, const Expected& expected) {
+  agent::NamedKicks& kicks = *expected.kicks;
+  if (name.empty() || name.size() >= sizeof kicks.names[0])
+    return Error{"must be " + listed(names_in(expected.names)) + " or a kick's name of 1 .. " +
+                 std::to_string(sizeof kicks.names[0] - 1) + " bytes, got " + quoted(name)};
+  int place = 0;
+  while (place < kicks.count && kicks.names[place] != name) ++place;
+  if (place == agent::kMaxNamedKicks)
+    return Error{"must be one of the " + std::to_string(agent::kMaxNamedKicks) +
+                 " kicks that the tree names before, got one more: " + quoted(name)};
+  if (place == kicks.count) name.copy(kicks.names[kicks.count++], name.size());
+  return static_cast<float>(names_in(expected.names).size()) + static_cast<float>(place);
+}
+
 }  // namespace
 
 std::string value_text(float value, const Expected& expected) {
@@ -80,7 +95,7 @@ Result<float> Values::read(std::string_view text, const Expected& expected) {
   if (expected.names) {
     for (int i = 0; expected.names[i]; ++i)
       if (text == expected.names[i]) return static_cast<float>(i);
-    return wrong(expected, quoted(text));
+    return expected.kicks ? named_kick(text, expected) : wrong(expected, quoted(text));
   }
 
   double value = 0;

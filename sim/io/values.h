@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "robot/core/result.h"
+#include "sim/agent/settings.h"
 #include "sim/io/json.h"
 
 namespace sim::io {
@@ -16,6 +17,8 @@ struct Expected {
   float least;
   float most;
   const char* const* names;  // the words for 0, 1, …, ended by nullptr; nullptr: a number
+  // Takes other words than `names`, as names of kicks: a word's value is its place in the list, after those of `names`.
+  agent::NamedKicks* kicks = nullptr;
 };
 
 /// Returns the value as Values reads it: "0.35 m", "2", "goal".

@@ -22,7 +22,8 @@ using robot::Result;
 
 namespace {
 
-constexpr std::size_t kNameColumn = 24, kRangeColumn = 20, kExampleColumn = 34;  // letters
+constexpr std::size_t kArgumentColumn = 16, kDefaultColumn = 52, kArgumentExampleColumn = 88;  // letters
+constexpr std::size_t kNameColumn = 24, kRangeColumn = 20, kExampleColumn = 34;                // letters
 
 Expected expected_of(const ParameterInfo& info) {
   return {info.range.unit, info.range.least, info.range.most, info.range.names};
@@ -74,10 +75,27 @@ void add_range(Json& json, const Expected& expected) {
   json["most"] = short_number(expected.most);
 }
 
-/// Returns the default of a parameter as a tree may write it: 1, "0.2 rad", "opening".
+/// Returns the default of a parameter as a tree may write it: 1, "0.2 rad", "opening"; null for an optional one.
 Json standard_of(const ParameterInfo& info) {
+  if (!agent::is_given(info.standard)) return nullptr;
   if (!info.range.names && !*info.range.unit) return short_number(info.standard);
   return value_text(info.standard, expected_of(info));
+}
+
+/// Returns an example of an argument as a tree writes it: `"range": "3 m"`.
+std::string written_example(const ParameterInfo& info) {
+  const std::string value = info.range.example ? info.range.example : standard_of(info).dump();
+  return quoted(info.key()) + ": " + value;
+}
+
+/// Returns the line of an argument for people.
+std::string line_of(const ParameterInfo& info) {
+  const Expected expected = expected_of(info);
+  const std::string standard =
+      agent::is_given(info.standard) ? "default " + value_text(info.standard, expected) : "optional";
+  std::string text = padded("  " + std::string(info.name), kArgumentColumn);
+  text += padded(range_text(expected) + (info.range.names_kicks ? ", a kick" : "") + "; " + standard, kDefaultColumn);
+  return padded(text + written_example(info), kArgumentExampleColumn) + info.about + "\n";
 }
 
 }  // namespace
@@ -104,7 +122,15 @@ std::string example_of(Skill skill) {
   const SkillInfo& info = info_of(skill);
   Json rule = Json::object();
   rule["do"] = info.name;
-  for (int i = 0; i < info.count; ++i) rule["with"][info.parameters[i].name] = standard_of(info.parameters[i]);
+  for (int i = 0; i < info.count; ++i) {
+    const ParameterInfo& parameter = info.parameters[i];
+    Json standard = standard_of(parameter);
+    if (standard.is_null()) continue;
+    if (parameter.range.point)
+      rule["with"][parameter.key()].push_back(std::move(standard));
+    else
+      rule["with"][parameter.key()] = std::move(standard);
+  }
   return rule.dump();
 }
 
@@ -130,7 +156,12 @@ Json json_of(Skill skill) {
     described["name"] = parameter.name;
     described["about"] = parameter.about;
     add_range(described, expected_of(parameter));
-    described["default"] = parameter.range.names ? standard_of(parameter) : Json(short_number(parameter.standard));
+    if (parameter.range.names_kicks) described["values"].push_back("a kick of the model");
+    if (parameter.range.point) described["point"] = parameter.range.point;
+    const Json standard = standard_of(parameter);
+    const bool is_word = parameter.range.names || standard.is_null();
+    described["default"] = is_word ? standard : Json(short_number(parameter.standard));
+    described["example"] = written_example(parameter);
     parameters.push_back(std::move(described));
   }
   json["example"] = example_of(skill);
@@ -154,13 +185,7 @@ Json json_of(Feature feature) {
 std::string text_of(Skill skill) {
   const SkillInfo& info = info_of(skill);
   std::string text = std::string(info.name) + ": " + info.about + "\n";
-  for (int i = 0; i < info.count; ++i) {
-    const ParameterInfo& parameter = info.parameters[i];
-    const Expected expected = expected_of(parameter);
-    text += padded("  " + std::string(parameter.name), 16);
-    text += padded(range_text(expected) + "; default " + value_text(parameter.standard, expected), 52);
-    text += std::string(parameter.about) + "\n";
-  }
+  for (int i = 0; i < info.count; ++i) text += line_of(info.parameters[i]);
   return text + "  example: " + example_of(skill) + "\n";
 }
 

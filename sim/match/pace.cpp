@@ -103,7 +103,7 @@ Wait wait_of(const Params& params, const State& state, int robot) {
   const World& world = state.world;
   const Body& body = world.bodies[robot];
   const motion::Command& command = state.robots[robot].command;
-  const motion::Model& motion = params.teams[static_cast<int>(side_of(robot))].models.motion;
+  const motion::Model& motion = models_of(params, robot).motion;
   const motion::Rhythm rhythm(motion.walk);
   const auto at_once = [](Tick ticks) { return Wait{ticks, ticks}; };
 

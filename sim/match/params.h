@@ -1,6 +1,7 @@
 // Everything that stays constant during a game.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "sim/agent/behaviour.h"
@@ -9,6 +10,7 @@
 #include "sim/perception/model.h"
 #include "sim/world/effects.h"
 #include "sim/world/model.h"
+#include "sim/world/world.h"
 
 namespace sim {
 
@@ -26,6 +28,15 @@ struct Models {
 struct Team {
   const agent::Behaviour* behaviour = nullptr;  // not owned; outlives the game
   Models models;                                // of its robots; for ball and contacts the home side's count
+  // By player - 1: the models of a robot that differs from the others. nullptr: `models`. Their ball and contacts do not
+  // count.
+  std::shared_ptr<const Models> single[kMaxPlayers];
+
+  /// Returns the models of a robot by its player number, 1 .. kMaxPlayers.
+  const Models& models_of(int player) const {
+    const Models* const own = single[player - 1].get();
+    return own ? *own : models;
+  }
 };
 
 /// How often robots perceive and decide: each tick, or less often far from the ball (sim/match/pace.h).
@@ -39,6 +50,11 @@ struct Params {
   Team teams[2];       // by Side
   Pace pace = Pace::thinned;
 };
+
+/// Returns the models of a robot by its index.
+inline const Models& models_of(const Params& params, int robot) {
+  return params.teams[static_cast<int>(side_of(robot))].models_of(player_of(robot));
+}
 
 /// Replaces the ball of the models by that of the rules, if the rules have one.
 inline void take_ball_of_rules(Params& params) {

@@ -28,17 +28,17 @@ const Team& team_of(const Params& params, int robot) { return params.teams[stati
 /// Returns the models of ball and contacts. Both sides share those of the home side.
 const Models& common(const Params& params) { return params.teams[0].models; }
 
-/// The parameters of one side, sorted by the part of the simulator that reads them.
-struct SideParams {
+/// The parameters of one robot, sorted by the part of the simulator that reads them.
+struct RobotParams {
   const Team& team;
   perception::PerceptionParams perception;
   motion::MotionParams motion;
   agent::Surroundings surroundings;
 };
 
-SideParams side_params(const Params& params, Side side) {
-  const Team& team = params.teams[static_cast<int>(side)];
-  const Models& own = team.models;
+RobotParams robot_params(const Params& params, int robot) {
+  const Team& team = team_of(params, robot);
+  const Models& own = team.models_of(player_of(robot));
   const BallModel& ball = common(params).ball;
   return {team,
           {own.perception, own.effects, params.rules.field, params.marks, common(params).contact, ball},
@@ -100,13 +100,13 @@ Tick earliest_of(const State& state) {
 }
 
 /// Updates the robot's beliefs from the world, decides a command from the beliefs, and schedules the next turn.
-void think(const Params& params, const SideParams& side, State& state, int robot, agent::Trace* trace) {
+void think(const Params& params, const RobotParams& own, State& state, int robot, agent::Trace* trace) {
   Robot& self = state.robots[robot];
   const Tick now = state.world.tick, steps = state.schedule.lag[robot];
-  perception::perceive(side.perception, state.world, robot, steps, self.beliefs, self.cognition);
+  perception::perceive(own.perception, state.world, robot, steps, self.beliefs, self.cognition);
   if (referee::in_play(state.book) && self.beliefs.ball.visible) state.counts.seen[robot] += steps;
   const agent::Game game = referee::game_for(params.rules, state.world, state.book, robot);
-  self.command = side.team.behaviour->decide(side.surroundings, game, self.beliefs, now, self.mind, trace);
+  self.command = own.team.behaviour->decide(own.surroundings, game, self.beliefs, now, self.mind, trace);
   const Wait wait = wait_of(params, state, robot);
   state.schedule.lag[robot] = static_cast<std::uint8_t>(wait.turn);
   state.world.bodies[robot].glide = static_cast<std::uint8_t>(wait.move);
@@ -115,14 +115,14 @@ void think(const Params& params, const SideParams& side, State& state, int robot
 
 /// Moves the body on with its command, at most up to the robot's next turn. The head moves once, at the end of that
 /// time: no image is taken before.
-void move(const SideParams& side, State& state, int robot) {
+void move(const RobotParams& own, State& state, int robot) {
   const Robot& self = state.robots[robot];
   Body& body = state.world.bodies[robot];
   const Tick now = state.world.tick, left = state.schedule.turn[robot] - now;
   const Tick steps = std::min<Tick>(body.glide, left);
-  motion::move(side.motion, self.command, robot, steps, state.world);
+  motion::move(own.motion, self.command, robot, steps, state.world);
   body.moved = static_cast<std::uint8_t>(now + steps);
-  if (steps == left) motion::turn_head(side.motion, self.command, self.cognition.last, state.schedule.lag[robot], body);
+  if (steps == left) motion::turn_head(own.motion, self.command, self.cognition.last, state.schedule.lag[robot], body);
 }
 
 /// Returns the remaining time of the whole game [s].
@@ -142,14 +142,14 @@ void deliver(const Params& params, State& state, int sender) {
   }
   cognition.on_air = false;
   state.schedule.radio[sender] =
-      perception::next_packet(params.rules, team_of(params, sender).models.effects, cognition.packet.sent,
+      perception::next_packet(params.rules, models_of(params, sender).effects, cognition.packet.sent,
                               state.book.packets[static_cast<int>(side)], remaining(params, state.book));
 }
 
 /// Puts the sender's beliefs on the air as a packet, with its delay and its losses.
 void send(const Params& params, State& state, int sender) {
   const Tick now = state.world.tick;
-  const Models& models = team_of(params, sender).models;
+  const Models& models = models_of(params, sender);
   Robot& self = state.robots[sender];
   const auto transmission = perception::transmit(models.perception, models.effects, state.world, sender);
   self.cognition.packet = perception::packet_of(self.beliefs, self.mind, !on_field(state.world, sender), now);
@@ -177,19 +177,16 @@ void talk(const Params& params, State& state, int robot) {
 
 /// Lets the robots that are due perceive, decide, communicate and move. Returns whether any body may have moved.
 bool act(const Params& params, State& state, int traced, agent::Trace* trace) {
-  const SideParams sides[] = {side_params(params, Side::home), side_params(params, Side::away)};
-  const auto side_for = [&](int robot) -> const SideParams& { return sides[static_cast<int>(side_of(robot))]; };
-
   // all robots that have a turn see the same world: no body has moved yet
   const Due due = due_in(state);
   for_each_of(due.turns, [&](int robot) {
-    think(params, side_for(robot), state, robot,
+    think(params, robot_params(params, robot), state, robot,
           traced == kEverybody ? trace + robot
           : traced == robot    ? trace
                                : nullptr);
   });
   for_each_of(due.radios, [&](int robot) { talk(params, state, robot); });
-  for_each_of(due.moves, [&](int robot) { move(side_for(robot), state, robot); });
+  for_each_of(due.moves, [&](int robot) { move(robot_params(params, robot), state, robot); });
 
   // until then `step` skips this function
   state.schedule.next = earliest_of(state);
@@ -234,7 +231,7 @@ void enter(const Params& params, State& state, int robot) {
   // mirrored robots begin their search in mirrored directions
   const float sign = attack_sign(state.world, side_of(robot));
   self.mind.search_side = agent::left_or_right(sign * state.world.bodies[robot].position.y);
-  perception::enter(side_params(params, side_of(robot)).perception, state.world, robot, self.beliefs, self.cognition);
+  perception::enter(robot_params(params, robot).perception, state.world, robot, self.beliefs, self.cognition);
 }
 
 State begin(const Params& params, RandomKey key, referee::Events& events) {

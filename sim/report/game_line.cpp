@@ -29,7 +29,7 @@ Json set_plays(const Result& result) {
 
 }  // namespace
 
-GameLine game_line(const Params& params, std::uint64_t seed) {
+GameLine game_line(const Params& params, std::uint64_t seed, bool shoot_out) {
   GameReport report{.seed = seed};
   referee::Events opening;
   State state = begin(params, {.seed = seed}, opening);
@@ -49,6 +49,8 @@ GameLine game_line(const Params& params, std::uint64_t seed) {
         if (event.kind == Kind::goal && first_goal.is_null()) first_goal = seconds(event.tick);
       });
   report.result = result_of(state, decided);
+  if (shoot_out && state.book.score[0] == state.book.score[1])
+    report.shoot_out = play_shoot_out(params, {.seed = seed});
 
   Json json = to_json(report, params.rules.players);
   json.erase("events");  // there are hundreds

@@ -15,7 +15,8 @@ struct GameLine {
 };
 
 /// Plays a game and returns its figures: those of its report, the time of the first goal and the number of balls out.
-/// Each robot's share of time with the ball in view and the figures of a Census follow.
-GameLine game_line(const Params& params, std::uint64_t seed);
+/// With `shoot_out` a drawn game has a penalty shoot-out. Each robot's share of time with the ball in view and the figures
+/// of a Census follow.
+GameLine game_line(const Params& params, std::uint64_t seed, bool shoot_out = false);
 
 }  // namespace sim::report

@@ -76,6 +76,46 @@ std::string heading(const io::Matchup& choice, const Params& params) {
   return line + "\n";
 }
 
+const char* winner_of(const ShootOut& shoot_out) {
+  const auto winner = referee::shoot_out::winner(shoot_out.tally);
+  return winner ? kSides[static_cast<std::size_t>(*winner)] : "nobody";
+}
+
+double seconds_of(const PenaltyShot& shot) { return static_cast<double>(shot.ticks) / kTicksPerSecond; }
+
+Json json_of(const ShootOut& shoot_out) {
+  Json json = {{"score", {shoot_out.tally.goals[0], shoot_out.tally.goals[1]}},
+               {"winner", winner_of(shoot_out)},
+               {"shots", Json::array()}};
+  for (const PenaltyShot& shot : shoot_out.shots)
+    json["shots"].push_back({{"side", kSides[static_cast<std::size_t>(shot.side)]},
+                             {"end", name_of(shot.end)},
+                             {"seconds", seconds_of(shot)}});
+  return json;
+}
+
+std::string text_of(const ShootOut& shoot_out) {
+  std::string all = text("\npenalty shoot-out %d:%d, %s wins\n", shoot_out.tally.goals[0], shoot_out.tally.goals[1],
+                         winner_of(shoot_out));
+  for (const PenaltyShot& shot : shoot_out.shots)
+    all +=
+        text("  %-6s%-8s%5.1f s\n", kSides[static_cast<std::size_t>(shot.side)], name_of(shot.end), seconds_of(shot));
+  return all;
+}
+
+/// Returns the line about the shoot-outs of several games, or an empty string without one.
+std::string shoot_outs_text(const std::vector<GameReport>& reports) {
+  int count = 0, won[2] = {0, 0};
+  for (const GameReport& report : reports) {
+    if (!report.shoot_out) continue;
+    ++count;
+    if (const auto winner = referee::shoot_out::winner(report.shoot_out->tally)) ++won[static_cast<int>(*winner)];
+  }
+  if (count == 0) return "";
+  return text("%d penalty shoot-outs: home won %d, away won %d, nobody won %d\n", count, won[0], won[1],
+              count - won[0] - won[1]);
+}
+
 }  // namespace
 
 std::string who(const referee::Event& event) {
@@ -100,6 +140,7 @@ Json to_json(const GameReport& report, int players) {
     Json& figures = json[kSides[static_cast<std::size_t>(side)]];
     for (const Row& row : kRows) figures[row.key] = row.value(report.result, side, players);
   }
+  if (report.shoot_out) json["shoot_out"] = json_of(*report.shoot_out);
   json["events"] = Json::array();
   for (const Decision& decision : report.decisions)
     json["events"].push_back({{"kind", referee::name_of(decision.event.kind)},
@@ -126,6 +167,7 @@ std::string to_text(const GameReport& report, const io::Matchup& choice, const P
       all += text(who(decision.event).empty() ? "%d  %s  %d:%d  %s\n" : "%d  %s  %d:%d  %-17s %s\n", decision.half,
                   clock_text(decision.clock).c_str(), decision.score[0], decision.score[1],
                   referee::name_of(decision.event.kind), who(decision.event).c_str());
+  if (report.shoot_out) all += text_of(*report.shoot_out);
   return all;
 }
 
@@ -148,9 +190,11 @@ Json to_json(const std::vector<GameReport>& reports, int players) {
       json["means"][kSides[static_cast<std::size_t>(side)]][row.key] = {{"mean", mean.mean},
                                                                         {"standard_error", mean.error}};
     }
-  for (const GameReport& report : reports)
+  for (const GameReport& report : reports) {
     json["scores"].push_back(
         {{"seed", report.seed}, {"home", report.result.score[0]}, {"away", report.result.score[1]}});
+    if (report.shoot_out) json["scores"].back()["shoot_out"] = json_of(*report.shoot_out);
+  }
   return json;
 }
 
@@ -183,7 +227,7 @@ std::string to_text(const std::vector<GameReport>& reports, const io::Matchup& c
   const contest::Mean mean = contest::mean_of(sums);
   all += text("\n%d games: home won %d, away won %d, drawn %d, of these %d goalless; %.2f ± %.2f goals a game\n", count,
               won[0], won[1], count - won[0] - won[1], goalless, mean.mean, mean.error);
-  return all;
+  return all + shoot_outs_text(reports);
 }
 
 }  // namespace sim::report

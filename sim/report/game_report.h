@@ -2,12 +2,14 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/contest/series.h"
 #include "sim/io/matchup.h"
 #include "sim/match/play.h"
+#include "sim/match/shoot_out.h"
 
 namespace sim::report {
 
@@ -26,6 +28,7 @@ struct GameReport {
   std::uint64_t hash = 0;  // of the game (hash_of_game): games with the same hash are the same game
   Result result{};
   std::vector<Decision> decisions;
+  std::optional<ShootOut> shoot_out;  // after a draw, if one was asked for
 };
 
 /// Returns "home 3", "away", …, or an empty string for an event of no side.

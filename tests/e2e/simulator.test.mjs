@@ -86,7 +86,7 @@ test("wrong usage and wrong input are one sentence and exit status 2", async (t)
   writeFileSync(program, "print('{}')\n");
   for (const [args, sentence] of [
     [["match", "--home", "basline"], "foresight-sim: no strategy 'basline'; did you mean 'baseline'?\n"],
-    [["match", "--home", "chess"], "foresight-sim: no strategy 'chess'; there are: align_first, baseline, high_line, idle, kick_now, passing, foresight\n"],
+    [["match", "--home", "chess"], "foresight-sim: no strategy 'chess'; there are: align_first, all_kicks, baseline, high_line, idle, kick_now, passing, foresight\n"],
     [["match", "--away", program], `foresight-sim: behaviour '${program}' is a program: use 'pipe:python3 ${program}'\n`],
     [["match", "--models", "match,walk.forward=9"], "foresight-sim: models 'match,walk.forward=9': walk.forward must be 0.01 .. 3 [m/s], got 9\n"],
     [["match", "--rules", "spl2012,half_durtion=60"], "foresight-sim: rules 'spl2012,half_durtion=60': half_durtion is unknown; did you mean 'half_duration'?\n"],

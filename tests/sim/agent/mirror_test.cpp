@@ -75,6 +75,25 @@ TEST(Mirror, AllSkillsAreMirrored) {
   }
 }
 
+TEST(Mirror, KicksOfAllKindsAreMirroredWithTheirTargets) {
+  for (const char* with :
+       {R"("kick": "any", "range": 1)", R"("kick": "any", "range": 1, "direction": "50 deg")",
+        R"("kick": "side", "target": [1, -1.5])", R"("kick": "turn", "tolerance": 1)", R"("target": [2, 0.7])"}) {
+    SCOPED_TRACE(with);
+    expect_mirrored_decisions(tree_of(std::string(R"({"name": "k", "tree": {"do": "kick", "with": {)") + with + "}}}"),
+                              5000, true);
+  }
+}
+
+TEST(Mirror, PlacesAndDribblesAreMirrored) {
+  for (const char* leaf : {R"("do": "go_to", "with": {"point": [1, 0.7]})",
+                           R"("do": "go_to", "with": {"point": [-1, 2], "direction": "50 deg"})",
+                           R"("do": "dribble", "with": {"past": "nearest", "direction": "-20 deg"})"}) {
+    SCOPED_TRACE(leaf);
+    expect_mirrored_decisions(tree_of(std::string(R"({"name": "p", "tree": {)") + leaf + "}}"), 5000, true);
+  }
+}
+
 TEST(Mirror, MirroringTwiceChangesNothing) {
   std::mt19937 random(2);
   const TreeBehaviour behaviour(tree_of(kLateral)), twice(mirrored(mirrored(behaviour.tree())));

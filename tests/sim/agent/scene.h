@@ -42,6 +42,6 @@ Scene random_scene(std::mt19937& random);
 Tree tree_of(std::string_view text);
 /// Loads a shipped strategy.
 Tree shipped(const char* name);
-inline constexpr const char* kShipped[] = {"align_first", "baseline", "idle", "kick_now", "passing"};
+inline constexpr const char* kShipped[] = {"align_first", "all_kicks", "baseline", "idle", "kick_now", "passing"};
 
 }  // namespace sim::agent

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "sim/io/models.h"
 #include "sim/io/source.h"
 
 namespace sim::io {
@@ -21,7 +22,7 @@ std::string refusal_of_tree(const std::string& tree) { return refusal(R"({"name"
 
 TEST(Strategy, EachShippedStrategyLoadsByItsName) {
   const auto names = names_of("strategies");
-  EXPECT_EQ(listed(names), "align_first, baseline, high_line, idle, kick_now, passing");
+  EXPECT_EQ(listed(names), "align_first, all_kicks, baseline, high_line, idle, kick_now, passing");
   for (const std::string_view name : names) {
     const auto behaviour = load_strategy(std::string(name));
     ASSERT_TRUE(behaviour) << behaviour.error();
@@ -180,6 +181,61 @@ TEST(Strategy, SurvivesEveryTruncationAndFlippedBytes) {
     refused += refusal(flipped) != "accepted";
   }
   EXPECT_GT(refused, 100);
+}
+
+TEST(Strategy, ALeafNamesADirectionOrAPointInsteadOfTheAim) {
+  const auto tree = parse_strategy(
+      R"({"name": "mine", "parameters": {"x": "2 m"},
+          "tree": [{"if": "ball_known", "do": "kick", "with": {"target": ["$x", -0.5]}},
+                   {"do": "pass", "with": {"direction": "90 deg"}}]})",
+      "strategy 'mine'");
+  ASSERT_TRUE(tree) << tree.error();
+  const auto argument = [&](std::size_t leaf, const std::string& name) {
+    const agent::SkillInfo& info = info_of(tree->leaves[leaf].skill);
+    for (int i = 0; i < info.count; ++i)
+      if (info.parameters[i].name == name) return tree->leaves[leaf].arguments[i];
+    ADD_FAILURE() << name;
+    return 0.f;
+  };
+  // leaves are numbered from the last rule on
+  EXPECT_EQ(argument(1, "target_x"), 2);
+  EXPECT_EQ(argument(1, "target_y"), -0.5f);
+  EXPECT_FALSE(agent::is_given(argument(1, "direction")));
+  EXPECT_NEAR(argument(0, "direction"), 1.5708f, 1e-4f);
+  EXPECT_FALSE(agent::is_given(argument(0, "target_x")));
+
+  const auto kick = [](const std::string& with) {
+    return refusal_of_tree(R"({"do": "kick", "with": {)" + with + "}}");
+  };
+  EXPECT_EQ(kick(R"("aim": "goal", "direction": "10 deg")"),
+            "strategy 'mine': tree.with: takes 'aim' or 'direction', got both");
+  EXPECT_EQ(kick(R"("direction": 1, "target": [1, 2])"),
+            "strategy 'mine': tree.with: takes 'direction' or 'target', got both");
+  EXPECT_EQ(kick(R"("target": [1, 2, 3])"),
+            "strategy 'mine': tree.with.target: must be a point [x, y] in m, got [1,2,3]");
+  EXPECT_EQ(kick(R"("target": [1, 20])"), "strategy 'mine': tree.with.target_y: must be -6 .. 6 [m], got 20");
+  EXPECT_EQ(kick(R"("target_x": 1)").substr(0, 58), "strategy 'mine': tree.with: kick takes no 'target_x'; did ");
+}
+
+TEST(Strategy, NamesOfKicksAreCheckedAgainstTheModelsOfTheGame) {
+  const auto tree = parse_strategy(R"({"name": "mine", "parameters": {"with": "sid"},
+                                       "tree": [{"if": "ball_known", "do": "kick", "with": {"kick": "$with"}},
+                                                {"if": "ball_age < 1", "do": "kick", "with": {"kick": "any"}},
+                                                {"do": "align", "with": {"kick": "long"}}]})",
+                                   "strategy 'mine'");
+  ASSERT_TRUE(tree) << tree.error();
+  EXPECT_EQ(tree->settings.kicks.count, 2);
+  Team team;
+  ASSERT_TRUE(load_team_models("match+3=perfect", 5, team));
+  EXPECT_EQ(check_kicks(*tree, team).error(),
+            "strategy 'mine': models 'match+3=perfect' have no kick \"sid\"; did you mean 'side'?");
+  agent::Tree right = *tree;
+  right.settings.kicks.count = 1;
+  EXPECT_TRUE(check_kicks(right, team));
+  EXPECT_EQ(
+      refusal_of_tree(R"({"do": "kick", "with": {"kick": "a kick with a long name"}})"),
+      "strategy 'mine': tree.with.kick: must be front, any or a kick's name of 1 .. 15 bytes, got \"a kick with a "
+      "long name\"");
 }
 
 }  // namespace

@@ -39,8 +39,9 @@ TEST(Vocabulary, EverySkillArgumentAndFeatureHasADescription) {
       const ParameterInfo& parameter = info.parameters[i];
       EXPECT_STRNE(parameter.about, "") << parameter.name;
       EXPECT_LT(parameter.range.least, parameter.range.most) << parameter.name;
-      EXPECT_GE(parameter.standard, parameter.range.least) << parameter.name;
-      EXPECT_LE(parameter.standard, parameter.range.most) << parameter.name;
+      // NaN for an optional argument
+      EXPECT_FALSE(parameter.standard < parameter.range.least) << parameter.name;
+      EXPECT_FALSE(parameter.standard > parameter.range.most) << parameter.name;
     }
   });
   for_each_feature([](Feature, const FeatureInfo& info) {
@@ -62,7 +63,27 @@ TEST(Vocabulary, TheExampleOfASkillIsATreeWithTheDefaultsOfItsArguments) {
     ASSERT_TRUE(tree) << tree.error();
     ASSERT_EQ(tree->leaves.size(), 1u);
     EXPECT_EQ(tree->leaves[0].skill, skill);
-    for (int i = 0; i < info.count; ++i) EXPECT_EQ(tree->leaves[0].arguments[i], info.parameters[i].standard);
+    for (int i = 0; i < info.count; ++i) {
+      const float argument = tree->leaves[0].arguments[i], standard = info.parameters[i].standard;
+      EXPECT_EQ(agent::is_given(argument), agent::is_given(standard));
+      if (agent::is_given(standard)) {
+        EXPECT_EQ(argument, standard);
+      }
+    }
+  });
+}
+
+TEST(Vocabulary, TheExampleOfAnArgumentIsReadBack) {
+  for_each_skill([](Skill skill, const SkillInfo& info) {
+    const Json json = json_of(skill);
+    for (int i = 0; i < info.count; ++i) {
+      const std::string example = json["arguments"][static_cast<std::size_t>(i)]["example"];
+      const auto tree = parse_strategy(
+          R"({"name": "m", "tree": {"do": ")" + std::string(info.name) + R"(", "with": {)" + example + "}}}", "'m'");
+      ASSERT_TRUE(tree) << tree.error();
+      EXPECT_TRUE(agent::is_given(tree->leaves[0].arguments[i])) << example;
+      EXPECT_NE(text_of(skill).find(example), std::string::npos) << example;
+    }
   });
 }
 

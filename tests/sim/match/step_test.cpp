@@ -27,6 +27,34 @@ TEST(Step, IsAFunctionOfItsArguments) {
   }
 }
 
+TEST(Step, ARobotWithASlowerWalkWalksSlowerAndTheOthersDoNot) {
+  const auto game = [](const std::string& models) {
+    io::Matchup choice = choice_of("spl2025", "baseline", models);
+    choice.models[1] = "match";
+    return setup_of(choice);
+  };
+  const auto all = game("match"), one = game("match+3=match,walk.forward=0.1,walk.turn_rate=0.5");
+  const State from = begun(all.params, 7), usual = after(all.params, from, 120), slow = after(one.params, from, 120);
+  const auto walked = [&](const State& to, int robot) {
+    return distance(to.world.bodies[robot].position, from.world.bodies[robot].position);
+  };
+  for_each_robot(from.world.players, [&](int robot) {
+    ASSERT_GT(walked(usual, robot), 0.3f) << robot;
+    if (robot == robot_of(Side::home, 3))
+      EXPECT_LT(walked(slow, robot), 0.6f * walked(usual, robot));
+    else
+      EXPECT_EQ(slow.world.bodies[robot].position, usual.world.bodies[robot].position) << robot;
+  });
+}
+
+TEST(Step, ModelsOfItsOwnThatAreTheSameChangeNothing) {
+  const auto all = setup_of(choice_of("spl2025", "baseline", "match", Pace::thinned));
+  const auto each =
+      setup_of(choice_of("spl2025", "baseline", "match+1=match+2=match+3=match+4=match+5=match", Pace::thinned));
+  EXPECT_EQ(hash_of(after(all.params, begun(all.params, 9), 6000)),
+            hash_of(after(each.params, begun(each.params, 9), 6000)));
+}
+
 TEST(Step, AnotherKeyGivesAnotherGame) {
   const auto setup = setup_of(choice_of("spl2012", "baseline", "match"));
   State other = begun(setup.params, 8);

@@ -58,6 +58,24 @@ TEST(GameReport, TheScoreIsTheNumberOfEventsOfKindGoal) {
   EXPECT_GT(goals_of_all, 0) << "these games are to have goals";
 }
 
+TEST(GameReport, TellsThePenaltyShootOut) {
+  GameReport report{.seed = 1};
+  report.shoot_out = ShootOut{.tally = {.first = Side::away, .shots = {1, 1}, .goals = {1, 0}},
+                              .shots = {{.side = Side::away, .end = PenaltyShot::End::out, .ticks = ticks(6)},
+                                        {.side = Side::home, .end = PenaltyShot::End::goal, .ticks = ticks(9)}}};
+  const Json json = to_json(report, game().params.rules.players)["shoot_out"];
+  EXPECT_EQ(json["score"], Json({1, 0}));
+  EXPECT_EQ(json["winner"], "home");
+  EXPECT_EQ(json["shots"][0], Json({{"side", "away"}, {"end", "out"}, {"seconds", 6}}));
+  const std::string text = to_text(report, {}, game().params);
+  EXPECT_NE(text.find("penalty shoot-out 1:0, home wins\n  away  out       6.0 s\n  home  goal      9.0 s\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(to_text(std::vector{report, GameReport{}}, {}, game().params).find("1 penalty shoot-outs: home won 1,"),
+            std::string::npos);
+  EXPECT_FALSE(to_json(GameReport{}, game().params.rules.players).contains("shoot_out"));
+}
+
 TEST(GameReport, MeansOfManyGamesAreTheMeansOfTheirReports) {
   std::vector<GameReport> reports;
   double goals = 0, kicks = 0;
