@@ -174,14 +174,29 @@ class ReplayCommand final : public Command {
     return goal;
   }
 
-  /// Returns the recorded robots of the replayed side whose data were missing for some time.
+  static std::string name_of(const RecordedGame& game, int robot) {
+    return std::to_string(game.teams.of(side_of(robot))) + "/" +
+           std::to_string(game.players[static_cast<std::size_t>(robot)]);
+  }
+
+  /// Returns the robots of the playing side that have no data at the start, so that they do not play.
+  report::Json not_playing(const Played& played, const RecordedGame& game) const {
+    report::Json list = report::Json::array();
+    for (int robot = 0; robot < kMaxRobots; ++robot) {
+      const replay::Track& track = game.recording.robots[static_cast<std::size_t>(robot)];
+      if (!played.replay.is_recorded(robot) && !track.empty() && !track.at(ticks(from_)))
+        list.push_back(name_of(game, robot));
+    }
+    return list;
+  }
+
+  /// Returns the robots of the recorded side whose data were missing for some time.
   report::Json missing_of(const Played& played, const RecordedGame& game) const {
     report::Json list = report::Json::array();
     for (int robot = 0; robot < kMaxRobots; ++robot) {
       const replay::Replay::Missing& missing = played.replay.missing(robot);
       if (missing.held + missing.absent == 0) continue;
-      list.push_back({{"robot", std::to_string(game.teams.of(side_of(robot))) + "/" +
-                                    std::to_string(game.players[static_cast<std::size_t>(robot)])},
+      list.push_back({{"robot", name_of(game, robot)},
                       {"stood_seconds", static_cast<double>(missing.held) / kTicksPerSecond},
                       {"absent_seconds", static_cast<double>(missing.absent) / kTicksPerSecond}});
     }
@@ -193,6 +208,7 @@ class ReplayCommand final : public Command {
     json["recorded"] = side_;
     json["from"] = from_;
     json["without_data"] = missing_of(played, game);
+    json["not_playing"] = not_playing(played, game);
     return json;
   }
 
@@ -210,6 +226,8 @@ class ReplayCommand final : public Command {
     std::fputs(report::to_text(played.report, choice_, params).c_str(), stdout);
     std::printf("\nas recorded from %s s on: %s\n", io::short_text(from_).c_str(),
                 side_ == "both" ? "both sides and the ball" : side_.c_str());
+    for (const report::Json& robot : not_playing(played, game))
+      std::printf("no data of %s at the start: it does not play\n", robot.get<std::string>().c_str());
     for (const report::Json& robot : missing_of(played, game))
       std::printf("no data of %s: it stands still for %.1f s and is absent for %.1f s\n",
                   robot["robot"].get<std::string>().c_str(), robot["stood_seconds"].get<double>(),
