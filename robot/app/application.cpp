@@ -20,13 +20,10 @@ std::string text(const json& value) { return value.dump(-1, ' ', false, json::er
 std::string exact(std::uint64_t value) { return std::to_string(value); }
 
 json describe(const logging::RecordingStatus& status) {
-  return {{"state", name(status.state)},
-          {"session", status.session},
-          {"profile", status.profile},
-          {"bytes", status.size_bytes},
-          {"messages", status.messages},
-          {"dropped", status.dropped},
-          {"mb_per_minute", status.mb_per_minute},
+  return {{"state", name(status.state)}, {"session", status.session},
+          {"profile", status.profile},   {"bytes", status.size_bytes},
+          {"messages", status.messages}, {"waiting", status.waiting},
+          {"dropped", status.dropped},   {"mb_per_minute", status.mb_per_minute},
           {"message", status.message}};
 }
 

@@ -78,6 +78,7 @@ void Recorder::take(Wish wish) {
   loss_.clear();
   until_.clear();
   session_.clear();
+  last_ = {};
   profile_name_ = wish.profile.name;
   wish_ = std::move(wish);
 }
@@ -88,6 +89,7 @@ Result<std::string> Recorder::start(std::string_view name, std::string_view prof
   if (!wish) return wish.failure();
   take(std::move(*wish));
   if (const Result<void> begun = begin(); !begun) {
+    last_ = {.request = request_, .profile = profile_name_};
     wish_.reset();
     return begun.failure("recording");
   }
@@ -107,6 +109,7 @@ Result<std::uint64_t> Recorder::want(std::string_view name, std::string_view pro
 
 void Recorder::tend() {
   const std::lock_guard guard(lock_);
+  write_ends();
   if (!wish_) return;
   if (folder_ && is_whole()) return;
   if (folder_) end();
@@ -144,9 +147,8 @@ Result<void> Recorder::begin() {
   gone_ = std::make_shared<std::atomic<bool>>(false);
   folder_.emplace(std::move(*folder));
   session_ = folder_->name();
-  dropped_ += missed();
-  until_.clear();
   for (const auto& channel : channels_.all()) add(channel);
+  until_.clear();
   report(Level::info, "logging", "recording the session " + session_);
   return {};
 }
@@ -174,21 +176,36 @@ void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
                                           .chunk_time_ns = kSecond - FileOutProvider::kPatience.time_ns});
   if (image && !wish_->profile.raw_images) provider = thin_images(wish_->profile, std::move(provider));
   provider = unless_gone(gone_, std::move(provider));
-  streams_.push_back({.id = board_.start_logger(channel, std::move(provider)), .topic = info.topic, .file = file});
+  Stream stream{
+      .id = board_.start_logger(channel, std::move(provider)), .topic = info.topic, .file = file, .until = {}};
+  if (const auto until = until_.find(info.topic); until != until_.end() && wants_all(*channel))
+    stream.until = until->second;
+  streams_.push_back(std::move(stream));
 }
 
-/// Returns how many versions no session has, since the last one ended or since the request. Leaves out channels of which
-/// the profile does not want every version.
-std::uint64_t Recorder::missed() const {
+/// Returns whether the profile wants every version of `channel`.
+bool Recorder::wants_all(const memory::Channel& channel) const {
+  return channel.info().schema.name != kImageSchema || wish_->profile.raw_images;
+}
+
+/// Returns how many versions no session will have: if one begins now, with the newest versions, or if none begins any more.
+/// Leaves out channels of which the profile does not want every version.
+std::uint64_t Recorder::missed(bool begins) const {
   std::uint64_t missed = 0;
   for (const auto& [topic, until] : until_) {
     const auto channel = channels_.find(topic);
-    if (!channel || (channel->info().schema.name == kImageSchema && !wish_->profile.raw_images)) continue;
-    // a session begins with the newest version
+    if (!channel || !wants_all(*channel)) continue;
     const std::uint64_t newest = newest_number(*channel);
-    if (newest > until + 1) missed += newest - until - 1;
+    if (newest > until) missed += newest - until - (begins ? 1 : 0);
   }
   return missed;
+}
+
+/// Returns how many versions the session of `stream` began too late for. The stream itself knows where it began: the
+/// channel's writer does not wait for the recorder.
+std::uint64_t Recorder::missed_before(const Stream& stream, const StreamStatus& carried) {
+  if (!stream.until || carried.first <= *stream.until + 1) return 0;
+  return carried.first - *stream.until - 1;
 }
 
 /// Reports whether the file that holds the messages of `stream` was deleted or replaced.
@@ -205,59 +222,100 @@ bool Recorder::is_whole() {
          std::ranges::none_of(streams_, [&](Stream& stream) { return is_lost(stream, board_.status(stream.id)); });
 }
 
-/// Closes the streams of the session, counts the messages in deleted files as dropped, and says so.
-void Recorder::end() {
-  std::uint64_t lost = 0;
+/// Closes the streams of the session, counts the messages in deleted files as dropped, and says so. Returns its account.
+SessionAccount Recorder::end() {
+  std::uint64_t deleted = 0;
+  std::string problem;
+  SessionAccount account;
   const bool in_place = folder_->in_place();
   *gone_ = !in_place;
   for (Stream& stream : streams_) {
-    if (const auto channel = channels_.find(stream.topic)) until_[stream.topic] = newest_number(*channel);
     const StreamStatus last = board_.stop(stream.id);
-    if (is_lost(stream, last)) lost += last.messages;
-    dropped_ += last.dropped;
+    until_[stream.topic] = std::max(last.newest, stream.until.value_or(0));
+    (is_lost(stream, last) ? deleted : account.messages) += last.messages;
+    account.dropped += last.dropped + missed_before(stream, last);
+    if (last.dropped > 0 && !last.problem.empty()) problem = "; " + last.problem;
   }
-  dropped_ += lost;
   streams_.clear();
-  if (in_place) {
-    // a person may have marked the session as kept while it was being recorded
-    if (const Result<Session> session = read_session(folder_->path())) info_.kept = session->info.kept;
-    info_.complete = true;
-    if (Result<void> written = store_file(folder_->path() / "session.json", to_json(info_)); !written)
-      report(Level::warning, "logging", "session " + id() + ": " + written.error());
-  }
-  if (!in_place || lost > 0) {
-    loss_ = "session " + id() +
-            ": its files were deleted, replaced or moved while it was recorded; messages lost: " + std::to_string(lost);
+  account.dropped += deleted;
+  dropped_ += account.dropped;
+  info_.complete = true;
+  info_.account = account;
+  const std::uint64_t lost = account.dropped - deleted;
+  const std::string sentence = "session " + id() + ": messages lost: " + std::to_string(lost) + " of " +
+                               std::to_string(account.messages + account.dropped) + problem;
+  if (lost > 0) report(Level::warning, "logging", sentence);
+  if (lost > 0) loss_ = sentence;
+  if (!in_place || deleted > 0) {
+    loss_ = "session " + id() + ": its files were deleted, replaced or moved while it was recorded; messages lost: " +
+            std::to_string(deleted);
     report(Level::error, "logging", loss_);
   }
+  folder_->release();
+  ends_.push_back({.folder = std::move(*folder_), .info = std::move(info_)});
   folder_.reset();
+  write_ends();
+  return account;
+}
+
+/// Writes session.json of the sessions that have ended, also into moved folders. Those that the disk does not take stay in
+/// the list.
+void Recorder::write_ends() {
+  std::erase_if(ends_, [](End& end) {
+    const std::filesystem::path folder = end.folder.present_path();
+    if (folder.empty()) return true;
+    // a person may have marked the session as kept while it was being recorded
+    if (const Result<Session> session = read_session(folder)) end.info.kept = session->info.kept;
+    const Result<void> written = store_file(folder / "session.json", to_json(end.info));
+    if (!written && !std::exchange(end.reported, true))
+      report(Level::warning, "logging",
+             "session " + end.folder.name() + ": its end is written when the disk permits it; " + written.error());
+    return bool(written);
+  });
 }
 
 Result<std::string> Recorder::stop() {
   const std::lock_guard guard(lock_);
   if (!wish_) return Error{"recording: there is none to stop"};
+  std::uint64_t messages = 0;
   if (folder_) {
     report(Level::info, "logging", "the session " + session_ + " ends");
-    end();
+    messages = end().messages;
+  } else if (const std::uint64_t missing = missed(false); missing > 0) {
+    dropped_ += missing;
+    loss_ = "no session could begin before the end of the recording; messages lost: " + std::to_string(missing);
+    report(Level::warning, "logging", loss_);
   }
+  last_ = {.request = request_,
+           .session = session_,
+           .profile = profile_name_,
+           .messages = messages,
+           .dropped = dropped_,
+           .message = loss_};
   wish_.reset();
   return session_;
 }
 
 RecordingStatus Recorder::status() const {
   const std::lock_guard guard(lock_);
+  return wish_ ? status_now() : last_;
+}
+
+/// Returns the status while a session is wanted.
+RecordingStatus Recorder::status_now() const {
   RecordingStatus status{.request = request_, .session = session_, .profile = profile_name_};
-  if (!wish_) return status;
   status.mb_per_minute = wish_->profile.mb_per_minute;
-  status.dropped = dropped_ + missed();
+  status.dropped = dropped_;
   status.state = folder_ ? RecordingStatus::State::recording : RecordingStatus::State::disk_full;
   status.message = !folder_ ? wish_->problem : loss_.empty() ? advice_ : loss_;
+  if (!folder_) status.dropped += missed(true);
   std::vector<StreamStatus> carried;
   std::uint64_t delivered_ns = 0;
   for (const Stream& stream : streams_) {
     const StreamStatus& one = carried.emplace_back(board_.status(stream.id));
     status.messages += one.messages;
-    status.dropped += one.dropped;
+    status.waiting += one.waiting;
+    status.dropped += one.dropped + missed_before(stream, one);
     delivered_ns = std::max(delivered_ns, one.delivered_ns);
     std::error_code failed;
     const std::uintmax_t size = std::filesystem::file_size(folder_->path() / stream.file, failed);

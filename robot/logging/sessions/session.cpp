@@ -157,6 +157,8 @@ void sum_up(Session& session) {
     session.end_ns = std::max(session.end_ns, stream.end_ns);
   }
   if (session.end_ns == 0) session.start_ns = session.end_ns = session.info.start_ns;
+  if (session.state == SessionState::complete && session.info.account && session.info.account->dropped > 0)
+    session.message = "messages lost while it was recorded: " + std::to_string(session.info.account->dropped);
   if (session.state == SessionState::recovered)
     session.message = "the recording ended without warning; what was on the disk by then is readable";
 }

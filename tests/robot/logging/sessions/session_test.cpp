@@ -35,7 +35,12 @@ SessionInfo example() {
           .complete = true};
 }
 
-TEST(SessionInfo, RoundTripsThroughItsJson) { EXPECT_EQ(*parse_session_info(to_json(example())), example()); }
+TEST(SessionInfo, RoundTripsThroughItsJson) {
+  EXPECT_EQ(*parse_session_info(to_json(example())), example());
+  SessionInfo ended = example();
+  ended.account = {.messages = std::uint64_t{1} << 60, .dropped = 3};
+  EXPECT_EQ(*parse_session_info(to_json(ended)), ended);
+}
 
 TEST(SessionInfo, SurvivesEveryTruncation) {
   const std::string text = to_json(example());
