@@ -42,7 +42,8 @@ struct RecordingStatus {
 
 std::string_view name(RecordingStatus::State state);
 
-/// The owner of one logger and one file per channel. It starts them and closes them. Any thread.
+/// The owner of one logger and one file per channel. It starts them and closes them. Any thread. status() never waits for the
+/// disk: while a session begins or ends, it returns the status before.
 ///
 /// A full or broken disk does not end the recording. The recorder counts the refused messages and reports the state,
 /// and it continues when the disk accepts bytes again. If the files of the session are deleted or replaced, it counts
@@ -120,18 +121,18 @@ class Recorder {
   Result<Wish> accept(std::string_view name, std::string_view profile) const;
   void take(Wish wish);
   Result<void> begin();
-  Result<void> describe(const Wish& wish, OwnedFolder& folder);
+  Result<void> describe(const Wish& wish, const OwnedFolder& folder, SessionInfo& info) const;
   void try_to_begin();
   void add(const std::shared_ptr<memory::Channel>& channel);
   bool wants_all(const memory::Channel& channel) const;
   std::uint64_t missed(bool begins) const;
   static std::uint64_t missed_before(const Stream& stream, const StreamStatus& carried);
-  bool is_lost(Stream& stream, const StreamStatus& carried) const;
+  static bool is_lost(const OwnedFolder& folder, Stream& stream, const StreamStatus& carried);
   bool is_whole();
   SessionAccount end();
   void write_ends();
+  void give_up();
   RecordingStatus status_now() const;
-  std::string id() const { return folder_ ? folder_->name() : ""; }
 
   memory::Channels& channels_;
   LoggingBoard& board_;
@@ -140,7 +141,11 @@ class Recorder {
   const Origin origin_;
   memory::Channels::WatcherId watcher_;
 
-  mutable Mutex lock_;
+  Mutex work_;           // held by functions that use the disk; each change below needs it
+  std::list<End> ends_;  // used only with work_
+
+  mutable Mutex lock_;  // guards the rest for status() and for channels that appear; never held while the disk works
+  std::optional<RecordingStatus> shown_;  // while a session begins or ends
   std::optional<Wish> wish_;
   std::uint64_t request_ = 0;
   std::optional<OwnedFolder> folder_;        // of the session that is being recorded
@@ -148,7 +153,6 @@ class Recorder {
   SessionInfo info_;
   std::string session_, profile_name_;  // the present or last one
   std::vector<Stream> streams_;
-  std::list<End> ends_;
   std::uint64_t dropped_ = 0;  // since the request, before the present session
   // by topic, since a wanted session could not begin or a session ended: number of the newest version that is not missed
   std::map<std::string, std::uint64_t> until_;

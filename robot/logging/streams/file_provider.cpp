@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -111,9 +110,7 @@ Result<std::optional<Record>> FileInProvider::read_on() {
 }
 
 Result<void> FileInProvider::seek_topic(std::uint64_t capture_ns) {
-  std::vector<McapMessage> newest = ordered_->newest_until(capture_ns);
-  const bool is_last = capture_ns == std::numeric_limits<std::uint64_t>::max();
-  ordered_->seek(newest.empty() ? 0 : capture_ns + (is_last ? 0 : 1));
+  std::vector<McapMessage> newest = ordered_->move_to(capture_ns);
   if (!newest.empty()) ahead_.push_back(std::move(newest.back().record));
   return {};
 }
