@@ -162,9 +162,9 @@ function accountIn(folder) {
 const sumOf = (values) => values.reduce((a, b) => a + b, 0);
 
 /**
- * The account of all messages. A session that has ended has the program's account in its session.json: its files must hold as
- * many messages as that says, and a number that is missing between the first and the last message of an object must be
- * counted there. The account also counts losses before the first and after the last stored message, which leave no gap.
+ * The account of all messages. A session that has ended has the program's account in its session.json. Its files must hold as
+ * many messages as that says. The numbers that are missing between the first and the last message of an object must be counted
+ * there. The account also counts losses before the first and after the last stored message, which leave no gap.
  *
  * A session that a kill ended has no account. Its files must hold at least the messages that the status showed last. Messages
  * that were on the way to the files then are in flight at the kill. Numbers that are missing, and that no status showed as
