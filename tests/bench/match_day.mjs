@@ -220,8 +220,8 @@ export class Account {
     report.figure("messages lost without being counted", sum("uncounted"), "", { exactly: 0 });
     report.figure("kills", this.#kills);
     report.figure("sessions without an end", killed.length, "", { atMost: this.#kills });
-    report.figure("messages in flight at the kills", sum("inFlight"));
-    report.figure("messages in flight at a kill, at most", Math.max(0, ...judged.map(({ inFlight }) => inFlight)), "", { atMost: 2 * kPerSecond });
+    report.figure("messages not yet written at the kills", sum("inFlight"));
+    report.figure("messages not yet written at a kill, at most", Math.max(0, ...judged.map(({ inFlight }) => inFlight)), "", { atMost: 2 * kPerSecond });
     report.figure("messages lost before a kill, with a count that nobody could read", sum("unread"));
     report.figure("files that the disk left without an end", judged.filter(({ account, unfinished }) => account && unfinished).length);
     report.figure("files that another reader cannot read", sum("unreadable"), "", { exactly: 0 });
