@@ -181,7 +181,6 @@ TEST_F(Relaying, KeepsTopicsSchemasAndEveryMessageAlsoOfUnknownObjects) {
 
 // "relay: ws://127.0.0.1:1/: ws://127.0.0.1:1/: Connection refused" once named it twice
 TEST_F(Relaying, ASentenceNamesAnAddressOnce) {
-  std::mutex lock;
   std::string said;
   set_report_listener([&](const Report& report) {
     const std::lock_guard guard(lock);
