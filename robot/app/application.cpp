@@ -20,14 +20,11 @@ std::string text(const json& value) { return value.dump(-1, ' ', false, json::er
 std::string exact(std::uint64_t value) { return std::to_string(value); }
 
 json describe(const logging::RecordingStatus& status) {
-  return {{"state", name(status.state)},
-          {"session", status.session},
-          {"profile", status.profile},
-          {"bytes", status.size_bytes},
-          {"messages", status.messages},
-          {"dropped", status.dropped},
-          {"mb_per_minute", status.mb_per_minute},
-          {"message", status.message}};
+  return {{"state", name(status.state)}, {"request", status.request},
+          {"session", status.session},   {"profile", status.profile},
+          {"bytes", status.size_bytes},  {"messages", status.messages},
+          {"waiting", status.waiting},   {"dropped", status.dropped},
+          {"message", status.message},   {"mb_per_minute", status.mb_per_minute}};
 }
 
 json describe(const GameStatus& game) {
@@ -62,6 +59,9 @@ json describe(const logging::Session& session) {
           {"kept", session.info.kept},       {"url", "/logs/" + session.id() + ".mcap"},
           {"streams", std::move(streams)}};
 }
+
+/// A list waits this long for sessions that nobody has read yet.
+constexpr std::uint64_t kListWithinNs = 100 * kMillisecond;
 
 /// Opens a file of a session that is not being recorded. The file's size and time are its version (ETag).
 Result<net::LogFile> open_file(const logging::Session& session, const std::string& file) {
@@ -98,7 +98,7 @@ std::string Application::status_json() {
 
 std::string Application::sessions_json() {
   json sessions = json::array();
-  for (const logging::Session& session : store_.list()) sessions.push_back(describe(session));
+  for (const logging::Session& session : store_.list_within(kListWithinNs)) sessions.push_back(describe(session));
   return text({{"sessions", std::move(sessions)}});
 }
 

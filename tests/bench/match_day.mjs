@@ -40,7 +40,7 @@ export function startGameController() {
 export async function program(name, args, folder, { before = [], log_mb = 2000 } = {}) {
   mkdirSync(folder, { recursive: true });
   const own = ["--state-dir", join(folder, "state"), "--log-dir", join(folder, "logs"), "--log-mb", log_mb];
-  const made = { name, folder, seen: new Map(), kills: 0 };
+  const made = { name, folder, seen: new Map(), kills: 0, lives: 0 };
   const begin = async (port) => {
     const child = start(name, [...args, ...own, "--port", port], before);
     const ended = () => (made.ended ||= made.child === child);
@@ -53,6 +53,7 @@ export async function program(name, args, folder, { before = [], log_mb = 2000 }
     const killed = made.child;
     made.child = undefined;
     ++made.kills;
+    ++made.lives;
     process.kill(killed.pid, "SIGKILL");
     await killed.output.catch(() => {});
     await begin(new URL(made.url).port);
@@ -70,10 +71,14 @@ export async function ask(robot, path, options) {
   }
 }
 
-/** Looks at the state, and remembers the counts of each session. */
+/** Looks at the state. Remembers the counts of each session, and the earlier sessions of its request. */
 export async function look(robot) {
+  const { lives } = robot;
   const recording = (await ask(robot, "/api/status"))?.recording;
-  if (recording?.session && recording.state !== "off") robot.seen.set(recording.session, recording);
+  if (!recording?.session || recording.state === "off") return recording;
+  const request = `${lives} ${recording.request}`;
+  const before = [...robot.seen].filter(([session, seen]) => seen.of === request && session !== recording.session);
+  robot.seen.set(recording.session, { ...recording, of: request, earlier: before.map(([session]) => session) });
   return recording;
 }
 
@@ -144,41 +149,81 @@ function countFiles(folder) {
 
 const kPerSecond = 200; // messages of a robot, at most
 
+/** The program's own account of a session that has ended: numbers in its session.json. */
+function accountIn(folder) {
+  try {
+    const { complete, messages, dropped } = JSON.parse(readFileSync(join(folder, "session.json"), "utf8"));
+    return complete && messages !== undefined ? { messages: Number(messages), dropped: Number(dropped) } : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+const sumOf = (values) => values.reduce((a, b) => a + b, 0);
+
 /**
- * The account of all messages. A message is lost if its number is missing between the first and the last of its object. It is
- * lost without being counted if the program counted fewer, or counts it among those in its files.
+ * The account of all messages. A session that has ended has the program's account in its session.json. Its files must hold as
+ * many messages as that says. The numbers that are missing between the first and the last message of an object must be counted
+ * there. The account also counts losses before the first and after the last stored message, which leave no gap.
+ *
+ * A session that a kill ended has no account. Its files must hold at least the messages that the status showed last. Messages
+ * that were on the way to the files then are in flight at the kill. Numbers that are missing, and that no status showed as
+ * dropped, were lost too shortly before the kill for anybody to read the count.
  */
 export class Account {
-  #sum = { stored: 0, counted: 0, lost: 0, uncounted: 0, unreadable: 0, unfinished: 0, kills: 0, unwritten: 0 };
+  #sessions = [];
+  #kills = 0;
+  #dropped = new Map(); // by session, of those that have ended
 
   /** Counts the sessions of a program in one log folder. */
   add(robot, logs) {
-    for (const session of existsSync(logs) ? readdirSync(logs).filter((name) => robot.seen.has(name)) : []) {
-      const { stored, gaps, unreadable, unfinished } = countFiles(join(logs, session));
-      const { dropped, messages } = robot.seen.get(session);
-      this.#sum.stored += stored;
-      this.#sum.counted += dropped;
-      this.#sum.lost += gaps;
-      // a relay keeps the numbers of its robots, and a busy robot leaves out old versions for it
-      this.#sum.uncounted += robot.name === "foresight-lab" ? 0 : Math.max(0, gaps - dropped);
-      const unwritten = Math.max(0, messages - stored);
-      if (unfinished) this.#sum.unwritten = Math.max(this.#sum.unwritten, unwritten);
-      else this.#sum.uncounted += unwritten;
-      this.#sum.unreadable += unreadable;
-      this.#sum.unfinished += Number(unfinished);
-      console.log(`   ${robot.name} ${session}: ${stored} stored, ${gaps} missing, ${dropped} counted as lost${unfinished ? ", no end" : ""}`);
+    for (const session of existsSync(logs) ? readdirSync(logs).sort() : []) {
+      const folder = join(logs, session);
+      if (!existsSync(join(folder, "session.json"))) continue; // not begun
+      const account = accountIn(folder);
+      const shown = robot.seen.get(session);
+      if (account) this.#dropped.set(session, account.dropped);
+      this.#sessions.push({ robot: robot.name, session, ...countFiles(folder), account, shown });
     }
-    [this.#sum.kills, robot.kills] = [this.#sum.kills + robot.kills, 0];
+    [this.#kills, robot.kills] = [this.#kills + robot.kills, 0];
+  }
+
+  /** Messages of a session that nobody counted, and those of a killed one. */
+  #judge({ robot, stored, gaps, account, shown }) {
+    // a relay keeps the numbers of its robots, and a busy robot leaves out old versions for it
+    const missing = robot === "foresight-lab" ? 0 : gaps;
+    if (account) return { uncounted: Math.abs(account.messages - stored) + Math.max(0, missing - account.dropped), inFlight: 0, unread: 0, dropped: account.dropped };
+    if (!shown) return { uncounted: 0, inFlight: 0, unread: missing, dropped: 0 };
+    const before = sumOf(shown.earlier.map((session) => this.#dropped.get(session) ?? 0)); // of the same request
+    const dropped = Math.max(0, shown.dropped - before);
+    return {
+      uncounted: Math.max(0, shown.messages - stored),
+      inFlight: Math.max(0, shown.messages + shown.waiting - stored),
+      unread: Math.max(0, missing - dropped),
+      dropped,
+    };
   }
 
   tell(report) {
-    report.figure("messages stored", this.#sum.stored);
-    report.figure("messages lost", this.#sum.lost);
-    report.figure("messages counted as lost", this.#sum.counted);
-    report.figure("messages lost without being counted", this.#sum.uncounted, "", { exactly: 0 });
-    report.figure("kills", this.#sum.kills);
-    report.figure("messages not yet written at a kill, at most", this.#sum.unwritten, "", { atMost: 2 * kPerSecond });
-    report.figure("sessions without an end", this.#sum.unfinished, "", { atMost: this.#sum.kills });
-    report.figure("files that another reader cannot read", this.#sum.unreadable, "", { exactly: 0 });
+    const judged = this.#sessions.map((one) => ({ ...one, ...this.#judge(one) }));
+    for (const { robot, session, stored, gaps, account, shown, uncounted, unread, dropped, unfinished } of judged) {
+      if (uncounted + unread + gaps + dropped === 0) continue;
+      const counts = account ? `${account.messages} messages and ${account.dropped} dropped in session.json` : shown ? `no end; ${shown.messages} messages, ${shown.waiting} waiting and ${dropped} dropped in its last status` : "no end and no status";
+      console.log(`   ${robot} ${session}: ${stored} stored, ${gaps} missing between them; ${counts}${unfinished ? "; a file without an end" : ""}${uncounted ? `; ${uncounted} NOT COUNTED` : ""}`);
+    }
+    const sum = (key) => sumOf(judged.map((one) => Number(one[key])));
+    const killed = judged.filter(({ account }) => !account);
+    report.figure("sessions", judged.length);
+    report.figure("messages stored", sum("stored"));
+    report.figure("messages counted as lost", sum("dropped"));
+    report.figure("messages missing between stored ones", sum("gaps"));
+    report.figure("messages lost without being counted", sum("uncounted"), "", { exactly: 0 });
+    report.figure("kills", this.#kills);
+    report.figure("sessions without an end", killed.length, "", { atMost: this.#kills });
+    report.figure("messages not yet written at the kills", sum("inFlight"));
+    report.figure("messages not yet written at a kill, at most", Math.max(0, ...judged.map(({ inFlight }) => inFlight)), "", { atMost: 2 * kPerSecond });
+    report.figure("messages lost before a kill, with a count that nobody could read", sum("unread"));
+    report.figure("files that the disk left without an end", judged.filter(({ account, unfinished }) => account && unfinished).length);
+    report.figure("files that another reader cannot read", sum("unreadable"), "", { exactly: 0 });
   }
 }

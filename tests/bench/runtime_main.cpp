@@ -96,9 +96,9 @@ class Sessions {
 
   Result<void> end() {
     last_ = recorder_.status();
-    dropped_ += last_.dropped;
     const auto session = recorder_.stop();
     if (!session) return Error{session.error()};
+    dropped_ += recorder_.status().dropped;  // also those of the end
     const auto read = robot::logging::read_session(options_.log_folder / *session);
     if (!read) return Error{read.error()};
     ++sessions_;

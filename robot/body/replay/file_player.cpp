@@ -1,8 +1,8 @@
 #include "robot/body/replay/file_player.h"
 
-#include <limits>
 #include <utility>
 
+#include "robot/core/attempt.h"
 #include "robot/core/report.h"
 #include "robot/core/thread.h"
 
@@ -40,6 +40,12 @@ void FilePlayer::stop() {
 
 void FilePlayer::run() {
   become_background_thread("player");
+  const Result<void> played = attempt("playing a file", [&] { carry(); });
+  if (!played) report(Level::error, "logging", played.error());
+}
+
+/// Carries messages until the clock is stopped.
+void FilePlayer::carry() {
   std::uint64_t moves = 0;
   while (true) {
     const auto message = reader_.next();
@@ -66,17 +72,17 @@ void FilePlayer::follow(const logging::Pace::Move& move) {
   const auto theirs = static_cast<std::int64_t>(move.to_ns) - shift_ns_;
   const bool before_all = shift_ns_ > 0 && theirs < 0;
   const std::uint64_t to_ns = before_all ? 0 : move.to_ns - static_cast<std::uint64_t>(shift_ns_);
-  for (const logging::McapMessage& message : reader_.newest_until(to_ns)) play(message);
-  const bool is_last = to_ns == std::numeric_limits<std::uint64_t>::max();
-  reader_.seek(is_last ? to_ns : to_ns + 1);
+  for (const logging::McapMessage& message : reader_.move_to(to_ns)) play(message);
 }
 
 void FilePlayer::play(const logging::McapMessage& message) {
   const PlayedTopic& topic = *topic_of_.at(message.channel_id);
   const logging::Record& record = message.record;
-  const Result<void> entered = topic.shift ? topic.to->write_bytes(topic.shift->moved(record.bytes, record.capture_ns),
-                                                                   (*topic.shift)(record.capture_ns))
-                                           : topic.to->write_bytes(record.bytes, record.capture_ns);
+  const Result<void> entered = attempt("a message", [&] {
+    return topic.shift ? topic.to->write_bytes(topic.shift->moved(record.bytes, record.capture_ns),
+                                               (*topic.shift)(record.capture_ns))
+                       : topic.to->write_bytes(record.bytes, record.capture_ns);
+  });
   if (entered) messages_.fetch_add(1, std::memory_order_relaxed);
 }
 

@@ -24,7 +24,8 @@ struct PlayedTopic {
 };
 
 /// A thread that reads a file once and carries each message into its channel when the clock says so. After a move of
-/// the playhead each channel gets its newest message before the new time. It reports a damage and continues after it.
+/// the playhead each channel gets its newest message before the new time. It reports a damage and continues after it. A
+/// message that its channel refuses is left out; an exception of a channel costs one message, too.
 class FilePlayer {
  public:
   /// `shift_ns` is the shift of all topics. `clock` outlives this.
@@ -44,6 +45,7 @@ class FilePlayer {
 
  private:
   void run();
+  void carry();
   void follow(const logging::Pace::Move& move);
   void play(const logging::McapMessage& message);
 

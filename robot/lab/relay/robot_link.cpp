@@ -83,7 +83,9 @@ void RobotLink::ended(const std::string& sentence) {
     if (status_.state == LinkStatus::State::connected) status_.state = LinkStatus::State::connecting;
     told_ = status_.state;
     status_.problem = sentence;
-    if (is_news && !stopping_) told = status_.name + ": " + sentence + "; connecting again";
+    // the sentences of the connection itself begin with its address, which may be the robot's name
+    const std::string who = status_.name + ": ";
+    if (is_news && !stopping_) told = (sentence.starts_with(who) ? "" : who) + sentence + "; connecting again";
   }
   if (!told.empty()) report(Level::warning, "relay", told);
 }

@@ -178,6 +178,13 @@ void OrderedReader::seek(std::uint64_t capture_ns) {
   from_ = {.time_ns = capture_ns};
 }
 
+std::vector<McapMessage> OrderedReader::move_to(std::uint64_t capture_ns) {
+  std::vector<McapMessage> newest = newest_until(capture_ns);
+  seek(capture_ns);
+  from_.piece_offset = from_.offset = kEver;  // after all messages of that time
+  return newest;
+}
+
 /// The newest message of each channel up to now, while chunks are searched.
 struct OrderedReader::Newest {
   std::map<std::uint16_t, Place> places;  // by channel

@@ -40,6 +40,10 @@ class OrderedReader {
   /// Continues with the messages captured at `capture_ns` or later. May move backwards.
   void seek(std::uint64_t capture_ns);
 
+  /// Continues with the messages captured after `capture_ns`. Returns the newest message until then of each channel, as
+  /// newest_until() does.
+  std::vector<McapMessage> move_to(std::uint64_t capture_ns);
+
   /// Returns the newest message captured at `capture_ns` or before of each channel that has one, in the order of time.
   /// Passes over damaged chunks, which next() then reports.
   std::vector<McapMessage> newest_until(std::uint64_t capture_ns);

@@ -10,10 +10,7 @@
 namespace robot::logging {
 namespace {
 
-/// Messages whose neighbours are near in time.
-struct Group {
-  std::uint64_t start_ns, end_ns, messages;
-};
+using Group = TimeGroup;
 
 /// Returns for example "2026-11-25 14:02:11 UTC".
 std::string utc(std::uint64_t time_ns) {
@@ -64,7 +61,8 @@ std::vector<Group> groups_in(const ByteSource& source, const ChunkInfo& piece) {
 
 /// Returns the least and the greatest time of all chunks and runs.
 Group reach_of(const McapIndex& index) {
-  Group reach{std::numeric_limits<std::uint64_t>::max(), 0, index.statistics.messages};
+  Group reach{
+      .start_ns = std::numeric_limits<std::uint64_t>::max(), .end_ns = 0, .messages = index.statistics.messages};
   for (const auto* pieces : {&index.chunks, &index.runs})
     for (const ChunkInfo& piece : *pieces) {
       reach.start_ns = std::min(reach.start_ns, piece.index.start_ns);
@@ -87,16 +85,19 @@ std::string TimeSpan::note() const {
   return text + " left out of the strip, because more than 30 days lie between";
 }
 
-TimeSpan time_span(const ByteSource& source, const McapIndex& index) {
+std::vector<TimeGroup> time_groups(const ByteSource& source, const McapIndex& index) {
   if (index.statistics.messages == 0) return {};
   const Group reach = reach_of(index);
-  if (reach.end_ns >= reach.start_ns && reach.end_ns - reach.start_ns <= kStrayGapNs)
-    return {.start_ns = reach.start_ns, .end_ns = reach.end_ns};
+  if (reach.end_ns >= reach.start_ns && reach.end_ns - reach.start_ns <= kStrayGapNs) return {reach};
 
   std::vector<Group> groups;
   for (const auto* pieces : {&index.chunks, &index.runs})
     for (const ChunkInfo& piece : *pieces)
       for (const Group& group : groups_in(source, piece)) groups.push_back(group);
+  return joined(std::move(groups));
+}
+
+TimeSpan time_span(std::vector<TimeGroup> groups) {
   groups = joined(std::move(groups));
   const auto main = std::ranges::max_element(groups, {}, &Group::messages);
   if (main == groups.end()) return {};

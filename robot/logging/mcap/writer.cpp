@@ -124,6 +124,12 @@ std::uint64_t McapWriter::flush_due_ns() const {
   return due_ns;
 }
 
+std::uint64_t McapWriter::collected() const {
+  std::uint64_t messages = 0;
+  for (const mcap::CollectedChunk& chunk : chunks_) messages += chunk.index.entries.size();
+  return messages;
+}
+
 Result<void> McapWriter::flush(std::uint64_t now_ns) {
   const std::uint64_t lost_before = lost_;
   Result<void> flushed;

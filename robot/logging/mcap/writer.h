@@ -76,6 +76,7 @@ class McapWriter {
   Result<void> close();
 
   std::uint64_t messages() const { return statistics_.messages; }  // in the file
+  std::uint64_t collected() const;                                 // not yet in the file, of all channels
   std::uint64_t lost() const { return lost_; }                     // messages of failed writes
   std::uint64_t size_bytes() const { return good_end_; }           // of the file
 

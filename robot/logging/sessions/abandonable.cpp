@@ -26,6 +26,7 @@ class Abandonable final : public OutProvider {
   Patience patience() const override { return stream_->patience(); }
   std::uint64_t flush_due_ns() const override { return stream_->flush_due_ns(); }
   Result<void> flush() override { return stream_->flush(); }
+  std::uint64_t buffered() const override { return stream_->buffered(); }
   std::uint64_t lost_afterwards() const override { return stream_->lost_afterwards(); }
   void cancel() override { stream_->cancel(); }
 

@@ -50,16 +50,27 @@ Result<OwnedFolder> OwnedFolder::own(const std::filesystem::path& path) {
   return OwnedFolder(path, std::move(folder), std::move(lock));
 }
 
-OwnedFolder::~OwnedFolder() {
+OwnedFolder::~OwnedFolder() { release(); }
+
+void OwnedFolder::release() {
   // removed first: afterwards the file may be another owner's
   if (lock_) ::unlinkat(folder_.get(), kLockFile, 0);
+  lock_.reset();
 }
 
-bool OwnedFolder::in_place() const {
+bool OwnedFolder::is_at(const std::filesystem::path& path) const {
   struct stat ours {
   }, there{};
-  return ::fstat(folder_.get(), &ours) == 0 && ::lstat(path_.c_str(), &there) == 0 && ours.st_dev == there.st_dev &&
+  return ::fstat(folder_.get(), &ours) == 0 && ::lstat(path.c_str(), &there) == 0 && ours.st_dev == there.st_dev &&
          ours.st_ino == there.st_ino;
+}
+
+std::filesystem::path OwnedFolder::present_path() const {
+  if (in_place()) return path_;
+  std::error_code failed;
+  const std::filesystem::path moved =
+      std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(folder_.get()), failed);
+  return !failed && is_at(moved) ? moved : std::filesystem::path();
 }
 
 std::uint64_t OwnedFolder::identity_of(const std::string& name) const {
@@ -68,8 +79,7 @@ std::uint64_t OwnedFolder::identity_of(const std::string& name) const {
 }
 
 void OwnedFolder::discard() {
-  ::unlinkat(folder_.get(), kLockFile, 0);
-  lock_.reset();
+  release();
   if (in_place()) ::rmdir(path_.c_str());
 }
 

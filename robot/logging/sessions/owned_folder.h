@@ -32,7 +32,13 @@ class OwnedFolder {
   std::string name() const { return path_.filename().string(); }
 
   /// Returns whether the path still names this folder: it was neither deleted nor replaced nor moved.
-  bool in_place() const;
+  bool in_place() const { return is_at(path_); }
+
+  /// Returns the path that names this folder now, also after a move, or an empty one if the folder was deleted.
+  std::filesystem::path present_path() const;
+
+  /// Gives up the ownership and removes the lock file. The folder is still known, so that present_path() finds it.
+  void release();
 
   /// Returns the identity of the file `name` in this folder, also after a move of the folder. Returns 0 if there is no
   /// such file.
@@ -44,6 +50,8 @@ class OwnedFolder {
  private:
   OwnedFolder(std::filesystem::path path, FileDescriptor folder, FileDescriptor lock)
       : path_(std::move(path)), folder_(std::move(folder)), lock_(std::move(lock)) {}
+
+  bool is_at(const std::filesystem::path& path) const;
 
   std::filesystem::path path_;
   FileDescriptor folder_, lock_;

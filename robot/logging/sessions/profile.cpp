@@ -53,6 +53,7 @@ class ThinnedImages final : public OutProvider {
   std::uint64_t flush_due_ns() const override { return stream_->flush_due_ns(); }
   Result<void> flush() override { return stream_->flush(); }
   Result<void> close() override { return stream_->close(); }
+  std::uint64_t buffered() const override { return stream_->buffered(); }
   std::uint64_t lost_afterwards() const override { return stream_->lost_afterwards(); }
   void cancel() override { stream_->cancel(); }
 

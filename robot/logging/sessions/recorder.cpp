@@ -67,27 +67,33 @@ Result<Recorder::Wish> Recorder::accept(std::string_view name, std::string_view 
   const Result<Profile> profile = profile_named(profile_name);
   if (!profile) return profile.failure();
   if (const Result<void> usable = check_session_name(name); !usable) return usable.failure();
-  if (folder_) return Error{"recording: the session " + id() + " is being recorded already"};
+  if (folder_) return Error{"recording: the session " + session_ + " is being recorded already"};
   if (wish_) return Error{"recording: a session is wanted already; " + wish_->problem};
   return Wish{.name = std::string(name), .profile = *profile, .problem = ""};
 }
 
 void Recorder::take(Wish wish) {
+  const std::lock_guard guard(lock_);
   ++request_;
   dropped_ = 0;
   loss_.clear();
   until_.clear();
   session_.clear();
+  last_ = {};
   profile_name_ = wish.profile.name;
+  shown_ = {.request = request_, .profile = profile_name_};
   wish_ = std::move(wish);
 }
 
 Result<std::string> Recorder::start(std::string_view name, std::string_view profile_name) {
-  const std::lock_guard guard(lock_);
+  const std::lock_guard working(work_);
   Result<Wish> wish = accept(name, profile_name);
   if (!wish) return wish.failure();
   take(std::move(*wish));
   if (const Result<void> begun = begin(); !begun) {
+    const std::lock_guard guard(lock_);
+    shown_.reset();
+    last_ = {.request = request_, .profile = profile_name_};
     wish_.reset();
     return begun.failure("recording");
   }
@@ -95,21 +101,23 @@ Result<std::string> Recorder::start(std::string_view name, std::string_view prof
 }
 
 Result<std::uint64_t> Recorder::want(std::string_view name, std::string_view profile_name) {
-  const std::lock_guard guard(lock_);
+  const std::lock_guard working(work_);
   Result<Wish> wish = accept(name, profile_name);
   if (!wish) return wish.failure();
   take(std::move(*wish));
   try_to_begin();
+  const std::lock_guard guard(lock_);
   if (!folder_)
     for (const auto& channel : channels_.all()) until_[channel->info().topic] = newest_number(*channel);
   return request_;
 }
 
 void Recorder::tend() {
-  const std::lock_guard guard(lock_);
+  const std::lock_guard working(work_);
+  write_ends();
   if (!wish_) return;
   if (folder_ && is_whole()) return;
-  if (folder_) end();
+  if (folder_) (void)end();
   try_to_begin();
 }
 
@@ -117,7 +125,9 @@ void Recorder::try_to_begin() {
   const Result<void> begun = begin();
   const std::string problem = begun ? "" : "the recording begins when the disk permits it; " + begun.error();
   if (!problem.empty() && problem != wish_->problem) report(Level::warning, "logging", problem);
+  const std::lock_guard guard(lock_);
   wish_->problem = problem;
+  shown_.reset();
 }
 
 /// Begins the wanted session.
@@ -131,33 +141,35 @@ Result<void> Recorder::begin() {
   Result<OwnedFolder> folder =
       OwnedFolder::make(store_.folder(), session_folder_name(start_ns, wish.name, wish.profile.name));
   if (!folder) return folder.failure();
-  info_ = origin_.info;
-  info_.start_ns = start_ns;
-  if (Result<void> described = describe(wish, *folder); !described) {
+  SessionInfo info = origin_.info;
+  info.start_ns = start_ns;
+  if (Result<void> described = describe(wish, *folder, info); !described) {
     std::error_code ignored;
     std::filesystem::remove(folder->path() / "session.json", ignored);
     folder->discard();
     return described;
   }
 
+  report(Level::info, "logging", "recording the session " + folder->name());
+  const std::lock_guard guard(lock_);
+  info_ = std::move(info);
   advice_ = room.minutes < kMinutesWanted ? room.sentence : "";
   gone_ = std::make_shared<std::atomic<bool>>(false);
   folder_.emplace(std::move(*folder));
   session_ = folder_->name();
-  dropped_ += missed();
-  until_.clear();
   for (const auto& channel : channels_.all()) add(channel);
-  report(Level::info, "logging", "recording the session " + session_);
+  until_.clear();
+  shown_.reset();
   return {};
 }
 
 /// Sets the facts about the new session and writes them into its folder.
-Result<void> Recorder::describe(const Wish& wish, OwnedFolder& folder) {
-  info_.name = wish.name;
-  info_.profile = wish.profile.name;
-  info_.number = next_session_number(store_.folder(), store_.greatest_number());
-  info_.boot = boot_id();
-  return store_file(folder.path() / "session.json", to_json(info_));
+Result<void> Recorder::describe(const Wish& wish, const OwnedFolder& folder, SessionInfo& info) const {
+  info.name = wish.name;
+  info.profile = wish.profile.name;
+  info.number = next_session_number(store_.folder(), store_.greatest_number());
+  info.boot = boot_id();
+  return store_file(folder.path() / "session.json", to_json(info));
 }
 
 void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
@@ -174,90 +186,176 @@ void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
                                           .chunk_time_ns = kSecond - FileOutProvider::kPatience.time_ns});
   if (image && !wish_->profile.raw_images) provider = thin_images(wish_->profile, std::move(provider));
   provider = unless_gone(gone_, std::move(provider));
-  streams_.push_back({.id = board_.start_logger(channel, std::move(provider)), .topic = info.topic, .file = file});
+  Stream stream{
+      .id = board_.start_logger(channel, std::move(provider)), .topic = info.topic, .file = file, .until = {}};
+  if (const auto until = until_.find(info.topic); until != until_.end() && wants_all(*channel))
+    stream.until = until->second;
+  streams_.push_back(std::move(stream));
 }
 
-/// Returns how many versions no session has, since the last one ended or since the request. Leaves out channels of which
-/// the profile does not want every version.
-std::uint64_t Recorder::missed() const {
+/// Returns whether the profile wants every version of `channel`.
+bool Recorder::wants_all(const memory::Channel& channel) const {
+  return channel.info().schema.name != kImageSchema || wish_->profile.raw_images;
+}
+
+/// Returns how many versions no session will have: if one begins now, with the newest versions, or if none begins any more.
+/// Leaves out channels of which the profile does not want every version.
+std::uint64_t Recorder::missed(bool begins) const {
   std::uint64_t missed = 0;
   for (const auto& [topic, until] : until_) {
     const auto channel = channels_.find(topic);
-    if (!channel || (channel->info().schema.name == kImageSchema && !wish_->profile.raw_images)) continue;
-    // a session begins with the newest version
+    if (!channel || !wants_all(*channel)) continue;
     const std::uint64_t newest = newest_number(*channel);
-    if (newest > until + 1) missed += newest - until - 1;
+    if (newest > until) missed += newest - until - (begins ? 1 : 0);
   }
   return missed;
 }
 
+/// Returns how many versions the session of `stream` began too late for. The stream itself knows where it began: the
+/// channel's writer does not wait for the recorder.
+std::uint64_t Recorder::missed_before(const Stream& stream, const StreamStatus& carried) {
+  if (!stream.until || carried.first <= *stream.until + 1) return 0;
+  return carried.first - *stream.until - 1;
+}
+
 /// Reports whether the file that holds the messages of `stream` was deleted or replaced.
-bool Recorder::is_lost(Stream& stream, const StreamStatus& carried) const {
+bool Recorder::is_lost(const OwnedFolder& folder, Stream& stream, const StreamStatus& carried) {
   if (carried.messages == 0) return false;  // a file appears before its first message
-  const std::uint64_t identity = folder_->identity_of(stream.file);
+  const std::uint64_t identity = folder.identity_of(stream.file);
   if (stream.identity == 0) stream.identity = identity;
   return identity == 0 || identity != stream.identity;
 }
 
 /// Reports whether all files of the session are in its folder, and the folder in its place.
 bool Recorder::is_whole() {
-  return folder_->in_place() &&
-         std::ranges::none_of(streams_, [&](Stream& stream) { return is_lost(stream, board_.status(stream.id)); });
+  const std::lock_guard guard(lock_);
+  return folder_->in_place() && std::ranges::none_of(streams_, [&](Stream& stream) {
+           return is_lost(*folder_, stream, board_.status(stream.id));
+         });
 }
 
-/// Closes the streams of the session, counts the messages in deleted files as dropped, and says so.
-void Recorder::end() {
-  std::uint64_t lost = 0;
-  const bool in_place = folder_->in_place();
-  *gone_ = !in_place;
-  for (Stream& stream : streams_) {
-    if (const auto channel = channels_.find(stream.topic)) until_[stream.topic] = newest_number(*channel);
-    const StreamStatus last = board_.stop(stream.id);
-    if (is_lost(stream, last)) lost += last.messages;
-    dropped_ += last.dropped;
-  }
-  dropped_ += lost;
-  streams_.clear();
-  if (in_place) {
-    // a person may have marked the session as kept while it was being recorded
-    if (const Result<Session> session = read_session(folder_->path())) info_.kept = session->info.kept;
-    info_.complete = true;
-    if (Result<void> written = store_file(folder_->path() / "session.json", to_json(info_)); !written)
-      report(Level::warning, "logging", "session " + id() + ": " + written.error());
-  }
-  if (!in_place || lost > 0) {
-    loss_ = "session " + id() +
-            ": its files were deleted, replaced or moved while it was recorded; messages lost: " + std::to_string(lost);
-    report(Level::error, "logging", loss_);
-  }
+/// Closes the streams of the session, counts the messages in deleted files as dropped, and says so. Returns its account.
+/// Until the next change the status is the one before.
+SessionAccount Recorder::end() {
+  std::unique_lock guard(lock_);
+  shown_ = status_now();
+  std::vector<Stream> streams = std::exchange(streams_, {});
+  OwnedFolder folder = *std::move(folder_);
   folder_.reset();
+  guard.unlock();
+
+  std::uint64_t deleted = 0;
+  std::string problem;
+  SessionAccount account;
+  std::map<std::string, std::uint64_t> until;
+  const bool in_place = folder.in_place();
+  *gone_ = !in_place;
+  for (Stream& stream : streams) {
+    const StreamStatus last = board_.stop(stream.id);
+    until[stream.topic] = std::max(last.newest, stream.until.value_or(0));
+    (is_lost(folder, stream, last) ? deleted : account.messages) += last.messages;
+    account.dropped += last.dropped + missed_before(stream, last);
+    if (last.dropped > 0 && !last.problem.empty()) problem = "; " + last.problem;
+  }
+  account.dropped += deleted;
+  const std::uint64_t lost = account.dropped - deleted;
+  std::string sentence;
+  if (lost > 0) {
+    sentence = "session " + folder.name() + ": messages lost: " + std::to_string(lost) + " of " +
+               std::to_string(account.messages + account.dropped) + problem;
+    report(Level::warning, "logging", sentence);
+  }
+  if (!in_place || deleted > 0) {
+    sentence =
+        "session " + folder.name() +
+        ": its files were deleted, replaced or moved while it was recorded; messages lost: " + std::to_string(deleted);
+    report(Level::error, "logging", sentence);
+  }
+
+  guard.lock();
+  until_.merge(until);
+  dropped_ += account.dropped;
+  if (!sentence.empty()) loss_ = std::move(sentence);
+  SessionInfo info = std::move(info_);
+  guard.unlock();
+
+  info.complete = true;
+  info.account = account;
+  folder.release();
+  ends_.push_back({.folder = std::move(folder), .info = std::move(info)});
+  write_ends();
+  return account;
+}
+
+/// Writes session.json of the sessions that have ended, also into moved folders. Those that the disk does not take stay in
+/// the list.
+void Recorder::write_ends() {
+  std::erase_if(ends_, [](End& end) {
+    const std::filesystem::path folder = end.folder.present_path();
+    if (folder.empty()) return true;
+    // a person may have marked the session as kept while it was being recorded
+    if (const Result<Session> session = read_session(folder)) end.info.kept = session->info.kept;
+    const Result<void> written = store_file(folder / "session.json", to_json(end.info));
+    if (!written && !std::exchange(end.reported, true))
+      report(Level::warning, "logging",
+             "session " + end.folder.name() + ": its end is written when the disk permits it; " + written.error());
+    return bool(written);
+  });
 }
 
 Result<std::string> Recorder::stop() {
-  const std::lock_guard guard(lock_);
+  const std::lock_guard working(work_);
   if (!wish_) return Error{"recording: there is none to stop"};
+  std::uint64_t messages = 0;
   if (folder_) {
     report(Level::info, "logging", "the session " + session_ + " ends");
-    end();
+    messages = end().messages;
+  } else {
+    give_up();
   }
+  const std::lock_guard guard(lock_);
+  last_ = {.request = request_,
+           .session = session_,
+           .profile = profile_name_,
+           .messages = messages,
+           .dropped = dropped_,
+           .message = loss_};
   wish_.reset();
+  shown_.reset();
   return session_;
+}
+
+/// Counts the versions for which no session could begin, and says so.
+void Recorder::give_up() {
+  const std::lock_guard guard(lock_);
+  const std::uint64_t missing = missed(false);
+  if (missing == 0) return;
+  dropped_ += missing;
+  loss_ = "no session could begin before the end of the recording; messages lost: " + std::to_string(missing);
+  report(Level::warning, "logging", loss_);
 }
 
 RecordingStatus Recorder::status() const {
   const std::lock_guard guard(lock_);
+  if (shown_) return *shown_;
+  return wish_ ? status_now() : last_;
+}
+
+/// Returns the status while a session is wanted.
+RecordingStatus Recorder::status_now() const {
   RecordingStatus status{.request = request_, .session = session_, .profile = profile_name_};
-  if (!wish_) return status;
   status.mb_per_minute = wish_->profile.mb_per_minute;
-  status.dropped = dropped_ + missed();
+  status.dropped = dropped_;
   status.state = folder_ ? RecordingStatus::State::recording : RecordingStatus::State::disk_full;
   status.message = !folder_ ? wish_->problem : loss_.empty() ? advice_ : loss_;
+  if (!folder_) status.dropped += missed(true);
   std::vector<StreamStatus> carried;
   std::uint64_t delivered_ns = 0;
   for (const Stream& stream : streams_) {
     const StreamStatus& one = carried.emplace_back(board_.status(stream.id));
     status.messages += one.messages;
-    status.dropped += one.dropped;
+    status.waiting += one.waiting;
+    status.dropped += one.dropped + missed_before(stream, one);
     delivered_ns = std::max(delivered_ns, one.delivered_ns);
     std::error_code failed;
     const std::uintmax_t size = std::filesystem::file_size(folder_->path() / stream.file, failed);

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -26,11 +27,13 @@ struct RecordingStatus {
   /// `disk_full`: the disk takes no bytes, because it is full, broken or cannot be used. `message` gives the reason.
   enum class State { off, recording, disk_full };
 
+  // when off, the other facts are those of the last request at its end
   State state = State::off;
-  std::uint64_t request = 0;  // number of the present start() or want(), or of the last one when off; 0: none yet
-  std::string session;        // id of the present session, or of the last one when off; empty: it has not begun
+  std::uint64_t request = 0;  // number of the start() or want(); 0: none yet
+  std::string session;        // id; empty: it has not begun
   std::string profile;
-  std::uint64_t messages = 0;  // in the files of the session
+  std::uint64_t messages = 0;  // in the files of the session, so that a reader finds them
+  std::uint64_t waiting = 0;   // on the way to the files; the death of the process costs these
   std::uint64_t dropped = 0;   // lost since the request: also in deleted files, and while no session could begin
   std::uint64_t size_bytes = 0;
   double mb_per_minute = 0;  // [10^6 bytes] as announced by the profile
@@ -39,11 +42,16 @@ struct RecordingStatus {
 
 std::string_view name(RecordingStatus::State state);
 
-/// The owner of one logger and one file per channel. It starts them and closes them. Any thread.
+/// The owner of one logger and one file per channel. It starts them and closes them. Any thread. status() never waits for the
+/// disk: while a session begins or ends, it returns the status before.
 ///
 /// A full or broken disk does not end the recording. The recorder counts the refused messages and reports the state,
 /// and it continues when the disk accepts bytes again. If the files of the session are deleted or replaced, it counts
 /// their messages as dropped and begins a new session of the same name.
+///
+/// Each version that the profile wants, from the request to the end, is counted once: as a message in a file or as dropped.
+/// A new session begins with the newest version, which the one before has too. Each session holds its account in session.json, also if its folder was moved. If the disk takes no
+/// session.json at the end, tend() writes it later.
 class Recorder {
  public:
   /// The origin that is written into the sessions. The recorder sets `name`, `profile`, `start_ns`, `number` and `boot`.
@@ -80,7 +88,7 @@ class Recorder {
   Result<std::uint64_t> want(std::string_view name, std::string_view profile);
 
   /// Begins a wanted session if that is possible now. Begins a new session if files of the present one were deleted or
-  /// replaced. Called about once a second.
+  /// replaced. Writes the ends of sessions that the disk did not take before. Called about once a second.
   void tend();
 
   /// Closes the session and returns its id, which is empty if it never began. Returns an Error if none is wanted.
@@ -92,7 +100,8 @@ class Recorder {
   struct Stream {
     LoggingBoard::StreamId id;
     std::string topic, file;
-    std::uint64_t identity = 0;  // of its file, as tend() saw it first; 0: not seen yet
+    std::optional<std::uint64_t> until;  // number of the newest version before that is not missed; empty: no matter
+    std::uint64_t identity = 0;          // of its file, as tend() saw it first; 0: not seen yet
   };
 
   /// A session that somebody asked for.
@@ -102,17 +111,28 @@ class Recorder {
     std::string problem;  // reason why it has not begun, or empty
   };
 
+  /// A session that has ended, with the facts that the disk has not taken yet.
+  struct End {
+    OwnedFolder folder;
+    SessionInfo info;
+    bool reported = false;  // that the disk does not take them
+  };
+
   Result<Wish> accept(std::string_view name, std::string_view profile) const;
   void take(Wish wish);
   Result<void> begin();
-  Result<void> describe(const Wish& wish, OwnedFolder& folder);
+  Result<void> describe(const Wish& wish, const OwnedFolder& folder, SessionInfo& info) const;
   void try_to_begin();
   void add(const std::shared_ptr<memory::Channel>& channel);
-  std::uint64_t missed() const;
-  bool is_lost(Stream& stream, const StreamStatus& carried) const;
+  bool wants_all(const memory::Channel& channel) const;
+  std::uint64_t missed(bool begins) const;
+  static std::uint64_t missed_before(const Stream& stream, const StreamStatus& carried);
+  static bool is_lost(const OwnedFolder& folder, Stream& stream, const StreamStatus& carried);
   bool is_whole();
-  void end();
-  std::string id() const { return folder_ ? folder_->name() : ""; }
+  SessionAccount end();
+  void write_ends();
+  void give_up();
+  RecordingStatus status_now() const;
 
   memory::Channels& channels_;
   LoggingBoard& board_;
@@ -121,7 +141,11 @@ class Recorder {
   const Origin origin_;
   memory::Channels::WatcherId watcher_;
 
-  mutable Mutex lock_;
+  Mutex work_;           // held by functions that use the disk; each change below needs it
+  std::list<End> ends_;  // used only with work_
+
+  mutable Mutex lock_;  // guards the rest for status() and for channels that appear; never held while the disk works
+  std::optional<RecordingStatus> shown_;  // while a session begins or ends
   std::optional<Wish> wish_;
   std::uint64_t request_ = 0;
   std::optional<OwnedFolder> folder_;        // of the session that is being recorded
@@ -129,11 +153,12 @@ class Recorder {
   SessionInfo info_;
   std::string session_, profile_name_;  // the present or last one
   std::vector<Stream> streams_;
-  std::uint64_t dropped_ = 0;  // since the request, without the present streams
-  // by topic, while a wanted session cannot begin: number of the newest version that is not missed
+  std::uint64_t dropped_ = 0;  // since the request, before the present session
+  // by topic, since a wanted session could not begin or a session ended: number of the newest version that is not missed
   std::map<std::string, std::uint64_t> until_;
   std::string advice_;
-  std::string loss_;  // one sentence about files that were deleted since the request, or empty
+  std::string loss_;      // one sentence about files that were deleted since the request, or empty
+  RecordingStatus last_;  // of the last request, at its end
 };
 
 }  // namespace robot::logging

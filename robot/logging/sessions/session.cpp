@@ -4,7 +4,6 @@
 #include <cctype>
 #include <cstdlib>
 #include <initializer_list>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -26,6 +25,7 @@ constexpr std::size_t kMaxSessionJsonBytes = 1 << 20;
 /// The file of a stream, and the facts about the session in it.
 struct ReadFile {
   StreamFile stream;
+  std::vector<TimeGroup> times;
   std::optional<SessionInfo> facts;
   bool complete = false;  // its writer closed it
 };
@@ -52,6 +52,7 @@ ReadFile read_stream(const fs::path& path, std::uint64_t size_bytes) {
   stream.messages = index->statistics.messages;
   stream.start_ns = index->statistics.start_ns;
   stream.end_ns = index->statistics.end_ns;
+  read.times = time_groups(**source, *index);
   read.facts = session_info_in(index->metadata);
   read.complete = index->complete;
   return read;
@@ -143,22 +144,23 @@ Result<void> take_facts(const std::vector<ReadFile>& files, Session& session) {
   return {};
 }
 
-/// Sets the state, the size and the times of a session from its streams.
-void sum_up(Session& session) {
-  session.start_ns = std::numeric_limits<std::uint64_t>::max();
+/// Sets the state, the size and the times of a session from its streams and the times of all messages.
+void sum_up(Session& session, std::vector<TimeGroup> times) {
   for (const StreamFile& stream : session.streams) {
     session.size_bytes += stream.size_bytes;
     if (!stream.damage.empty() && session.state == SessionState::complete) {
       session.state = SessionState::damaged;
       session.message = stream.damage;
     }
-    if (stream.messages == 0) continue;
-    session.start_ns = std::min(session.start_ns, stream.start_ns);
-    session.end_ns = std::max(session.end_ns, stream.end_ns);
   }
-  if (session.end_ns == 0) session.start_ns = session.end_ns = session.info.start_ns;
+  const TimeSpan span = time_span(std::move(times));
+  session.start_ns = span.end_ns > 0 ? span.start_ns : session.info.start_ns;
+  session.end_ns = span.end_ns > 0 ? span.end_ns : session.info.start_ns;
+  if (session.state == SessionState::complete && session.info.account && session.info.account->dropped > 0)
+    session.message = "messages lost while it was recorded: " + std::to_string(session.info.account->dropped);
   if (session.state == SessionState::recovered)
     session.message = "the recording ended without warning; what was on the disk by then is readable";
+  session.message = joined({session.message, span.note()});
 }
 
 std::uint64_t after_epoch(std::int64_t time_ns) {
@@ -197,12 +199,16 @@ Result<Session> read_session(const fs::path& folder, bool being_written) {
     }
   }
   if (const Result<void> taken = take_facts(files, session); !taken) return taken.failure();
-  for (ReadFile& file : files) session.streams.push_back(std::move(file.stream));
+  std::vector<TimeGroup> times;
+  for (ReadFile& file : files) {
+    session.streams.push_back(std::move(file.stream));
+    times.insert(times.end(), file.times.begin(), file.times.end());
+  }
 
   session.state = being_written           ? SessionState::recording
                   : session.info.complete ? SessionState::complete
                                           : SessionState::recovered;
-  sum_up(session);
+  sum_up(session, std::move(times));
   return session;
 }
 

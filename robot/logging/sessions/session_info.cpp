@@ -72,6 +72,10 @@ std::string to_json(const SessionInfo& info) {
                       {"kept", info.kept},
                       {"complete", info.complete}};
   if (!info.about.empty()) json["about"] = info.about;
+  if (info.account) {
+    json["messages"] = std::to_string(info.account->messages);
+    json["dropped"] = std::to_string(info.account->dropped);
+  }
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -101,6 +105,11 @@ Result<void> take_session_info(std::string_view text, SessionInfo& info) {
   if (taker.has("about")) taker.take("about", info.about);
   if (taker.has("number")) taker.take("number", info.number);
   if (taker.has("boot")) taker.take("boot", info.boot);
+  if (taker.has("messages") && taker.has("dropped")) {
+    info.account.emplace();
+    taker.take("messages", info.account->messages);
+    taker.take("dropped", info.account->dropped);
+  }
   taker.take("kept", info.kept);
   taker.take("complete", info.complete);
   if (!taker.wrong().empty()) return Error{"session.json: '" + taker.wrong() + "' is missing or of the wrong type"};

@@ -31,10 +31,16 @@ bool has(const std::vector<FolderEntry>& entries, std::string_view name) {
   return std::ranges::find(entries, name, &FolderEntry::name) != entries.end();
 }
 
+constexpr std::size_t kMaxSessionJsonBytes = 1 << 20;
+
 }  // namespace
 
 SessionStore::SessionStore(fs::path folder, std::uint64_t max_bytes)
-    : folder_(std::move(folder)), max_bytes_(max_bytes), sizes_(folder_), boot_(boot_id()) {}
+    : folder_(std::move(folder)),
+      max_bytes_(max_bytes),
+      sizes_(folder_),
+      boot_(boot_id()),
+      reader_([this](const std::string& id) { (void)read(candidate(id)); }) {}
 
 SessionStore::Candidate SessionStore::candidate(const std::string& id) const {
   Candidate candidate{.folder = folder_ / id};
@@ -46,6 +52,12 @@ SessionStore::Candidate SessionStore::candidate(const std::string& id) const {
   }
   candidate.owned = has(candidate.entries, kLockFile) && is_owned(candidate.folder);
   return candidate;
+}
+
+bool SessionStore::may_be_session(const Candidate& candidate) {
+  return candidate.described || std::ranges::any_of(candidate.entries, [](const FolderEntry& entry) {
+           return entry.kind == Kind::file && entry.name.ends_with(".mcap");
+         });
 }
 
 std::vector<SessionStore::Candidate> SessionStore::candidates() const {
@@ -60,10 +72,7 @@ std::vector<SessionStore::Candidate> SessionStore::candidates() const {
 bool SessionStore::is_session(const Candidate& candidate) const {
   if (candidate.described) return true;
   // a folder of other MCAP files is no session: read() returns an Error
-  const bool recorded = std::ranges::any_of(candidate.entries, [](const FolderEntry& entry) {
-    return entry.kind == Kind::file && entry.name.ends_with(".mcap");
-  });
-  return recorded && read(candidate);
+  return may_be_session(candidate) && read(candidate);
 }
 
 std::vector<SessionStore::Candidate> SessionStore::session_candidates() const {
@@ -72,31 +81,82 @@ std::vector<SessionStore::Candidate> SessionStore::session_candidates() const {
   return found;
 }
 
+/// Returns the session as it was read before: as it is now, or `also_older`.
+std::optional<Result<Session>> SessionStore::known(const Candidate& candidate, bool also_older) const {
+  const std::lock_guard guard(lock_);
+  const auto cached = cache_.find(candidate.folder.filename().string());
+  if (cached == cache_.end()) return {};
+  const auto& [print, session] = cached->second;
+  if (!also_older && print != fingerprint(candidate.entries, candidate.owned)) return {};
+  return session;
+}
+
 Result<Session> SessionStore::read(const Candidate& candidate) const {
-  const std::string id = candidate.folder.filename().string();
-  const std::string print = fingerprint(candidate.entries, candidate.owned);
-  const auto cached = cache_.find(id);
-  if (cached != cache_.end() && cached->second.first == print) return cached->second.second;
+  if (std::optional<Result<Session>> before = known(candidate, false)) return *std::move(before);
   Result<Session> session = read_session(candidate.folder, candidate.owned);
   if (session && !session->rebuilt.empty() && !candidate.owned) mend(*session);
-  cache_.insert_or_assign(id, std::pair(print, session));
+  const std::lock_guard guard(lock_);
+  cache_.insert_or_assign(candidate.folder.filename().string(),
+                          std::pair(fingerprint(candidate.entries, candidate.owned), session));
   return session;
+}
+
+/// Returns a session with the facts of its session.json alone.
+Session SessionStore::described(const Candidate& candidate) {
+  Session session{.folder = candidate.folder, .size_bytes = candidate.size_bytes};
+  if (const auto text = read_file(candidate.folder / "session.json", kMaxSessionJsonBytes))
+    (void)take_session_info(*text, session.info);
+  session.state = candidate.owned         ? SessionState::recording
+                  : session.info.complete ? SessionState::complete
+                                          : SessionState::recovered;
+  session.start_ns = session.end_ns = session.info.start_ns;
+  return session;
+}
+
+/// Returns true the first time that it is called with this text.
+bool SessionStore::is_news(const std::string& text) const {
+  const std::lock_guard guard(lock_);
+  return reported_.insert(text).second;
+}
+
+void SessionStore::forget(const std::string& id) const {
+  const std::lock_guard guard(lock_);
+  cache_.erase(id);
 }
 
 /// Writes session.json anew, with the facts that were found elsewhere.
 void SessionStore::mend(const Session& session) const {
   const Result<void> written = store_file(session.folder / "session.json", to_json(session.info));
-  if (!reported_.insert(session.id()).second) return;
+  if (!is_news(session.id())) return;
   report(Level::warning, "logging",
          "session " + session.id() + ": " + session.rebuilt + "; its facts were taken from its MCAP files" +
              (written ? "" : "; " + written.error()));
 }
 
 std::vector<Session> SessionStore::list() const {
-  const std::lock_guard guard(lock_);
   std::vector<Session> sessions;
   for (const Candidate& candidate : session_candidates())
     if (Result<Session> session = read(candidate)) sessions.push_back(std::move(*session));
+  std::ranges::sort(sessions, [](const Session& left, const Session& right) { return is_older(right, left); });
+  return sessions;
+}
+
+std::vector<Session> SessionStore::list_within(std::uint64_t wait_ns) const {
+  const std::vector<Candidate> found = candidates();
+  std::vector<std::string> unread;
+  for (const Candidate& candidate : found)
+    if (may_be_session(candidate) && !known(candidate, false)) unread.push_back(candidate.folder.filename().string());
+  if (!unread.empty()) reader_.add(unread, wait_ns);
+
+  std::vector<Session> sessions;
+  for (const Candidate& candidate : found) {
+    std::optional<Result<Session>> session = known(candidate, true);
+    if (!session && candidate.described) session = described(candidate);
+    if (!session || !*session) continue;
+    sessions.push_back(std::move(**session));
+    if (may_be_session(candidate) && !known(candidate, false) && sessions.back().state != SessionState::recording)
+      sessions.back().message = "its files are being read; until then this is incomplete";
+  }
   std::ranges::sort(sessions, [](const Session& left, const Session& right) { return is_older(right, left); });
   return sessions;
 }
@@ -105,7 +165,6 @@ Result<Session> SessionStore::find(std::string_view id) const {
   const fs::path name(id);
   if (id.empty() || name.filename() != name || id.front() == '.' || id.find('\0') != id.npos)
     return Error{"session: expected the name of a session, got '" + std::string(id) + "'"};
-  const std::lock_guard guard(lock_);
   std::error_code failed;
   const Candidate found = candidate(std::string(id));
   if (fs::is_symlink(fs::symlink_status(found.folder, failed)) || !is_session(found))
@@ -114,18 +173,18 @@ Result<Session> SessionStore::find(std::string_view id) const {
 }
 
 Result<void> SessionStore::keep(std::string_view id, bool keep) {
+  const std::lock_guard changing(changes_);
   Result<Session> session = find(id);
   if (!session) return session.failure();
   session->info.kept = keep;
-  const std::lock_guard guard(lock_);
-  cache_.erase(session->id());
+  forget(session->id());
   return store_file(session->folder / "session.json", to_json(session->info));
 }
 
 Result<void> SessionStore::remove(std::string_view id) {
+  const std::lock_guard changing(changes_);
   const Result<Session> session = find(id);
   if (!session) return session.failure();
-  const std::lock_guard guard(lock_);
   const std::string who = "session " + session->id() + ": ";
   const Candidate found = candidate(session->id());
   if (found.owned) return Error{who + "it is being recorded, and cannot be deleted yet"};
@@ -140,7 +199,7 @@ Result<void> SessionStore::erase(const Candidate& candidate) {
   const auto inner = std::ranges::find(candidate.entries, Kind::folder, &FolderEntry::kind);
   if (inner != candidate.entries.end())
     return Error{who + "it contains the folder '" + inner->name + "', which no recording makes"};
-  cache_.erase(id);
+  forget(id);
   for (const FolderEntry& entry : candidate.entries) {
     const fs::path path = candidate.folder / entry.name;
     if (::unlink(path.c_str()) != 0 && errno != ENOENT) return file_error(who + "cannot remove", path, errno);
@@ -164,7 +223,6 @@ std::vector<std::pair<Session, SessionStore::Candidate>> SessionStore::deletable
 }
 
 std::uint64_t SessionStore::deletable_bytes(std::uint64_t now_ns) const {
-  const std::lock_guard guard(lock_);
   std::uint64_t bytes = 0;
   for (const auto& [session, candidate] : deletable(now_ns)) bytes += candidate.size_bytes;
   return bytes;
@@ -174,11 +232,11 @@ std::vector<std::string> SessionStore::make_room(std::uint64_t bytes, std::uint6
   std::uint64_t taken = size_bytes();
   std::vector<std::string> gone;
   if (taken + bytes <= max_bytes_) return gone;
-  const std::lock_guard guard(lock_);
+  const std::lock_guard changing(changes_);
   for (const auto& [session, candidate] : deletable(now_ns)) {
     if (taken + bytes <= max_bytes_) break;
     if (const Result<void> erased = erase(candidate); !erased) {
-      if (reported_.insert(session.id() + " stays").second) report(Level::warning, "logging", erased.error());
+      if (is_news(session.id() + " stays")) report(Level::warning, "logging", erased.error());
       continue;
     }
     report(Level::info, "logging", "deleted the session " + session.id() + " to make room");
@@ -200,7 +258,6 @@ std::uint64_t SessionStore::disk_free_bytes() const {
 std::uint64_t SessionStore::size_bytes() const { return sizes_.total(system_ns()); }
 
 std::uint64_t SessionStore::greatest_number() const {
-  const std::lock_guard guard(lock_);
   std::uint64_t greatest = 0;
   for (const Candidate& candidate : session_candidates())
     if (const Result<Session> session = read(candidate)) greatest = std::max(greatest, session->info.number);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
 #include "robot/logging/sessions/folder_sizes.h"
+#include "robot/logging/sessions/job_thread.h"
 #include "robot/logging/sessions/retention.h"
 #include "robot/logging/sessions/session.h"
 
@@ -31,8 +33,12 @@ class SessionStore {
   const std::filesystem::path& folder() const { return folder_; }
   std::uint64_t max_bytes() const { return max_bytes_; }
 
-  /// Returns all sessions, the newest first. Leaves out folders without a session.
+  /// Returns all sessions, the newest first. Leaves out folders without a session. Waits until each has been read.
   std::vector<Session> list() const;
+
+  /// As list(), but waits at most `wait_ns` for sessions that another thread then reads: the index of a large recording
+  /// without one takes long. Such a session is as it was read last, or as its session.json says, and `message` says so.
+  std::vector<Session> list_within(std::uint64_t wait_ns) const;
 
   /// Returns the session `id`, or an Error if there is none. Refuses an id that contains a path.
   Result<Session> find(std::string_view id) const;
@@ -74,8 +80,13 @@ class SessionStore {
   std::vector<Candidate> candidates() const;
   std::vector<Candidate> session_candidates() const;
   Candidate candidate(const std::string& id) const;
+  static bool may_be_session(const Candidate& candidate);
   bool is_session(const Candidate& candidate) const;
   Result<Session> read(const Candidate& candidate) const;
+  std::optional<Result<Session>> known(const Candidate& candidate, bool also_older) const;
+  static Session described(const Candidate& candidate);
+  bool is_news(const std::string& text) const;
+  void forget(const std::string& id) const;
   void mend(const Session& session) const;
   std::vector<std::pair<Session, Candidate>> deletable(std::uint64_t now_ns) const;
   Result<void> erase(const Candidate& candidate);
@@ -85,10 +96,14 @@ class SessionStore {
   mutable FolderSizes sizes_;
   const std::string boot_;
 
-  mutable Mutex lock_;
+  Mutex changes_;  // held while sessions are changed or deleted
+
+  mutable Mutex lock_;  // guards the next two; not held while files are read
   // reading a session opens all its files, so the result is kept until the size or time of a file changes
   mutable std::map<std::string, std::pair<std::string, Result<Session>>> cache_;
   mutable std::set<std::string> reported_;  // sessions about whose fault a sentence was written
+
+  mutable JobThread reader_;  // reads the sessions of these names; declared last, because it uses the others
 };
 
 }  // namespace robot::logging

@@ -33,7 +33,7 @@ bool Carrier::carry() {
 
 bool Carrier::carry_queued() {
   if (const memory::VersionPtr version = queue_.pop(0)) write(version);
-  return queue_.queued_bytes() > 0;
+  return queue_.state().waiting > 0;
 }
 
 void Carrier::finish() {
@@ -51,9 +51,14 @@ StreamStatus Carrier::status() const {
   const std::lock_guard guard(lock_);
   StreamStatus status = status_;
   const std::uint64_t lost = std::min(provider_->lost_afterwards(), status.messages);
-  status.messages -= lost;
-  status.dropped += lost + queue_.dropped();
-  status.queued_bytes = queue_.queued_bytes();
+  const std::uint64_t buffered = std::min(buffered_, status.messages - lost);
+  const VersionQueue::State queue = queue_.state();
+  status.messages -= lost + buffered;
+  status.dropped += lost + queue.dropped;
+  status.waiting = buffered + queue.waiting;
+  status.queued_bytes = queue.bytes;
+  status.first = queue.first;
+  status.newest = queue.last;
   return status;
 }
 
@@ -67,6 +72,7 @@ void Carrier::write(const memory::VersionPtr& version) {
   const bool written = open() && succeeds([&] { return provider_->write(version); });
   const std::lock_guard guard(lock_);
   ++(written ? status_.messages : status_.dropped);
+  buffered_ = provider_->buffered();
 }
 
 /// Calls a function of the device and stores the outcome in the status. Reports a failure when it begins, not with every
@@ -75,6 +81,7 @@ bool Carrier::succeeds(const std::function<Result<void>()>& call) {
   const Result<void> outcome = attempt("writing to a device", call);
   const bool delivered = outcome && provider_->flush_due_ns() == OutProvider::kNever;
   const std::lock_guard guard(lock_);
+  buffered_ = provider_->buffered();
   if (!outcome) {
     if (!status_.failing) report(Level::error, "logging", outcome.error());
     status_.failing = true;

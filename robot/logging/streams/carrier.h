@@ -19,6 +19,9 @@ namespace robot::logging {
 /// but opens the device at most once a second. Refused versions count as dropped. The status is failing until the device
 /// has taken everything that the provider holds.
 ///
+/// After finish() each version that the channel wrote between attach() and detach(), and that the provider wanted, is
+/// counted once: as a message on the device or as dropped.
+///
 /// One thread at a time may call carry() and finish().
 class Carrier {
  public:
@@ -77,8 +80,9 @@ class Carrier {
   bool open_ = false;
   std::uint64_t next_open_ns_ = 0;  // [ns, monotonic]
 
-  mutable Mutex lock_;  // guards status_
+  mutable Mutex lock_;  // guards the next two
   StreamStatus status_;
+  std::uint64_t buffered_ = 0;  // messages in the provider's buffer after its last call
 };
 
 }  // namespace robot::logging

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -31,29 +30,38 @@ Result<void> FileOutProvider::open(const memory::ChannelInfo& info) {
     std::filesystem::remove(path_, ignored);
     return opened;
   }
-  return counted({});
+  return counted([] { return Result<void>(); });
 }
 
 Result<void> FileOutProvider::write(const memory::VersionPtr& version) {
   assert(writer_ && "a stream is opened before it is written");
   const OutMessage message{version->sequence(), version->capture_ns(), version->publish_ns(), version->bytes()};
-  const Result<void> written = writer_->write(0, message, monotonic_ns());
-  if (!written) ++refused_;
-  return counted(written);
+  return counted([&] {
+    Result<void> written = writer_->write(0, message, monotonic_ns());
+    if (written) ++taken_;
+    return written;
+  });
 }
 
 std::uint64_t FileOutProvider::flush_due_ns() const { return writer_ ? writer_->flush_due_ns() : kNever; }
 
-Result<void> FileOutProvider::flush() { return writer_ ? counted(writer_->flush()) : Result<void>(); }
+Result<void> FileOutProvider::flush() {
+  if (!writer_) return {};
+  return counted([&] { return writer_->flush(); });
+}
 
-Result<void> FileOutProvider::close() { return writer_ ? counted(writer_->close()) : Result<void>(); }
+Result<void> FileOutProvider::close() {
+  if (!writer_) return {};
+  return counted([&] { return writer_->close(); });
+}
 
-/// Publishes the writer's counts to other threads.
-Result<void> FileOutProvider::counted(Result<void> result) {
+/// Calls a function of the writer, and publishes the writer's counts to other threads, also after an exception.
+template <class Call>
+Result<void> FileOutProvider::counted(Call&& call) {
+  Result<void> result = attempt("a recording", call);
   size_bytes_.store(writer_->size_bytes(), std::memory_order_relaxed);
   messages_.store(writer_->messages(), std::memory_order_relaxed);
-  // write() itself reports the message that fills a chunk, but not the earlier messages of this chunk
-  lost_.store(writer_->lost() - refused_, std::memory_order_relaxed);
+  lost_.store(taken_ - writer_->messages() - writer_->collected(), std::memory_order_relaxed);
   return result;
 }
 
@@ -102,9 +110,7 @@ Result<std::optional<Record>> FileInProvider::read_on() {
 }
 
 Result<void> FileInProvider::seek_topic(std::uint64_t capture_ns) {
-  std::vector<McapMessage> newest = ordered_->newest_until(capture_ns);
-  const bool is_last = capture_ns == std::numeric_limits<std::uint64_t>::max();
-  ordered_->seek(newest.empty() ? 0 : capture_ns + (is_last ? 0 : 1));
+  std::vector<McapMessage> newest = ordered_->move_to(capture_ns);
   if (!newest.empty()) ahead_.push_back(std::move(newest.back().record));
   return {};
 }

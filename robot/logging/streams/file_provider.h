@@ -39,13 +39,16 @@ class FileOutProvider final : public OutProvider {
   std::uint64_t messages() const { return messages_.load(std::memory_order_relaxed); }  // in the file
   std::uint64_t lost_afterwards() const override { return lost_.load(std::memory_order_relaxed); }
 
+  std::uint64_t buffered() const override { return writer_ ? writer_->collected() : 0; }
+
  private:
-  Result<void> counted(Result<void> result);
+  template <class Call>
+  Result<void> counted(Call&& call);
 
   std::filesystem::path path_;
   McapOptions options_;
   std::optional<McapWriter> writer_;
-  std::uint64_t refused_ = 0;  // messages whose write() failed
+  std::uint64_t taken_ = 0;  // messages whose write() succeeded
   std::atomic<std::uint64_t> size_bytes_ = 0, messages_ = 0, lost_ = 0;
 };
 

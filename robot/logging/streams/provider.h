@@ -42,6 +42,9 @@ class OutProvider {
   /// Completes and closes the stream. No write() follows.
   virtual Result<void> close() = 0;
 
+  /// Returns how many messages of successful calls of write() are still in the buffer.
+  virtual std::uint64_t buffered() const { return 0; }
+
   /// Returns how many messages the device lost after a successful write(). Any thread.
   virtual std::uint64_t lost_afterwards() const { return 0; }
 

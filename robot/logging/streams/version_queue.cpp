@@ -1,6 +1,7 @@
 #include "robot/logging/streams/version_queue.h"
 
 #include <mutex>
+#include <new>
 #include <utility>
 
 #include "robot/core/clock.h"
@@ -10,13 +11,20 @@ namespace robot::logging {
 void VersionQueue::on_version(const memory::VersionPtr& version) {
   const std::lock_guard guard(lock_);
   if (closed_) return;
+  if (first_ == 0) first_ = version->sequence();
+  last_ = version->sequence();
   while (!versions_.empty() && bytes_ + version->size_bytes() > max_bytes_) {
     bytes_ -= versions_.front()->size_bytes();
     versions_.pop_front();
     ++dropped_;
   }
-  bytes_ += version->size_bytes();
-  versions_.push_back(version);
+  // an exception would reach the writer of the object, and no other listener would see the version
+  try {
+    versions_.push_back(version);
+    bytes_ += version->size_bytes();
+  } catch (const std::bad_alloc&) {
+    ++dropped_;
+  }
 }
 
 bool VersionQueue::due(std::uint64_t now_ns) {
@@ -48,14 +56,9 @@ bool VersionQueue::closed() const {
   return closed_;
 }
 
-std::uint64_t VersionQueue::dropped() const {
+VersionQueue::State VersionQueue::state() const {
   const std::lock_guard guard(lock_);
-  return dropped_;
-}
-
-std::size_t VersionQueue::queued_bytes() const {
-  const std::lock_guard guard(lock_);
-  return bytes_;
+  return {.first = first_, .last = last_, .dropped = dropped_, .waiting = versions_.size(), .bytes = bytes_};
 }
 
 }  // namespace robot::logging

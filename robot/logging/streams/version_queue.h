@@ -25,7 +25,7 @@ class VersionQueue final : public memory::Listener {
  public:
   explicit VersionQueue(std::size_t max_bytes, Patience patience = {}) : max_bytes_(max_bytes), patience_(patience) {}
 
-  /// Appends `version`. Does not wait. Any thread.
+  /// Appends `version`. Does not wait. Without memory for it, counts it as dropped. Any thread.
   void on_version(const memory::VersionPtr& version) override;
 
   /// Returns whether a limit of the patience is reached at `now_ns` [monotonic]. The waiting time begins with the first
@@ -44,11 +44,16 @@ class VersionQueue final : public memory::Listener {
 
   bool closed() const;
 
-  /// Returns how many versions were dropped since the beginning. Any thread.
-  std::uint64_t dropped() const;
+  /// The facts about a queue at one moment.
+  struct State {
+    std::uint64_t first = 0, last = 0;  // sequence numbers of the first and the last version that arrived; 0: none yet
+    std::uint64_t dropped = 0;          // versions since the beginning
+    std::size_t waiting = 0;            // queued versions
+    std::size_t bytes = 0;              // of the queued versions
+  };
 
-  /// Returns the size of the queued versions [bytes]. Any thread.
-  std::size_t queued_bytes() const;
+  /// Any thread.
+  State state() const;
 
  private:
   const std::size_t max_bytes_;
@@ -58,6 +63,7 @@ class VersionQueue final : public memory::Listener {
   std::deque<memory::VersionPtr> versions_;
   std::size_t bytes_ = 0;
   std::uint64_t noticed_ns_ = 0;  // when due() first saw the waiting versions; 0: not yet
+  std::uint64_t first_ = 0, last_ = 0;
   std::uint64_t dropped_ = 0;
   bool closed_ = false;
 };

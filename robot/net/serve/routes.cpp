@@ -9,11 +9,13 @@
 namespace robot::net {
 namespace {
 
-constexpr std::string_view kLogs = "/logs/", kStatus = "/api/status";
+constexpr std::string_view kLogs = "/logs/", kStatus = "/api/status", kList = "/api/sessions";
 constexpr std::string_view kSessions = "/api/sessions/", kFilesOfSession = "/files";
 
 // data of the robot; all other paths belong to the viewer
 bool is_data(std::string_view path) { return path.starts_with("/api/") || path.starts_with("/logs"); }
+
+bool is_list(std::string_view path) { return path == kList || path == "/logs" || path == kLogs; }
 
 bool is_safe_name(std::string_view name) {
   const auto allowed = [](char c) {
@@ -81,7 +83,7 @@ Access access_of(const AccessOptions& options, std::string_view address, const H
 Work Routes::work_of(const HttpRequest& request) {
   const auto target = parse_target(request.target);
   if (!target || !is_data(target->path)) return Work::none;
-  if (target->path == kStatus) return Work::status;
+  if (target->path == kStatus || is_list(target->path)) return Work::status;
   return between(kSessions, target->path, kFilesOfSession) ? Work::checksums : Work::files;
 }
 
@@ -134,8 +136,8 @@ HttpResponse Routes::answer_data(const HttpRequest& request, const Target& targe
   if (!access.may_watch)
     return error_response(401, "reading from this robot needs its read token: add ?token=<token> to the address");
   if (target.path == kStatus) return text_response(200, "application/json", backend_.status_json());
-  if (target.path == "/api/sessions") return text_response(200, "application/json", backend_.sessions_json());
-  if (target.path == "/logs" || target.path == kLogs) return answer_sessions(request);
+  if (target.path == kList) return text_response(200, "application/json", backend_.sessions_json());
+  if (is_list(target.path)) return answer_sessions(request);
 
   if (!access.loopback && backend_.match_mode()) return game_in_progress();
   if (const auto session = between(kSessions, target.path, kFilesOfSession))

@@ -38,7 +38,7 @@ Access access_of(const AccessOptions& options, std::string_view address, const H
 /// sessions never for a checksum.
 enum class Work {
   none,       // it does not wait
-  status,     // milliseconds
+  status,     // a tenth of a second at most: status and lists
   files,      // it reads the beginning or the index of files
   checksums,  // it reads whole files, for minutes
 };

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <new>
 
 #include "proto/foresight/ball.pb.h"
+#include "robot/body/replay/file_player.h"
 #include "robot/core/byte_sink.h"
 #include "robot/logging/mcap/writer.h"
 #include "robot/logging/sessions/recorder.h"
@@ -305,6 +308,33 @@ TEST_F(ReplayingAFile, LeavesStrayMessagesOutOfTheTimeLineAndSaysSo) {
   EXPECT_EQ((*replay)->notes(), std::vector<std::string>{
                                     "1 message before 2023-11-14 22:13:20 UTC left out of the strip, because more than "
                                     "30 days lie between"});
+}
+
+/// A channel without memory for its first message.
+class FullChannel final : public memory::Channel {
+ public:
+  explicit FullChannel(const Clock& clock) { announce({.topic = "/full"}, clock); }
+  Result<void> write_bytes(std::string_view, std::uint64_t) override {
+    if (messages++ == 0) throw std::bad_alloc();
+    return {};
+  }
+  std::atomic<std::uint64_t> messages = 0;
+};
+
+TEST_F(ReplayingAFile, AnExceptionOfAChannelCostsOneMessage) {
+  const auto opened = logging::McapFile::open(file);
+  ASSERT_TRUE(opened);
+  PlaybackClock clock(kStart, time(kCount - 1), 1000);
+  const auto full = std::make_shared<FullChannel>(clock);
+  std::vector<PlayedTopic> topics;
+  topics.push_back({.channels = {1}, .to = full, .shift = nullptr});
+  FilePlayer player(*opened, std::move(topics), 0, clock);
+  clock.start();
+  ASSERT_TRUE(player.start());
+  EXPECT_TRUE(tests::eventually([&] { return full->messages == kCount + 1; }));
+  clock.stop();
+  player.stop();
+  EXPECT_EQ(player.messages(), kCount);
 }
 
 TEST_F(ReplayingAFile, AfterASeekEveryTopicHasItsValueOfThatTime) {

@@ -179,6 +179,26 @@ TEST_F(Relaying, KeepsTopicsSchemasAndEveryMessageAlsoOfUnknownObjects) {
   EXPECT_EQ(status.received, 503u);
 }
 
+// "relay: ws://127.0.0.1:1/: ws://127.0.0.1:1/: Connection refused" once named it twice
+TEST_F(Relaying, ASentenceNamesAnAddressOnce) {
+  std::string said;
+  set_report_listener([&](const Report& report) {
+    const std::lock_guard guard(lock);
+    if (said.empty()) said = report.sentence;
+  });
+  const std::string address = "ws://127.0.0.1:1/";
+  RobotLink refused(1, {.robot = {.name = address, .addresses = {address}}}, channels, claims, clock,
+                    [](const std::string&, const ClockOffset&) {});
+  ASSERT_TRUE(refused.start());
+  const auto sentence = [&] {
+    const std::lock_guard guard(lock);
+    return said;
+  };
+  ASSERT_TRUE(tests::eventually([&] { return !sentence().empty(); }));
+  set_report_listener({});
+  EXPECT_EQ(sentence(), address + ": Connection refused; connecting again");
+}
+
 TEST_F(Relaying, ConnectsAgainAndCountsTheLostMessages) {
   auto robot = std::make_unique<Robot>("14/2");
   const memory::ChannelInfo info{

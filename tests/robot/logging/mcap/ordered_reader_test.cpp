@@ -102,6 +102,23 @@ TEST(OrderedReader, FindsTheNewestMessageOfEachChannelAtAnyTime) {
   }
 }
 
+TEST(OrderedReader, AMoveGivesTheNewestMessagesAndContinuesAfterThem) {
+  for (std::uint32_t seed = 0; seed < kFiles; seed += 3) {
+    const GeneratedMcap made = tests::generate_mcap(seed);
+    OrderedReader reader(opened(made.bytes)), other(opened(made.bytes));
+    std::vector<std::uint64_t> times{0, std::numeric_limits<std::uint64_t>::max()};
+    for (std::size_t i = 0; i < made.messages.size(); i += 1 + made.messages.size() / 5)
+      times.push_back(made.messages[i].log_ns);
+    for (const std::uint64_t to_ns : times) {
+      const std::vector<McapMessage> newest = reader.move_to(to_ns), expected = other.newest_until(to_ns);
+      ASSERT_EQ(newest.size(), expected.size());
+      for (std::size_t i = 0; i < newest.size(); ++i) ASSERT_EQ(generated(newest[i]), generated(expected[i]));
+      const auto after = std::ranges::upper_bound(made.messages, to_ns, {}, &GeneratedMessage::log_ns);
+      ASSERT_EQ(all_of(reader), std::vector(after, made.messages.end())) << seed << ": " << made.features;
+    }
+  }
+}
+
 TEST(OrderedReader, DeliversOnlyTheChosenChannels) {
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
     GeneratedMcap made = tests::generate_mcap(seed);

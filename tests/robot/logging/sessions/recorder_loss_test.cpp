@@ -72,6 +72,43 @@ TEST_F(Losing, AMovedSessionLosesNothing) {
   EXPECT_EQ(ball_records("moved").size(), 10u);
 }
 
+// its session.json once stayed as at the beginning, so that it looked like a session whose writer had died
+TEST_F(Losing, AMovedSessionGetsItsEndAndItsAccount) {
+  fs::rename(folder / first, folder / "moved");
+  recorder.tend();
+  const Session moved = *read_session(folder / "moved");
+  EXPECT_EQ(moved.state, SessionState::complete);
+  EXPECT_EQ(moved.info.account, (SessionAccount{.messages = 10, .dropped = 0}));
+  EXPECT_EQ(moved.message, "");
+  EXPECT_FALSE(fs::exists(folder / "moved" / kLockFile));
+}
+
+TEST_F(Losing, TheAccountIsShownAfterTheEnd) {
+  recorder.tend();
+  fs::remove(folder / first / "14.2.ball.mcap");
+  ASSERT_TRUE(recorder.stop());
+  const RecordingStatus last = recorder.status();
+  EXPECT_EQ(last.state, RecordingStatus::State::off);
+  EXPECT_EQ(last.session, first);
+  EXPECT_EQ(last.messages, 0u);
+  EXPECT_EQ(last.dropped, 10u);
+  EXPECT_TRUE(last.message.ends_with("messages lost: 10")) << last.message;
+  EXPECT_EQ(store.find(first)->info.account, (SessionAccount{.messages = 0, .dropped = 10}));
+  EXPECT_EQ(store.find(first)->message, "messages lost while it was recorded: 10");
+  ASSERT_TRUE(recorder.start("next", "game"));
+  EXPECT_EQ(recorder.status().dropped, 0u) << "a new account";
+}
+
+// a message counts as recorded when the death of the process cannot lose it any more
+TEST_F(Losing, MessagesOnTheWayToAFileAreNoRecordedMessages) {
+  write_ball(11);
+  ASSERT_TRUE(tests::eventually([&] {
+    const RecordingStatus status = recorder.status();
+    EXPECT_LE(status.messages, ball_records(first).size());
+    return status.messages == 11 && status.waiting == 0;
+  }));
+}
+
 TEST_F(Losing, AReplacedFolderIsNoticed) {
   fs::rename(folder / first, folder / "moved");
   fs::create_directory(folder / first);

@@ -93,7 +93,10 @@ TEST_F(Wishing, CanBeTakenBack) {
   SessionStore here(folder / "loop", 4'000'000'000);
   Recorder waiting(channels, board, here, clock, {});
   ASSERT_TRUE(waiting.want("half", "game"));
+  write_ball(1);
   EXPECT_EQ(*waiting.stop(), "") << "it never began";
+  EXPECT_EQ(waiting.status().dropped, 1u);
+  EXPECT_EQ(waiting.status().message, "no session could begin before the end of the recording; messages lost: 1");
   fs::remove(folder / "loop");
   waiting.tend();
   EXPECT_EQ(waiting.status().state, State::off);

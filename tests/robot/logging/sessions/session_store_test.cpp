@@ -12,6 +12,7 @@
 #include "robot/logging/sessions/owned_folder.h"
 #include "robot/logging/sessions/session_counter.h"
 #include "robot/logging/sessions/session_writer.h"
+#include "tests/support/eventually.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robot::logging {
@@ -48,6 +49,28 @@ struct OldSessions : ::testing::Test {
 };
 
 using Ids = std::vector<std::string>;
+
+// the index of a large recording without one takes long; a list once waited for it
+TEST_F(OldSessions, AListThatMustNotWaitHasEachSessionAtOnceAndItsStreamsSoon) {
+  auto writer = SessionWriter::create(folder / "new", {.name = "half", .robot = "14/2", .start_ns = kNow});
+  EXPECT_TRUE((*writer)->write({.topic = "/14/2/a"}, kNow, "a"));
+  ASSERT_TRUE((*writer)->close());
+  make(48, 10);
+  fs::create_directory(folder / "no session");
+  const SessionStore store(folder.path(), 0);
+  const std::vector<Session> at_once = store.list_within(0);
+  ASSERT_EQ(at_once.size(), 2u);
+  EXPECT_EQ(at_once[0].id(), "new");
+  EXPECT_EQ(at_once[0].info.name, "half");
+  EXPECT_EQ(at_once[0].state, SessionState::complete);
+  ASSERT_TRUE(tests::eventually([&] { return store.list_within(0)[0].streams.size() == 1; }));
+  EXPECT_EQ(store.list_within(60 * kSecond)[0].message, "");
+  // as it was read last, while a change is read
+  std::ofstream(folder / "new/session.json")
+      << to_json({.name = "renamed", .robot = "14/2", .start_ns = kNow, .complete = true});
+  EXPECT_EQ(store.list_within(0)[0].streams.size(), 1u);
+  EXPECT_EQ(store.list_within(60 * kSecond)[0].info.name, "renamed");
+}
 
 TEST_F(OldSessions, TheOldestAreDeletedFirstAndNeverAYoungOrAKeptOne) {
   const std::string kept = make(96, 1'000'000, {.kept = true});

@@ -35,7 +35,12 @@ SessionInfo example() {
           .complete = true};
 }
 
-TEST(SessionInfo, RoundTripsThroughItsJson) { EXPECT_EQ(*parse_session_info(to_json(example())), example()); }
+TEST(SessionInfo, RoundTripsThroughItsJson) {
+  EXPECT_EQ(*parse_session_info(to_json(example())), example());
+  SessionInfo ended = example();
+  ended.account = {.messages = std::uint64_t{1} << 60, .dropped = 3};
+  EXPECT_EQ(*parse_session_info(to_json(ended)), ended);
+}
 
 TEST(SessionInfo, SurvivesEveryTruncation) {
   const std::string text = to_json(example());
@@ -113,6 +118,25 @@ struct WrittenSession : ::testing::Test {
   }
   const tests::TemporaryFolder folder;
 };
+
+// a message at time 0 once stretched the viewer's time line from 1970 to today
+TEST_F(WrittenSession, StrayTimesAreLeftOutOfItsTimeLineAndNamed) {
+  constexpr std::uint64_t kStart = 1'700'000'000'000'000'000;
+  auto writer = SessionWriter::create(folder / "strays", example());
+  for (std::uint64_t i = 0; i < 5; ++i) EXPECT_TRUE((*writer)->write({.topic = "/14/2/a"}, kStart + i, "a"));
+  EXPECT_TRUE((*writer)->write({.topic = "/14/2/a"}, 0, "stray"));
+  EXPECT_TRUE((*writer)->write({.topic = "/14/2/a"}, std::uint64_t{1} << 63, "stray"));
+  EXPECT_TRUE((*writer)->write({.topic = "/14/2/b"}, 7, "all of this stream is stray"));
+  EXPECT_TRUE((*writer)->write({.topic = "/14/2/c"}, kStart + 100, "c"));
+  EXPECT_TRUE((*writer)->close());
+  const Session session = *read_session(folder / "strays");
+  EXPECT_EQ(session.start_ns, kStart);
+  EXPECT_EQ(session.end_ns, kStart + 100);
+  EXPECT_EQ(session.state, SessionState::complete);
+  EXPECT_EQ(session.message,
+            "2 messages before 2023-11-14 22:13:20 UTC and 1 message after 2023-11-14 22:13:20 UTC left out of the "
+            "strip, because more than 30 days lie between");
+}
 
 TEST_F(WrittenSession, IsReadWithItsStreamsAndTimes) {
   const Result<Session> session = read_session(folder / "s");

@@ -35,8 +35,8 @@ TEST_F(Queue, DropsTheOldestWhenFullAndCountsThem) {
   channel->attach(queue);
   for (int i = 0; i < 13; ++i) write(10);
   channel->detach(queue);
-  EXPECT_EQ(queue.dropped(), 3u);
-  EXPECT_EQ(queue.queued_bytes(), 100u);
+  EXPECT_EQ(queue.state().dropped, 3u);
+  EXPECT_EQ(queue.state().bytes, 100u);
   EXPECT_EQ(queue.pop(kNever)->sequence(), 4u);
 }
 
@@ -45,7 +45,7 @@ TEST_F(Queue, PassesOneTooLargeVersionAlone) {
   write(10);
   write(1000);
   channel->detach(queue);
-  EXPECT_EQ(queue.dropped(), 1u);
+  EXPECT_EQ(queue.state().dropped, 1u);
   EXPECT_EQ(queue.pop(kNever)->size_bytes(), 1000u);
 }
 
@@ -57,7 +57,7 @@ TEST_F(Queue, ReturnsTheRestAfterClosingAndAcceptsNothingMore) {
   channel->detach(queue);
   EXPECT_NE(queue.pop(kNever), nullptr);
   EXPECT_EQ(queue.pop(kNever), nullptr);
-  EXPECT_EQ(queue.dropped(), 0u);
+  EXPECT_EQ(queue.state().dropped, 0u);
 }
 
 TEST_F(Queue, WakeWakesAWaitingReader) {
@@ -119,7 +119,7 @@ TEST_F(Queue, CountsEveryLostVersion) {
   channel->detach(queue);
   queue.close();
   reader.join();
-  EXPECT_EQ(popped + queue.dropped(), kWrites);
+  EXPECT_EQ(popped + queue.state().dropped, kWrites);
 }
 
 }  // namespace

@@ -56,7 +56,8 @@ TEST(Routes, EachKindOfWaitingIsWorkOfItsOwn) {
   EXPECT_EQ(work("/"), Work::none);
   EXPECT_EQ(work("/../x"), Work::none);
   EXPECT_EQ(work("/api/status?token=t"), Work::status);
-  EXPECT_EQ(work("/api/sessions"), Work::files);
+  EXPECT_EQ(work("/api/sessions"), Work::status);
+  EXPECT_EQ(work("/logs/"), Work::status);
   EXPECT_EQ(work("/api/played?topic=/x"), Work::files);
   EXPECT_EQ(work("/logs/a.mcap"), Work::files);
   EXPECT_EQ(work("/api/sessions/a/files"), Work::checksums);
