@@ -118,7 +118,7 @@ test("all skills and features are described, for people and as JSON", async () =
     assert.deepEqual(await json(kind, known), words.filter(({ name }) => name === known));
   }
   const { arguments: parameters } = (await json("skills", "kick"))[0];
-  assert.deepEqual(parameters[1], { name: "tolerance", about: "angle by which the direction of the ball may miss the aim", unit: "rad", least: 0.01, most: 3, default: 0.2 });
+  assert.deepEqual(parameters[1], { name: "tolerance", about: "angle by which the direction of the ball may miss the aim", unit: "rad", least: 0.01, most: 3, default: 0.2, example: '"tolerance": "0.2 rad"' });
 });
 
 test("rules, models and strategies can be listed, shown and played from a file", async (t) => {
