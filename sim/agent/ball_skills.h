@@ -15,11 +15,12 @@ enum class Aim : std::uint8_t {
   ahead,    // straight towards the opponents' goal line
   away,     // from the own goal
   mate,     // the free teammate nearest to the goal, ahead of it; without one, ahead
+  cross,    // the penalty mark before the goal
 };
-inline constexpr const char* kAims[] = {"goal", "opening", "ahead", "away", "mate", nullptr};  // by Aim
+inline constexpr const char* kAims[] = {"goal", "opening", "ahead", "away", "mate", "cross", nullptr};  // by Aim
 
 // parameters that several skills have
-inline constexpr Range kAimRange{"", 0, 4, false, kAims};
+inline constexpr Range kAimRange{"", 0, 5, false, kAims};
 inline constexpr Range kToleranceRange{"rad", 0.01f, 3};
 inline constexpr Range kKickRange{"m", 0, 12};
 inline constexpr Range kCareRange{"", 0.2f, 2};

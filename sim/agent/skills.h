@@ -13,7 +13,7 @@
 
 namespace sim::agent {
 
-inline constexpr int kMaxArguments = 8;
+inline constexpr int kMaxArguments = 12;
 
 /// The values that a parameter may have.
 struct Range {
