@@ -52,8 +52,6 @@ struct Mate {
 constexpr std::uint16_t centiseconds(float seconds) {
   return seconds < 655 ? static_cast<std::uint16_t>(0.5f * (200 * seconds + 1)) : std::uint16_t{0xffff};
 }
-/// Returns a time [s] with the rounding of its message.
-constexpr float as_told(float seconds) { return 0.01f * static_cast<float>(centiseconds(seconds)); }
 
 /// Returns the number [1..7] of the teammate in beliefs.mates[index] of `player`.
 constexpr int player_of_mate(int player, int index) { return index + 1 < player ? index + 1 : index + 2; }

@@ -212,7 +212,7 @@ constexpr FeatureInfo kTable[] = {
            &kick_error),
     // the others
     with_ball(number("time_to_ball", "s", 0, 1000, "time until the robot stands behind the ball",
-                     [](const View& view) { return view.mind.time_to_ball; })),
+                     [](const View& view) { return view.mind.time_to_ball(); })),
     number("mates_time_to_ball", "s", 0, 1000, "the same of the quickest teammate, from its last message",
            &quickest_mate),
     number("mates_active", "robots", 0, 6, "number of teammates on the field that were heard recently", &count_mates),

@@ -58,7 +58,8 @@ void mind_manners(const View& view, motion::Command& command) {
   if (theirs) keep_clear(view, command);
   // getting away from the ball comes first
   if (theirs && too_near(view)) return;
-  if (view.game.player != 1 && command.body == Body::walk_to) leave_goal_area(view, command);
+  const bool stays_out = view.around.rules->illegal_defender && view.game.player != 1;
+  if (stays_out && command.body == Body::walk_to) leave_goal_area(view, command);
 }
 
 }  // namespace sim::agent

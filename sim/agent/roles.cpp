@@ -27,6 +27,29 @@ Candidate candidate(const Roles& roles, Role role, float time, Vec2 position, in
           .player = player};
 }
 
+/// Returns the time to the ball [s] of a robot that faces `facing` and has the ball at `ball` [robot], `far` [m] away.
+float time_for(const View& view, Vec2 ball, float far, Vec2 facing) {
+  const motion::Walk& walk = view.around.motion->walk;
+  const float distance = far > 0.01f ? far : 0.01f;
+  const Vec2 to_ball = (1 / distance) * ball;
+  const Vec2 goal_from_ball = unit(view.goal() - view.ball_in_team);
+  const float wrong_side = 1 - dot(turned(to_ball, facing), goal_from_ball);
+  return distance / walk.forward + 0.5f * kPi / walk.turn_rate * (1 - to_ball.x) + 0.4f / walk.sideward * wrong_side;
+}
+
+/// Returns the time [s] that a teammate needs now. A chaser has come nearer since its message. A message from before
+/// the set play tells of the ball's former place: its time is estimated from the mate's own place.
+float time_of(const View& view, const Mate& mate, Role role) {
+  if (mate.sent < view.ball_put && view.ball_known) {
+    const SinCos heading = sin_cos(mate.pose.heading);
+    const Vec2 facing{heading.cos, heading.sin}, to_ball = view.ball_in_team - mate.pose.position;
+    return time_for(view, turned_back(to_ball, facing), length(to_ball), facing);
+  }
+  const float since = static_cast<float>(view.now - mate.sent) * kTickDuration;
+  const bool nearer = role == Role::chaser && mate.time_to_ball() > since;
+  return nearer ? mate.time_to_ball() - since : mate.time_to_ball();
+}
+
 void set_role(Mind& mind, Role role, Tick now) {
   if (mind.role != role) mind.role_since = now;
   mind.role = role;
@@ -40,20 +63,13 @@ const char* name_of(Role role) {
   return index < kRoleCount ? kNames[index] : "unknown";
 }
 
-float time_to_ball(const View& view) {
-  const motion::Walk& walk = view.around.motion->walk;
-  const float distance = view.ball_distance > 0.01f ? view.ball_distance : 0.01f;
-  const Vec2 to_ball = (1 / distance) * view.ball;
-  const Vec2 goal_from_ball = unit(view.goal() - view.ball_in_team);
-  const float wrong_side = 1 - dot(turned(to_ball, view.facing), goal_from_ball);
-  return distance / walk.forward + 0.5f * kPi / walk.turn_rate * (1 - to_ball.x) + 0.4f / walk.sideward * wrong_side;
-}
+float time_to_ball(const View& view) { return time_for(view, view.ball, view.ball_distance, view.facing); }
 
 void assign_role(const View& view, Mind& mind) {
   const Roles& roles = view.settings.roles;
   mind.settled = static_cast<std::uint8_t>(view.now);
   // rounded as the others hear it; otherwise they would not agree
-  mind.time_to_ball = as_told(view.ball_known ? time_to_ball(view) : 1e6f);
+  mind.time_to_ball_cs = centiseconds(view.ball_known ? time_to_ball(view) : 1e6f);
   if (view.game.player == 1) {
     set_role(mind, Role::keeper, view.now);
     mind.slot = kMiddleLane;
@@ -62,17 +78,13 @@ void assign_role(const View& view, Mind& mind) {
 
   // all field players, this robot first
   Candidate all[kMaxPlayers];
-  all[0] = candidate(roles, mind.role, mind.time_to_ball, view.position, view.game.player);
+  all[0] = candidate(roles, mind.role, mind.time_to_ball(), view.position, view.game.player);
   int count = 1, chaser = 0;
   view.for_each_mate([&](const Mate& mate, int index) {
     const int player = view.player_of_mate(index);
     if (player == 1) return;
-    // a chaser has come nearer since its message
     const auto role = static_cast<Role>(mate.role);
-    const float since = static_cast<float>(view.now - mate.sent) * kTickDuration;
-    const float left =
-        role == Role::chaser && mate.time_to_ball() > since ? mate.time_to_ball() - since : mate.time_to_ball();
-    all[count] = candidate(roles, role, left, mate.pose.position, player);
+    all[count] = candidate(roles, role, time_of(view, mate, role), mate.pose.position, player);
     if (quicker(all[count], all[chaser])) chaser = count;
     ++count;
   });

@@ -34,6 +34,7 @@ struct Habits {
   float keep_clear = 0.9f;       // [m] from the ball of the opponents' kick; the rules ask for 0.75
   float avoid_radius = 0.45f;    // [m] from a robot in the way
   float walk_tolerance = 0.12f;  // [m] near enough to a place to stand there
+  float walk_again = 0.5f;       // [m] off its place before a robot that stood there walks again
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
@@ -45,6 +46,7 @@ struct Habits {
     see("keep_clear", self.keep_clear, "m", 0.f, 3.f);
     see("avoid_radius", self.avoid_radius, "m", 0.f, 2.f);
     see("walk_tolerance", self.walk_tolerance, "m", 0.02f, 1.f);
+    see("walk_again", self.walk_again, "m", 0.02f, 3.f);
   }
 };
 

@@ -35,6 +35,7 @@ Target target_of(const View& view, const Where& where, float lead) {
       if (const int mate = pass_target(view).mate; mate >= 0)
         return {view.beliefs.mates[mate].pose.position + Vec2{lead, 0}};
       break;
+    case Aim::cross: return {{view.half_length - view.around.rules->field.penalty_mark, 0}};
     case Aim::ahead: break;
   }
   return {ball + Vec2{1, 0}};

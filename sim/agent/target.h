@@ -15,8 +15,9 @@ enum class Aim : std::uint8_t {
   ahead,    // straight towards the opponents' goal line
   away,     // from the own goal
   mate,     // the free teammate nearest to the goal, ahead of it; without one, ahead
+  cross,    // the penalty mark before the goal
 };
-inline constexpr const char* kAims[] = {"goal", "opening", "ahead", "away", "mate", nullptr};  // by Aim
+inline constexpr const char* kAims[] = {"goal", "opening", "ahead", "away", "mate", "cross", nullptr};  // by Aim
 
 /// The target of the ball as a leaf names it: an aim, or instead of it a direction or a point.
 struct Where {
@@ -26,7 +27,7 @@ struct Where {
   float y = kNotGiven;
 };
 
-inline constexpr Range kAimRange{.unit = "", .least = 0, .most = 4, .names = kAims, .alternative = true};
+inline constexpr Range kAimRange{.unit = "", .least = 0, .most = 5, .names = kAims, .alternative = true};
 inline constexpr Range kDirectionRange{
     .unit = "rad", .least = -3.15f, .most = 3.15f, .lateral = true, .alternative = true, .example = R"("45 deg")"};
 inline constexpr Range kTargetX = point_x("target", "[2, -0.5]", true);

@@ -30,6 +30,36 @@ void find_ball(View& view) {
   view.ball_distance = length(view.ball);
 }
 
+/// Returns the place of the ball at the set play [m, team_field], on the side where the ball was.
+Vec2 set_play_place(const View& view, Vec2 ball) {
+  const field::Field& field = view.around.rules->field;
+  const float side = ball.y != 0 ? sign(ball.y) : view.mind.search_side;
+  const float attacked = view.game.own_kick ? 1.f : -1.f;
+  switch (view.game.set_play) {
+    case Game::SetPlay::corner_kick: return {attacked * view.half_length, side * view.half_width};
+    case Game::SetPlay::goal_kick:
+      return {-attacked * (view.half_length - field.goal_area_length), 0.5f * side * field.goal_area_width};
+    default: return {clamp(ball.x, -view.half_length, view.half_length), side * view.half_width};
+  }
+}
+
+/// Supposes the ball where the rules put it, until somebody has seen it since the set play began.
+void suppose_ball(View& view) {
+  const Game& game = view.game;
+  if (game.set_play == Game::SetPlay::none || game.set_play == Game::SetPlay::kick_off) return;
+  const Tick since = ticks(clamp(game.since_phase, 0, 3600));
+  const Tick began = since < view.now ? view.now - since : 0;
+  view.ball_put = began;
+  const bool ever = view.ball_seen != kNever;
+  if (ever && view.ball_seen >= began) return;
+  view.ball_in_team = set_play_place(view, ever ? view.ball_in_team : view.mind.ball);
+  view.ball = view.to_robot(view.ball_in_team);
+  view.ball_distance = length(view.ball);
+  view.ball_velocity = {};
+  view.ball_seen = began;
+  view.ball_known = since < ticks(view.settings.habits.forget_ball);
+}
+
 }  // namespace
 
 View::View(const Surroundings& surroundings, const Settings& set, const Game& told, const Beliefs& believed, Tick time,
@@ -41,6 +71,7 @@ View::View(const Surroundings& surroundings, const Settings& set, const Game& to
   const SinCos heading = sin_cos(believed.pose.pose.heading);
   facing = {heading.cos, heading.sin};
   find_ball(*this);
+  suppose_ball(*this);
 }
 
 }  // namespace sim::agent

@@ -30,8 +30,9 @@ struct View {
   Vec2 position;      // [m, team_field] own
   Vec2 facing;        // [team_field] unit vector at the own heading
 
-  bool ball_known;      // seen or reported, and not forgotten
-  Tick ball_seen;       // time of that sight; kNever: none
+  bool ball_known;      // seen or reported, and not forgotten; or supposed at its place of a set play
+  Tick ball_put = 0;    // time at which the present set play began, other than a kick-off; 0: none
+  Tick ball_seen;       // time of that sight, or of the set play's beginning; kNever: none
   Vec2 ball;            // [m, robot]
   Vec2 ball_in_team;    // [m, team_field]
   Vec2 ball_velocity;   // [m/s, team_field]; 0 for a reported ball

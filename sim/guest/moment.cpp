@@ -99,7 +99,7 @@ ForesightCommand usual_command(const agent::Mind& mind) {
   ForesightCommand command{};
   command.gain = 1;
   command.role = static_cast<int>(mind.role);
-  command.time_to_ball = mind.time_to_ball;
+  command.time_to_ball = mind.time_to_ball();
   return command;
 }
 
@@ -145,7 +145,7 @@ motion::Command command_of(const ForesightCommand& told, const agent::Surroundin
   }
   if (static_cast<int>(mind.role) != told.role) mind.role_since = now;
   mind.role = static_cast<agent::Role>(told.role);
-  mind.time_to_ball = told.time_to_ball;
+  mind.time_to_ball_cs = agent::centiseconds(told.time_to_ball);
   mind.leaf = kDecided;
   return command;
 }

@@ -27,6 +27,7 @@ void visit_sections(AnyModels& models, See&& see) {
   see("contact", models.contact);
   see("walk", models.motion.walk);
   see("head", models.motion.head);
+  see("hits", models.motion.hits);
   see("squat", models.motion.squat);
   see("falls", models.motion.falls);
   see("camera", models.perception.camera);

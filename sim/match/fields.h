@@ -103,12 +103,13 @@ void visit_members(Struct& whole, See&& see) {
     auto& [ball, pose, mates, opponents] = whole;
     see("ball", ball), see("pose", pose), see("mates", mates), see("opponents", opponents);
   } else if constexpr (std::is_same_v<Type, agent::Mind>) {
-    auto& [role, slot, leaf, role_since, leaf_since, time_to_ball, ball, ball_seen, search_since, kick_direction, kick,
-           aligned, settled, search_side, choice, told] = whole;
+    auto& [role, slot, leaf, role_since, leaf_since, ball, ball_seen, search_since, kick_direction, kick, aligned,
+           settled, search_side, time_to_ball_cs, holds, choice, told] = whole;
     see("role", role), see("slot", slot), see("leaf", leaf), see("role_since", role_since);
-    see("leaf_since", leaf_since), see("time_to_ball", time_to_ball), see("ball", ball), see("ball_seen", ball_seen);
+    see("leaf_since", leaf_since), see("ball", ball), see("ball_seen", ball_seen);
     see("search_since", search_since), see("kick_direction", kick_direction), see("kick", kick);
     see("aligned", aligned), see("settled", settled), see("search_side", search_side);
+    see("time_to_ball_cs", time_to_ball_cs), see("holds", holds);
     see("choice", choice), see("told", told);
   } else if constexpr (std::is_same_v<Type, perception::Cognition>) {
     auto& [odometry_scale, turn_scale, last, walked, turned, flipped, on_air, packet] = whole;

@@ -46,6 +46,7 @@ enum class Draw : std::uint32_t {
   official = 18,
   situation = 19,
   belief = 20,
+  walk_pace = 21,
 };
 
 /// Returns 128 random bits. `robot` is the robot's index in the state, or kNobody when the draw belongs to no robot.

@@ -26,14 +26,20 @@ Vec2 ball_velocity(const MotionParams& params, const Kick& kick, float quality, 
   const Body& body = world.bodies[robot];
   float range = kick.range * body.kick_gain * range_at(quality);
   float angle = kick.direction;
+  float share = 1, spread = spread_at(quality);
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::kick_noise, now);
+  const Hits& hits = params.model.hits;
+  if (params.effects.partial_hits && uniform(words[2]) < hits.partial) {
+    share = uniform(words[3]);
+    spread *= hits.spread - (hits.spread - 1) * share;
+  }
   if (params.effects.kick_noise) {
-    const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::kick_noise, now);
     const auto deviates = normals(words[0], words[1]);
     range *= std::max(0.f, 1 + spread_at(quality) * kick.range_deviation * deviates[0]);
-    angle += spread_at(quality) * kick.direction_deviation * deviates[1];
+    angle += spread * kick.direction_deviation * deviates[1];
   }
   if (!body.kick_left) angle = -angle;
-  return speed_for_range(range, params.ball.deceleration) * turned(direction(angle), body.facing);
+  return share * speed_for_range(range, params.ball.deceleration) * turned(direction(angle), body.facing);
 }
 
 /// Lets the foot pass the place of the ball, in the tick `now`: a hit or a whiff.

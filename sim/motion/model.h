@@ -5,7 +5,7 @@ namespace sim::motion {
 
 inline constexpr int kMaxKicks = 8;
 
-/// The walk. Speeds are the greatest possible ones; commands are clipped to them.
+/// The walk. Speeds are the greatest possible ones of the fastest robot; commands are clipped to them.
 struct Walk {
   float forward;            // [m/s]
   float backward;           // [m/s]
@@ -16,6 +16,7 @@ struct Walk {
   float turn_cost;          // [0..1] share of the speed lost at the greatest turn rate, linear
   float slow_down;          // [m] distance from the destination of walk_to at which slowing down begins
   float step_duration;      // [s] the start of a step obeys a new command and draws the noise
+  float spread;             // [0..1] share by which the slowest robot is slower; all between are equally likely
   float speed_noise;        // standard deviation per step, as share of the speed
   float turn_noise;         // [rad/s] standard deviation per step while walking
   float start_delay;        // [s] from the command to the first motion
@@ -32,6 +33,7 @@ struct Walk {
     see("turn_cost", self.turn_cost, "", 0.f, 1.f);
     see("slow_down", self.slow_down, "m", 0.01f, 2.f);
     see("step_duration", self.step_duration, "s", 0.1f, 2.f);
+    see("spread", self.spread, "", 0.f, 0.9f);
     see("speed_noise", self.speed_noise, "", 0.f, 0.5f);
     see("turn_noise", self.turn_noise, "rad/s", 0.f, 1.f);
     see("start_delay", self.start_delay, "s", 0.f, 2.f);
@@ -98,6 +100,19 @@ struct Squat {
   }
 };
 
+/// How well a foot hits the ball in a match. Some kicks hit it fully. The others hit it partly, beside its middle, and
+/// give it a share of the speed: all shares are equally likely. The less it gets, the more its direction deviates.
+struct Hits {
+  float partial;  // [0..1] probability of a partial hit
+  float spread;   // factor on the deviation of the direction after the weakest hit; 1 after a full one, linear between
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("partial", self.partial, "", 0.f, 1.f);
+    see("spread", self.spread, "", 1.f, 10.f);
+  }
+};
+
 /// Falls, which the thesis leaves out. The figures are estimates until they are measured.
 struct Falls {
   float per_minute_walking;   // [1/min] while walking
@@ -122,6 +137,7 @@ struct Model {
   Head head;
   int kick_count;
   Kick kicks[kMaxKicks];
+  Hits hits;
   Squat squat;
   Falls falls;
 };

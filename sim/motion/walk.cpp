@@ -34,6 +34,16 @@ Luck draw_luck(const Walk& walk, const World& world, int robot, Tick step) {
           walk.turn_noise * deviate(words[2])};
 }
 
+/// Returns the walk of this robot: the speeds of the model times its own pace, which is the same in the whole game.
+Walk walk_of(const MotionParams& params, const World& world, int robot) {
+  Walk walk = params.model.walk;
+  if (!params.effects.walk_spread) return walk;
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::walk_pace, 0);
+  const float pace = 1 - walk.spread * uniform(words[0]);
+  walk.forward *= pace, walk.backward *= pace, walk.sideward *= pace;
+  return walk;
+}
+
 /// Changes between standing, starting, walking and stopping. Returns false when the body does not move yet.
 bool change_gear(const Walk& walk, const Effects& effects, bool wanted, Tick now, Body& body) {
   using Doing = Body::Doing;
@@ -91,7 +101,7 @@ Gait gait_of(const Walk& walk, bool limited, const Command& command, const Erran
   body.step_turn_rate = 0;
   if (body.doing != Body::Doing::walking) return;
 
-  const Walk& walk = params.model.walk;
+  const Walk walk = walk_of(params, world, robot);
   const Luck luck = params.effects.walk_noise ? draw_luck(walk, world, robot, rhythm.step_at(now)) : Luck{};
   const float dt = static_cast<float>(rhythm.until_next(now)) * kTickDuration;
   const Gait gait = gait_of(walk, params.effects.walk_acceleration, command, errand, dt, luck);

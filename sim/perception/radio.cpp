@@ -12,7 +12,7 @@ constexpr float kLongestDelay = 5;  // [mean delays] a longer delay is cut off h
 agent::Mate packet_of(const agent::Beliefs& beliefs, const agent::Mind& mind, bool penalised, Tick now) {
   const Pose2& pose = beliefs.pose.pose;
   const agent::Ball& ball = beliefs.ball;
-  agent::Mate packet{.pose = pose, .sent = now, .time_to_ball_cs = agent::centiseconds(mind.time_to_ball)};
+  agent::Mate packet{.pose = pose, .sent = now, .time_to_ball_cs = mind.time_to_ball_cs};
   packet.role = static_cast<std::uint8_t>(mind.role);
   packet.active = !penalised;
   packet.choice = mind.choice;

@@ -19,11 +19,13 @@ struct Effects {
   bool packet_loss;
   bool walk_acceleration;  // limits of acceleration and the cost of turning
   bool walk_noise;
+  bool walk_spread;  // each robot has its own top speed
   bool walk_delay;   // of starting and stopping
   bool head_limits;  // speed and range of the joints; off: the head looks anywhere at once
   bool kick_noise;
-  bool kick_whiff;  // a kick misses a ball that lies outside its gate; off: it hits every ball within reach
-  bool push_noise;  // a random direction of a ball that a robot walks into
+  bool kick_whiff;    // a kick misses a ball that lies outside its gate; off: it hits every ball within reach
+  bool partial_hits;  // a foot may hit only a part of the ball, or slip over it
+  bool push_noise;    // a random direction of a ball that a robot walks into
   bool falls;
   bool official;  // a referee walks on the field, is an obstacle and hides the ball
 
@@ -42,10 +44,12 @@ struct Effects {
     see("packet_loss", self.packet_loss, "", false, true);
     see("walk_acceleration", self.walk_acceleration, "", false, true);
     see("walk_noise", self.walk_noise, "", false, true);
+    see("walk_spread", self.walk_spread, "", false, true);
     see("walk_delay", self.walk_delay, "", false, true);
     see("head_limits", self.head_limits, "", false, true);
     see("kick_noise", self.kick_noise, "", false, true);
     see("kick_whiff", self.kick_whiff, "", false, true);
+    see("partial_hits", self.partial_hits, "", false, true);
     see("push_noise", self.push_noise, "", false, true);
     see("falls", self.falls, "", false, true);
     see("official", self.official, "", false, true);

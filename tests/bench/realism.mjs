@@ -6,8 +6,8 @@ import { scratch, start } from "./programs.mjs";
 import { Report } from "./report.mjs";
 
 const kChoices = [
-  { name: "5 a side", choice: { rules: "spl2025:5" } },
-  { name: "5 a side, with falls", choice: { rules: "spl2025:5", models: "match,falls=on" } },
+  { name: "5 a side", choice: { rules: "spl2025:5" }, bar: { atLeast: 18 } },
+  { name: "5 a side, without falls", choice: { rules: "spl2025:5", models: "match,falls=off" } },
   { name: "7 a side", choice: { rules: "spl2025:7" } },
   { name: "rules of 2012", choice: { rules: "spl2012" } },
 ];
@@ -39,8 +39,8 @@ async function importHalves() {
 
 export async function realism({ games = 12, jobs = 2 }) {
   const report = new Report("realism", "are simulated games like real ones?");
-  for (const { name, choice } of kChoices)
-    tell(report, name, await json("foresight-sim", "match", "--statistics", "--games", games, "--threads", jobs, ...words(choice)));
+  for (const { name, choice, bar } of kChoices)
+    tell(report, name, await json("foresight-sim", "match", "--statistics", "--games", games, "--threads", jobs, ...words(choice)), bar);
   const halves = await importHalves();
   if (halves.length > 0) {
     const real = await json("foresight-lab", "game-statistics", ...halves);

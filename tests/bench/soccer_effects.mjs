@@ -26,12 +26,14 @@ export const kEffects = [
   effect("packet_loss", "off", -1, "age of mates' news", of("news_age"), "s"),
   effect("walk_acceleration", "off", +1, "speed while walking", of("speed"), "m/s"),
   effect("walk_noise", "off", +1, "speed while walking", of("speed"), "m/s"),
+  effect("walk_spread", "off", +1, "speed while walking", of("speed"), "m/s"),
   effect("walk_delay", "off", -1, "time between standing and walking", percent("shifting"), "%"),
   effect("head_limits", "off", +1, "ball seen", percent("ball_seen"), "%"),
   effect("kick_noise", "off", -1, "kicked ball off its aim", degrees("kick_astray"), "deg"),
   effect("kick_whiff", "off", -1, "kicks that miss the ball", of("whiffs")),
+  effect("partial_hits", "off", -1, "kicked ball off its aim", degrees("kick_astray"), "deg"),
   effect("push_noise", "off", -1, "pushed ball off its way", degrees("push_astray"), "deg"),
-  effect("falls", "on", +1, "time on the ground", percent("down"), "%"),
+  effect("falls", "off", -1, "time on the ground", percent("down"), "%"),
   effect("official", "on", -1, "ball seen", percent("ball_seen"), "%"),
 ];
 

@@ -137,8 +137,8 @@ test("rules, models and strategies can be listed, shown and played from a file",
     const rules = kind === "rules" ? ["--rules", `${file},half_duration=10`] : [...kShort, option, file];
     assert.equal((await sim("match", ...rules)).status, 0, kind);
   }
-  const varied = JSON.parse((await sim("models", "--show", "match,falls=on")).stdout);
-  assert.equal(varied.effects.falls, true);
+  const varied = JSON.parse((await sim("models", "--show", "match,falls=off")).stdout);
+  assert.equal(varied.effects.falls, false);
 });
 
 test("a situation is rolled out as often as asked, the same every time", async (t) => {

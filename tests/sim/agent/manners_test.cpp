@@ -70,6 +70,25 @@ TEST(Manners, OnlyTheKeeperWalksIntoTheOwnGoalArea) {
   EXPECT_GT(diverted, 100);
 }
 
+TEST(Manners, TheOwnGoalAreaIsOpenWhereTheRulesHaveNoIllegalDefender) {
+  field::Rules rules = *surroundings().rules;
+  ASSERT_TRUE(rules.illegal_defender);
+  for (const bool illegal : {true, false}) {
+    rules.illegal_defender = illegal;
+    const Surroundings around{&rules, surroundings().motion};
+    Scene scene;
+    scene.game.player = 2;
+    const View view(around, scene.settings, scene.game, scene.beliefs, scene.now, scene.mind);
+    // behind the ball of a goal kick
+    const Vec2 place{-0.5f * rules.field.length + rules.field.goal_area_length - 0.2f, 0.5f};
+    motion::Command command;
+    command.body = Body::walk_to;
+    command.walk = view.to_robot(place);
+    mind_manners(view, command);
+    EXPECT_EQ(distance(view.to_team(command.walk), place) < 1e-4f, !illegal);
+  }
+}
+
 TEST(Manners, PlacesOfTheKickOffAreInTheOwnHalfAndApart) {
   for (const bool ours : {true, false})
     for (int players = 1; players <= kMaxPlayers; ++players) {

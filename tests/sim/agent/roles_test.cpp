@@ -50,6 +50,20 @@ struct Team {
   }
 };
 
+TEST(Roles, AMessageFromBeforeTheSetPlayTellsOfAnotherBall) {
+  Scene scene;
+  scene.game.set_play = Game::SetPlay::corner_kick;
+  scene.game.own_kick = true;
+  scene.game.since_phase = 2;
+  scene.see_ball({1, 0});
+  // the mate was next to the ball when it went out, and is far from it now
+  for (const float ago : {3.f, 1.f}) {
+    scene.hear(3, {-2.5f, -1.5f}, 0.5f, Role::chaser, ago);
+    assign_role(scene.view(), scene.mind);
+    EXPECT_EQ(scene.mind.role == Role::chaser, ago > 2) << ago;
+  }
+}
+
 TEST(Roles, ThereIsExactlyOneChaserWhenBeliefsAgree) {
   std::mt19937 random(1);
   for (int n = 0; n < 500; ++n) {

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "sim/agent/place_skills.h"
 #include "sim/agent/walk.h"
 #include "tests/sim/agent/practice.h"
 
@@ -117,6 +118,32 @@ TEST(Skills, TheKeeperStandsBetweenBallAndGoal) {
     EXPECT_GT(place.x, goal.x);
     EXPECT_LT(distance(place, goal), 0.6f);
   }
+}
+
+TEST(Skills, ARobotAtItsPlaceStandsUntilThePlaceIsFarOff) {
+  Scene scene;
+  const auto go = [&](float off) {
+    scene.see_ball({1, 0});
+    const Vec2 place = scene.view().to_team({off, 0});
+    Position with{.follow_x = 0, .x = place.x, .follow_y = 0, .y = place.y, .distance = 0};
+    return position(scene.view(), scene.mind, with).body == motion::Command::Body::walk_to;
+  };
+  EXPECT_TRUE(go(0.4f)) << "not there yet";
+  EXPECT_FALSE(go(0.1f)) << "there";
+  EXPECT_FALSE(go(0.4f)) << "still near enough";
+  EXPECT_TRUE(go(0.6f));
+  EXPECT_TRUE(go(0.4f)) << "on the way it goes on to the place";
+}
+
+TEST(Skills, WithoutItsFirstPlayerTheNextOneKicksOff) {
+  Scene scene;
+  scene.game.player = 3;
+  scene.game.own_kick = true;
+  const float far = length(ready_place(scene.view()));
+  scene.hear(2, {-1, 0}, 1, Role::chaser);
+  EXPECT_EQ(length(ready_place(scene.view())), far) << "player 2 is there";
+  scene.beliefs.mates[1].active = false;
+  EXPECT_LT(length(ready_place(scene.view())), 0.5f) << "player 2 is penalised";
 }
 
 TEST(Skills, SearchingTurnsToTheSideWhereTheBallWasLast) {

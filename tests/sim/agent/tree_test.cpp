@@ -62,7 +62,7 @@ Decided decide(Scene& scene, const TreeBehaviour& behaviour) {
   Decided decided;
   after.decide(behaviour, &decided.trace);
   decided.mind = after.mind;
-  scene.mind.role = after.mind.role, scene.mind.time_to_ball = after.mind.time_to_ball;
+  scene.mind.role = after.mind.role, scene.mind.time_to_ball_cs = after.mind.time_to_ball_cs;
   return decided;
 }
 

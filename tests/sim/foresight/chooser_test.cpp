@@ -55,10 +55,11 @@ TEST(Chooser, WakesUpATeamThatStandsIdle) {
   EXPECT_EQ(state.robots[robot_of(Side::away, 2)].mind.choice.strategy, kNoStrategy) << "the others choose nothing";
 }
 
-/// A ball far from all robots: no strategy gains anything in 1 s that a few rollouts could prove.
+/// No strategy gains anything in 1 s that a few rollouts could prove. In this game all robots are on the field then: a
+/// penalised one keeps its choice.
 TEST(Chooser, ReturnsToTheDefaultWhenNoneIsBetterWithCertainty) {
   const io::PreparedGame setup = game_of("foresight,rollouts=64,horizon=1", "match", 120);
-  State state = test::after(setup.params, test::begun(setup.params, 3), ticks(60));
+  State state = test::after(setup.params, test::begun(setup.params, 4), ticks(60));
   for (int player = 2; player <= 4; ++player) choose(2, state.robots[robot_of(Side::home, player)].mind.choice);
   state = test::after(setup.params, state, ticks(15));
   for (int player = 2; player <= 4; ++player)

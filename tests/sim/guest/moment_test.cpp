@@ -55,7 +55,7 @@ TEST(Moment, ACommandIsConverted) {
   EXPECT_EQ(command.head, motion::Command::Head::angles);
   EXPECT_EQ(command.look[0], 0.3f);
   EXPECT_EQ(scene.mind.role, agent::Role::chaser);
-  EXPECT_EQ(scene.mind.time_to_ball, 2);
+  EXPECT_EQ(scene.mind.time_to_ball(), 2);
 }
 
 TEST(Moment, ACommandOutsideItsRangeIsASentence) {

@@ -19,7 +19,7 @@ const std::string kHeel =
 TEST(PreparedGame, HoldsTheNamedParts) {
   const auto setup = prepare({.rules = "spl2025",
                               .strategies = {"baseline", "idle"},
-                              .models = {"perfect", "match,falls=on"},
+                              .models = {"perfect", "match,falls=off"},
                               .players = 3,
                               .pace = Pace::every_tick});
   ASSERT_TRUE(setup) << setup.error();
@@ -30,7 +30,7 @@ TEST(PreparedGame, HoldsTheNamedParts) {
   EXPECT_EQ(params.teams[0].behaviour->name(), "baseline");
   EXPECT_EQ(params.teams[1].behaviour->name(), "idle");
   EXPECT_EQ(params.teams[0].models.name, "perfect");
-  EXPECT_TRUE(params.teams[1].models.effects.falls);
+  EXPECT_FALSE(params.teams[1].models.effects.falls);
   EXPECT_EQ(params.pace, Pace::every_tick);
 }
 

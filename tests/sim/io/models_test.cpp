@@ -38,12 +38,16 @@ TEST(Models, InPerfectEveryEffectIsOff) {
   for (const bool effect : effects_of(loaded("perfect"))) EXPECT_FALSE(effect);
 }
 
-TEST(Models, InNoPresetRobotsFall) {
-  for (const char* name : {"friendly", "match", "perfect"}) EXPECT_FALSE(loaded(name).effects.falls);
+TEST(Models, RobotsFallAndHitPartlyInAMatchOnly) {
+  EXPECT_TRUE(loaded("match").effects.falls);
+  for (const char* name : {"friendly", "perfect"}) {
+    EXPECT_FALSE(loaded(name).effects.falls) << name;
+    EXPECT_FALSE(loaded(name).effects.partial_hits) << name;
+  }
 }
 
 TEST(Models, FriendlyIsMatchWithSmallerErrors) {
-  const Models match = loaded("match"), friendly = loaded("friendly");
+  const Models match = loaded("match"), friendly = loaded("friendly,falls=on,partial_hits=on");
   EXPECT_EQ(effects_of(friendly), effects_of(match));
   ASSERT_EQ(friendly.motion.kick_count, match.motion.kick_count);
   for (int i = 0; i < match.motion.kick_count; ++i) {
@@ -57,7 +61,7 @@ TEST(Models, FriendlyIsMatchWithSmallerErrors) {
 }
 
 TEST(Models, APrintedDescriptionReadsBackIdentically) {
-  for (const char* name : {"friendly", "match", "perfect", "match,falls=on,walk.forward=0.1234567,radio.loss=0.7"}) {
+  for (const char* name : {"friendly", "match", "perfect", "match,falls=off,walk.forward=0.1234567,radio.loss=0.7"}) {
     const std::string printed = print_models(loaded(name));
     const auto again = parse_models(printed, "again");
     ASSERT_TRUE(again) << again.error();
@@ -85,9 +89,9 @@ TEST(Models, AChangedValueHasNoSource) {
 }
 
 TEST(Models, VariationsChangeOnlyTheNamedEntries) {
-  Models varied = loaded("match,falls=on,walk.forward=0.2,kicks.long.range=4");
-  EXPECT_EQ(varied.name, "match,falls=on,walk.forward=0.2,kicks.long.range=4");
-  EXPECT_TRUE(varied.effects.falls);
+  Models varied = loaded("match,falls=off,walk.forward=0.2,kicks.long.range=4");
+  EXPECT_EQ(varied.name, "match,falls=off,walk.forward=0.2,kicks.long.range=4");
+  EXPECT_FALSE(varied.effects.falls);
   EXPECT_EQ(varied.motion.walk.forward, 0.2f);
   const Models match = loaded("match");
   for (int i = 0; i < match.motion.kick_count; ++i) {

@@ -32,9 +32,9 @@ TEST(Strategy, EachShippedStrategyLoadsByItsName) {
 }
 
 TEST(Strategy, MayVaryParameters) {
-  const auto plain = load_strategy("baseline"), varied = load_strategy("baseline,near_ball=0.6");
+  const auto plain = load_strategy("baseline"), varied = load_strategy("baseline,near_goal=2.5");
   ASSERT_TRUE(plain && varied);
-  EXPECT_EQ((*varied)->name(), "baseline,near_ball=0.6");
+  EXPECT_EQ((*varied)->name(), "baseline,near_goal=2.5");
   int differences = 0;
   for (std::size_t i = 0; i < (*plain)->tree().nodes.size(); ++i)
     differences += (*plain)->tree().nodes[i].threshold != (*varied)->tree().nodes[i].threshold;
@@ -100,7 +100,7 @@ TEST(Strategy, BadTreesAreRefusedWithPlaceAndReason) {
   EXPECT_EQ(refusal_of_tree(R"({"do": "kick", "with": {"aims": "goal"}})"),
             "strategy 'mine': tree.with: kick takes no 'aims'; did you mean 'aim'?");
   EXPECT_EQ(refusal_of_tree(R"({"do": "kick", "with": {"aim": "gaol"}})"),
-            "strategy 'mine': tree.with.aim: must be one of goal, opening, ahead, away, mate, got \"gaol\"");
+            "strategy 'mine': tree.with.aim: must be one of goal, opening, ahead, away, mate, cross, got \"gaol\"");
   EXPECT_EQ(refusal_of_tree(R"({"do": "kick", "with": {"range": 40}})"),
             "strategy 'mine': tree.with.range: must be 0 .. 12 [m], got 40");
   EXPECT_EQ(refusal_of_tree(R"({"do": "kick", "with": {"range": "2 s"}})"),

@@ -63,6 +63,31 @@ TEST(Play, CountsTheSetPlaysThatAreTakenAndThoseThatExpire) {
   EXPECT_GT(set_plays(idle, SetPlay::kick_off).second, 1u);
 }
 
+TEST(Play, TheRulesOfEachYearLetEverySetPlayBeTaken) {
+  using SetPlay = agent::Game::SetPlay;
+  for (const char* rules : {"spl2012", "spl2025:5", "spl2025:7", "hsl2026"}) {
+    const auto setup = setup_of(choice_of(rules, "baseline", "match", Pace::thinned));
+    const bool with_set_plays = setup.params.rules.ball_out == field::BallOut::set_play;
+    Result all{};
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+      const Result result = play_game(setup.params, {seed});
+      for (std::size_t kind = 0; kind < std::size(all.taken); ++kind)
+        for (const int side : {0, 1}) {
+          all.taken[kind][side] += result.taken[kind][side];
+          all.expired[kind][side] += result.expired[kind][side];
+        }
+    }
+    for (const SetPlay kind : {SetPlay::kick_off, SetPlay::kick_in, SetPlay::goal_kick, SetPlay::corner_kick}) {
+      const auto [taken, expired] = set_plays(all, kind);
+      // from far away 30 s hardly suffice for a corner kick
+      const double least = kind == SetPlay::corner_kick ? 0.7 : 0.85;
+      EXPECT_GE(static_cast<double>(taken), least * static_cast<double>(taken + expired))
+          << rules << ", kind " << static_cast<int>(kind);
+      EXPECT_EQ(taken > 0, with_set_plays || kind == SetPlay::kick_off) << rules;
+    }
+  }
+}
+
 TEST(Play, KeepsTheBudgetOfPackets) {
   const auto setup = setup_of(choice_of("spl2025", "baseline", "match", Pace::thinned));
   const Result result = play_game(setup.params, {6});

@@ -16,6 +16,7 @@ inline Model match_model() {
                 .turn_cost = 0.73f,
                 .slow_down = 0.1f,
                 .step_duration = 0.25f,
+                .spread = 0.4f,
                 .speed_noise = 0.15f,
                 .turn_noise = 0.1f,
                 .start_delay = 0.25f,
@@ -25,6 +26,7 @@ inline Model match_model() {
   model.kicks[0] = {"forward", 0.185f, 0.05f, 0.04f, 0.03f, 0.65f, 1.65f, 3, 0.22f, 0, 0.122f};
   model.kicks[1] = {"side", 0.06f, 0.18f, 0.04f, 0.04f, 0.25f, 0.5f, 1.4f, 0.22f, 1.571f, 0.122f};
   model.kicks[2] = {"turn", 0.18f, 0.08f, 0.04f, 0.03f, 0.25f, 0.5f, 1, 0.07f, 0.785f, 0.122f};
+  model.hits = {.partial = 0.6f, .spread = 2};
   model.falls = {.per_minute_walking = 6, .per_second_touching = 0.5f, .lying = 1, .getting_up = 2, .failure = 0.25f};
   return model;
 }

@@ -28,9 +28,10 @@ struct Shot {
   Vec2 velocity;  // [m/s, robot]
   Tick impact = 0;
 
-  Shot(Effects effects, int kick, bool left, Vec2 off, std::uint64_t seed = 0, float gain = 1)
+  Shot(Effects effects, int kick, bool left, Vec2 off, std::uint64_t seed = 0, float gain = 1, float partial = 0.6f)
       : arena{.effects = effects}, command(kick_command(kick, left)) {
     arena.world.key.seed = seed;
+    arena.model.hits.partial = partial;
     Body& body = arena.body();
     body.position = {1, -0.5f};
     body.heading = 2;
@@ -64,6 +65,45 @@ TEST(Kick, HitsTheBallAfterItsDelayAndEndsAfterItsDuration) {
     EXPECT_EQ(shot.arena.world.tick, ticks(table.duration));
     EXPECT_EQ(shot.arena.body().since, ticks(table.duration));
   }
+}
+
+TEST(Kick, SomeHitsArePartialAndGiveAnyShareOfTheSpeed) {
+  Effects effects = no_noise();
+  effects.partial_hits = true;
+  const int count = 4000;
+  int full = 0, slow = 0;
+  for (int seed = 0; seed < count; ++seed) {
+    const Shot shot(effects, 0, true, {}, static_cast<std::uint64_t>(seed));
+    const float top = std::sqrt(2 * shot.arena.ball.deceleration * shot.arena.model.kicks[0].range);
+    const float share = length(shot.velocity) / top;
+    ASSERT_LE(share, 1.0001f);
+    EXPECT_TRUE(shot.hit()) << "a partial hit is a hit";
+    full += share > 0.9999f ? 1 : 0;
+    slow += share < 0.5f ? 1 : 0;
+  }
+  // 60 % are partial, and half of those give less than half of the speed
+  EXPECT_NEAR(static_cast<float>(full) / count, 0.4f, 0.03f);
+  EXPECT_NEAR(static_cast<float>(slow) / count, 0.3f, 0.03f);
+}
+
+TEST(Kick, APartialHitSpreadsTheDirection) {
+  const auto deviation = [](float partial) {
+    float sum = 0;
+    const int count = 2000;
+    for (int seed = 0; seed < count; ++seed) {
+      Effects effects = all_effects();
+      effects.partial_hits = partial > 0;
+      const Shot shot(effects, 0, true, {}, static_cast<std::uint64_t>(seed), 1, partial);
+      const float angle = angle_of(shot.velocity);
+      sum += angle * angle;
+    }
+    return std::sqrt(sum / count);
+  };
+  const Arena arena;
+  const float table = arena.model.kicks[0].direction_deviation, spread = arena.model.hits.spread;
+  EXPECT_NEAR(deviation(0), table, 0.01f);
+  // the mean square of a factor that is uniform between 1 and `spread`
+  EXPECT_NEAR(deviation(1), table * std::sqrt((spread * spread + spread + 1) / 3), 0.01f);
 }
 
 TEST(Kick, SendsTheBallAsTheTableSays) {

@@ -1,6 +1,7 @@
 // Tests of walking.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -467,6 +468,33 @@ TEST(Walk, OtherBodiesStayUnchanged) {
       EXPECT_EQ(arena.world.bodies[robot].position, before.bodies[robot].position);
     }
   }
+}
+
+/// Returns the speed [m/s] of a robot after `duration` [s] straight ahead.
+float speed_ahead(std::uint64_t seed, bool spread, float duration) {
+  Arena arena{.effects = no_noise()};
+  arena.effects.walk_spread = spread;
+  arena.world.key.seed = seed;
+  for (Tick tick = 0; tick < ticks(duration); ++tick) arena.move(walk_speed({1, 0}, 0));
+  return arena.body().velocity.x;
+}
+
+TEST(Walk, EachRobotHasItsOwnTopSpeedForAWholeGame) {
+  const Walk walk = match_model().walk;
+  const int count = 500;
+  float least = 1, most = 0, sum = 0;
+  for (int seed = 0; seed < count; ++seed) {
+    const auto key = static_cast<std::uint64_t>(seed);
+    const float speed = speed_ahead(key, true, 2);
+    if (seed < 20) EXPECT_EQ(speed_ahead(key, true, 9), speed) << "the same later in the game";
+    least = std::min(least, speed), most = std::max(most, speed), sum += speed;
+  }
+  EXPECT_GT(least, (1 - walk.spread) * walk.forward * 0.999f);
+  EXPECT_LT(most, walk.forward);
+  EXPECT_NEAR(least, (1 - walk.spread) * walk.forward, 0.005f);
+  EXPECT_NEAR(most, walk.forward, 0.005f);
+  EXPECT_NEAR(sum / count, (1 - 0.5f * walk.spread) * walk.forward, 0.005f) << "all between are equally likely";
+  EXPECT_EQ(speed_ahead(3, false, 2), walk.forward) << "without the effect all are equal";
 }
 
 }  // namespace

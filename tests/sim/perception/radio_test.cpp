@@ -64,7 +64,7 @@ TEST(Radio, APacketHoldsTheRobotsBeliefs) {
   beliefs.pose.pose = {{1, 2}, kPi / 2};
   agent::Mind mind;
   mind.role = agent::Role::defender;
-  mind.time_to_ball = 4.5f;
+  mind.time_to_ball_cs = agent::centiseconds(4.5f);
   agent::Mate packet = packet_of(beliefs, mind, false, 100);
   EXPECT_EQ(packet.ball_age, 0xffff);
 
