@@ -261,8 +261,7 @@ constexpr FeatureInfo kTable[] = {
         [](const View& view) { return static_cast<float>(int{view.game.own_score} - int{view.game.opponent_score}); }),
     number("players", "", 1, 7, "players on a side",
            [](const View& view) { return static_cast<float>(view.game.players); }),
-    number("field_length", "m", 0, 30, "between the goal lines",
-           [](const View& view) { return 2 * view.half_length; }),
+    number("field_length", "m", 0, 30, "between the goal lines", [](const View& view) { return 2 * view.half_length; }),
 };
 constexpr int kBuiltIn = static_cast<int>(std::size(kTable));
 static_assert(kBuiltIn + kMaxOwnFeatures <= kMaxFeatures);
