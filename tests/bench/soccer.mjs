@@ -4,23 +4,37 @@ import { pretty, Report, table } from "./report.mjs";
 import { kEffects, kSure, settle } from "./soccer_effects.mjs";
 import { interval, meanOf } from "./statistics.mjs";
 
+/** Goals of a game and goalless games [%] between equals. Those of 7 a side and of 2026 are printed, not judged. */
 const kEqual = [
-  { name: "spl2012", rules: "spl2012" },
-  { name: "spl2025, 5 a side", rules: "spl2025:5" },
+  { name: "spl2012", rules: "spl2012", goals: [1.5, 2.3], goalless: [10, 25] },
+  { name: "spl2025, 5 a side", rules: "spl2025:5", goals: [2.4, 3.5], goalless: [5, 20] },
   { name: "spl2025, 7 a side", rules: "spl2025:7" },
+  { name: "hsl2026", rules: "hsl2026" },
 ];
+const kTaken = 95; // [%] of the set plays of a kind are taken before their time is up
 
 const percent = (value) => 100 * value;
 const rounded = (value) => Number(pretty(value));
 const meanBy = (games, value) => meanOf(games.map(value)).mean;
 const error = ({ error: value }) => `± ${pretty(rounded(value))}`;
 
+/** The share of set plays that were taken in time, by kind, for the kinds that the rules have. */
+function tellSetPlays(report, name, games) {
+  for (const kind of Object.keys(games[0].set_plays)) {
+    const total = (end) => games.reduce((count, game) => count + game.set_plays[kind][end], 0);
+    const [taken, expired] = [total("taken"), total("expired")];
+    if (taken + expired > 0) report.figure(`${name}: ${kind} taken in time`, percent(taken / (taken + expired)), `% of ${taken + expired}`, { atLeast: kTaken });
+  }
+}
+
 /** Goals of real teams of equal strength (shared/facts/models.md 2.9), and how often real robots see the ball. */
-function tellEqual(report, name, games) {
+function tellEqual(report, { name, goals: [fewest, most] = [], goalless: [rarest, oftenest] = [] }, games) {
+  const within = (least, greatest) => (least === undefined ? {} : { between: [least, greatest] });
   const goals = meanOf(games.map(sum("goals")));
-  report.figure(`${name}: goals of a game`, goals.mean, error(goals), { between: [1.5, 4.5] });
+  report.figure(`${name}: goals of a game`, goals.mean, error(goals), within(fewest, most));
   const goalless = games.filter((game) => sum("goals")(game) === 0).length / games.length;
-  report.figure(`${name}: goalless games`, percent(goalless), "%", { between: [5, 20] });
+  report.figure(`${name}: goalless games`, percent(goalless), "%", within(rarest, oftenest));
+  tellSetPlays(report, name, games);
 
   const ahead = meanOf(games.map(lead("goals")));
   const [, even] = interval({ mean: 0, error: ahead.error }, 95);
@@ -82,7 +96,7 @@ async function tellEffects(report, most, jobs) {
 export async function soccer({ games: count = 500, jobs = 2 }) {
   const report = new Report("soccer", "is it soccer, and does each effect do what it should?");
   console.log(`   ${count} games each; ± one standard error. Intervals of 95 %.`);
-  for (const { name, rules } of kEqual) tellEqual(report, name, await play({ rules }, count, { jobs }));
+  for (const equal of kEqual) tellEqual(report, equal, await play({ rules: equal.rules }, count, { jobs }));
   for (const pairing of kUnequal) tellUnequal(report, pairing, await play(pairing.choice, count, { jobs }));
   await tellEffects(report, count, jobs);
   return report.finish();

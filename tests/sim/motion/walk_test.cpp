@@ -486,7 +486,9 @@ TEST(Walk, EachRobotHasItsOwnTopSpeedForAWholeGame) {
   for (int seed = 0; seed < count; ++seed) {
     const auto key = static_cast<std::uint64_t>(seed);
     const float speed = speed_ahead(key, true, 2);
-    if (seed < 20) EXPECT_EQ(speed_ahead(key, true, 9), speed) << "the same later in the game";
+    if (seed < 20) {
+      EXPECT_EQ(speed_ahead(key, true, 9), speed) << "the same later in the game";
+    }
     least = std::min(least, speed), most = std::max(most, speed), sum += speed;
   }
   EXPECT_GT(least, (1 - walk.spread) * walk.forward * 0.999f);
