@@ -60,7 +60,7 @@ Result<robot::bridge::TeamNumbers> teams_seen(const Truths& truths) {
 /// The samples of a team by jersey number, then as tracks by place.
 class Squad {
  public:
-  void add(std::uint32_t player, replay::Sample sample) { samples_[player].push_back(std::move(sample)); }
+  void add(std::uint32_t player, const replay::Sample& sample) { samples_[player].push_back(sample); }
 
   void fill(Side side, int players, RecordedGame& into) {
     // numbers of the simulator first, then the others in the places that are free
@@ -128,7 +128,7 @@ Result<RecordedGame> read_recorded_game(const Session& session, int players, con
       replay::Sample sample{
           .at = at, .position = {robot.x(), robot.y()}, .heading = {}, .fallen = robot.has_fallen() && robot.fallen()};
       if (robot.has_heading()) sample.heading = robot.heading();
-      squads[robot.team() == game.teams.home ? 0 : 1].add(robot.player(), std::move(sample));
+      squads[robot.team() == game.teams.home ? 0 : 1].add(robot.player(), sample);
     }
   }
   game.recording.half = half_of(session);

@@ -25,7 +25,7 @@ struct Played {
 };
 
 bool is_about(const referee::Event& event, const replay::Replay& replay) {
-  return event.robot != kNobody && event.robot != referee::Event{}.robot && replay.is_recorded(event.robot);
+  return event.robot != kNobody && replay.is_recorded(event.robot);
 }
 
 class ReplayCommand final : public Command {

@@ -6,8 +6,7 @@ namespace sim::contest {
 
 std::int64_t different_games(std::vector<std::uint64_t> hashes) {
   std::ranges::sort(hashes);
-  const auto repeated = std::ranges::unique(hashes);
-  return static_cast<std::int64_t>(hashes.size() - repeated.size());
+  return std::unique(hashes.begin(), hashes.end()) - hashes.begin();
 }
 
 std::string repetition(std::int64_t expected, std::int64_t different, const char* what, const std::string& models) {

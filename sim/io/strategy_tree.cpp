@@ -12,6 +12,10 @@
 namespace sim::io {
 namespace {
 
+std::string got_both(const std::string& one, const std::string& other) {
+  return "takes '" + one + "' or '" + other + "', got both";
+}
+
 using agent::Skill;
 using agent::SkillInfo;
 using robot::Result;
@@ -189,8 +193,7 @@ class Compiler {
       leaf.arguments[i] = info.standard;
       const auto given = with.find(key);
       if (given == with.end()) continue;
-      if (info.range.alternative && !chosen.empty() && chosen != key)
-        return refuse(place, "takes '" + chosen + "' or '" + key + "', got both");
+      if (info.range.alternative && !chosen.empty() && chosen != key) return refuse(place, got_both(chosen, key));
       if (info.range.alternative) chosen = key;
       const bool is_point = given->is_array() && given->size() == 2;
       if (info.range.point && !is_point)

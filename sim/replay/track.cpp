@@ -24,7 +24,7 @@ std::optional<float> way_at(const std::vector<Sample>& samples, std::size_t i) {
 
 Track::Track(std::vector<Sample> samples) : samples_(std::move(samples)) {
   const auto same = [](const Sample& a, const Sample& b) { return a.at == b.at; };
-  samples_.erase(std::ranges::unique(samples_, same).begin(), samples_.end());
+  samples_.erase(std::unique(samples_.begin(), samples_.end(), same), samples_.end());
   float heading = 0;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     Sample& sample = samples_[i];

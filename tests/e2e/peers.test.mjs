@@ -225,7 +225,7 @@ test("clock_sync answers as an NTP server would, and a client's measurement beco
 
 test("a service that refuses gives a normal answer with an error; an unknown service is a failure", async (t) => {
   const { server, live } = await played(t);
-  assert.deepEqual([...live.services.keys()], ["clock_sync", "/foresight/what_if", "/foresight/strategies"]); // a server of a recording records nothing
+  assert.deepEqual([...live.services.keys()], ["clock_sync", "/foresight/what_if", "/foresight/strategies", "message_beside"]); // a server of a recording records nothing
   assert.deepEqual(await live.call("clock_sync", {}), { ok: false, error: "clock_sync: 'sent_ns' must be a text with a whole number" });
   live.send(serviceCall(live.services.get("clock_sync"), 77, "[1]"));
   assert.equal((await live.until(() => live.answers.get(77), "the answer")).json.error, "clock_sync: expected a JSON object, got something else");
