@@ -156,7 +156,7 @@ class Scene {
       reader_.refuse("remaining must be at most " + short_text(params_.rules.half_duration) +
                      " [s] by these rules, got " + short_text(clock.remaining));
     if (clock.remaining >= 0 && json.contains("clock")) reader_.refuse("expected clock or remaining, got both");
-    if (clock.remaining >= 0) clock.clock = params_.rules.half_duration - clock.remaining;
+    if (clock.remaining >= 0) clock.clock = std::max(0.f, params_.rules.half_duration - clock.remaining);
     Score score;
     if (const auto found = json.find("score"); found != json.end()) reader_.read(*found, "score", Fields::some, score);
 
