@@ -6,7 +6,7 @@ import type { BallBelief, Beliefs, Pose, PoseBelief } from "./beliefs";
 import { drawField, fillCircle, fillEllipse, fillSector, strokeArrow, strokeCircle, strokeEllipse, strokeLine, strokePath, toScreen } from "./field";
 import type { Camera, Field, Pen, Point } from "./field";
 import { drawPaths } from "./futures";
-import { drawFallen, drawNumber, drawOutlined, drawWord, fillBody, kBright, kInk, kRobotRadius, strokeBody, strokeHeading } from "./robot_sign";
+import { ahead, drawFallen, drawNumber, drawOutlined, drawWord, fillBody, kBright, kInk, kRobotRadius, strokeBody, strokeHeading } from "./robot_sign";
 import type { Robot, Scene } from "./scene";
 
 export const kLayers = {
@@ -29,7 +29,7 @@ export const kUsualLayers: Layer[] = ["truth", "belief", "error", "uncertainty",
 /** In the frame `field`. */
 export interface Foreseen {
   paths: Path[];
-  /** Of its team. */
+  /** The colour of the team that foresees. */
   colour: string;
 }
 
@@ -74,11 +74,6 @@ export function drawScene(pen: Pen, camera: Camera, scene: Scene, { field, chose
   when("names", () => inOrder.forEach((robot) => drawName(pen, camera, robot, isFront(robot))));
   pen.globalAlpha = 1;
 }
-
-const ahead = ({ x, y, heading }: Pose, distance: number): Point => ({
-  x: x + distance * Math.cos(heading),
-  y: y + distance * Math.sin(heading),
-});
 
 function style(pen: Pen, colour: string, width: number, alpha = 1): void {
   pen.strokeStyle = colour;

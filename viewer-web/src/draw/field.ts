@@ -116,23 +116,22 @@ function drawGoals(pen: Pen, camera: Camera, { length, goalWidth, goalDepth }: F
 }
 
 function polygon(pen: Pen, camera: Camera, corners: Point[]): void {
-  pen.beginPath();
-  corners.forEach((corner, i) => {
-    const { x, y } = toScreen(camera, corner);
-    if (i === 0) pen.moveTo(x, y);
-    else pen.lineTo(x, y);
-  });
+  trace(pen, camera, corners);
   pen.closePath();
 }
 
 export function strokePath(pen: Pen, camera: Camera, points: Point[]): void {
+  trace(pen, camera, points);
+  pen.stroke();
+}
+
+function trace(pen: Pen, camera: Camera, points: Point[]): void {
   pen.beginPath();
   points.forEach((point, i) => {
     const { x, y } = toScreen(camera, point);
     if (i === 0) pen.moveTo(x, y);
     else pen.lineTo(x, y);
   });
-  pen.stroke();
 }
 
 export const strokeLine = (pen: Pen, camera: Camera, from: Point, to: Point): void => strokePath(pen, camera, [from, to]);

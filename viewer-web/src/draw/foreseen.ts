@@ -5,7 +5,7 @@ import type { Body, Heat, Path, Situation } from "../memory/forecast";
 import { bodyOf, edited, movedIn, thingOf, type Edit, type Standing, type Thing } from "../memory/question";
 import { drawPaths, placeAt } from "./futures";
 import { drawField, fillCircle, strokeCircle, strokeLine, toField, toScreen, type Camera, type Field, type Pen, type Point } from "./field";
-import { drawNumber, fillBody, kBright, kInk, kRobotRadius, strokeBody, strokeHeading, type Livery } from "./robot_sign";
+import { ahead, drawNumber, fillBody, kBright, kInk, kRobotRadius, strokeBody, strokeHeading, type Livery } from "./robot_sign";
 
 const kBallRadius = 0.06; // [m] larger than the real ball, to be visible
 const kHandle = 0.42; // [m] from a robot's middle to the handle that turns it
@@ -179,7 +179,6 @@ function drawBall(pen: Pen, camera: Camera, at: Point, alpha: number): void {
   strokeCircle(pen, camera, at, kBallRadius);
 }
 
-const ahead = ({ x, y, heading }: Standing, distance: number): Point => ({ x: x + distance * Math.cos(heading), y: y + distance * Math.sin(heading) });
 
 // pointer
 

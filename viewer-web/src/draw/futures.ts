@@ -2,9 +2,8 @@
 
 import type { Path, Place } from "../memory/forecast";
 import { fillCircle, strokeLine, strokePath, type Camera, type Pen, type Point } from "./field";
+import { kBright, kInk } from "./robot_sign";
 
-const kInk = "#0d1712";
-const kBright = "#ffffff";
 const kTick = 5; // [s] between marks on a path
 const kPlain = 30; // [s] of a path that is drawn in full; a longer one cannot be followed by eye
 const kFaint = 0.25; // relative strength of the rest of the path

@@ -40,7 +40,8 @@ export interface Sign extends Point {
   heading: number;
 }
 
-const ahead = ({ x, y, heading }: Sign, distance: number): Point => ({ x: x + distance * Math.cos(heading), y: y + distance * Math.sin(heading) });
+/** The point `distance` [m] ahead of a robot. */
+export const ahead = ({ x, y, heading }: Sign, distance: number): Point => ({ x: x + distance * Math.cos(heading), y: y + distance * Math.sin(heading) });
 
 /** The corners of a square body of about the disc's area. */
 function cornersOf({ x, y, heading }: Sign, radius: number): Point[] {

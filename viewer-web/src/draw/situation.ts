@@ -32,7 +32,7 @@ export function situationOf(scene: Scene, told: Told[], field: Field, about: str
   const robots = standing(scene, ball, turned);
   if (robots.length === 0) return { missing: "The place of no robot is known at this moment." };
   const teams = { home: teamOf(scene, true), away: teamOf(scene, false) };
-  const list = [...robots, ...penalised(scene, told, field, robots)].sort((a, b) => a.side.localeCompare(b.side) * -1 || a.player - b.player);
+  const list = [...robots, ...penalised(game, field, robots)].sort((a, b) => a.side.localeCompare(b.side) * -1 || a.player - b.player);
   const place = placed(ball, turned);
   const speed = ball.velocity && placed(ball.velocity, turned);
   const lines = {
@@ -106,8 +106,7 @@ function standing(scene: Scene, ball: Point, turned: boolean): Standing[] {
 }
 
 /** Returns the penalised robots that are not on the field, beside the touch line in front of their own goal. */
-function penalised(scene: Scene, told: Told[], { length, width }: Field, there: Standing[]): Standing[] {
-  const game = gameOf(scene, told);
+function penalised(game: Heard | undefined, { length, width }: Field, there: Standing[]): Standing[] {
   if (!game) return [];
   return ["own", "opponent"].flatMap((team) => {
     const side = (team === "own") === game.robot.home ? "home" : "away";
