@@ -1,11 +1,11 @@
 #include "robot/app/game_windows.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "proto/foresight/game.pb.h"
 #include "proto/foresight/truth.pb.h"
+#include "robot/bridge/teams_seen.h"
 #include "robot/core/clock.h"
 #include "robot/logging/sessions/read_all.h"
 
@@ -16,7 +16,6 @@ namespace statistics = sim::statistics;
 using Truths = std::vector<logging::Recorded<foresight::GroundTruth>>;
 using Games = std::vector<logging::Recorded<foresight::GameState>>;
 
-constexpr const char* kTruth = "/truth/world";
 constexpr std::size_t kFewestFrames = 60 * statistics::kFramesPerSecond;
 constexpr std::uint64_t kLongestNs = 6ull * 3600 * kSecond;
 constexpr std::uint32_t kMostPlayers = 20;
@@ -29,23 +28,10 @@ Games games_of(const logging::Session& session) {
   return file == session.streams.end() ? Games{} : logging::read_in_order<foresight::GameState>(session, file->topic);
 }
 
-/// Returns the numbers of the two teams that are seen most, the lower one first.
-Result<std::pair<std::uint32_t, std::uint32_t>> teams_of(const Truths& truths) {
-  std::map<std::uint32_t, std::size_t> seen;
-  for (const auto& truth : truths)
-    for (const auto& robot : truth.value.robots())
-      if (robot.has_team()) ++seen[robot.team()];
-  if (seen.size() < 2)
-    return Error{std::string(kTruth) + ": expected robots of two teams, got " + std::to_string(seen.size())};
-  std::vector<std::pair<std::uint32_t, std::size_t>> by_count(seen.begin(), seen.end());
-  std::ranges::stable_sort(by_count, std::greater<>(), &std::pair<std::uint32_t, std::size_t>::second);
-  return std::minmax({by_count[0].first, by_count[1].first});
-}
-
 /// Cuts a recording into windows.
 class Cutter {
  public:
-  explicit Cutter(std::pair<std::uint32_t, std::uint32_t> teams) : teams_(teams) {}
+  explicit Cutter(const bridge::TeamNumbers& teams) : teams_(teams) {}
 
   void add_empty_frame() {
     if (in_play_ == 0) return;
@@ -77,8 +63,8 @@ class Cutter {
   /// Returns the robot in the window, new if needed, or nullptr if it is of no side.
   statistics::Robot* robot_of(const foresight::GroundTruth::TrueRobot& robot) {
     if (!robot.has_team() || robot.player() < 1 || robot.player() > kMostPlayers) return nullptr;
-    if (robot.team() != teams_.first && robot.team() != teams_.second) return nullptr;
-    const int side = robot.team() == teams_.first ? 0 : 1, player = static_cast<int>(robot.player());
+    if (robot.team() != teams_.home && robot.team() != teams_.away) return nullptr;
+    const int side = robot.team() == teams_.home ? 0 : 1, player = static_cast<int>(robot.player());
     for (statistics::Robot& known : now_.robots)
       if (known.side == side && known.player == player) return &known;
     now_.robots.push_back({.side = side, .player = player, .frames = {}});
@@ -86,7 +72,7 @@ class Cutter {
     return &now_.robots.back();
   }
 
-  const std::pair<std::uint32_t, std::uint32_t> teams_;
+  const bridge::TeamNumbers teams_;
   std::vector<statistics::Window> windows_;
   statistics::Window now_;
   std::size_t in_play_ = 0;  // frames of `now_`
@@ -111,12 +97,12 @@ class Referee {
 }  // namespace
 
 Result<std::vector<statistics::Window>> windows_of(const logging::Session& session) {
-  const Truths truths = logging::read_in_order<foresight::GroundTruth>(session, kTruth);
-  if (truths.empty()) return Error{session.id() + " has no " + kTruth};
+  const Truths truths = logging::read_in_order<foresight::GroundTruth>(session, bridge::kTruthTopic);
+  if (truths.empty()) return Error{session.id() + " has no " + bridge::kTruthTopic};
   const std::uint64_t start_ns = truths.front().capture_ns;
   if (truths.back().capture_ns - start_ns > kLongestNs)
-    return Error{session.id() + ": " + kTruth + " is longer than 6 hours"};
-  const auto teams = teams_of(truths);
+    return Error{session.id() + ": " + bridge::kTruthTopic + " is longer than 6 hours"};
+  const auto teams = bridge::teams_seen(truths);
   if (!teams) return teams.failure(session.id());
 
   const Games games = games_of(session);
@@ -134,7 +120,7 @@ Result<std::vector<statistics::Window>> windows_of(const logging::Session& sessi
       cutter.add_empty_frame();
   }
   auto windows = std::move(cutter).windows();
-  if (windows.empty()) return Error{session.id() + ": " + kTruth + " has less than a minute in play"};
+  if (windows.empty()) return Error{session.id() + ": " + bridge::kTruthTopic + " has less than a minute in play"};
   return windows;
 }
 

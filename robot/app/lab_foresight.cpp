@@ -91,7 +91,7 @@ void LabForesight::hurry() {
   if (foreseer_) foreseer_->hurry();
 }
 
-Result<foresight::Forecast> LabForesight::ask(const StreamOf& stream_of, const std::string& robot,
+Result<foresight::Forecast> LabForesight::ask(const logging::StreamOf& stream_of, const std::string& robot,
                                               const foresight::WhatIf& question, std::uint64_t now_ns) {
   const SessionClock clock;
   memory::Channels channels;

@@ -24,10 +24,6 @@ struct LabForesightOptions {
       strategies;  // that questions may name, by name or path; the first is the one that was played
 };
 
-/// Returns a new stream of a topic, not opened yet, or null if the recording does not have the topic. The caller owns
-/// it.
-using StreamOf = std::function<std::unique_ptr<logging::InProvider>(const std::string& topic)>;
-
 /// Answers to questions about the robots of recordings. Used by any thread.
 class LabForesight {
  public:
@@ -39,7 +35,7 @@ class LabForesight {
   /// Answers from the knowledge of `robot` at `now_ns` [ns since the epoch]: the newest recorded value of each object.
   /// It reads the recording itself and not the memory of the player. After a seek the player's streams reach the new
   /// time one after the other.
-  Result<foresight::Forecast> ask(const StreamOf& stream_of, const std::string& robot,
+  Result<foresight::Forecast> ask(const logging::StreamOf& stream_of, const std::string& robot,
                                   const foresight::WhatIf& question, std::uint64_t now_ns);
 
   /// Makes every question, running or later, end at once with the rollouts done so far. Called before the end of the

@@ -122,12 +122,12 @@ Result<void> play(const PlayOptions& options) {
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
   // viewers see the last of them in the log
   for (const std::string& note : (*replay)->notes()) report(Level::warning, "recording", note);
+  const auto stream_of = [&replay](const std::string& topic) { return (*replay)->stream_of(topic); };
   add_what_if_service(runtime.services(), robot, seer.strategies(),
                       [&](const std::string& whose, const foresight::WhatIf& question) {
-                        return seer.ask([&](const std::string& topic) { return (*replay)->stream_of(topic); }, whose,
-                                        question, clock.now_ns());
+                        return seer.ask(stream_of, whose, question, clock.now_ns());
                       });
-  add_step_service(runtime.services(), [&replay](const std::string& topic) { return (*replay)->stream_of(topic); });
+  add_step_service(runtime.services(), stream_of);
   if (Result<void> started = runtime.start(); !started) return started;
   if (Result<void> started = (*replay)->start(runtime.channels(), runtime.board()); !started) return started;
   runtime.run([&] {

@@ -11,7 +11,6 @@ namespace {
 constexpr float kEyesOnBall = 0.7f;  // [m] the head does not look away from a nearer ball
 constexpr float kStillBall = 0.35f;  // [m/s] a faster ball is not kicked
 constexpr float kFreshBall = 0.7f;   // [s] a ball seen longer ago is not kicked
-constexpr float kOtherLeg = 0.03f;   // [m] the ball must lie this far on the other side to change the leg
 
 /// Remembers the direction of the kick. Returns the heading of `face` [rad, robot].
 float intend(const View& view, Mind& mind, Vec2 way, Vec2 face) {

@@ -7,7 +7,6 @@ namespace sim::agent {
 namespace {
 
 constexpr float kFront = 0.2f;       // [rad] a kick this far from straight ahead goes to the front
-constexpr float kOtherLeg = 0.03f;   // [m] the ball must lie this far on the other side to change the leg
 constexpr float kStay = 0.4f;        // [s] lead that another shot needs
 constexpr float kTurnsFirst = 0.4f;  // [m] farther away the body turns to its destination first (sim/motion/walk.cpp)
 

@@ -19,6 +19,8 @@ inline constexpr Range kKickRange{.unit = "",
 inline constexpr const char* kKickAbout =
     "front: the quickest one to the front; any: of all kicks the one that is possible soonest; or a kick of the model";
 
+inline constexpr float kOtherLeg = 0.03f;  // [m] the ball must lie this far on the other side to change the leg
+
 /// A kick with a leg.
 struct Shot {
   std::uint8_t kick;  // index into the kicks of the model

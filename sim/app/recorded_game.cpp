@@ -9,6 +9,7 @@
 #include "proto/foresight/sim.pb.h"
 #include "proto/foresight/truth.pb.h"
 #include "robot/bridge/from_messages.h"
+#include "robot/bridge/teams_seen.h"
 #include "robot/core/clock.h"
 #include "robot/logging/sessions/read_all.h"
 
@@ -22,7 +23,6 @@ using robot::Result;
 using robot::logging::Session;
 using Truths = std::vector<robot::logging::Recorded<pb::GroundTruth>>;
 
-constexpr const char* kTruth = "/truth/world";
 constexpr std::uint64_t kLongestNs = 6ull * 3600 * robot::kSecond;
 constexpr auto kRate = static_cast<std::uint64_t>(kTicksPerSecond);
 constexpr std::uint32_t kMostPlayers = 20;
@@ -41,20 +41,6 @@ int half_of(const Session& session) {
     if (!all.empty()) return static_cast<int>(std::clamp(all.front().value.half(), 1u, 4u));
   }
   return 1;
-}
-
-/// Returns the teams that are seen most, the lower number as home.
-Result<robot::bridge::TeamNumbers> teams_seen(const Truths& truths) {
-  std::map<std::uint32_t, std::size_t> seen;
-  for (const auto& truth : truths)
-    for (const auto& robot : truth.value.robots())
-      if (robot.has_team()) ++seen[robot.team()];
-  if (seen.size() < 2)
-    return Error{std::string(kTruth) + ": expected robots of two teams, got " + std::to_string(seen.size())};
-  std::vector<std::pair<std::uint32_t, std::size_t>> by_count(seen.begin(), seen.end());
-  std::ranges::stable_sort(by_count, std::greater<>(), &std::pair<std::uint32_t, std::size_t>::second);
-  const auto [low, high] = std::minmax(by_count[0].first, by_count[1].first);
-  return robot::bridge::TeamNumbers{.home = low, .away = high};
 }
 
 /// The samples of a team by jersey number, then as tracks by place.
@@ -95,18 +81,18 @@ std::string recorded_rules(const Session& session) {
 }
 
 Result<RecordedGame> read_recorded_game(const Session& session, int players, const WantedTeams& wanted) {
-  const Truths truths = robot::logging::read_in_order<pb::GroundTruth>(session, kTruth);
-  if (truths.empty()) return Error{session.id() + " has no " + kTruth};
+  const Truths truths = robot::logging::read_in_order<pb::GroundTruth>(session, robot::bridge::kTruthTopic);
+  if (truths.empty()) return Error{session.id() + " has no " + robot::bridge::kTruthTopic};
   const std::uint64_t start_ns = truths.front().capture_ns;
   if (truths.back().capture_ns - start_ns > kLongestNs)
-    return Error{session.id() + ": " + kTruth + " is longer than 6 hours"};
+    return Error{session.id() + ": " + robot::bridge::kTruthTopic + " is longer than 6 hours"};
 
   RecordedGame game;
   const auto simulation = simulation_of(session);
   if (simulation && simulation->home().number() != simulation->away().number()) {
     game.teams = {.home = simulation->home().number(), .away = simulation->away().number()};
   } else if (wanted.home == 0 || wanted.away == 0) {
-    const auto seen = teams_seen(truths);
+    const auto seen = robot::bridge::teams_seen(truths);
     if (!seen) return seen.failure(session.id());
     game.teams = *seen;
   }

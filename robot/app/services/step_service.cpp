@@ -49,7 +49,7 @@ Result<std::uint64_t> time_before(logging::InProvider& stream, std::uint64_t fro
   return at_ns;
 }
 
-json answer(const json& request, const OpenPlayed& open) {
+json answer(const json& request, const logging::StreamOf& open) {
   const auto topic = request.find("topic");
   if (topic == request.end() || !topic->is_string()) return refused("'topic' must be a text");
   const auto from_ns = number_in_text<std::uint64_t>(request, "from_ns");
@@ -70,7 +70,7 @@ json answer(const json& request, const OpenPlayed& open) {
 
 }  // namespace
 
-void add_step_service(net::Services& services, OpenPlayed open) {
+void add_step_service(net::Services& services, logging::StreamOf open) {
   services.add(
       kName, net::Services::For::control,
       [open = std::move(open)](const json& request, const net::ClientContext&) { return answer(request, open); });

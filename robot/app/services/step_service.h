@@ -2,17 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <memory>
-#include <string>
 
 #include "robot/logging/streams/provider.h"
 #include "robot/net/foxglove/services.h"
 
 namespace robot::app {
-
-/// Opens a played stream with the times of the playback; null if the topic is not played.
-using OpenPlayed = std::function<std::unique_ptr<logging::InProvider>(const std::string& topic)>;
 
 /// The most messages of one step.
 inline constexpr std::int64_t kLongestStep = 100;
@@ -21,7 +15,8 @@ inline constexpr std::int64_t kLongestStep = 100;
 /// `at_ns` is the capture time of the message that is `by` messages after `from_ns`, or before it if negative. Near an
 /// end of the recording it is that of the last message in this direction, or `from_ns` if there is none. Messages of one
 /// time count as one. `by` is a whole number from -kLongestStep to kLongestStep. The page cannot find these times in its
-/// own history, because a slow page does not receive every message. `open` is called by the thread that serves control.
-void add_step_service(net::Services& services, OpenPlayed open);
+/// own history, because a slow page does not receive every message. `open` opens streams with
+/// the times of the playback; the thread that serves control calls it.
+void add_step_service(net::Services& services, logging::StreamOf open);
 
 }  // namespace robot::app

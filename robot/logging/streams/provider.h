@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -74,5 +76,9 @@ class InProvider {
   /// Ends a blocked read() and all later ones. Any thread.
   virtual void cancel() {}
 };
+
+/// Returns a new stream of a topic, not opened yet, or null if the recording does not have the topic. The caller owns
+/// it.
+using StreamOf = std::function<std::unique_ptr<InProvider>(const std::string& topic)>;
 
 }  // namespace robot::logging
