@@ -1,9 +1,9 @@
-// A disk that refuses: chosen calls for files fail in this program.
+// A disk that refuses or stands still: chosen calls for files fail in this program, or wait.
 #pragma once
 
 namespace tests {
 
-/// Whether this program can let calls fail: a sanitizer has functions of its own.
+/// Whether this program can let calls fail or wait: a sanitizer has functions of its own.
 #ifdef TESTS_WITH_SANITIZER
 inline constexpr bool kCanFailFiles = false;
 #else
@@ -15,6 +15,12 @@ enum class FileCall { create, append, cut, write, store, rename };
 
 /// Lets `count` calls of a function fail as on a full disk, after `before` calls that succeed. Ends earlier orders. Any thread.
 void fail_files(FileCall call, int before, int count);
+
+/// Lets all calls wait until mend_files(), as on a disk that stands still. Any thread.
+void stop_files();
+
+/// Returns how many calls wait. Any thread.
+int waiting_files();
 
 /// Lets all calls succeed again. Any thread.
 void mend_files();

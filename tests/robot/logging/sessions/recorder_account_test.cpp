@@ -3,9 +3,12 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 
-#include <cstdio>
+#include <functional>
+#include <future>
+#include <optional>
 #include <set>
 
+#include "tests/support/eventually.h"
 #include "tests/support/failing_files.h"
 #include "tests/support/recording.h"
 #include "tests/support/test_channel.h"
@@ -136,6 +139,40 @@ std::string name_of(const ::testing::TestParamInfo<std::tuple<FileCall, Folder>>
   constexpr const char* kFolders[] = {"Stays", "IsMoved", "IsDeleted"};
   const auto [call, what] = test.param;
   return std::string(kCalls[static_cast<int>(call)]) + "Folder" + kFolders[static_cast<int>(what)];
+}
+
+/// Returns the status, or nothing if it waits for longer than any machine needs. The disk works again then.
+std::optional<RecordingStatus> status_in_time(const Recorder& recorder) {
+  std::future<RecordingStatus> status = std::async(std::launch::async, [&] { return recorder.status(); });
+  if (status.wait_for(tests::kLongestWait) == std::future_status::ready) return status.get();
+  tests::mend_files();
+  return std::nullopt;
+}
+
+TEST(RecorderStatus, NeverWaitsForADiskThatStandsStill) {
+  if (!tests::kCanFailFiles) GTEST_SKIP() << "the sanitizer has these functions itself";
+  using State = RecordingStatus::State;
+  Books books;
+  const auto expect_status = [&](const std::function<void()>& work, State before, State after) {
+    tests::stop_files();
+    const std::future<void> done = std::async(std::launch::async, work);
+    ASSERT_TRUE(tests::eventually([] { return tests::waiting_files() > 0; }));
+    const std::optional<RecordingStatus> seen = status_in_time(books.recorder);
+    ASSERT_TRUE(seen) << "status() waits for the disk";
+    EXPECT_EQ(seen->state, before);
+    tests::mend_files();
+    done.wait();
+    EXPECT_EQ(books.recorder.status().state, after);
+  };
+  expect_status([&] { EXPECT_TRUE(books.recorder.start("half", "game")); }, State::off, State::recording);
+  expect_status([&] { books.write(5); }, State::recording, State::recording);
+  expect_status(
+      [&] {
+        fs::remove_all(books.folder / books.recorder.status().session);
+        books.recorder.tend();  // begins a new session
+      },
+      State::recording, State::recording);
+  expect_status([&] { EXPECT_TRUE(books.recorder.stop()); }, State::recording, State::off);
 }
 
 INSTANTIATE_TEST_SUITE_P(Calls, RecorderAccount,
