@@ -230,14 +230,19 @@ class Door(unittest.TestCase):
         python = [sys.executable, os.path.join(CLIENT, "examples", "strategy.py"), "5"]
         by_python = self.run_beside(*python, environment={"PYTHONPATH": CLIENT})
         by_c = self.run_beside(os.path.join(PROGRAMS, "example_strategy"), "5")
-        # the number of answers in time depends on the load of this machine; at least one must come
         adviser = foresight.Adviser()
-        until(lambda: adviser.ask(["passing", "baseline"], horizon=5, budget_ms=20), "that the question is on its way")
-        advice = until(adviser.answer, "an answer")
-        self.assertIn(advice.choice, ("passing", "baseline"))
-        self.assertTrue(advice.reason)
+
+        def advice():
+            """Asks until an answer has advice: a busy machine may play no futures within the budget."""
+            until(lambda: adviser.ask(["passing", "baseline"], horizon=5, budget_ms=20), "that the question is on its way")
+            answer = until(adviser.answer, "an answer")
+            return answer if answer.choice else None
+
+        advised = until(advice, "an answer with advice")
+        self.assertIn(advised.choice, ("passing", "baseline"))
+        self.assertTrue(advised.reason)
         latest = until(self.reader("forecast").newest, "the latest forecast")  # the question may be another process's
-        self.assertIn(foresight.read_forecast(latest)[1].choice, ("baseline", "passing", "kick_now"))
+        self.assertIn(foresight.read_forecast(latest)[1].choice, ("", "baseline", "passing", "kick_now"))
         for child in (by_python, by_c):
             lines = child.communicate()[0].splitlines()
             self.assertTrue(re.match(r"^\d+ answers; plays (baseline|passing|kick_now)$", lines[-1]), lines)
