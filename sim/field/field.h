@@ -72,7 +72,7 @@ constexpr bool inside_field(const Field& field, Vec2 point, float margin = 0) {
 }
 
 /// Return the place of the ball at a set play [m, field]. `end` +1 or -1 is the sign of x of the goal line with that
-/// corner or goal area, `line` the sign of y of the side where the ball went out; `x` is where it crossed a touch line.
+/// corner or goal area. `line` is the sign of y of the side where the ball went out; `x` is where it crossed the line.
 constexpr Vec2 corner_kick_place(const Field& field, float end, float line) {
   return {end * (field.length / 2), line * (field.width / 2)};
 }

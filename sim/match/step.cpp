@@ -99,8 +99,8 @@ Tick earliest_of(const State& state) {
   return earliest;
 }
 
-/// Notes the penalties of the teammates, of which the GameController tells all robots, as the robot's own team link does
-/// (robot/game/team_link.cpp). A mate that returns is active again with its next packet.
+/// Notes the penalties of the teammates. The GameController sends them to all robots, and the robot's own team link
+/// notes them likewise (robot/game/team_link.cpp). A mate that returns is active again with its next packet.
 void hear_penalties(const State& state, int robot, agent::Beliefs& beliefs) {
   for (int mate = 0; mate + 1 < state.world.players; ++mate) {
     const int index = robot_of(side_of(robot), agent::player_of_mate(player_of(robot), mate));
