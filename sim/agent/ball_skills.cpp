@@ -35,8 +35,12 @@ Vec2 walking_way(const View& view, Mind& mind, const Where& to, float tolerance,
 motion::Command approach(const View& view, const Mind& mind, Vec2 target, float heading, float room, float gain) {
   const Vec2 step = round_circle(view.ball, room, target, mind.search_side);
   // near the ball the robot fights for it, farther away it goes round other robots
-  motion::Command command =
-      view.ball_distance > 0.6f ? walk_in_robot(view, step, heading, gain) : walk_straight(step, heading, gain);
+  const bool far = view.ball_distance > 0.6f;
+  const Vec2 way = far ? round_robots(view, step) : step;
+  // On a way round a robot, the legs are quickest ahead. To a set play the time is short; else the ball is in reach of
+  // others, and the robot turns to its kick early.
+  const bool hurries = view.game.own_kick && !(way == step);
+  motion::Command command = walk_straight(way, hurries ? angle_of(way) : heading, gain);
   view.ball_distance < kEyesOnBall ? keep_eye_on_ball(view, command) : look_at_ball(view, command);
   return command;
 }

@@ -31,7 +31,7 @@ struct View {
   Vec2 facing;        // [team_field] unit vector at the own heading
 
   bool ball_known;      // seen or reported, and not forgotten; or supposed at its place of a set play
-  Tick ball_put = 0;    // time at which the present set play began, other than a kick-off; 0: none
+  Tick ball_put = 0;    // time at which the present kick-off or set play began; 0: none
   Tick ball_seen;       // time of that sight, or of the set play's beginning; kNever: none
   Vec2 ball;            // [m, robot]
   Vec2 ball_in_team;    // [m, team_field]

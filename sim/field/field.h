@@ -71,6 +71,19 @@ constexpr bool inside_field(const Field& field, Vec2 point, float margin = 0) {
   return -x <= point.x && point.x <= x && -y <= point.y && point.y <= y;
 }
 
+/// Return the place of the ball at a set play [m, field]. `end` +1 or -1 is the sign of x of the goal line with that
+/// corner or goal area. `line` is the sign of y of the side where the ball went out; `x` is where it crossed the line.
+constexpr Vec2 corner_kick_place(const Field& field, float end, float line) {
+  return {end * (field.length / 2), line * (field.width / 2)};
+}
+constexpr Vec2 goal_kick_place(const Field& field, float end, float line) {
+  return {end * (field.length / 2 - field.goal_area_length), line * (field.goal_area_width / 2)};
+}
+constexpr Vec2 kick_in_place(const Field& field, float x, float line) {
+  const float end = field.length / 2;
+  return {x < -end ? -end : x > end ? end : x, line * (field.width / 2)};
+}
+
 /// Returns the goal that a ball enters on the straight way from `from` to `to` [m, field]: +1 or -1 is the sign of the
 /// goal's x, 0 is none. The ball is in as soon as the whole of it is behind the line, between the posts.
 float goal_entered(const Field& field, Vec2 from, Vec2 to, float ball_radius);

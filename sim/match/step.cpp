@@ -99,12 +99,22 @@ Tick earliest_of(const State& state) {
   return earliest;
 }
 
+/// Notes the penalties of the teammates. The GameController sends them to all robots, and the robot's own team link
+/// notes them likewise (robot/game/team_link.cpp). A mate that returns is active again with its next packet.
+void hear_penalties(const State& state, int robot, agent::Beliefs& beliefs) {
+  for (int mate = 0; mate + 1 < state.world.players; ++mate) {
+    const int index = robot_of(side_of(robot), agent::player_of_mate(player_of(robot), mate));
+    if (state.book.penalised_until[index] != 0) beliefs.mates[mate].active = false;
+  }
+}
+
 /// Updates the robot's beliefs from the world, decides a command from the beliefs, and schedules the next turn.
 void think(const Params& params, const RobotParams& own, State& state, int robot, agent::Trace* trace) {
   Robot& self = state.robots[robot];
   const Tick now = state.world.tick, steps = state.schedule.lag[robot];
   perception::perceive(own.perception, state.world, robot, steps, self.beliefs, self.cognition);
   if (referee::in_play(state.book) && self.beliefs.ball.visible) state.counts.seen[robot] += steps;
+  hear_penalties(state, robot, self.beliefs);
   const agent::Game game = referee::game_for(params.rules, state.world, state.book, robot);
   self.command = own.team.behaviour->decide(own.surroundings, game, self.beliefs, now, self.mind, trace);
   const Wait wait = wait_of(params, state, robot);

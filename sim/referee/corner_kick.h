@@ -11,7 +11,7 @@ inline bool due(const Court& court, const Crossing& crossing) {
 }
 
 inline void apply(Court& court, const Crossing& crossing) {
-  const Vec2 at{crossing.end * court.field.length / 2, crossing.line * court.field.width / 2};
+  const Vec2 at = field::corner_kick_place(court.field, crossing.end, crossing.line);
   begin_set_play(court, SetPlay::corner_kick, Event::Kind::corner_kick, other(defender_of(court, crossing)), at);
 }
 

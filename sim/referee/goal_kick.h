@@ -11,8 +11,7 @@ inline bool due(const Court& court, const Crossing& crossing) {
 }
 
 inline void apply(Court& court, const Crossing& crossing) {
-  const Vec2 at{crossing.end * (court.field.length / 2 - court.field.goal_area_length),
-                crossing.line * court.field.goal_area_width / 2};
+  const Vec2 at = field::goal_kick_place(court.field, crossing.end, crossing.line);
   begin_set_play(court, SetPlay::goal_kick, Event::Kind::goal_kick, defender_of(court, crossing), at);
 }
 

@@ -9,8 +9,7 @@ namespace sim::referee::kick_in {
 inline bool due(const Court&, const Crossing& crossing) { return !crossing.goal_line; }
 
 inline void apply(Court& court, const Crossing& crossing) {
-  const float end = court.field.length / 2;
-  const Vec2 at{std::clamp(crossing.at.x, -end, end), crossing.line * court.field.width / 2};
+  const Vec2 at = field::kick_in_place(court.field, crossing.at.x, crossing.line);
   begin_set_play(court, SetPlay::kick_in, Event::Kind::kick_in, other(court.book.last_touch), at);
 }
 

@@ -21,7 +21,7 @@ void expect_same(float a, float b, const char* name) {
     EXPECT_EQ(a, b) << name;
 }
 
-TEST(View, TheBallOfASetPlayIsSupposedWhereTheRulesPutItUntilItIsSeen) {
+TEST(View, TheBallOfASetPlayIsSupposedWhereTheRulesPutItUntilItIsSeenFromNear) {
   const field::Field& field = surroundings().rules->field;
   const float end = 0.5f * field.length, line = 0.5f * field.width;
   Scene scene;
@@ -31,6 +31,7 @@ TEST(View, TheBallOfASetPlayIsSupposedWhereTheRulesPutItUntilItIsSeen) {
       const float side = y > 0 ? 1.f : -1.f, attacked = own ? 1.f : -1.f;
       scene.game.own_kick = own;
       scene.see_ball({1, y});
+      scene.mind.ball = {1, y};
       scene.beliefs.ball.seen = scene.now - ticks(3);
       const auto supposed = [&](Game::SetPlay kind) {
         scene.game.set_play = kind;
@@ -42,9 +43,12 @@ TEST(View, TheBallOfASetPlayIsSupposedWhereTheRulesPutItUntilItIsSeen) {
       const Vec2 goal_kick{-attacked * (end - field.goal_area_length), 0.5f * side * field.goal_area_width};
       EXPECT_EQ(supposed(Game::SetPlay::goal_kick), goal_kick);
       EXPECT_EQ(supposed(Game::SetPlay::kick_in).y, side * line);
+      EXPECT_EQ(supposed(Game::SetPlay::kick_off), Vec2{});
       EXPECT_NEAR(supposed(Game::SetPlay::none).y, y, 0.01f) << "no set play: where it was seen";
       scene.beliefs.ball.seen = scene.now - ticks(1);
       EXPECT_NEAR(supposed(Game::SetPlay::corner_kick).y, y, 0.01f) << "seen since the set play began";
+      scene.see_ball({3, -y});
+      EXPECT_EQ(supposed(Game::SetPlay::corner_kick).y, -side * line) << "from afar, a sight tells only the side";
     }
 }
 

@@ -41,6 +41,7 @@ TEST(Manners, RulesThatAskForMoreRoomThanTheHabitAreKept) {
   Scene scene;
   scene.game.set_play = Game::SetPlay::kick_in;
   scene.game.own_kick = false;
+  scene.game.since_phase = 2;
   scene.see_ball({1.2f, 0});
   const View view(wide, scene.settings, scene.game, scene.beliefs, scene.now, scene.mind);
   motion::Command command;

@@ -64,6 +64,18 @@ TEST(Roles, AMessageFromBeforeTheSetPlayTellsOfAnotherBall) {
   }
 }
 
+TEST(Roles, TheRobotInTheCircleTakesTheKickOffThoughAMateWasTheChaserBefore) {
+  Scene scene;
+  scene.game.set_play = Game::SetPlay::kick_off;
+  scene.game.own_kick = true;
+  scene.game.since_phase = 0.1f;
+  scene.beliefs.pose.pose.position = {-0.4f, 0};
+  scene.see_ball({0.4f, 0});
+  scene.hear(3, {-2.5f, -1.5f}, 0.5f, Role::chaser, 2);
+  assign_role(scene.view(), scene.mind);
+  EXPECT_EQ(scene.mind.role, Role::chaser);
+}
+
 TEST(Roles, ThereIsExactlyOneChaserWhenBeliefsAgree) {
   std::mt19937 random(1);
   for (int n = 0; n < 500; ++n) {

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "sim/agent/ball_skills.h"
 #include "sim/agent/place_skills.h"
 #include "sim/agent/walk.h"
 #include "tests/sim/agent/practice.h"
@@ -46,6 +47,21 @@ TEST(Skills, FromAllSidesTheRobotComesRoundTheBallAndShootsAtTheGoal) {
       const Vec2 wanted = Vec2{3, 0} - ball, rolls = practice.world.ball.velocity;
       EXPECT_LT(std::abs(atan2(cross(wanted, rolls), dot(wanted, rolls))), tolerance) << strategy << " from " << angle;
     }
+  }
+}
+
+TEST(Skills, OnTheWayToItsSetPlayTheRobotFacesTheWayRoundAnOpponent) {
+  for (const bool ours : {true, false}) {
+    Scene scene;
+    scene.game.set_play = ours ? Game::SetPlay::kick_in : Game::SetPlay::none;
+    scene.game.own_kick = ours;
+    scene.game.since_phase = 2;
+    scene.beliefs.pose.pose = {};
+    scene.see_ball({0.5f, 1.9f});
+    scene.see_opponent(2, {0.12f, 0.5f});
+    const Command command = kick(scene.view(), scene.mind, {});
+    ASSERT_EQ(command.body, Command::Body::walk_to);
+    EXPECT_EQ(std::abs(command.turn - angle_of(command.walk)) < 0.01f, ours);
   }
 }
 

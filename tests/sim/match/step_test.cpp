@@ -47,6 +47,28 @@ TEST(Step, ARobotWithASlowerWalkWalksSlowerAndTheOthersDoNot) {
   });
 }
 
+TEST(Step, TheTeammatesOfAPenalisedRobotKnowItAtOnce) {
+  const auto setup = setup_of(choice_of("spl2025", "baseline", "match,packet_delay=off"));
+  State state = begun(setup.params, 7);
+  referee::Events events;
+  int known = 0;
+  while (!finished(state) && state.world.tick < 20000) {
+    const State before = state;
+    step(setup.params, state, events);
+    for_each_robot(state.world.players, [&](int robot) {
+      const bool penalised = before.book.penalised_until[robot] != 0 && state.book.penalised_until[robot] != 0;
+      for (int mate = 0; penalised && mate + 1 < state.world.players; ++mate) {
+        const int other = robot_of(side_of(robot), agent::player_of_mate(player_of(robot), mate));
+        if (before.book.penalised_until[other] != 0 || state.book.penalised_until[other] != 0) continue;
+        const int own = player_of(robot) < player_of(other) ? player_of(robot) - 1 : player_of(robot) - 2;
+        ASSERT_FALSE(state.robots[other].beliefs.mates[own].active) << robot << " for " << other;
+        ++known;
+      }
+    });
+  }
+  EXPECT_GT(known, 0);
+}
+
 TEST(Step, ModelsOfItsOwnThatAreTheSameChangeNothing) {
   const auto all = setup_of(choice_of("spl2025", "baseline", "match", Pace::thinned));
   const auto each =
