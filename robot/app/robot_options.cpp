@@ -89,6 +89,10 @@ void add_game_options(CLI::App& app, RobotOptions& options) {
                "send team messages, within the budget; not if the team's own code does")
       ->needs(listen)
       ->group(group);
+  app.add_flag("--practice", options.practice,
+               "games are tests: wireless networks stay open, and other machines may control and download; the viewer "
+               "says so on every page")
+      ->group(group);
   app.add_option("--game-port", options.game_port, "UDP port of the GameController")
       ->capture_default_str()
       ->group(group);
@@ -154,7 +158,8 @@ RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
                                       .return_packets = options.return_packets,
                                       .team_messages = options.team_messages},
                              .field = options.field,
-                             .profile = options.profile};
+                             .profile = options.profile,
+                             .practice = options.practice};
   if (options.game_controller)
     runtime.game->listener = game::ListenerOptions{.team = team, .player = player, .port = options.game_port};
   return runtime;

@@ -44,7 +44,7 @@ struct RobotOptions {
   std::optional<bool> foresight;        // not given: true with body sim only
 
   // game
-  bool game_controller = false, return_packets = false, team_messages = false;
+  bool game_controller = false, return_packets = false, team_messages = false, practice = false;
   std::uint16_t game_port = game::kControlPort;
   std::string field;
 

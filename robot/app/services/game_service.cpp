@@ -28,7 +28,9 @@ GameService::GameService(GameOptions options, memory::Memory& memory, const Cloc
                          net::Parameters& parameters)
     : options_(std::move(options)), memory_(memory), clock_(clock), recorder_(recorder), parameters_(parameters) {
   parameters_.update("recording_profile", options_.profile);
-  parameters_.declare("match_mode", true);
+  parameters_.declare("match_mode", !options_.practice);
+  if (options_.practice)
+    report(Level::warning, "game", "practice: wireless networks stay open during games, which no match allows");
 }
 
 Result<void> GameService::start() {
@@ -86,6 +88,7 @@ GameStatus GameService::status() const {
   return {.state = game ? name_of(game->value().state()) : "",
           .in_progress = match_.in_progress(),
           .match_mode = match_.in_progress() && parameters_.flag("match_mode"),
+          .practice = !parameters_.flag("match_mode"),
           .warning = listener_ ? listener_->warning() : "",
           .stopped = link_ ? link_->stopped() : ""};
 }

@@ -64,7 +64,8 @@ std::optional<std::string> between(std::string_view before, std::string_view pat
 }
 
 HttpResponse game_in_progress() {
-  return error_response(503, "a game is in progress: recordings can be had when it has finished");
+  return error_response(
+      503, "a game is in progress: recordings can be had when it has finished, or with --practice in a test game");
 }
 
 }  // namespace

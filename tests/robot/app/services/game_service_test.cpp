@@ -129,11 +129,25 @@ TEST_F(Game, ASessionThatAClientEndedIsNotEndedAgain) {
   EXPECT_EQ(recorder.status().session, id);
 }
 
+TEST_F(Game, WithPracticeNoGameIsInMatchModeUntilTheParameterSaysSo) {
+  service_.emplace(GameOptions{.link = {.team = 14, .player = 3}, .practice = true}, *memory, clock, recorder,
+                   parameters);
+  hear(GameState::STATE_PLAYING);
+  EXPECT_TRUE(service().status().in_progress);
+  EXPECT_TRUE(service().status().practice);
+  EXPECT_FALSE(service().status().match_mode);
+  ASSERT_TRUE(parameters.set("match_mode", true));
+  EXPECT_FALSE(service().status().practice);
+  EXPECT_TRUE(service().status().match_mode);
+}
+
 TEST_F(Game, MatchModeLastsAsLongUnlessItsParameterIsOff) {
   hear(GameState::STATE_SET);
   EXPECT_TRUE(service().status().match_mode);
+  EXPECT_FALSE(service().status().practice);
   ASSERT_TRUE(parameters.set("match_mode", false));
   EXPECT_FALSE(service().status().match_mode);
+  EXPECT_TRUE(service().status().practice);
   EXPECT_TRUE(service().status().in_progress);
   ASSERT_TRUE(parameters.set("match_mode", true));
   hear(GameState::STATE_FINISHED);

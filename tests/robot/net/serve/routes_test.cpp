@@ -173,7 +173,7 @@ TEST_F(RoutesTest, DuringAGameRecordingsAreServedToThisMachineOnly) {
   }
   EXPECT_EQ(get("/logs/old?token=c", {}, "10.0.0.9", "DELETE").status, 503);
   EXPECT_EQ(text(get("/logs/old.mcap?token=c", {}, "10.0.0.9")),
-            "a game is in progress: recordings can be had when it has finished\n");
+            "a game is in progress: recordings can be had when it has finished, or with --practice in a test game\n");
   EXPECT_EQ(get("/api/status?token=r", {}, "10.0.0.9").status, 200);
   EXPECT_EQ(get("/api/sessions?token=r", {}, "10.0.0.9").status, 200);
 }
