@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "robot/app/build_id.h"
+#include "robot/app/services/recording_service.h"
 #include "robot/core/report.h"
 
 namespace robot::app {
@@ -67,7 +68,8 @@ void GameService::begin_session(const GameState& game) {
     report(Level::warning, "game", usable.error() + "; the match is recorded without a name");
     name.clear();
   }
-  const Result<std::uint64_t> request = recorder_.want(name, parameters_.text("recording_profile"));
+  const Result<std::uint64_t> request =
+      recorder_.want(name, parameters_.text("recording_profile"), recorded_objects(parameters_));
   if (!request) return report(Level::warning, "game", "the match is not recorded: " + request.error());
   request_ = *request;
   parameters_.update("recording", true);
