@@ -137,6 +137,7 @@ TEST_F(Game, ItsRecordingContainsTheObjectsOfTheParameter) {
   hear(GameState::STATE_FINISHED);
   const auto sessions = store.list();
   ASSERT_EQ(sessions.size(), 1u);
+  EXPECT_FALSE(sessions[0].streams.empty());
   for (const logging::StreamFile& stream : sessions[0].streams)
     EXPECT_TRUE(stream.topic == "/14/3/ball" || stream.topic == "/14/3/game") << stream.topic;
 }
