@@ -28,11 +28,8 @@ json describe(const logging::RecordingStatus& status) {
 }
 
 json describe(const GameStatus& game) {
-  return {{"state", game.state},
-          {"in_progress", game.in_progress},
-          {"match_mode", game.match_mode},
-          {"warning", game.warning},
-          {"stopped", game.stopped}};
+  return {{"state", game.state},       {"in_progress", game.in_progress}, {"match_mode", game.match_mode},
+          {"practice", game.practice}, {"warning", game.warning},         {"stopped", game.stopped}};
 }
 
 json describe(const logging::StreamFile& stream, const std::string& session) {

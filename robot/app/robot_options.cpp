@@ -89,6 +89,10 @@ void add_game_options(CLI::App& app, RobotOptions& options) {
                "send team messages, within the budget; not if the team's own code does")
       ->needs(listen)
       ->group(group);
+  app.add_flag("--practice", options.practice,
+               "games are tests: wireless networks stay open, and other machines may control and download; the viewer "
+               "says so on every page")
+      ->group(group);
   app.add_option("--game-port", options.game_port, "UDP port of the GameController")
       ->capture_default_str()
       ->group(group);
@@ -100,6 +104,8 @@ void add_recording_options(CLI::App& app, RobotOptions& options) {
   app.add_option("--log-mb", options.log_mb, "[MB] limit of all sessions together; the oldest are deleted first")
       ->capture_default_str();
   app.add_option("--profile", options.profile, "profile of recordings: game, vision or full")->capture_default_str();
+  app.add_option("--only", options.only,
+                 "objects that recordings contain, such as ball,pose,decision; default: all objects");
   app.add_option("--name", options.name, "name of the session that --record begins");
   app.add_flag("--record", options.record, "record from the start");
   app.add_flag("--plan", options.plan, "print the size of each profile and whether it fits, then end");
@@ -154,7 +160,8 @@ RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
                                       .return_packets = options.return_packets,
                                       .team_messages = options.team_messages},
                              .field = options.field,
-                             .profile = options.profile};
+                             .profile = options.profile,
+                             .practice = options.practice};
   if (options.game_controller)
     runtime.game->listener = game::ListenerOptions{.team = team, .player = player, .port = options.game_port};
   return runtime;
@@ -163,6 +170,7 @@ RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
 Result<bool> begin(Runtime& runtime, const RobotOptions& options) {
   if (const auto profile = logging::profile_named(options.profile); !profile) return profile.failure("--profile");
   if (const auto usable = logging::check_session_name(options.name); !usable) return usable.failure("--name");
+  if (const auto known = runtime.record_only(options.only); !known) return known.failure("--only");
   for (const logging::Profile& profile : logging::profiles())
     std::printf("%s\n", runtime.recorder().room_for(profile).sentence.c_str());
   if (options.plan) return false;

@@ -44,7 +44,7 @@ struct RobotOptions {
   std::optional<bool> foresight;        // not given: true with body sim only
 
   // game
-  bool game_controller = false, return_packets = false, team_messages = false;
+  bool game_controller = false, return_packets = false, team_messages = false, practice = false;
   std::uint16_t game_port = game::kControlPort;
   std::string field;
 
@@ -52,6 +52,7 @@ struct RobotOptions {
   std::filesystem::path log_folder = "logs";
   std::uint64_t log_mb = 4000;
   std::string profile = "game", name;
+  std::string only;  // objects to record, "ball,pose"; empty: all
   bool record = false, plan = false;
 
   ServerSettings server;
@@ -79,7 +80,7 @@ RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot);
 
 /// Starts the runtime, for every body: prints which profiles fit on the disk and opens the port. With --record it begins
 /// to record now, or as soon as the disk permits it. Returns false with --plan, which only prints. Returns an Error for a
-/// wrong --profile or --name.
+/// wrong --profile, --only or --name.
 Result<bool> begin(Runtime& runtime, const RobotOptions& options);
 
 }  // namespace robot::app

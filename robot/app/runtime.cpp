@@ -116,11 +116,13 @@ Result<void> Runtime::start() {
 }
 
 Result<void> Runtime::record(std::string_view name, std::string_view profile) {
-  const Result<std::uint64_t> request = recorder_.want(name, profile);
+  const Result<std::uint64_t> request = recorder_.want(name, profile, recorded_objects(parameters_));
   if (!request) return request.failure();
   parameters_.update("recording", true);
   return {};
 }
+
+Result<void> Runtime::record_only(const std::string& objects) { return parameters_.set("recording_objects", objects); }
 
 void Runtime::run(const std::function<bool()>& tick) {
   std::uint64_t next_second = monotonic_ns();

@@ -109,6 +109,10 @@ class Runtime {
   /// Begins a session now, or as soon as the disk permits it. Returns an Error for a wrong name or profile.
   Result<void> record(std::string_view name, std::string_view profile);
 
+  /// Sets the objects that recordings contain, "ball,pose"; empty: all. Returns an Error for an unknown object. Call it
+  /// when all objects are listed.
+  Result<void> record_only(const std::string& objects);
+
   /// Does the housekeeping and calls `tick` ten times a second, until `tick` returns false or SIGINT or SIGTERM
   /// arrives.
   void run(const std::function<bool()>& tick);

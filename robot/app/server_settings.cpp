@@ -89,8 +89,16 @@ void add_server_options(CLI::App& command, ServerSettings& settings) {
                   "another page that may connect, https://host; may be given several times")
       ->allow_extra_args(false);
   command
+      .add_option(std::string(net::kAllowFrame), settings.allowed_frames,
+                  "a page that may show the viewer in a frame, https://host; may be given several times; default: none")
+      ->check([](const std::string& page) {
+        const Result<std::string> accepted = net::frame_ancestors({page});
+        return accepted ? "" : accepted.error();
+      })
+      ->allow_extra_args(false);
+  command
       .add_option("--wireless", settings.wireless,
-                  "network interface that is silent during a game; default: the system's wireless interfaces")
+                  "network interface that is silent during a game; default: all except loopback and cables")
       ->allow_extra_args(false);
   command.add_option("--state-dir", settings.state_folder, "folder of the control token");
   command.add_flag("--protect-reading", settings.protect_reading,
@@ -102,10 +110,13 @@ Result<net::AccessOptions> access_options(const ServerSettings& settings) {
   if (!token) return token.failure();
   const Result<std::string> cookie = make_token();
   if (!cookie) return cookie.failure();
+  const Result<std::string> frames = net::frame_ancestors(settings.allowed_frames);
+  if (!frames) return frames.failure();
   return net::AccessOptions{.origins = {.hosts = hosts_of(settings), .origins = settings.allowed_origins, .robots = {}},
                             .control_token = *token,
                             .read_token = settings.protect_reading ? *token : "",
-                            .read_cookie = settings.protect_reading ? *cookie : ""};
+                            .read_cookie = settings.protect_reading ? *cookie : "",
+                            .frame_ancestors = *frames};
 }
 
 }  // namespace robot::app

@@ -20,7 +20,7 @@ namespace robot::app {
 struct ServerSettings {
   std::vector<std::string> bind = {"127.0.0.1"};
   std::uint16_t port = 8765;
-  std::vector<std::string> allowed_hosts, allowed_origins;
+  std::vector<std::string> allowed_hosts, allowed_origins, allowed_frames;
   std::vector<std::string> wireless;   // interfaces that are silent during a game; empty: the system's wireless ones
   std::filesystem::path state_folder;  // empty: $XDG_STATE_HOME/foresight, or ~/.local/state/foresight
   bool protect_reading = false;

@@ -28,6 +28,7 @@ const kOptions = {
   team: wholeNumber(...kTeams),
   colour: oneOf(kColours),
   field: fieldName,
+  practice: true,
   build: anyText,
   "no-build": true,
   program: anyText,
@@ -39,9 +40,9 @@ const kOptions = {
 };
 
 /** Returns the robots with the identity from the command line, which overrides that of the file. */
-function identified(robots, { player, team, colour }) {
+function identified(robots, { player, team, colour, practice }) {
   if (player !== undefined && robots.length > 1) throw new BadInput(`--player: expected one robot to give number ${player}, got ${robots.length}`);
-  const given = Object.fromEntries(Object.entries({ player, team, colour }).filter(([, value]) => value !== undefined));
+  const given = Object.fromEntries(Object.entries({ player, team, colour, practice }).filter(([, value]) => value !== undefined));
   return robots.map((robot) => ({ ...robot, ...given }));
 }
 

@@ -37,6 +37,7 @@ const kTeamKeys = {
   rules: word(/^[a-z0-9_]+$/, "the name of rules, such as spl2025"),
   strategies: { isRight: isListOfStrategies, words: "a list of 1 .. 8 names of strategies, or .json files of your own with different names" },
   foresight: { isRight: (value) => typeof value === "boolean", words: "true or false" },
+  practice: { isRight: (value) => typeof value === "boolean", words: "true or false" },
   robots: { isRight: Array.isArray, words: "a list of robots" },
 };
 const kRobotKeys = {
@@ -94,8 +95,8 @@ class Taken {
 
 /**
  * Parses `text` of the robots file. Returns [{name, addresses, model, body, player, team, colour, key, head_id, body_id,
- * user, ssh_port, http_port, rules, strategies, foresight, host_names}]. `host_names` are the addresses that are names.
- * The members colour, key, ids, rules, strategies, foresight and host_names may be absent.
+ * user, ssh_port, http_port, rules, strategies, foresight, practice, host_names}]. `host_names` are the addresses that are names.
+ * The members colour, key, ids, rules, strategies, foresight, practice and host_names may be absent.
  * `file` is its name in errors, and its folder is that of the files of strategies. `home` replaces ~.
  */
 export function parseTeam(file, text, home = homedir()) {
@@ -109,7 +110,7 @@ export function parseTeam(file, text, home = homedir()) {
   const atHome = (path) => path.replace(/^~(?=\/)/, home);
   const taken = new Taken();
   // all robots of a team choose between the same strategies
-  const ofAll = Object.fromEntries(["rules", "foresight"].filter((key) => key in team).map((key) => [key, team[key]]));
+  const ofAll = Object.fromEntries(["rules", "foresight", "practice"].filter((key) => key in team).map((key) => [key, team[key]]));
   if (team.strategies) ofAll.strategies = team.strategies.map((one) => (one.endsWith(".json") ? resolve(dirname(file), atHome(one)) : one));
   return team.robots.map((robot, index) => {
     const where = `${file}: $.robots[${index}]`;

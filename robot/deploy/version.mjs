@@ -23,6 +23,7 @@ export function settingsOf(robot, { field } = {}) {
     ...(robot.strategies === undefined ? [] : [`strategies=${robot.strategies.map(onRobot).join(",")}`]),
     ...(robot.foresight ? ["foresight"] : []),
     "game-controller",
+    ...(robot.practice ? ["practice"] : []),
     ...(field === undefined ? [] : [`field=${field}`]),
     ...(robot.host_names ?? []).map((host) => `allow-host=${host}`),
     "bind=0.0.0.0",

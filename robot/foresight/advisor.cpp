@@ -160,6 +160,7 @@ void Advisor::take_question(const memory::Version& version) {
   if (!question.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return;
   if (newest_id_ == question.id()) return;
   newest_id_ = question.id();
+  if (question.asked_by().empty()) question.set_asked_by(std::string(kByTeam));
   const std::uint64_t now_ns = now_ns_();
   if (captain_waits_ && !foreseer_->idle()) return keep(refused(question, now_ns, kBusy));
   const Result<void> asked = foreseer_->ask(question, bridge::recollect(channels_, robot_, now_ns),

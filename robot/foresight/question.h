@@ -15,8 +15,8 @@ namespace robot::foreseeing {
 
 namespace pb = ::foresight;
 
-/// The beginning of `asked_by` when people or the captain asked instead of a team's process.
-inline constexpr std::string_view kByPeople = "people", kByCaptain = "captain: ";
+/// The beginning of `asked_by` when people or the captain asked, and its value for a team's process that gives no name.
+inline constexpr std::string_view kByPeople = "people", kByCaptain = "captain: ", kByTeam = "the team's code";
 
 /// The opponents' strategy when the question names none.
 inline constexpr const char* kDefaultOpponent = "baseline";

@@ -52,6 +52,8 @@ test("a team's strategies go to all of its robots, with its own files in the ver
   const text = (strategies) => JSON.stringify({ team: 14, rules: "spl2025", strategies, foresight: true, robots: [{ name: "tim", address: "10.0.14.22", model: "nao-v6", player: 2 }] });
   const [tim] = parseTeam(file, text(["baseline", "press.json"]));
   assert.match(settingsOf(tim), /^rules=spl2025\nstrategies=baseline,current\/etc\/strategies\/press\.json\nforesight$/m);
+  assert.doesNotMatch(settingsOf(tim), /practice/, "a match is the default");
+  assert.match(settingsOf({ ...tim, practice: true }), /^practice$/m);
   await withVersion(tim, { runtime: file }, {}, async (version) => assert.equal(readFileSync(join(version, "etc/strategies/press.json"), "utf8"), "{}"));
   const [lost] = parseTeam(file, text(["baseline", "lost.json"]));
   await assert.rejects(withVersion(lost, { runtime: file }, {}, () => assert.fail()), { message: `strategies: expected a file, got ${join(folder, "lost.json")}, which is not there` });

@@ -25,7 +25,7 @@ const wrong = [
   ["no JSON", "{", /^robots.json: expected JSON, got /],
   ["no object", "[]", "robots.json: $: expected an object, got []"],
   ["no robots", "{}", "robots.json: $.robots: expected a list of robots, got nothing"],
-  ["an unknown key of the team", '{"robotz": []}', "robots.json: $: expected team, colour, key, rules, strategies, foresight, robots, got the unknown key 'robotz'"],
+  ["an unknown key of the team", '{"robotz": []}', "robots.json: $: expected team, colour, key, rules, strategies, foresight, practice, robots, got the unknown key 'robotz'"],
   ["a robot that is none", '{"robots": [3]}', "robots.json: $.robots[0]: expected an object, got 3"],
 ];
 for (const [name, text, says] of wrong)

@@ -117,7 +117,7 @@ test("a recording that grows is redirected to a part that does not, byte for byt
   const server = await robot(t, folder, await synthesize(folder, { seconds: 8 }), "--record", "--profile", "full");
   const { session } = (await statusOf(server)).recording;
   const path = `/logs/${session}.mcap`;
-  const redirected = () => request(server, path);
+  const redirected = () => request(server, path, { headers: { range: "bytes=0-" } });
 
   // at first no part may be old enough
   const location = await until(async () => {
@@ -131,7 +131,13 @@ test("a recording that grows is redirected to a part that does not, byte for byt
     return (topics.get("/14/2/joints")?.messages.length ?? 0) > 50 && headers.location;
   }, "joints in the download");
   assert.equal((await redirected()).headers["cache-control"], "no-store");
-  assert.match((await request(server, `${path}?from=1`)).headers.location, /\?from=1&until=\d+$/);
+  assert.match((await request(server, `${path}?from=1`, { headers: { range: "bytes=0-" } })).headers.location, /\?from=1&until=\d+$/);
+
+  // without a range it is sent at once, also to programs that follow no redirect
+  const whole = await request(server, path);
+  assert.equal(whole.status, 200);
+  assert.match(whole.headers["content-location"], new RegExp(`^${path}\\?until=\\d+$`));
+  assert.ok(readStreamed(whole.body).topics.get("/14/2/joints").messages.length > 50);
 
   // on a busy machine the recorder may be more than the two seconds behind at first
   const size_bytes = async () => (await statusOf(server)).recording.bytes;

@@ -187,8 +187,6 @@ test("a robot that does not know the ball refuses, until the question says where
   const server = await start(t, folder, "foresight-robot", "--body", "attached", "--door", door);
   const team = spawn("python3", ["-c", kTeamWithoutBall, door], { env: { ...process.env, PYTHONPATH: join(root, "robot/client"), PYTHONDONTWRITEBYTECODE: "1" } });
   atEnd(t, () => team.kill());
-  const live = await Live.open(t, server);
-  live.send({ op: "setParameters", parameters: [{ name: "match_mode", value: false }] }); // a test that is no match
   const { page, problems, questions } = await ask(t, server);
   const things = page.getByLabel("Ball or robot to place");
   await until(async () => (await things.locator("option").allTextContents()).includes("own 2"), "the robot itself");

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "robot/app/build_id.h"
+#include "robot/app/services/recording_service.h"
 #include "robot/core/report.h"
 
 namespace robot::app {
@@ -28,7 +29,9 @@ GameService::GameService(GameOptions options, memory::Memory& memory, const Cloc
                          net::Parameters& parameters)
     : options_(std::move(options)), memory_(memory), clock_(clock), recorder_(recorder), parameters_(parameters) {
   parameters_.update("recording_profile", options_.profile);
-  parameters_.declare("match_mode", true);
+  parameters_.declare("match_mode", !options_.practice);
+  if (options_.practice)
+    report(Level::warning, "game", "practice: wireless networks stay open during games, which no match allows");
 }
 
 Result<void> GameService::start() {
@@ -65,7 +68,8 @@ void GameService::begin_session(const GameState& game) {
     report(Level::warning, "game", usable.error() + "; the match is recorded without a name");
     name.clear();
   }
-  const Result<std::uint64_t> request = recorder_.want(name, parameters_.text("recording_profile"));
+  const Result<std::uint64_t> request =
+      recorder_.want(name, parameters_.text("recording_profile"), recorded_objects(parameters_));
   if (!request) return report(Level::warning, "game", "the match is not recorded: " + request.error());
   request_ = *request;
   parameters_.update("recording", true);
@@ -86,6 +90,7 @@ GameStatus GameService::status() const {
   return {.state = game ? name_of(game->value().state()) : "",
           .in_progress = match_.in_progress(),
           .match_mode = match_.in_progress() && parameters_.flag("match_mode"),
+          .practice = !parameters_.flag("match_mode"),
           .warning = listener_ ? listener_->warning() : "",
           .stopped = link_ ? link_->stopped() : ""};
 }

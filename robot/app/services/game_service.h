@@ -23,6 +23,7 @@ struct GameOptions {
   game::TeamLinkOptions link;                     // by default nothing is sent and the team's port is not opened
   std::string field;                              // name of the field for people: "A"; may be empty
   std::string profile = "game";  // of the recordings, until a client sets the parameter recording_profile
+  bool practice = false;         // the first value of the parameter match_mode is the opposite: test games, no matches
 };
 
 /// The game in the status of the HTTP API.
@@ -30,6 +31,7 @@ struct GameStatus {
   std::string state;         // "initial", "standby", "ready", "set", "playing", "finished"; empty: no game state yet
   bool in_progress = false;  // from READY to FINISHED: a match, not a test
   bool match_mode = false;   // in progress, and the parameter match_mode is on: the league's rules hold
+  bool practice = false;     // the parameter match_mode is off: wireless networks stay open in each game
   std::string warning;       // a second GameController, or a format that this program cannot read; empty: neither
   std::string stopped;       // reason why sending has stopped, one sentence; empty while sending works
 };
@@ -40,7 +42,7 @@ struct GameStatus {
 /// a session when the match begins, the session begins as soon as the disk does.
 class GameService {
  public:
-  /// All references outlive this. `memory` is that of our robot. Declares the parameter match_mode, on by default.
+  /// All references outlive this. `memory` is that of our robot. Declares the parameter match_mode, on except with `practice`.
   GameService(GameOptions options, memory::Memory& memory, const Clock& clock, logging::Recorder& recorder,
               net::Parameters& parameters);
 

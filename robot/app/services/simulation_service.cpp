@@ -1,11 +1,15 @@
 #include "robot/app/services/simulation_service.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "robot/core/json.h"
 #include "robot/core/json_library.h"
 #include "sim/io/situation.h"
+#include "sim/io/source.h"
 #include "sim/math/tick.h"
 
 namespace robot::app {
@@ -63,6 +67,17 @@ void spell_whole_numbers(json& value) {
     value = *number;
 }
 
+/// Returns the embedded situation of that name, or an Error that names a similar one. A path is no name: clients must not
+/// read files.
+Result<json> situation_named(const std::string& name) {
+  const std::vector<std::string_view> known = sim::io::names_of("situations");
+  if (std::ranges::find(known, name) == known.end())
+    return sim::io::unknown_name("situation", std::string_view(name).substr(0, 100), known);
+  const Result<sim::io::Source> source = sim::io::find_source("situations", "situation", name);
+  if (!source) return source.failure();
+  return parse_json(source->text);
+}
+
 /// Begins a game from the described situation. A given `seed` replaces the seed of the description.
 json begin(body::SimBody& body, json situation, std::optional<std::uint64_t> seed) {
   if (seed && situation.is_object()) situation["seed"] = *seed;
@@ -80,7 +95,11 @@ json reset(body::SimBody& body, const json& request) {
     if (!given) return net::failure(given.error());
     seed = static_cast<std::uint64_t>(*given);
   }
-  if (const json* situation = find(request, "situation")) return begin(body, *situation, seed);
+  if (const json* situation = find(request, "situation")) {
+    if (!situation->is_string()) return begin(body, *situation, seed);
+    const Result<json> named = situation_named(situation->get<std::string>());
+    return named ? begin(body, *named, seed) : net::failure("/sim/reset: " + named.error());
+  }
   return answer(body, body.reset(seed.value_or(body.state().seed())));
 }
 

@@ -19,6 +19,7 @@ namespace robot::app {
 ///   /sim/reset   {"seed": 7, "situation": {…}}  begins a new game, by default of the same seed and from the kick-off;
 ///                                              with a situation (sim/io/situation.h) from there
 ///
+/// The situation may also be the name of an embedded one, such as "blocked". It is never a path.
 /// `body` outlives the server that uses them.
 void add_simulation_service(body::SimBody& body, net::Services& services);
 

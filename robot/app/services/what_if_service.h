@@ -22,7 +22,7 @@ using AskForesight = std::function<Result<foresight::Forecast>(const std::string
 ///
 /// The answer is {"ok": true, "robot", "forecast": {…}}. If the question is wrong or the robot knows too little, it is
 /// {"ok": false, "error": sentence}. "answered_ms" counts from the arrival of the question. From another machine the
-/// service needs the token. In match mode it answers no client: "game in progress".
+/// service needs the token. It also answers during a game.
 ///
 /// The second takes {} and answers {"ok": true, "strategies": ["baseline", "passing", …]}: `strategies`, the names that
 /// a question may use, in this order. Every client may call it, also in match mode.

@@ -24,6 +24,19 @@ std::uint64_t newest_number(const memory::Channel& channel) {
   return newest ? newest->sequence() : 0;
 }
 
+/// Returns the name of the object of `topic`. A robot's own topic begins with its team and player.
+std::string object_name(std::string_view topic) {
+  std::string_view rest = topic.substr(std::min<std::size_t>(1, topic.size()));
+  for (int level = 0; level < 2; ++level) {
+    const std::size_t slash = rest.find('/');
+    const std::string_view number = rest.substr(0, slash);
+    const bool numeric = !number.empty() && number.find_first_not_of("0123456789") == std::string_view::npos;
+    if (slash == std::string_view::npos || !numeric) break;
+    rest.remove_prefix(slash + 1);
+  }
+  return std::string(rest);
+}
+
 }  // namespace
 
 std::string_view name(RecordingStatus::State state) {
@@ -42,7 +55,7 @@ Recorder::Recorder(memory::Channels& channels, LoggingBoard& board, SessionStore
   watcher_ = channels_.watch([this](const std::shared_ptr<memory::Channel>& channel) {
     const std::lock_guard guard(lock_);
     if (folder_) add(channel);
-    if (wish_ && !folder_) until_.try_emplace(channel->info().topic, 0);
+    if (wish_ && !folder_ && wants(*channel)) until_.try_emplace(channel->info().topic, 0);
   });
 }
 
@@ -63,13 +76,14 @@ Recorder::Room Recorder::room_for(const Profile& profile) const {
   return room;
 }
 
-Result<Recorder::Wish> Recorder::accept(std::string_view name, std::string_view profile_name) const {
+Result<Recorder::Wish> Recorder::accept(std::string_view name, std::string_view profile_name,
+                                        std::vector<std::string> only) const {
   const Result<Profile> profile = profile_named(profile_name);
   if (!profile) return profile.failure();
   if (const Result<void> usable = check_session_name(name); !usable) return usable.failure();
   if (folder_) return Error{"recording: the session " + session_ + " is being recorded already"};
   if (wish_) return Error{"recording: a session is wanted already; " + wish_->problem};
-  return Wish{.name = std::string(name), .profile = *profile, .problem = ""};
+  return Wish{.name = std::string(name), .profile = *profile, .problem = "", .only = std::move(only)};
 }
 
 void Recorder::take(Wish wish) {
@@ -85,9 +99,18 @@ void Recorder::take(Wish wish) {
   wish_ = std::move(wish);
 }
 
-Result<std::string> Recorder::start(std::string_view name, std::string_view profile_name) {
+std::vector<std::string> Recorder::object_names() const {
+  std::vector<std::string> names;
+  for (const auto& channel : channels_.all()) names.push_back(object_name(channel->info().topic));
+  std::ranges::sort(names);
+  names.erase(std::ranges::unique(names).begin(), names.end());
+  return names;
+}
+
+Result<std::string> Recorder::start(std::string_view name, std::string_view profile_name,
+                                    std::vector<std::string> only) {
   const std::lock_guard working(work_);
-  Result<Wish> wish = accept(name, profile_name);
+  Result<Wish> wish = accept(name, profile_name, std::move(only));
   if (!wish) return wish.failure();
   take(std::move(*wish));
   if (const Result<void> begun = begin(); !begun) {
@@ -100,15 +123,17 @@ Result<std::string> Recorder::start(std::string_view name, std::string_view prof
   return session_;
 }
 
-Result<std::uint64_t> Recorder::want(std::string_view name, std::string_view profile_name) {
+Result<std::uint64_t> Recorder::want(std::string_view name, std::string_view profile_name,
+                                     std::vector<std::string> only) {
   const std::lock_guard working(work_);
-  Result<Wish> wish = accept(name, profile_name);
+  Result<Wish> wish = accept(name, profile_name, std::move(only));
   if (!wish) return wish.failure();
   take(std::move(*wish));
   try_to_begin();
   const std::lock_guard guard(lock_);
   if (!folder_)
-    for (const auto& channel : channels_.all()) until_[channel->info().topic] = newest_number(*channel);
+    for (const auto& channel : channels_.all())
+      if (wants(*channel)) until_[channel->info().topic] = newest_number(*channel);
   return request_;
 }
 
@@ -174,6 +199,7 @@ Result<void> Recorder::describe(const Wish& wish, const OwnedFolder& folder, Ses
 
 void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
   const memory::ChannelInfo& info = channel->info();
+  if (!wants(*channel)) return;
   const bool image = info.schema.name == kImageSchema;
   // a channel that appears while a session begins is added twice: ignore the second time
   if (std::ranges::find(streams_, info.topic, &Stream::topic) != streams_.end()) return;
@@ -191,6 +217,12 @@ void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
   if (const auto until = until_.find(info.topic); until != until_.end() && wants_all(*channel))
     stream.until = until->second;
   streams_.push_back(std::move(stream));
+}
+
+/// Returns whether the session has `channel` at all.
+bool Recorder::wants(const memory::Channel& channel) const {
+  const std::vector<std::string>& only = wish_->only;
+  return only.empty() || std::ranges::find(only, object_name(channel.info().topic)) != only.end();
 }
 
 /// Returns whether the profile wants every version of `channel`.

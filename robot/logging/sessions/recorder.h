@@ -80,12 +80,17 @@ class Recorder {
   Room room_for(const Profile& profile) const;
 
   /// Makes room, begins a session and returns its id. Returns an Error if a session is being recorded already, if less
-  /// than one minute fits, or if `name` cannot name a session.
-  Result<std::string> start(std::string_view name, std::string_view profile);
+  /// than one minute fits, or if `name` cannot name a session. `only` names the objects to record, as object_names() returns them;
+  /// without names the recorder records all.
+  Result<std::string> start(std::string_view name, std::string_view profile, std::vector<std::string> only = {});
 
   /// As start(), but if the disk does not permit a session now, the recorder begins it as soon as the disk does. Returns
   /// the number of the request. Returns an Error for a wrong name or profile, or if a session is being recorded already.
-  Result<std::uint64_t> want(std::string_view name, std::string_view profile);
+  Result<std::uint64_t> want(std::string_view name, std::string_view profile, std::vector<std::string> only = {});
+
+  /// Returns the names of all present objects, once each and ascending: "ball" for "/14/2/ball", "truth/world" for
+  /// "/truth/world".
+  std::vector<std::string> object_names() const;
 
   /// Begins a wanted session if that is possible now. Begins a new session if files of the present one were deleted or
   /// replaced. Writes the ends of sessions that the disk did not take before. Called about once a second.
@@ -108,7 +113,8 @@ class Recorder {
   struct Wish {
     std::string name;
     Profile profile;
-    std::string problem;  // reason why it has not begun, or empty
+    std::string problem;                 // reason why it has not begun, or empty
+    std::vector<std::string> only = {};  // names of the objects; empty: all
   };
 
   /// A session that has ended, with the facts that the disk has not taken yet.
@@ -118,12 +124,13 @@ class Recorder {
     bool reported = false;  // that the disk does not take them
   };
 
-  Result<Wish> accept(std::string_view name, std::string_view profile) const;
+  Result<Wish> accept(std::string_view name, std::string_view profile, std::vector<std::string> only) const;
   void take(Wish wish);
   Result<void> begin();
   Result<void> describe(const Wish& wish, const OwnedFolder& folder, SessionInfo& info) const;
   void try_to_begin();
   void add(const std::shared_ptr<memory::Channel>& channel);
+  bool wants(const memory::Channel& channel) const;
   bool wants_all(const memory::Channel& channel) const;
   std::uint64_t missed(bool begins) const;
   static std::uint64_t missed_before(const Stream& stream, const StreamStatus& carried);

@@ -17,8 +17,10 @@ void Services::add(std::string name, For whom, Handler handler) {
 
 std::string ClientContext::refusal() const {
   if (!may_control) return "control from another machine needs the control token: add ?token=<token> to the address";
-  return match_mode && !loopback ? "a game is in progress: control is for this machine alone until it has finished"
-                                 : "";
+  return match_mode && !loopback
+             ? "a game is in progress: control is for this machine alone until it has finished; in a "
+               "test game --practice allows it"
+             : "";
 }
 
 std::vector<foxglove::Service> Services::list() const {
@@ -29,10 +31,8 @@ std::vector<foxglove::Service> Services::list() const {
 
 std::string Services::refusal(std::uint32_t id, const ClientContext& client) const {
   const Entry& entry = services_.at(id - 1);
-  if (entry.whom == For::everybody) return "";
-  const bool asks_during_game = entry.whom == For::questions && client.may_control && client.match_mode;
-  const std::string why =
-      asks_during_game ? "game in progress: until it has finished only the team's own code may ask" : client.refusal();
+  if (entry.whom == For::everybody || (entry.whom == For::questions && client.may_control)) return "";
+  const std::string why = client.refusal();
   return why.empty() ? "" : entry.name + ": " + why;
 }
 

@@ -20,7 +20,7 @@ struct ClientContext {
   std::string address;         // "10.0.14.7:51234"
   bool loopback = false;       // it runs on this machine
   bool may_control = false;    // it is on loopback or gave the token
-  bool match_mode = false;     // a real game is in progress: only clients on this machine may control
+  bool match_mode = false;     // a real game is in progress: only clients on this machine may control; all may ask
   std::uint64_t asked_ns = 0;  // [monotonic] arrival of the call
 
   /// Returns why it may not control now in one sentence, or an empty string if it may.
@@ -35,8 +35,8 @@ class Services {
  public:
   /// A function from a JSON object to a JSON object. Services for all clients run on the server's I/O thread and must
   /// not wait. Services for control run one after the other on a thread that may wait for the disk.
-  /// Questions run one after the other on a thread that may take seconds. During a game no client may ask, not even on
-  /// this machine.
+  /// Questions run one after the other on a thread that may take seconds. They are allowed during a game too, because the
+  /// server then has no clients over wireless networks.
   using Handler = std::function<nlohmann::json(const nlohmann::json& request, const ClientContext& client)>;
 
   enum class For { everybody, control, questions };  // the last two need the token, except on loopback

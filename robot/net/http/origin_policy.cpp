@@ -86,6 +86,24 @@ Result<void> check_origin(const OriginPolicy& policy, std::optional<std::string_
                std::string(kAllowOrigin) + " " + shown(*origin)};
 }
 
+Result<std::string> frame_ancestors(const std::vector<std::string>& pages) {
+  std::string all;
+  for (const std::string& page : pages) {
+    const std::string_view text = page;
+    const std::size_t scheme = text.starts_with("https://") ? 8 : text.starts_with("http://") ? 7 : 0;
+    const std::string_view host = text.substr(scheme);
+    const auto allowed = [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+             std::string_view(".-:[]").find(c) != std::string_view::npos;
+    };
+    if (scheme == 0 || host.empty() || !std::ranges::all_of(host, allowed))
+      return Error{std::string(kAllowFrame) + ": expected a page such as https://lab.example.org, got '" + shown(text) +
+                   "'"};
+    all += (all.empty() ? "" : " ") + page;
+  }
+  return all.empty() ? "'none'" : all;
+}
+
 bool is_loopback(std::string_view address) {
   const std::string text(address);
   in_addr v4{};

@@ -13,6 +13,7 @@ namespace robot::net {
 /// The options of the programs that change the policy; a refusal names them.
 inline constexpr std::string_view kAllowHost = "--allow-host";
 inline constexpr std::string_view kAllowOrigin = "--allow-origin";
+inline constexpr std::string_view kAllowFrame = "--allow-frame";
 
 /// Hosts and origins that are accepted in addition to the built-in rules.
 struct OriginPolicy {
@@ -32,6 +33,11 @@ Result<void> check_host(const OriginPolicy& policy, std::string_view host);
 /// https://app.foxglove.dev, or a configured one. No Origin is accepted too, because the client is then no browser.
 /// `host` is the Host header, already checked.
 Result<void> check_origin(const OriginPolicy& policy, std::optional<std::string_view> origin, std::string_view host);
+
+/// Returns the value of frame-ancestors in the Content-Security-Policy for `pages` that may show the viewer in a frame,
+/// each like "https://lab.example.org:8080". It is 'none' without pages. Returns an Error for anything that is no such
+/// page, because a blank or a semicolon would begin another rule.
+Result<std::string> frame_ancestors(const std::vector<std::string>& pages);
 
 /// Returns whether a peer at `address` is on this machine: 127.0.0.0/8 or ::1, also IPv4 within IPv6.
 bool is_loopback(std::string_view address);

@@ -13,19 +13,19 @@ namespace {
 
 namespace http = boost::beast::http;
 
-constexpr std::pair<std::string_view, std::string_view> kSecurityHeaders[] = {
-    {"Content-Security-Policy",
-     "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' blob: data:; object-src 'none'; "
-     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
-    {"X-Content-Type-Options", "nosniff"},
-    {"Referrer-Policy", "no-referrer"}};
+constexpr std::string_view kPolicy =
+    "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' blob: data:; object-src 'none'; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors ";
+constexpr std::pair<std::string_view, std::string_view> kSecurityHeaders[] = {{"X-Content-Type-Options", "nosniff"},
+                                                                              {"Referrer-Policy", "no-referrer"}};
 
 }  // namespace
 
-std::string response_head(const HttpResponse& response, bool keep_alive) {
+std::string response_head(const HttpResponse& response, bool keep_alive, std::string_view frame_ancestors) {
   Headers headers = response.headers;
   if (response.status != 204 && response.status != 304)
     headers.emplace_back("Content-Length", std::to_string(response.body_size()));
+  headers.emplace_back("Content-Security-Policy", std::string(kPolicy).append(frame_ancestors));
   headers.insert(headers.end(), std::begin(kSecurityHeaders), std::end(kSecurityHeaders));
   headers.emplace_back("Connection", keep_alive ? "keep-alive" : "close");
   return plain_head(response.status, headers);

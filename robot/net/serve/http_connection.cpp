@@ -142,7 +142,7 @@ void HttpConnection::respond(HttpResponse response) {
   deadline_ns_ = monotonic_ns() + context_.options.idle_timeout_ns;
   response_ = std::move(response);
   body_sent_ = 0;
-  head_ = response_head(response_, request_.keep_alive);
+  head_ = response_head(response_, request_.keep_alive, context_.options.access.frame_ancestors);
 
   std::string_view body;
   if (const auto* text = std::get_if<std::string>(&response_.body)) body = *text;

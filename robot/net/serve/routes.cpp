@@ -64,7 +64,8 @@ std::optional<std::string> between(std::string_view before, std::string_view pat
 }
 
 HttpResponse game_in_progress() {
-  return error_response(503, "a game is in progress: recordings can be had when it has finished");
+  return error_response(
+      503, "a game is in progress: recordings can be had when it has finished, or with --practice in a test game");
 }
 
 }  // namespace
@@ -167,19 +168,27 @@ HttpResponse Routes::answer_sessions(const HttpRequest& request) const {
 }
 
 HttpResponse Routes::answer_log(const HttpRequest& request, const Target& target) const {
-  const auto log_request = parse_log_request(target);
+  auto log_request = parse_log_request(target);
   if (!log_request) return error_response(404, log_request.error());
   auto file = backend_.open_log(*log_request);
   if (!file) return error_response(404, file.error());
-  if (file->redirect_until_ns)
-    return {.status = 307,
-            .headers = {{"Location", location(target, *file->redirect_until_ns)}, {"Cache-Control", "no-store"}}};
+  std::string fixed;  // the address of what is sent now, if the recording grows
+  if (file->redirect_until_ns) {
+    fixed = location(target, *file->redirect_until_ns);
+    // ranges of one file need one address; a whole file is sent at once, also to programs that follow no redirect
+    if (request.method == "HEAD" || request.header("range"))
+      return {.status = 307, .headers = {{"Location", fixed}, {"Cache-Control", "no-store"}}};
+    log_request->until_ns = file->redirect_until_ns;
+    file = backend_.open_log(*log_request);
+    if (!file) return error_response(404, file.error());
+  }
 
   const std::string name =
       log_request->file ? *log_request->file
                         : log_request->session + (log_request->stream ? "." + *log_request->stream : "") + ".mcap";
   HttpResponse response =
       body_response(request, std::move(file->body), "\"" + file->etag + "\"", "application/octet-stream");
+  if (!fixed.empty()) response.headers.emplace_back("Content-Location", fixed);
   response.headers.emplace_back("Content-Disposition", "attachment; filename=\"" + name + "\"");
   return response;
 }

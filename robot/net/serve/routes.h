@@ -21,6 +21,8 @@ struct AccessOptions {
   /// The cookie for a browser that came with a valid token. With it the browser may read without the token in every
   /// address, but may not control. A secret of this run; empty: no cookies.
   std::string read_cookie;
+
+  std::string frame_ancestors = "'none'";  // pages that may show the viewer in a frame, see origin_policy.h
 };
 
 /// The rights of the client of a connection.

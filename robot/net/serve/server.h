@@ -27,7 +27,7 @@ struct ServerOptions {
   HubOptions hub;
   AccessOptions access;
   std::vector<std::string>
-      wireless;  // interfaces that stay silent during a game; empty: those the system calls wireless
+      wireless;  // interfaces that stay silent during a game; empty: all except loopback and cables
 
   // limits of the memory and time that clients can take
   std::size_t max_clients = 64;                     // WebSocket connections

@@ -3,15 +3,19 @@
 #include <ifaddrs.h>
 #include <linux/filter.h>
 #include <net/if.h>
+#include <net/if_arp.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <optional>
+#include <iterator>
+#include <string_view>
 
+#include "robot/core/files.h"
 #include "robot/core/folder.h"
 
 namespace robot::net {
@@ -21,15 +25,30 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostInterfaces = 64;
 
+/// Returns whether the system knows the interface `name` as loopback or as an Ethernet cable of its own.
+bool is_wired(const std::string& name) {
+  const fs::path folder = fs::path("/sys/class/net") / name;
+  const auto type = read_file(folder / "type", 64);
+  if (!type) return false;
+  const int kind = std::atoi(type->c_str());
+  if (kind == ARPHRD_LOOPBACK) return true;
+  if (kind != ARPHRD_ETHER) return false;
+  const auto entries = list_folder(folder);
+  if (!entries) return false;
+  // a bridge, a bond, a VLAN or a tunnel may end in the air
+  return std::ranges::none_of(*entries, [](const FolderEntry& entry) {
+    static constexpr std::string_view kOthers[] = {"wireless", "phy80211", "bridge", "bonding", "tun_flags"};
+    return std::ranges::find(kOthers, entry.name) != std::end(kOthers) || entry.name.starts_with("lower_");
+  });
+}
+
+/// Returns all interfaces that may be wireless.
 std::vector<std::string> wireless_names() {
   std::vector<std::string> names;
-  const fs::path all = "/sys/class/net";
-  const auto interfaces = list_folder(all);
-  if (!interfaces) return names;
-  std::error_code failed;
-  for (const FolderEntry& interface : *interfaces)
-    if (fs::exists(all / interface.name / "wireless", failed) || fs::exists(all / interface.name / "phy80211", failed))
-      names.push_back(interface.name);
+  struct if_nameindex* const all = ::if_nameindex();
+  for (const struct if_nameindex* one = all; one && one->if_index != 0; ++one)
+    if (!is_wired(one->if_name)) names.emplace_back(one->if_name);
+  if (all) ::if_freenameindex(all);
   return names;
 }
 

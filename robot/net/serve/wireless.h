@@ -14,8 +14,9 @@ class Wireless {
   /// No interfaces.
   Wireless() = default;
 
-  /// The interfaces called `names`; names that do not exist are ignored. If `names` is empty: all interfaces that the
-  /// system reports as wireless.
+  /// The interfaces called `names`; names that do not exist are ignored. If `names` is empty: all interfaces except
+  /// those that are surely loopback or a cable. A bridge, a tunnel, a phone and any other unknown kind is taken for
+  /// wireless.
   explicit Wireless(const std::vector<std::string>& names);
 
   /// Makes the kernel drop all packets from these interfaces to the listening `socket`, without an answer.

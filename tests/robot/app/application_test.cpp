@@ -40,12 +40,20 @@ TEST_F(ServedSession, StatusReportsTheNamesOfTheProcess) {
 }
 
 TEST_F(ServedSession, StatusReportsTheGame) {
-  EXPECT_EQ(json::parse(application.status_json())["game"],
-            json({{"state", ""}, {"in_progress", false}, {"match_mode", false}, {"warning", ""}, {"stopped", ""}}));
+  EXPECT_EQ(json::parse(application.status_json())["game"], json({{"state", ""},
+                                                                  {"in_progress", false},
+                                                                  {"match_mode", false},
+                                                                  {"practice", false},
+                                                                  {"warning", ""},
+                                                                  {"stopped", ""}}));
   EXPECT_FALSE(application.match_mode());
   application.tell_game_by([] { return GameStatus{.state = "set", .in_progress = true, .match_mode = true}; });
-  EXPECT_EQ(json::parse(application.status_json())["game"],
-            json({{"state", "set"}, {"in_progress", true}, {"match_mode", true}, {"warning", ""}, {"stopped", ""}}));
+  EXPECT_EQ(json::parse(application.status_json())["game"], json({{"state", "set"},
+                                                                  {"in_progress", true},
+                                                                  {"match_mode", true},
+                                                                  {"practice", false},
+                                                                  {"warning", ""},
+                                                                  {"stopped", ""}}));
   EXPECT_TRUE(application.match_mode());
 }
 

@@ -91,6 +91,7 @@ TEST(Advisor, AnswersTheQuestionInMemory) {
   const auto forecast = fixture.answer(7);
   EXPECT_EQ(forecast->value().strategies_size(), 2);
   EXPECT_EQ(forecast->capture_ns(), fixture.game.now_ns()) << "beside the moment it is about";
+  EXPECT_EQ(forecast->value().question().asked_by(), kByTeam);
 }
 
 TEST(Advisor, AWrongQuestionInMemoryIsAnsweredToo) {

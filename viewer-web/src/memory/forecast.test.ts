@@ -40,6 +40,7 @@ test("the memory object gives the same forecast from its own field names", () =>
     }),
   );
   expect(told).toMatchObject({ measure: "concede", until: "next_goal", advice: "keep", askedBy: "captain: the ball is lost", reason: "nobody has seen the ball yet" });
+  expect(forecastOf(fields({ question: fields({}) })).askedBy).toBe("the team's code");
   const { situation, ballElsewhere, standing } = forecastOf(fieldsOfJson(kAnswer));
   expect(told).toMatchObject({ situation, ballElsewhere, standing });
 });

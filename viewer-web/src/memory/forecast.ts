@@ -9,6 +9,9 @@ export type Measure = keyof typeof kMeasures;
 export const kUntils = { horizon: "for some seconds", next_goal: "to the next goal", half: "to the end of the half", game: "to the end of the game" };
 export type Until = keyof typeof kUntils;
 
+/** The asker whom a question without a name has: only a team's process asks so. */
+const kTeam = "the team's code";
+
 export type Side = "own" | "opponent";
 export type Advice = "none" | "keep" | "change";
 
@@ -74,6 +77,7 @@ export interface Forecast {
   measure: Measure;
   until: Until;
   opponent: string;
+  /** "people", "captain: " and a reason, or the name of a team's process. Older recordings may lack it. */
   askedBy: string;
   advice: Advice;
   choice: string;
@@ -113,7 +117,7 @@ export function forecastOf(fields: Fields): Forecast {
     measure: known(kMeasures, wordOf(question, "measure"), "goal_difference"),
     until: known(kUntils, wordOf(question, "until"), "horizon"),
     opponent: textOf(question, "opponent"),
-    askedBy: textOf(question, "asked_by"),
+    askedBy: textOf(question, "asked_by") || kTeam,
     advice: known(kAdvice, wordOf(fields, "advice"), "none"),
     choice: textOf(fields, "choice"),
     reason: textOf(fields, "reason") || textOf(fields, "refusal"),

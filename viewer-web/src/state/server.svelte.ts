@@ -47,6 +47,10 @@ export class Server implements Listener {
   parameterValues = $state.raw<ReadonlyMap<string, unknown>>(new Map());
   serviceNames = $state.raw<string[]>([]);
   #clock = new ClockExchange((request) => this.client.call("clock_sync", request));
+  /** Whether games at this robot are tests, in which the wireless network stays open. */
+  practice = $derived(this.parameterValues.get("match_mode") === false);
+  /** Whether the server refused something for want of the right token, until a person types one or declines. */
+  wantsToken = $state(false);
   /** The recording that this server plays, or undefined. */
   played = $state.raw<Played>();
   #told = $state(0); // counts changes of the playback
@@ -206,7 +210,19 @@ export class Server implements Listener {
   connection(connection: Connection): void {
     this.connectionState = connection;
     if (connection.state === "open") this.lost = "";
-    if (connection.state === "waiting") this.lost = connection.why;
+    if (connection.state !== "waiting") return;
+    if (this.lost === "") void this.#lookForRefusal();
+    this.lost = connection.why;
+  }
+  /** Asks by HTTP whether the connection was refused for want of a token, because a browser does not say it. */
+  async #lookForRefusal(): Promise<void> {
+    if (!this.target.ownHost) return;
+    const answer = await fetch("/api/status", { signal: AbortSignal.timeout(5000) }).catch(() => undefined);
+    if (answer?.status === 401) this.wantsToken = true;
+  }
+  /** Learns from a refusal's sentence that the token is missing or wrong. */
+  refusedWith(sentence: string): void {
+    if (/needs (the control|its read) token/.test(sentence)) this.wantsToken = true;
   }
   introduced(info: ServerInfo, fresh: boolean, restarted: boolean): void {
     this.info = info;
@@ -265,6 +281,7 @@ export class Server implements Listener {
     this.played?.heard(now_ns, now());
   }
   status(level: Level, message: string, id: string = message): void {
+    this.refusedWith(message);
     const key = `${this.target.host} ${id}`;
     this.#alertKeys.add(key);
     this.speaker.say(level, this.speaker.several ? `${this.target.host}: ${message}` : message, key);

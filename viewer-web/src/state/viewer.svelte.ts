@@ -154,6 +154,15 @@ export class Viewer implements Speaker {
     return "";
   }
 
+  /** Keeps a token for the server in this tab, and loads the page again with it. */
+  useToken(server: Server, token: string): void {
+    keep("sessionStorage", tokenKey(server.target.host), token);
+    if (!server.target.ownHost) return location.reload();
+    const page = new URL(location.href);
+    page.searchParams.set("token", token); // the server answers with its cookie, and the page then hides the token
+    location.assign(page.href);
+  }
+
   remove(server: Server): void {
     this.set("with", this.#others().filter((host) => host !== server.target.host).join(","));
     this.#followRoute();

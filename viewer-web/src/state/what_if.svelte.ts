@@ -107,6 +107,7 @@ export class WhatIf {
       this.#answered(forecastOf(fieldsOfJson(answer["forecast"])), question.edit, at_ns, before);
     } catch (error) {
       this.problem = (error as Error).message.replace(`${kService}: `, "");
+      this.server.refusedWith(this.problem);
     } finally {
       this.asking = undefined;
     }

@@ -129,11 +129,56 @@ TEST_F(Game, ASessionThatAClientEndedIsNotEndedAgain) {
   EXPECT_EQ(recorder.status().session, id);
 }
 
+TEST_F(Game, ItsRecordingContainsTheObjectsOfTheParameter) {
+  EXPECT_EQ(parameters.set("recording_objects", std::string("ball, gme")).error(),
+            "no object 'gme'; did you mean 'game'?");
+  ASSERT_TRUE(parameters.set("recording_objects", std::string("ball, game")));
+  hear(GameState::STATE_PLAYING);
+  hear(GameState::STATE_FINISHED);
+  const auto sessions = store.list();
+  ASSERT_EQ(sessions.size(), 1u);
+  EXPECT_FALSE(sessions[0].streams.empty());
+  for (const logging::StreamFile& stream : sessions[0].streams)
+    EXPECT_TRUE(stream.topic == "/14/3/ball" || stream.topic == "/14/3/game") << stream.topic;
+}
+
+TEST_F(Game, ARequestForARecordingNamesItsObjects) {
+  const auto start = [&](const char* request) {
+    return services.call(1, request, {.loopback = true, .may_control = true});
+  };
+  EXPECT_EQ(start(R"({"only": ["bal"]})"),
+            R"({"error":"start_recording: no object 'bal'; did you mean 'ball'?","ok":false})");
+  EXPECT_NE(start(R"({"only": 7})").find("'only' must be a list of names of objects"), std::string::npos);
+  EXPECT_FALSE(recording());
+  EXPECT_NE(start(R"({"only": ["ball"]})").find(R"("ok":true)"), std::string::npos);
+  memory->ball.write({}, clock.now_ns());
+  memory->pose.write({}, clock.now_ns());
+  ASSERT_TRUE(recorder.stop());
+  const auto sessions = store.list();
+  ASSERT_EQ(sessions.size(), 1u);
+  ASSERT_EQ(sessions[0].streams.size(), 1u);
+  EXPECT_EQ(sessions[0].streams[0].topic, "/14/3/ball");
+}
+
+TEST_F(Game, WithPracticeNoGameIsInMatchModeUntilTheParameterSaysSo) {
+  service_.emplace(GameOptions{.link = {.team = 14, .player = 3}, .practice = true}, *memory, clock, recorder,
+                   parameters);
+  hear(GameState::STATE_PLAYING);
+  EXPECT_TRUE(service().status().in_progress);
+  EXPECT_TRUE(service().status().practice);
+  EXPECT_FALSE(service().status().match_mode);
+  ASSERT_TRUE(parameters.set("match_mode", true));
+  EXPECT_FALSE(service().status().practice);
+  EXPECT_TRUE(service().status().match_mode);
+}
+
 TEST_F(Game, MatchModeLastsAsLongUnlessItsParameterIsOff) {
   hear(GameState::STATE_SET);
   EXPECT_TRUE(service().status().match_mode);
+  EXPECT_FALSE(service().status().practice);
   ASSERT_TRUE(parameters.set("match_mode", false));
   EXPECT_FALSE(service().status().match_mode);
+  EXPECT_TRUE(service().status().practice);
   EXPECT_TRUE(service().status().in_progress);
   ASSERT_TRUE(parameters.set("match_mode", true));
   hear(GameState::STATE_FINISHED);

@@ -75,6 +75,23 @@ TEST_F(SimulationService, ResetWithASituationContinuesFromIt) {
   EXPECT_FLOAT_EQ(truth->value().ball().y(), -0.5f);
 }
 
+TEST_F(SimulationService, ResetTakesTheNameOfAnEmbeddedSituationAndNoPath) {
+  const json kick_off = call("/sim/reset", {{"seed", 5}});
+  const auto x = [&] { return body->memory()->truth.read()->value().ball().x(); };
+  EXPECT_EQ(x(), 0);
+  const json reset = call("/sim/reset", {{"situation", "near_free"}, {"seed", 6}});
+  EXPECT_EQ(reset["ok"], true) << reset;
+  EXPECT_EQ(reset["seed"], 6);
+  EXPECT_NE(x(), 0);
+  EXPECT_EQ(call("/sim/reset", {{"situation", "near_fre"}})["error"],
+            "/sim/reset: no situation 'near_fre'; did you mean 'near_free'?");
+  for (const char* path : {"/etc/passwd", "./near_free.json", "../../near_free", ""}) {
+    const json refused = call("/sim/reset", {{"situation", path}});
+    EXPECT_EQ(refused["error"].get<std::string>().find("/sim/reset: no situation '" + std::string(path) + "'"), 0u)
+        << refused;
+  }
+}
+
 TEST_F(SimulationService, ABadRequestGetsOneSentenceAndChangesNothing) {
   const json before = call("/sim/state");
   const std::map<std::string, std::vector<json>> bad = {

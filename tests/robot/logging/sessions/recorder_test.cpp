@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -60,6 +61,33 @@ TEST_F(Recording, DescribesItself) {
   ASSERT_NE(ball, session->streams.end());
   EXPECT_EQ(ball->schema, "foresight.Ball");
   EXPECT_EQ(ball->messages, 1u);
+}
+
+TEST_F(Recording, ContainsOnlyTheNamedObjects) {
+  const std::vector<std::string> names = recorder.object_names();
+  for (const char* name : {"ball", "pose", "truth/world"}) EXPECT_EQ(std::ranges::count(names, name), 1) << name;
+  const std::string id = *recorder.start("", "game", {"ball", "late"});
+  write_ball(1);
+  memory->pose.write({}, clock.now_ns());
+  memory->truth.write({}, clock.now_ns());
+  const auto late = tests::make_channel(clock, "/14/2/late"), later = tests::make_channel(clock, "/14/2/later");
+  for (const auto& channel : {late, later}) {
+    ASSERT_TRUE(channels.add(channel));
+    ASSERT_TRUE(channel->write_bytes("appeared", clock.now_ns()));
+  }
+  ASSERT_TRUE(recorder.stop());
+  EXPECT_EQ(recorder.status().messages, 2u);
+  EXPECT_EQ(recorder.status().dropped, 0u);
+  const Result<Session> session = store.find(id);
+  ASSERT_TRUE(session);
+  std::vector<std::string> topics;
+  for (const StreamFile& stream : session->streams) topics.push_back(stream.topic);
+  std::ranges::sort(topics);
+  EXPECT_EQ(topics, (std::vector<std::string>{"/14/2/ball", "/14/2/late"}));
+
+  const std::string all = *recorder.start("", "game");
+  ASSERT_TRUE(recorder.stop());
+  EXPECT_GT(store.find(all)->streams.size(), 4u) << "the choice is that of one session";
 }
 
 TEST_F(Recording, RunsOnlyOnceAtATime) {

@@ -107,14 +107,19 @@ TEST(Services, AnswerEveryRequestInJson) {
   EXPECT_EQ(services.call(2, "", friendly), R"({"ok":true})");
   ClientContext during_a_game{.may_control = true, .match_mode = true};
   EXPECT_NE(services.call(2, "", during_a_game).find("a game is in progress"), std::string::npos);
+  EXPECT_NE(services.call(2, "", during_a_game).find("--practice allows it"), std::string::npos);
   EXPECT_EQ(services.call(1, R"({"number":21})", during_a_game), R"({"ok":true,"result":42})");
   during_a_game.loopback = true;
   EXPECT_EQ(services.call(2, "", during_a_game), R"({"ok":true})");
   services.add("ask", Services::For::questions, [](const nlohmann::json&, const ClientContext&) -> nlohmann::json {
     return {{"ok", true}};
   });
-  EXPECT_EQ(services.call(3, "", during_a_game),
-            R"({"error":"ask: game in progress: until it has finished only the team's own code may ask","ok":false})");
+  for (const bool loopback : {true, false}) {
+    during_a_game.loopback = loopback;
+    EXPECT_EQ(services.call(3, "", during_a_game), R"({"ok":true})");
+  }
+  during_a_game.may_control = false;
+  EXPECT_NE(services.call(3, "", during_a_game).find("needs the control token"), std::string::npos);
   EXPECT_NE(services.call(3, "", stranger).find("needs the control token"), std::string::npos);
   EXPECT_EQ(services.call(3, "", friendly), R"({"ok":true})");
   EXPECT_FALSE(services.has(0));

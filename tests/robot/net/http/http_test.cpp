@@ -58,6 +58,9 @@ TEST(Response, HasLengthAndSecurityHeaders) {
         "Cache-Control: no-store\r\n", "Connection: keep-alive\r\n", "default-src 'self'"})
     EXPECT_NE(head.find(line), std::string::npos) << line;
   EXPECT_EQ(head.find("unsafe"), std::string::npos);
+  EXPECT_NE(head.find("frame-ancestors 'none'\r\n"), std::string::npos);
+  EXPECT_NE(response_head(error_response(404, "no"), true, "https://lab").find("frame-ancestors https://lab\r\n"),
+            std::string::npos);
   EXPECT_TRUE(head.ends_with("\r\n\r\n"));
 }
 

@@ -61,6 +61,17 @@ TEST(OriginPolicy, KnowsLoopback) {
     EXPECT_FALSE(is_loopback(address)) << address;
 }
 
+TEST(Frames, AreForNobodyOrForTheNamedPages) {
+  EXPECT_EQ(*frame_ancestors({}), "'none'");
+  EXPECT_EQ(*frame_ancestors({"https://lab.example.org", "http://10.0.0.9:8080", "http://[fe80::1]:80"}),
+            "https://lab.example.org http://10.0.0.9:8080 http://[fe80::1]:80");
+  for (const char* page : {"", "https://", "lab.example.org", "*", "https://*", "https://a b", "https://a;script-src",
+                           "https://a/b", "ftp://a", "https://a\r\nX: y", "https://a,https://b"})
+    EXPECT_FALSE(frame_ancestors({"https://good", page})) << page;
+  EXPECT_EQ(frame_ancestors({"lab"}).error(),
+            "--allow-frame: expected a page such as https://lab.example.org, got 'lab'");
+}
+
 TEST(Token, IsTheWholeTokenAndNotEmpty) {
   EXPECT_TRUE(same_token("secret", "secret"));
   for (const char* given : {"", "secre", "secret1", "Secret", "secretsecret"})

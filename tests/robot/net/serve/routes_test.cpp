@@ -173,13 +173,18 @@ TEST_F(RoutesTest, DuringAGameRecordingsAreServedToThisMachineOnly) {
   }
   EXPECT_EQ(get("/logs/old?token=c", {}, "10.0.0.9", "DELETE").status, 503);
   EXPECT_EQ(text(get("/logs/old.mcap?token=c", {}, "10.0.0.9")),
-            "a game is in progress: recordings can be had when it has finished\n");
+            "a game is in progress: recordings can be had when it has finished, or with --practice in a test game\n");
   EXPECT_EQ(get("/api/status?token=r", {}, "10.0.0.9").status, 200);
   EXPECT_EQ(get("/api/sessions?token=r", {}, "10.0.0.9").status, 200);
 }
 
-TEST_F(RoutesTest, ALiveRecordingIsRedirectedToAMoment) {
-  const HttpResponse response = get("/logs/live.mcap?from=5");
+TEST_F(RoutesTest, ALiveRecordingIsSentWholeUntilAMomentOrRedirectedThereForRanges) {
+  const HttpResponse whole = get("/logs/live.mcap?from=5");
+  EXPECT_EQ(whole.status, 200);
+  EXPECT_GT(whole.body_size(), 0u);
+  EXPECT_EQ(header(whole, "Content-Location"), "/logs/live.mcap?from=5&until=77");
+  EXPECT_EQ(get("/logs/live.mcap", {}, "127.0.0.1", "HEAD").status, 307);
+  const HttpResponse response = get("/logs/live.mcap?from=5", {{"range", "bytes=0-3"}});
   EXPECT_EQ(response.status, 307);
   EXPECT_EQ(header(response, "Location"), "/logs/live.mcap?from=5&until=77");
   EXPECT_EQ(get("/logs/live.mcap?until=77").status, 200);

@@ -54,6 +54,14 @@ TEST_F(Listening, AnswersOverOtherInterfaces) {
   EXPECT_TRUE(answered(knock(), 60'000));
 }
 
+TEST_F(Listening, LoopbackIsNoneOfTheInterfacesThatMayBeWireless) {
+  ASSERT_TRUE(Wireless(std::vector<std::string>()).silence(socket.get()));
+  const FileDescriptor knocking = knock();
+  EXPECT_TRUE(answered(knocking, 60'000));
+  const FileDescriptor taken(::accept4(socket.get(), nullptr, nullptr, SOCK_CLOEXEC));
+  EXPECT_FALSE(Wireless(std::vector<std::string>()).carries(taken.get()));
+}
+
 TEST_F(Listening, AConnectionIsCarriedByTheInterfaceThatHasItsAddress) {
   const FileDescriptor knocking = knock();
   const FileDescriptor taken(::accept4(socket.get(), nullptr, nullptr, SOCK_CLOEXEC));
