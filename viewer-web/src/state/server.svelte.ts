@@ -157,7 +157,7 @@ export class Server implements Listener {
     if (!this.findsFrames) return nearestKept(this.memory, topics, at_ns);
     const beside = topics.flatMap((topic) => [-1, 1].map((by) => this.frameBeside(topic, at_ns, by).catch(() => undefined)));
     // at an end of a stream the answer is the moment itself
-    return nearestOf((await Promise.all(beside)).filter((time_ns) => time_ns !== at_ns), at_ns);
+    return nearestOf((await Promise.all(beside)).filter((time_ns) => time_ns !== at_ns), at_ns) ?? nearestKept(this.memory, topics, at_ns);
   }
 
   /** Pauses at `at_ns`: at once if the page holds the moment, else by a wish. */
