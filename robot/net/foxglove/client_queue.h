@@ -85,6 +85,7 @@ class ClientQueue {
     std::uint64_t sent = 0;     // [messages] handed to the socket
     std::uint64_t dropped = 0;  // [messages] replaced by newer ones, or lost before they reached the queue
     std::size_t queued_messages = 0, queued_bytes = 0;
+    bool subscribed = false;
   };
   /// Returns one entry per channel that was ever subscribed.
   std::vector<Counts> counts() const;
