@@ -72,7 +72,8 @@ test("a retained value does not stretch the strip of a recording", async (t) => 
 test("the field and the rules are in recordings and live streams, so that nobody has to choose them", async (t) => {
   const folder = temporaryFolder(t);
   const session = await synthesize(folder);
-  for (const contents of [readStreamed(readFileSync(join(session, "14.2.pose.mcap")))]) assert.equal(contents.metadata.get("foresight.session").rules, "spl2025");
+  const { metadata } = readStreamed(readFileSync(join(session, "14.2.pose.mcap")));
+  assert.equal(metadata.get("foresight.session").rules, "spl2025");
   const recorded = await play(t, folder, session);
   const attached = await start(t, folder, "foresight-robot", "--body", "attached", "--team", "14", "--player", "2", "--rules", "spl2012", "--door", join(folder, "door"));
   for (const [server, rules] of [[recorded, "spl2025"], [attached, "spl2012"]]) {
