@@ -195,11 +195,4 @@ std::uint64_t ClientQueue::dropped() const {
   return dropped;
 }
 
-std::uint64_t ClientQueue::sent() const {
-  std::uint64_t sent = 0;
-  for (const auto& slot : slots_)
-    if (slot) sent += slot->sent;
-  return sent;
-}
-
 }  // namespace robot::net

@@ -90,7 +90,6 @@ class ClientQueue {
   /// Returns one entry per channel that was ever subscribed.
   std::vector<Counts> counts() const;
   std::uint64_t dropped() const;  // of all channels
-  std::uint64_t sent() const;     // likewise
 
  private:
   enum Lane { events, small, large, kLanes };
