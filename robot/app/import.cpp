@@ -13,6 +13,8 @@
 namespace robot::app {
 namespace {
 
+/// Rules with the field of 9 x 6 m, on which the synthetic robot plays and onto which label files are fitted.
+constexpr const char* kWideField = "spl2025";
 constexpr std::size_t kMaxRecordingBytes = 2'000'000'000;
 
 std::string format_of(std::string_view bytes) {
@@ -28,13 +30,14 @@ Result<lab::ImportReport> import_bytes(const std::string& format, std::string_vi
   return Error{"import: expected the format bhuman2009, nblog, spl_labels or auto, got '" + format + "'"};
 }
 
-logging::SessionInfo session_info(RobotName robot, std::string name, std::uint64_t start_ns) {
+logging::SessionInfo session_info(RobotName robot, std::string name, std::string rules, std::uint64_t start_ns) {
   return {.name = std::move(name),
           .robot = robot.text(),
           .team = robot.team,
           .player = robot.player,
           .build = std::string(kBuildId),
           .profile = "import",
+          .rules = std::move(rules),
           .start_ns = start_ns};
 }
 
@@ -60,7 +63,8 @@ Result<lab::ImportReport> import_recording(const ImportRequest& request) {
   const Result<std::string> bytes = read_file(request.file, kMaxRecordingBytes);
   if (!bytes) return bytes.failure("import");
   const std::string format = request.format == "auto" ? format_of(*bytes) : request.format;
-  return write_session(request.session, session_info(request.robot, request.name, kUndatedEpochNs),
+  const std::string rules = format == "spl_labels" ? kWideField : "";
+  return write_session(request.session, session_info(request.robot, request.name, rules, kUndatedEpochNs),
                        [&](lab::ImportSink& sink) -> Result<lab::ImportReport> {
                          Result<lab::ImportReport> report = import_bytes(format, *bytes, sink);
                          if (report && report->messages.empty())
@@ -75,7 +79,7 @@ Result<lab::ImportReport> synthesize(const std::filesystem::path& session, Robot
   if (!(seconds >= 1 && seconds <= 600))
     return Error{"synthesize: seconds must be 1 .. 600, got " + std::to_string(seconds)};
   const lab::SyntheticRobot::Options options{.seconds = seconds};
-  return write_session(session, session_info(robot, "synthetic", options.epoch_ns),
+  return write_session(session, session_info(robot, "synthetic", kWideField, options.epoch_ns),
                        [&](lab::ImportSink& sink) { return lab::SyntheticRobot(options).write(sink); });
 }
 

@@ -112,6 +112,7 @@ Result<void> play(const PlayOptions& options) {
   Runtime runtime({.program = "foresight-lab",
                    .body = "recording",
                    .robot = robot,
+                   .rules = (*replay)->rules(),
                    .server = options.server,
                    .log_folder = logging::log_folder_of(options.sessions.front()),
                    .log_bytes = std::numeric_limits<std::uint64_t>::max(),

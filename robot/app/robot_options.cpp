@@ -149,6 +149,7 @@ RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
                          .robot = robot.text(),
                          .team = robot.team,
                          .player = robot.player,
+                         .rules = rules_of(options),
                          .server = options.server,
                          .log_folder = options.log_folder,
                          .log_bytes = options.log_mb * 1'000'000};

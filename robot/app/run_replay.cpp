@@ -25,7 +25,9 @@ Result<void> run_replay(const RobotOptions& options) {
       {.speed = options.speed, .loop = options.loop, .robot = robot.text(), .skipped_objects = std::move(skipped)});
   if (!replay) return replay.failure();
   const auto memory = std::make_shared<memory::Memory>(robot.text(), (*replay)->clock());
-  Runtime runtime(runtime_options(options, robot), (*replay)->clock(), own_objects(*memory));
+  RuntimeOptions own = runtime_options(options, robot);
+  if (options.rules.empty()) own.rules = (*replay)->rules();
+  Runtime runtime(own, (*replay)->clock(), own_objects(*memory));
   if (Result<void> listed = list(memory, runtime.channels()); !listed) return listed;
   const auto foresight =
       ForesightService::open(foreseer_options(options), options.foresight.value_or(false), runtime, *memory,

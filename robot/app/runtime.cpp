@@ -29,10 +29,13 @@ foresight::LogText::Level level_of(Level level) {
 }
 
 net::ServerOptions server_options(const RuntimeOptions& options, net::AccessOptions access) {
+  std::map<std::string, std::string> metadata{
+      {"build", std::string(kBuildId)}, {"body", options.body}, {"robots", options.robot}};
+  if (!options.rules.empty()) metadata["rules"] = options.rules;
   return {.bind = options.server.bind,
           .port = options.server.port,
           .hub = {.name = options.program + " " + options.robot,
-                  .metadata = {{"build", std::string(kBuildId)}, {"body", options.body}, {"robots", options.robot}},
+                  .metadata = std::move(metadata),
                   .queues = {},
                   .playback = options.playback},
           .access = std::move(access),
@@ -54,7 +57,8 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
                 {.info = {.robot = options_.robot,
                           .team = options_.team,
                           .player = options_.player,
-                          .build = std::string(kBuildId)}}),
+                          .build = std::string(kBuildId),
+                          .rules = options_.rules}}),
       application_(
           {.name = options_.program, .body = options_.body, .robots = {options_.robot}, .session_id = run_id()}, clock_,
           store_, options_.records ? &recorder_ : nullptr),

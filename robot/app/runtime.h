@@ -68,6 +68,7 @@ struct RuntimeOptions {
   std::string body;     // "replay", …
   std::string robot;    // "14/2"
   int team = 0, player = 0;
+  std::string rules;  // of the game, which give its field: for viewers and sessions; empty: unknown
   ServerSettings server;
   std::filesystem::path log_folder = "logs";
   std::uint64_t log_bytes = 4'000'000'000;                             // all sessions together

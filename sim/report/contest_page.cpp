@@ -94,6 +94,11 @@ std::string unit_of(const Json& report) {
   return metric == "first_goal" ? "of the first goal" : "of scoring in time";
 }
 
+/// "7 % fewer games without pairs"
+std::string pairing_of(double gain) {
+  return text("%.0f %% %s games without pairs", 100 * std::abs(gain - 1), gain < 1 ? "fewer" : "more");
+}
+
 std::string verdict_plot(const Json& report) {
   const double low = report.at("bounds").at(0), high = report.at("bounds").at(1);
   double bottom = low, top = high;
@@ -103,13 +108,11 @@ std::string verdict_plot(const Json& report) {
     path.emplace_back(mark.at(0).get<double>(), mark.at(2).get<double>());
     bottom = std::min(bottom, path.back().second), top = std::max(top, path.back().second);
   }
-  // the plot ends a little beyond the bounds: the test has ended there
-  bottom = std::max(bottom, 2.5 * low), top = std::min(top, 2.5 * high);
   const double room = 0.12 * (top - bottom);
   Plot plot(0, path.back().first, bottom - room, top + room);
   plot.level("zero", 0, "");
   plot.level("up", high, text("better by %.3g: %+.2f", number(report.at("h1")), high));
-  plot.level("down", low, text("better by %.3g at most: %+.2f", number(report.at("h0")), low));
+  plot.level("down", low, text("better by %.3g at most: %+.2f", number(report.at("h0")), low), Plot::Label::below);
   plot.line("path", path);
   return plot.svg("the log-likelihood ratio over the pairs played, and the bounds of the test", "pairs of games");
 }
@@ -237,8 +240,9 @@ std::string decisive(const Json& report) {
 }  // namespace
 
 std::string page_of(const Json& report) {
-  const std::string verdict = report.at("verdict"), sentence = report.at("sentence");
-  std::string style = verdict;
+  const std::string sentence = report.at("sentence");
+  std::string style = report.at("verdict");
+  const std::string verdict = style == "not better" && report.value("worse", false) ? "worse" : style;
   std::ranges::replace(style, ' ', '-');
   // the sentence's figures are shown below
   const std::string headline = sentence.substr(0, sentence.find(": "));
@@ -258,7 +262,8 @@ std::string page_of(const Json& report) {
   all += fact(figure("games", "%.0f", report.at("games")),
               "games in " + figure("pairs", "%.0f", report.at("pairs")) + " pairs,<br>" +
                   figure("different_pairs", "%.0f", report.at("different_pairs")) + " of them different");
-  all += fact(figure("pairing_gain", "%.2f×", report.at("pairing_gain")), "as many games as this<br>without pairs");
+  all += fact(figure("pairing_gain", "%.2f", report.at("pairing_gain")),
+              "pairing gain: the same interval takes<br>" + pairing_of(number(report.at("pairing_gain"))));
   const Json& home = report.at("home_advantage");
   const bool kick_off = report.at("run").at("situation").get<std::string>().empty();
   all += fact(figure("home_advantage.mean", "%+.3f", home.at("mean")),
@@ -267,7 +272,8 @@ std::string page_of(const Json& report) {
   all += "</div>\n<div class=\"plots\">\n";
 
   all += card("The test",
-              "Log-likelihood ratio; it ends at a bound. Now " + figure("llr", "%+.2f", report.at("llr")) + ".",
+              "Log-likelihood ratio; without a fixed length the test ends at a bound. Now " +
+                  figure("llr", "%+.2f", report.at("llr")) + ".",
               verdict_plot(report));
   all += card("The gain", "Running mean per game, with its 95 % interval.", mean_plot(report));
   all += card("Pairs", "How often B gained how much in the two games of a pair.", histogram_plot(report));

@@ -105,10 +105,19 @@ Json unbiased_json(const ContestReport& report) {
 
 namespace {
 
+/// Returns the gain that the sentence has: after the answer of a sequential test, the corrected one.
+Interval shown_gain(const ContestReport& report) {
+  const auto corrected = unbiased(report);
+  return corrected ? *corrected : compare::gain_per_game(report.outcome.tally, report.comparison.unit());
+}
+
+/// Returns whether the whole 95 % interval of that gain lies below 0. "Not better" would hide it.
+bool is_worse(const ContestReport& report) { return shown_gain(report).high < 0; }
+
 /// "+0.123 goals per game (95 %: +0.045 .. +0.201)"; after the answer of a sequential test with the correction.
 std::string amount_of(const ContestReport& report) {
   const auto corrected = unbiased(report);
-  const Interval gain = corrected ? *corrected : compare::gain_per_game(report.outcome.tally, report.comparison.unit());
+  const Interval gain = shown_gain(report);
   return text("%+.3f %s per game (95 %%: %+.3f .. %+.3f%s)", gain.mean, noun(report.comparison.choice().metric),
               gain.low, gain.high, corrected ? ", corrected for the early stop" : "");
 }
@@ -129,7 +138,9 @@ std::string sentence_of(const ContestReport& report) {
   const std::string a = choice.a, b = name_of_b(choice);
   switch (report.outcome.verdict) {
     case Verdict::better: return b + " is better than " + a + ": " + amount_of(report);
-    case Verdict::not_better: return b + " is not better than " + a + " by " + h1_of(report) + ": " + amount_of(report);
+    case Verdict::not_better:
+      return b + (is_worse(report) ? " is worse than " + a : " is not better than " + a + " by " + h1_of(report)) +
+             ": " + amount_of(report);
     case Verdict::undecided: return "undecided whether " + b + " is better than " + a + ": " + amount_of(report);
     case Verdict::identical: return b + " and " + a + " are identical: each plays the games of the other";
     case Verdict::too_rare:
@@ -150,6 +161,7 @@ Json to_json(const ContestReport& report) {
   Json json = {{"run", Json::parse(comparison.specification())},
                {"verdict", compare::name(outcome.verdict)},
                {"sentence", sentence_of(report)},
+               {"worse", is_worse(report)},
                {"pairs", tally.pairs},
                {"games", games_of(outcome)},
                {"different_pairs", outcome.different},
@@ -227,7 +239,8 @@ std::string to_text(const ContestReport& report, bool explain) {
         "asked            is the gain at least %.3g per game? %g of its standard deviation over these pairs, %.3g\n",
         question.h1, question.part, std::sqrt(compare::pair_variance(tally, comparison.unit())));
   if (const double gain = compare::pairing_gain(tally); gain > 0)
-    out += text("pairing gain     %.2f times as many games without pairs\n", gain);
+    out += text("pairing gain     %.2f: without pairs, the same interval takes %.0f %% %s games\n", gain,
+                100 * std::abs(gain - 1), gain < 1 ? "fewer" : "more");
   const Interval home = compare::home_advantage(tally, comparison.unit());
   out += text("%-16s %+.3f (95 %%: %+.3f .. %+.3f)%s\n", choice.situation.empty() ? "home advantage" : "the moment",
               home.mean, home.low, home.high, choice.situation.empty() ? "" : " for the home side's place in it");

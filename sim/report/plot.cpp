@@ -76,13 +76,13 @@ void Plot::band(const std::string& style, const std::vector<double>& x, const st
   drawn_ += "\"/>\n";
 }
 
-void Plot::level(const std::string& style, double y, const std::string& label) {
+void Plot::level(const std::string& style, double y, const std::string& label, Label place) {
   const double at = y_of(y);
   drawn_ += text("<line class=\"%s\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>\n", style.c_str(), kLeft,
                  kWidth - kRight, at, at);
   if (!label.empty())
-    drawn_ +=
-        text("<text class=\"label\" x=\"%.1f\" y=\"%.1f\">%s</text>\n", kLeft + 6, at - 4, escaped(label).c_str());
+    drawn_ += text("<text class=\"label\" x=\"%.1f\" y=\"%.1f\">%s</text>\n", kLeft + 6,
+                   place == Label::above ? at - 4 : at + 14, escaped(label).c_str());
 }
 
 void Plot::bar(const std::string& style, double left, double right, double height, const std::string& title) {

@@ -21,7 +21,8 @@ class Plot {
   /// Fills the area between two lines with the same x.
   void band(const std::string& style, const std::vector<double>& x, const std::vector<double>& low,
             const std::vector<double>& high);
-  void level(const std::string& style, double y, const std::string& label);
+  enum class Label { above, below };
+  void level(const std::string& style, double y, const std::string& label, Label place = Label::above);
   void bar(const std::string& style, double left, double right, double height, const std::string& title);
 
   /// Returns the whole plot. Screen readers read `about`.

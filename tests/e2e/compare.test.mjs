@@ -74,6 +74,8 @@ test("a team that hardly plays is not better, and its opponent is", async () => 
   assert.deepEqual([w.verdict, b.verdict], ["not better", "better"]);
   assert.ok(b.gain.low > 0 && w.gain.high < 0.1);
   assert.ok(b.llr >= 2.944 && w.llr <= -2.944);
+  assert.match(w.sentence, /^idle is worse than baseline: -\d\.\d+ goals /);
+  assert.deepEqual([w.worse, b.worse], [true, false]);
   assert.match(b.sentence, /^baseline is better than idle: \+\d\.\d+ goals /);
   assert.match(b.decisive[0].replay, /^foresight-sim match --home baseline --away idle .*--seed \d+ --mcap game\.mcap$/);
 });

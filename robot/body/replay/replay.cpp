@@ -59,6 +59,12 @@ std::vector<std::string> Replay::robots() const {
   return robots;
 }
 
+std::string Replay::rules() const {
+  for (const Recording& recording : recordings_)
+    if (!recording.session.info.rules.empty()) return recording.session.info.rules;
+  return {};
+}
+
 bool Replay::skipped(const std::string& topic) const {
   return std::ranges::any_of(options_.skipped_objects,
                              [&](const std::string& object) { return topic.ends_with("/" + object); });

@@ -68,6 +68,9 @@ class Replay {
   /// Returns the robots that recorded, in the order of the paths.
   std::vector<std::string> robots() const;
 
+  /// Returns the rules of the recorded game that the first session with some names, or an empty string.
+  std::string rules() const;
+
   /// Returns the time base for viewers: the recordings' own time, which may be paused and moved.
   PlaybackClock& clock() { return clock_; }
   std::uint64_t start_ns() const { return start_ns_; }  // [ns since the epoch]

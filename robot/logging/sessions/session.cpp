@@ -14,6 +14,7 @@
 #include "robot/logging/mcap/index.h"
 #include "robot/logging/mcap/time_span.h"
 #include "robot/logging/mcap/topic_streams.h"
+#include "robot/logging/sessions/retained.h"
 
 namespace robot::logging {
 namespace {
@@ -91,6 +92,7 @@ SessionInfo info_of(const McapIndex& index, const fs::path& file) {
     info.robot = facts->robot;
     info.build = facts->build;
     info.profile = facts->profile;
+    info.rules = facts->rules;
   }
   for (const auto& [id, channel] : index.channels)
     if (info.robot.empty()) info.robot = robot_of(channel.topic);
@@ -160,6 +162,7 @@ void sum_up(Session& session, std::vector<TimeGroup> times) {
     session.message = "messages lost while it was recorded: " + std::to_string(session.info.account->dropped);
   if (session.state == SessionState::recovered)
     session.message = "the recording ended without warning; what was on the disk by then is readable";
+  leave_out_retained(session, session.info.start_ns);
   session.message = joined({session.message, span.note()});
 }
 
@@ -235,6 +238,9 @@ Result<Session> read_recording(const fs::path& path) {
                                .end_ns = session.end_ns,
                                .left_out = stream.left_out,
                                .note = std::move(stream.note)});
+  if (const std::optional<SessionInfo> facts = session_info_in(index.metadata))
+    leave_out_retained(session, facts->start_ns);
+  session.info.start_ns = session.start_ns;
   return session;
 }
 

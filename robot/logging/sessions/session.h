@@ -46,7 +46,8 @@ struct Session {
   std::shared_ptr<const McapFile> one_file;  // holds all streams; null: each stream has a file of its own
   bool numbered = true;  // messages of a stream are numbered 1, 2, 3 …; false for files of other writers
   std::uint64_t size_bytes = 0;
-  std::uint64_t start_ns = 0, end_ns = 0;  // [ns since the epoch] of all messages, without stray ones (time_span())
+  // [ns since the epoch] of the data that move: without stray messages (time_span()) and retained values (retained.h)
+  std::uint64_t start_ns = 0, end_ns = 0;
   std::uint64_t changed_ns = 0;  // [ns since the epoch] of the last change of a stream's file, or else of session.json
 
   /// Returns the name of the folder, which is the session's name in addresses.

@@ -72,6 +72,7 @@ std::string to_json(const SessionInfo& info) {
                       {"kept", info.kept},
                       {"complete", info.complete}};
   if (!info.about.empty()) json["about"] = info.about;
+  if (!info.rules.empty()) json["rules"] = info.rules;
   if (info.account) {
     json["messages"] = std::to_string(info.account->messages);
     json["dropped"] = std::to_string(info.account->dropped);
@@ -103,6 +104,7 @@ Result<void> take_session_info(std::string_view text, SessionInfo& info) {
   taker.take("start_ns", info.start_ns);
   // sessions of earlier versions and of other programs have none of these
   if (taker.has("about")) taker.take("about", info.about);
+  if (taker.has("rules")) taker.take("rules", info.rules);
   if (taker.has("number")) taker.take("number", info.number);
   if (taker.has("boot")) taker.take("boot", info.boot);
   if (taker.has("messages") && taker.has("dropped")) {
@@ -126,6 +128,7 @@ MetadataByName metadata_of(const SessionInfo& info) {
                             {"profile", info.profile},
                             {"start_ns", std::to_string(info.start_ns)}}}};
   if (!info.about.empty()) metadata[kSessionMetadata]["about"] = info.about;
+  if (!info.rules.empty()) metadata[kSessionMetadata]["rules"] = info.rules;
   if (info.number > 0) metadata[kSessionMetadata]["number"] = std::to_string(info.number);
   if (!info.boot.empty()) metadata[kSessionMetadata]["boot"] = info.boot;
   return metadata;
@@ -143,6 +146,7 @@ std::optional<SessionInfo> session_info_in(const std::vector<mcap::Metadata>& me
     if (key == "player") info.player = std::atoi(value.c_str());
     if (key == "build") info.build = value;
     if (key == "profile") info.profile = value;
+    if (key == "rules") info.rules = value;
     if (key == "start_ns") info.start_ns = std::strtoull(value.c_str(), nullptr, 10);
     if (key == "number") info.number = std::strtoull(value.c_str(), nullptr, 10);
     if (key == "boot") info.boot = value;

@@ -29,6 +29,7 @@ struct SessionInfo {
   int team = 0, player = 0;
   std::string build;                      // of the recording program
   std::string profile;                    // "game", "vision", "full", or "import"
+  std::string rules;                      // of the game, which give its field, such as "spl2025"; empty: unknown
   std::uint64_t start_ns = 0;             // [ns since the epoch]
   std::uint64_t number = 0;               // counts the sessions of a log folder from 1; 0: not recorded by a robot
   std::string boot;                       // identity of the boot in which it was recorded; empty: unknown
@@ -42,7 +43,7 @@ struct SessionInfo {
 /// Converts to the text of `session.json`.
 std::string to_json(const SessionInfo& info);
 
-/// Converts the text of `session.json`. `about`, `number`, `boot`, `messages` and `dropped` may be missing.
+/// Converts the text of `session.json`. `about`, `rules`, `number`, `boot`, `messages` and `dropped` may be missing.
 Result<SessionInfo> parse_session_info(std::string_view json);
 
 /// Takes those facts from the text of a `session.json` that can be read, and leaves the others in `info` as they are.

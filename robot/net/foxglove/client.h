@@ -39,8 +39,9 @@ struct Client : std::enable_shared_from_this<Client> {
   std::optional<std::uint64_t> ping_sent_ns;  // [monotonic]
   std::optional<std::uint64_t> round_trip_ns;
 
-  // the last count of dropped and sent messages, its time [monotonic], and whether the client has a status about drops
-  std::uint64_t drops_counted = 0, sent_counted = 0, drops_counted_ns = 0;
+  // the last count of sent and dropped messages and its time [monotonic], and whether the client has a status about drops
+  std::map<std::uint32_t, ClientQueue::Counts> counted;  // by channel
+  std::uint64_t drops_counted_ns = 0;
   bool drops_stand = false;
 };
 

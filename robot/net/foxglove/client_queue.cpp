@@ -183,7 +183,8 @@ void ClientQueue::take_front(Batch& batch, Slot& slot) {
 std::vector<ClientQueue::Counts> ClientQueue::counts() const {
   std::vector<Counts> counts;
   for (const auto& slot : slots_)
-    if (slot) counts.push_back({slot->channel, slot->sent, slot->dropped, slot->waiting.size(), slot->bytes});
+    if (slot)
+      counts.push_back({slot->channel, slot->sent, slot->dropped, slot->waiting.size(), slot->bytes, slot->subscribed});
   return counts;
 }
 
@@ -192,13 +193,6 @@ std::uint64_t ClientQueue::dropped() const {
   for (const auto& slot : slots_)
     if (slot) dropped += slot->dropped;
   return dropped;
-}
-
-std::uint64_t ClientQueue::sent() const {
-  std::uint64_t sent = 0;
-  for (const auto& slot : slots_)
-    if (slot) sent += slot->sent;
-  return sent;
 }
 
 }  // namespace robot::net

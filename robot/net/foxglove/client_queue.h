@@ -85,11 +85,11 @@ class ClientQueue {
     std::uint64_t sent = 0;     // [messages] handed to the socket
     std::uint64_t dropped = 0;  // [messages] replaced by newer ones, or lost before they reached the queue
     std::size_t queued_messages = 0, queued_bytes = 0;
+    bool subscribed = false;
   };
   /// Returns one entry per channel that was ever subscribed.
   std::vector<Counts> counts() const;
   std::uint64_t dropped() const;  // of all channels
-  std::uint64_t sent() const;     // likewise
 
  private:
   enum Lane { events, small, large, kLanes };

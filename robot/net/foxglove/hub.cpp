@@ -1,7 +1,9 @@
 #include "robot/net/foxglove/hub.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
+#include <vector>
 
 #include "robot/net/foxglove/to_client.h"
 #include "robot/net/websocket/frames.h"
@@ -11,9 +13,28 @@ namespace {
 
 constexpr std::size_t kChannelsPerAdvertise = 100;
 constexpr std::uint64_t kDropsEvery = 5 * kSecond;  // between two statuses about drops
-// a few drops are normal when a page opens or the machine is busy, because the newest message is sent first
-constexpr std::uint64_t kDropsWorthTelling = 10, kPartWorthTelling = 20;  // at least 10 messages and 1/20 of all
+// drops are normal when a page opens or the machine is busy, because the newest message is sent first
+constexpr std::uint64_t kDropsWorthTelling = 10, kPartWorthTelling = 4;  // at least 10 messages and 1/4 of a topic
+constexpr std::size_t kMostNamed = 3;                                    // topics in a status
 constexpr std::string_view kDropsId = "drops";
+
+/// The messages of a topic that a client lost lately.
+struct Loss {
+  std::string topic;
+  std::uint64_t dropped = 0, all = 0;
+};
+
+/// "30 of 31 messages of /14/2/ball, 20 of 40 of /14/2/joints and of 2 more topics"
+std::string text_of(std::vector<Loss> losses) {
+  std::ranges::stable_sort(losses, std::greater<>(), &Loss::dropped);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(losses.size(), kMostNamed); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(losses[i].dropped) + " of " + std::to_string(losses[i].all) +
+            (i == 0 ? " messages of " : " of ") + losses[i].topic;
+  const std::size_t more = losses.size() - std::min(losses.size(), kMostNamed);
+  if (more > 0) text += " and of " + std::to_string(more) + (more == 1 ? " more topic" : " more topics");
+  return text;
+}
 
 }  // namespace
 
@@ -196,23 +217,25 @@ void Hub::on_pong(Client& client, std::uint64_t now_ns) {
   if (client.ping_sent_ns) client.round_trip_ns = now_ns - *std::exchange(client.ping_sent_ns, std::nullopt);
 }
 
-/// Sends a status when a client begins to lose messages, and removes it when that has ended.
+/// Sends a status when a topic that a client watches loses a good part of its messages, and removes it when that has ended.
 void Hub::tell_drops(Client& client, std::uint64_t now_ns) {
   if (now_ns - client.drops_counted_ns < kDropsEvery) return;
-  const std::uint64_t dropped = client.queue.dropped();
-  const std::uint64_t recent = dropped - std::exchange(client.drops_counted, dropped);
-  const std::uint64_t sent = client.queue.sent() - std::exchange(client.sent_counted, client.queue.sent());
-  const bool worth_telling = recent >= kDropsWorthTelling && recent * kPartWorthTelling >= sent;
   client.drops_counted_ns = now_ns;
-  if (worth_telling) {
-    const std::string sentence = std::to_string(recent) + " messages were dropped for newer ones in the last " +
-                                 std::to_string(kDropsEvery / kSecond) +
-                                 " s: the connection is too slow for its subscriptions";
+  std::vector<Loss> losses;
+  for (const ClientQueue::Counts& counts : client.queue.counts()) {
+    const ClientQueue::Counts before = std::exchange(client.counted[counts.channel], counts);
+    const std::uint64_t dropped = counts.dropped - before.dropped, all = dropped + counts.sent - before.sent;
+    if (counts.subscribed && dropped >= kDropsWorthTelling && dropped * kPartWorthTelling >= all)
+      losses.push_back({channels_.all()[counts.channel - 1]->info.topic, dropped, all});
+  }
+  if (!losses.empty()) {
+    const std::string sentence = text_of(losses) + " were dropped for newer ones in the last " +
+                                 std::to_string(kDropsEvery / kSecond) + " s: the connection or the page is too slow";
     say(client, foxglove::status(foxglove::StatusLevel::warning, sentence, kDropsId));
   } else if (client.drops_stand) {
     say(client, foxglove::remove_status(kDropsId));
   }
-  client.drops_stand = worth_telling;
+  client.drops_stand = !losses.empty();
 }
 
 void Hub::parameter_changed(const std::string& name) {

@@ -25,7 +25,7 @@ namespace robot::net {
 
 struct HubOptions {
   std::string name = "foresight";
-  std::map<std::string, std::string> metadata;  // {"build", "body", "robots"}
+  std::map<std::string, std::string> metadata;  // {"build", "body", "robots"}, and "rules" if they are known
   QueueLimits queues;
   Playback* playback = nullptr;                  // of the played recording, if any; outlives the hub
   std::uint64_t pong_timeout_ns = 30 * kSecond;  // without an answer to a ping in this time, the client is gone

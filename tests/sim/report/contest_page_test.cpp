@@ -64,6 +64,35 @@ TEST(ContestPage, EscapesTheNamesOfBehaviours) {
   EXPECT_NE(page.find("&lt;script&gt;alert(&quot;&amp;&quot;)&lt;/script&gt;"), page.npos);
 }
 
+TEST(ContestPage, SaysThatAWorseBehaviourIsWorse) {
+  Json report = short_report();
+  report["verdict"] = "not better";
+  report["worse"] = true;
+  EXPECT_NE(page_of(report).find("<span class=\"chip not-better\">worse</span>"), std::string::npos);
+  report["worse"] = false;
+  EXPECT_NE(page_of(report).find("<span class=\"chip not-better\">not better</span>"), std::string::npos);
+}
+
+// the curve of a run of fixed length once ended at -8.6 while the text said -15.1
+TEST(ContestPage, CurveOfTheTestReachesItsFigure) {
+  Json report = short_report();
+  report["marks"] = {{25, -0.5, -12.0, -0.6, -0.4}, {50, -0.5, -15.1, -0.6, -0.4}};
+  const std::string page = page_of(report);
+  const std::size_t from = page.find("<polyline class=\"path\" points=\"");
+  ASSERT_NE(from, page.npos);
+  const std::string points = page.substr(from, page.find("\"/>", from) - from);
+  const std::size_t last = points.rfind(','), before = points.rfind(',', last - 1);
+  EXPECT_GT(std::stod(points.substr(last + 1)), std::stod(points.substr(before + 1)) + 1) << points;
+}
+
+TEST(ContestPage, SaysHowManyGamesPairsSave) {
+  Json report = short_report();
+  report["pairing_gain"] = 0.93;
+  EXPECT_NE(page_of(report).find("7 % fewer games without pairs"), std::string::npos);
+  report["pairing_gain"] = 1.4;
+  EXPECT_NE(page_of(report).find("40 % more games without pairs"), std::string::npos);
+}
+
 TEST(ContestPage, NeedsNothingFromElsewhere) {
   const std::string page = page_of(short_report());
   for (const char* word : {"http:", "https:", "src=", "<link", "@import", "url("})

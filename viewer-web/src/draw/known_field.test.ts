@@ -23,6 +23,14 @@ test("a forecast reports the rules by which the robot foresees", () => {
   expect(knownField([told({ "/14/2/forecast": { rules: "" } })], "").from).toBe("assumed");
 });
 
+test("a server reports the rules of the game that it records or plays, which a simulation and a forecast precede", () => {
+  const server = (rules: string, values = {}) => ({ ...told(values), rules });
+  expect(knownField([server("spl2012:5")], "hsl2026")).toEqual({ from: "reported", field: kFields["spl2012"] });
+  expect(knownField([server("spl2012", kSimulated)], "")).toMatchObject({ from: "reported", field: { length: 9 } });
+  expect(knownField([server("spl2012", { "/14/2/forecast": { rules: "hsl2026" } })], "").field).toEqual(kFields["hsl2026"]);
+  for (const unknown of ["", "spl1999"]) expect(knownField([server(unknown)], "").from).toBe("assumed");
+});
+
 test("a field without a size is not reported", () => {
   for (const field of [{}, { length: 9, width: 0 }, { length: NaN, width: 6 }]) expect(knownField([told({ "/sim/state": { field: fields(field) } })], "").from).toBe("assumed");
 });

@@ -11,7 +11,7 @@ export const kAssumed = "spl2025";
 
 export interface KnownField {
   field: Field;
-  /** "reported": by the simulation or a forecast; "chosen": by the person; "assumed": nobody knows. */
+  /** "reported": by the simulation, a forecast or the server; "chosen": by the person; "assumed": nobody knows. */
   from: "reported" | "chosen" | "assumed";
 }
 
@@ -26,6 +26,10 @@ export function knownField(told: Told[], chosen: string): KnownField {
       const field = kFields[rulesNameOf(textOf(valueOf(memory.get(`/${robot}/forecast`)), "rules"))];
       if (field) return { field, from: "reported" };
     }
+  for (const { rules } of told) {
+    const field = kFields[rulesNameOf(rules ?? "")];
+    if (field) return { field, from: "reported" };
+  }
   return kFields[chosen] ? { field: kFields[chosen], from: "chosen" } : { field: kFields[kAssumed]!, from: "assumed" };
 }
 

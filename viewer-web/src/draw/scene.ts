@@ -30,6 +30,8 @@ export interface Scene {
 export interface Told {
   memory: Memory;
   robots: RobotName[];
+  /** Of the game, as the server says, such as "spl2025"; "" if it does not. */
+  rules?: string;
   keyOf(robot: RobotName): string;
 }
 

@@ -110,6 +110,15 @@ export class History {
     return { log_ns: block.times[i]!, data: block.data.subarray(i === 0 ? 0 : block.ends[i - 1], block.ends[i]), arrived: block.arrivals[i]! };
   }
 
+  /**
+   * [ns] Capture time of the oldest kept message that was no retained value: one that came as much later as `isLate` says.
+   * Only the first message of a subscription can be one.
+   */
+  movesSince(isLate: (entry: Entry) => boolean): bigint | undefined {
+    const first = this.get(this.begin);
+    return first && isLate(first) ? this.timeOf(this.begin + 1) : first?.log_ns;
+  }
+
   timeOf(index: number): bigint | undefined {
     const at = this.#place(index);
     return at && at.block.times[at.i];

@@ -99,6 +99,23 @@ test("all objects show the same past moment, while new messages arrive and are k
   expect(memory.range()).toEqual({ first_ns: second(1), last_ns: second(6) });
 });
 
+test("a retained value does not stretch the time of a live server, and is shown with its age", () => {
+  const memory = new Memory();
+  memory.offer(kPerceptChannel);
+  const game = "/14/2/game";
+  memory.offer({ ...kPerceptChannel, id: 77, topic: game });
+  const start_ns = 1_700_000_000_000_000_000n;
+  const second = (count: number) => start_ns + BigInt(count) * 1_000_000_000n;
+  memory.arrived(game, second(-123), percept({ x: 1 }), 50);
+  for (let i = 0; i <= 4; ++i) memory.arrived(kTopic, second(i), percept({ x: i }), 50 + i);
+  expect(memory.range()).toEqual({ first_ns: second(0), last_ns: second(4) });
+  memory.arrived(game, second(5), percept({ x: 2 }), 55);
+  expect(memory.range()).toEqual({ first_ns: second(0), last_ns: second(5) });
+  memory.show(second(0));
+  expect(memory.get(game)!.decoded()!.fields!.get("x")).toBe(1);
+  expect(memory.age(memory.get(game)!, 99)).toBe(123);
+});
+
 test("a recording that restarts does not remove the past that is being looked at", () => {
   const memory = new Memory();
   memory.offer(kPerceptChannel);

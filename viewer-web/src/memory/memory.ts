@@ -1,6 +1,7 @@
 // All memory objects of one server by topic, with newest value and past.
 
 import type { Channel } from "../source/texts";
+import type { Entry } from "./history";
 import { GameEvents } from "./game_events";
 import { LogHistory } from "./log_history";
 import { MemoryObject, type Moment, type RobotName } from "./memory_object";
@@ -18,6 +19,7 @@ export class Memory {
   #objects = new Map<string, MemoryObject>();
   #moment: Moment = { ns: undefined };
   #arrived: number | undefined;
+  #leastLag: number | undefined; // [s] between capture and arrival, of the fastest message
   #seen = { from_ns: 0n, to_ns: 0n }; // for a recording: the page has received all of this part, without a gap
 
   constructor(readonly past = new Past()) {}
@@ -48,6 +50,7 @@ export class Memory {
     this.clock.clear();
     if (this.#moment.ns !== undefined) return;
     for (const { history } of this.#objects.values()) history.clear();
+    this.#leastLag = undefined;
     this.events.clear();
   }
 
@@ -101,6 +104,7 @@ export class Memory {
   reset(): void {
     for (const topic of [...this.#objects.keys()]) this.withdraw(topic);
     this.#arrived = undefined;
+    this.#leastLag = undefined;
     this.clock.clear();
     this.log.clear();
     this.events.clear();
@@ -139,6 +143,7 @@ export class Memory {
     const object = this.#objects.get(topic);
     if (!object) return;
     object.arrived(log_ns, data, now);
+    this.#leastLag = Math.min(this.#leastLag ?? Infinity, lagOf(object.newest!));
     if (!kOwnKinds.includes(object.kind)) this.#arrived = now;
     this.#keep(object);
     if (isLog(object)) this.log.arrived(object, object.newest!);
@@ -174,12 +179,17 @@ export class Memory {
     return this.#objects.values();
   }
 
-  /** Capture times of the oldest kept value and of the newest known moment. For a recording: its whole span. */
+  /**
+   * Capture times of the oldest kept value and of the newest known moment. Retained values do not count: the newest ones
+   * from before the page came. For a recording: its whole span.
+   */
   range(): { first_ns: bigint; last_ns: bigint } | undefined {
     if (this.played) return { first_ns: this.played.start_ns, last_ns: this.played.end_ns };
     let [first, last]: [bigint | undefined, bigint | undefined] = [undefined, this.clock.last_ns];
+    const isRetained = (entry: Entry) => lagOf(entry) > this.#leastLag! + kRetained;
     for (const { history } of this.#objects.values()) {
-      const { first_ns, last_ns } = history;
+      const { last_ns } = history;
+      const first_ns = history.movesSince(isRetained);
       if (first_ns !== undefined && (first === undefined || first_ns < first)) first = first_ns;
       if (last_ns !== undefined && (last === undefined || last_ns > last)) last = last_ns;
     }
@@ -199,6 +209,10 @@ export class Memory {
       .sort((a, b) => Number(a.robot === "") - Number(b.robot === "") || a.name.localeCompare(b.name, "en"));
   }
 }
+
+const kRetained = 1; // [s] a value that comes so much later than others was retained by the server
+
+const lagOf = ({ log_ns, arrived }: Entry): number => arrived - Number(log_ns) / 1e9;
 
 /** Objects in which a server reports on itself, also while its robot is silent. */
 const kOwnKinds = ["runtime", "log", "clock"];

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { ago, bytes, clockLength, count, duration, hertz, hex, number } from "./format";
+import { ago, bytes, clockLength, clockTime, count, duration, hertz, hex, number } from "./format";
 
 test("durations keep three digits or so, and never show a unit's overflow", () => {
   const cases: [number | undefined, string][] = [
@@ -37,4 +37,9 @@ test("bytes show their beginning", () => {
 
 test("a longer age is shown coarsely", () => {
   expect([-1, 0.4, 1.7, 59.9, 60, 119, 5399, 5400].map(ago)).toEqual(["just now", "just now", "1 s ago", "59 s ago", "1 min ago", "1 min ago", "89 min ago", "2 h ago"]);
+});
+
+test("the time of day has two digits for each part", () => {
+  const at = new Date(2026, 10, 21, 2, 5, 48, 999);
+  expect(clockTime(BigInt(at.getTime()) * 1_000_000n)).toBe("02:05:48");
 });

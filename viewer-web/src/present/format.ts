@@ -30,6 +30,12 @@ export function clockLength(seconds: number): string {
   return h > 0 ? `${h}:${two(m)}:${two(s)}` : `${m}:${two(s)}`;
 }
 
+/** The time of day of a capture time, where the page is: "02:35:48". */
+export function clockTime(at_ns: bigint): string {
+  const at = new Date(Number(at_ns / 1_000_000n));
+  return [at.getHours(), at.getMinutes(), at.getSeconds()].map((value) => String(value).padStart(2, "0")).join(":");
+}
+
 /** Decimal units, as file managers and disks use them: "614 kB", "1.2 MB". */
 export function bytes(count: number): string {
   if (!Number.isFinite(count)) return "–";

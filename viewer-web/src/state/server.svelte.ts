@@ -1,5 +1,6 @@
 // One watched server with its connection and memory: a robot, a played recording or a simulated game.
 
+import { nearestKept, nearestOf } from "../memory/kept";
 import type { RobotName } from "../memory/memory_object";
 import { Memory } from "../memory/memory";
 import type { Past } from "../memory/past";
@@ -150,6 +151,17 @@ export class Server implements Listener {
     const { at_ns } = await this.client.call(kStepService, { topic, from_ns: String(from_ns), by });
     if (typeof at_ns !== "string" || !/^\d{1,20}$/.test(at_ns)) throw new Error("The server did not name the time of the frame.");
     return BigInt(at_ns);
+  }
+
+  /**
+   * Returns the capture time nearest to `at_ns` of the messages of `topics`, or undefined without one: in the whole
+   * recording, else among the messages that the page holds.
+   */
+  async nearestTo(topics: string[], at_ns: bigint): Promise<bigint | undefined> {
+    if (!this.findsFrames) return nearestKept(this.memory, topics, at_ns);
+    const beside = topics.flatMap((topic) => [-1, 1].map((by) => this.frameBeside(topic, at_ns, by).catch(() => undefined)));
+    // at an end of a stream the answer is the moment itself
+    return nearestOf((await Promise.all(beside)).filter((time_ns) => time_ns !== at_ns), at_ns) ?? nearestKept(this.memory, topics, at_ns);
   }
 
   /** Pauses at `at_ns`: at once if the page holds the moment, else by a wish. */

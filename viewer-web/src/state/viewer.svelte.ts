@@ -54,6 +54,7 @@ export class Viewer implements Speaker {
     [this.server, ...this.servers.filter((server) => server !== this.server)].map((server) => ({
       memory: server.memory,
       robots: server.robots,
+      rules: server.info?.metadata["rules"] ?? "",
       keyOf: (robot) => this.#keyOf(server, robot),
     })),
   );

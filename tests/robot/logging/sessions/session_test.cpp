@@ -28,6 +28,7 @@ SessionInfo example() {
           .player = 2,
           .build = "0123abcd",
           .profile = "game",
+          .rules = "spl2025:5",
           .start_ns = 1'700'000'000'123'456'789,
           .number = 7,
           .boot = "0b7e",
@@ -136,6 +137,37 @@ TEST_F(WrittenSession, StrayTimesAreLeftOutOfItsTimeLineAndNamed) {
   EXPECT_EQ(session.message,
             "2 messages before 2023-11-14 22:13:20 UTC and 1 message after 2023-11-14 22:13:20 UTC left out of the "
             "strip, because more than 30 days lie between");
+}
+
+// the message `game` of two minutes ago once stretched the strip of a recording of 4 s to 2:07
+TEST_F(WrittenSession, RetainedValuesDoNotStretchItsTimeLine) {
+  constexpr std::uint64_t kSecondNs = 1'000'000'000;
+  const std::uint64_t start_ns = example().start_ns;
+  auto writer = SessionWriter::create(folder / "retained", example());
+  EXPECT_TRUE((*writer)->write({.topic = "/14/2/game"}, start_ns - 123 * kSecondNs, "retained"));
+  EXPECT_TRUE((*writer)->write({.topic = "/14/2/game"}, start_ns + 2 * kSecondNs, "changed"));
+  EXPECT_TRUE((*writer)->write({.topic = "/14/2/battery"}, start_ns - 50 * kSecondNs, "retained"));
+  for (std::uint64_t i = 0; i < 5; ++i)
+    EXPECT_TRUE((*writer)->write({.topic = "/14/2/ball"}, start_ns - 5 + i * kSecondNs, "ball"));
+  EXPECT_TRUE((*writer)->close());
+  const Session session = *read_session(folder / "retained");
+  EXPECT_EQ(session.start_ns, start_ns - 5);
+  EXPECT_EQ(session.end_ns, start_ns - 5 + 4 * kSecondNs);
+  EXPECT_EQ(session.message, "");
+  Downloads downloads;
+  std::ofstream(folder / "one.mcap", std::ios::binary) << tests::all_bytes(**downloads.open(session, {}, {}));
+  EXPECT_EQ(read_recording(folder / "one.mcap")->start_ns, session.start_ns) << "the same as one file";
+}
+
+TEST_F(WrittenSession, DataOfAnotherClockStayInItsTimeLine) {
+  const std::uint64_t start_ns = example().start_ns, away_ns = 10'000'000'000;
+  auto writer = SessionWriter::create(folder / "behind", example());
+  for (std::uint64_t i = 0; i < 5; ++i)
+    EXPECT_TRUE((*writer)->write({.topic = "/14/2/a"}, start_ns - away_ns + i * away_ns, "a"));
+  EXPECT_TRUE((*writer)->write({.topic = "/14/2/b"}, start_ns - 2 * away_ns, "b"));
+  EXPECT_TRUE((*writer)->write({.topic = "/14/2/b"}, start_ns - away_ns / 2, "b"));
+  EXPECT_TRUE((*writer)->close());
+  EXPECT_EQ(read_session(folder / "behind")->start_ns, start_ns - away_ns / 2) << "two messages are no retained value";
 }
 
 TEST_F(WrittenSession, IsReadWithItsStreamsAndTimes) {
@@ -261,6 +293,7 @@ TEST_F(WrittenSession, AsOneFileIsTheSameSession) {
   EXPECT_EQ(recording->info.robot, session.info.robot);
   EXPECT_EQ(recording->info.team, session.info.team);
   EXPECT_EQ(recording->info.player, session.info.player);
+  EXPECT_EQ(recording->info.rules, "spl2025:5");
   EXPECT_EQ(recording->start_ns, session.start_ns);
   EXPECT_EQ(recording->end_ns, session.end_ns);
   ASSERT_EQ(recording->streams.size(), session.streams.size());

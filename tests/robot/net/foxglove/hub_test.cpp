@@ -524,13 +524,32 @@ TEST_F(HubTest, ManyDropsAreReportedAndTheReportIsWithdrawn) {
   const auto told = said(*client);
   EXPECT_EQ(told.at(0)["id"], "drops");
   EXPECT_EQ(told.at(0)["level"], 1);
-  EXPECT_EQ(
-      told.at(0)["message"],
-      "30 messages were dropped for newer ones in the last 5 s: the connection is too slow for its subscriptions");
+  EXPECT_EQ(told.at(0)["message"],
+            "30 of 31 messages of /14/2/base were dropped for newer ones in the last 5 s: the connection or the page "
+            "is too slow");
   hub->every_second(12 * kSecond);
   EXPECT_EQ(gist(*client), "");
   hub->every_second(16 * kSecond);
   EXPECT_EQ(gist(*client), "removeStatus");
+}
+
+TEST_F(HubTest, DropsAreNotReportedOfATopicThatIsNotWatchedOrHardlySuffers) {
+  const auto client = join();
+  subscribe(*client, 1);
+  auto& provider = streams.wait_started(1);
+  const auto write = [&](int messages) {
+    for (int i = 0; i < messages; ++i) EXPECT_TRUE(provider.write(base.write("x")));
+    drain();
+    gist(*client);
+  };
+  for (int i = 0; i < 100; ++i) write(1);
+  write(31);  // 30 are dropped of 131
+  hub->every_second(5 * kSecond);
+  EXPECT_EQ(gist(*client), "ping");
+  write(31);
+  hub->on_text(*client, R"({"op":"unsubscribe","subscriptionIds":[1]})");
+  hub->every_second(10 * kSecond);
+  EXPECT_EQ(gist(*client), "");
 }
 
 TEST(Inbox, WakesOncePerBatchAndHoldsBackWhenFull) {
