@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { Live } from "./live.mjs";
 import { readSession, readStreamed } from "./mcap.mjs";
-import { download, play, request, robot, run, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
+import { download, play, recordedSession, request, robot, run, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
 /** Starts a server with one complete recording; returns both, the recording as bytes. */
 async function served(t) {
@@ -115,7 +115,7 @@ test("pages of accepted origins may read recordings: CORS", async (t) => {
 test("a recording that grows is redirected to a part that does not, byte for byte", async (t) => {
   const folder = temporaryFolder(t);
   const server = await robot(t, folder, await synthesize(folder, { seconds: 8 }), "--record", "--profile", "full");
-  const { session } = (await statusOf(server)).recording;
+  const session = await recordedSession(server);
   const path = `/logs/${session}.mcap`;
   const redirected = () => request(server, path, { headers: { range: "bytes=0-" } });
 
@@ -163,7 +163,7 @@ test("a recording of a killed robot lacks less than its last two seconds", async
   const session = await synthesize(folder, { seconds: 8 });
   const robotServer = await robot(t, folder, session, "--record", "--profile", "full");
   const live = await Live.open(t, robotServer);
-  const { session: id } = (await statusOf(robotServer)).recording;
+  const id = await recordedSession(robotServer);
   const start_ns = [...readSession(session).values()].flatMap(({ messages }) => messages).reduce((start, { logTime }) => (logTime < start ? logTime : start), 2n ** 63n);
   await live.until(() => live.times.at(-1) > start_ns + 4_000_000_000n, "four seconds of recording");
   const { time_ns } = await statusOf(robotServer); // at speed 1 capture times run like ours
@@ -225,7 +225,7 @@ test("a second runtime leaves the session that the first records alone", async (
   const folder = temporaryFolder(t);
   const played = await synthesize(folder);
   const first = await robot(t, folder, played, "--record", "--loop");
-  const { session } = (await statusOf(first)).recording;
+  const session = await recordedSession(first);
   const second = await robot(t, folder, played, "--log-mb", "0");
   const [found] = await sessionsOf(second);
   assert.deepEqual([found.session, found.state], [session, "recording"]);

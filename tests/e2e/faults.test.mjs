@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { kSubprotocols, Live } from "./live.mjs";
 import { readSession } from "./mcap.mjs";
-import { atEnd, play, request, require, robot, run, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
+import { atEnd, play, recordedSession, request, require, robot, run, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
 /** Starts a process that subscribes to everything and is then stopped, like a closed laptop. */
 async function hangingViewer(t, server) {
@@ -146,7 +146,7 @@ for (const signal of ["SIGTERM", "SIGINT"]) {
     await hangingViewer(t, server);
     net.connect(server.port, "127.0.0.1").on("error", () => {}); // and a silent one
     await live.until(() => live.messages.get("/14/2/joints").length > 300, "some joints");
-    const { session: id } = (await statusOf(server)).recording;
+    const id = await recordedSession(server);
 
     server.kill(signal);
     const { status } = await within(server.ended, `the end after ${signal}`);

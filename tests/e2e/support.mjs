@@ -179,6 +179,10 @@ export const getJson = async (server, path, options) => JSON.parse((await reques
 export const statusOf = (server) => getJson(server, "/api/status");
 export const sessionsOf = async (server) => (await getJson(server, "/api/sessions")).sessions;
 
+/** Waits until a recording has begun. Returns the name of its session. */
+export const recordedSession = (server) =>
+  until(async () => (await statusOf(server)).recording.session, "a recording that begins");
+
 /** Downloads `path` as a browser does: it follows the redirects of live sessions. */
 export async function download(server, path) {
   const first = await request(server, path);
