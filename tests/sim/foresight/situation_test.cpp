@@ -20,14 +20,15 @@ using Doing = Body::Doing;
 
 constexpr int kOwn = 1;  // home 2
 
-/// A game with `models`, 20 s after its kick-off.
+/// A game with `models`, 20 s after its kick-off or later, with the ball on the field.
 struct Fixture {
   io::PreparedGame setup;
   State state;
 
   explicit Fixture(const std::string& models = "match", std::uint64_t seed = 3)
       : setup(test::setup_of(test::choice_of("spl2012", "baseline", models))), state(test::begun(setup.params, seed)) {
-    while (state.book.phase != Phase::playing || age(state.world.tick, state.book.phase_since) < 20)
+    while (state.book.phase != Phase::playing || age(state.world.tick, state.book.phase_since) < 20 ||
+           !field::inside_field(setup.params.rules.field, state.world.ball.position))
       state = test::after(setup.params, state, 1);
   }
   const Params& params() const { return setup.params; }
