@@ -47,6 +47,8 @@ enum class Draw : std::uint32_t {
   situation = 19,
   belief = 20,
   walk_pace = 21,
+  lost_pose = 22,
+  duel = 23,
 };
 
 /// Returns 128 random bits. `robot` is the robot's index in the state, or kNobody when the draw belongs to no robot.

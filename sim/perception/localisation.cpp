@@ -119,6 +119,16 @@ Pose2 true_pose(const World& world, int robot) {
   return attack_sign(world, side_of(robot)) > 0 ? pose : turned_round(pose);
 }
 
+void lose_pose(const Localisation& model, const World& world, int robot, agent::Pose& belief) {
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::lost_pose, world.tick);
+  const auto shift = normals(words[0], words[1]);
+  const auto twist = normals(words[2], words[3]);
+  belief.pose.position += model.fall_deviation * Vec2{shift[0], shift[1]};
+  belief.pose.heading = normalized(belief.pose.heading + model.fall_deviation_heading * twist[0]);
+  belief.deviation = std::sqrt(squared(belief.deviation) + squared(model.fall_deviation));
+  belief.deviation_heading = std::sqrt(squared(belief.deviation_heading) + squared(model.fall_deviation_heading));
+}
+
 void look_round(const PerceptionParams& params, const World& world, int robot, Tick steps, agent::Pose& belief,
                 Cognition& cognition) {
   look(params, world, robot, belief, cognition);

@@ -27,7 +27,16 @@ Pose2 true_pose(const World& world, int robot);
 void look_round(const PerceptionParams& params, const World& world, int robot, Tick steps, agent::Pose& belief,
                 Cognition& cognition);
 
-// Below: the part of each image, inline because each robot does it in each turn. It draws nothing.
+/// Shifts and turns the belief of a robot that fell since its last perception, and makes it that much less sure. The
+/// robot notices the fall. An attempt to get up that fails counts as another fall. Draws lost_pose (number: tick).
+void lose_pose(const Localisation& model, const World& world, int robot, agent::Pose& belief);
+
+/// Reports whether the body fell in the `steps` ticks before `now`.
+inline bool fell(const Body& body, Tick now, Tick steps) {
+  return body.doing == Body::Doing::fallen && body.since < now && body.since + steps >= now;
+}
+
+// Below: the part of each image, inline because each robot does it in each turn. It draws nothing, except after a fall.
 
 /// Returns the believed motion since `cognition.last`, and moves `last` to the present pose.
 inline Odometry read_odometry(const Body& body, Cognition& cognition) {
@@ -60,6 +69,9 @@ inline Odometry read_odometry(const Body& body, Cognition& cognition) {
     belief.pose.position += turned(odometry.moved, direction(belief.pose.heading));
     cognition.walked += odometry.way;
   }
+
+  if (params.effects.lost_pose && fell(world.bodies[robot], world.tick, steps))
+    lose_pose(params.model.localisation, world, robot, belief);
 
   const Tick interval = ticks(params.model.localisation.mark_interval);
   if (world.tick % interval < steps)

@@ -89,6 +89,8 @@ struct Localisation {
   float mark_deviation_heading;   // [rad] error of one mark
   float flips_per_minute;         // [1/min] flips of an unsure pose
   float flip_duration;            // [s] mean time until the robot notices a flip
+  float fall_deviation;           // [m] standard deviation of the shift by a fall, each axis
+  float fall_deviation_heading;   // [rad] standard deviation of the turn by a fall
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
@@ -105,6 +107,8 @@ struct Localisation {
     see("mark_deviation_heading", self.mark_deviation_heading, "rad", 0.001f, 1.f);
     see("flips_per_minute", self.flips_per_minute, "1/min", 0.f, 10.f);
     see("flip_duration", self.flip_duration, "s", 0.1f, 300.f);
+    see("fall_deviation", self.fall_deviation, "m", 0.f, 3.f);
+    see("fall_deviation_heading", self.fall_deviation_heading, "rad", 0.f, 3.f);
   }
 };
 

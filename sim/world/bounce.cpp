@@ -184,6 +184,46 @@ Moving rebound(Moving ball, const Obstacle& obstacle, const ContactModel& contac
   world.ball.velocity = moving.velocity;
 }
 
+/// The robot of each side that pushes the ball, or kNobody.
+struct Duel {
+  std::uint8_t pusher[2] = {kNobody, kNobody};  // by Side
+
+  bool on() const { return pusher[0] != kNobody && pusher[1] != kNobody; }
+};
+
+/// Finds for each side the first robot, in the order of `is_named_before`, that walks towards a ball at its feet.
+Duel duel_of(const BallModel& ball, const ContactModel& contact, const Near& near, const World& world) {
+  const float reach = contact.foot_radius + ball.radius + contact.duel_gap;
+  Duel duel;
+  for (int i = 0; i < near.count; ++i) {
+    const std::uint8_t robot = near.list[i];
+    if (robot == kNobody) continue;
+    const Body& body = world.bodies[robot];
+    const Vec2 to_ball = world.ball.position - body.position;
+    const bool pushes = body.doing == Body::Doing::walking && dot(turned(body.velocity, body.facing), to_ball) > 0;
+    if (!pushes || squared_length(to_ball) >= reach * reach) continue;
+    std::uint8_t& pusher = duel.pusher[static_cast<int>(side_of(robot))];
+    if (pusher == kNobody || is_named_before(world, robot, pusher)) pusher = robot;
+  }
+  return duel;
+}
+
+/// Perhaps lets the ball leave a duel sideways: across the line of both robots, to either side alike.
+void squeeze_out(const BallModel& ball, const ContactModel& contact, const Near& near, World& world) {
+  const Duel duel = duel_of(ball, contact, near, world);
+  if (!duel.on()) return;
+  const auto words = draw(world.key, kNobody, Draw::duel, world.tick);
+  if (uniform(words[0]) >= contact.duel_rate * kTickDuration) return;
+
+  // from the side that attacks -x to the other one, so that exchanged sides have the same game
+  const Vec2 line = world.bodies[duel.pusher[0]].position - world.bodies[duel.pusher[1]].position;
+  const float gap = length(line);
+  const Vec2 along = gap > 0 ? (world.home_attacks / gap) * line : Vec2{1, 0};
+  const float speed = contact.duel_speed * uniform(words[1]);
+  world.ball.velocity = ((words[2] & 1) != 0 ? speed : -speed) * Vec2{-along.y, along.x};
+  world.touched = is_named_before(world, duel.pusher[0], duel.pusher[1]) ? duel.pusher[0] : duel.pusher[1];
+}
+
 }  // namespace
 
 void bounce_ball(const field::Field& field, const BallModel& ball, const ContactModel& contact, const Effects& effects,
@@ -191,6 +231,7 @@ void bounce_ball(const field::Field& field, const BallModel& ball, const Contact
   const Way way = way_of(world.ball);
   const Near near = near_to(field, ball, contact, crowd, way);
   if (near.count > 0) bounce_off(field, ball, contact, effects, near, way, world);
+  if (near.count > 1 && effects.duels) squeeze_out(ball, contact, near, world);
 }
 
 }  // namespace sim

@@ -22,7 +22,9 @@ void keep_bodies_apart(const field::Field& field, const ContactModel& contact, C
 /// towards the ball. A thing that stands still never makes the ball faster. The ball passes through nothing in this
 /// tick, whatever its speed.
 /// Sets `world.touched` to the robot that touched the ball last; of two at once see `is_named_before`.
-/// Draws push_noise. `crowd` must match `world`.
+/// A duel is two walking robots of opposite sides that push the ball at once. While it lasts, the effect duels lets the
+/// ball leave across the line of both, `duel_rate` times a second.
+/// Draws push_noise and duel (of nobody; number: tick). `crowd` must match `world`.
 void bounce_ball(const field::Field& field, const BallModel& ball, const ContactModel& contact, const Effects& effects,
                  const Crowd& crowd, World& world);
 

@@ -27,7 +27,9 @@ struct Effects {
   bool partial_hits;  // a foot may hit only a part of the ball, or slip over it
   bool push_noise;    // a random direction of a ball that a robot walks into
   bool falls;
-  bool official;  // a referee walks on the field, is an obstacle and hides the ball
+  bool lost_pose;  // a fall turns and shifts the believed pose
+  bool duels;      // a ball between two robots that push it from both sides may be squeezed out sideways
+  bool official;   // a referee walks on the field, is an obstacle and hides the ball
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
@@ -52,6 +54,8 @@ struct Effects {
     see("partial_hits", self.partial_hits, "", false, true);
     see("push_noise", self.push_noise, "", false, true);
     see("falls", self.falls, "", false, true);
+    see("lost_pose", self.lost_pose, "", false, true);
+    see("duels", self.duels, "", false, true);
     see("official", self.official, "", false, true);
   }
 };

@@ -30,6 +30,9 @@ struct ContactModel {
   float hiding_radius;     // [m] of a standing robot that hides things behind it, mean over its headings
   float official_radius;   // [m] of the walking referee
   float push_deviation;    // [rad] standard deviation of the direction of a ball that a robot walks into
+  float duel_gap;          // [m] between foot and ball up to which a robot takes part in a duel
+  float duel_rate;         // [1/s] balls squeezed out while a duel lasts
+  float duel_speed;        // [m/s] greatest speed of a ball squeezed out; all speeds up to it are equally likely
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
@@ -40,6 +43,9 @@ struct ContactModel {
     see("hiding_radius", self.hiding_radius, "m", 0.02f, 0.5f);
     see("official_radius", self.official_radius, "m", 0.05f, 0.6f);
     see("push_deviation", self.push_deviation, "rad", 0.f, 1.5f);
+    see("duel_gap", self.duel_gap, "m", 0.f, 0.2f);
+    see("duel_rate", self.duel_rate, "1/s", 0.f, 10.f);
+    see("duel_speed", self.duel_speed, "m/s", 0.f, 3.f);
   }
 };
 

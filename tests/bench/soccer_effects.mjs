@@ -34,6 +34,8 @@ export const kEffects = [
   effect("partial_hits", "off", -1, "kicked ball off its aim", degrees("kick_astray"), "deg"),
   effect("push_noise", "off", -1, "pushed ball off its way", degrees("push_astray"), "deg"),
   effect("falls", "off", -1, "time on the ground", percent("down"), "%"),
+  effect("lost_pose", "off", -1, "error of the own place", of("pose_error"), "m"),
+  effect("duels", "off", -1, "pushed ball off its way", degrees("push_astray"), "deg"),
   effect("official", "on", -1, "ball seen", percent("ball_seen"), "%"),
 ];
 

@@ -234,5 +234,32 @@ TEST(Localisation, ASurePoseNeverFlips) {
   }
 }
 
+TEST(Localisation, AFallLosesThePoseOnceAndMarksBringItBack) {
+  double place = 0, heading = 0, later = 0;
+  const int games = 600;
+  for (std::uint64_t seed = 0; seed < games; ++seed) {
+    Scene scene = walking_scene(seed);
+    scene.model.localisation.start_deviation = scene.model.localisation.start_deviation_heading = 0;
+    scene.model.localisation.fall_deviation = 0.3f;
+    scene.model.localisation.fall_deviation_heading = 0.5f;
+    scene.enter();
+    scene.body().doing = Body::Doing::fallen;
+    scene.body().since = scene.world.tick;
+    Scene without = scene;
+    scene.effects.lost_pose = true;
+    for (int i = 0; i < 30; ++i) scene.perceive(), without.perceive();
+    ASSERT_EQ(without.beliefs.pose.pose, true_pose(without.world, Scene::kRobot));
+    const Pose2 error = error_of(scene);
+    place += squared_length(error.position) / 2;
+    heading += error.heading * error.heading;
+    scene.body().doing = Body::Doing::standing;
+    for (int i = 0; i < 300; ++i) scene.perceive();
+    later += squared_length(error_of(scene).position) / 2;
+  }
+  EXPECT_NEAR(std::sqrt(place / games), 0.3, 0.03);
+  EXPECT_NEAR(std::sqrt(heading / games), 0.5, 0.05);
+  EXPECT_LT(std::sqrt(later / games), 0.15);
+}
+
 }  // namespace
 }  // namespace sim::perception

@@ -218,6 +218,31 @@ TEST(Bounce, FarFromEverythingNothingChanges) {
   }
 }
 
+TEST(Bounce, ADuelSqueezesTheBallOutSidewaysAsOftenAsTheModelSays) {
+  ContactModel contact = kContact;
+  contact.duel_gap = 0.05f;
+  contact.duel_rate = 3;
+  contact.duel_speed = 1;
+  int squeezed = 0, left = 0;
+  constexpr int kCount = 10000;
+  for (int i = 0; i < kCount; ++i)
+    for (const bool duels : {false, true}) {
+      World world = empty();
+      world.tick = static_cast<Tick>(i);
+      walk(world, 2, {-kReach - 0.02f, 0}, 0, {0.25f, 0});
+      walk(world, 9, {kReach + 0.02f, 0}, kPi, {0.25f, 0});
+      bounce_ball(kField, kBall, contact, Effects{.duels = duels}, crowd_of(world), world);
+      if (world.ball.velocity == Vec2{}) continue;
+      ASSERT_TRUE(duels);
+      EXPECT_NEAR(world.ball.velocity.x, 0, 1e-5f);
+      EXPECT_LE(length(world.ball.velocity), 1);
+      ++squeezed;
+      left += world.ball.velocity.y > 0 ? 1 : 0;
+    }
+  EXPECT_NEAR(squeezed, kCount / 10, 120);
+  EXPECT_NEAR(left, squeezed / 2, 70);
+}
+
 TEST(Bounce, ARemovedRobotTouchesNothing) {
   World world = empty();
   stand(world, 0, {0.1f, 0}).doing = Body::Doing::removed;
