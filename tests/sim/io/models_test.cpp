@@ -47,7 +47,7 @@ TEST(Models, RobotsFallAndHitPartlyInAMatchOnly) {
 }
 
 TEST(Models, FriendlyIsMatchWithSmallerErrors) {
-  const Models match = loaded("match"), friendly = loaded("friendly,falls=on,partial_hits=on");
+  const Models match = loaded("match"), friendly = loaded("friendly,falls=on,partial_hits=on,lost_pose=on,duels=on");
   EXPECT_EQ(effects_of(friendly), effects_of(match));
   ASSERT_EQ(friendly.motion.kick_count, match.motion.kick_count);
   for (int i = 0; i < match.motion.kick_count; ++i) {
