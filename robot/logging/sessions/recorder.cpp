@@ -103,7 +103,7 @@ std::vector<std::string> Recorder::object_names() const {
   std::vector<std::string> names;
   for (const auto& channel : channels_.all()) names.push_back(object_name(channel->info().topic));
   std::ranges::sort(names);
-  names.erase(std::ranges::unique(names).begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
 

@@ -80,8 +80,8 @@ class Recorder {
   Room room_for(const Profile& profile) const;
 
   /// Makes room, begins a session and returns its id. Returns an Error if a session is being recorded already, if less
-  /// than one minute fits, or if `name` cannot name a session. `only` names the objects to record, as object_names() returns them;
-  /// without names the recorder records all.
+  /// than one minute fits, or if `name` cannot name a session. `only` names the objects to record, as object_names()
+  /// returns them; without names the recorder records all.
   Result<std::string> start(std::string_view name, std::string_view profile, std::vector<std::string> only = {});
 
   /// As start(), but if the disk does not permit a session now, the recorder begins it as soon as the disk does. Returns
