@@ -51,11 +51,20 @@ struct Books {
       // not rename(), which may fail here
       ASSERT_EQ(::renameat(AT_FDCWD, (folder / session).c_str(), AT_FDCWD, (folder / "moved").c_str()), 0);
     }
-    if (what == Folder::is_deleted) fs::remove_all(folder / "moved");
+    if (what == Folder::is_deleted) remove(folder / "moved");
     clock.set(clock.now_ns() + kSecond);  // for another name
     recorder.tend();
     // a new session begins with the newest version, which the one before had to have too
     if (recorder.status().session != session) written += objects.size();
+  }
+
+  /// Removes a folder in which a logger may make a file meanwhile.
+  static void remove(const fs::path& path) {
+    ASSERT_TRUE(tests::eventually([&] {
+      std::error_code failed;
+      fs::remove_all(path, failed);
+      return !failed;
+    }));
   }
 
   /// Messages of the session in `at` that a reader finds.
@@ -169,7 +178,7 @@ TEST(RecorderStatus, NeverWaitsForADiskThatStandsStill) {
   expect_status([&] { books.write(5); }, State::recording, State::recording);
   expect_status(
       [&] {
-        fs::remove_all(books.folder / books.recorder.status().session);
+        Books::remove(books.folder / books.recorder.status().session);
         books.recorder.tend();  // begins a new session
       },
       State::recording, State::recording);
