@@ -1,6 +1,7 @@
 #include "sim/io/condition.h"
 
 #include "robot/core/json_library.h"
+#include "robot/core/text.h"
 #include "sim/io/vocabulary.h"
 #include "sim/io/words.h"
 
@@ -11,24 +12,10 @@ using agent::Feature;
 using agent::FeatureInfo;
 using robot::Error;
 using robot::Result;
+using robot::split;
+using robot::trimmed;
 
 namespace {
-
-constexpr std::string_view kBlank = " \t\n\r";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlank);
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) + 1 - first);
-}
-
-std::vector<std::string_view> split(std::string_view text, std::string_view between) {
-  std::vector<std::string_view> parts;
-  for (std::size_t at; (at = text.find(between)) != text.npos; text.remove_prefix(at + between.size()))
-    parts.push_back(trimmed(text.substr(0, at)));
-  parts.push_back(trimmed(text));
-  return parts;
-}
 
 std::string quoted(std::string_view text) { return shown(std::string(text)); }
 
@@ -140,7 +127,7 @@ Result<Condition> parse_condition(std::string_view text, Values& values) {
   for (const std::string_view alternative : split(text, " or ")) {
     std::vector<Term>& terms = condition.alternatives.emplace_back();
     for (const std::string_view part : split(alternative, " and ")) {
-      Result<Term> term = parse_term(part, values);
+      Result<Term> term = parse_term(trimmed(part), values);
       if (!term) return term.failure();
       terms.push_back(std::move(*term));
     }

@@ -1,5 +1,6 @@
 #include "sim/io/variation.h"
 #include "robot/core/json_library.h"
+#include "robot/core/text.h"
 
 #include <string_view>
 
@@ -7,16 +8,9 @@ namespace sim::io {
 
 using robot::Error;
 using robot::Result;
+using robot::split;
 
 namespace {
-
-std::vector<std::string_view> split(std::string_view text, char at) {
-  std::vector<std::string_view> parts;
-  for (std::size_t end; (end = text.find(at)) != text.npos; text.remove_prefix(end + 1))
-    parts.push_back(text.substr(0, end));
-  parts.push_back(text);
-  return parts;
-}
 
 Json value_of(std::string_view text) {
   if (text == "on") return true;
@@ -29,7 +23,7 @@ Json value_of(std::string_view text) {
 /// "walk.forward" leads to changes["walk"]["forward"]; nullptr when another entry is in the way.
 Json* entry_at(Json& changes, std::string_view path) {
   Json* at = &changes;
-  for (const std::string_view name : split(path, '.')) {
+  for (const std::string_view name : split(path, ".")) {
     if (name.empty() || (!at->is_object() && !at->is_null())) return nullptr;
     at = &(*at)[std::string(name)];
   }
@@ -39,7 +33,7 @@ Json* entry_at(Json& changes, std::string_view path) {
 }  // namespace
 
 Result<Variation> parse_variation(const std::string& text, const std::string& called) {
-  const std::vector<std::string_view> parts = split(text, ',');
+  const std::vector<std::string_view> parts = split(text, ",");
   Variation variation{.name = std::string(parts[0]), .number = {}, .changes = Json::object()};
   if (const std::size_t colon = parts[0].rfind(':'); colon != std::string_view::npos) {
     variation.name = parts[0].substr(0, colon);

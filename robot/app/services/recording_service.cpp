@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "robot/core/json_library.h"
+#include "robot/core/text.h"
 #include "sim/io/source.h"
 
 namespace robot::app {
@@ -23,13 +24,8 @@ constexpr const char* kObjects = "recording_objects";
 /// Returns the names in "ball, pose".
 std::vector<std::string> names_in(std::string_view text) {
   std::vector<std::string> names;
-  while (!text.empty()) {
-    std::string_view name = text.substr(0, text.find(','));
-    text.remove_prefix(std::min(text.size(), name.size() + 1));
-    while (name.starts_with(' ')) name.remove_prefix(1);
-    while (name.ends_with(' ')) name.remove_suffix(1);
-    if (!name.empty()) names.emplace_back(name);
-  }
+  for (const std::string_view name : split(text, ","))
+    if (!trimmed(name).empty()) names.emplace_back(trimmed(name));
   return names;
 }
 

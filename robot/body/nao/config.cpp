@@ -8,19 +8,13 @@
 #include <utility>
 
 #include "robot/core/files.h"
+#include "robot/core/text.h"
 
 namespace robot::body {
 namespace {
 
 constexpr double kGreatestOffset_deg = 20, kGreatestPixels = 5000, kGreatestControl = 1'000'000;
 constexpr std::size_t kMaxBytes = 65536;
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r";
-  const std::size_t first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
 
 /// Name and value of one line of the file.
 struct Line {

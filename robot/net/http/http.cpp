@@ -4,23 +4,22 @@
 #include <cctype>
 #include <charconv>
 
+#include "robot/core/text.h"
+
 namespace robot::net {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
+/// Returns whether `is` holds for an element of the comma-separated list.
+template <class Is>
+bool any_element(std::string_view list, Is&& is) {
+  return std::ranges::any_of(split(list, ","), [&](std::string_view element) { return is(trimmed(element)); });
 }
 
-// calls see(element) for each element of a comma-separated list
-template <class See>
-void split(std::string_view list, See&& see) {
-  while (!list.empty()) {
-    const std::size_t comma = std::min(list.find(','), list.size());
-    see(trimmed(list.substr(0, comma)));
-    list.remove_prefix(std::min(comma + 1, list.size()));
-  }
+/// Returns whether `is` holds for an element of the lists in all headers called `name`.
+template <class Is>
+bool any_element(const Headers& headers, std::string_view name, Is&& is) {
+  return std::ranges::any_of(
+      headers, [&](const auto& header) { return header.first == name && any_element(header.second, is); });
 }
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
@@ -89,17 +88,11 @@ std::optional<std::string_view> HttpRequest::header(std::string_view name) const
 }
 
 bool HttpRequest::has_token(std::string_view name, std::string_view token) const {
-  bool found = false;
-  for (const auto& [key, value] : headers)
-    if (key == name) split(value, [&](std::string_view element) { found |= equal_ignoring_case(element, token); });
-  return found;
+  return any_element(headers, name, [&](std::string_view element) { return equal_ignoring_case(element, token); });
 }
 
 bool HttpRequest::has_exact_token(std::string_view name, std::string_view token) const {
-  bool found = false;
-  for (const auto& [key, value] : headers)
-    if (key == name) split(value, [&](std::string_view element) { found |= element == token; });
-  return found;
+  return any_element(headers, name, [&](std::string_view element) { return element == token; });
 }
 
 std::uint64_t HttpResponse::body_size() const {
@@ -188,13 +181,10 @@ HttpResponse body_response(const HttpRequest& request, std::shared_ptr<const Byt
 
 bool not_modified(const HttpRequest& request, std::string_view etag) {
   const auto header = request.header("if-none-match");
-  if (!header) return false;
-  bool matches = false;
-  split(*header, [&](std::string_view candidate) {
-    if (candidate.starts_with("W/")) candidate.remove_prefix(2);
-    matches |= candidate == "*" || candidate == etag;
-  });
-  return matches;
+  return header && any_element(*header, [&](std::string_view candidate) {
+           if (candidate.starts_with("W/")) candidate.remove_prefix(2);
+           return candidate == "*" || candidate == etag;
+         });
 }
 
 }  // namespace robot::net

@@ -1,0 +1,16 @@
+// Parts of texts.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace robot {
+
+/// Returns `text` without the blanks, tabs and line ends at its beginning and end.
+std::string_view trimmed(std::string_view text);
+
+/// Returns the parts of `text` between the separators, each as it is written: one more than there are separators. They
+/// point into `text`.
+std::vector<std::string_view> split(std::string_view text, std::string_view separator);
+
+}  // namespace robot
