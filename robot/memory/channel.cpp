@@ -17,7 +17,21 @@ class RawVersion final : public Version {
   std::string bytes_;
 };
 
+bool is_number(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+}
+
 }  // namespace
+
+ObjectName object_name(std::string_view topic) {
+  if (topic.starts_with('/')) topic.remove_prefix(1);
+  const std::size_t team_end = topic.find('/');
+  const std::size_t player_end = team_end == std::string_view::npos ? team_end : topic.find('/', team_end + 1);
+  const bool of_robot = player_end != std::string_view::npos && is_number(topic.substr(0, team_end)) &&
+                        is_number(topic.substr(team_end + 1, player_end - team_end - 1));
+  if (!of_robot) return {.robot = {}, .object = topic};
+  return {.robot = topic.substr(0, player_end), .object = topic.substr(player_end + 1)};
+}
 
 std::string_view name(Delivery delivery) {
   switch (delivery) {

@@ -42,6 +42,15 @@ struct ChannelInfo {
   bool operator==(const ChannelInfo&) const = default;
 };
 
+/// The name of a memory object in a topic: "/14/2/ball" is the object "ball" of the robot "14/2".
+struct ObjectName {
+  std::string_view robot;   // team and player; empty: the object is no robot's
+  std::string_view object;  // the topic without its robot and the slash before: "ball", "truth/world"
+};
+
+/// Returns the name of the object of `topic`. The parts point into `topic`.
+ObjectName object_name(std::string_view topic);
+
 /// The number of a version, and the time when it entered memory, in the process that it comes from.
 struct Published {
   std::uint64_t sequence = 0, publish_ns = 0;

@@ -24,19 +24,6 @@ std::uint64_t newest_number(const memory::Channel& channel) {
   return newest ? newest->sequence() : 0;
 }
 
-/// Returns the name of the object of `topic`. A robot's own topic begins with its team and player.
-std::string object_name(std::string_view topic) {
-  std::string_view rest = topic.substr(std::min<std::size_t>(1, topic.size()));
-  for (int level = 0; level < 2; ++level) {
-    const std::size_t slash = rest.find('/');
-    const std::string_view number = rest.substr(0, slash);
-    const bool numeric = !number.empty() && number.find_first_not_of("0123456789") == std::string_view::npos;
-    if (slash == std::string_view::npos || !numeric) break;
-    rest.remove_prefix(slash + 1);
-  }
-  return std::string(rest);
-}
-
 }  // namespace
 
 std::string_view name(RecordingStatus::State state) {
@@ -101,7 +88,7 @@ void Recorder::take(Wish wish) {
 
 std::vector<std::string> Recorder::object_names() const {
   std::vector<std::string> names;
-  for (const auto& channel : channels_.all()) names.push_back(object_name(channel->info().topic));
+  for (const auto& channel : channels_.all()) names.emplace_back(memory::object_name(channel->info().topic).object);
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
@@ -222,7 +209,7 @@ void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
 /// Returns whether the session has `channel` at all.
 bool Recorder::wants(const memory::Channel& channel) const {
   const std::vector<std::string>& only = wish_->only;
-  return only.empty() || std::ranges::find(only, object_name(channel.info().topic)) != only.end();
+  return only.empty() || std::ranges::find(only, memory::object_name(channel.info().topic).object) != only.end();
 }
 
 /// Returns whether the profile wants every version of `channel`.

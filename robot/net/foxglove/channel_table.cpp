@@ -10,26 +10,13 @@
 namespace robot::net {
 namespace {
 
-bool is_number(std::string_view text) {
-  return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
-}
-
-// "/14/2/ball" is the object "ball" of the robot "14/2"; other topics are no robot's
-void add_names(std::string_view topic, std::map<std::string, std::string>& metadata) {
-  if (topic.starts_with('/')) topic.remove_prefix(1);
-  const std::size_t team_end = topic.find('/');
-  const std::size_t player_end = team_end == std::string_view::npos ? team_end : topic.find('/', team_end + 1);
-  const bool of_robot = player_end != std::string_view::npos && is_number(topic.substr(0, team_end)) &&
-                        is_number(topic.substr(team_end + 1, player_end - team_end - 1));
-  if (of_robot) metadata["robot"] = topic.substr(0, player_end);
-  metadata["object"] = of_robot ? topic.substr(player_end + 1) : topic;
-}
-
 std::string advertisement(const OfferedChannel& channel) {
   foxglove::Advertised advertised{.id = channel.id, .info = channel.info};
   advertised.metadata["delivery"] = memory::name(channel.info.delivery);
   if (channel.derived) advertised.metadata["derived"] = "true";
-  add_names(channel.info.topic, advertised.metadata);
+  const memory::ObjectName name = memory::object_name(channel.info.topic);
+  if (!name.robot.empty()) advertised.metadata["robot"] = name.robot;
+  advertised.metadata["object"] = name.object;
   return foxglove::advertised_channel(advertised);
 }
 

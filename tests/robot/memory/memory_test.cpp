@@ -9,6 +9,22 @@
 namespace robot::memory {
 namespace {
 
+TEST(ObjectName, LeavesOutTheRobotOfATopic) {
+  const auto is = [](std::string_view topic, std::string_view robot, std::string_view object) {
+    const ObjectName name = object_name(topic);
+    EXPECT_EQ(name.robot, robot) << topic;
+    EXPECT_EQ(name.object, object) << topic;
+  };
+  is("/14/2/ball", "14/2", "ball");
+  is("/14/2/camera_top/jpeg", "14/2", "camera_top/jpeg");
+  is("/truth/world", "", "truth/world");
+  is("/14/ball", "", "14/ball");
+  is("/14/x/ball", "", "14/x/ball");
+  is("/2d/1/ball", "", "2d/1/ball");
+  is("odometry", "", "odometry");
+  is("", "", "");
+}
+
 struct WholeMemory : ::testing::Test {
   ManualClock clock{1};
   std::shared_ptr<Memory> memory = std::make_shared<Memory>("14/2", clock);
