@@ -288,7 +288,7 @@ Result<sim::foresight::Knowledge> knowledge_of(const Recollection& from, const s
     for (const pb::Teammate& told : from.team->value.teammates()) {
       const int place = lineups.own.place_of(told.player());
       if (place == 0 || place == own) continue;
-      const sim::agent::Mate mate = beliefs.mates[place < own ? place - 1 : place - 2] = mate_of(told, time);
+      const sim::agent::Mate mate = beliefs.mates[sim::agent::index_of_mate(own, place)] = mate_of(told, time);
       if (told.fallen() && mate.sent != sim::kNever) knowledge.down[0][place - 1] = mate.sent;
     }
   see_opponents(from, lineups.opponents, knowledge);

@@ -55,6 +55,8 @@ constexpr std::uint16_t centiseconds(float seconds) {
 
 /// Returns the number [1..7] of the teammate in beliefs.mates[index] of `player`.
 constexpr int player_of_mate(int player, int index) { return index + 1 < player ? index + 1 : index + 2; }
+/// Returns the index of teammate `mate` [1..7, not `player`] in beliefs.mates of `player`.
+constexpr int index_of_mate(int player, int mate) { return mate < player ? mate - 1 : mate - 2; }
 
 /// The place where an opponent was last seen.
 struct Opponent {

@@ -59,7 +59,7 @@ int captain_of(const Game& game, const Beliefs& beliefs, Tick now, Tick stale) {
       if (!game.penalised) return player;
       continue;
     }
-    const Mate& mate = beliefs.mates[player < game.player ? player - 1 : player - 2];
+    const Mate& mate = beliefs.mates[index_of_mate(game.player, player)];
     if (mate.active && mate.sent != kNever && now - mate.sent < stale) return player;
   }
   return 0;

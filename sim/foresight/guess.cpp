@@ -96,7 +96,7 @@ std::optional<Sighting> sighting_of(const Knowledge& knowledge, int robot) {
     const agent::Opponent& opponent = knowledge.beliefs.opponents[player - 1];
     return unless_forgotten({{opponent.position, 0}, kSeenRobot, age(knowledge.now, opponent.seen)});
   }
-  const agent::Mate& mate = knowledge.beliefs.mates[player < own ? player - 1 : player - 2];
+  const agent::Mate& mate = knowledge.beliefs.mates[agent::index_of_mate(own, player)];
   return unless_forgotten({mate.pose, kToldRobot, age(knowledge.now, mate.sent)});
 }
 

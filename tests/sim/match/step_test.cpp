@@ -60,8 +60,8 @@ TEST(Step, TheTeammatesOfAPenalisedRobotKnowItAtOnce) {
       for (int mate = 0; penalised && mate + 1 < state.world.players; ++mate) {
         const int other = robot_of(side_of(robot), agent::player_of_mate(player_of(robot), mate));
         if (before.book.penalised_until[other] != 0 || state.book.penalised_until[other] != 0) continue;
-        const int own = player_of(robot) < player_of(other) ? player_of(robot) - 1 : player_of(robot) - 2;
-        ASSERT_FALSE(state.robots[other].beliefs.mates[own].active) << robot << " for " << other;
+        const int index = agent::index_of_mate(player_of(other), player_of(robot));
+        ASSERT_FALSE(state.robots[other].beliefs.mates[index].active) << robot << " for " << other;
         ++known;
       }
     });
