@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "robot/core/json_library.h"
+#include "sim/report/contest_report.h"
 #include "sim/report/plot.h"
 
 namespace sim::report {
@@ -92,11 +93,6 @@ std::string unit_of(const Json& report) {
   if (metric == "conceded") return "fewer conceded goals per game";
   if (metric == "ball_advance") return "metres of the ball's way per game";
   return metric == "first_goal" ? "of the first goal" : "of scoring in time";
-}
-
-/// "7 % fewer games without pairs"
-std::string pairing_of(double gain) {
-  return text("%.0f %% %s games without pairs", 100 * std::abs(gain - 1), gain < 1 ? "fewer" : "more");
 }
 
 std::string verdict_plot(const Json& report) {
@@ -263,7 +259,8 @@ std::string page_of(const Json& report) {
               "games in " + figure("pairs", "%.0f", report.at("pairs")) + " pairs,<br>" +
                   figure("different_pairs", "%.0f", report.at("different_pairs")) + " of them different");
   all += fact(figure("pairing_gain", "%.2f", report.at("pairing_gain")),
-              "pairing gain: the same interval takes<br>" + pairing_of(number(report.at("pairing_gain"))));
+              "pairing gain: the same interval takes<br>" + games_without_pairs(number(report.at("pairing_gain"))) +
+                  " without pairs");
   const Json& home = report.at("home_advantage");
   const bool kick_off = report.at("run").at("situation").get<std::string>().empty();
   all += fact(figure("home_advantage.mean", "%+.3f", home.at("mean")),

@@ -84,11 +84,9 @@ Json to_json(const Interval& interval) {
   return {{"mean", interval.mean}, {"low", bound_json(interval.low)}, {"high", bound_json(interval.high)}};
 }
 
-/// Returns the unbiased gain, or nothing unless a sequential test has answered.
-std::optional<Interval> unbiased(const ContestReport& report) {
-  const double unit = report.comparison.unit();
-  if (!report.outcome.sequential || compare::pair_variance(report.outcome.tally, unit) <= 0) return {};
-  return compare::unbiased_gain(report.outcome.tally, report.options.question, unit);
+/// Reports whether a sequential test has answered, so that its early stop makes the plain gain too extreme.
+bool is_corrected(const ContestReport& report) {
+  return report.outcome.sequential && compare::pair_variance(report.outcome.tally, report.comparison.unit()) > 0;
 }
 
 /// Returns the question with its h1 in the metric's unit.
@@ -96,30 +94,27 @@ compare::Hypothesis question_of(const ContestReport& report) {
   return compare::asked(report.options.question, report.outcome.tally, report.comparison.unit());
 }
 
-Json unbiased_json(const ContestReport& report) {
-  const auto gain = unbiased(report);
-  return gain ? to_json(*gain) : Json();
+/// The gain that a sentence has: after the answer of a sequential test, the corrected one.
+struct ShownGain {
+  Interval per_game;
+  bool corrected = false;
+
+  /// Whether the whole 95 % interval lies below 0. "Not better" would hide it.
+  bool is_worse() const { return per_game.high < 0; }
+};
+
+ShownGain shown_gain(const ContestReport& report) {
+  const compare::PairStatistics& tally = report.outcome.tally;
+  const double unit = report.comparison.unit();
+  if (!is_corrected(report)) return {.per_game = compare::gain_per_game(tally, unit)};
+  return {.per_game = compare::unbiased_gain(tally, report.options.question, unit), .corrected = true};
 }
 
-}  // namespace
-
-namespace {
-
-/// Returns the gain that the sentence has: after the answer of a sequential test, the corrected one.
-Interval shown_gain(const ContestReport& report) {
-  const auto corrected = unbiased(report);
-  return corrected ? *corrected : compare::gain_per_game(report.outcome.tally, report.comparison.unit());
-}
-
-/// Returns whether the whole 95 % interval of that gain lies below 0. "Not better" would hide it.
-bool is_worse(const ContestReport& report) { return shown_gain(report).high < 0; }
-
-/// "+0.123 goals per game (95 %: +0.045 .. +0.201)"; after the answer of a sequential test with the correction.
-std::string amount_of(const ContestReport& report) {
-  const auto corrected = unbiased(report);
-  const Interval gain = shown_gain(report);
-  return text("%+.3f %s per game (95 %%: %+.3f .. %+.3f%s)", gain.mean, noun(report.comparison.choice().metric),
-              gain.low, gain.high, corrected ? ", corrected for the early stop" : "");
+/// "+0.123 goals per game (95 %: +0.045 .. +0.201)", with the correction.
+std::string text_of(const ShownGain& gain, const ContestReport& report) {
+  const auto& [mean, low, high] = gain.per_game;
+  return text("%+.3f %s per game (95 %%: %+.3f .. %+.3f%s)", mean, noun(report.comparison.choice().metric), low, high,
+              gain.corrected ? ", corrected for the early stop" : "");
 }
 
 /// "0.098 per game, which is 0.1 of its standard deviation", or only the number if it was asked for.
@@ -132,16 +127,22 @@ std::string h1_of(const ContestReport& report) {
 
 }  // namespace
 
+std::string games_without_pairs(double pairing_gain) {
+  return text("%.0f %% %s games", 100 * std::abs(pairing_gain - 1), pairing_gain < 1 ? "fewer" : "more");
+}
+
 std::string sentence_of(const ContestReport& report) {
   const contest::ComparisonChoice& choice = report.comparison.choice();
   const compare::PairStatistics& tally = report.outcome.tally;
   const std::string a = choice.a, b = name_of_b(choice);
+  const ShownGain gain = shown_gain(report);
+  const std::string amount = text_of(gain, report);
   switch (report.outcome.verdict) {
-    case Verdict::better: return b + " is better than " + a + ": " + amount_of(report);
+    case Verdict::better: return b + " is better than " + a + ": " + amount;
     case Verdict::not_better:
-      return b + (is_worse(report) ? " is worse than " + a : " is not better than " + a + " by " + h1_of(report)) +
-             ": " + amount_of(report);
-    case Verdict::undecided: return "undecided whether " + b + " is better than " + a + ": " + amount_of(report);
+      return b + (gain.is_worse() ? " is worse than " + a : " is not better than " + a + " by " + h1_of(report)) +
+             ": " + amount;
+    case Verdict::undecided: return "undecided whether " + b + " is better than " + a + ": " + amount;
     case Verdict::identical: return b + " and " + a + " are identical: each plays the games of the other";
     case Verdict::too_rare:
       return "too rare to tell whether " + b + " is better than " + a +
@@ -155,20 +156,21 @@ Json to_json(const ContestReport& report) {
   const auto& [comparison, options, outcome] = report;
   const compare::PairStatistics& tally = outcome.tally;
   const double unit = comparison.unit();
+  const ShownGain shown = shown_gain(report);
   const compare::Hypothesis question = question_of(report);
   const double ratio = compare::llr(tally, question, unit);
   const compare::Bounds bounds = compare::bounds_of(question);
   Json json = {{"run", Json::parse(comparison.specification())},
                {"verdict", compare::name(outcome.verdict)},
                {"sentence", sentence_of(report)},
-               {"worse", is_worse(report)},
+               {"worse", shown.is_worse()},
                {"pairs", tally.pairs},
                {"games", games_of(outcome)},
                {"different_pairs", outcome.different},
                {"uneven_pairs", tally.uneven},
                {"same_pairs", tally.same},
                {"gain", to_json(compare::gain_per_game(tally, unit))},
-               {"unbiased_gain", unbiased_json(report)},
+               {"unbiased_gain", shown.corrected ? to_json(shown.per_game) : Json()},
                {"llr", std::isfinite(ratio) ? Json(ratio) : Json()},
                {"bounds", {bounds.h0, bounds.h1}},
                {"h0", question.h0},
@@ -239,13 +241,13 @@ std::string to_text(const ContestReport& report, bool explain) {
         "asked            is the gain at least %.3g per game? %g of its standard deviation over these pairs, %.3g\n",
         question.h1, question.part, std::sqrt(compare::pair_variance(tally, comparison.unit())));
   if (const double gain = compare::pairing_gain(tally); gain > 0)
-    out += text("pairing gain     %.2f: without pairs, the same interval takes %.0f %% %s games\n", gain,
-                100 * std::abs(gain - 1), gain < 1 ? "fewer" : "more");
+    out += text("pairing gain     %.2f: without pairs, the same interval takes %s\n", gain,
+                games_without_pairs(gain).c_str());
   const Interval home = compare::home_advantage(tally, comparison.unit());
   out += text("%-16s %+.3f (95 %%: %+.3f .. %+.3f)%s\n", choice.situation.empty() ? "home advantage" : "the moment",
               home.mean, home.low, home.high, choice.situation.empty() ? "" : " for the home side's place in it");
   out += "holds for        rules " + choice.rules + ", models " + choice.models + " (not fitted to robots of yours)\n";
-  if (unbiased(report)) {
+  if (is_corrected(report)) {
     const Interval plain = compare::gain_per_game(tally, comparison.unit());
     out += text("plain mean       %+.3f (95 %%: %+.3f .. %+.3f), which an early stop makes too extreme\n", plain.mean,
                 plain.low, plain.high);

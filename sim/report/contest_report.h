@@ -18,6 +18,9 @@ struct ContestReport {
 /// Returns the verdict in one sentence.
 std::string sentence_of(const ContestReport& report);
 
+/// Returns how many games the same interval takes without pairs: "7 % fewer games" for a pairing gain of 0.93.
+std::string games_without_pairs(double pairing_gain);
+
 /// Returns the report without figures that depend on the machine.
 Json to_json(const ContestReport& report);
 /// Returns to_json() and the figures of this machine: the duration and the cost of a decision.

@@ -13,6 +13,8 @@ std::string escaped(const std::string& text);
 /// A plot with axes. Coordinates are in the units of the data.
 class Plot {
  public:
+  enum class Label { above, below };  // its line
+
   /// Takes the ranges of the axes. An empty range is widened to 1.
   Plot(double left, double right, double bottom, double top);
 
@@ -21,7 +23,6 @@ class Plot {
   /// Fills the area between two lines with the same x.
   void band(const std::string& style, const std::vector<double>& x, const std::vector<double>& low,
             const std::vector<double>& high);
-  enum class Label { above, below };
   void level(const std::string& style, double y, const std::string& label, Label place = Label::above);
   void bar(const std::string& style, double left, double right, double height, const std::string& title);
 
