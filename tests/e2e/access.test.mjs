@@ -2,15 +2,13 @@
 import assert from "node:assert/strict";
 import { readFileSync, statSync, writeFileSync } from "node:fs";
 import net from "node:net";
-import { hostname, networkInterfaces } from "node:os";
+import { hostname } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Live, refusal } from "./live.mjs";
-import { play, request, robot, run, synthesize, temporaryFolder, within } from "./support.mjs";
+import { needsNetwork, own, play, request, robot, run, synthesize, temporaryFolder, within } from "./support.mjs";
 
 // an address of this machine that is not loopback
-const own = Object.values(networkInterfaces()).flat().find(({ family, internal }) => family === "IPv4" && !internal)?.address;
-const needsNetwork = { skip: own ? false : "this machine has no address but loopback" };
 
 async function served(t, ...args) {
   const folder = temporaryFolder(t);

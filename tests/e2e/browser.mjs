@@ -60,6 +60,16 @@ export async function shoot(page, name) {
   await page.screenshot({ path: join(folder, `${name}.png`) });
 }
 
+/** Does the same on a desktop and on a phone, in light and in dark colours. */
+export async function shootEach(page, name) {
+  for (const [device, viewport] of [["desktop", kDesktop], ["phone", kPhone]])
+    for (const colorScheme of ["light", "dark"]) {
+      await page.setViewportSize(viewport);
+      await page.emulateMedia({ colorScheme });
+      await shoot(page, `${name}-${device}-${colorScheme}`);
+    }
+}
+
 /** Returns the mean colours of the cells of a grid over the picture of `locator`: rows of [r, g, b]. */
 export async function coloursOnScreen(context, locator, columns, rows) {
   const png = await locator.screenshot();

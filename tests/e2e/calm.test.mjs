@@ -5,17 +5,16 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { kPhone, open, shoot } from "./browser.mjs";
 import { Live } from "./live.mjs";
-import { mcapOf, readSession, readStreamed } from "./mcap.mjs";
+import { mcapOf, readSession, readStreamed, spanOf } from "./mcap.mjs";
 import { play, start, synthesize, temporaryFolder, until } from "./support.mjs";
 
 const kSecond = 1_000_000_000n;
 const nanoseconds = ({ sec, nsec }) => BigInt(sec) * kSecond + BigInt(nsec);
-const firstTime = (topics) => [...topics.values()].flatMap(({ messages }) => messages.map(({ logTime }) => logTime)).reduce((a, b) => (a < b ? a : b));
 
 /** A recording of 4 s whose last two seconds come a minute later. */
 async function gappy(folder) {
   const topics = readSession(await synthesize(folder, { seconds: 4 }));
-  const start_ns = firstTime(topics);
+  const { first_ns: start_ns } = spanOf(topics);
   const kept = [...topics].filter(([topic]) => /\/(pose|ball|game|decision|world)$/.test(topic));
   const channels = kept.map(([topic, { schema }]) => ({ topic, encoding: "protobuf", schema }));
   const moved = (logTime) => (logTime - start_ns < 2n * kSecond ? logTime : logTime + 60n * kSecond);
@@ -51,7 +50,7 @@ test("a moment without data says so, and a button leads to the nearest one that 
 test("a retained value does not stretch the strip of a recording", async (t) => {
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 4 });
-  const start_ns = firstTime(readSession(session));
+  const { first_ns: start_ns } = spanOf(readSession(session));
   const path = join(session, "14.2.battery.mcap");
   const [[topic, { schema, messages }]] = readStreamed(readFileSync(path)).topics;
   const [first, ...others] = messages.map(({ logTime, data }) => ({ topic, logTime, data }));

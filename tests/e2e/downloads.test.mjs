@@ -6,7 +6,7 @@ import net from "node:net";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Live } from "./live.mjs";
-import { readSession, readStreamed } from "./mcap.mjs";
+import { readSession, readStreamed, spanOf } from "./mcap.mjs";
 import { download, play, recordedSession, request, robot, run, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
 /** Starts a server with one complete recording; returns both, the recording as bytes. */
@@ -164,7 +164,7 @@ test("a recording of a killed robot lacks less than its last two seconds", async
   const robotServer = await robot(t, folder, session, "--record", "--profile", "full");
   const live = await Live.open(t, robotServer);
   const id = await recordedSession(robotServer);
-  const start_ns = [...readSession(session).values()].flatMap(({ messages }) => messages).reduce((start, { logTime }) => (logTime < start ? logTime : start), 2n ** 63n);
+  const { first_ns: start_ns } = spanOf(readSession(session));
   await live.until(() => live.times.at(-1) > start_ns + 4_000_000_000n, "four seconds of recording");
   const { time_ns } = await statusOf(robotServer); // at speed 1 capture times run like ours
   robotServer.kill("SIGKILL");

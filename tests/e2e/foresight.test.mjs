@@ -3,16 +3,13 @@ import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { createSocket } from "node:dgram";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
-import { networkInterfaces } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import { promisify } from "node:util";
 import { foxgloveClient } from "./foxglove.mjs";
 import { Live, pausedGame, playbackControl } from "./live.mjs";
-import { atEnd, root, run, start, statusOf, temporaryFolder, until } from "./support.mjs";
+import { atEnd, needsNetwork, own, root, run, start, statusOf, temporaryFolder, until } from "./support.mjs";
 
-const own = Object.values(networkInterfaces()).flat().find(({ family, internal }) => family === "IPv4" && !internal)?.address;
-const needsNetwork = { skip: own ? false : "this machine has no address but loopback" };
 const kService = "/foresight/what_if";
 const kStrategies = ["baseline", "passing", "kick_now", "high_line"];
 

@@ -132,6 +132,12 @@ export function readSession(folder) {
   return new Map(files.flatMap((file) => [...readStreamed(readFileSync(join(folder, file))).topics]));
 }
 
+/** Returns the first and the last log time [ns] of the messages in `topics`: topic → {messages}. */
+export function spanOf(topics) {
+  const times = [...topics.values()].flatMap(({ messages }) => messages.map(({ logTime }) => logTime));
+  return { first_ns: times.reduce((a, b) => (a < b ? a : b)), last_ns: times.reduce((a, b) => (a > b ? a : b)) };
+}
+
 /**
  * A file of many channels as @mcap/core writes it: of `channels` {topic, encoding, schema: {name, encoding, data} or none}
  * each message of `messages` {topic, logTime, data}.

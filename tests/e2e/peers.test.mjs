@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { foxgloveClient } from "./foxglove.mjs";
 import { decode, kSubprotocols, Live, refusal, serviceCall } from "./live.mjs";
-import { readSession } from "./mcap.mjs";
+import { readSession, spanOf } from "./mcap.mjs";
 import { play, robot, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
 /** Connects the Foxglove client; returns it with all its events. */
@@ -26,7 +26,7 @@ async function played(t, { seconds = 1 } = {}) {
   const session = await synthesize(folder, { seconds });
   const server = await play(t, folder, session, "--speed", "1000");
   const recorded = readSession(session);
-  const end_ns = [...recorded.values()].flatMap(({ messages }) => messages).reduce((end, { logTime }) => (logTime > end ? logTime : end), 0n);
+  const { last_ns: end_ns } = spanOf(recorded);
   const live = await Live.open(t, server);
   await live.until(() => live.times.at(-1) === end_ns, "the end of the recording");
   return { folder, session, server, recorded, end_ns, live };

@@ -1,14 +1,11 @@
 // Test games, the token and the choice of recorded objects, as a person sees them in Chromium.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { networkInterfaces } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
-import { kDesktop, kPhone, open, shoot } from "./browser.mjs";
-import { getJson, robot, run, sessionsOf, start, statusOf, synthesize, temporaryFolder, until } from "./support.mjs";
+import { open, shoot, shootEach } from "./browser.mjs";
+import { getJson, needsNetwork, own, robot, run, sessionsOf, start, statusOf, synthesize, temporaryFolder, until } from "./support.mjs";
 
-const own = Object.values(networkInterfaces()).flat().find(({ family, internal }) => family === "IPv4" && !internal)?.address;
-const needsNetwork = { skip: own ? false : "this machine has no address but loopback" };
 const kViews = ["field", "camera", "objects", "plot", "decision", "what-if", "health", "log", "sessions"];
 const practice = (page) => page.getByRole("status").filter({ hasText: "Not for a match" });
 
@@ -21,12 +18,7 @@ test("with --practice each view says that the wireless network stays open", asyn
     await page.getByRole("navigation", { name: "Views" }).getByRole("link", { name: view, exact: true }).click();
     await practice(page).waitFor();
   }
-  for (const [name, viewport] of [["desktop", kDesktop], ["phone", kPhone]])
-    for (const colorScheme of ["light", "dark"]) {
-      await page.setViewportSize(viewport);
-      await page.emulateMedia({ colorScheme });
-      await shoot(page, `practice-${name}-${colorScheme}`);
-    }
+  await shootEach(page, "practice");
   assert.deepEqual(problems, []);
 });
 
@@ -61,12 +53,7 @@ test("a recording contains the objects with a tick", async (t) => {
   assert.equal(await ticks.getByLabel("joints", { exact: true }).isChecked(), true);
   assert.equal(await ticks.getByLabel("ball", { exact: true }).isChecked(), false);
   await ticks.getByLabel("clock", { exact: true }).uncheck();
-  for (const [name, viewport] of [["desktop", kDesktop], ["phone", kPhone]])
-    for (const colorScheme of ["light", "dark"]) {
-      await page.setViewportSize(viewport);
-      await page.emulateMedia({ colorScheme });
-      await shoot(page, `objects-${name}-${colorScheme}`);
-    }
+  await shootEach(page, "objects");
   await page.getByRole("button", { name: "Start recording" }).click();
   const files = async () => (await sessionsOf(server)).find(({ state }) => state === "recording")?.streams.map(({ topic }) => topic).sort() ?? [];
   await until(async () => (await files()).join() === "/14/2/inertial,/14/2/joints", "the two files", undefined, files);

@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { open, shoot } from "./browser.mjs";
 import { decode } from "./live.mjs";
-import { readSession, readStreamed } from "./mcap.mjs";
+import { readSession, readStreamed, spanOf } from "./mcap.mjs";
 import { play, run, synthesize, temporaryFolder, until } from "./support.mjs";
 
 /** A game of a minute and more, recorded: its server and what @mcap/core reads in it. */
@@ -16,9 +16,7 @@ async function game(t, ...args) {
   const { status, stderr } = await run("foresight-sim", "match", "--seed", "7", "--rules", "spl2012:2,half_duration=30,ready_duration=5", "--mcap", file);
   assert.equal(status, 0, stderr);
   const { topics } = readStreamed(readFileSync(file));
-  const times = [...topics.values()].flatMap(({ messages }) => messages.map(({ logTime }) => logTime));
-  const [first_ns, last_ns] = [times.reduce((a, b) => (a < b ? a : b)), times.reduce((a, b) => (a > b ? a : b))];
-  return { server: await play(t, folder, file, ...args), topics, first_ns, last_ns };
+  return { server: await play(t, folder, file, ...args), topics, ...spanOf(topics) };
 }
 
 const at = (page) => BigInt(/[?&]at=(\d+)/.exec(page.url())?.[1] ?? 0);

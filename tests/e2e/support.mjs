@@ -7,7 +7,7 @@ import { execFile, spawn } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import http from "node:http";
 import { createRequire } from "node:module";
-import { tmpdir } from "node:os";
+import { networkInterfaces, tmpdir } from "node:os";
 import { basename, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
@@ -37,6 +37,10 @@ export function atEnd(t, action) {
   }
   endings.get(t).push(action);
 }
+
+/** An IPv4 address of this machine that is not loopback, or undefined. A test with `needsNetwork` is skipped without it. */
+export const own = Object.values(networkInterfaces()).flat().find(({ family, internal }) => family === "IPv4" && !internal)?.address;
+export const needsNetwork = { skip: own ? false : "this machine has no address but loopback" };
 
 /** Makes a folder for this test and removes it afterwards. */
 export function temporaryFolder(t) {

@@ -40,20 +40,14 @@ TEST_F(ServedSession, StatusReportsTheNamesOfTheProcess) {
 }
 
 TEST_F(ServedSession, StatusReportsTheGame) {
-  EXPECT_EQ(json::parse(application.status_json())["game"], json({{"state", ""},
-                                                                  {"in_progress", false},
-                                                                  {"match_mode", false},
-                                                                  {"practice", false},
-                                                                  {"warning", ""},
-                                                                  {"stopped", ""}}));
+  json game = {{"state", ""},       {"in_progress", false}, {"match_mode", false},
+               {"practice", false}, {"warning", ""},        {"stopped", ""}};
+  EXPECT_EQ(json::parse(application.status_json())["game"], game);
   EXPECT_FALSE(application.match_mode());
   application.tell_game_by([] { return GameStatus{.state = "set", .in_progress = true, .match_mode = true}; });
-  EXPECT_EQ(json::parse(application.status_json())["game"], json({{"state", "set"},
-                                                                  {"in_progress", true},
-                                                                  {"match_mode", true},
-                                                                  {"practice", false},
-                                                                  {"warning", ""},
-                                                                  {"stopped", ""}}));
+  game["state"] = "set";
+  game["in_progress"] = game["match_mode"] = true;
+  EXPECT_EQ(json::parse(application.status_json())["game"], game);
   EXPECT_TRUE(application.match_mode());
 }
 

@@ -30,8 +30,9 @@ export function nearestKept(memory: Memory, topics: string[], at_ns: bigint): bi
 
 /** Returns the time nearest to `at_ns`, or undefined without one. The earlier one if two are equally near. */
 export function nearestOf(times: (bigint | undefined)[], at_ns: bigint): bigint | undefined {
-  const away = (time: bigint) => (time > at_ns ? time - at_ns : at_ns - time);
-  let nearest: bigint | undefined;
-  for (const time of times) if (time !== undefined && (nearest === undefined || away(time) < away(nearest) || (away(time) === away(nearest) && time < nearest))) nearest = time;
-  return nearest;
+  const known = times.filter((time) => time !== undefined);
+  return known.sort((a, b) => Number(apart(a, at_ns) - apart(b, at_ns)) || Number(a - b))[0];
 }
+
+/** Returns the time between two moments [ns]. */
+export const apart = (a: bigint, b: bigint): bigint => (a > b ? a - b : b - a);

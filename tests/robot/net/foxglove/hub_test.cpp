@@ -186,6 +186,13 @@ class HubTest : public testing::Test {
   void subscribe(Client& client, std::uint32_t channel, std::uint32_t subscription = 1) {
     hub->on_text(client, foxglove::to_text(foxglove::Subscribe{{{subscription, channel}}}));
   }
+
+  /// Writes that many messages at once. The client receives the newest one; the others are dropped for it.
+  void send(Client& client, logging::OutProvider& provider, int messages) {
+    for (int i = 0; i < messages; ++i) EXPECT_TRUE(provider.write(base.write("x")));
+    drain();
+    gist(client);
+  }
 };
 
 TEST_F(HubTest, AClientReceivesServerInfoAndChannels) {
@@ -511,11 +518,7 @@ TEST_F(HubTest, ManyDropsAreReportedAndTheReportIsWithdrawn) {
   const auto client = join();
   subscribe(*client, 1);
   auto& provider = streams.wait_started(1);
-  const auto write = [&](int messages) {
-    for (int i = 0; i < messages; ++i) EXPECT_TRUE(provider.write(base.write("x")));
-    drain();
-    gist(*client);
-  };
+  const auto write = [&](int messages) { send(*client, provider, messages); };
   write(4);
   hub->every_second(5 * kSecond);
   EXPECT_EQ(gist(*client), "ping") << "a few drops are not reported";
@@ -537,11 +540,7 @@ TEST_F(HubTest, DropsAreNotReportedOfATopicThatIsNotWatchedOrHardlySuffers) {
   const auto client = join();
   subscribe(*client, 1);
   auto& provider = streams.wait_started(1);
-  const auto write = [&](int messages) {
-    for (int i = 0; i < messages; ++i) EXPECT_TRUE(provider.write(base.write("x")));
-    drain();
-    gist(*client);
-  };
+  const auto write = [&](int messages) { send(*client, provider, messages); };
   for (int i = 0; i < 100; ++i) write(1);
   write(31);  // 30 are dropped of 131
   hub->every_second(5 * kSecond);
