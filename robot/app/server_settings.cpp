@@ -91,10 +91,6 @@ void add_server_options(CLI::App& command, ServerSettings& settings) {
   command
       .add_option(std::string(net::kAllowFrame), settings.allowed_frames,
                   "a page that may show the viewer in a frame, https://host; may be given several times; default: none")
-      ->check([](const std::string& page) {
-        const Result<std::string> accepted = net::frame_ancestors({page});
-        return accepted ? "" : accepted.error();
-      })
       ->allow_extra_args(false);
   command
       .add_option("--wireless", settings.wireless,

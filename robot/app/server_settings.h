@@ -21,7 +21,7 @@ struct ServerSettings {
   std::vector<std::string> bind = {"127.0.0.1"};
   std::uint16_t port = 8765;
   std::vector<std::string> allowed_hosts, allowed_origins, allowed_frames;
-  std::vector<std::string> wireless;   // interfaces that are silent during a game; empty: the system's wireless ones
+  std::vector<std::string> wireless;   // interfaces that are silent during a game; empty: see server.h
   std::filesystem::path state_folder;  // empty: $XDG_STATE_HOME/foresight, or ~/.local/state/foresight
   bool protect_reading = false;
 };

@@ -13,8 +13,8 @@ namespace sim::agent {
 Beliefs mirrored(Beliefs beliefs);
 Mind mirrored(Mind mind);
 motion::Command mirrored(motion::Command command);
-/// Returns the tree for the mirrored field. It reverses the comparisons of lateral features, also those of two such
-/// features, and negates lateral arguments and the y of the kick-off places.
+/// Returns the tree for the mirrored field: it compares lateral features the other way round, also with each other. Its
+/// lateral arguments and the y of its kick-off places are negated.
 Tree mirrored(Tree tree);
 
 }  // namespace sim::agent

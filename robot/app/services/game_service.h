@@ -42,7 +42,8 @@ struct GameStatus {
 /// a session when the match begins, the session begins as soon as the disk does.
 class GameService {
  public:
-  /// All references outlive this. `memory` is that of our robot. Declares the parameter match_mode, on except with `practice`.
+  /// All references outlive this. `memory` is that of our robot. Declares the parameter match_mode, which is on except
+  /// with `practice`.
   GameService(GameOptions options, memory::Memory& memory, const Clock& clock, logging::Recorder& recorder,
               net::Parameters& parameters);
 

@@ -50,8 +50,8 @@ std::string_view name(RecordingStatus::State state);
 /// their messages as dropped and begins a new session of the same name.
 ///
 /// Each version that the profile wants, from the request to the end, is counted once: as a message in a file or as dropped.
-/// A new session begins with the newest version, which the one before has too. Each session holds its account in session.json, also if its folder was moved. If the disk takes no
-/// session.json at the end, tend() writes it later.
+/// A new session begins with the newest version, which the one before has too. Each session holds its account in
+/// session.json, also if its folder was moved. If the disk takes no session.json at the end, tend() writes it later.
 class Recorder {
  public:
   /// The origin that is written into the sessions. The recorder sets `name`, `profile`, `start_ns`, `number` and `boot`.

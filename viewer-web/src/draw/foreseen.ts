@@ -179,7 +179,6 @@ function drawBall(pen: Pen, camera: Camera, at: Point, alpha: number): void {
   strokeCircle(pen, camera, at, kBallRadius);
 }
 
-
 // pointer
 
 export function standingOf({ ball, bodies }: Situation, thing: Thing): Standing | undefined {

@@ -30,7 +30,7 @@ export interface Scene {
 export interface Told {
   memory: Memory;
   robots: RobotName[];
-  /** Of the game, as the server says, such as "spl2025"; "" if it does not. */
+  /** The rules of the game that the server reports, such as "spl2025"; "" if it reports none. */
   rules?: string;
   keyOf(robot: RobotName): string;
 }
