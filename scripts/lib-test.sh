@@ -102,7 +102,7 @@ test_steps() {
 
   # the viewer itself was built together with the programs
   if step prepare 'viewer packages' "$root/scripts/viewer-packages"; then
-    step check 'viewer types' quietly npm --prefix "$root/viewer-web" run --silent check || true
+    step check 'viewer types and lints' quietly npm --prefix "$root/viewer-web" run --silent check || true
     step tests 'viewer' run_vitest || true
   fi
 

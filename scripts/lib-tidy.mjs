@@ -50,7 +50,9 @@ for (const { file, command, output } of commands) {
   const object = output ?? / -o (\S+)/.exec(command)?.[1];
   // only our own and generated headers count: those of the system change only with its packages
   const used = (headers.get(object) ?? []).filter((path) => path.startsWith(`${root}/`)).sort();
-  const key = createHash("sha256").update(JSON.stringify([version, configuration, command, ...[file, ...used].map(hashOf)]));
+  const key = createHash("sha256").update(
+    JSON.stringify([version, configuration, command, ...[file, ...used].map(hashOf)]),
+  );
   const mark = join(tidyFolder, "passed", key.digest("hex"));
   if (!existsSync(mark)) console.log(`${mark} ${file}`);
 }

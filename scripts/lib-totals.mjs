@@ -13,7 +13,10 @@ const folder = process.argv[2];
 const read = (name) => (existsSync(join(folder, name)) ? readFileSync(join(folder, name), "utf8") : undefined);
 
 const unescape = (text) =>
-  text.replace(/&(lt|gt|quot|apos|amp|#10);/g, (_, name) => ({ lt: "<", gt: ">", quot: '"', apos: "'", amp: "&", "#10": "\n" })[name]);
+  text.replace(
+    /&(lt|gt|quot|apos|amp|#10);/g,
+    (_, name) => ({ lt: "<", gt: ">", quot: '"', apos: "'", amp: "&", "#10": "\n" })[name],
+  );
 
 /** Yields the tests of a JUnit file that ctest wrote. */
 function* fromCtest(xml) {
@@ -64,7 +67,11 @@ function* fromTap(tap) {
 
 /** Returns the tests of one step from the file that it left, or undefined if it left none. */
 function testsOf(name) {
-  for (const [ending, parse] of [[".junit.xml", fromCtest], [".vitest.json", fromVitest], [".tap", fromTap]]) {
+  for (const [ending, parse] of [
+    [".junit.xml", fromCtest],
+    [".vitest.json", fromVitest],
+    [".tap", fromTap],
+  ]) {
     const text = read(name + ending);
     if (text !== undefined) return [...parse(text)];
   }
@@ -74,9 +81,11 @@ function testsOf(name) {
 const all = [];
 for (const line of (read("steps.txt") ?? "").split("\n").filter(Boolean)) {
   const [outcome, kind, name] = line.split("\t");
-  const tests = kind === "tests" ? (testsOf(name) ?? []) : kind === "check" || outcome === "failed" ? [{ name: "", outcome }] : [];
+  const tests =
+    kind === "tests" ? (testsOf(name) ?? []) : kind === "check" || outcome === "failed" ? [{ name: "", outcome }] : [];
   // a step may fail although none of its tests did: it crashed, or found no tests
-  if (outcome === "failed" && !tests.some((test) => test.outcome === "failed")) tests.push({ name: "", outcome: "failed" });
+  if (outcome === "failed" && !tests.some((test) => test.outcome === "failed"))
+    tests.push({ name: "", outcome: "failed" });
   all.push(...tests.map((test) => ({ ...test, name: test.name ? `${name}: ${test.name}` : name })));
 }
 
@@ -95,7 +104,11 @@ for (const { name, seconds } of slowest.slice(0, 10)) console.log(`${seconds.toF
 const reasons = new Map();
 for (const test of having("skipped")) reasons.set(test.reason, [...(reasons.get(test.reason) ?? []), test.name]);
 for (const [reason, names] of reasons)
-  console.log(`skipped: ${names[0]}${names.length > 1 ? ` and ${names.length - 1} more` : ""}: ${reason.replace(/\s+/g, " ")}`);
+  console.log(
+    `skipped: ${names[0]}${names.length > 1 ? ` and ${names.length - 1} more` : ""}: ${reason.replace(/\s+/g, " ")}`,
+  );
 for (const test of having("failed")) console.log(`FAILED: ${test.name}`);
-console.log(`${having("passed").length} passed, ${having("failed").length} failed, ${having("skipped").length} skipped`);
+console.log(
+  `${having("passed").length} passed, ${having("failed").length} failed, ${having("skipped").length} skipped`,
+);
 process.exitCode = having("failed").length || all.length === 0 ? 1 : 0;

@@ -50,14 +50,16 @@ export function embed(dist, out) {
   } catch {
     throw new Error(`embed: cannot read the folder '${dist}'; build the viewer first: npm run build`);
   }
-  if (!paths.includes("index.html")) throw new Error(`embed: '${dist}' has no index.html; build the viewer first: npm run build`);
+  if (!paths.includes("index.html"))
+    throw new Error(`embed: '${dist}' has no index.html; build the viewer first: npm run build`);
 
   const folder = join(resolve(out), "assets");
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
   const assets = paths.map((path, index) => {
     const type = kContentTypes[extname(path)];
-    if (!type) throw new Error(`embed: no content type is known for '${path}'; add its extension to kContentTypes in embed.mjs`);
+    if (!type)
+      throw new Error(`embed: no content type is known for '${path}'; add its extension to kContentTypes in embed.mjs`);
     const content = readFileSync(join(dist, path));
     const bytes = gzip(content);
     const file = join(folder, `${index}.gz`);

@@ -24,7 +24,9 @@ test("every file is embedded gzipped, sorted by path, with its content type", ()
   embed(dist, out);
   expect(gunzipSync(readFileSync(join(out, "assets/0.gz"))).toString()).toBe("let x = 1;");
   expect(gunzipSync(readFileSync(join(out, "assets/1.gz"))).toString()).toBe("<p>page</p>");
-  expect(source()).toMatch(/"\/assets\/index-1\.js", "text\/javascript; charset=utf-8", \{foresight_viewer_asset_0, \d+\}/);
+  expect(source()).toMatch(
+    /"\/assets\/index-1\.js", "text\/javascript; charset=utf-8", \{foresight_viewer_asset_0, \d+\}/,
+  );
   expect(source()).toContain("kViewerAssetCount = 2;");
 });
 

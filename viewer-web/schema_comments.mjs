@@ -19,9 +19,18 @@ export function commentsOf(text) {
     if (field && within.length > 0 && scope.at(-1).kind !== "enum") {
       const [, name, comment = ""] = field;
       const [, unit = "", words = ""] = /^(?:\[([^\]]+)\])?\s*(.*)$/.exec(comment);
-      if (comment) (found[[package_name, ...within.map((message) => message.name)].join(".")] ??= {})[name] = [unitOf(unit), words];
+      if (comment)
+        (found[[package_name, ...within.map((message) => message.name)].join(".")] ??= {})[name] = [
+          unitOf(unit),
+          words,
+        ];
     }
-    for (let closed = (code.match(/\}/g) ?? []).length - (code.match(/\{/g) ?? []).length + (opened ? 1 : 0); closed > 0; --closed) scope.pop();
+    for (
+      let closed = (code.match(/\}/g) ?? []).length - (code.match(/\{/g) ?? []).length + (opened ? 1 : 0);
+      closed > 0;
+      --closed
+    )
+      scope.pop();
   }
   return found;
 }
@@ -40,7 +49,9 @@ export function schemaComments(folder) {
     resolveId: (source) => (source === id ? `\0${id}` : undefined),
     load(source) {
       if (source !== `\0${id}`) return undefined;
-      const files = readdirSync(folder).filter((name) => name.endsWith(".proto")).sort();
+      const files = readdirSync(folder)
+        .filter((name) => name.endsWith(".proto"))
+        .sort();
       for (const name of files) this.addWatchFile?.(join(folder, name));
       const all = Object.assign({}, ...files.map((name) => commentsOf(readFileSync(join(folder, name), "utf8"))));
       return `export default ${JSON.stringify(all)};`;

@@ -28,7 +28,13 @@ message Third {
 
 test("units and comments of fields are found, also of inner messages", () => {
   expect(commentsOf(kText)).toEqual({
-    "them.Ball": { seen_ns: ["ns", "image time"], x: ["m", "centre"], heat: ["", "how likely"], yes: ["", "agreed"], last: ["rad/s", "turning"] },
+    "them.Ball": {
+      seen_ns: ["ns", "image time"],
+      x: ["m", "centre"],
+      heat: ["", "how likely"],
+      yes: ["", "agreed"],
+      last: ["rad/s", "turning"],
+    },
     "them.Ball.Inner": { speed: ["m/s", ""] },
     "them.Third": { size_bytes: ["bytes", "on disk"] },
   });

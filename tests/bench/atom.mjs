@@ -10,7 +10,13 @@ let runs = 0;
 /** Starts a program under callgrind; `count()` returns its instructions after its end. */
 export function startCounted(name, args, preset) {
   const counts = join(scratch, `callgrind-${++runs}`);
-  const program = start(name, args, ["valgrind", "--quiet", "--tool=callgrind", `--callgrind-out-file=${counts}`], preset);
-  const count = () => Number(/^(?:summary|totals): (\d+)/m.exec(command("grep", "-E", "^(summary|totals):", counts))[1]);
+  const program = start(
+    name,
+    args,
+    ["valgrind", "--quiet", "--tool=callgrind", `--callgrind-out-file=${counts}`],
+    preset,
+  );
+  const count = () =>
+    Number(/^(?:summary|totals): (\d+)/m.exec(command("grep", "-E", "^(summary|totals):", counts))[1]);
   return { ...program, count };
 }

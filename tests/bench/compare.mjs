@@ -25,7 +25,10 @@ async function speed(report, pairs) {
   const small = await run([...kPlain, "--pairs", few, "--jobs", 2]);
   report.figure(`memory held by ${few} pairs`, small.megabytes, "MB");
   report.figure(`memory held by ${pairs} pairs, against that`, many.megabytes / small.megabytes, "x", { atMost: 1.05 });
-  const [one, two] = [await run([...kPlain, "--pairs", 2 * few, "--jobs", 1]), await run([...kPlain, "--pairs", 4 * few, "--jobs", 2])];
+  const [one, two] = [
+    await run([...kPlain, "--pairs", 2 * few, "--jobs", 1]),
+    await run([...kPlain, "--pairs", 4 * few, "--jobs", 2]),
+  ];
   report.figure("two processes against one", (2 * one.seconds) / two.seconds, "x", { atLeast: 1.9 });
 }
 

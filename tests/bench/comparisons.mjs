@@ -14,7 +14,8 @@ function highest(pid) {
   }
 }
 
-export const childrenOf = (pid) => readFileSync(`/proc/${pid}/task/${pid}/children`, "utf8").split(" ").filter(Boolean).map(Number);
+export const childrenOf = (pid) =>
+  readFileSync(`/proc/${pid}/task/${pid}/children`, "utf8").split(" ").filter(Boolean).map(Number);
 
 /**
  * Runs a comparison: {report, seconds, megabytes}. `watch(pid)` is called every `every` seconds while it runs.

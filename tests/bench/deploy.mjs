@@ -27,7 +27,22 @@ async function timed(world, script, ...words) {
 /** Records a half in profile game with the load of a robot's threads; returns the folder of its session. */
 async function recordHalf() {
   const logs = join(scratch, "half");
-  await (await startRobot(["--profile", "game", "--cameras", 0, "--no-costs", "--seconds", kHalf_s / kRecordingSpeed, "--speed", kRecordingSpeed], { logs })).report;
+  await (
+    await startRobot(
+      [
+        "--profile",
+        "game",
+        "--cameras",
+        0,
+        "--no-costs",
+        "--seconds",
+        kHalf_s / kRecordingSpeed,
+        "--speed",
+        kRecordingSpeed,
+      ],
+      { logs },
+    )
+  ).report;
   return join(logs, readdirSync(logs)[0]);
 }
 
@@ -73,10 +88,16 @@ export async function deploy() {
     rmSync(world.field.folder, { recursive: true, force: true });
   });
   world.field.shape(kRate);
-  console.log(`   five robots in namespaces, one link of ${kRate}; the program is ${(statSync(built("nao-v6")).size / 1e6).toFixed(1)} MB`);
+  console.log(
+    `   five robots in namespaces, one link of ${kRate}; the program is ${(statSync(built("nao-v6")).size / 1e6).toFixed(1)} MB`,
+  );
 
   await timed(world, "deploy", "--setup", ...kRobots);
-  report.figure("first installation on five robots, built before", await timed(world, "deploy", ...kRobots, "--no-build"), "s");
+  report.figure(
+    "first installation on five robots, built before",
+    await timed(world, "deploy", ...kRobots, "--no-build"),
+    "s",
+  );
   await halfTime(report, world);
   for (const path of kChanged) {
     await sleep(1); // a file system may count whole seconds only

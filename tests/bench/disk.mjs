@@ -35,13 +35,25 @@ export function slowDisk({ sizeMb, bytesPerSecond, stallMs, stallEvery }) {
         // the previous stall still froze it
       }
     }, stallEvery * 1000);
-    return { ...disk, args: [], words: `ext4 mounted sync on a throttled device: ${rate}`, stop: () => clearInterval(freezing) };
+    return {
+      ...disk,
+      args: [],
+      words: `ext4 mounted sync on a throttled device: ${rate}`,
+      stop: () => clearInterval(freezing),
+    };
   } catch (error) {
     const why = error.message.trim().split("\n").at(-1);
     return {
       folder: join(scratch, "disk-made-slow"),
       before: [],
-      args: ["--disk-mb-per-second", bytesPerSecond / 1e6, "--disk-stall-ms", stallMs, "--disk-stall-every", stallEvery],
+      args: [
+        "--disk-mb-per-second",
+        bytesPerSecond / 1e6,
+        "--disk-stall-ms",
+        stallMs,
+        "--disk-stall-every",
+        stallEvery,
+      ],
       words: `this machine's disk, made slow in the program (no throttled device: ${why}): ${rate}`,
       stop: () => {},
     };

@@ -13,11 +13,29 @@ const kBlock = 5; // [ms] most that a call may wait
 async function openRuntime(...words) {
   const folder = join(scratch, "door-logs");
   rmSync(folder, { recursive: true, force: true });
-  const runtime = start("foresight-robot", ["--body", "attached", "--port", 0, "--state-dir", join(scratch, "state"), "--log-dir", folder, ...words]);
-  await Promise.race([runtime.output, (async () => {
-    while (!existsSync(process.env.FORESIGHT_DOOR)) await sleep(0.002);
-  })()]);
-  return { ...runtime, folder, kill: () => process.kill(runtime.pid, "SIGKILL"), ended: runtime.output.catch(() => {}) };
+  const runtime = start("foresight-robot", [
+    "--body",
+    "attached",
+    "--port",
+    0,
+    "--state-dir",
+    join(scratch, "state"),
+    "--log-dir",
+    folder,
+    ...words,
+  ]);
+  await Promise.race([
+    runtime.output,
+    (async () => {
+      while (!existsSync(process.env.FORESIGHT_DOOR)) await sleep(0.002);
+    })(),
+  ]);
+  return {
+    ...runtime,
+    folder,
+    kill: () => process.kill(runtime.pid, "SIGKILL"),
+    ended: runtime.output.catch(() => {}),
+  };
 }
 
 function startPython(seconds) {
@@ -28,7 +46,11 @@ function startPython(seconds) {
   atEnd(() => child.kill("SIGKILL"));
   let text = "";
   child.stdout.on("data", (data) => (text += data));
-  return new Promise((done, fail) => child.on("close", (code) => (code === 0 ? done(JSON.parse(text)) : fail(new Error(`door_peer.py ended with ${code}`)))));
+  return new Promise((done, fail) =>
+    child.on("close", (code) =>
+      code === 0 ? done(JSON.parse(text)) : fail(new Error(`door_peer.py ended with ${code}`)),
+    ),
+  );
 }
 
 /** 83 Hz of joints and 30 Hz of raw images of two processes at once, all of it recorded. */
@@ -40,13 +62,28 @@ async function nothingLost(report, seconds) {
   runtime.stop();
   await runtime.ended;
   const session = command("ls", runtime.folder).trim().split("\n").at(-1);
-  const info = JSON.parse(command(path("../../build/release/bin/foresight-lab"), "info", "--json", join(runtime.folder, session)));
+  const info = JSON.parse(
+    command(path("../../build/release/bin/foresight-lab"), "info", "--json", join(runtime.folder, session)),
+  );
   const recorded = (topic) => info.streams.find((stream) => stream.topic === `/14/2/${topic}`)?.messages ?? 0;
-  for (const [name, process, joints, camera] of [["C", c, "joints", "camera_top"], ["Python", python, "python_joints", "python_camera"]]) {
-    report.figure(`${name}: lost on the way to the recording`, process.joints.calls + process.images.calls - recorded(joints) - recorded(camera), `of ${process.joints.calls + process.images.calls}`, { exactly: 0 });
+  for (const [name, process, joints, camera] of [
+    ["C", c, "joints", "camera_top"],
+    ["Python", python, "python_joints", "python_camera"],
+  ]) {
+    report.figure(
+      `${name}: lost on the way to the recording`,
+      process.joints.calls + process.images.calls - recorded(joints) - recorded(camera),
+      `of ${process.joints.calls + process.images.calls}`,
+      { exactly: 0 },
+    );
     report.figure(`${name}: joints`, recorded(joints) / seconds, "Hz");
     report.figure(`${name}: images`, recorded(camera) / seconds, "Hz");
-    report.figure(`${name}: processor per small write`, process.joints.cpu_us, "us", name === "C" ? { atMost: 50 } : {});
+    report.figure(
+      `${name}: processor per small write`,
+      process.joints.cpu_us,
+      "us",
+      name === "C" ? { atMost: 50 } : {},
+    );
     report.figure(`${name}: processor per image`, process.images.cpu_us, "us");
   }
   report.figure("C: longest small write", c.joints.longest_ms, "ms");
@@ -54,8 +91,17 @@ async function nothingLost(report, seconds) {
 
 function tellPeer(report, name, peer) {
   report.figure(`${name}: torn messages`, peer.torn, `of ${peer.seen}`, { exactly: 0 });
-  report.figure(`${name}: longest call that waited`, Math.max(peer.writes.longest_wait_ms, peer.reads.longest_wait_ms), "ms", { atMost: kBlock });
-  report.figure(`${name}: longest call, pushed off the processor included`, Math.max(peer.writes.longest_ms, peer.reads.longest_ms), "ms");
+  report.figure(
+    `${name}: longest call that waited`,
+    Math.max(peer.writes.longest_wait_ms, peer.reads.longest_wait_ms),
+    "ms",
+    { atMost: kBlock },
+  );
+  report.figure(
+    `${name}: longest call, pushed off the processor included`,
+    Math.max(peer.writes.longest_ms, peer.reads.longest_ms),
+    "ms",
+  );
   report.figure(`${name}: calls`, peer.writes.calls + peer.reads.calls);
 }
 
@@ -89,9 +135,19 @@ async function killProcesses(report, kills) {
   bystander.stop();
   judge.stop();
   const [untouched, judged] = [await bystander.report, await judge.report];
-  report.figure(`a process killed ${kills} times: the runtime goes on`, Number(existsSync(`/proc/${runtime.pid}`)), "", { exactly: 1 });
+  report.figure(
+    `a process killed ${kills} times: the runtime goes on`,
+    Number(existsSync(`/proc/${runtime.pid}`)),
+    "",
+    { exactly: 1 },
+  );
   report.figure(`a process killed ${kills} times: torn messages`, judged.torn, `of ${judged.seen}`, { exactly: 0 });
-  report.figure(`a process killed ${kills} times: lost by another process`, untouched.lost + untouched.missed, `of ${untouched.writes.calls}`, { exactly: 0 });
+  report.figure(
+    `a process killed ${kills} times: lost by another process`,
+    untouched.lost + untouched.missed,
+    `of ${untouched.writes.calls}`,
+    { exactly: 0 },
+  );
   tellPeer(report, "another process meanwhile", untouched);
   runtime.stop();
   await runtime.ended;

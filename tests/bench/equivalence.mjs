@@ -22,8 +22,12 @@ const kOutcomes = [
 
 export async function equivalence({ games = 5000, jobs = 2 }) {
   const report = new Report("equivalence", "is the thinned game the game at 30 decisions a second?");
-  console.log(`   ${games} games each with the same seeds; 90 % intervals of thinned less every tick (two one-sided tests at 5 %).`);
-  console.log("   Margins: 0.15 goals, 3 % possession, 5 % of shots and of the time to the first goal (goalless: the whole game).");
+  console.log(
+    `   ${games} games each with the same seeds; 90 % intervals of thinned less every tick (two one-sided tests at 5 %).`,
+  );
+  console.log(
+    "   Margins: 0.15 goals, 3 % possession, 5 % of shots and of the time to the first goal (goalless: the whole game).",
+  );
   for (const { name: pairing, ...choice } of kPairings) {
     const thinned = await play(choice, games, { jobs });
     const plain = await play({ ...choice, everyTick: true }, games, { jobs });
@@ -31,10 +35,20 @@ export async function equivalence({ games = 5000, jobs = 2 }) {
       const known = plain.map(value);
       const within = margin ?? part * meanOf(known).mean;
       const { from, to, farthest } = test(differenceOf(thinned.map(value), known), within);
-      report.figure(`${pairing}: ${name}, farthest end of the interval`, farthest, unit, { atMost: Number(pretty(within)) });
-      return [name, pretty(meanOf(known).mean), pretty(meanOf(thinned.map(value)).mean), `${pretty(from)} .. ${pretty(to)}`, unit];
+      report.figure(`${pairing}: ${name}, farthest end of the interval`, farthest, unit, {
+        atMost: Number(pretty(within)),
+      });
+      return [
+        name,
+        pretty(meanOf(known).mean),
+        pretty(meanOf(thinned.map(value)).mean),
+        `${pretty(from)} .. ${pretty(to)}`,
+        unit,
+      ];
     });
-    console.log(`\n   ${pairing}\n` + table([["", "every tick", "thinned", "difference", ""], ...rows]).replaceAll(/^/gm, "   "));
+    console.log(
+      `\n   ${pairing}\n` + table([["", "every tick", "thinned", "difference", ""], ...rows]).replaceAll(/^/gm, "   "),
+    );
   }
   return report.finish();
 }

@@ -5,10 +5,20 @@ import { median, Report } from "./report.mjs";
 const kRounds = 3;
 
 export async function fanout({ seconds = 3 }) {
-  const report = new Report("fanout", "how many messages does a second of CPU time carry, beside one async_write per message?");
-  console.log("   counted: CPU time of the whole server process, the thread that feeds it included but not the making of the");
-  console.log("   messages, and messages that arrived. Clients are another process; the same bytes, as many clients, in turns.");
-  for (const [bytes, bar] of [[64, 10], [1024, 3]])
+  const report = new Report(
+    "fanout",
+    "how many messages does a second of CPU time carry, beside one async_write per message?",
+  );
+  console.log(
+    "   counted: CPU time of the whole server process, the thread that feeds it included but not the making of the",
+  );
+  console.log(
+    "   messages, and messages that arrived. Clients are another process; the same bytes, as many clients, in turns.",
+  );
+  for (const [bytes, bar] of [
+    [64, 10],
+    [1024, 3],
+  ])
     for (const clients of [1, 4]) {
       const found = { ours: [], beast: [] };
       for (let round = 0; round < kRounds; ++round)

@@ -12,7 +12,13 @@ const kEach = 30; // failures of each place in a program
 const kPause_ms = 10;
 
 /** The words in front of a program in which calls fail. */
-const failing = ["env", `LD_PRELOAD=${kLibrary}`, `FORESIGHT_FAULTS=${scratch}`, `FORESIGHT_FAULTS_EACH=${kEach}`, `FORESIGHT_FAULTS_PAUSE_MS=${kPause_ms}`];
+const failing = [
+  "env",
+  `LD_PRELOAD=${kLibrary}`,
+  `FORESIGHT_FAULTS=${scratch}`,
+  `FORESIGHT_FAULTS_EACH=${kEach}`,
+  `FORESIGHT_FAULTS_PAUSE_MS=${kPause_ms}`,
+];
 
 const faultsOf = () =>
   readdirSync(scratch)
@@ -20,13 +26,33 @@ const faultsOf = () =>
     .flatMap((name) => readFileSync(join(scratch, name), "utf8").split("\n").filter(Boolean));
 
 export async function faults({ seconds = 240 }) {
-  const report = new Report("faults", "does a single failure of the system end a program, or lose messages without counting them?");
-  console.log(`   two robots and a relay, ${seconds} s; each place in a program fails ${kEach} times, one failure per ${kPause_ms} ms and program`);
+  const report = new Report(
+    "faults",
+    "does a single failure of the system end a program, or lose messages without counting them?",
+  );
+  console.log(
+    `   two robots and a relay, ${seconds} s; each place in a program fails ${kEach} times, one failure per ${kPause_ms} ms and program`,
+  );
   const door = join(scratch, "door");
-  const attached = await program("foresight-robot", ["--body", "attached", "--team", 14, "--player", 2, "--door", door, "--game-controller", "--game-port", kGamePort], join(scratch, "attached"), { before: failing });
-  const played = await program("foresight-robot", ["--body", "sim", "--seed", 7, "--speed", 4, "--loop", "--record"], join(scratch, "sim"), { before: failing });
+  const attached = await program(
+    "foresight-robot",
+    ["--body", "attached", "--team", 14, "--player", 2, "--door", door, "--game-controller", "--game-port", kGamePort],
+    join(scratch, "attached"),
+    { before: failing },
+  );
+  const played = await program(
+    "foresight-robot",
+    ["--body", "sim", "--seed", 7, "--speed", 4, "--loop", "--record"],
+    join(scratch, "sim"),
+    { before: failing },
+  );
   const robots = [attached, played].map(({ url, token }) => `${url.replace("http", "ws")}/?token=${token}`);
-  const relay = await program("foresight-lab", ["relay", ...robots, "--record", "--pictures", "none"], join(scratch, "relay"), { before: failing });
+  const relay = await program(
+    "foresight-lab",
+    ["relay", ...robots, "--record", "--pictures", "none"],
+    join(scratch, "relay"),
+    { before: failing },
+  );
   const programs = [attached, played, relay];
   const peer = start("bench_door_peer", ["sensors", seconds + 20], ["env", `FORESIGHT_DOOR=${door}`]);
   const endGames = startGameController();
@@ -43,12 +69,24 @@ export async function faults({ seconds = 240 }) {
   peer.stop();
   const deaths = programs.filter(({ ended }) => ended).length;
   for (const { child } of programs) child.stop();
-  const ends = await Promise.all(programs.map(({ child }) => child.output.then(() => 0, () => 1)));
+  const ends = await Promise.all(
+    programs.map(({ child }) =>
+      child.output.then(
+        () => 0,
+        () => 1,
+      ),
+    ),
+  );
 
   const made = faultsOf();
   const kinds = new Map();
   for (const [, kind] of made.map((line) => line.split(" "))) kinds.set(kind, (kinds.get(kind) ?? 0) + 1);
-  console.log(`   faults: ${[...kinds].map(([kind, count]) => `${kind} ${count}`).sort().join(", ")}`);
+  console.log(
+    `   faults: ${[...kinds]
+      .map(([kind, count]) => `${kind} ${count}`)
+      .sort()
+      .join(", ")}`,
+  );
   report.figure("single faults", made.length, "", { atLeast: 2000 });
   report.figure("places in the programs that failed", new Set(made.map((line) => line.split(" ")[3])).size);
   report.figure("programs that died", deaths, "", { exactly: 0 });

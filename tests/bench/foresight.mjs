@@ -47,14 +47,19 @@ const situation = async (preset, ...args) => {
  */
 async function speed(report) {
   const cost = async (preset, seconds, rollouts, ...more) => {
-    const ask = (count) => situation(preset, ...kThree, "--rules", "spl2025:5", "--seconds", seconds, "--rollouts", count, ...more);
+    const ask = (count) =>
+      situation(preset, ...kThree, "--rules", "spl2025:5", "--seconds", seconds, "--rollouts", count, ...more);
     const few = await ask(24);
     return (await ask(24 + rollouts)) - few;
   };
   const thrice = async (...asked) => median([await cost(...asked), await cost(...asked), await cost(...asked)]);
   const seconds = await thrice("release", 30, 200);
   report.figure("3 x 200 rollouts of 30 s, 5 a side, match", 1000 * seconds, "ms", { atMost: 100 });
-  report.figure("the same by the program for the Nao V6, on this machine", 1000 * (await thrice("nao-v6", 30, 200)), "ms");
+  report.figure(
+    "the same by the program for the Nao V6, on this machine",
+    1000 * (await thrice("nao-v6", 30, 200)),
+    "ms",
+  );
   const half = [600, 100, "--until", "half"];
   report.figure("3 x 100 rollouts to the end of the half", await cost("release", ...half), "s", { atMost: 2.5 });
   report.figure("the same by the program for the Nao V6 to the end of the half", await cost("nao-v6", ...half), "s");
@@ -63,7 +68,23 @@ async function speed(report) {
 
 /** A robot in a simulated game, a minute after its start. */
 async function askable(before, preset) {
-  const robot = start("foresight-robot", ["--body", "sim", "--port", 0, "--no-foresight", "--loop", "--state-dir", join(scratch, "state"), "--log-dir", join(scratch, "logs")], before, preset);
+  const robot = start(
+    "foresight-robot",
+    [
+      "--body",
+      "sim",
+      "--port",
+      0,
+      "--no-foresight",
+      "--loop",
+      "--state-dir",
+      join(scratch, "state"),
+      "--log-dir",
+      join(scratch, "logs"),
+    ],
+    before,
+    preset,
+  );
   const port = /:(\d+)/.exec(await robot.address)[1];
   const live = await Live.open({ after: atEnd }, { port });
   await live.call("/sim/step", { ticks: 1800 });
@@ -94,7 +115,11 @@ async function deadline(report, questions) {
     const p99 = (values) => values.sort((a, b) => a - b)[Math.floor(0.99 * (values.length - 1))];
     report.figure(`${budget} ms asked, both cores taken: questions answered`, late.length);
     report.figure(`${budget} ms asked: later than the budget, p99`, p99(late), "ms", { atMost: kLate });
-    report.figure(`${budget} ms asked: likewise as the asker saw it, who competes for the cores too`, p99(waited), "ms");
+    report.figure(
+      `${budget} ms asked: likewise as the asker saw it, who competes for the cores too`,
+      p99(waited),
+      "ms",
+    );
     report.figure(`${budget} ms asked: without advice, too few futures`, without);
   }
   free();
@@ -113,7 +138,11 @@ async function byShare(report) {
       rates.push((1000 * rollouts) / forecast.answered_ms);
     }
     robot.stop();
-    report.figure(`${100 * share} % of a core: futures of 30 s, 4 a side, program for the Nao V6`, median(rates), "1/s");
+    report.figure(
+      `${100 * share} % of a core: futures of 30 s, 4 a side, program for the Nao V6`,
+      median(rates),
+      "1/s",
+    );
   }
 }
 
@@ -121,7 +150,11 @@ async function byShare(report) {
 async function onAtom(report) {
   const [few, many] = [24, 72]; // of each strategy
   const instructions = async (rollouts, seconds) => {
-    const counted = startCounted("foresight-sim", ["situation", "near_pressed", ...kThree, "--seconds", seconds, "--rollouts", rollouts], "nao-v6");
+    const counted = startCounted(
+      "foresight-sim",
+      ["situation", "near_pressed", ...kThree, "--seconds", seconds, "--rollouts", rollouts],
+      "nao-v6",
+    );
     await counted.output;
     return counted.count();
   };
@@ -130,14 +163,18 @@ async function onAtom(report) {
     const each = ((await instructions(many, seconds)) - (await instructions(few, seconds))) / (3 * (many - few));
     report.figure(`a future of ${seconds} s, 4 a side, program for the Nao V6`, each / 1e6, "million instructions");
     rollouts[seconds] = Math.floor((kAtomInstructions * kRobot.share * kRobot.seconds) / each);
-    report.figure(`futures of ${seconds} s in ${1000 * kRobot.seconds} ms on ${100 * kRobot.share} % of an Atom's core, estimated`, rollouts[seconds]);
+    report.figure(
+      `futures of ${seconds} s in ${1000 * kRobot.seconds} ms on ${100 * kRobot.share} % of an Atom's core, estimated`,
+      rollouts[seconds],
+    );
   }
   return rollouts;
 }
 
 /** A loop of 30 Hz that uses 70 % of a core and is recorded whole, with and without questions beside it all the time. */
 async function harm(report, seconds) {
-  const loop = async (...words) => (await startRobot(["--seconds", seconds, "--warm-up", 1, "--work", 0.7, "--profile", "full", ...words])).report;
+  const loop = async (...words) =>
+    (await startRobot(["--seconds", seconds, "--warm-up", 1, "--work", 0.7, "--profile", "full", ...words])).report;
   const free = occupy(1);
   const [alone, beside] = [[], []];
   for (let round = 0; round < 3; ++round) {
@@ -150,23 +187,49 @@ async function harm(report, seconds) {
   report.figure("period p99, asking all the time", p99(beside), "ms");
   report.figure("period p99, change", p99(beside) - p99(alone), "ms", { atMost: 1 });
   report.figure("futures meanwhile", median(beside.map(({ futures }) => futures / seconds)), "1/s", { above: 0 });
-  report.figure("messages of the recording that were lost", beside.reduce((sum, run) => sum + lost(run, 1), 0), "", { exactly: 0 });
+  report.figure(
+    "messages of the recording that were lost",
+    beside.reduce((sum, run) => sum + lost(run, 1), 0),
+    "",
+    { exactly: 0 },
+  );
 }
 
 async function calibration(report, situations) {
-  const told = JSON.parse(await start("foresight-sim", ["calibration", "--json", "--situations", situations, "--rollouts", kFutures]).output);
+  const told = JSON.parse(
+    await start("foresight-sim", ["calibration", "--json", "--situations", situations, "--rollouts", kFutures]).output,
+  );
   for (const kind of ["score", "concede"]) {
     const { brier, base_rate_brier, deciles } = told[kind];
     const off = ({ foretold, came }) => Math.abs(foretold - came);
-    const worst = deciles.filter(({ cases }) => cases >= 50).reduce((worst, decile) => (off(decile) > off(worst) ? decile : worst));
+    const worst = deciles
+      .filter(({ cases }) => cases >= 50)
+      .reduce((worst, decile) => (off(decile) > off(worst) ? decile : worst));
     report.figure(`${kind}: worst decile of 50 cases and more, foretold less came`, off(worst), "", { atMost: 0.05 });
-    report.figure(`${kind}: what chance alone does to that decile, one standard error`, Math.sqrt((worst.foretold * (1 - worst.foretold)) / worst.cases));
+    report.figure(
+      `${kind}: what chance alone does to that decile, one standard error`,
+      Math.sqrt((worst.foretold * (1 - worst.foretold)) / worst.cases),
+    );
     report.figure(`${kind}: Brier score less that of the base rate`, brier - base_rate_brier, "", { below: 0 });
   }
 }
 
 const choose = async (moments, rollouts, strategies, ...words) =>
-  JSON.parse(await start("foresight-sim", ["choosing", "--json", "--moments", moments, "--rollouts", rollouts, "--horizon", kGameHorizon, "--strategies", strategies.join(","), ...words]).output);
+  JSON.parse(
+    await start("foresight-sim", [
+      "choosing",
+      "--json",
+      "--moments",
+      moments,
+      "--rollouts",
+      rollouts,
+      "--horizon",
+      kGameHorizon,
+      "--strategies",
+      strategies.join(","),
+      ...words,
+    ]).output,
+  );
 
 /** The gain of choosing with full knowledge, and the captain's gain with its few rollouts. */
 async function choosing(report, moments, rollouts) {
@@ -175,7 +238,12 @@ async function choosing(report, moments, rollouts) {
   report.figure("moments of games in which each strategy was tried", moments);
   report.figure("the best strategy every 10 s, by who knows all", knowing.mean, "goals a game");
   report.figure("the same, its standard error", knowing.standard_error, "goals a game");
-  report.figure(`the captain's choice every 10 s, by ${rollouts} futures of what it believes`, captain.mean, "goals a game", { above: 0 });
+  report.figure(
+    `the captain's choice every 10 s, by ${rollouts} futures of what it believes`,
+    captain.mean,
+    "goals a game",
+    { above: 0 },
+  );
   report.figure("the same, its standard error", captain.standard_error, "goals a game");
   report.figure("moments in which the captain changes", 100 * changes, "%");
 }
@@ -194,11 +262,23 @@ async function whatKeeps(report, moments, rollouts) {
 
 /** Compares two teams. The played games are kept, and the next bench of the same program continues them. */
 async function play(name, ...words) {
-  const program = createHash("sha256").update(readFileSync(join(root, "build/release/bin/foresight-sim"))).digest("hex").slice(0, 8);
+  const program = createHash("sha256")
+    .update(readFileSync(join(root, "build/release/bin/foresight-sim")))
+    .digest("hex")
+    .slice(0, 8);
   const kept = join(root, "build/bench", `${name}-${program}`);
-  const { seconds, report } = await run([...words, "--jobs", 2, "--out", kept, ...(existsSync(kept) ? ["--resume"] : [])]);
+  const { seconds, report } = await run([
+    ...words,
+    "--jobs",
+    2,
+    "--out",
+    kept,
+    ...(existsSync(kept) ? ["--resume"] : []),
+  ]);
   const { mean, low, high } = report.gain;
-  console.log(`   ${name}: ${report.pairs} pairs, ${pretty(mean)} goals a game (95 %: ${pretty(low)} .. ${pretty(high)}), LLR ${pretty(report.llr)}: ${report.verdict}`);
+  console.log(
+    `   ${name}: ${report.pairs} pairs, ${pretty(mean)} goals a game (95 %: ${pretty(low)} .. ${pretty(high)}), LLR ${pretty(report.llr)}: ${report.verdict}`,
+  );
   return { ...report, hours: (2 * seconds) / 3600 };
 }
 
@@ -212,7 +292,10 @@ async function wins(report, pairs, rollouts) {
   ]) {
     const foreseeing = `foresight,opponent=${rival},rollouts=${rollouts},horizon=${kGameHorizon}`;
     const played = await play(`${name}-${rollouts}`, rival, foreseeing, "--sprt", "0,0.2", "--most-pairs", pairs);
-    report.figure(`against ${told}: pairs of games until the sequential test of 0 against 0.2 goals knew, or enough`, played.pairs);
+    report.figure(
+      `against ${told}: pairs of games until the sequential test of 0 against 0.2 goals knew, or enough`,
+      played.pairs,
+    );
     report.figure(`against ${told}: goals a game that foresight gains`, played.gain.mean, "goals", { above: 0 });
     report.figure(`against ${told}: the same, lower end of 95 %`, played.gain.low, "goals", { above: 0 });
     report.figure(`against ${told}: the same, upper end of 95 %`, played.gain.high, "goals");
@@ -221,21 +304,42 @@ async function wins(report, pairs, rollouts) {
   }
 
   const fast = join(root, "build/bench/fast.json");
-  writeFileSync(fast, JSON.stringify({ name: "fast", about: "takes the others to be twice as fast", choose: kChoice, opponent: best, opponent_models: kFast, rollouts }));
+  writeFileSync(
+    fast,
+    JSON.stringify({
+      name: "fast",
+      about: "takes the others to be twice as fast",
+      choose: kChoice,
+      opponent: best,
+      opponent_models: kFast,
+      rollouts,
+    }),
+  );
   const wrong = await play(`wrong-${rollouts}`, best, fast, "--pairs", Math.max(2, Math.round(0.4 * pairs)));
   const error = (wrong.gain.high - wrong.gain.low) / 2 / 1.96;
   report.figure("goals a game gained by who takes the others to be twice as fast", wrong.gain.mean, "goals");
   report.figure("the same, lower bound of 95 %, one-sided", wrong.gain.mean - 1.645 * error, "goals", { above: -0.2 });
 }
 
-export async function foresight({ probes = 500, seconds = 20, games = 1000, rollouts = 4000, choices = 200, moments = 1000, jobs = 2 }) {
+export async function foresight({
+  probes = 500,
+  seconds = 20,
+  games = 1000,
+  rollouts = 4000,
+  choices = 200,
+  moments = 1000,
+  jobs = 2,
+}) {
   const report = new Report("foresight", "in time, true, harmless, and worth it?");
   const perSecond = await speed(report);
   const onRobot = await onAtom(report);
   if (choices > 0)
     await rightChoice(report, choices, jobs, [
       { where: "200 ms", rollouts: Math.round((0.2 * perSecond) / 2) },
-      { where: `${1000 * kRobot.seconds} ms of ${100 * kRobot.share} % of an Atom's core`, rollouts: Math.floor(onRobot[30] / 2) },
+      {
+        where: `${1000 * kRobot.seconds} ms of ${100 * kRobot.share} % of an Atom's core`,
+        rollouts: Math.floor(onRobot[30] / 2),
+      },
     ]);
   if (probes > 0) {
     await byShare(report).catch((error) => console.log(`   not by share of a core: ${error.message}`));

@@ -1,7 +1,15 @@
 // Games of the simulator, each as one line of foresight-sim match --lines.
 import { start } from "./programs.mjs";
 
-const kOptions = { rules: "--rules", home: "--home", away: "--away", models: "--models", homeModels: "--home-models", awayModels: "--away-models", players: "--players" };
+const kOptions = {
+  rules: "--rules",
+  home: "--home",
+  away: "--away",
+  models: "--models",
+  homeModels: "--home-models",
+  awayModels: "--away-models",
+  players: "--players",
+};
 
 /** The words of foresight-sim for a choice: {rules, home, away, models, homeModels, awayModels, players, everyTick}. */
 export const words = (choice) => [
@@ -29,7 +37,8 @@ export class Series {
   /** The first `count` games. */
   async first(count) {
     const known = this.#games.length;
-    if (known < count) this.#games.push(...(await play(this.#choice, count - known, { jobs: this.#jobs, first: known + 1 })));
+    if (known < count)
+      this.#games.push(...(await play(this.#choice, count - known, { jobs: this.#jobs, first: known + 1 })));
     return this.#games.slice(0, count);
   }
 }

@@ -48,7 +48,12 @@ export async function half({ minutes = 20, speed = 1 }) {
     // the files' size beyond their messages counts once per session, not per minute
     const perMinute = run.recorded.size_bytes / 1e6 / ((run.seconds * speed) / 60);
     report.figure(`${name}: size`, perMinute, "MB/min");
-    report.figure(`${name}: size, part of what was announced`, perMinute / run.recorded.announced_mb_per_minute, "", asAnnounced);
+    report.figure(
+      `${name}: size, part of what was announced`,
+      perMinute / run.recorded.announced_mb_per_minute,
+      "",
+      asAnnounced,
+    );
   }
 
   // the other profiles announce their size too: measured on the real disk
@@ -58,7 +63,12 @@ export async function half({ minutes = 20, speed = 1 }) {
     const perMinute = run.recorded.size_bytes / 1e6 / (run.seconds / 60);
     report.figure(`profile ${profile}: lost`, lost(run, 1), "", { exactly: 0 });
     report.figure(`profile ${profile}: size`, perMinute, "MB/min");
-    report.figure(`profile ${profile}: size, part of what was announced`, perMinute / run.recorded.announced_mb_per_minute, "", asAnnounced);
+    report.figure(
+      `profile ${profile}: size, part of what was announced`,
+      perMinute / run.recorded.announced_mb_per_minute,
+      "",
+      asAnnounced,
+    );
   }
   return report.finish();
 }

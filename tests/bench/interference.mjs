@@ -42,12 +42,17 @@ export async function interference({ seconds = 20 }) {
   const nobody = [];
   const ten = [];
   for (let round = 0; round < kRounds; ++round) {
-    console.log(`   round ${round + 1} of ${kRounds}: writing for nobody, then for 10 viewers of whom one is stalled …`);
+    console.log(
+      `   round ${round + 1} of ${kRounds}: writing for nobody, then for 10 viewers of whom one is stalled …`,
+    );
     nobody.push(await run(["--profile", "full"], seconds, []));
     ten.push(await run(["--profile", "full"], seconds, [["--watch", "objects,images", "--clients", 9], stalled]));
   }
   const figure = (runs, what, which = "write") => median(runs.map((each) => each[which][what]));
-  for (const [name, runs] of [["recorded, no viewer", nobody], ["recorded, 10 viewers", ten]]) {
+  for (const [name, runs] of [
+    ["recorded, no viewer", nobody],
+    ["recorded, 10 viewers", ten],
+  ]) {
     report.figure(`write, ${name}: CPU p99.9`, figure(runs, "cpu_p999_us"), "us", { below: 20 });
     report.figure(`write, ${name}: wall p99`, figure(runs, "wall_p99_us"), "us", { below: 100 });
     report.figure(`as long computing beside it, ${name}: CPU p99.9`, figure(runs, "cpu_p999_us", "control"), "us");

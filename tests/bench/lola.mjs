@@ -25,7 +25,12 @@ async function answers(report, seconds) {
   report.figure("frames without an answer before the next one", told.unanswered, "", { exactly: 0 });
   report.figure("answers that were none", told.bad_answers, "", { exactly: 0 });
   report.figure("until the answer, median", told.median_ms, "ms");
-  report.figure(`until the answer, p99.9, real-time priority ${allowed ? "allowed" : "not allowed"}`, told.p999_ms, "ms", allowed ? { atMost: 4 } : {});
+  report.figure(
+    `until the answer, p99.9, real-time priority ${allowed ? "allowed" : "not allowed"}`,
+    told.p999_ms,
+    "ms",
+    allowed ? { atMost: 4 } : {},
+  );
   report.figure("until the answer, longest", told.longest_ms, "ms");
   report.figure("cycles that the robot itself was late for", told.late_cycles);
 }
@@ -39,13 +44,19 @@ export async function lola({ seconds = 600 }) {
 
   // a real picture if there is one
   let picture = process.env.FORESIGHT_DATA && join(process.env.FORESIGHT_DATA, "frames/htwk_benchmark_640x480.yuv422");
-  if (!picture || !existsSync(picture)) writeFileSync((picture = join(scratch, "picture")), Buffer.alloc(2 * 640 * 480, 128));
+  if (!picture || !existsSync(picture))
+    writeFileSync((picture = join(scratch, "picture")), Buffer.alloc(2 * 640 * 480, 128));
   const length = Math.min(seconds, 60);
   console.log(`   both cameras from a stand-in: ${length} s …`);
   const cameras = await start("bench_lola", ["cameras", length, picture]).report;
   for (const name of ["top", "bottom"]) {
     report.figure(`camera ${name}: pictures a second`, cameras[name].fps, "1/s", { between: [29.9, 30.1] });
-    report.figure(`camera ${name}: that did not arrive`, cameras.delivered - cameras[name].images, `of ${cameras.delivered}`, { exactly: 0 });
+    report.figure(
+      `camera ${name}: that did not arrive`,
+      cameras.delivered - cameras[name].images,
+      `of ${cameras.delivered}`,
+      { exactly: 0 },
+    );
   }
   await answers(report, seconds);
   return report.finish();

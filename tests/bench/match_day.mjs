@@ -92,7 +92,12 @@ function watch(robot, stay_ms) {
       if (isBinary) return;
       const message = JSON.parse(bytes);
       if (message.op === "advertise")
-        socket.send(JSON.stringify({ op: "subscribe", subscriptions: message.channels.map(({ id }) => ({ id: ++last, channelId: id })) }));
+        socket.send(
+          JSON.stringify({
+            op: "subscribe",
+            subscriptions: message.channels.map(({ id }) => ({ id: ++last, channelId: id })),
+          }),
+        );
       const question = message.services?.find(({ name }) => name === "what_if");
       if (!question) return;
       const words = Buffer.from(JSON.stringify({ budget_ms: 200 }));
@@ -111,12 +116,14 @@ function watch(robot, stay_ms) {
 /** Everything that people do: status, lists, downloads, viewers that come and go. */
 export async function use(robot, until_ms) {
   const looking = (async () => {
-    while (performance.now() < until_ms && !robot.ended) await look(robot), await sleep(0.1);
+    while (performance.now() < until_ms && !robot.ended) (await look(robot), await sleep(0.1));
   })();
   const reading = (async () => {
     while (performance.now() < until_ms && !robot.ended) {
       for (const session of ((await ask(robot, "/api/sessions"))?.sessions ?? []).slice(-2))
-        await fetch(`${robot.url}/logs/${session.name}.mcap`, { signal: AbortSignal.timeout(5000) }).then((answer) => answer.arrayBuffer()).catch(() => {});
+        await fetch(`${robot.url}/logs/${session.name}.mcap`, { signal: AbortSignal.timeout(5000) })
+          .then((answer) => answer.arrayBuffer())
+          .catch(() => {});
       await sleep(0.5);
     }
   })();
@@ -192,7 +199,13 @@ export class Account {
   #judge({ robot, stored, gaps, account, shown }) {
     // a relay keeps the numbers of its robots, and a busy robot leaves out old versions for it
     const missing = robot === "foresight-lab" ? 0 : gaps;
-    if (account) return { uncounted: Math.abs(account.messages - stored) + Math.max(0, missing - account.dropped), inFlight: 0, unread: 0, dropped: account.dropped };
+    if (account)
+      return {
+        uncounted: Math.abs(account.messages - stored) + Math.max(0, missing - account.dropped),
+        inFlight: 0,
+        unread: 0,
+        dropped: account.dropped,
+      };
     if (!shown) return { uncounted: 0, inFlight: 0, unread: missing, dropped: 0 };
     const before = sumOf(shown.earlier.map((session) => this.#dropped.get(session) ?? 0)); // of the same request
     const dropped = Math.max(0, shown.dropped - before);
@@ -208,8 +221,14 @@ export class Account {
     const judged = this.#sessions.map((one) => ({ ...one, ...this.#judge(one) }));
     for (const { robot, session, stored, gaps, account, shown, uncounted, unread, dropped, unfinished } of judged) {
       if (uncounted + unread + gaps + dropped === 0) continue;
-      const counts = account ? `${account.messages} messages and ${account.dropped} dropped in session.json` : shown ? `no end; ${shown.messages} messages, ${shown.waiting} waiting and ${dropped} dropped in its last status` : "no end and no status";
-      console.log(`   ${robot} ${session}: ${stored} stored, ${gaps} missing between them; ${counts}${unfinished ? "; a file without an end" : ""}${uncounted ? `; ${uncounted} NOT COUNTED` : ""}`);
+      const counts = account
+        ? `${account.messages} messages and ${account.dropped} dropped in session.json`
+        : shown
+          ? `no end; ${shown.messages} messages, ${shown.waiting} waiting and ${dropped} dropped in its last status`
+          : "no end and no status";
+      console.log(
+        `   ${robot} ${session}: ${stored} stored, ${gaps} missing between them; ${counts}${unfinished ? "; a file without an end" : ""}${uncounted ? `; ${uncounted} NOT COUNTED` : ""}`,
+      );
     }
     const sum = (key) => sumOf(judged.map((one) => Number(one[key])));
     const killed = judged.filter(({ account }) => !account);
@@ -221,9 +240,17 @@ export class Account {
     report.figure("kills", this.#kills);
     report.figure("sessions without an end", killed.length, "", { atMost: this.#kills });
     report.figure("messages not yet written at the kills", sum("inFlight"));
-    report.figure("messages not yet written at a kill, at most", Math.max(0, ...judged.map(({ inFlight }) => inFlight)), "", { atMost: 2 * kPerSecond });
+    report.figure(
+      "messages not yet written at a kill, at most",
+      Math.max(0, ...judged.map(({ inFlight }) => inFlight)),
+      "",
+      { atMost: 2 * kPerSecond },
+    );
     report.figure("messages lost before a kill, with a count that nobody could read", sum("unread"));
-    report.figure("files that the disk left without an end", judged.filter(({ account, unfinished }) => account && unfinished).length);
+    report.figure(
+      "files that the disk left without an end",
+      judged.filter(({ account, unfinished }) => account && unfinished).length,
+    );
     report.figure("files that another reader cannot read", sum("unreadable"), "", { exactly: 0 });
   }
 }

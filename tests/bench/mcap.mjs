@@ -23,7 +23,9 @@ async function compare(report, count) {
     const size = Math.min(kBatch, count - first);
     mkdirSync(folder);
     await start("mcap_files", ["write", folder, first, size]).output;
-    const rows = (await start("mcap_files", ["read", folder, first, size]).output).split("\n").map((line) => JSON.parse(line));
+    const rows = (await start("mcap_files", ["read", folder, first, size]).output)
+      .split("\n")
+      .map((line) => JSON.parse(line));
     for (const [i, row] of rows.entries()) {
       const found = difference(row, readFileSync(join(folder, `${first + i}.mcap`)));
       if (found) differences.push(`seed ${first + i}: ${found} (${row.features})`);
@@ -83,7 +85,12 @@ async function costs(report) {
   report.figure("60,000 messages in 100 topics, 22 MB: info", middle(info, "seconds"), "s", { atMost: 0.5 });
   const plays = await times(() => playOnce(many, kManyEndNs));
   report.figure("the same: play is ready", middle(plays, "ready"), "s", { atMost: 0.5 });
-  report.figure("the same: memory beyond the largest chunk, when all was played", middle(plays, "memory") - kLargestChunkMB, "MB", { atMost: 64 });
+  report.figure(
+    "the same: memory beyond the largest chunk, when all was played",
+    middle(plays, "memory") - kLargestChunkMB,
+    "MB",
+    { atMost: 64 },
+  );
   report.figure("the same: until it ends after SIGTERM", middle(plays, "end"), "s", { atMost: 1 });
   rmSync(many);
 

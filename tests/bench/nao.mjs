@@ -22,7 +22,10 @@ const freePort = () =>
 /** Returns the number of failed tests of tests/nao for that robot, and prints their output. */
 function failing(preset) {
   const env = { ...process.env, FORESIGHT_NAO: preset, FORESIGHT_BIN: join(root, "build/release/bin") };
-  const { stdout } = spawnSync("node", ["--test", "--test-reporter=tap", join(root, "tests/nao/nao.test.mjs")], { env, encoding: "utf8" });
+  const { stdout } = spawnSync("node", ["--test", "--test-reporter=tap", join(root, "tests/nao/nao.test.mjs")], {
+    env,
+    encoding: "utf8",
+  });
   const failed = Number(/^# fail (\d+)$/m.exec(stdout)?.[1] ?? NaN);
   if (failed !== 0) console.log(stdout);
   return failed;
@@ -31,11 +34,37 @@ function failing(preset) {
 /** Returns the most memory [MB] while raw pictures of two cameras are recorded and four viewers watch. */
 async function memory(preset, session, seconds) {
   const port = await freePort();
-  const robot = start("foresight-robot", ["--body", "replay", "--session", session, "--loop", "--record", "--profile", "full", "--port", port,
-    "--state-dir", join(scratch, "state"), "--log-dir", join(scratch, `logs-${preset}`)], [], preset);
+  const robot = start(
+    "foresight-robot",
+    [
+      "--body",
+      "replay",
+      "--session",
+      session,
+      "--loop",
+      "--record",
+      "--profile",
+      "full",
+      "--port",
+      port,
+      "--state-dir",
+      join(scratch, "state"),
+      "--log-dir",
+      join(scratch, `logs-${preset}`),
+    ],
+    [],
+    preset,
+  );
   await robot.firstLine;
   await sleep(2);
-  const viewers = startClients(`ws://127.0.0.1:${port}/`, ["--clients", 4, "--seconds", seconds + 10, "--watch", "objects,images,jpeg"]);
+  const viewers = startClients(`ws://127.0.0.1:${port}/`, [
+    "--clients",
+    4,
+    "--seconds",
+    seconds + 10,
+    "--watch",
+    "objects,images,jpeg",
+  ]);
   await sleep(seconds);
   const { most } = memoryOf(robot.pid);
   robot.stop();
@@ -54,7 +83,12 @@ export async function nao({ seconds = kSeconds }) {
   for (const preset of Object.keys(robots)) {
     const [emulator, ...words] = robots[preset].emulator;
     report.figure(`${preset}: program, viewer included`, readElf(built(preset)).size_bytes / 1e6, "MB", { atMost: 8 });
-    report.figure(`${preset}: signature on its processor`, command(emulator, ...words, built(preset, "sim_signature")).trim(), "", { exactly: golden });
+    report.figure(
+      `${preset}: signature on its processor`,
+      command(emulator, ...words, built(preset, "sim_signature")).trim(),
+      "",
+      { exactly: golden },
+    );
     report.figure(`${preset}: tests that fail`, failing(preset), "", { exactly: 0 });
     const { most, messages } = await memory(preset, session, seconds);
     report.figure(`${preset}: resident set, largest, image buffers included`, most, "MB", { atMost: 48 });

@@ -30,13 +30,46 @@ export function link({ rate, burst = "32kbit", latency = 400 }) {
     atEnd(() => command("ip", "netns", "delete", end.name));
     end.before = ["ip", "netns", "exec", end.name];
   }
-  command("ip", "link", "add", ends[0].device, "netns", ends[0].name, "mtu", "1500", "type", "veth",
-    "peer", "name", ends[1].device, "netns", ends[1].name, "mtu", "1500");
+  command(
+    "ip",
+    "link",
+    "add",
+    ends[0].device,
+    "netns",
+    ends[0].name,
+    "mtu",
+    "1500",
+    "type",
+    "veth",
+    "peer",
+    "name",
+    ends[1].device,
+    "netns",
+    ends[1].name,
+    "mtu",
+    "1500",
+  );
   for (const { name, device, address } of ends) {
     command("ip", "-n", name, "address", "add", `${address}/24`, "dev", device);
     command("ip", "-n", name, "link", "set", "lo", "up");
     command("ip", "-n", name, "link", "set", device, "up");
-    command("tc", "-n", name, "qdisc", "add", "dev", device, "root", "tbf", "rate", rate, "burst", burst, "latency", `${latency}ms`);
+    command(
+      "tc",
+      "-n",
+      name,
+      "qdisc",
+      "add",
+      "dev",
+      device,
+      "root",
+      "tbf",
+      "rate",
+      rate,
+      "burst",
+      burst,
+      "latency",
+      `${latency}ms`,
+    );
   }
   return { robot: ends[0], lab: ends[1], words: `${rate} (tbf, MTU 1500)` };
 }

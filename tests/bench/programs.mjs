@@ -31,7 +31,8 @@ for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"]) process.on(signal, () => p
 export const sleep = (seconds) => new Promise((done) => setTimeout(done, seconds * 1000));
 
 /** Runs a command of the system to its end; returns its output, or throws an Error with it. */
-export const command = (name, ...args) => execFileSync(name, args, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+export const command = (name, ...args) =>
+  execFileSync(name, args, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 
 /**
  * Starts a program of ours. `before` are words in front of its name (ip netns exec …).
@@ -53,10 +54,12 @@ export function start(name, args, before = [], preset = "release") {
     if (code !== 0) throw new Error(`${name} ended with status ${code}: ${words.join(" ")}`);
     return text.trim();
   });
-  const address = new Promise((done) => child.stdout.on("data", () => {
-    const found = /^http:\/\/\S+:\d+/m.exec(text);
-    if (found) done(found[0]);
-  }));
+  const address = new Promise((done) =>
+    child.stdout.on("data", () => {
+      const found = /^http:\/\/\S+:\d+/m.exec(text);
+      if (found) done(found[0]);
+    }),
+  );
   const report = output.then((all) => JSON.parse(all.split("\n").at(-1)));
   for (const later of [output, report]) later.catch(() => {}); // the error appears where the promise is awaited
   return { pid: child.pid, firstLine, address, output, report, stop: () => child.kill("SIGTERM") };
@@ -68,7 +71,11 @@ let sessions = 0;
 export async function startRobot(args, { address = "127.0.0.1", before = [], logs } = {}) {
   const state = join(scratch, "state");
   const folder = logs ?? join(scratch, `logs${++sessions}`);
-  const robot = start("bench_runtime", ["--bind", address, "--port", 0, "--state-dir", state, "--log-dir", folder, ...args], before);
+  const robot = start(
+    "bench_runtime",
+    ["--bind", address, "--port", 0, "--state-dir", state, "--log-dir", folder, ...args],
+    before,
+  );
   const port = (await robot.firstLine).match(/:(\d+)\//)[1];
   const token = readFileSync(join(state, "token"), "utf8").trim();
   const report = robot.report.finally(() => logs || rmSync(folder, { recursive: true, force: true }));

@@ -3,48 +3,304 @@
 // `question` and `bar` say which promise was measured. `seen` sums up all runs, also the older ones. `by` is the bench
 // that measures it, or "a test" where one of the tests proves it.
 export const proofs = [
-  { question: "One raw 640x480 camera at 30 Hz and all objects for 60 s: messages lost on the way to the disk, and to lossless viewers: 10 on loopback, 4 over 1 Gbit/s, 1 with JPEG over 100 Mbit/s. The thesis reached 29, 26 and 22 of 30 frames a second", bar: "0", seen: "0, at 30.0 frames a second", by: "streaming" },
-  { question: "Images on a link of 5 Mbit/s: age, p95; events lost; sensor messages that arrived", bar: "< 0.5 s; 0; >= 90 %", seen: "0.24 s; 0; 100 %", by: "shaped" },
-  { question: "Messages per CPU second, relative to one `async_write` per message: 64 B; 1 kB", bar: ">= 10x; >= 3x", seen: "18x to 56x; 6x to 15x", by: "fanout" },
-  { question: "Cost of `write` beyond filling the message, while it is recorded and 10 viewers watch, one of them stalled: own CPU time, p99.9; wall clock, p99", bar: "< 20 us; < 100 us", seen: "**18 us to 35 us**; 14 us. On an EPYC over four runs: **16 us to 57 us**, 19 us in the newest, and 15 us without viewers. A writer that has slept finds cold caches: a computation of the same length without any write takes up to 25 us there", by: "interference" },
-  { question: "A loop of 30 Hz that takes 70 % of a core: change of its period's p99 by recording, 3 viewers and a stalled one", bar: "<= 1 ms", seen: "0.002 ms on an EPYC; -0.04 ms", by: "interference" },
-  { question: "Two halves of 10 min in profile `game` on a slow disk: messages lost; size relative to the announced size", bar: "0; about 1", seen: "0 of 1.3 million; 0.98", by: "half" },
-  { question: "Resident memory after 10 min with 968 connections, images included; its growth in the second half", bar: "<= 64 MB; 0", seen: "32 MB; 0.4 MB. On an EPYC: 24 MB; 0.2 MB", by: "soak" },
-  { question: "83 Hz of joints and 30 Hz of raw 640x480 images from a C process and from a Python process: messages lost; CPU time of a small write in C", bar: "0; <= 50 us", seen: "0 of 6782 each; 15 us to 18 us", by: "door" },
-  { question: "1000 times `kill -9` of either side of the door: torn messages; longest call that waited", bar: "0; <= 5 ms", seen: "0 of 127,000; no call waited", by: "door" },
-  { question: "Programs for the Nao V6, and for V5 and V4, on their emulated processors: size; resident memory with full-size images of both cameras; signature", bar: "<= 8 MB; <= 48 MB; equal", seen: "7.7 MB, and 7.9 MB; 21 MB each; equal", by: "nao" },
-  { question: "The Nao V6's program reads two virtual cameras of the kernel (`vivid`, 25 images a second) in an emulated machine: images recorded without change", bar: "all", seen: "all", by: "vivid" },
-  { question: "18 objects at their rates, recorded in profile `game` by the Nao V6's program: share of one Atom core of 1.6 GHz, computed from its instructions", bar: "<= 15 %", seen: "1.2 %. With both cameras: 27 % as small JPEG at 5 Hz, 40 % unchanged at 30 Hz", by: "budget" },
-  { question: "Camera height and tilt of a real Nao of 2009: median error, with one angle of its mounting fitted", bar: "<= 10 mm; <= 1°", seen: "1.9 mm; 0.94° with the support foot flat, **1.12°** with its raw inertial angles", by: "a test" },
-  { question: "Head angles computed back from the direction in which a camera looks: error", bar: "<= 1e-4 rad", seen: "within the bar", by: "a test" },
-  { question: "LoLA on an EPYC, one frame every 12 ms for 10 min, both cores busy: frames answered only after the next one; time to the answer, p99.9; time to read a frame", bar: "0; <= 4 ms; <= 1 us", seen: "0 of 49,986; 0.8 ms; 0.5 us. In the run before: 1 of 49,972, because a virtual machine stands still now and then", by: "lola" },
-  { question: "Recordings of five robots' half of 10 min, profile `game`, without images: time to copy them over one link of 100 Mbit/s", bar: "<= 60 s", seen: "18 s to 21 s", by: "deploy" },
-  { question: "One changed file: time until it is built, sent and runs on a robot", bar: "<= 60 s", seen: "7 s to 15 s", by: "deploy" },
-  { question: "A robot behind `foresight-lab relay` is killed and started again: time from its first answer until a viewer of the relay has its data", bar: "<= 2 s", seen: "0.2 s to 0.4 s; 1.5 s on a machine with six times the work it can do", by: "a test" },
-  { question: "Viewer in Chromium without a graphics card, four robots: frames a second with a camera, with 8 plots, with the field; age of a pose, p95; growth of its scripts' memory in 30 min", bar: ">= 55; < 150 ms; 0", seen: "60 each; 64 ms; 2 MB, on an EPYC with both cores busy", by: "viewer" },
-  { question: "`baseline` against itself by the rules of 2012, and by those of 2025 with 5 and with 7 players a side: goals a game; goalless games; frames in which a robot sees the ball", bar: "1.5 to 2.3, 2.4 to 3.5, none; 10 % to 25 %, 5 % to 20 %, none; 30 % to 60 %", seen: "2.10, 2.46, 2.33; 10.2 %, 5.6 %, 8.4 %; 50 %, 47 %, 40 %", by: "soccer" },
-  { question: "Set plays that `baseline` takes in time against itself, 500 games each: kick-off, kick-in, goal kick, corner by the rules of 2025 with 5 a side; with 7 a side; by those of 2026; kick-off by those of 2012", bar: ">= 95 % each", seen: "99.5, 98.9, 99.8, 95.1 %; 99.2, 97.3, 100, **91.0 %**; 99.3, 99.9, 99.9, 99.6 %; 100 %. With 7 a side opponents stand in the way of the taker, which is penalised for pushing them", by: "soccer" },
-  { question: "27 figures of positions (kicks, rolls, crowding, extent, walking, falls) of `baseline` against itself, 12 games each, beside the interval of seven real halves of 2019: figures inside, of 20 with a known interval: 5 a side; without falls; 7 a side; rules of 2012; four of the real halves, imported and measured by the same programs", bar: "18; none; none; none; 20", seen: "19; 17; 17; 15; 20. The ball is near the middle line for 41 % of the time instead of 42 to 72 %; with 7 a side teams are wider, and on the field of 2012 narrower, than 5 a side on 9 x 6 m", by: "realism" },
-  { question: "Processor time of a simulated game: 4 a side, 2x10 min, both sides deciding less often far from the ball; the same with a decision every tick; 5 a side by the rules of 2025 (on an EPYC)", bar: "<= 12 ms; <= 40 ms; <= 25 ms", seen: "**26 to 27 ms**; **93 ms**; **25.6 ms**", by: "sim" },
-  { question: "Games in which robots decide less often far from the ball, compared with a decision every tick, 5000 games each: goals; lead; possession; shots; time to the first goal. Each is the farther end of the 90 % interval", bar: "<= 0.15; 0.15; 3 %; 5 %; 5 %", seen: "`match`: 0.05; 0.08; 0.2 %; 3.2 %; 3.0 %. `perfect` except for kicks: 0.04; 0.06; 0.2 %; 0.9 %; 3.4 %. Against `kick_now`: 0.04; 0.04; 0.2 %; 3.3 %; 2.5 %", by: "equivalence" },
-  { question: "A simulated game with the Nao V6's compiler flags; with the V4's: time relative to this machine's own flags", bar: "<= 2.5x; <= 3x", seen: "0.96x; 1.17x", by: "sim" },
-  { question: "A verdict over pairs of games: processor time relative to that of its games; memory for 2000 pairs against 200", bar: "<= 1.1x; equal", seen: "1.0x; 7.5 MB against 7.4 MB", by: "compare" },
-  { question: "Pairs of games: factor by which they reduce the variance", bar: ">= 1.3x", seen: "**0.9x to 1.0x**. The two games of a pair diverge within seconds, so equal luck at the kick-off has no effect later", by: "compare" },
-  { question: "Runs of real games: 95 % intervals that hold the mean of all runs, for `score_within:30s` and `ball_advance:30s` (200 runs of 100 pairs) and for goals of whole games (25 pairs); after real sequential tests; `--aa` from a lopsided moment: intervals that hold 0", bar: "92 % to 98 %", seen: "93.5 %, **91 %**, **100 %** (only 40 runs); 98 % of 50; 94 %. With other seeds 95.5 % of 400 runs of `ball_advance`, so its miss was chance, and 87 of 89 runs of whole games", by: "verdicts" },
-  { question: "4000 tests of the usual question, a tenth of the standard deviation, on pairs drawn from real games (`score_within:30s`; `ball_advance:30s`; goals): verdicts \"better\" without a gain; with the gain asked for; the real test of `kick_now` against `align_first` from `close_free`, whose gain is 0.04 of scoring in time per game", bar: "<= 5 %; 90 % to 98 %; >= 90 %", seen: "3.9 %, 4.2 %, 4.1 %; 95.7 %, 95.6 %, 96.5 %; all of 50 after 404 pairs on average", by: "verdicts" },
-  { question: "1000 sequential tests on resampled pairs: verdicts \"better\" without a gain; verdicts \"better\" with the gain asked for", bar: "<= 5 %; 95 ± 2 %", seen: "both within the bar", by: "a test" },
-  { question: "500 what-if questions each with 50, 200 and 1000 ms, both cores busy: lateness of the answer, p99. The answers hold no advice then, because rollouts get no processor time", bar: "<= 20 ms", seen: "18.7 ms; 17.2 ms; 19.1 ms. On another day: 4.9, 5.5, 7.1 ms", by: "foresight" },
-  { question: "A recorded 30 Hz loop while questions are asked all the time and the other core is busy: change of its period's p99; messages lost", bar: "<= 1 ms; 0", seen: "-0.01 ms, at 409 rollouts a second; 0", by: "foresight" },
-  { question: "3 strategies x 200 rollouts of 30 s, 5 a side; 3 x 100 to the end of a half. On an EPYC; in brackets by the program for the Nao V6 there", bar: "<= 100 ms; <= 2.5 s", seen: "**172 ms to 282 ms**, depending on the load of the machine; 0.8 s to 1.4 s (185 ms to 281 ms; 1.0 s to 1.4 s)", by: "foresight" },
-  { question: "Rollouts of 30 s per second, 4 a side, by the program for the Nao V6 on 5, 10, 25, 50 % of a core of an EPYC; on 25 % of an Atom core, computed from their instructions", bar: "none", seen: "57, 129, 331, 597; 76", by: "foresight" },
-  { question: "200 planted situations: the truly better of two strategies is chosen, where they differ by 3 standard errors of this many rollouts (truth from 10,000); ties to within half a standard error are kept", bar: ">= 95 %; >= 85 %", seen: "With 311 rollouts, as 200 ms give: all of 105; 28 of 29. With 19 rollouts, as 25 % of an Atom core gives in half a second: all of 49; 68 of 70", by: "foresight" },
-  { question: "4000 forecasts of simulated games, 30 s, 200 rollouts each: predicted probability minus observed rate, in the worst decile of at least 50 cases, own goals and the opponents'; Brier score minus that of the base rate", bar: "<= 0.05; < 0", seen: "0.046 and 0.034, of which 0.024 is chance; -0.002 and -0.001", by: "foresight" },
-  { question: "A team that chooses by foresight between `high_line`, `baseline` and `kick_now`, with 54 rollouts of 20 s a question, as a quarter of an Atom core plays in half a second. Sequential test of 0 against 0.2 goals a game: against the same team that always plays `high_line`; against one that always plays `baseline`", bar: "> 0", seen: "**Not better**: log-likelihood ratio -3.5 after 75 pairs, -0.09 ± 0.14 goals a game after 300 (0.6 h of processor time). Better: log-likelihood ratio 3.4 after 125 pairs, 0.27 ± 0.20 (0.3 h). So the gain comes only from `high_line`, which whole games showed to be best. Choosing between these three gains nothing and may cost a little; the rows on choosing below say why", by: "foresight" },
-  { question: "A team that expects its opponents to be twice as fast as they are, against the same team without foresight: lower bound of its loss, one-sided 95 %", bar: "> -0.2 goals", seen: "-0.18 after 400 pairs (-0.08 ± 0.12); -0.25 after 150 of them", by: "foresight" },
-  { question: "Gain of choosing every 10 s between `high_line`, `baseline` and `kick_now`: with full knowledge; by those 54 rollouts from the captain's beliefs, for 70, 80, 90 % confidence (1000 moments, 200 rollouts of each; `foresight-sim choosing`)", bar: "none", seen: "0.26 ± 0.18 goals a game, the upper limit; -0.11 ± 0.10, -0.08 ± 0.08, +0.02 ± 0.04, with a change in 28, 14, 4 % of the moments. With `baseline` first and 70 %: the upper limit is 0.56 ± 0.18, the captain gains 0.15 ± 0.12, `high_line` all the time gains 0.30 ± 0.18", by: "foresight" },
-  { question: "Gain of `kick_now` in place of `baseline` where it is the better one at 80 % confidence (2000 moments), by 54 rollouts and by 432: from the captain's beliefs; with the opponents' true places; with full knowledge", bar: "none", seen: "0.11 and 0.14 ± 0.08 goals a game; 0.15 and 0.26; 0.18 and 0.32. So the captain lacks rollouts and, most of all, the opponents: it sees only those in front of it", by: "foresight" },
-  { question: "10,000 MCAP files of a generator, with features that our writer never uses: files that are read in another way than by `@mcap/core`", bar: "0", seen: "0", by: "mcap" },
-  { question: "A file of 60,000 messages in 100 topics, 22 MB: `info`; `play` is ready; its memory beyond the largest chunk. A file of 10 GB with a summary: first message at a client. The end after SIGTERM", bar: "<= 0.5 s; <= 0.5 s; <= 64 MB; <= 1 s; <= 1 s", seen: "0.05 s to 0.08 s; 0.01 s; 13 MB; 0.05 s; 0.04 s, on an EPYC that other programs used as well", by: "mcap" },
-  { question: "Two hours of match days with a fault each ten seconds (programs killed, disk full, clock steps, log folder moved, second GameController) on a machine that other programs used: deaths of the robot's program; messages lost without being counted; files that `@mcap/core` cannot read", bar: "0; 0; 0", seen: "0 in 882 faults; 0 of 598,359, with 30,664 lost and counted; 0", by: "match-days" },
-  { question: "Single failures of the system (files, threads, descriptors, memory) in two robots and a relay that record and serve: faults; programs that died; messages lost without being counted; files that `@mcap/core` cannot read", bar: ">= 2000; 0; 0; 0", seen: "3283 in 200 s; 0; 0 of 1.27 million, with 17,529 lost and counted; 0", by: "faults" },
+  {
+    question:
+      "One raw 640x480 camera at 30 Hz and all objects for 60 s: messages lost on the way to the disk, and to lossless viewers: 10 on loopback, 4 over 1 Gbit/s, 1 with JPEG over 100 Mbit/s. The thesis reached 29, 26 and 22 of 30 frames a second",
+    bar: "0",
+    seen: "0, at 30.0 frames a second",
+    by: "streaming",
+  },
+  {
+    question: "Images on a link of 5 Mbit/s: age, p95; events lost; sensor messages that arrived",
+    bar: "< 0.5 s; 0; >= 90 %",
+    seen: "0.24 s; 0; 100 %",
+    by: "shaped",
+  },
+  {
+    question: "Messages per CPU second, relative to one `async_write` per message: 64 B; 1 kB",
+    bar: ">= 10x; >= 3x",
+    seen: "18x to 56x; 6x to 15x",
+    by: "fanout",
+  },
+  {
+    question:
+      "Cost of `write` beyond filling the message, while it is recorded and 10 viewers watch, one of them stalled: own CPU time, p99.9; wall clock, p99",
+    bar: "< 20 us; < 100 us",
+    seen: "**18 us to 35 us**; 14 us. On an EPYC over four runs: **16 us to 57 us**, 19 us in the newest, and 15 us without viewers. A writer that has slept finds cold caches: a computation of the same length without any write takes up to 25 us there",
+    by: "interference",
+  },
+  {
+    question:
+      "A loop of 30 Hz that takes 70 % of a core: change of its period's p99 by recording, 3 viewers and a stalled one",
+    bar: "<= 1 ms",
+    seen: "0.002 ms on an EPYC; -0.04 ms",
+    by: "interference",
+  },
+  {
+    question:
+      "Two halves of 10 min in profile `game` on a slow disk: messages lost; size relative to the announced size",
+    bar: "0; about 1",
+    seen: "0 of 1.3 million; 0.98",
+    by: "half",
+  },
+  {
+    question: "Resident memory after 10 min with 968 connections, images included; its growth in the second half",
+    bar: "<= 64 MB; 0",
+    seen: "32 MB; 0.4 MB. On an EPYC: 24 MB; 0.2 MB",
+    by: "soak",
+  },
+  {
+    question:
+      "83 Hz of joints and 30 Hz of raw 640x480 images from a C process and from a Python process: messages lost; CPU time of a small write in C",
+    bar: "0; <= 50 us",
+    seen: "0 of 6782 each; 15 us to 18 us",
+    by: "door",
+  },
+  {
+    question: "1000 times `kill -9` of either side of the door: torn messages; longest call that waited",
+    bar: "0; <= 5 ms",
+    seen: "0 of 127,000; no call waited",
+    by: "door",
+  },
+  {
+    question:
+      "Programs for the Nao V6, and for V5 and V4, on their emulated processors: size; resident memory with full-size images of both cameras; signature",
+    bar: "<= 8 MB; <= 48 MB; equal",
+    seen: "7.7 MB, and 7.9 MB; 21 MB each; equal",
+    by: "nao",
+  },
+  {
+    question:
+      "The Nao V6's program reads two virtual cameras of the kernel (`vivid`, 25 images a second) in an emulated machine: images recorded without change",
+    bar: "all",
+    seen: "all",
+    by: "vivid",
+  },
+  {
+    question:
+      "18 objects at their rates, recorded in profile `game` by the Nao V6's program: share of one Atom core of 1.6 GHz, computed from its instructions",
+    bar: "<= 15 %",
+    seen: "1.2 %. With both cameras: 27 % as small JPEG at 5 Hz, 40 % unchanged at 30 Hz",
+    by: "budget",
+  },
+  {
+    question: "Camera height and tilt of a real Nao of 2009: median error, with one angle of its mounting fitted",
+    bar: "<= 10 mm; <= 1°",
+    seen: "1.9 mm; 0.94° with the support foot flat, **1.12°** with its raw inertial angles",
+    by: "a test",
+  },
+  {
+    question: "Head angles computed back from the direction in which a camera looks: error",
+    bar: "<= 1e-4 rad",
+    seen: "within the bar",
+    by: "a test",
+  },
+  {
+    question:
+      "LoLA on an EPYC, one frame every 12 ms for 10 min, both cores busy: frames answered only after the next one; time to the answer, p99.9; time to read a frame",
+    bar: "0; <= 4 ms; <= 1 us",
+    seen: "0 of 49,986; 0.8 ms; 0.5 us. In the run before: 1 of 49,972, because a virtual machine stands still now and then",
+    by: "lola",
+  },
+  {
+    question:
+      "Recordings of five robots' half of 10 min, profile `game`, without images: time to copy them over one link of 100 Mbit/s",
+    bar: "<= 60 s",
+    seen: "18 s to 21 s",
+    by: "deploy",
+  },
+  {
+    question: "One changed file: time until it is built, sent and runs on a robot",
+    bar: "<= 60 s",
+    seen: "7 s to 15 s",
+    by: "deploy",
+  },
+  {
+    question:
+      "A robot behind `foresight-lab relay` is killed and started again: time from its first answer until a viewer of the relay has its data",
+    bar: "<= 2 s",
+    seen: "0.2 s to 0.4 s; 1.5 s on a machine with six times the work it can do",
+    by: "a test",
+  },
+  {
+    question:
+      "Viewer in Chromium without a graphics card, four robots: frames a second with a camera, with 8 plots, with the field; age of a pose, p95; growth of its scripts' memory in 30 min",
+    bar: ">= 55; < 150 ms; 0",
+    seen: "60 each; 64 ms; 2 MB, on an EPYC with both cores busy",
+    by: "viewer",
+  },
+  {
+    question:
+      "`baseline` against itself by the rules of 2012, and by those of 2025 with 5 and with 7 players a side: goals a game; goalless games; frames in which a robot sees the ball",
+    bar: "1.5 to 2.3, 2.4 to 3.5, none; 10 % to 25 %, 5 % to 20 %, none; 30 % to 60 %",
+    seen: "2.10, 2.46, 2.33; 10.2 %, 5.6 %, 8.4 %; 50 %, 47 %, 40 %",
+    by: "soccer",
+  },
+  {
+    question:
+      "Set plays that `baseline` takes in time against itself, 500 games each: kick-off, kick-in, goal kick, corner by the rules of 2025 with 5 a side; with 7 a side; by those of 2026; kick-off by those of 2012",
+    bar: ">= 95 % each",
+    seen: "99.5, 98.9, 99.8, 95.1 %; 99.2, 97.3, 100, **91.0 %**; 99.3, 99.9, 99.9, 99.6 %; 100 %. With 7 a side opponents stand in the way of the taker, which is penalised for pushing them",
+    by: "soccer",
+  },
+  {
+    question:
+      "27 figures of positions (kicks, rolls, crowding, extent, walking, falls) of `baseline` against itself, 12 games each, beside the interval of seven real halves of 2019: figures inside, of 20 with a known interval: 5 a side; without falls; 7 a side; rules of 2012; four of the real halves, imported and measured by the same programs",
+    bar: "18; none; none; none; 20",
+    seen: "19; 17; 17; 15; 20. The ball is near the middle line for 41 % of the time instead of 42 to 72 %; with 7 a side teams are wider, and on the field of 2012 narrower, than 5 a side on 9 x 6 m",
+    by: "realism",
+  },
+  {
+    question:
+      "Processor time of a simulated game: 4 a side, 2x10 min, both sides deciding less often far from the ball; the same with a decision every tick; 5 a side by the rules of 2025 (on an EPYC)",
+    bar: "<= 12 ms; <= 40 ms; <= 25 ms",
+    seen: "**26 to 27 ms**; **93 ms**; **25.6 ms**",
+    by: "sim",
+  },
+  {
+    question:
+      "Games in which robots decide less often far from the ball, compared with a decision every tick, 5000 games each: goals; lead; possession; shots; time to the first goal. Each is the farther end of the 90 % interval",
+    bar: "<= 0.15; 0.15; 3 %; 5 %; 5 %",
+    seen: "`match`: 0.05; 0.08; 0.2 %; 3.2 %; 3.0 %. `perfect` except for kicks: 0.04; 0.06; 0.2 %; 0.9 %; 3.4 %. Against `kick_now`: 0.04; 0.04; 0.2 %; 3.3 %; 2.5 %",
+    by: "equivalence",
+  },
+  {
+    question:
+      "A simulated game with the Nao V6's compiler flags; with the V4's: time relative to this machine's own flags",
+    bar: "<= 2.5x; <= 3x",
+    seen: "0.96x; 1.17x",
+    by: "sim",
+  },
+  {
+    question:
+      "A verdict over pairs of games: processor time relative to that of its games; memory for 2000 pairs against 200",
+    bar: "<= 1.1x; equal",
+    seen: "1.0x; 7.5 MB against 7.4 MB",
+    by: "compare",
+  },
+  {
+    question: "Pairs of games: factor by which they reduce the variance",
+    bar: ">= 1.3x",
+    seen: "**0.9x to 1.0x**. The two games of a pair diverge within seconds, so equal luck at the kick-off has no effect later",
+    by: "compare",
+  },
+  {
+    question:
+      "Runs of real games: 95 % intervals that hold the mean of all runs, for `score_within:30s` and `ball_advance:30s` (200 runs of 100 pairs) and for goals of whole games (25 pairs); after real sequential tests; `--aa` from a lopsided moment: intervals that hold 0",
+    bar: "92 % to 98 %",
+    seen: "93.5 %, **91 %**, **100 %** (only 40 runs); 98 % of 50; 94 %. With other seeds 95.5 % of 400 runs of `ball_advance`, so its miss was chance, and 87 of 89 runs of whole games",
+    by: "verdicts",
+  },
+  {
+    question:
+      '4000 tests of the usual question, a tenth of the standard deviation, on pairs drawn from real games (`score_within:30s`; `ball_advance:30s`; goals): verdicts "better" without a gain; with the gain asked for; the real test of `kick_now` against `align_first` from `close_free`, whose gain is 0.04 of scoring in time per game',
+    bar: "<= 5 %; 90 % to 98 %; >= 90 %",
+    seen: "3.9 %, 4.2 %, 4.1 %; 95.7 %, 95.6 %, 96.5 %; all of 50 after 404 pairs on average",
+    by: "verdicts",
+  },
+  {
+    question:
+      '1000 sequential tests on resampled pairs: verdicts "better" without a gain; verdicts "better" with the gain asked for',
+    bar: "<= 5 %; 95 ± 2 %",
+    seen: "both within the bar",
+    by: "a test",
+  },
+  {
+    question:
+      "500 what-if questions each with 50, 200 and 1000 ms, both cores busy: lateness of the answer, p99. The answers hold no advice then, because rollouts get no processor time",
+    bar: "<= 20 ms",
+    seen: "18.7 ms; 17.2 ms; 19.1 ms. On another day: 4.9, 5.5, 7.1 ms",
+    by: "foresight",
+  },
+  {
+    question:
+      "A recorded 30 Hz loop while questions are asked all the time and the other core is busy: change of its period's p99; messages lost",
+    bar: "<= 1 ms; 0",
+    seen: "-0.01 ms, at 409 rollouts a second; 0",
+    by: "foresight",
+  },
+  {
+    question:
+      "3 strategies x 200 rollouts of 30 s, 5 a side; 3 x 100 to the end of a half. On an EPYC; in brackets by the program for the Nao V6 there",
+    bar: "<= 100 ms; <= 2.5 s",
+    seen: "**172 ms to 282 ms**, depending on the load of the machine; 0.8 s to 1.4 s (185 ms to 281 ms; 1.0 s to 1.4 s)",
+    by: "foresight",
+  },
+  {
+    question:
+      "Rollouts of 30 s per second, 4 a side, by the program for the Nao V6 on 5, 10, 25, 50 % of a core of an EPYC; on 25 % of an Atom core, computed from their instructions",
+    bar: "none",
+    seen: "57, 129, 331, 597; 76",
+    by: "foresight",
+  },
+  {
+    question:
+      "200 planted situations: the truly better of two strategies is chosen, where they differ by 3 standard errors of this many rollouts (truth from 10,000); ties to within half a standard error are kept",
+    bar: ">= 95 %; >= 85 %",
+    seen: "With 311 rollouts, as 200 ms give: all of 105; 28 of 29. With 19 rollouts, as 25 % of an Atom core gives in half a second: all of 49; 68 of 70",
+    by: "foresight",
+  },
+  {
+    question:
+      "4000 forecasts of simulated games, 30 s, 200 rollouts each: predicted probability minus observed rate, in the worst decile of at least 50 cases, own goals and the opponents'; Brier score minus that of the base rate",
+    bar: "<= 0.05; < 0",
+    seen: "0.046 and 0.034, of which 0.024 is chance; -0.002 and -0.001",
+    by: "foresight",
+  },
+  {
+    question:
+      "A team that chooses by foresight between `high_line`, `baseline` and `kick_now`, with 54 rollouts of 20 s a question, as a quarter of an Atom core plays in half a second. Sequential test of 0 against 0.2 goals a game: against the same team that always plays `high_line`; against one that always plays `baseline`",
+    bar: "> 0",
+    seen: "**Not better**: log-likelihood ratio -3.5 after 75 pairs, -0.09 ± 0.14 goals a game after 300 (0.6 h of processor time). Better: log-likelihood ratio 3.4 after 125 pairs, 0.27 ± 0.20 (0.3 h). So the gain comes only from `high_line`, which whole games showed to be best. Choosing between these three gains nothing and may cost a little; the rows on choosing below say why",
+    by: "foresight",
+  },
+  {
+    question:
+      "A team that expects its opponents to be twice as fast as they are, against the same team without foresight: lower bound of its loss, one-sided 95 %",
+    bar: "> -0.2 goals",
+    seen: "-0.18 after 400 pairs (-0.08 ± 0.12); -0.25 after 150 of them",
+    by: "foresight",
+  },
+  {
+    question:
+      "Gain of choosing every 10 s between `high_line`, `baseline` and `kick_now`: with full knowledge; by those 54 rollouts from the captain's beliefs, for 70, 80, 90 % confidence (1000 moments, 200 rollouts of each; `foresight-sim choosing`)",
+    bar: "none",
+    seen: "0.26 ± 0.18 goals a game, the upper limit; -0.11 ± 0.10, -0.08 ± 0.08, +0.02 ± 0.04, with a change in 28, 14, 4 % of the moments. With `baseline` first and 70 %: the upper limit is 0.56 ± 0.18, the captain gains 0.15 ± 0.12, `high_line` all the time gains 0.30 ± 0.18",
+    by: "foresight",
+  },
+  {
+    question:
+      "Gain of `kick_now` in place of `baseline` where it is the better one at 80 % confidence (2000 moments), by 54 rollouts and by 432: from the captain's beliefs; with the opponents' true places; with full knowledge",
+    bar: "none",
+    seen: "0.11 and 0.14 ± 0.08 goals a game; 0.15 and 0.26; 0.18 and 0.32. So the captain lacks rollouts and, most of all, the opponents: it sees only those in front of it",
+    by: "foresight",
+  },
+  {
+    question:
+      "10,000 MCAP files of a generator, with features that our writer never uses: files that are read in another way than by `@mcap/core`",
+    bar: "0",
+    seen: "0",
+    by: "mcap",
+  },
+  {
+    question:
+      "A file of 60,000 messages in 100 topics, 22 MB: `info`; `play` is ready; its memory beyond the largest chunk. A file of 10 GB with a summary: first message at a client. The end after SIGTERM",
+    bar: "<= 0.5 s; <= 0.5 s; <= 64 MB; <= 1 s; <= 1 s",
+    seen: "0.05 s to 0.08 s; 0.01 s; 13 MB; 0.05 s; 0.04 s, on an EPYC that other programs used as well",
+    by: "mcap",
+  },
+  {
+    question:
+      "Two hours of match days with a fault each ten seconds (programs killed, disk full, clock steps, log folder moved, second GameController) on a machine that other programs used: deaths of the robot's program; messages lost without being counted; files that `@mcap/core` cannot read",
+    bar: "0; 0; 0",
+    seen: "0 in 882 faults; 0 of 598,359, with 30,664 lost and counted; 0",
+    by: "match-days",
+  },
+  {
+    question:
+      "Single failures of the system (files, threads, descriptors, memory) in two robots and a relay that record and serve: faults; programs that died; messages lost without being counted; files that `@mcap/core` cannot read",
+    bar: ">= 2000; 0; 0; 0",
+    seen: "3283 in 200 s; 0; 0 of 1.27 million, with 17,529 lost and counted; 0",
+    by: "faults",
+  },
 ];

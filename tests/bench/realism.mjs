@@ -20,7 +20,11 @@ function tell(report, name, realism, bar = {}) {
   report.figure(`${name}: figures inside the interval of real games`, realism.inside, `of ${realism.judged}`, bar);
   for (const { about, unit, real, measured, inside } of Object.values(realism.figures))
     if (inside === false)
-      report.figure(`${name}: ${about}`, shown(measured.mean), `${unit} ± ${shown(measured.standard_error ?? 0)}, real ${real.low} .. ${real.high}`.trim());
+      report.figure(
+        `${name}: ${about}`,
+        shown(measured.mean),
+        `${unit} ± ${shown(measured.standard_error ?? 0)}, real ${real.low} .. ${real.high}`.trim(),
+      );
 }
 
 /** Imports the halves in $FORESIGHT_DATA; returns their sessions. */
@@ -28,7 +32,9 @@ async function importHalves() {
   const folder = join(process.env.FORESIGHT_DATA ?? "", "spl_labels");
   if (!process.env.FORESIGHT_DATA || !existsSync(folder)) return [];
   const sessions = [];
-  for (const file of readdirSync(folder).filter((name) => name.endsWith(".csv")).sort()) {
+  for (const file of readdirSync(folder)
+    .filter((name) => name.endsWith(".csv"))
+    .sort()) {
     const session = join(scratch, `half${sessions.length + 1}`);
     const { about } = await json("foresight-lab", "import", "spl_labels", join(folder, file), "--session", session);
     console.log(`   ${basename(file, ".csv")}: ${about}`);
@@ -40,7 +46,12 @@ async function importHalves() {
 export async function realism({ games = 12, jobs = 2 }) {
   const report = new Report("realism", "are simulated games like real ones?");
   for (const { name, choice, bar } of kChoices)
-    tell(report, name, await json("foresight-sim", "match", "--statistics", "--games", games, "--threads", jobs, ...words(choice)), bar);
+    tell(
+      report,
+      name,
+      await json("foresight-sim", "match", "--statistics", "--games", games, "--threads", jobs, ...words(choice)),
+      bar,
+    );
   const halves = await importHalves();
   if (halves.length > 0) {
     const real = await json("foresight-lab", "game-statistics", ...halves);

@@ -7,11 +7,18 @@ import { fileURLToPath } from "node:url";
 const here = fileURLToPath(new URL(".", import.meta.url));
 
 export const machine = { cpu: cpus()[0].model.trim(), cores: cpus().length, kernel: release() };
-const slug = machine.cpu.toLowerCase().replace(/\((r|tm)\)/g, "").replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
+const slug = machine.cpu
+  .toLowerCase()
+  .replace(/\((r|tm)\)/g, "")
+  .replace(/[^a-z0-9]+/g, "-")
+  .replace(/^-|-$/g, "");
 
 const build = () => {
   try {
-    return execFileSync("git", ["describe", "--always", "--dirty=+", "--abbrev=12"], { cwd: here, encoding: "utf8" }).trim();
+    return execFileSync("git", ["describe", "--always", "--dirty=+", "--abbrev=12"], {
+      cwd: here,
+      encoding: "utf8",
+    }).trim();
   } catch {
     return "unknown";
   }
@@ -93,7 +100,11 @@ export class Report {
 /** Returns the load of other programs on this machine, in cores, measured over a second. */
 export async function otherLoad() {
   const busy = () => {
-    const [user, nice, system, , , irq, soft, steal] = readFileSync("/proc/stat", "utf8").split("\n")[0].split(/\s+/).slice(1).map(Number);
+    const [user, nice, system, , , irq, soft, steal] = readFileSync("/proc/stat", "utf8")
+      .split("\n")[0]
+      .split(/\s+/)
+      .slice(1)
+      .map(Number);
     return user + nice + system + irq + soft + steal;
   };
   const before = busy();

@@ -18,7 +18,10 @@ function plant(number) {
   const chance = numbers(7919 * (number + 1));
   const between = (least, most) => least + (most - least) * chance.next().value;
   const ball = { x: between(0.3, 2.4), y: between(-1.3, 1.3) };
-  const around = (distance, angle) => ({ x: ball.x + distance * Math.cos(angle), y: ball.y + distance * Math.sin(angle) });
+  const around = (distance, angle) => ({
+    x: ball.x + distance * Math.cos(angle),
+    y: ball.y + distance * Math.sin(angle),
+  });
   const behind = between(-0.8, 0.8);
   const facing = Math.PI - behind;
   return {
@@ -28,7 +31,13 @@ function plant(number) {
     robots: [
       { side: "home", player: 1, x: -2.7, y: 0, heading: 0 },
       { side: "home", player: 2, ...around(between(0.22, 0.6), facing), heading: -behind },
-      { side: "home", player: 3, x: between(0.8, 2.2), y: ball.y > 0 ? between(-1.6, -0.7) : between(0.7, 1.6), heading: 0 },
+      {
+        side: "home",
+        player: 3,
+        x: between(0.8, 2.2),
+        y: ball.y > 0 ? between(-1.6, -0.7) : between(0.7, 1.6),
+        heading: 0,
+      },
       { side: "away", player: 1, x: 2.75, y: 0.3 * ball.y, heading: 3.14 },
       { side: "away", player: 2, ...around(between(0.4, 1.2), between(-1.2, 1.2)), heading: 3.14 },
     ],
@@ -39,7 +48,18 @@ function plant(number) {
 async function ask(situation, challenger, rollouts, seed) {
   const file = join(scratch, `planted-${seed}.json`);
   writeFileSync(file, JSON.stringify({ ...situation, seed }));
-  const args = ["situation", file, "--json", "--seconds", kSeconds, "--rollouts", rollouts, "--strategies", kIncumbent, challenger];
+  const args = [
+    "situation",
+    file,
+    "--json",
+    "--seconds",
+    kSeconds,
+    "--rollouts",
+    rollouts,
+    "--strategies",
+    kIncumbent,
+    challenger,
+  ];
   const { strategies, advice } = JSON.parse(await start("foresight-sim", args).output);
   const { gain, gain_low, gain_high } = strategies[1];
   return { gain, error: (gain_high - gain_low) / 2 / 1.96, advice };
@@ -82,8 +102,15 @@ export async function rightChoice(report, count, jobs, budgets) {
   report.figure("planted situations", count);
   for (const [i, { where, rollouts }] of budgets.entries()) {
     report.figure(`${where}: futures of each strategy`, rollouts);
-    tell(report, where, rollouts, answers.map(({ short, truth }) => ({ short: short[i], truth })));
+    tell(
+      report,
+      where,
+      rollouts,
+      answers.map(({ short, truth }) => ({ short: short[i], truth })),
+    );
   }
   const gains = answers.map(({ truth }) => truth.gain);
-  console.log(`   largest true gain ${pretty(Math.max(...gains))}, loss ${pretty(-Math.min(...gains))} goals in ${kSeconds} s`);
+  console.log(
+    `   largest true gain ${pretty(Math.max(...gains))}, loss ${pretty(-Math.min(...gains))} goals in ${kSeconds} s`,
+  );
 }

@@ -24,7 +24,32 @@ import { verdicts } from "./verdicts.mjs";
 import { viewer } from "./viewer.mjs";
 import { vivid } from "./vivid.mjs";
 
-const benches = { streaming, half, interference, shaped, fanout, soak, faults, "match-days": matchDays, door, sim, equivalence, soccer, realism, nao, vivid, lola, budget, viewer, deploy, compare, verdicts, thesis, foresight, mcap };
+const benches = {
+  streaming,
+  half,
+  interference,
+  shaped,
+  fanout,
+  soak,
+  faults,
+  "match-days": matchDays,
+  door,
+  sim,
+  equivalence,
+  soccer,
+  realism,
+  nao,
+  vivid,
+  lola,
+  budget,
+  viewer,
+  deploy,
+  compare,
+  verdicts,
+  thesis,
+  foresight,
+  mcap,
+};
 
 const [name, ...words] = process.argv.slice(2);
 const options = {};

@@ -4,7 +4,9 @@ import { sleep, startClients, startRobot } from "./programs.mjs";
 import { Report } from "./report.mjs";
 
 const jpeg = "/14/2/camera_top/jpeg";
-const sensors = ["joints", "inertial", "fsr", "sonar", "touch", "odometry", "motion_status"].map((name) => `/14/2/${name}`);
+const sensors = ["joints", "inertial", "fsr", "sonar", "touch", "odometry", "motion_status"].map(
+  (name) => `/14/2/${name}`,
+);
 const events = ["/14/2/game"];
 
 export async function shaped({ seconds = 60 }) {
@@ -33,7 +35,12 @@ export async function shaped({ seconds = 60 }) {
   report.figure("image: age p95", topics[jpeg].age_p95_ms, "ms", { below: 500 });
   report.figure("image: rate", topics[jpeg].rate_hz, "Hz");
   report.figure("image: size", topics[jpeg].bytes / topics[jpeg].messages / 1000, "kB");
-  report.figure("events that did not arrive", events.reduce((n, topic) => n + written[topic] - topics[topic].messages, 0), "", { exactly: 0 });
+  report.figure(
+    "events that did not arrive",
+    events.reduce((n, topic) => n + written[topic] - topics[topic].messages, 0),
+    "",
+    { exactly: 0 },
+  );
   report.figure("sensors that arrived, of the worst", 100 * part(sensors), "%", { atLeast: 90 });
   report.figure("sensors: age p95", Math.max(...sensors.map((topic) => topics[topic].age_p95_ms)), "ms");
   report.figure("statuses that told of drops", statuses.length);

@@ -34,7 +34,12 @@ function tellCost(report, name, of, players, figure, bar, cycleBar) {
   report.figure(`${name}: robot and tick, dead time counted`, of(cycles), "cycles");
   const robotFrames = kFrames * 2 * players;
   report.figure(`${name}: robot-frame of ${kFrames}`, (ms * 1e6) / robotFrames, "ns");
-  report.figure(`${name}: robot-frame of ${kFrames}`, (ms * 1e6 * of((run) => run.clock_ghz)) / robotFrames, "cycles", cycleBar);
+  report.figure(
+    `${name}: robot-frame of ${kFrames}`,
+    (ms * 1e6 * of((run) => run.clock_ghz)) / robotFrames,
+    "cycles",
+    cycleBar,
+  );
 }
 
 async function games(report, count) {
@@ -55,16 +60,34 @@ async function games(report, count) {
 /** The same program by other compilers' flags, on this processor. */
 async function processors(report, count) {
   const builds = ["sim-release", "sim-silvermont", "sim-i686"];
-  const [release, silvermont, i686] = await inTurns(builds.map((preset) => () => start("sim_cost", [count], [], preset).report));
+  const [release, silvermont, i686] = await inTurns(
+    builds.map((preset) => () => start("sim_cost", [count], [], preset).report),
+  );
   const ms = (run) => run.game_ms;
-  for (const [name, of, most] of [["nao-v6 (silvermont)", silvermont, 2.5], ["i686 SSE (bonnell)", i686, 3]]) {
+  for (const [name, of, most] of [
+    ["nao-v6 (silvermont)", silvermont, 2.5],
+    ["i686 SSE (bonnell)", i686, 3],
+  ]) {
     report.figure(`flags of ${name}: game`, of(ms), "ms");
     report.figure(`flags of ${name}: robot and tick`, of(cycles), "cycles");
     report.figure(`flags of ${name}, against x86-64`, of(ms) / release(ms), "x", { atMost: most });
   }
-  for (const [name, of] of [["x86-64", release], ["i686", i686]]) {
-    report.figure(`State on ${name}`, of((run) => run.state_bytes), "bytes", { atMost: 8192 });
-    report.figure(`State on ${name}: copy`, of((run) => run.copy_ns), "ns", name === "x86-64" ? { below: 500 } : {});
+  for (const [name, of] of [
+    ["x86-64", release],
+    ["i686", i686],
+  ]) {
+    report.figure(
+      `State on ${name}`,
+      of((run) => run.state_bytes),
+      "bytes",
+      { atMost: 8192 },
+    );
+    report.figure(
+      `State on ${name}: copy`,
+      of((run) => run.copy_ns),
+      "ns",
+      name === "x86-64" ? { below: 500 } : {},
+    );
   }
 }
 
@@ -74,7 +97,10 @@ async function scaling(report, count) {
   const few = Math.max(1, Math.ceil(count / 5));
   const found = await inTurns([...lengths, ...sides].map((choice) => () => cost(choice, few)));
   const [half, whole, twice, ...bySide] = found.map((of) => of(mean));
-  for (const [name, ratio] of [["10 min against 5 min a half", whole / half], ["20 min against 10 min a half", twice / whole]])
+  for (const [name, ratio] of [
+    ["10 min against 5 min a half", whole / half],
+    ["20 min against 10 min a half", twice / whole],
+  ])
     report.figure(`time, ${name}`, ratio, "x", { between: [1.8, 2.2] });
   console.log(`   3 to 7 a side: ${bySide.map(pretty).join(", ")} ms`);
   const points = bySide.map((ms, i) => [3 + i, ms]);
@@ -89,8 +115,12 @@ async function scaling(report, count) {
 
 export async function sim({ games: count = 200 }) {
   const report = new Report("sim", "what does a simulated game cost?");
-  console.log("   baseline against itself, models match, referee and radio on; CPU time of one thread, medians of 3 rounds in turns.");
-  console.log("   Cycles by a loop of additions timed before each game. That a step allocates nothing is a test (sim_match_test).");
+  console.log(
+    "   baseline against itself, models match, referee and radio on; CPU time of one thread, medians of 3 rounds in turns.",
+  );
+  console.log(
+    "   Cycles by a loop of additions timed before each game. That a step allocates nothing is a test (sim_match_test).",
+  );
   report.figure("other programs on this machine", await otherLoad(), "cores");
   await games(report, count);
   await processors(report, Math.max(1, Math.ceil(count / 5)));

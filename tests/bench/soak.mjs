@@ -16,7 +16,14 @@ function growth(samples) {
 }
 
 async function run(robotArgs, clientArgs, seconds) {
-  const robot = await startRobot([...robotArgs, "--seconds", seconds, "--no-costs", "--memory-every", Math.max(0.5, seconds / 120)]);
+  const robot = await startRobot([
+    ...robotArgs,
+    "--seconds",
+    seconds,
+    "--no-costs",
+    "--memory-every",
+    Math.max(0.5, seconds / 120),
+  ]);
   const viewers = startClients(robot.url(), ["--seconds", seconds + 10, ...clientArgs]);
   const found = await robot.report;
   viewers.stop();
@@ -35,14 +42,28 @@ function judge(report, { found, viewers }, expected = 0) {
   report.figure("resident set, largest, image buffers included", Math.max(...found.memory_mb), "MB", { atMost: 64 });
   report.figure("resident set, growth over the second half", growth(found.memory_mb), "MB", { atMost: 1 });
   const eighth = Math.max(1, Math.floor(found.memory_mb.length / 8));
-  console.log(`   resident set, every eighth: ${found.memory_mb.filter((_, i) => i % eighth === 0).map(pretty).join(" ")} MB`);
+  console.log(
+    `   resident set, every eighth: ${found.memory_mb
+      .filter((_, i) => i % eighth === 0)
+      .map(pretty)
+      .join(" ")} MB`,
+  );
 }
 
 /** Ten minutes of a robot in use. */
 async function ten(seconds) {
   const report = new Report("soak", "does the robot's memory grow while viewers come and go?");
-  console.log(`   ${seconds} s, raw images and all objects, profile game, 8 viewers who stay 5 s on average; some stall`);
-  judge(report, await run(["--cameras", 1, "--profile", "game"], ["--clients", 8, "--lifetime", 5, "--watch", "objects,images,jpeg"], seconds));
+  console.log(
+    `   ${seconds} s, raw images and all objects, profile game, 8 viewers who stay 5 s on average; some stall`,
+  );
+  judge(
+    report,
+    await run(
+      ["--cameras", 1, "--profile", "game"],
+      ["--clients", 8, "--lifetime", 5, "--watch", "objects,images,jpeg"],
+      seconds,
+    ),
+  );
   return report.finish();
 }
 
@@ -59,8 +80,21 @@ async function twoWeeks(speed) {
   judge(
     report,
     await run(
-      ["--no-objects", "--cameras", 0, "--truth-hz", kTruthHz, "--speed", speed, "--profile", "game", "--log-mb", kLogMb,
-        "--session-seconds", seconds / (kDays * kSessionsPerDay)],
+      [
+        "--no-objects",
+        "--cameras",
+        0,
+        "--truth-hz",
+        kTruthHz,
+        "--speed",
+        speed,
+        "--profile",
+        "game",
+        "--log-mb",
+        kLogMb,
+        "--session-seconds",
+        seconds / (kDays * kSessionsPerDay),
+      ],
       ["--clients", seats, "--lifetime", lifetime, "--watch", "objects"],
       seconds,
     ),

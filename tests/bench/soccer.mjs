@@ -23,7 +23,10 @@ function tellSetPlays(report, name, games) {
   for (const kind of Object.keys(games[0].set_plays)) {
     const total = (end) => games.reduce((count, game) => count + game.set_plays[kind][end], 0);
     const [taken, expired] = [total("taken"), total("expired")];
-    if (taken + expired > 0) report.figure(`${name}: ${kind} taken in time`, percent(taken / (taken + expired)), `% of ${taken + expired}`, { atLeast: kTaken });
+    if (taken + expired > 0)
+      report.figure(`${name}: ${kind} taken in time`, percent(taken / (taken + expired)), `% of ${taken + expired}`, {
+        atLeast: kTaken,
+      });
   }
 }
 
@@ -44,7 +47,9 @@ function tellEqual(report, { name, goals: [fewest, most] = [], goalless: [rarest
   report.figure(`${name}: won by away`, wins(-1), "%");
 
   const seen = games[0].seen.map((_, robot) => percent(meanBy(games, (game) => game.seen[robot])));
-  report.figure(`${name}: ball seen by a robot`, percent(meanBy(games, both("ball_seen"))), "% of frames", { between: [30, 60] });
+  report.figure(`${name}: ball seen by a robot`, percent(meanBy(games, both("ball_seen"))), "% of frames", {
+    between: [30, 60],
+  });
   report.figure(`${name}: by the one who sees it least`, Math.min(...seen), "% of frames");
   report.figure(`${name}: by the one who sees it most`, Math.max(...seen), "% of frames");
   for (const [what, unit, value] of [
@@ -77,7 +82,9 @@ function tellUnequal(report, { name, by }, games) {
 }
 
 async function tellEffects(report, most, jobs) {
-  console.log(`\n   each effect alone, against models match with the same seeds, until ${kSure} standard errors or ${most} games`);
+  console.log(
+    `\n   each effect alone, against models match with the same seeds, until ${kSure} standard errors or ${most} games`,
+  );
   const plain = new Series({}, jobs);
   const rows = [];
   for (const effect of kEffects) {

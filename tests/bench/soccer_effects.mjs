@@ -5,7 +5,10 @@ import { differenceOf, meanOf } from "./statistics.mjs";
 export const kSure = 4; // standard errors; repeated looks after more games do not reach this by luck
 const kFirst = 20; // games at first; then twice as many each time
 
-const of = (figure, scale = 1) => (game) => scale * both(figure)(game);
+const of =
+  (figure, scale = 1) =>
+  (game) =>
+    scale * both(figure)(game);
 const percent = (figure) => of(figure, 100);
 const degrees = (figure) => of(figure, 180 / Math.PI);
 

@@ -13,7 +13,10 @@ export function meanOf(values) {
 export const differenceOf = (a, b) => meanOf(a.map((value, i) => value - b[i]));
 
 /** Returns the confidence interval [from, to] of the mean. */
-export const interval = ({ mean, error }, percent) => [mean - kNormal[percent] * error, mean + kNormal[percent] * error];
+export const interval = ({ mean, error }, percent) => [
+  mean - kNormal[percent] * error,
+  mean + kNormal[percent] * error,
+];
 
 /**
  * Equivalent: two one-sided tests at 5 %. The 90 % interval lies within ± margin; `farthest` is its end that is farther
@@ -36,7 +39,7 @@ export function exponentOf(points) {
 
 /** Numbers in [0, 1) that look random and are the same every time. */
 export function* numbers(seed) {
-  for (let state = seed >>> 0; ; ) {
+  for (let state = seed >>> 0; ;) {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
     yield state / 2 ** 32;
   }

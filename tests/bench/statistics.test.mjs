@@ -5,7 +5,8 @@ import { test } from "node:test";
 import { differenceOf, equivalence, exponentOf, interval, meanOf, numbers } from "./statistics.mjs";
 
 const take = (count, source) => Array.from({ length: count }, () => source.next().value);
-const near = (value, expected, by) => assert.ok(Math.abs(value - expected) <= by, `${value} is not ${expected} ± ${by}`);
+const near = (value, expected, by) =>
+  assert.ok(Math.abs(value - expected) <= by, `${value} is not ${expected} ± ${by}`);
 
 test("a mean moves and stretches with its values, its error only stretches", () => {
   const values = take(50, numbers(1));
@@ -42,7 +43,10 @@ test("95 % intervals hold the true mean in 95 of 100 samples, 90 % ones in 90", 
 
 test("the same seed for both gives no difference", () => {
   const luck = take(30, numbers(4));
-  const found = differenceOf(luck.map((value) => value + 0.25), luck);
+  const found = differenceOf(
+    luck.map((value) => value + 0.25),
+    luck,
+  );
   near(found.mean, 0.25, 1e-12);
   near(found.error, 0, 1e-12);
 });
@@ -57,5 +61,6 @@ test("two means are equivalent only if the whole interval is within the margin",
 
 test("powers are found whatever their factor", () => {
   for (const exponent of [0.5, 1, 2])
-    for (const factor of [0.01, 40]) near(exponentOf([3, 4, 5, 6, 7].map((x) => [x, factor * x ** exponent])), exponent, 1e-12);
+    for (const factor of [0.01, 40])
+      near(exponentOf([3, 4, 5, 6, 7].map((x) => [x, factor * x ** exponent])), exponent, 1e-12);
 });

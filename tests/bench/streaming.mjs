@@ -62,24 +62,33 @@ export async function streaming({ seconds = 60 }) {
   const slow = missing ? undefined : link({ rate: "100mbit", burst: "32kb", latency: 50 });
   const places = [
     { name: "10 viewers, loopback", clients: 10 },
-    ...(missing ? [] : [
-      { name: "4 viewers, 1 Gbit/s", clients: 4, network: gigabit },
-      { name: "1 viewer of JPEG, 100 Mbit/s", clients: 1, jpeg: true, network: slow },
-    ]),
+    ...(missing
+      ? []
+      : [
+          { name: "4 viewers, 1 Gbit/s", clients: 4, network: gigabit },
+          { name: "1 viewer of JPEG, 100 Mbit/s", clients: 1, jpeg: true, network: slow },
+        ]),
   ];
 
   const rows = [];
   const disk = { normal: [], heavy: [] };
   for (const place of places) {
     const found = {};
-    for (const [kind, cameras] of [["normal", 0], ["heavy", 1]]) {
+    for (const [kind, cameras] of [
+      ["normal", 0],
+      ["heavy", 1],
+    ]) {
       const title = `${place.name}, ${cameras ? "raw images and all objects" : "all objects"}`;
       console.log(`   ${title}: ${seconds} s …`);
       const seen = await scene({ title, seconds, cameras, ...place });
       found[kind] = seen;
       disk[kind].push(seen.diskFps);
-      report.figure(`${place.name}, ${kind}: lost on the way to the disk`, seen.diskLost, `of ${seen.written}`, { exactly: 0 });
-      report.figure(`${place.name}, ${kind}: lost by the worst viewer`, seen.clientsLost, `of ${seen.written}`, { exactly: 0 });
+      report.figure(`${place.name}, ${kind}: lost on the way to the disk`, seen.diskLost, `of ${seen.written}`, {
+        exactly: 0,
+      });
+      report.figure(`${place.name}, ${kind}: lost by the worst viewer`, seen.clientsLost, `of ${seen.written}`, {
+        exactly: 0,
+      });
       report.figure(`${place.name}, ${kind}: viewers sent away`, seen.sentAway, "", { exactly: 0 });
       report.figure(`${place.name}, ${kind}: slowest viewer`, seen.clientFps, "fps", { atLeast: 29.5 });
       report.figure(`${place.name}, ${kind}: age p95`, seen.age, "ms");
@@ -88,13 +97,16 @@ export async function streaming({ seconds = 60 }) {
     }
     rows.push([place.name, "", "", pretty(found.normal.clientFps), pretty(found.heavy.clientFps)]);
   }
-  console.log("\n" + table([
-    ["vision stream at 30 Hz [fps]", "thesis normal", "thesis heavy", "ours normal", "ours heavy"],
-    ["disk", 29, 29, pretty(Math.min(...disk.normal)), pretty(Math.min(...disk.heavy))],
-    ["M_1 (Ethernet)", 29, 26, "", ""],
-    ["M_2 (Ethernet)", 29, 22, "", ""],
-    ...rows,
-  ]));
+  console.log(
+    "\n" +
+      table([
+        ["vision stream at 30 Hz [fps]", "thesis normal", "thesis heavy", "ours normal", "ours heavy"],
+        ["disk", 29, 29, pretty(Math.min(...disk.normal)), pretty(Math.min(...disk.heavy))],
+        ["M_1 (Ethernet)", 29, 26, "", ""],
+        ["M_2 (Ethernet)", 29, 22, "", ""],
+        ...rows,
+      ]),
+  );
   console.log("normal: all objects but images; heavy: with raw 640x480 images (JPEG where it says so).");
   return report.finish();
 }

@@ -10,7 +10,10 @@ const begin = "<!-- begin of the table: written by scripts/bench --table -->";
 const end = "<!-- end of the table -->";
 
 /** The cells of one line of CSV. */
-const cellsOf = (line) => [...line.matchAll(/(?:^|,)(?:"((?:[^"]|"")*)"|([^,]*))/g)].map(([, quoted, plain]) => quoted?.replaceAll('""', '"') ?? plain);
+const cellsOf = (line) =>
+  [...line.matchAll(/(?:^|,)(?:"((?:[^"]|"")*)"|([^,]*))/g)].map(
+    ([, quoted, plain]) => quoted?.replaceAll('""', '"') ?? plain,
+  );
 
 /** All lines of the CSV files below `root`: {machine, date, bench, options, figure, value, unit, bar, met}. */
 export function resultsOf(root) {
@@ -18,9 +21,14 @@ export function resultsOf(root) {
     .filter((file) => file.endsWith(".csv"))
     .sort()
     .flatMap((file) => {
-      const [head, ...lines] = readFileSync(join(root, folder, file), "utf8").trim().split("\n");
+      const [head, ...lines] = readFileSync(join(root, folder, file), "utf8")
+        .trim()
+        .split("\n");
       const names = cellsOf(head);
-      return lines.map((line) => ({ machine: file.slice(0, -4), ...Object.fromEntries(cellsOf(line).map((cell, i) => [names[i], cell])) }));
+      return lines.map((line) => ({
+        machine: file.slice(0, -4),
+        ...Object.fromEntries(cellsOf(line).map((cell, i) => [names[i], cell])),
+      }));
     });
 }
 
@@ -38,15 +46,29 @@ function lastRuns(results, bench) {
 /** The generated part, as Markdown. */
 export function tables(results) {
   const proved = proofs.map(({ question, bar, seen, by }) =>
-    by === "a test" ? [question, bar, seen, "a test", ""] : [question, bar, seen, `\`scripts/bench ${by}\``, lastRuns(results, by)],
+    by === "a test"
+      ? [question, bar, seen, "a test", ""]
+      : [question, bar, seen, `\`scripts/bench ${by}\``, lastRuns(results, by)],
   );
   const newest = new Map();
-  for (const result of results) if (result.bar) newest.set(`${result.bench}\n${result.figure}\n${result.machine}`, result);
+  for (const result of results)
+    if (result.bar) newest.set(`${result.bench}\n${result.figure}\n${result.machine}`, result);
   const figures = [...newest.values()]
-    .sort((a, b) => a.bench.localeCompare(b.bench) || a.figure.localeCompare(b.figure) || a.machine.localeCompare(b.machine))
+    .sort(
+      (a, b) =>
+        a.bench.localeCompare(b.bench) || a.figure.localeCompare(b.figure) || a.machine.localeCompare(b.machine),
+    )
     .map(({ bench, figure, bar, value, unit, met, options, machine, date }) => {
       const seen = `${value} ${unit}`.trim();
-      return [bench, figure, `${bar} ${unit}`.trim(), met === "no" ? `**${seen}**` : seen, `${bench} ${options}`.trim(), machine, date.slice(0, 10)];
+      return [
+        bench,
+        figure,
+        `${bar} ${unit}`.trim(),
+        met === "no" ? `**${seen}**` : seen,
+        `${bench} ${options}`.trim(),
+        machine,
+        date.slice(0, 10),
+      ];
     });
   return [
     "## What was proved",
@@ -67,5 +89,7 @@ export function withTables(text, results) {
 /** The check: one sentence if the README's tables are not those that scripts/bench --table would write. */
 export function staleTable(root) {
   const text = readFileSync(join(root, "tests/bench/README.md"), "utf8");
-  return text === withTables(text, resultsOf(root)) ? [] : ["tests/bench/README.md: the tables are older than the results; write them anew with scripts/bench --table"];
+  return text === withTables(text, resultsOf(root))
+    ? []
+    : ["tests/bench/README.md: the tables are older than the results; write them anew with scripts/bench --table"];
 }

@@ -21,13 +21,23 @@ const signed = (value) => (value >= 0 ? "+" : "") + pretty(Number(value.toFixed(
 function row(name, { report, seconds }, scale, unit) {
   const { mean, low, high } = report.gain;
   const [a, b] = [report.a.goals, report.b.goals].map((goals) => goals.toFixed(2));
-  return [name, report.verdict, `${signed(scale * mean)} ${unit}`, `${signed(scale * low)} .. ${signed(scale * high)}`, a, b, report.games, `${seconds.toFixed(0)} s`];
+  return [
+    name,
+    report.verdict,
+    `${signed(scale * mean)} ${unit}`,
+    `${signed(scale * low)} .. ${signed(scale * high)}`,
+    a,
+    b,
+    report.games,
+    `${seconds.toFixed(0)} s`,
+  ];
 }
 
 export async function thesis({ games = 4000 }) {
   const report = new Report("thesis", "kick at once or align first? does passing help?");
   const pairs = Math.ceil(games / 2);
-  const moment = (a, b, from) => compare([a, b, "--from", from, "--fuzz", "--metric", "score_within:30s", "--pairs", pairs]);
+  const moment = (a, b, from) =>
+    compare([a, b, "--from", from, "--fuzz", "--metric", "score_within:30s", "--pairs", pairs]);
   const whole = (a, b) => compare([a, b, "--pairs", pairs]);
   const head = ["", "verdict", "gain", "95 %", "goals of A", "of B", "games", "took"];
 
@@ -44,12 +54,19 @@ export async function thesis({ games = 4000 }) {
   console.log("\n   A never passes, B does where the way is blocked and a teammate is free\n");
   console.log(table([head, ...passing.map((each) => row(...each))]).replaceAll(/^/gm, "   "));
 
-  for (const [name, { report: found }, scale, unit] of [...kicking.map((each) => ["kicks at once: " + each[0], ...each.slice(1)]), ...passing.map((each) => ["passes: " + each[0], ...each.slice(1)])])
+  for (const [name, { report: found }, scale, unit] of [
+    ...kicking.map((each) => ["kicks at once: " + each[0], ...each.slice(1)]),
+    ...passing.map((each) => ["passes: " + each[0], ...each.slice(1)]),
+  ])
     report.figure(name, scale * found.gain.mean, unit);
   // an interval is 1.96 standard errors of the mean over the pairs; without pairs it takes the pairing gain times as many games
   const { report: found } = kicking[0][1];
   const of_a_game = ((found.gain.high - found.gain.mean) / 1.96) ** 2 * found.games * found.pairing_gain;
   report.figure("variance of the goal difference of a game", of_a_game, "goals^2");
-  report.figure(`difference that ${kGames} games find in 80 % of cases`, kFound * Math.sqrt(of_a_game / kGames), "goals per game");
+  report.figure(
+    `difference that ${kGames} games find in 80 % of cases`,
+    kFound * Math.sqrt(of_a_game / kGames),
+    "goals per game",
+  );
   return report.finish();
 }

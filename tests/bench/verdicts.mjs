@@ -38,17 +38,30 @@ async function reportsOf(words, runs) {
 }
 
 /** Returns how many intervals hold `truth`, in percent. */
-const coverage = (intervals, truth) => percent(intervals.filter(({ low, high }) => low <= truth && truth <= high).length, intervals.length);
+const coverage = (intervals, truth) =>
+  percent(intervals.filter(({ low, high }) => low <= truth && truth <= high).length, intervals.length);
 
 /** Returns the pool of the runs' pairs: [gain in columns of the histogram, number]. */
-const poolOf = (reports) => reports[0].histogram.pairs.map((_, i) => [i - (reports[0].histogram.pairs.length - 1) / 2, reports.reduce((sum, { histogram }) => sum + histogram.pairs[i], 0)]);
+const poolOf = (reports) =>
+  reports[0].histogram.pairs.map((_, i) => [
+    i - (reports[0].histogram.pairs.length - 1) / 2,
+    reports.reduce((sum, { histogram }) => sum + histogram.pairs[i], 0),
+  ]);
 
 /** Coverage of the intervals of runs of a fixed length. The truth is the mean of all of them. */
 async function fixed(report, [name, words, pairs], runs) {
   const reports = await reportsOf([...words, "--pairs", pairs], runs);
   const truth = reports.reduce((sum, { gain }) => sum + gain.mean, 0) / runs;
   report.figure(`${name}: mean of ${runs} runs of ${pairs} pairs`, truth);
-  report.figure(`${name}: intervals that hold it`, coverage(reports.map(({ gain }) => gain), truth), "%", kBetween);
+  report.figure(
+    `${name}: intervals that hold it`,
+    coverage(
+      reports.map(({ gain }) => gain),
+      truth,
+    ),
+    "%",
+    kBetween,
+  );
   return { pool: poolOf(reports), truth };
 }
 
@@ -57,8 +70,8 @@ function resampled(report, name, pool) {
   const input = pool.map((line) => line.join(" ")).join("\n");
   const { none, planted } = JSON.parse(execFileSync(program, [kTests], { input, encoding: "utf8" }));
   const of = (text) => `${name}, ${kTests} tests on resampled pairs: ${text}`;
-  report.figure(of("verdicts \"better\" without a gain"), 100 * none.better, "%", { atMost: 5 });
-  report.figure(of("verdicts \"better\" with the gain asked for"), 100 * planted.better, "%", { between: [90, 98] });
+  report.figure(of('verdicts "better" without a gain'), 100 * none.better, "%", { atMost: 5 });
+  report.figure(of('verdicts "better" with the gain asked for'), 100 * planted.better, "%", { between: [90, 98] });
   report.figure(of("corrected intervals that hold 0, without a gain"), 100 * none.covered, "%", kBetween);
   report.figure(of("corrected intervals that hold the planted gain"), 100 * planted.covered, "%", kBetween);
   report.figure(of("pairs until the answer, without a gain"), none.pairs);
@@ -68,15 +81,39 @@ function resampled(report, name, pool) {
 async function real(report, truth, runs) {
   const reports = await reportsOf([...kChances, "--metric", "score_within:30s"], runs);
   const better = reports.filter(({ verdict }) => verdict === "better").length;
-  report.figure(`score_within:30s, ${runs} real tests of the usual question: "better"`, percent(better, runs), "%", { atLeast: 90 });
-  report.figure("score_within:30s, real tests: corrected intervals that hold the truth", coverage(reports.map(({ unbiased_gain, gain }) => unbiased_gain ?? gain), truth), "%", kBetween);
-  report.figure("score_within:30s, real tests: pairs until the answer", reports.reduce((sum, { pairs }) => sum + pairs, 0) / runs);
+  report.figure(`score_within:30s, ${runs} real tests of the usual question: "better"`, percent(better, runs), "%", {
+    atLeast: 90,
+  });
+  report.figure(
+    "score_within:30s, real tests: corrected intervals that hold the truth",
+    coverage(
+      reports.map(({ unbiased_gain, gain }) => unbiased_gain ?? gain),
+      truth,
+    ),
+    "%",
+    kBetween,
+  );
+  report.figure(
+    "score_within:30s, real tests: pairs until the answer",
+    reports.reduce((sum, { pairs }) => sum + pairs, 0) / runs,
+  );
 }
 
 /** A behaviour against itself from a lopsided moment: neither side has an advantage. */
 async function itself(report, runs) {
-  const found = await reportsOf(["--aa", "baseline", "--from", "close_free", "--metric", "score_within:30s", "--pairs", 100], runs);
-  report.figure(`a lopsided moment, ${runs} runs of --aa: intervals that hold 0`, coverage(found.map(({ unpaired }) => unpaired.home_advantage), 0), "%", kBetween);
+  const found = await reportsOf(
+    ["--aa", "baseline", "--from", "close_free", "--metric", "score_within:30s", "--pairs", 100],
+    runs,
+  );
+  report.figure(
+    `a lopsided moment, ${runs} runs of --aa: intervals that hold 0`,
+    coverage(
+      found.map(({ unpaired }) => unpaired.home_advantage),
+      0,
+    ),
+    "%",
+    kBetween,
+  );
 }
 
 /** Fixed runs, and tests on their pairs. Returns the truth. */

@@ -21,7 +21,8 @@ const kViews = {
   field: "field?layers=belief,uncertainty,view,intent,team,trail,names,everyone",
 };
 
-const quantile = (values, part) => [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(part * values.length))];
+const quantile = (values, part) =>
+  [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(part * values.length))];
 const state = ["--port", 0, "--state-dir", join(scratch, "state")];
 
 /** A simulated game of two teams of five, `minutes` long, as one recording of all beliefs and actions of its robots. */
@@ -34,7 +35,10 @@ async function recordGame(minutes) {
 
 async function openBrowser() {
   const executablePath = command("which", "chromium").trim();
-  const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"] });
+  const browser = await chromium.launch({
+    executablePath,
+    args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"],
+  });
   atEnd(() => browser.close());
   return browser;
 }
@@ -73,11 +77,15 @@ async function openPage(browser, url) {
 
 const stands = (page) => page.getByRole("button", { name: "Go on" }).waitFor();
 const momentOf = (page) => BigInt(/[?&]at=(\d+)/.exec(page.url())?.[1] ?? 0);
-const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
+const drawn = (page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
 
 async function seeks(report, browser, session) {
   const lab = start("foresight-lab", ["play", session, ...state]);
-  const { page, seen } = await openPage(browser, `${await lab.address}/#/14/2/field?layers=truth,belief,error,uncertainty,view,intent,team,trail,names,everyone`);
+  const { page, seen } = await openPage(
+    browser,
+    `${await lab.address}/#/14/2/field?layers=truth,belief,error,uncertainty,view,intent,team,trail,names,everyone`,
+  );
   await page.getByRole("button", { name: "Freeze time" }).click();
   await stands(page);
   const box = await page.getByLabel("Timeline").boundingBox();
@@ -99,7 +107,11 @@ async function seeks(report, browser, session) {
   }
   await page.close();
   lab.stop();
-  report.figure("seek in 20 min of 5 robots each: objects shown, at least", Math.min(...objects), `of ${seen.subscribed.size} subscribed`);
+  report.figure(
+    "seek in 20 min of 5 robots each: objects shown, at least",
+    Math.min(...objects),
+    `of ${seen.subscribed.size} subscribed`,
+  );
   report.figure("seek until all is drawn, median", quantile(times, 0.5), "ms");
   report.figure("seek until all is drawn, p95", quantile(times, 0.95), "ms", { atMost: 200 });
 }
@@ -107,14 +119,24 @@ async function seeks(report, browser, session) {
 /** Four robots, each with both cameras' raw pictures and all objects at 30 Hz. */
 async function fluid(report, browser, seconds) {
   const sessions = kFourRobots.map((robot) => join(scratch, `fluid.${robot.replace("/", ".")}`));
-  for (const [i, session] of sessions.entries()) await start("foresight-lab", ["synthesize", session, "--robot", kFourRobots[i], "--seconds", 30]).output;
+  for (const [i, session] of sessions.entries())
+    await start("foresight-lab", ["synthesize", session, "--robot", kFourRobots[i], "--seconds", 30]).output;
   const lab = start("foresight-lab", ["play", ...sessions, "--loop", ...state]);
   for (const [name, view] of Object.entries(kViews)) {
     const { page, seen } = await openPage(browser, `${await lab.address}/#/14/2/${view}`);
     await sleep(5);
     const [before, began] = [seen.messages, performance.now()];
-    report.figure(`four robots, ${name}: frames a second, median`, 1000 / quantile(await framesOf(page, seconds), 0.5), "1/s", { atLeast: 55 });
-    report.figure(`four robots, ${name}: messages that the page takes in`, (seen.messages - before) / ((performance.now() - began) / 1000), "1/s");
+    report.figure(
+      `four robots, ${name}: frames a second, median`,
+      1000 / quantile(await framesOf(page, seconds), 0.5),
+      "1/s",
+      { atLeast: 55 },
+    );
+    report.figure(
+      `four robots, ${name}: messages that the page takes in`,
+      (seen.messages - before) / ((performance.now() - began) / 1000),
+      "1/s",
+    );
     await page.close();
   }
   lab.stop();
@@ -139,7 +161,11 @@ async function opens(report, browser, length) {
 
 /** Returns the messages of a session that @mcap/core reads, by topic. */
 function contentsOf(session) {
-  return new Map(readdirSync(session).filter((name) => name.endsWith(".mcap")).flatMap((name) => [...readStreamed(readFileSync(join(session, name))).topics]));
+  return new Map(
+    readdirSync(session)
+      .filter((name) => name.endsWith(".mcap"))
+      .flatMap((name) => [...readStreamed(readFileSync(join(session, name))).topics]),
+  );
 }
 
 async function exact(report, browser, probes) {
@@ -151,7 +177,9 @@ async function exact(report, browser, probes) {
   await page.getByRole("button", { name: "Freeze time" }).click();
   await stands(page);
   const box = await page.getByLabel("Timeline").boundingBox();
-  const names = ["pose", "odometry", "inertial", "battery", "motion_status"].filter((name) => contents.has(`/14/2/${name}`));
+  const names = ["pose", "odometry", "inertial", "battery", "motion_status"].filter((name) =>
+    contents.has(`/14/2/${name}`),
+  );
   let compared = 0;
   let wrong = 0;
   for (let probe = 0; probe < probes; ++probe) {
@@ -171,10 +199,16 @@ async function exact(report, browser, probes) {
     const wanted = Object.entries(expected ?? {}).filter(([, value]) => typeof value === "number");
     let right = false;
     for (let waited = 0; !right && waited < 2; waited += 0.02) {
-      const rows = await page.evaluate(() => [...document.querySelectorAll("[role=treeitem][aria-level='2']")].map((row) => [row.querySelector(".name").textContent.replace(/[▾▸]/g, "").trim(), row.querySelector(".value > span")?.textContent ?? ""]));
+      const rows = await page.evaluate(() =>
+        [...document.querySelectorAll("[role=treeitem][aria-level='2']")].map((row) => [
+          row.querySelector(".name").textContent.replace(/[▾▸]/g, "").trim(),
+          row.querySelector(".value > span")?.textContent ?? "",
+        ]),
+      );
       const shown = new Map(rows);
       const visible = wanted.filter(([key]) => shown.has(key));
-      right = visible.length > 0 && visible.every(([key, value]) => Number(shown.get(key)) === Number(value.toPrecision(7)));
+      right =
+        visible.length > 0 && visible.every(([key, value]) => Number(shown.get(key)) === Number(value.toPrecision(7)));
       if (right) compared += visible.length;
       else await sleep(0.02);
     }
@@ -190,12 +224,15 @@ async function exact(report, browser, probes) {
   report.figure("exact: probes that showed anything else", wrong, "", { exactly: 0 });
 }
 
-const kAge = (page) => page.evaluate(() => {
-  const row = [...document.querySelectorAll("tr")].find((one) => one.querySelector("th")?.textContent.trim() === "pose");
-  const text = row?.querySelectorAll("td")[2]?.textContent ?? "";
-  const [, value, unit] = /^([\d.]+) (ms|s)$/.exec(text) ?? [];
-  return value === undefined ? undefined : Number(value) * (unit === "s" ? 1000 : 1);
-});
+const kAge = (page) =>
+  page.evaluate(() => {
+    const row = [...document.querySelectorAll("tr")].find(
+      (one) => one.querySelector("th")?.textContent.trim() === "pose",
+    );
+    const text = row?.querySelectorAll("td")[2]?.textContent ?? "";
+    const [, value, unit] = /^([\d.]+) (ms|s)$/.exec(text) ?? [];
+    return value === undefined ? undefined : Number(value) * (unit === "s" ? 1000 : 1);
+  });
 
 async function live(report, browser, { minutes, seconds }) {
   const robot = start("foresight-robot", ["--body", "sim", "--loop", "--log-dir", join(scratch, "logs"), ...state]);
@@ -213,7 +250,11 @@ async function live(report, browser, { minutes, seconds }) {
 
   // a tab in the background stands still; afterwards it must skip the waiting data
   const devtools = await page.context().newCDPSession(page);
-  const clock = () => page.getByLabel("Moment", { exact: true }).textContent().then((text) => text.split(":").reduce((sum, part) => 60 * sum + Number(part), 0)); // [s] of the day
+  const clock = () =>
+    page
+      .getByLabel("Moment", { exact: true })
+      .textContent()
+      .then((text) => text.split(":").reduce((sum, part) => 60 * sum + Number(part), 0)); // [s] of the day
   const [slept, before] = [performance.now(), await clock()];
   await devtools.send("Page.setWebLifecycleState", { state: "frozen" });
   await sleep(20);

@@ -1,7 +1,16 @@
 // Does the program for the Nao V6 stream from cameras of the kernel's own? In an emulated machine, with the processor that
 // stands in for the robot's, Debian's kernel and two of its virtual cameras (the driver "vivid"), and nothing else.
 import { spawnSync } from "node:child_process";
-import { chmodSync, cpSync, existsSync, mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
+import {
+  chmodSync,
+  cpSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import { basename, join } from "node:path";
 import { root } from "../e2e/support.mjs";
 import { built, robots } from "../nao/robots.mjs";
@@ -35,10 +44,15 @@ function kernel(busybox) {
   const version = name.slice("linux-image-".length);
   const modules = join(folder, "lib/modules", version);
   command(busybox, "depmod", "-b", folder, version);
-  const needs = new Map(readFileSync(join(modules, "modules.dep"), "utf8").trim().split("\n").map((line) => {
-    const [path, rest = ""] = line.split(":");
-    return [path, rest.trim().split(/\s+/).filter(Boolean)];
-  }));
+  const needs = new Map(
+    readFileSync(join(modules, "modules.dep"), "utf8")
+      .trim()
+      .split("\n")
+      .map((line) => {
+        const [path, rest = ""] = line.split(":");
+        return [path, rest.trim().split(/\s+/).filter(Boolean)];
+      }),
+  );
   const vivid = [...needs.keys()].find((path) => basename(path).startsWith("vivid.ko"));
   const order = [];
   const add = (path) => {
@@ -76,12 +90,19 @@ $b poweroff -f
 /** The file system that the machine starts with. */
 function initramfs(busybox, modules, seconds) {
   const folder = join(scratch, "machine");
-  for (const path of ["bin", "modules", "proc", "sys", "dev", "tmp"]) mkdirSync(join(folder, path), { recursive: true });
+  for (const path of ["bin", "modules", "proc", "sys", "dev", "tmp"])
+    mkdirSync(join(folder, path), { recursive: true });
   cpSync(busybox, join(folder, "bin/busybox"));
   symlinkSync("busybox", join(folder, "bin/sh"));
   cpSync(built("nao-v6"), join(folder, "bin/foresight-robot"));
   for (const module of modules) cpSync(module, join(folder, "modules", basename(module)));
-  writeFileSync(join(folder, "init"), init(modules.map((module) => basename(module)), seconds));
+  writeFileSync(
+    join(folder, "init"),
+    init(
+      modules.map((module) => basename(module)),
+      seconds,
+    ),
+  );
   chmodSync(join(folder, "init"), 0o755);
   const archive = join(scratch, "machine.cpio");
   command("sh", "-c", `cd ${folder} && find . | ${busybox} cpio -o -H newc > ${archive}`);
@@ -92,10 +113,30 @@ export async function vivid({ seconds = 20 }) {
   const report = new Report("vivid", "does the Nao V6's program stream from the kernel's own cameras?");
   const busybox = join(unpacked("busybox-static"), "bin/busybox");
   const { image, modules } = kernel(busybox);
-  const { stdout, error } = spawnSync("qemu-system-x86_64", [
-    "-accel", "tcg", "-cpu", kCpu, "-m", "5120", "-smp", "2", "-nographic", "-no-reboot", "-nic", "none",
-    "-kernel", image, "-initrd", initramfs(busybox, modules, seconds), "-append", "console=ttyS0 quiet panic=-1",
-  ], { encoding: "utf8", timeout: (seconds + 300) * 1000, maxBuffer: 1 << 26 });
+  const { stdout, error } = spawnSync(
+    "qemu-system-x86_64",
+    [
+      "-accel",
+      "tcg",
+      "-cpu",
+      kCpu,
+      "-m",
+      "5120",
+      "-smp",
+      "2",
+      "-nographic",
+      "-no-reboot",
+      "-nic",
+      "none",
+      "-kernel",
+      image,
+      "-initrd",
+      initramfs(busybox, modules, seconds),
+      "-append",
+      "console=ttyS0 quiet panic=-1",
+    ],
+    { encoding: "utf8", timeout: (seconds + 300) * 1000, maxBuffer: 1 << 26 },
+  );
   if (error) throw new Error(`qemu-system-x86_64: ${error.message}`);
   const told = stdout.split(kMark)[1]?.split("\n")[0];
   const [session] = told ? JSON.parse(told).sessions : [];
@@ -105,7 +146,12 @@ export async function vivid({ seconds = 20 }) {
     const stream = session.streams.find((each) => each.topic.endsWith(`/${topic}`));
     const span = Number(BigInt(stream.end_ns) - BigInt(stream.start_ns)) / 1e9;
     report.figure(`${topic}: images of 640x480, recorded as they are`, stream.messages, "", { above: 0 });
-    report.figure(`${topic}: of the ${kDriverHz} a second that the driver makes`, (100 * (stream.messages - 1)) / span / kDriverHz, "%", { atLeast: 95 });
+    report.figure(
+      `${topic}: of the ${kDriverHz} a second that the driver makes`,
+      (100 * (stream.messages - 1)) / span / kDriverHz,
+      "%",
+      { atLeast: 95 },
+    );
   }
   return report.finish();
 }

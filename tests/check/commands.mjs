@@ -40,7 +40,9 @@ function wordsOf(text) {
     } else word = (word ?? "") + (quoted ?? piece.replace(/^"|"$/g, ""));
   close();
   return commands
-    .map((words) => words.slice(words.findIndex((each) => !/^[A-Z_]+=/.test(each) && !["nice", "sudo", "env"].includes(each))))
+    .map((words) =>
+      words.slice(words.findIndex((each) => !/^[A-Z_]+=/.test(each) && !["nice", "sudo", "env"].includes(each))),
+    )
     .filter((words) => words.length && words[0]);
 }
 
@@ -59,7 +61,9 @@ export function wrongCommands(root, help) {
         continue;
       }
       // a program with a list of sub-commands wants one of them first
-      const names = [...(/^Sub-?commands:\n([\s\S]*)/im.exec(general)?.[1] ?? "").matchAll(/^ {2}([a-z][\w-]*)/gm)].map(([, name]) => name);
+      const names = [...(/^Sub-?commands:\n([\s\S]*)/im.exec(general)?.[1] ?? "").matchAll(/^ {2}([a-z][\w-]*)/gm)].map(
+        ([, name]) => name,
+      );
       let text = general;
       if (names.length && words.length > 1 && !words[1].startsWith("-")) {
         if (!names.includes(words[1])) {
@@ -73,7 +77,8 @@ export function wrongCommands(root, help) {
       const nested = words.findIndex((word, index) => index > 0 && /^(scripts|toolchain)\//.test(word));
       const own = words.slice(1, [end, nested].filter((index) => index > 0).sort((a, b) => a - b)[0]);
       for (const option of own.filter((word) => /^--?[a-z]/.test(word)).map((word) => word.split("=")[0]))
-        if (!new RegExp(`(^|[^\\w-])${option}(?![\\w-])`, "m").test(text)) say(`${words.slice(0, names.length ? 2 : 1).join(" ")} has no option ${option}`);
+        if (!new RegExp(`(^|[^\\w-])${option}(?![\\w-])`, "m").test(text))
+          say(`${words.slice(0, names.length ? 2 : 1).join(" ")} has no option ${option}`);
     }
   return sentences;
 }

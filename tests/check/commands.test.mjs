@@ -23,7 +23,8 @@ test("a shell line is split at comments, pipes and quotes, and goes on behind a 
 });
 
 test("commands that exist, and programs of others, are no finding", (t) => {
-  const code = "scripts/test --yes\nforesight-lab play x --loop --port=9 # --gone\nbuild/release/bin/foresight-lab what-if\nls --gone";
+  const code =
+    "scripts/test --yes\nforesight-lab play x --loop --port=9 # --gone\nbuild/release/bin/foresight-lab what-if\nls --gone";
   assert.deepEqual(wrong(t, code), []);
 });
 

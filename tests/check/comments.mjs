@@ -31,7 +31,8 @@ export function blocksOf(lines) {
     else {
       const kind = words.split(/ {3,}/).length > 2 ? "table" : "text";
       // the first column is a name, the text stands behind it
-      const prose = columns && kind === "text" ? words.replace(/^.*? {3,}/, "") : words.replace(/^([-*•]|\d+[.)]) /, "");
+      const prose =
+        columns && kind === "text" ? words.replace(/^.*? {3,}/, "") : words.replace(/^([-*•]|\d+[.)]) /, "");
       block = { line, indent, hangs: item || columns, kind, text: prose };
       blocks.push(block);
     }
@@ -47,7 +48,7 @@ function endOfString(text, start) {
     if (text[at] === "\\") at += 1;
     else if (text[at] === "\n" && quote !== "`") return at;
     else if (quote === "`" && text.startsWith("${", at)) {
-      for (let depth = 1, inner = at + 2; inner < text.length && depth; ) {
+      for (let depth = 1, inner = at + 2; inner < text.length && depth;) {
         if (text[inner] === "{") depth += 1;
         if (text[inner] === "}") depth -= 1;
         inner = depth && /["'`]/.test(text[inner]) ? endOfString(text, inner) : inner + 1;
@@ -105,7 +106,10 @@ export function slashComments(text, { regexes = false } = {}) {
       flush();
       blocks.push(
         ...blocksOf(
-          text.slice(at, end).split("\n").map((words, index) => ({ line: line + index, text: words.replace(/^\s*\/?\*+!?/, "") })),
+          text
+            .slice(at, end)
+            .split("\n")
+            .map((words, index) => ({ line: line + index, text: words.replace(/^\s*\/?\*+!?/, "") })),
         ),
       );
       advance(end + 2);
@@ -113,7 +117,11 @@ export function slashComments(text, { regexes = false } = {}) {
       const close = `)${/^R"([^(]*)\(/.exec(text.slice(at, at + 20))[1]}"`;
       const end = text.indexOf(close, at);
       advance(end < 0 ? text.length : end + close.length);
-    } else if (text[at] === '"' || (text[at] === "`" && regexes) || (text[at] === "'" && !/[0-9a-fA-F]/.test(text[at - 1] ?? ""))) {
+    } else if (
+      text[at] === '"' ||
+      (text[at] === "`" && regexes) ||
+      (text[at] === "'" && !/[0-9a-fA-F]/.test(text[at - 1] ?? ""))
+    ) {
       advance(Math.min(text.length, endOfString(text, at)));
     } else if (text[at] === "/" && regexes) {
       advance(endOfRegex(text, at) ?? at + 1);
@@ -178,7 +186,10 @@ export function markdown(text) {
       for (const cell of line.split("|").map((cell) => cell.trim()))
         if (/\w/.test(cell)) blocks.push({ line: index + 1, kind: "table", text: withoutCode(cell) });
     } else {
-      run.push({ line: index + 1, text: line.replace(/^(\s*)> /, "$1").replace(/<[^>]*>|!?\[([^\]]*)\]\([^)]*\)/g, "$1") });
+      run.push({
+        line: index + 1,
+        text: line.replace(/^(\s*)> /, "$1").replace(/<[^>]*>|!?\[([^\]]*)\]\([^)]*\)/g, "$1"),
+      });
       return;
     }
     flush();
@@ -197,10 +208,18 @@ export function proseOf(path, text) {
     return [...text.matchAll(/<(script|style)[^>]*>([\s\S]*?)<\/\1>|<!--([\s\S]*?)-->/g)].flatMap((part) => {
       const inner = part[2] ?? `/*${part[3]}*/`;
       const first = text.slice(0, part.index + (part[2] === undefined ? 0 : part[0].indexOf(">"))).split("\n").length;
-      return slashComments(inner, { regexes: part[1] === "script" }).map((block) => ({ ...block, line: block.line + first - 1 }));
+      return slashComments(inner, { regexes: part[1] === "script" }).map((block) => ({
+        ...block,
+        line: block.line + first - 1,
+      }));
     });
   if (name.endsWith(".md")) return markdown(text);
-  if (/\.(py|sh|cmake)$/.test(name) || name === "CMakeLists.txt" || name === "packages.txt" || /^#!.*\b(ba)?sh\b/.test(text))
+  if (
+    /\.(py|sh|cmake)$/.test(name) ||
+    name === "CMakeLists.txt" ||
+    name === "packages.txt" ||
+    /^#!.*\b(ba)?sh\b/.test(text)
+  )
     return hashComments(text);
   return [];
 }

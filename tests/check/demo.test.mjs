@@ -31,12 +31,16 @@ test("the demo waits for its server, however long the build took", { timeout: 12
     "scripts/build": "#!/bin/sh\n",
     "build/release/bin/foresight-robot": server,
   });
-  for (const name of ["demo", "lib.sh", "durations.txt"]) copyFileSync(join(scripts, name), join(root, "scripts", name));
-  for (const name of ["scripts/demo", "scripts/setup", "scripts/build", "build/release/bin/foresight-robot"]) chmodSync(join(root, name), 0o755);
+  for (const name of ["demo", "lib.sh", "durations.txt"])
+    copyFileSync(join(scripts, name), join(root, "scripts", name));
+  for (const name of ["scripts/demo", "scripts/setup", "scripts/build", "build/release/bin/foresight-robot"])
+    chmodSync(join(root, name), 0o755);
 
   // bash counts SECONDS on from the environment: the build seems to have taken 2000 s
   const port = await freePort();
-  const demo = spawn(join(root, "scripts/demo"), ["--port", String(port)], { env: { ...process.env, SECONDS: "2000" } });
+  const demo = spawn(join(root, "scripts/demo"), ["--port", String(port)], {
+    env: { ...process.env, SECONDS: "2000" },
+  });
   const ended = new Promise((done) => demo.once("exit", done));
   let said = "";
   for (const stream of [demo.stdout, demo.stderr]) stream.on("data", (bytes) => (said += bytes));

@@ -4,7 +4,8 @@ import { missingPaths } from "./documents.mjs";
 import { repositoryOf } from "./repository.mjs";
 
 test("a path that exists, a path that is not ours and plain code are no finding", (t) => {
-  const text = "`scripts/demo [PATH]`, `robot/core/`, `build/dev/bin`, `/api/status`, `ball_in_field`, scripts/absent\n";
+  const text =
+    "`scripts/demo [PATH]`, `robot/core/`, `build/dev/bin`, `/api/status`, `ball_in_field`, scripts/absent\n";
   const root = repositoryOf(t, { "README.md": text, "scripts/demo": "", "robot/core/clock.h": "" });
   assert.deepEqual(missingPaths(root), []);
 });

@@ -16,15 +16,19 @@ const table = {
 const lawful = {
   "proto/CMakeLists.txt": "add_library(proto STATIC ball.proto)\n",
   "robot/core/clock.h": "#include <cstdint>\n",
-  "robot/core/CMakeLists.txt": "add_library(robot_core STATIC clock.cpp)\ntarget_link_libraries(robot_core PUBLIC project_options)\n",
-  "robot/memory/deep/memory.h": '#include "proto/ball.pb.h"\n#include "robot/core/clock.h"\n#include "robot/memory/other.h"\n',
+  "robot/core/CMakeLists.txt":
+    "add_library(robot_core STATIC clock.cpp)\ntarget_link_libraries(robot_core PUBLIC project_options)\n",
+  "robot/memory/deep/memory.h":
+    '#include "proto/ball.pb.h"\n#include "robot/core/clock.h"\n#include "robot/memory/other.h"\n',
   "robot/memory/CMakeLists.txt":
     "# robot_app is not linked\nadd_library(robot_memory STATIC m.cpp)\ntarget_link_libraries(robot_memory\n  PUBLIC robot_core proto)\n",
   "robot/net/serve/server.cpp": "#include <boost/beast.hpp>\n",
-  "robot/net/CMakeLists.txt": "add_library(robot_net server.cpp)\ntarget_link_libraries(robot_net PRIVATE Boost::headers robot_core)\n",
+  "robot/net/CMakeLists.txt":
+    "add_library(robot_net server.cpp)\ntarget_link_libraries(robot_net PRIVATE Boost::headers robot_core)\n",
   "robot/app/main.cpp": '#include "robot/memory/deep/memory.h"\n#include "robot/net/serve/server.h"\n',
   "robot/app/CMakeLists.txt": "add_library(robot_app a.cpp)\ntarget_link_libraries(robot_app robot_net robot_memory)\n",
-  "tests/robot/app/main_test.cpp": '#include "robot/app/main.h"\n#include "tests/support/file.h"\n#include <boost/beast.hpp>\n',
+  "tests/robot/app/main_test.cpp":
+    '#include "robot/app/main.h"\n#include "tests/support/file.h"\n#include <boost/beast.hpp>\n',
   "viewer-web/src/a/b.ts": 'import { x } from "../c";\nimport "svelte";\n',
   "viewer-web/src/views/Field.svelte": 'import { x } from "../draw/field";\nconst later = import("./Game.svelte");\n',
   "viewer-web/src/main.ts": 'import App from "./app/App.svelte";\n',
@@ -65,7 +69,10 @@ const cases = [
   },
   {
     name: "a link that the table forbids",
-    files: { "robot/net/CMakeLists.txt": "add_library(robot_net s.cpp)\n\ntarget_link_libraries(robot_net PUBLIC robot_memory)\n" },
+    files: {
+      "robot/net/CMakeLists.txt":
+        "add_library(robot_net s.cpp)\n\ntarget_link_libraries(robot_net PUBLIC robot_memory)\n",
+    },
     says: "robot/net/CMakeLists.txt:3: links robot_net with robot_memory, but robot/net may only use robot/core",
   },
   {

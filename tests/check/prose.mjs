@@ -21,8 +21,16 @@ const mostWords = 30;
 
 /** Refused phrases: a regular expression, and what to write instead. `sentence` rules look at whole sentences. */
 const phrases = [
-  { found: /^(what|who|whoever|whatever|whichever|that which|of which)\b(?! to )/i, instead: "a noun as the subject", sentence: true },
-  { found: /; (what|who|whoever|whatever|that which|of which)\b(?! to )/i, instead: "a noun as the subject", sentence: true },
+  {
+    found: /^(what|who|whoever|whatever|whichever|that which|of which)\b(?! to )/i,
+    instead: "a noun as the subject",
+    sentence: true,
+  },
+  {
+    found: /; (what|who|whoever|whatever|that which|of which)\b(?! to )/i,
+    instead: "a noun as the subject",
+    sentence: true,
+  },
   { found: /\bwhoever\b/i, instead: '"anyone who", "a client that" or the noun' },
   { found: /\bso many\b(?!.*\bthat\b)/i, instead: '"this many" or the number\'s name' },
   { found: /\bof late\b/i, instead: '"recently"' },
@@ -75,14 +83,17 @@ export function faultsIn({ kind, text }) {
     if (twice) faults.push(`"${twice[0]}": the same word twice`);
     const words = wordsIn(sentence);
     if (kind === "text" && words > mostWords)
-      faults.push(`"${sentence.split(" ").slice(0, 5).join(" ")} …": ${words} words in a sentence, at most ${mostWords}`);
+      faults.push(
+        `"${sentence.split(" ").slice(0, 5).join(" ")} …": ${words} words in a sentence, at most ${mostWords}`,
+      );
   }
   return faults;
 }
 
 /** All findings below `root`: {folder, sentence}, in the order of the files. */
 export function findings(root, folders = [""]) {
-  const within = (path) => folders.some((folder) => folder === "" || folder === "." || path === folder || path.startsWith(`${folder}/`));
+  const within = (path) =>
+    folders.some((folder) => folder === "" || folder === "." || path === folder || path.startsWith(`${folder}/`));
   return filesBelow(root)
     .filter((path) => within(path) && !path.startsWith("tests/fuzz/corpus/"))
     .flatMap((path) =>
@@ -107,7 +118,10 @@ export function unplain(root, passedOver = notYet) {
 function countsOf(all) {
   const counts = new Map();
   for (const { folder } of all) counts.set(folder, (counts.get(folder) ?? 0) + 1);
-  return [...[...counts].sort().map(([folder, count]) => `${String(count).padStart(5)} ${folder}`), `${String(all.length).padStart(5)} in all`];
+  return [
+    ...[...counts].sort().map(([folder, count]) => `${String(count).padStart(5)} ${folder}`),
+    `${String(all.length).padStart(5)} in all`,
+  ];
 }
 
 /** Writes `notYet` anew in this file: only the folders of the list that still have findings. */
@@ -115,7 +129,10 @@ function shrink(root, folders) {
   const file = fileURLToPath(import.meta.url);
   const list = folders.map((folder) => `  "${folder}",\n`).join("");
   const text = readFileSync(file, "utf8");
-  writeFileSync(file, text.replace(/(\n {2}\/\/ first\n)[\s\S]*?( {2}\/\/ last\n)/, (_, first, last) => first + list + last));
+  writeFileSync(
+    file,
+    text.replace(/(\n {2}\/\/ first\n)[\s\S]*?( {2}\/\/ last\n)/, (_, first, last) => first + list + last),
+  );
 }
 
 /** The command: prints counts and findings, returns the sentences of the check. */
@@ -124,7 +141,11 @@ export function prose(root, words = []) {
   if (option === "--counts" || option === "--shrink") {
     const all = findings(root);
     const having = [...new Set(all.map(({ folder }) => folder))].sort();
-    if (option === "--shrink") shrink(root, having.filter((folder) => notYet.includes(folder)));
+    if (option === "--shrink")
+      shrink(
+        root,
+        having.filter((folder) => notYet.includes(folder)),
+      );
     else console.log(countsOf(all).join("\n"));
     return [];
   }

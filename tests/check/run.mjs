@@ -11,7 +11,15 @@ import { prose } from "./prose.mjs";
 import { throwing } from "./throwing.mjs";
 import { staleTable } from "../bench/table.mjs";
 
-const checks = { includes: violations, documents: missingPaths, lock_files: addresses, table: staleTable, throwing, commands, prose };
+const checks = {
+  includes: violations,
+  documents: missingPaths,
+  lock_files: addresses,
+  table: staleTable,
+  throwing,
+  commands,
+  prose,
+};
 const [name, ...words] = process.argv.slice(2);
 if (!(name in checks)) {
   console.error(`expected one of ${Object.keys(checks).join(", ")}, got '${name ?? ""}'`);

@@ -27,13 +27,23 @@ test("scripts/test and scripts/check announce as many steps as they have", () =>
 
 for (const name of ["demo", "test", "check"])
   test(`scripts/${name} prints its duration first`, () => {
-    assert.match(linesOf(`say_duration ${name}`)[0], /^scripts\/\w+: a first run takes \d+( to \d+)? min on two quiet cores \(\d+( to \d+)? min of/);
+    assert.match(
+      linesOf(`say_duration ${name}`)[0],
+      /^scripts\/\w+: a first run takes \d+( to \d+)? min on two quiet cores \(\d+( to \d+)? min of/,
+    );
     assert.ok(read(name).indexOf(`say_duration ${name}`) < read(name).search(/scripts\/setup"? (demo|test|check) /));
   });
 
 test("a step prints its number and the number of steps", () => {
-  const lines = linesOf("results=$(mktemp -d); begin_steps 2; step check one true; step check two false || true; rm -r $results");
-  assert.deepEqual(lines, ["== 1 of 2: one (after 0 min)", "   passed after 0 s", "== 2 of 2: two (after 0 min)", "   failed after 0 s"]);
+  const lines = linesOf(
+    "results=$(mktemp -d); begin_steps 2; step check one true; step check two false || true; rm -r $results",
+  );
+  assert.deepEqual(lines, [
+    "== 1 of 2: one (after 0 min)",
+    "   passed after 0 s",
+    "== 2 of 2: two (after 0 min)",
+    "   failed after 0 s",
+  ]);
 });
 
 test("progress is one line a minute, and every other line is shown", () => {

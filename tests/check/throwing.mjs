@@ -18,10 +18,14 @@ const functions =
 const call = new RegExp(`\\b(?:std::filesystem|fs)::(${functions})(?: \\w+)?[({]`, "g");
 
 /** Functions of std::filesystem::directory_entry, called without an error code. */
-const ofEntry = /\b(?:entry|file|folder|item)(?:\.|->)(is_directory|is_regular_file|is_symlink|is_fifo|is_socket|is_other|file_size|last_write_time|symlink_status|hard_link_count)\(\)/g;
+const ofEntry =
+  /\b(?:entry|file|folder|item)(?:\.|->)(is_directory|is_regular_file|is_symlink|is_fifo|is_socket|is_other|file_size|last_write_time|symlink_status|hard_link_count)\(\)/g;
 
 const phrases = [
-  { found: /\bfor \((?:const )?auto&* \w+ : [^;]*directory_iterator/g, instead: "list_folder() of robot/core/folder.h" },
+  {
+    found: /\bfor \((?:const )?auto&* \w+ : [^;]*directory_iterator/g,
+    instead: "list_folder() of robot/core/folder.h",
+  },
   { found: /\bstd::j?thread(?: \w+)?[({]|\bstd::jthread\b/g, instead: "start_thread() of robot/core/thread.h" },
   { found: /\bstd::async\((?!kPolicy\b)/g, instead: "start_thread(), or a policy that includes std::launch::deferred" },
 ];
@@ -46,7 +50,8 @@ function lastArgument(code, from) {
 const readStatus = /^(?:status|(?:std::filesystem|fs)::(?:symlink_)?status\(.*\))$/;
 
 /** Names of all error codes in the file. */
-const errorCodesOf = (code) => new Set([...code.matchAll(/\berror_code&? ((?:\w+)(?:, \w+)*)/g)].flatMap(([, names]) => names.split(", ")));
+const errorCodesOf = (code) =>
+  new Set([...code.matchAll(/\berror_code&? ((?:\w+)(?:, \w+)*)/g)].flatMap(([, names]) => names.split(", ")));
 
 /** Findings in one file, each [offset, sentence]. */
 export function throwingCalls(text) {
@@ -55,9 +60,11 @@ export function throwingCalls(text) {
   const findings = [];
   for (const match of code.matchAll(call)) {
     const last = lastArgument(code, match.index + match[0].length);
-    if (!codes.has(last) && !readStatus.test(last)) findings.push([match.index, `${match[1]}() throws: expected a std::error_code as its last argument`]);
+    if (!codes.has(last) && !readStatus.test(last))
+      findings.push([match.index, `${match[1]}() throws: expected a std::error_code as its last argument`]);
   }
-  for (const match of code.matchAll(ofEntry)) findings.push([match.index, `${match[1]}() throws: expected a std::error_code as its argument`]);
+  for (const match of code.matchAll(ofEntry))
+    findings.push([match.index, `${match[1]}() throws: expected a std::error_code as its argument`]);
   for (const { found, instead } of phrases)
     for (const match of code.matchAll(found)) findings.push([match.index, `'${match[0]}' throws: expected ${instead}`]);
   const lineOf = (offset) => code.slice(0, offset).split("\n").length;
@@ -69,5 +76,7 @@ export function throwing(root) {
   return folders
     .flatMap((folder) => filesBelow(root, folder))
     .filter((path) => /\.(cpp|h)$/.test(path) && !allowed.includes(path))
-    .flatMap((path) => throwingCalls(readFileSync(join(root, path), "utf8")).map(([line, sentence]) => `${path}:${line}: ${sentence}`));
+    .flatMap((path) =>
+      throwingCalls(readFileSync(join(root, path), "utf8")).map(([line, sentence]) => `${path}:${line}: ${sentence}`),
+    );
 }

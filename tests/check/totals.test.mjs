@@ -28,14 +28,26 @@ set FORESIGHT_DATA to &lt;folder&gt;
 const tap = "    ok 1 - inner one\n    ok 2 - inner two # SKIP no tc\nok 1 - outer\nnot ok 2 - alone\n1..2\n";
 const vitest = JSON.stringify({
   testResults: [
-    { name: "a.test.ts", status: "passed", assertionResults: [{ fullName: "draws", status: "passed" }, { fullName: "later", status: "todo" }] },
+    {
+      name: "a.test.ts",
+      status: "passed",
+      assertionResults: [
+        { fullName: "draws", status: "passed" },
+        { fullName: "later", status: "todo" },
+      ],
+    },
     { name: "b.test.ts", status: "failed", assertionResults: [] },
   ],
 });
 
 test("each kind of result is counted test by test", (t) => {
   const steps = "failed\ttests\tC++\nfailed\ttests\tbrowser\nfailed\ttests\tviewer\n";
-  const { lines, status } = totalsOf(t, { "steps.txt": steps, "C++.junit.xml": ctest, "browser.tap": tap, "viewer.vitest.json": vitest });
+  const { lines, status } = totalsOf(t, {
+    "steps.txt": steps,
+    "C++.junit.xml": ctest,
+    "browser.tap": tap,
+    "viewer.vitest.json": vitest,
+  });
   assert.deepEqual(lines, [
     "skipped: C++: Log.Reads: set FORESIGHT_DATA to <folder>",
     "skipped: browser: inner two: no tc",
@@ -53,9 +65,16 @@ test("the ten slowest tests are named, the slowest one first, unless they take l
   const junit = `<testsuite>${Array.from({ length: 9 }, (_, i) => `<testcase name="T.${i}" time="${i}.5" status="run"/>`).join("")}</testsuite>`;
   const block = (ms) => `  ---\n  duration_ms: ${ms}\n  ...\n`;
   const slow = `    ok 1 - inner\n    ${block(2000).replace(/\n(?=.)/g, "\n    ")}ok 1 - outer\n${block(9000)}ok 2 - page\n${block(61000)}`;
-  const json = JSON.stringify({ testResults: [{ assertionResults: [{ fullName: "draws", status: "passed", duration: 3000 }] }] });
+  const json = JSON.stringify({
+    testResults: [{ assertionResults: [{ fullName: "draws", status: "passed", duration: 3000 }] }],
+  });
   const steps = "passed\ttests\tC++\npassed\ttests\tbrowser\npassed\ttests\tviewer\n";
-  const { lines } = totalsOf(t, { "steps.txt": steps, "C++.junit.xml": junit, "browser.tap": slow, "viewer.vitest.json": json });
+  const { lines } = totalsOf(t, {
+    "steps.txt": steps,
+    "C++.junit.xml": junit,
+    "browser.tap": slow,
+    "viewer.vitest.json": json,
+  });
   assert.deepEqual(lines, [
     "The slowest tests:",
     "   61.0 s  browser: page",
@@ -68,7 +87,9 @@ test("the ten slowest tests are named, the slowest one first, unless they take l
 });
 
 test("a check counts once, a preparation only when it fails", (t) => {
-  const { lines, status } = totalsOf(t, { "steps.txt": "passed\tcheck\tlints\npassed\tprepare\tbuild dev\nfailed\tprepare\tbuild asan\n" });
+  const { lines, status } = totalsOf(t, {
+    "steps.txt": "passed\tcheck\tlints\npassed\tprepare\tbuild dev\nfailed\tprepare\tbuild asan\n",
+  });
   assert.deepEqual(lines, ["FAILED: build asan", "1 passed, 1 failed, 0 skipped"]);
   assert.equal(status, 1);
 });
@@ -79,7 +100,10 @@ test("a step that fails without a failing test is a failure", (t) => {
 });
 
 test("with FORESIGHT_REQUIRE_DATA=1 a skip without recordings is a failure, another skip is not", (t) => {
-  const files = { "steps.txt": "passed\ttests\tbrowser\n", "browser.tap": "ok 1 - a # SKIP set FORESIGHT_DATA\nok 2 - b # SKIP no tc\n" };
+  const files = {
+    "steps.txt": "passed\ttests\tbrowser\n",
+    "browser.tap": "ok 1 - a # SKIP set FORESIGHT_DATA\nok 2 - b # SKIP no tc\n",
+  };
   assert.equal(totalsOf(t, files).status, 0);
   const { lines, status } = totalsOf(t, files, { FORESIGHT_REQUIRE_DATA: "1" });
   assert.equal(lines.at(-1), "0 passed, 1 failed, 1 skipped");

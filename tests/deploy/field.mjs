@@ -14,14 +14,15 @@ export const kPassword = "nao";
 const kSshd = "/usr/sbin/sshd";
 
 /** Runs a command of the system to its end; returns its output, or throws an Error with it. */
-const command = (name, ...args) => execFileSync(name, args.map(String), { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+const command = (name, ...args) =>
+  execFileSync(name, args.map(String), { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 
 const kPatience_ms = 30000; // room for a busy machine; only a failure takes this long
 const sleep_ms = (time) => Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, time);
 
 /** Waits for the process that `pid` starts, and returns it. */
 function childOf(pid) {
-  for (const end = performance.now() + kPatience_ms; performance.now() < end; ) {
+  for (const end = performance.now() + kPatience_ms; performance.now() < end;) {
     const [child] = readFileSync(`/proc/${pid}/task/${pid}/children`, "utf8").trim().split(" ");
     if (child) return Number(child);
     sleep_ms(5);
@@ -32,7 +33,9 @@ function childOf(pid) {
 /** Keeps namespaces alive by a shell that does `script`; `pid` is its process, seen from here. */
 function hold(script) {
   const unshare = ["unshare", "--net", "--mount", "--pid", "--mount-proc", "--fork", "--kill-child"];
-  const holder = spawn("setpriv", ["--pdeathsig", "KILL", ...unshare, "sh", "-euc", script], { stdio: ["ignore", "ignore", "pipe"] });
+  const holder = spawn("setpriv", ["--pdeathsig", "KILL", ...unshare, "sh", "-euc", script], {
+    stdio: ["ignore", "ignore", "pipe"],
+  });
   const place = { talk: "" };
   holder.stderr.on("data", (text) => (place.talk += text));
   place.ended = new Promise((done) => holder.on("close", done));
@@ -57,7 +60,8 @@ export function whyNoField() {
       return `robots in namespaces need ${tool}`;
     }
   try {
-    const tryOut = "mount -t tmpfs tmpfs /mnt && ip link add switch type bridge && ip link add name lab type veth peer name robot";
+    const tryOut =
+      "mount -t tmpfs tmpfs /mnt && ip link add switch type bridge && ip link add name lab type veth peer name robot";
     command("unshare", "--net", "--mount", "--pid", "--mount-proc", "--fork", "sh", "-euc", tryOut);
     return false;
   } catch (error) {
@@ -72,12 +76,22 @@ function writeSystem(folder, { release }) {
     chmodSync(join(folder, name), mode);
   };
   const hash = command("openssl", "passwd", "-6", kPassword).trim();
-  write("passwd", `root:x:0:0:root:/root:/bin/sh\nsshd:x:100:65534::/run/sshd:/usr/sbin/nologin\nnao:x:${kUser}:${kUser}::/home/nao:/bin/sh\n`);
+  write(
+    "passwd",
+    `root:x:0:0:root:/root:/bin/sh\nsshd:x:100:65534::/run/sshd:/usr/sbin/nologin\nnao:x:${kUser}:${kUser}::/home/nao:/bin/sh\n`,
+  );
   write("shadow", `root:*:1::::::\nnao:${hash}:1::::::\n`, 0o600);
   write("group", `root:x:0:\nnao:x:${kUser}:\n`);
   write("os-release", release);
   command("ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", join(folder, "host_key"));
-  const settings = ["HostKey /run/host_key", "UsePAM no", "PidFile none", "PermitRootLogin no", "PasswordAuthentication yes", "MaxStartups 50"];
+  const settings = [
+    "HostKey /run/host_key",
+    "UsePAM no",
+    "PidFile none",
+    "PermitRootLogin no",
+    "PasswordAuthentication yes",
+    "MaxStartups 50",
+  ];
   write("sshd_config", `${settings.join("\n")}\n`);
 }
 
@@ -105,8 +119,13 @@ done
 
 /** Removes the folders of kHierarchies; the last processes in them may still be ending. */
 async function removeGroups(folder) {
-  const groups = kHierarchies.map((hierarchy) => join(hierarchy, groupName(folder))).filter((group) => existsSync(group));
-  for (const end = performance.now() + kPatience_ms; groups.some((group) => existsSync(group)) && performance.now() < end; ) {
+  const groups = kHierarchies
+    .map((hierarchy) => join(hierarchy, groupName(folder)))
+    .filter((group) => existsSync(group));
+  for (
+    const end = performance.now() + kPatience_ms;
+    groups.some((group) => existsSync(group)) && performance.now() < end;
+  ) {
     spawnSync("find", [...groups, "-depth", "-type", "d", "-exec", "rmdir", "{}", ";"]);
     await new Promise((done) => setTimeout(done, 20));
   }
@@ -146,7 +165,7 @@ export class Field {
 
   /** ip in the network of `place`, repeated until its first process has made the device. */
   #ip(place, ...words) {
-    for (const end = performance.now() + kPatience_ms; ; )
+    for (const end = performance.now() + kPatience_ms; ;)
       try {
         return command(...inNetwork(place), "ip", ...words);
       } catch (error) {
@@ -202,7 +221,22 @@ export class Field {
 
   /** Runs a line of shell on the robot as root, or as its user. */
   runOn(robot, line, { as = "nao" } = {}) {
-    const words = as === "root" ? ["sh", "-c", line] : ["setpriv", "--reuid", kUser, "--regid", kUser, "--clear-groups", "env", "HOME=/home/nao", "sh", "-c", `cd && ${line}`];
+    const words =
+      as === "root"
+        ? ["sh", "-c", line]
+        : [
+            "setpriv",
+            "--reuid",
+            kUser,
+            "--regid",
+            kUser,
+            "--clear-groups",
+            "env",
+            "HOME=/home/nao",
+            "sh",
+            "-c",
+            `cd && ${line}`,
+          ];
     return command(...inside(robot), ...words);
   }
 

@@ -16,9 +16,13 @@ export function guardianStory() {
     world = new World(["tim"], { body: "nao" });
     tim = world.tim;
     programs = makePrograms();
-    for (const name of ["first", "second"]) copyFileSync(join(bin, "foresight-guardian"), (guardians[name] = join(world.temporary, name)));
+    for (const name of ["first", "second"])
+      copyFileSync(join(bin, "foresight-guardian"), (guardians[name] = join(world.temporary, name)));
     appendFileSync(guardians.second, "\n");
-    writeFileSync((guardians.crashing = join(world.temporary, "crashing")), "#!/bin/sh\necho 'my legs are missing' >&2\nexit 3\n");
+    writeFileSync(
+      (guardians.crashing = join(world.temporary, "crashing")),
+      "#!/bin/sh\necho 'my legs are missing' >&2\nexit 3\n",
+    );
     for (const file of Object.values(guardians)) chmodSync(file, 0o755);
     copyFileSync(join(bin, "fake_robot"), join(tim.home, "fake_robot"));
     untouched = world.listing(tim);
@@ -67,25 +71,40 @@ export function guardianStory() {
   });
 
   test("a robot that has stiffness keeps its guardian; everything else is updated", async () => {
-    world.on(tim, "mkfifo /tmp/happens; (sleep 1000 >/tmp/happens & ./fake_robot /tmp/robocup </tmp/happens >/tmp/fake.log 2>&1) >/dev/null 2>&1 &");
+    world.on(
+      tim,
+      "mkfifo /tmp/happens; (sleep 1000 >/tmp/happens & ./fake_robot /tmp/robocup </tmp/happens >/tmp/fake.log 2>&1) >/dev/null 2>&1 &",
+    );
     await until(() => /soft/.test(told().text), "LoLA");
     await stand();
     const before = pid();
     const output = await send(guardians.second);
-    assert.match(output, /tim {2}NOT done: the guardian stays the one before, as the robot has stiffness \(initial, .*\): deploy again when it sits/);
+    assert.match(
+      output,
+      /tim {2}NOT done: the guardian stays the one before, as the robot has stiffness \(initial, .*\): deploy again when it sits/,
+    );
     assert.match(output, /tim {2}runs build/);
     assert.equal(pid(), before);
     assert.ok(isRunning(guardians.first));
-    assert.match(await deploy(1, "--undo", "tim", "--yes"), /FAILED: stopping: the robot has stiffness \(initial, .*\): it must sit first, by three fingers on its head/);
+    assert.match(
+      await deploy(1, "--undo", "tim", "--yes"),
+      /FAILED: stopping: the robot has stiffness \(initial, .*\): it must sit first, by three fingers on its head/,
+    );
   });
 
   test("a robot whose state cannot be read keeps its guardian, too", async () => {
     world.on(tim, "echo broken >/tmp/happens");
     await until(() => /^unknown: /.test(told().text), "frames that cannot be read");
     const before = pid();
-    assert.match(await send(guardians.second), /tim {2}NOT done: the guardian stays the one before, as it is not known whether the robot has stiffness \(unknown: .*\): deploy again when it sits/);
+    assert.match(
+      await send(guardians.second),
+      /tim {2}NOT done: the guardian stays the one before, as it is not known whether the robot has stiffness \(unknown: .*\): deploy again when it sits/,
+    );
     assert.equal(pid(), before);
-    assert.match(await deploy(1, "--undo", "tim", "--yes"), /FAILED: stopping: the robot may have stiffness \(unknown: .*\): it must sit first/);
+    assert.match(
+      await deploy(1, "--undo", "tim", "--yes"),
+      /FAILED: stopping: the robot may have stiffness \(unknown: .*\): it must sit first/,
+    );
     world.on(tim, "echo other >/tmp/happens");
     await until(() => !/^unknown: /.test(told().text), "whole frames");
   });
@@ -101,7 +120,10 @@ export function guardianStory() {
   test("a guardian that does not run is put back, and nothing else is changed", async () => {
     const running = world.programOn(tim);
     const output = await deploy(1, "tim", "--program", programs.second.path, "--guardian", guardians.crashing);
-    assert.match(output, /tim {2}my legs are missing[^]*FAILED: the guardian does not run, and nothing else was changed\n/);
+    assert.match(
+      output,
+      /tim {2}my legs are missing[^]*FAILED: the guardian does not run, and nothing else was changed\n/,
+    );
     assert.ok(isRunning(guardians.second));
     await until(() => told().soft, "the one before");
     assert.equal(world.programOn(tim), running);
@@ -121,6 +143,9 @@ export function guardianStory() {
   });
 
   test("a guardian for a robot that has another body is refused", async () => {
-    assert.equal(await deploy(2, "tim", "--robots", attached(), "--program", programs.first.path, "--guardian", guardians.first), "deploy: --guardian: expected a robot with the body nao, got none\n");
+    assert.equal(
+      await deploy(2, "tim", "--robots", attached(), "--program", programs.first.path, "--guardian", guardians.first),
+      "deploy: --guardian: expected a robot with the body nao, got none\n",
+    );
   });
 }

@@ -51,7 +51,11 @@ export function linksStory() {
   });
 
   test("a stopped command leaves no files here and does not disturb the running version there", async () => {
-    await until(() => world.run("deploy", "tim", "--program", programs.first.path, "--dry-run").then(({ status }) => status === 0), "the network");
+    await until(
+      () =>
+        world.run("deploy", "tim", "--program", programs.first.path, "--dry-run").then(({ status }) => status === 0),
+      "the network",
+    );
     const running = world.programOn(tim);
     world.field.slow(tim, "2mbit");
     const started = world.start("deploy", "tim", "--program", heavy);

@@ -8,25 +8,40 @@ import { dayOf } from "../../robot/deploy/day.mjs";
 import { root, temporaryFolder } from "../e2e/support.mjs";
 import { serveRecordings } from "./recordings_server.mjs";
 
-const bytes = (size, seed = 1) => Buffer.from(Array.from({ length: size }, (_, i) => (i * 31 + seed * 17 + (i >> 8)) & 255));
+const bytes = (size, seed = 1) =>
+  Buffer.from(Array.from({ length: size }, (_, i) => (i * 31 + seed * 17 + (i >> 8)) & 255));
 const json = (value) => Buffer.from(JSON.stringify(value));
 const day = dayOf("1795321006961272091");
 
 /** A session of a small stream, a big one, and images. */
 const session = (seed) => ({
-  files: { "14.2.ball.mcap": bytes(1000, seed), "14.2.joints.mcap": bytes(1500000, seed), "14.2.camera_top.mcap": bytes(2000, seed), "session.json": json({ seed }) },
+  files: {
+    "14.2.ball.mcap": bytes(1000, seed),
+    "14.2.joints.mcap": bytes(1500000, seed),
+    "14.2.camera_top.mcap": bytes(2000, seed),
+    "session.json": json({ seed }),
+  },
   schemas: { "14.2.camera_top.mcap": "foresight.Image" },
 });
 
 /** A person's folder with robots that are these servers: {folder, logs}; logs() answers {status, output}. */
 function person(t, servers) {
   const folder = temporaryFolder(t);
-  const robots = Object.entries(servers).map(([name, { port }], index) => ({ name, address: "127.0.0.1", model: "nao-v6", player: index + 1, http_port: port, ssh_port: 100 + index }));
+  const robots = Object.entries(servers).map(([name, { port }], index) => ({
+    name,
+    address: "127.0.0.1",
+    model: "nao-v6",
+    player: index + 1,
+    http_port: port,
+    ssh_port: 100 + index,
+  }));
   writeFileSync(join(folder, "robots.json"), JSON.stringify({ team: 14, robots }));
   const logs = (...words) =>
     new Promise((done) => {
       const env = { ...process.env, FORESIGHT_ROBOTS: join(folder, "robots.json") };
-      execFile(join(root, "scripts/logs"), words, { cwd: folder, env }, (error, stdout, stderr) => done({ status: error?.code ?? 0, output: stdout + stderr }));
+      execFile(join(root, "scripts/logs"), words, { cwd: folder, env }, (error, stdout, stderr) =>
+        done({ status: error?.code ?? 0, output: stdout + stderr }),
+      );
     });
   return { folder, logs };
 }
@@ -34,7 +49,13 @@ function person(t, servers) {
 /** The files of a session as they have arrived: name -> bytes. */
 function arrived(folder, robot, id, out = "logs") {
   const path = join(folder, out, day, robot, id);
-  return existsSync(path) ? Object.fromEntries(readdirSync(path).sort().map((name) => [name, readFileSync(join(path, name))])) : {};
+  return existsSync(path)
+    ? Object.fromEntries(
+        readdirSync(path)
+          .sort()
+          .map((name) => [name, readFileSync(join(path, name))]),
+      )
+    : {};
 }
 const sorted = (files) => Object.fromEntries(Object.entries(files).sort(([a], [b]) => (a < b ? -1 : 1)));
 
@@ -72,7 +93,11 @@ describe("logs", { concurrency: true }, () => {
     const robot = await serveRecordings(t, sessions);
     const { folder, logs } = person(t, { tim: robot });
     assert.equal((await logs("tim", "--no-images", "--delete", "--token", robot.token, "--out", "here")).status, 0);
-    assert.deepEqual(Object.keys(arrived(folder, "tim", "one", "here")), ["14.2.ball.mcap", "14.2.joints.mcap", "session.json"]);
+    assert.deepEqual(Object.keys(arrived(folder, "tim", "one", "here")), [
+      "14.2.ball.mcap",
+      "14.2.joints.mcap",
+      "session.json",
+    ]);
     assert.deepEqual((await logs("tim", "--no-images", "--out", "here")).output, "tim  nothing new; 1 here already\n");
     assert.deepEqual(Object.keys(sessions), ["one"]);
     assert.equal((await logs("tim", "--out", "here")).status, 0);
@@ -80,10 +105,17 @@ describe("logs", { concurrency: true }, () => {
   });
 
   test("only complete sessions are deleted", async (t) => {
-    const sessions = { one: session(1), kept: { ...session(2), kept: true }, now: { ...session(3), state: "recording" }, broken: session(4) };
+    const sessions = {
+      one: session(1),
+      kept: { ...session(2), kept: true },
+      now: { ...session(3), state: "recording" },
+      broken: session(4),
+    };
     const whole = sorted(sessions.one.files);
     const robot = await serveRecordings(t, sessions);
-    robot.fail = (path, response) => path === "/logs/broken/files/14.2.ball.mcap" && response.writeHead(200, { "content-length": 1000 }).end(bytes(1000, 99));
+    robot.fail = (path, response) =>
+      path === "/logs/broken/files/14.2.ball.mcap" &&
+      response.writeHead(200, { "content-length": 1000 }).end(bytes(1000, 99));
     const { folder, logs } = person(t, { tim: robot });
     const failed = await logs("tim", "--delete", "--token", robot.token);
     assert.equal(failed.status, 1);
@@ -111,7 +143,10 @@ describe("logs", { concurrency: true }, () => {
     robot.fail = (path, response) => {
       if (!path.endsWith("joints.mcap") || times-- <= 0) return false;
       const from = Number(/\d+/.exec(response.req.headers.range ?? "0")[0]);
-      response.writeHead(from > 0 ? 206 : 200, { "content-length": big.length - from, "content-range": `bytes ${from}-${big.length - 1}/${big.length}` });
+      response.writeHead(from > 0 ? 206 : 200, {
+        "content-length": big.length - from,
+        "content-range": `bytes ${from}-${big.length - 1}/${big.length}`,
+      });
       response.write(big.subarray(from, Math.max(from, 700000)), () => response.destroy());
       return true;
     };
@@ -162,7 +197,10 @@ describe("logs", { concurrency: true }, () => {
   test("during a game a robot reports it; the others continue", async (t) => {
     const tim = await serveRecordings(t, { one: session(1) });
     const lea = await serveRecordings(t, { two: session(2) });
-    tim.fail = (path, response) => (response.writeHead(503).end('{"error": "game in progress: come back after FINISHED"}'), true);
+    tim.fail = (path, response) => (
+      response.writeHead(503).end('{"error": "game in progress: come back after FINISHED"}'),
+      true
+    );
     const { folder, logs } = person(t, { tim, lea });
     const { status, output } = await logs("tim", "lea");
     assert.equal(status, 1);
@@ -171,7 +209,12 @@ describe("logs", { concurrency: true }, () => {
   });
 
   test("names that lead out of the folder are refused", async (t) => {
-    for (const sessions of [{ "..": session(1) }, { "a/../../b": session(1) }, { one: { files: { "../../.bashrc": bytes(10) } } }, { one: { files: { ".ssh": bytes(10) } } }]) {
+    for (const sessions of [
+      { "..": session(1) },
+      { "a/../../b": session(1) },
+      { one: { files: { "../../.bashrc": bytes(10) } } },
+      { one: { files: { ".ssh": bytes(10) } } },
+    ]) {
       const { folder, logs } = person(t, { tim: await serveRecordings(t, sessions) });
       const { status, output } = await logs("tim");
       assert.equal(status, 1);
@@ -183,16 +226,25 @@ describe("logs", { concurrency: true }, () => {
   test("invalid answers give one sentence", async (t) => {
     const robot = await serveRecordings(t, { one: session(1) });
     const { logs } = person(t, { tim: robot });
-    for (const [body, says] of [["<html>", /api\/sessions: expected JSON, got '<html>'/], ["{}", /expected a list of sessions/], ['{"sessions": [{"session": "one"}]}', /expected a list of sessions/]]) {
+    for (const [body, says] of [
+      ["<html>", /api\/sessions: expected JSON, got '<html>'/],
+      ["{}", /expected a list of sessions/],
+      ['{"sessions": [{"session": "one"}]}', /expected a list of sessions/],
+    ]) {
       robot.fail = (path, response) => (response.end(body), true);
       assert.match((await logs("tim")).output, says);
     }
-    robot.fail = (path, response) => path.endsWith("/files") && (response.end('{"files": [{"name": "x.mcap", "size_bytes": -1}]}'), true);
+    robot.fail = (path, response) =>
+      path.endsWith("/files") && (response.end('{"files": [{"name": "x.mcap", "size_bytes": -1}]}'), true);
     assert.match((await logs("tim")).output, /expected a list of files/);
   });
 
   test("a robot without a runtime is reported", async (t) => {
     const { logs } = person(t, { tim: { port: 1 } });
-    assert.deepEqual(await logs("tim"), { status: 1, output: "tim  FAILED: no runtime answers at port 1 of 127.0.0.1: it is off, stopped, or silent because a game is in progress\n" });
+    assert.deepEqual(await logs("tim"), {
+      status: 1,
+      output:
+        "tim  FAILED: no runtime answers at port 1 of 127.0.0.1: it is off, stopped, or silent because a game is in progress\n",
+    });
   });
 });

@@ -9,13 +9,19 @@ import { kUser } from "./field.mjs";
 import { makePrograms } from "./programs.mjs";
 import { World } from "./world.mjs";
 
-const kPlaying = 3, kFinished = 4;
+const kPlaying = 3,
+  kFinished = 4;
 
 export function logsStory() {
   let world, tim, lea;
   const recorded = new Map(); // session -> its files as they were on the robot
 
-  const filesOf = (folder) => Object.fromEntries(readdirSync(folder).sort().map((name) => [name, readFileSync(join(folder, name))]));
+  const filesOf = (folder) =>
+    Object.fromEntries(
+      readdirSync(folder)
+        .sort()
+        .map((name) => [name, readFileSync(join(folder, name))]),
+    );
 
   /** Puts a recording onto a robot that is being set up. */
   function record(robot, session, seconds) {
@@ -48,7 +54,11 @@ export function logsStory() {
     const { status, output } = await world.run("logs", "tim", "lea", "--no-images");
     assert.equal(status, 0, output);
     assert.match(output, /tim {2}2 sessions, .* MB, in logs\/\d{4}-\d\d-\d\d\/tim\n/);
-    for (const [robot, session] of [[tim, "long"], [tim, "short"], [lea, "other"]]) {
+    for (const [robot, session] of [
+      [tim, "long"],
+      [tim, "short"],
+      [lea, "other"],
+    ]) {
       const { "14.2.camera_top.mcap": top, "14.2.camera_bottom.mcap": bottom, ...rest } = recorded.get(session);
       assert.ok(top || bottom, "there were images");
       assert.deepEqual(filesOf(home(robot, session)), rest);
@@ -59,7 +69,10 @@ export function logsStory() {
   test("after a broken link the next command fetches the rest", async () => {
     world.field.shape("20mbit");
     const started = world.start("logs", "tim");
-    const parts = () => readdirSync(home(tim, "long")).filter((name) => name.endsWith(".part")).map((name) => join(home(tim, "long"), name));
+    const parts = () =>
+      readdirSync(home(tim, "long"))
+        .filter((name) => name.endsWith(".part"))
+        .map((name) => join(home(tim, "long"), name));
     await until(() => parts().some((path) => statSync(path).size > 300000), "a part");
     world.field.pull(tim);
     const { status, output } = await started.ended;
@@ -67,7 +80,10 @@ export function logsStory() {
     assert.match(output, /tim {2}FAILED: the connection was lost/);
     const [part] = parts();
     const had = readFileSync(part);
-    assert.ok(had.length > 0 && had.equals(recorded.get("long")[part.split("/").at(-1).replace(".part", "")].subarray(0, had.length)));
+    assert.ok(
+      had.length > 0 &&
+        had.equals(recorded.get("long")[part.split("/").at(-1).replace(".part", "")].subarray(0, had.length)),
+    );
 
     world.field.plug(tim);
     world.field.shape("1gbit");
@@ -91,7 +107,12 @@ export function logsStory() {
     const { status, output } = await world.run("logs", "tim", "lea", "--delete");
     assert.equal(status, 0, output);
     assert.match(output, /tim {2}2 sessions, .* 2 deleted on the robot/);
-    for (const [robot, session] of [[tim, "long"], [tim, "short"], [lea, "other"]]) assert.deepEqual(filesOf(home(robot, session)), recorded.get(session));
+    for (const [robot, session] of [
+      [tim, "long"],
+      [tim, "short"],
+      [lea, "other"],
+    ])
+      assert.deepEqual(filesOf(home(robot, session)), recorded.get(session));
     assert.equal(world.on(tim, "ls foresight/logs"), "");
     assert.deepEqual(await world.run("logs", "tim"), { status: 0, output: "tim  nothing new\n" });
   });

@@ -31,14 +31,23 @@ test("settings are options of the program, one per line", () => {
     "",
   ]);
   assert.match(settingsOf({ ...robot, body: "nao" }), /^body=nao$/m);
-  assert.deepEqual(JSON.parse(identityOf(robot)), { name: "tim", team: 14, player: 2, colour: "blue", model: "nao-v6" });
+  assert.deepEqual(JSON.parse(identityOf(robot)), {
+    name: "tim",
+    team: 14,
+    player: 2,
+    colour: "blue",
+    model: "nao-v6",
+  });
 });
 
 test("a robot answers to the names that it has in the robots file", () => {
-  const text = JSON.stringify({ team: 14, robots: [
-    { name: "tim", wired: "tim.lab", wireless: "fe80::1", model: "nao-v6", player: 2 },
-    { name: "lea", address: "10.0.14.22", model: "nao-v6", player: 3 },
-  ] });
+  const text = JSON.stringify({
+    team: 14,
+    robots: [
+      { name: "tim", wired: "tim.lab", wireless: "fe80::1", model: "nao-v6", player: 2 },
+      { name: "lea", address: "10.0.14.22", model: "nao-v6", player: 3 },
+    ],
+  });
   const [tim, lea] = parseTeam("robots.json", text);
   assert.match(settingsOf(tim), /^allow-host=tim\.lab\nbind=/m);
   assert.equal(settingsOf(tim).match(/allow-host/g).length, 1);
@@ -49,14 +58,29 @@ test("a team's strategies go to all of its robots, with its own files in the ver
   const folder = temporaryFolder(t);
   writeFileSync(join(folder, "press.json"), "{}");
   const file = join(folder, "robots.json");
-  const text = (strategies) => JSON.stringify({ team: 14, rules: "spl2025", strategies, foresight: true, robots: [{ name: "tim", address: "10.0.14.22", model: "nao-v6", player: 2 }] });
+  const text = (strategies) =>
+    JSON.stringify({
+      team: 14,
+      rules: "spl2025",
+      strategies,
+      foresight: true,
+      robots: [{ name: "tim", address: "10.0.14.22", model: "nao-v6", player: 2 }],
+    });
   const [tim] = parseTeam(file, text(["baseline", "press.json"]));
-  assert.match(settingsOf(tim), /^rules=spl2025\nstrategies=baseline,current\/etc\/strategies\/press\.json\nforesight$/m);
+  assert.match(
+    settingsOf(tim),
+    /^rules=spl2025\nstrategies=baseline,current\/etc\/strategies\/press\.json\nforesight$/m,
+  );
   assert.doesNotMatch(settingsOf(tim), /practice/, "a match is the default");
   assert.match(settingsOf({ ...tim, practice: true }), /^practice$/m);
-  await withVersion(tim, { runtime: file }, {}, async (version) => assert.equal(readFileSync(join(version, "etc/strategies/press.json"), "utf8"), "{}"));
+  await withVersion(tim, { runtime: file }, {}, async (version) =>
+    assert.equal(readFileSync(join(version, "etc/strategies/press.json"), "utf8"), "{}"),
+  );
   const [lost] = parseTeam(file, text(["baseline", "lost.json"]));
-  await assert.rejects(withVersion(lost, { runtime: file }, {}, () => assert.fail()), { message: `strategies: expected a file, got ${join(folder, "lost.json")}, which is not there` });
+  await assert.rejects(
+    withVersion(lost, { runtime: file }, {}, () => assert.fail()),
+    { message: `strategies: expected a file, got ${join(folder, "lost.json")}, which is not there` },
+  );
   for (const wrong of [[], ["a,b"], ["press.json", "other/press.json"], "baseline", ["foresight\nbind=1"]])
     assert.throws(() => parseTeam(file, text(wrong)), /\$\.strategies: expected a list of 1 \.\. 8 names/);
 });
@@ -74,7 +98,10 @@ test("a strategy may have the name of a file that the deployment writes", async 
 test("options can be anywhere; wrong ones give one sentence", () => {
   const known = { yes: true, player: wholeNumber(1, 20), colour: oneOf(["red", "blue"]), field: anyText };
   const read = (...words) => readCommandLine("deploy", words, known);
-  assert.deepEqual(read("tim", "--player", "3", "lea", "--yes", "--field=A=B"), { names: ["tim", "lea"], options: { player: 3, yes: true, field: "A=B" } });
+  assert.deepEqual(read("tim", "--player", "3", "lea", "--yes", "--field=A=B"), {
+    names: ["tim", "lea"],
+    options: { player: 3, yes: true, field: "A=B" },
+  });
   const wrong = [
     [["--nothing"], "unknown option '--nothing'; see scripts/deploy --help"],
     [["-y"], "unknown option '-y'; see scripts/deploy --help"],
@@ -89,7 +116,13 @@ test("options can be anywhere; wrong ones give one sentence", () => {
 
 test("a key is added and removed without a change of any other byte", () => {
   const ours = "ssh-ed25519 AAAAours me@home";
-  for (const text of ["", "ssh-rsa AAAAold other\n", "# note\n\nssh-rsa AAAAold", `${ours}\n`, `ssh-rsa AAAAold x\n${ours}`]) {
+  for (const text of [
+    "",
+    "ssh-rsa AAAAold other\n",
+    "# note\n\nssh-rsa AAAAold",
+    `${ours}\n`,
+    `ssh-rsa AAAAold x\n${ours}`,
+  ]) {
     assert.equal(withoutKey(withKey(text, ours), ours), text);
     assert.ok(hasKey(withKey(text, ours), ours));
   }
@@ -103,24 +136,43 @@ test("the key is that of the robots file, or the user's own of a type that the r
   mkdirSync(join(home, ".ssh"));
   writeFileSync(join(home, ".ssh/id_ed25519.pub"), "ssh-ed25519 AAAA me\n");
   assert.equal(publicKey(robot, home), "ssh-ed25519 AAAA me");
-  assert.throws(() => publicKey({ ...robot, model: "nao-v4" }, home), /^BadInput|^Error: tim: expected a public ssh key in .*id_rsa.pub/);
+  assert.throws(
+    () => publicKey({ ...robot, model: "nao-v4" }, home),
+    /^BadInput|^Error: tim: expected a public ssh key in .*id_rsa.pub/,
+  );
   writeFileSync(join(home, "team.pub"), "-----BEGIN OPENSSH PRIVATE KEY-----\n");
-  assert.throws(() => publicKey({ ...robot, key: join(home, "team") }, home), /expected one public ssh key, got '-----BEGIN/);
+  assert.throws(
+    () => publicKey({ ...robot, key: join(home, "team") }, home),
+    /expected one public ssh key, got '-----BEGIN/,
+  );
 });
 
 test("CRC-32 equals zlib's, for pieces of any size", async (t) => {
   const bytes = Buffer.from("123456789");
   assert.equal(crc32(bytes), 0xcbf43926);
-  for (let cut = 0; cut <= bytes.length; ++cut) assert.equal(crc32(bytes.subarray(cut), crc32(bytes.subarray(0, cut))), 0xcbf43926);
+  for (let cut = 0; cut <= bytes.length; ++cut)
+    assert.equal(crc32(bytes.subarray(cut), crc32(bytes.subarray(0, cut))), 0xcbf43926);
   const folder = temporaryFolder(t);
   writeFileSync(join(folder, "empty"), "");
   writeFileSync(join(folder, "nine"), bytes);
-  assert.deepEqual([await crc32OfFile(join(folder, "empty")), await crc32OfFile(join(folder, "nine"))], ["00000000", "cbf43926"]);
+  assert.deepEqual(
+    [await crc32OfFile(join(folder, "empty")), await crc32OfFile(join(folder, "nine"))],
+    ["00000000", "cbf43926"],
+  );
 });
 
 test("a game is in progress from READY to PLAYING, and while the runtime reports it", () => {
-  const cases = [[undefined, undefined], [{}, undefined], [{ state: "initial" }, undefined], [{ state: "finished", in_progress: false }, undefined],
-    [{ state: "ready" }, "READY"], [{ state: "set" }, "SET"], [{ state: "playing" }, "PLAYING"], [{ state: "standby", in_progress: true }, "STANDBY"], [{ in_progress: true }, "in progress"]];
+  const cases = [
+    [undefined, undefined],
+    [{}, undefined],
+    [{ state: "initial" }, undefined],
+    [{ state: "finished", in_progress: false }, undefined],
+    [{ state: "ready" }, "READY"],
+    [{ state: "set" }, "SET"],
+    [{ state: "playing" }, "PLAYING"],
+    [{ state: "standby", in_progress: true }, "STANDBY"],
+    [{ in_progress: true }, "in progress"],
+  ];
   for (const [game, expected] of cases) assert.equal(gameUnderWay(game === undefined ? undefined : { game }), expected);
 });
 
@@ -186,12 +238,19 @@ test("a robot of B-Human's image is recognised", () => {
   assert.deepEqual([probe.hasUserSystemd, probe.lingers, probe.priority, probe.hasRsync], [true, false, 0, true]);
   assert.equal(whyNotModel("nao-v6", probe), undefined);
   assert.equal(whyNotModel("nao-v6", { ...probe, machine: "i686" }), "expected a 64-bit kernel for nao-v6, got 'i686'");
-  assert.equal(whyNotModel("nao-v4", { ...probe, flags: ["ssse3"] }), "expected the processor of a nao-v4, got one without movbe");
+  assert.equal(
+    whyNotModel("nao-v4", { ...probe, flags: ["ssse3"] }),
+    "expected the processor of a nao-v4, got one without movbe",
+  );
 });
 
 test("other images are recognised by their release files and kernels", () => {
-  const imageOf = (release, kernel = "Linux 5.4") => readProbe(`== release\n${release}\n\n== kernel\n${kernel}\n`, 0, 0).image;
-  assert.equal(imageOf("opennao-atom release 2.1.4.13", "Linux 2.6.33.9-rt31-aldebaran-rt"), "stock NAOqi OS (opennao-atom release 2.1.4.13)");
+  const imageOf = (release, kernel = "Linux 5.4") =>
+    readProbe(`== release\n${release}\n\n== kernel\n${kernel}\n`, 0, 0).image;
+  assert.equal(
+    imageOf("opennao-atom release 2.1.4.13", "Linux 2.6.33.9-rt31-aldebaran-rt"),
+    "stock NAOqi OS (opennao-atom release 2.1.4.13)",
+  );
   assert.equal(imageOf("", "Linux 2.6.33.9-rt31-aldebaran-rt"), "stock NAOqi OS (Linux 2.6.33.9-rt31-aldebaran-rt)");
   assert.equal(imageOf('ID=ubuntu\nPRETTY_NAME="Ubuntu 20.04 LTS"'), "an Ubuntu (Ubuntu 20.04 LTS)");
   assert.equal(imageOf('ID=poky\nPRETTY_NAME="HULKs-OS 5.1"'), "a Yocto image (HULKs-OS 5.1)");

@@ -39,10 +39,20 @@ function makeIn(folder) {
   const bytes = readFileSync(first.path);
   for (let at = bytes.indexOf(word); at >= 0; at = bytes.indexOf(word, at + 8)) bytes.write("5ec0", at, "latin1");
   const second = { path: executable(join(folder, "second"), bytes), build: `5ec0${first.build.slice(4)}` };
-  if (buildOf(second.path) !== second.build) throw new Error(`expected a program of build ${second.build}, got ${buildOf(second.path)}`);
+  if (buildOf(second.path) !== second.build)
+    throw new Error(`expected a program of build ${second.build}, got ${buildOf(second.path)}`);
 
-  const crashing = executable(join(folder, "crashing"), '#!/bin/sh\nif [ "$1" = --version ]; then echo crashing1; exit; fi\necho "the horizon is missing" >&2\nexit 3\n');
-  const lying = executable(join(folder, "lying"), '#!/bin/sh\nif [ "$1" = --version ]; then echo lying1; exit; fi\nexec "$HOME/foresight/previous/bin/foresight-robot" "$@"\n');
-  const foreign = executable(join(folder, "foreign"), Buffer.concat([Buffer.from("\x7fELF\x02\x01\x01", "latin1"), Buffer.alloc(200)]));
+  const crashing = executable(
+    join(folder, "crashing"),
+    '#!/bin/sh\nif [ "$1" = --version ]; then echo crashing1; exit; fi\necho "the horizon is missing" >&2\nexit 3\n',
+  );
+  const lying = executable(
+    join(folder, "lying"),
+    '#!/bin/sh\nif [ "$1" = --version ]; then echo lying1; exit; fi\nexec "$HOME/foresight/previous/bin/foresight-robot" "$@"\n',
+  );
+  const foreign = executable(
+    join(folder, "foreign"),
+    Buffer.concat([Buffer.from("\x7fELF\x02\x01\x01", "latin1"), Buffer.alloc(200)]),
+  );
   return { first, second, crashing, lying, foreign };
 }

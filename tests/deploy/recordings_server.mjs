@@ -15,20 +15,33 @@ export async function serveRecordings(t, sessions, token = "12345678") {
 
   const describe = ([session, { files, state = "complete", kept = false, schemas = {} }]) => {
     const streams = Object.keys(files).filter((name) => name.endsWith(".mcap"));
-    return { session, state, kept, start_ns: "1795321006961272091", streams: streams.map((file) => ({ file, schema: schemas[file] ?? "foresight.Ball", size_bytes: files[file].length })) };
+    return {
+      session,
+      state,
+      kept,
+      start_ns: "1795321006961272091",
+      streams: streams.map((file) => ({
+        file,
+        schema: schemas[file] ?? "foresight.Ball",
+        size_bytes: files[file].length,
+      })),
+    };
   };
 
   const sendFile = (request, response, bytes) => {
     const from = Number(/^bytes=(\d+)-$/.exec(request.headers.range ?? "")?.[1] ?? 0);
     const head = from > 0 ? { "content-range": `bytes ${from}-${bytes.length - 1}/${bytes.length}` } : {};
-    response.writeHead(from > 0 ? 206 : 200, { ...head, "content-length": bytes.length - from }).end(bytes.subarray(from));
+    response
+      .writeHead(from > 0 ? 206 : 200, { ...head, "content-length": bytes.length - from })
+      .end(bytes.subarray(from));
   };
 
   const server = http.createServer((request, response) => {
     const { pathname: path, searchParams } = new URL(request.url, "http://robot");
     served.asked.push([request.method, path, request.headers.range].filter(Boolean).join(" "));
     if (served.fail?.(path, response)) return;
-    if (path === "/api/sessions") return response.end(JSON.stringify({ sessions: Object.entries(sessions).map(describe) }));
+    if (path === "/api/sessions")
+      return response.end(JSON.stringify({ sessions: Object.entries(sessions).map(describe) }));
     const [, id, name] = /^\/(?:api\/sessions|logs)\/([^/]+)(?:\/files(?:\/(.+))?)?$/.exec(path) ?? [];
     const session = sessions[id];
     if (!session) return sentence(response, 404, `there is no session '${id}'`);
@@ -40,7 +53,11 @@ export async function serveRecordings(t, sessions, token = "12345678") {
       return response.writeHead(204).end();
     }
     if (name) return sendFile(request, response, session.files[name]);
-    const files = Object.entries(session.files).map(([name, bytes]) => ({ name, size_bytes: bytes.length, crc32: hex(bytes) }));
+    const files = Object.entries(session.files).map(([name, bytes]) => ({
+      name,
+      size_bytes: bytes.length,
+      crc32: hex(bytes),
+    }));
     return response.end(JSON.stringify({ session: id, files }));
   });
   await new Promise((done) => server.listen(0, "127.0.0.1", done));

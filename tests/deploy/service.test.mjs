@@ -9,8 +9,20 @@ import { atEnd, root, temporaryFolder, until } from "../e2e/support.mjs";
 const kOnRobot = join(root, "robot/deploy/on_robot");
 const has = (tool) => spawnSync("sh", ["-c", `command -v ${tool}`]).status === 0;
 
-const kRuntime = { folder: "versions/one", from: "current", starter: "foresight", program: "foresight-robot", state: "state" };
-const kGuardian = { folder: "guardian", from: "guardian", starter: "guardian", program: "foresight-guardian", state: "state/guardian" };
+const kRuntime = {
+  folder: "versions/one",
+  from: "current",
+  starter: "foresight",
+  program: "foresight-robot",
+  state: "state",
+};
+const kGuardian = {
+  folder: "guardian",
+  from: "guardian",
+  starter: "guardian",
+  program: "foresight-guardian",
+  state: "state/guardian",
+};
 
 /**
  * An installed version in a home of its own, whose program is the line of shell `program`: {home, run, state, log, running}. `run` answers
@@ -21,13 +33,22 @@ function installed(t, program, { shell = "/bin/sh", tools, what = kRuntime } = {
   const version = join(home, "foresight", what.folder);
   for (const folder of ["bin", "etc"]) mkdirSync(join(version, folder), { recursive: true });
   if (what.from !== what.folder) symlinkSync(what.folder, join(home, "foresight", what.from));
-  writeFileSync(join(version, what.starter), readFileSync(join(kOnRobot, "foresight"), "utf8").replace("#!/bin/sh", `#!${shell}`));
+  writeFileSync(
+    join(version, what.starter),
+    readFileSync(join(kOnRobot, "foresight"), "utf8").replace("#!/bin/sh", `#!${shell}`),
+  );
   writeFileSync(join(version, "bin", what.program), `#!/bin/sh\n${program}\n`);
-  writeFileSync(join(version, "etc/settings"), "# a comment\nbody=attached\n\nfield=$(touch broken) `x` 'A' \\\ngame-controller");
+  writeFileSync(
+    join(version, "etc/settings"),
+    "# a comment\nbody=attached\n\nfield=$(touch broken) `x` 'A' \\\ngame-controller",
+  );
   for (const name of [what.starter, `bin/${what.program}`]) chmodSync(join(version, name), 0o755);
   const env = { HOME: home, PATH: tools ?? process.env.PATH };
   const run = (verb, more) => {
-    const { status, stdout, stderr } = spawnSync(join(home, "foresight", what.from, what.starter), [verb], { env: { ...env, ...more }, encoding: "utf8" });
+    const { status, stdout, stderr } = spawnSync(join(home, "foresight", what.from, what.starter), [verb], {
+      env: { ...env, ...more },
+      encoding: "utf8",
+    });
     return { status, output: (stdout + stderr).trim() };
   };
   atEnd(t, () => run("stop"));
@@ -35,7 +56,16 @@ function installed(t, program, { shell = "/bin/sh", tools, what = kRuntime } = {
   const state = (name) => (existsSync(file(name)) ? readFileSync(file(name), "utf8").trim() : "");
   const log = () => state(`${what.starter}.log`);
   // its own log has begun
-  const running = () => until(() => state("pid") && log().split("\n").includes(`process ${state("pid")}`) && Number(state("pid")), "the program");
+  const running = () =>
+    until(
+      () =>
+        state("pid") &&
+        log()
+          .split("\n")
+          .includes(`process ${state("pid")}`) &&
+        Number(state("pid")),
+      "the program",
+    );
   return { home, run, state, log, running };
 }
 
@@ -61,45 +91,66 @@ describe("the start script", { concurrency: true }, () => {
 
   const shells = [
     ["the system's shell", () => ({}), {}],
-    ["busybox", (t) => ({ shell: `${execFileSync("sh", ["-c", "command -v busybox"], { encoding: "utf8" }).trim()} sh`, tools: busyboxTools(t) }), { skip: has("busybox") ? false : "there is no busybox" }],
+    [
+      "busybox",
+      (t) => ({
+        shell: `${execFileSync("sh", ["-c", "command -v busybox"], { encoding: "utf8" }).trim()} sh`,
+        tools: busyboxTools(t),
+      }),
+      { skip: has("busybox") ? false : "there is no busybox" },
+    ],
   ];
   for (const [name, options, skip] of shells) {
-    test(`${name}: it starts, reports its status, and stops; settings become options without change`, skip, async (t) => {
-      const service = installed(t, kLives, options(t));
-      assert.deepEqual(service.run("status"), { status: 3, output: "is stopped" });
-      assert.equal(service.run("start").status, 0);
-      assert.deepEqual(service.run("status"), { status: 0, output: "runs" });
-      await until(() => service.log().includes("--game-controller"), "the options");
-      const options_seen = service.log().split("\n").filter((line) => line.startsWith("--"));
-      assert.deepEqual(options_seen, ["--body=attached", "--field=$(touch broken) `x` 'A' \\", "--game-controller"]);
-      assert.ok(!existsSync(join(service.home, "foresight/broken")));
+    test(
+      `${name}: it starts, reports its status, and stops; settings become options without change`,
+      skip,
+      async (t) => {
+        const service = installed(t, kLives, options(t));
+        assert.deepEqual(service.run("status"), { status: 3, output: "is stopped" });
+        assert.equal(service.run("start").status, 0);
+        assert.deepEqual(service.run("status"), { status: 0, output: "runs" });
+        await until(() => service.log().includes("--game-controller"), "the options");
+        const options_seen = service
+          .log()
+          .split("\n")
+          .filter((line) => line.startsWith("--"));
+        assert.deepEqual(options_seen, ["--body=attached", "--field=$(touch broken) `x` 'A' \\", "--game-controller"]);
+        assert.ok(!existsSync(join(service.home, "foresight/broken")));
 
-      // a second start has no effect
-      const first = service.state("pid");
-      assert.equal(service.run("start").status, 0);
-      assert.equal(service.state("pid"), first);
-      assert.equal(service.run("stop").status, 0);
-      assert.deepEqual(service.run("status"), { status: 3, output: "is stopped" });
-      assert.ok(isGone(first));
-      assert.equal(service.run("stop").status, 0);
-    });
+        // a second start has no effect
+        const first = service.state("pid");
+        assert.equal(service.run("start").status, 0);
+        assert.equal(service.state("pid"), first);
+        assert.equal(service.run("stop").status, 0);
+        assert.deepEqual(service.run("status"), { status: 3, output: "is stopped" });
+        assert.ok(isGone(first));
+        assert.equal(service.run("stop").status, 0);
+      },
+    );
 
-    test(`${name}: it restarts after a crash, but not after the third within a minute, and reports that`, skip, async (t) => {
-      const service = installed(t, kLives, options(t));
-      service.run("start");
-      for (let crash = 1; crash <= 3; ++crash) {
-        const pid = await service.running();
-        process.kill(pid, "SIGKILL");
-        await until(() => service.state("pid") !== String(pid), "its end");
-      }
-      const down = "crashed three times within a minute and stays down: exit status 137";
-      assert.deepEqual(await until(() => service.run("status").status === 4 && service.run("status"), "it stays down"), { status: 4, output: down });
-      assert.match(service.run("log").output, new RegExp(`foresight: ${down}$`));
+    test(
+      `${name}: it restarts after a crash, but not after the third within a minute, and reports that`,
+      skip,
+      async (t) => {
+        const service = installed(t, kLives, options(t));
+        service.run("start");
+        for (let crash = 1; crash <= 3; ++crash) {
+          const pid = await service.running();
+          process.kill(pid, "SIGKILL");
+          await until(() => service.state("pid") !== String(pid), "its end");
+        }
+        const down = "crashed three times within a minute and stays down: exit status 137";
+        assert.deepEqual(
+          await until(() => service.run("status").status === 4 && service.run("status"), "it stays down"),
+          { status: 4, output: down },
+        );
+        assert.match(service.run("log").output, new RegExp(`foresight: ${down}$`));
 
-      // after a start by hand, three crashes are allowed again
-      service.run("start");
-      assert.deepEqual(service.run("status"), { status: 0, output: "runs" });
-    });
+        // after a start by hand, three crashes are allowed again
+        service.run("start");
+        assert.deepEqual(service.run("status"), { status: 0, output: "runs" });
+      },
+    );
 
     test(`${name}: a program whose supervisor was killed is stopped all the same`, skip, async (t) => {
       const service = installed(t, kLives, options(t));
@@ -141,7 +192,8 @@ describe("the start script", { concurrency: true }, () => {
       await service.running();
       service.run("stop");
     }
-    for (const number of [1, 2, 3, 4]) assert.ok(existsSync(join(service.home, `foresight/state/foresight.${number}.log`)));
+    for (const number of [1, 2, 3, 4])
+      assert.ok(existsSync(join(service.home, `foresight/state/foresight.${number}.log`)));
     assert.ok(!existsSync(join(service.home, "foresight/state/foresight.5.log")));
   });
 
@@ -164,15 +216,28 @@ describe("the start script", { concurrency: true }, () => {
       assert.equal(service.run("status").status, 3, `${run} starts`);
       service.run("ended", crash);
     }
-    assert.deepEqual(service.run("status"), { status: 4, output: "crashed three times within a minute and stays down: exit-code, exited 3" });
+    assert.deepEqual(service.run("status"), {
+      status: 4,
+      output: "crashed three times within a minute and stays down: exit-code, exited 3",
+    });
   });
 
-  for (const [unit, what] of [["foresight.service", kRuntime], ["foresight-guardian.service", kGuardian]])
-    test(`systemd finds nothing wrong with ${unit}`, { skip: has("systemd-analyze") ? false : "there is no systemd-analyze" }, (t) => {
-      const { home } = installed(t, "exit 0", { what });
-      copyFileSync(join(kOnRobot, unit), join(home, unit));
-      const env = { ...process.env, HOME: home, XDG_RUNTIME_DIR: home };
-      const { status, stdout, stderr } = spawnSync("systemd-analyze", ["--user", "verify", join(home, unit)], { env, encoding: "utf8" });
-      assert.deepEqual({ status, said: stdout + stderr }, { status: 0, said: "" });
-    });
+  for (const [unit, what] of [
+    ["foresight.service", kRuntime],
+    ["foresight-guardian.service", kGuardian],
+  ])
+    test(
+      `systemd finds nothing wrong with ${unit}`,
+      { skip: has("systemd-analyze") ? false : "there is no systemd-analyze" },
+      (t) => {
+        const { home } = installed(t, "exit 0", { what });
+        copyFileSync(join(kOnRobot, unit), join(home, unit));
+        const env = { ...process.env, HOME: home, XDG_RUNTIME_DIR: home };
+        const { status, stdout, stderr } = spawnSync("systemd-analyze", ["--user", "verify", join(home, unit)], {
+          env,
+          encoding: "utf8",
+        });
+        assert.deepEqual({ status, said: stdout + stderr }, { status: 0, said: "" });
+      },
+    );
 });

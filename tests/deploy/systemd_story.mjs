@@ -11,7 +11,8 @@ const kHasSystemd = existsSync("/usr/lib/systemd/systemd");
 export function systemdStory() {
   let world, tim, programs, untouched, answers;
 
-  const systemctl = (...words) => world.on(tim, `XDG_RUNTIME_DIR=/run/user/$(id -u) systemctl --user ${words.join(" ")} 2>&1 || :`);
+  const systemctl = (...words) =>
+    world.on(tim, `XDG_RUNTIME_DIR=/run/user/$(id -u) systemctl --user ${words.join(" ")} 2>&1 || :`);
 
   before(async () => {
     if (!kHasSystemd) return;
@@ -27,17 +28,28 @@ export function systemdStory() {
 
   /** A test that needs the user's systemd. */
   const story = (name, work) =>
-    test(name, { skip: kHasSystemd ? false : "there is no systemd on this machine" }, (t) => (answers ? work(t) : t.skip("systemd does not start for a user here")));
+    test(name, { skip: kHasSystemd ? false : "there is no systemd on this machine" }, (t) =>
+      answers ? work(t) : t.skip("systemd does not start for a user here"),
+    );
 
   story("without a terminal the commands as root are printed, and with --yes they run", async () => {
     const told = await deploy(0, "--setup", "tim");
     assert.match(told, /tim {2}image: an Ubuntu \(Ubuntu 22.04.4 LTS\), systemd\n/);
-    assert.match(told, /tim: root on the robot: loginctl enable-linger nao\n.*\[y\/N\] there is no terminal to ask: no/);
-    assert.match(told, /NOT done: Foresight starts when the robot is switched on.*: as root on the robot: loginctl enable-linger nao/);
+    assert.match(
+      told,
+      /tim: root on the robot: loginctl enable-linger nao\n.*\[y\/N\] there is no terminal to ask: no/,
+    );
+    assert.match(
+      told,
+      /NOT done: Foresight starts when the robot is switched on.*: as root on the robot: loginctl enable-linger nao/,
+    );
     assert.match(told, /NOT done: Foresight may have a real-time priority/);
     assert.equal(world.on(tim, "ls /tmp"), "");
     assert.doesNotMatch(await deploy(0, "--setup", "tim", "--yes"), /NOT done/);
-    assert.match(world.on(tim, "cat /tmp/sudo.log"), /^-n sh -c loginctl enable-linger nao\n-n sh -c mkdir -p \/etc\/systemd\/system\/user@.service.d && printf/);
+    assert.match(
+      world.on(tim, "cat /tmp/sudo.log"),
+      /^-n sh -c loginctl enable-linger nao\n-n sh -c mkdir -p \/etc\/systemd\/system\/user@.service.d && printf/,
+    );
   });
 
   story("the program is a unit of the user that starts with it", async () => {
@@ -49,7 +61,10 @@ export function systemdStory() {
 
   story("an update that crashes is rolled back", async () => {
     const output = await deploy(1, "tim", "--program", programs.crashing);
-    assert.match(output, /FAILED: build crashing1: it crashed three times within a minute and stays down: exit-code, exited 3; rolled back to build 5ec0.*, which runs/);
+    assert.match(
+      output,
+      /FAILED: build crashing1: it crashed three times within a minute and stays down: exit-code, exited 3; rolled back to build 5ec0.*, which runs/,
+    );
     assert.equal(world.statusOf(tim).build, programs.second.build);
   });
 
@@ -60,7 +75,10 @@ export function systemdStory() {
       await until(() => world.programOn(tim).split(" ")[0] !== pid, "its end");
     }
     await until(() => systemctl("is-active", "foresight") === "failed", "systemd gives up");
-    assert.equal(world.on(tim, "foresight/current/foresight status || echo $?"), "crashed three times within a minute and stays down: signal, killed KILL\n4");
+    assert.equal(
+      world.on(tim, "foresight/current/foresight status || echo $?"),
+      "crashed three times within a minute and stays down: signal, killed KILL\n4",
+    );
     world.on(tim, "foresight/current/foresight start");
     assert.equal(world.on(tim, "foresight/current/foresight status"), "runs");
   });

@@ -7,7 +7,8 @@ import { root } from "../e2e/support.mjs";
 import { Field, inNetwork, kPassword } from "./field.mjs";
 
 // bash needs a hundredth of the time of node
-const kAskStatus = "exec 3<>/dev/tcp/127.0.0.1/8765; printf 'GET /api/status HTTP/1.1\\r\\nHost: localhost\\r\\nConnection: close\\r\\n\\r\\n' >&3; cat <&3";
+const kAskStatus =
+  "exec 3<>/dev/tcp/127.0.0.1/8765; printf 'GET /api/status HTTP/1.1\\r\\nHost: localhost\\r\\nConnection: close\\r\\n\\r\\n' >&3; cat <&3";
 
 /** A packet of the GameController of 2025 (format 18): our team's second half, with half its time gone. */
 function controlPacket(state) {
@@ -23,21 +24,47 @@ export class World {
     this.home = join(this.field.folder, "person");
     this.temporary = join(this.home, "tmp");
     for (const folder of [join(this.home, ".ssh"), this.temporary]) mkdirSync(folder, { recursive: true });
-    execFileSync("ssh-keygen", ["-q", "-t", "ed25519", "-N", "", "-C", "the team's key", "-f", join(this.home, ".ssh/id_ed25519")]);
+    execFileSync("ssh-keygen", [
+      "-q",
+      "-t",
+      "ed25519",
+      "-N",
+      "",
+      "-C",
+      "the team's key",
+      "-f",
+      join(this.home, ".ssh/id_ed25519"),
+    ]);
     writeFileSync(join(this.home, "password"), `#!/bin/sh\necho ${kPassword}\n`);
     chmodSync(join(this.home, "password"), 0o755);
     for (const name of names) this[name] = this.field.addRobot(name, options);
     this.file = join(this.home, "robots.json");
-    const robots = names.map((name, index) => ({ name, address: this[name].address, model: "nao-v6", body, player: index + 1 }));
+    const robots = names.map((name, index) => ({
+      name,
+      address: this[name].address,
+      model: "nao-v6",
+      body,
+      player: index + 1,
+    }));
     writeFileSync(this.file, JSON.stringify({ team: 14, colour: "blue", key: "~/.ssh/id_ed25519", robots }));
   }
 
   /** Starts a script in the lab: {child, output, ended}; `ended` becomes {status, output}. */
   start(script, ...words) {
     const asks = { SSH_ASKPASS: join(this.home, "password"), SSH_ASKPASS_REQUIRE: "force", DISPLAY: "none" };
-    const environment = { ...process.env, HOME: this.home, TMPDIR: this.temporary, FORESIGHT_ROBOTS: this.file, ...asks };
+    const environment = {
+      ...process.env,
+      HOME: this.home,
+      TMPDIR: this.temporary,
+      FORESIGHT_ROBOTS: this.file,
+      ...asks,
+    };
     const command = [...inNetwork(this.field.lab), join(root, "scripts", script), ...words];
-    const child = spawn(command[0], command.slice(1), { cwd: this.home, env: environment, stdio: ["ignore", "pipe", "pipe"] });
+    const child = spawn(command[0], command.slice(1), {
+      cwd: this.home,
+      env: environment,
+      stdio: ["ignore", "pipe", "pipe"],
+    });
     const started = { child, output: "" };
     for (const stream of [child.stdout, child.stderr]) stream.on("data", (text) => (started.output += text));
     started.ended = new Promise((done) => child.on("close", (status) => done({ status, output: started.output })));
@@ -67,13 +94,17 @@ export class World {
 
   /** The process of the runtime on a robot, and its command line; "" if there is none. */
   programOn(robot) {
-    const line = "for program in /proc/[0-9]*; do if [ $(readlink $program/exe | grep -c foresight-robot) = 1 ]; then echo ${program#/proc/} $(tr '\\0' ' ' <$program/cmdline); fi; done";
+    const line =
+      "for program in /proc/[0-9]*; do if [ $(readlink $program/exe | grep -c foresight-robot) = 1 ]; then echo ${program#/proc/} $(tr '\\0' ' ' <$program/cmdline); fi; done";
     return this.on(robot, line);
   }
 
   /** Every file in the robot's home with its owner, mode and content. */
   listing(robot) {
-    return this.on(robot, "find . -mindepth 1 -printf '%y %m %u %P %l\\n' | sort; find . -type f -exec sha256sum {} + | sort -k 2");
+    return this.on(
+      robot,
+      "find . -mindepth 1 -printf '%y %m %u %P %l\\n' | sort; find . -type f -exec sha256sum {} + | sort -k 2",
+    );
   }
 
   /** Sends the GameController's state to a robot. The GameController keeps its port, and robots follow one sender. */

@@ -9,12 +9,29 @@ import { bin, run, start, temporaryFolder } from "./support.mjs";
 
 test("with --behaviour the robot decides from the beliefs of a team's process, which reads the commands", async (t) => {
   const door = join(temporaryFolder(t), "door");
-  const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "attached", "--behaviour", "baseline", "--team", "14", "--player", "2", "--door", door);
+  const server = await start(
+    t,
+    temporaryFolder(t),
+    "foresight-robot",
+    "--body",
+    "attached",
+    "--behaviour",
+    "baseline",
+    "--team",
+    "14",
+    "--player",
+    "2",
+    "--door",
+    door,
+  );
   const live = await Live.open(t, server);
   await live.subscribe("/14/2/decision", "/14/2/motion_command");
   await live.newest("/14/2/motion_command"); // it stands until it knows where it is
 
-  const framework = promisify(execFile)(join(bin, "example_team_framework"), ["8"], { env: { ...process.env, FORESIGHT_DOOR: door }, timeout: 60000 });
+  const framework = promisify(execFile)(join(bin, "example_team_framework"), ["8"], {
+    env: { ...process.env, FORESIGHT_DOOR: door },
+    timeout: 60000,
+  });
   const decision = await live.newest("/14/2/decision");
   assert.ok(decision, "a decision with its reasons");
   const { stdout } = await framework;

@@ -18,9 +18,17 @@ test(`${kFiles} generated files are read as @mcap/core reads them`, async (t) =>
   assert.equal(written.status, 0, written.stderr);
   const read = await run("mcap_files", "read", folder, "0", String(kFiles));
   assert.equal(read.status, 0, read.stderr);
-  const rows = read.stdout.trim().split("\n").map((line) => JSON.parse(line));
+  const rows = read.stdout
+    .trim()
+    .split("\n")
+    .map((line) => JSON.parse(line));
   assert.equal(rows.length, kFiles);
-  for (const [seed, row] of rows.entries()) assert.equal(difference(row, readFileSync(join(folder, `${seed}.mcap`))), undefined, `seed ${seed}: ${row.features}`);
+  for (const [seed, row] of rows.entries())
+    assert.equal(
+      difference(row, readFileSync(join(folder, `${seed}.mcap`))),
+      undefined,
+      `seed ${seed}: ${row.features}`,
+    );
   // the files are not all alike
   assert(rows.filter(({ left_out }) => left_out > 0).length > 10);
   assert(rows.filter(({ valid, messages }) => valid && messages > 20).length > kFiles / 2);
@@ -30,8 +38,16 @@ test(`${kFiles} generated files are read as @mcap/core reads them`, async (t) =>
 async function twins(folder) {
   const schema = (name) => ({ name, encoding: "jsonschema", data: Buffer.from("{}") });
   const channels = ["Old", "New"].map((name) => ({ topic: `/${name}`, encoding: "json", schema: schema(name) }));
-  const message = (topic, i) => ({ topic, logTime: i === 0n ? 0n : kStart + i * 10_000_000n, data: Buffer.from(`{"i": ${i}}`) });
-  const messages = [message("/Old", 0n), message("/Old", 1n), ...Array.from({ length: 100 }, (_, i) => message("/New", BigInt(i + 1)))];
+  const message = (topic, i) => ({
+    topic,
+    logTime: i === 0n ? 0n : kStart + i * 10_000_000n,
+    data: Buffer.from(`{"i": ${i}}`),
+  });
+  const messages = [
+    message("/Old", 0n),
+    message("/Old", 1n),
+    ...Array.from({ length: 100 }, (_, i) => message("/New", BigInt(i + 1))),
+  ];
   const file = join(folder, "twins.mcap");
   // the topics get one name, of the same length
   const bytes = await mcapOf(channels, messages, { useChunks: false, useSummaryOffsets: false });
@@ -39,7 +55,8 @@ async function twins(folder) {
   return file;
 }
 
-const kLeftOut = /\/New: 2 messages of channel 0 left out: expected json of schema "New" \(jsonschema, 2 bytes\) as in channel 1, got json of schema "Old" \(jsonschema, 2 bytes\)/;
+const kLeftOut =
+  /\/New: 2 messages of channel 0 left out: expected json of schema "New" \(jsonschema, 2 bytes\) as in channel 1, got json of schema "Old" \(jsonschema, 2 bytes\)/;
 const kStray = /1 message before 2025-11-24 16:00:00 UTC left out of the strip/;
 
 test("info and play say which messages they leave out, and why", async (t) => {
@@ -80,7 +97,10 @@ test("SIGTERM ends play while it reads a file that takes a minute", async (t) =>
   atEnd(t, () => child.kill("SIGKILL"));
   const ended = new Promise((resolve) => child.on("close", (status, signal) => resolve({ status, signal })));
   // it reads: its memory holds an unpacked chunk
-  await until(() => Number(/VmHWM:\s+(\d+)/.exec(readFileSync(`/proc/${child.pid}/status`, "utf8"))?.[1]) > 60_000, "an unpacked chunk");
+  await until(
+    () => Number(/VmHWM:\s+(\d+)/.exec(readFileSync(`/proc/${child.pid}/status`, "utf8"))?.[1]) > 60_000,
+    "an unpacked chunk",
+  );
   const began = performance.now();
   child.kill("SIGTERM");
   const { status, signal } = await within(ended, "the end");

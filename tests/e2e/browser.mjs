@@ -7,7 +7,10 @@ import { atEnd, require } from "./support.mjs";
 
 const { chromium } = require("playwright-core");
 
-const found = (name) => process.env.PATH.split(delimiter).map((folder) => join(folder, name)).find(isProgram);
+const found = (name) =>
+  process.env.PATH.split(delimiter)
+    .map((folder) => join(folder, name))
+    .find(isProgram);
 function isProgram(path) {
   try {
     return accessSync(path, constants.X_OK) ?? true;
@@ -21,8 +24,19 @@ const launched = new Map();
 function browser(kind) {
   const executablePath = found("chromium") ?? found("chromium-browser") ?? found("google-chrome");
   if (!executablePath) throw new Error("there is no chromium in PATH; scripts/setup test installs it");
-  const graphics = kind === "software3d" ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"] : ["--disable-gpu"];
-  const args = ["--no-sandbox", ...graphics, "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+  const graphics =
+    kind === "software3d"
+      ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
+      : ["--disable-gpu"];
+  const args = [
+    "--no-sandbox",
+    ...graphics,
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+  ];
   if (!launched.has(kind)) launched.set(kind, chromium.launch({ executablePath, args }));
   return launched.get(kind);
 }
@@ -36,8 +50,14 @@ export const kPhone = { width: 390, height: 844 };
  * Content-Security-Policy. A test that breaks connections on purpose says so, and so does one whose page needs a graphics
  * card's functions, at the pace of a processor (`software3d`).
  */
-export async function open(t, url, { viewport = kDesktop, breaksConnections = false, software3d = false, ...options } = {}) {
-  const context = await (await browser(software3d ? "software3d" : "plain")).newContext({ viewport, locale: "en-GB", timezoneId: "UTC", reducedMotion: "reduce", ...options });
+export async function open(
+  t,
+  url,
+  { viewport = kDesktop, breaksConnections = false, software3d = false, ...options } = {},
+) {
+  const context = await (
+    await browser(software3d ? "software3d" : "plain")
+  ).newContext({ viewport, locale: "en-GB", timezoneId: "UTC", reducedMotion: "reduce", ...options });
   atEnd(t, () => context.close());
   const page = await context.newPage();
   page.setDefaultTimeout(60_000); // room for a busy machine; only a failure takes this long
@@ -45,10 +65,18 @@ export async function open(t, url, { viewport = kDesktop, breaksConnections = fa
   const expected = (text) =>
     /GPU stall due to ReadPixels/.test(text) || // by our own screenshots
     (breaksConnections && /ERR_CONNECTION_(REFUSED|RESET)|WebSocket connection to|ERR_EMPTY_RESPONSE/.test(text));
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && !expected(message.text()) && problems.push(message.text()));
+  page.on(
+    "console",
+    (message) =>
+      ["error", "warning"].includes(message.type()) && !expected(message.text()) && problems.push(message.text()),
+  );
   page.on("pageerror", (error) => problems.push(String(error)));
   await page.exposeFunction("foresightProblem", (text) => problems.push(text));
-  await page.addInitScript(() => document.addEventListener("securitypolicyviolation", (event) => window.foresightProblem(`CSP: ${event.violatedDirective} ${event.blockedURI}`)));
+  await page.addInitScript(() =>
+    document.addEventListener("securitypolicyviolation", (event) =>
+      window.foresightProblem(`CSP: ${event.violatedDirective} ${event.blockedURI}`),
+    ),
+  );
   await page.goto(url);
   return { page, problems, context };
 }
@@ -62,7 +90,10 @@ export async function shoot(page, name) {
 
 /** Does the same on a desktop and on a phone, in light and in dark colours. */
 export async function shootEach(page, name) {
-  for (const [device, viewport] of [["desktop", kDesktop], ["phone", kPhone]])
+  for (const [device, viewport] of [
+    ["desktop", kDesktop],
+    ["phone", kPhone],
+  ])
     for (const colorScheme of ["light", "dark"]) {
       await page.setViewportSize(viewport);
       await page.emulateMedia({ colorScheme });
@@ -87,7 +118,9 @@ export async function coloursOnScreen(context, locator, columns, rows) {
           return sum.map((value) => value / (data.length / 4));
         };
         const [width, height] = [Math.floor(picture.width / columns), Math.floor(picture.height / rows)];
-        return Array.from({ length: rows }, (_, row) => Array.from({ length: columns }, (_, column) => mean(column * width, row * height, width, height)));
+        return Array.from({ length: rows }, (_, row) =>
+          Array.from({ length: columns }, (_, column) => mean(column * width, row * height, width, height)),
+        );
       },
       { base64: png.toString("base64"), columns, rows },
     );
@@ -106,7 +139,9 @@ export function coloursOfYuyv({ width, height, data }, columns, rows) {
       for (let x = Math.ceil(column * cellWidth); x < (column + 1) * cellWidth; ++x, ++count) {
         const pair = 2 * (y * width + (x & ~1));
         const [luma, u, v] = [data[2 * (y * width + x)], data[pair + 1] - 128, data[pair + 3] - 128];
-        [luma + 1.402 * v, luma - 0.344 * u - 0.714 * v, luma + 1.772 * u].forEach((value, i) => (sum[i] += Math.min(255, Math.max(0, value))));
+        [luma + 1.402 * v, luma - 0.344 * u - 0.714 * v, luma + 1.772 * u].forEach(
+          (value, i) => (sum[i] += Math.min(255, Math.max(0, value))),
+        );
       }
     return sum.map((value) => value / count);
   };

@@ -7,7 +7,20 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { Live } from "./live.mjs";
 import { readSession, readStreamed, spanOf } from "./mcap.mjs";
-import { download, play, recordedSession, request, robot, run, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
+import {
+  download,
+  play,
+  recordedSession,
+  request,
+  robot,
+  run,
+  sessionsOf,
+  statusOf,
+  synthesize,
+  temporaryFolder,
+  until,
+  within,
+} from "./support.mjs";
 
 /** Starts a server with one complete recording; returns both, the recording as bytes. */
 async function served(t) {
@@ -33,7 +46,10 @@ test("a download has size, type, name, tag, and accepts ranges", async (t) => {
   assert.equal(readStreamed(whole).topics.size, 17);
 
   const head = await get(server, path, {}, "HEAD");
-  assert.deepEqual([head.status, head.headers["content-length"], head.headers.etag, head.body.length], [200, String(whole.length), etag, 0]);
+  assert.deepEqual(
+    [head.status, head.headers["content-length"], head.headers.etag, head.body.length],
+    [200, String(whole.length), etag, 0],
+  );
   const stream = await request(server, "/logs/synthetic/14.2.fsr.mcap");
   assert.deepEqual([...readStreamed(stream.body).topics.keys()], ["/14/2/fsr"]);
   assert.equal(stream.headers["content-disposition"], 'attachment; filename="synthetic.14.2.fsr.mcap"');
@@ -61,7 +77,14 @@ test("ranges: first, last, middle, past the end, and invalid ones", async (t) =>
     assert.deepEqual([none.status, none.headers["content-range"]], [416, `bytes */${size}`], range);
   }
   // an invalid range or several ranges get the whole file as answer, as RFC 9110 allows
-  for (const range of ["bytes=5-2", "bytes=a-b", "lines=1-2", "bytes=0-1,5-6", "bytes=-", "bytes=0-99999999999999999999999"])
+  for (const range of [
+    "bytes=5-2",
+    "bytes=a-b",
+    "lines=1-2",
+    "bytes=0-1,5-6",
+    "bytes=-",
+    "bytes=0-99999999999999999999999",
+  ])
     assert.equal((await get(server, path, { range })).status, 200, range);
   const head = await get(server, path, { range: "bytes=0-9" }, "HEAD");
   assert.ok([200, 206].includes(head.status) && head.body.length === 0);
@@ -72,7 +95,7 @@ test("any consecutive ranges together are the whole file", async (t) => {
   let seed = 1; // the same cuts each time
   const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
   const pieces = [];
-  for (let at = 0; at < whole.length; ) {
+  for (let at = 0; at < whole.length;) {
     const end = Math.min(whole.length, at + Math.ceil(random() ** 3 * 400000));
     pieces.push((await get(server, path, { range: `bytes=${at}-${end - 1}` })).body);
     at = end;
@@ -102,10 +125,15 @@ test("pages of accepted origins may read recordings: CORS", async (t) => {
   const { headers } = await get(server, path, { origin: lichtblick, range: "bytes=0-9" });
   assert.equal(headers["access-control-allow-origin"], lichtblick);
   const exposed = headers["access-control-expose-headers"].toLowerCase();
-  for (const name of ["accept-ranges", "content-length", "content-range", "etag"]) assert.ok(exposed.includes(name), name);
+  for (const name of ["accept-ranges", "content-length", "content-range", "etag"])
+    assert.ok(exposed.includes(name), name);
   assert.match(headers.vary, /Origin/);
 
-  const preflight = { origin: lichtblick, "access-control-request-method": "GET", "access-control-request-headers": "range" };
+  const preflight = {
+    origin: lichtblick,
+    "access-control-request-method": "GET",
+    "access-control-request-headers": "range",
+  };
   const allowed = await get(server, path, preflight, "OPTIONS");
   assert.ok(allowed.status === 204 && /range/i.test(allowed.headers["access-control-allow-headers"]));
   const stranger = await get(server, path, { ...preflight, origin: "https://evil.example" }, "OPTIONS");
@@ -131,7 +159,10 @@ test("a recording that grows is redirected to a part that does not, byte for byt
     return (topics.get("/14/2/joints")?.messages.length ?? 0) > 50 && headers.location;
   }, "joints in the download");
   assert.equal((await redirected()).headers["cache-control"], "no-store");
-  assert.match((await request(server, `${path}?from=1`, { headers: { range: "bytes=0-" } })).headers.location, /\?from=1&until=\d+$/);
+  assert.match(
+    (await request(server, `${path}?from=1`, { headers: { range: "bytes=0-" } })).headers.location,
+    /\?from=1&until=\d+$/,
+  );
 
   // without a range it is sent at once, also to programs that follow no redirect
   const whole = await request(server, path);
@@ -155,7 +186,8 @@ test("a recording that grows is redirected to a part that does not, byte for byt
   assert.equal(tail.status, 206);
   assert.ok(Buffer.concat([first.body.subarray(0, 1000), tail.body]).equals(first.body));
   const until_ns = BigInt(/until=(\d+)/.exec(location)[1]);
-  for (const { messages } of readStreamed(first.body).topics.values()) assert.ok(messages.every(({ logTime }) => logTime <= until_ns));
+  for (const { messages } of readStreamed(first.body).topics.values())
+    assert.ok(messages.every(({ logTime }) => logTime <= until_ns));
 });
 
 test("a recording of a killed robot lacks less than its last two seconds", async (t) => {
@@ -183,14 +215,20 @@ test("a recording of a killed robot lacks less than its last two seconds", async
     const expected = messages.filter(({ logTime }) => logTime <= safe_ns);
     const got = topics.get(topic)?.messages ?? [];
     assert.ok(got.length >= expected.length, `${topic}: ${got.length} of ${expected.length} messages`);
-    assert.ok(expected.every(({ logTime, data }, i) => got[i].logTime === logTime && got[i].data.equals(data)), topic);
+    assert.ok(
+      expected.every(({ logTime, data }, i) => got[i].logTime === logTime && got[i].data.equals(data)),
+      topic,
+    );
   }
 });
 
 test("a session whose path ends with a slash is listed and served", async (t) => {
   const folder = temporaryFolder(t);
   const server = await play(t, folder, `${await synthesize(folder, { seconds: 1 })}/`);
-  assert.deepEqual((await sessionsOf(server)).map(({ session }) => session), ["synthetic"]);
+  assert.deepEqual(
+    (await sessionsOf(server)).map(({ session }) => session),
+    ["synthetic"],
+  );
   assert.equal((await request(server, "/logs/synthetic.mcap")).status, 200);
 });
 
@@ -201,9 +239,17 @@ test("a recording begins when the log folder can be used", async (t) => {
   const recording = async () => (await statusOf(server)).recording;
   const { state, message } = await recording();
   assert.equal(state, "disk_full");
-  assert.match(message, /^the recording begins when the disk permits it; cannot make the folder .*: Too many levels of symbolic links$/);
+  assert.match(
+    message,
+    /^the recording begins when the disk permits it; cannot make the folder .*: Too many levels of symbolic links$/,
+  );
   unlinkSync(join(folder, "logs"));
-  await until(async () => (await recording()).state === "recording", "the recording to begin", undefined, () => server.output);
+  await until(
+    async () => (await recording()).state === "recording",
+    "the recording to begin",
+    undefined,
+    () => server.output,
+  );
 });
 
 test("a recording whose log folder is deleted says so and begins anew", async (t) => {
@@ -216,7 +262,10 @@ test("a recording whose log folder is deleted says so and begins anew", async (t
     const status = await recording();
     return status.dropped > 0 && status;
   }, "the loss to be noticed");
-  const lost = /^session \S+: its files were deleted, replaced or moved while it was recorded; messages lost: (\d+)$/.exec(message);
+  const lost =
+    /^session \S+: its files were deleted, replaced or moved while it was recorded; messages lost: (\d+)$/.exec(
+      message,
+    );
   assert.ok(lost && lost[1] > 0 && lost[1] <= dropped, `${message}; ${dropped} dropped`);
   await until(async () => (await recording()).messages > 0, "messages in the new recording");
 });
@@ -234,11 +283,27 @@ test("a second runtime leaves the session that the first records alone", async (
 
 test("a wrong profile or name ends the program with one sentence", async (t) => {
   const folder = temporaryFolder(t);
-  const words = ["--body", "replay", "--session", await synthesize(folder), "--port", "0", "--log-dir", folder, "--record"];
+  const words = [
+    "--body",
+    "replay",
+    "--session",
+    await synthesize(folder),
+    "--port",
+    "0",
+    "--log-dir",
+    folder,
+    "--record",
+  ];
   const named = await run("foresight-robot", ...words, "--name", "x".repeat(5000));
-  assert.deepEqual([named.status, named.stderr], [2, "foresight-robot: --name: session name: expected at most 100 bytes, got 5000\n"]);
+  assert.deepEqual(
+    [named.status, named.stderr],
+    [2, "foresight-robot: --name: session name: expected at most 100 bytes, got 5000\n"],
+  );
   const profiled = await run("foresight-robot", ...words, "--profile", "all");
-  assert.deepEqual([profiled.status, profiled.stderr], [2, "foresight-robot: --profile: recording profile: expected one of game, vision, full, got 'all'\n"]);
+  assert.deepEqual(
+    [profiled.status, profiled.stderr],
+    [2, "foresight-robot: --profile: recording profile: expected one of game, vision, full, got 'all'\n"],
+  );
 });
 
 /** Sends `head` unchanged and returns the whole answer; http.request would change it. */
@@ -259,11 +324,31 @@ function raw(server, head) {
 test("no path leads out of the log folder", async (t) => {
   const { server } = await served(t);
   const paths = [
-    "/logs/../synthetic/session.json", "/logs/%2e%2e/state/token", "/logs/..%2fstate%2ftoken", "/logs/synthetic/..%2f..%2fstate/token",
-    "/logs/synthetic/../../state/token", "/logs/%2e%2e%2fstate%2ftoken.mcap", "/logs/..\\state\\token.mcap", "/logs/....//state/token.mcap",
-    "/logs/../../../../etc/passwd", "//etc/passwd", "/logs//etc/passwd.mcap", "/logs/%00.mcap", "/logs/synthetic%00.mcap", "/logs/%252e%252e%252fstate.mcap",
-    "/logs/synthetic/session.json", "/logs/.hidden.mcap", "/logs/synthetic/.mcap", "/assets/../../state/token", "/assets/%2e%2e/index.html",
-    "/logs/synthetic.mcap/../../state/token", "http://localhost/../state/token", "logs/synthetic.mcap", "/logs/state/token.mcap", "*", "",
+    "/logs/../synthetic/session.json",
+    "/logs/%2e%2e/state/token",
+    "/logs/..%2fstate%2ftoken",
+    "/logs/synthetic/..%2f..%2fstate/token",
+    "/logs/synthetic/../../state/token",
+    "/logs/%2e%2e%2fstate%2ftoken.mcap",
+    "/logs/..\\state\\token.mcap",
+    "/logs/....//state/token.mcap",
+    "/logs/../../../../etc/passwd",
+    "//etc/passwd",
+    "/logs//etc/passwd.mcap",
+    "/logs/%00.mcap",
+    "/logs/synthetic%00.mcap",
+    "/logs/%252e%252e%252fstate.mcap",
+    "/logs/synthetic/session.json",
+    "/logs/.hidden.mcap",
+    "/logs/synthetic/.mcap",
+    "/assets/../../state/token",
+    "/assets/%2e%2e/index.html",
+    "/logs/synthetic.mcap/../../state/token",
+    "http://localhost/../state/token",
+    "logs/synthetic.mcap",
+    "/logs/state/token.mcap",
+    "*",
+    "",
   ];
   for (const path of paths) {
     const answer = await raw(server, `GET ${path} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n`);
@@ -289,5 +374,6 @@ test("a client that disconnects during a download harms no other", async (t) => 
 
 test("many downloads at the same time are all complete", async (t) => {
   const { server, path, whole } = await served(t);
-  for (const body of await Promise.all(Array.from({ length: 12 }, () => download(server, path)))) assert.ok(body.equals(whole));
+  for (const body of await Promise.all(Array.from({ length: 12 }, () => download(server, path))))
+    assert.ok(body.equals(whole));
 });

@@ -28,7 +28,8 @@ async function silentServer(t) {
 }
 
 /** Whether a process takes SIGTERM itself. */
-const takesEnd = (pid) => (BigInt(`0x${/^SigBlk:\s*(\w+)/m.exec(readFileSync(`/proc/${pid}/status`, "utf8"))[1]}`) & (1n << 14n)) !== 0n;
+const takesEnd = (pid) =>
+  (BigInt(`0x${/^SigBlk:\s*(\w+)/m.exec(readFileSync(`/proc/${pid}/status`, "utf8"))[1]}`) & (1n << 14n)) !== 0n;
 
 /** Adds a file of 40 GB, without a block on the disk, to a session. */
 function addLargeFile(session) {
@@ -44,7 +45,15 @@ for (const body of ["attached", "sim", "replay"])
     const server =
       body === "replay"
         ? await robot(t, folder, await synthesize(folder))
-        : await start(t, folder, "foresight-robot", "--body", body, ...options, ...(body === "attached" ? ["--door", join(folder, "door")] : []));
+        : await start(
+            t,
+            folder,
+            "foresight-robot",
+            "--body",
+            body,
+            ...options,
+            ...(body === "attached" ? ["--door", join(folder, "door")] : []),
+          );
     assert.equal((await endOf(server.kill, server.ended)).status, 0, server.output);
   });
 
@@ -56,7 +65,10 @@ test("a server ends within a second while it computes a checksum and sends a fil
   const ask = (path) => http.get({ host: "127.0.0.1", port: server.port, path, agent: false }).on("error", () => {});
   ask("/api/sessions/synthetic/files");
   const download = ask("/logs/synthetic/files/large");
-  await within(new Promise((done) => download.on("response", (response) => response.once("data", done))), "the first bytes");
+  await within(
+    new Promise((done) => download.on("response", (response) => response.once("data", done))),
+    "the first bytes",
+  );
   const begin = performance.now();
   await statusOf(server);
   assert.ok(performance.now() - begin < kLongest_ms, "the status waits");
@@ -66,11 +78,26 @@ test("a server ends within a second while it computes a checksum and sends a fil
 test("a relay ends within a second while it connects to a robot that does not answer", async (t) => {
   const folder = temporaryFolder(t);
   const port = await silentServer(t);
-  const server = await start(t, folder, "foresight-lab", "relay", `127.0.0.1:${port}`, "--log-dir", join(folder, "logs"));
+  const server = await start(
+    t,
+    folder,
+    "foresight-lab",
+    "relay",
+    `127.0.0.1:${port}`,
+    "--log-dir",
+    join(folder, "logs"),
+  );
   assert.equal((await endOf(server.kill, server.ended)).status, 0, server.output);
 
   // it also asks for the name of the robot before it serves
-  const early = spawn(join(bin, "foresight-lab"), ["relay", `127.0.0.1:${port}`, "--port", "0", "--state-dir", join(folder, "state")]);
+  const early = spawn(join(bin, "foresight-lab"), [
+    "relay",
+    `127.0.0.1:${port}`,
+    "--port",
+    "0",
+    "--state-dir",
+    join(folder, "state"),
+  ]);
   const ended = new Promise((done) => early.on("close", (status) => done({ status })));
   atEnd(t, () => early.kill("SIGKILL"));
   await until(() => takesEnd(early.pid), "a relay that takes SIGTERM");

@@ -7,7 +7,20 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { kSubprotocols, Live } from "./live.mjs";
 import { readSession } from "./mcap.mjs";
-import { atEnd, play, recordedSession, request, require, robot, run, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
+import {
+  atEnd,
+  play,
+  recordedSession,
+  request,
+  require,
+  robot,
+  run,
+  statusOf,
+  synthesize,
+  temporaryFolder,
+  until,
+  within,
+} from "./support.mjs";
 
 /** Starts a process that subscribes to everything and is then stopped, like a closed laptop. */
 async function hangingViewer(t, server) {
@@ -51,9 +64,14 @@ test("a viewer that hangs loses its own messages only", async (t) => {
   const losses = () => {
     const newest = live.messages.get("/lab/1/runtime").at(-1);
     const clients = newest ? live.decoded("/lab/1/runtime", newest).clients : [];
-    return clients.flatMap(({ lossless, channels }) => channels.map(({ topic, dropped }) => ({ lossless, topic, dropped: Number(dropped) })));
+    return clients.flatMap(({ lossless, channels }) =>
+      channels.map(({ topic, dropped }) => ({ lossless, topic, dropped: Number(dropped) })),
+    );
   };
-  await live.until(() => losses().some(({ lossless, topic, dropped }) => !lossless && topic === "/14/2/camera_top" && dropped > 20), "dropped pictures");
+  await live.until(
+    () => losses().some(({ lossless, topic, dropped }) => !lossless && topic === "/14/2/camera_top" && dropped > 20),
+    "dropped pictures",
+  );
   assert.ok(losses().every(({ lossless, dropped }) => !lossless || dropped === 0));
   for (const [topic, { messages }] of recorded) {
     await live.until(() => live.messages.get(topic).length > messages.length, `more than a pass of ${topic}`);
@@ -61,7 +79,8 @@ test("a viewer that hangs loses its own messages only", async (t) => {
   }
 });
 
-const residentBytes = (pid) => 1024 * Number(/^VmRSS:\s+(\d+) kB$/m.exec(readFileSync(`/proc/${pid}/status`, "utf8"))[1]);
+const residentBytes = (pid) =>
+  1024 * Number(/^VmRSS:\s+(\d+) kB$/m.exec(readFileSync(`/proc/${pid}/status`, "utf8"))[1]);
 
 test("a thousand silent connections cost less than 20 MB and keep no client out", async (t) => {
   const folder = temporaryFolder(t);
@@ -79,7 +98,8 @@ test("a thousand silent connections cost less than 20 MB and keep no client out"
       sockets.push(socket);
     });
   const begins = ["", "G", "GET / HTTP/1.1\r\nHost: ", "GET / HTTP/1.1\r\nX: " + "x".repeat(4000)];
-  for (let i = 0; i < 1000; i += 50) await within(Promise.all(Array.from({ length: 50 }, (_, j) => connect(begins[j % 4]))), "connections");
+  for (let i = 0; i < 1000; i += 50)
+    await within(Promise.all(Array.from({ length: 50 }, (_, j) => connect(begins[j % 4]))), "connections");
 
   for (let i = 0; i < 5; ++i) assert.equal((await request(server, "/api/status")).status, 200);
   await Live.open(t, server);
@@ -100,10 +120,11 @@ function closeAfter(server, bytes) {
   const closed = new Promise((resolve, reject) => socket.on("error", reject).on("close", resolve));
   return within(closed, "the close").then(() => {
     // frames of the server are not masked: skip them up to the one that closes
-    for (let at = all.indexOf("\r\n\r\n") + 4; at < all.length; ) {
+    for (let at = all.indexOf("\r\n\r\n") + 4; at < all.length;) {
       const short = all[at + 1];
       const head_size = short === 127 ? 10 : short === 126 ? 4 : 2;
-      const size = short === 127 ? Number(all.readBigUInt64BE(at + 2)) : short === 126 ? all.readUInt16BE(at + 2) : short;
+      const size =
+        short === 127 ? Number(all.readBigUInt64BE(at + 2)) : short === 126 ? all.readUInt16BE(at + 2) : short;
       const payload = all.subarray(at + head_size, at + head_size + size);
       if (all[at] === 0x88) return { code: payload.readUInt16BE(0), reason: payload.subarray(2).toString() };
       at += head_size + size;

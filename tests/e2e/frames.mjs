@@ -9,7 +9,13 @@ export const framesOf = (page, seconds) =>
         requestAnimationFrame(function frame(time) {
           times.push(time);
           if (times.at(-1) - times[0] < 1000 * length) requestAnimationFrame(frame);
-          else done(times.slice(1).map((time, i) => time - times[i]).sort((a, b) => a - b));
+          else
+            done(
+              times
+                .slice(1)
+                .map((time, i) => time - times[i])
+                .sort((a, b) => a - b),
+            );
         });
       }),
     seconds,

@@ -11,7 +11,9 @@ import { readSession } from "./mcap.mjs";
 import { atEnd, play, root, synthesize, temporaryFolder, until } from "./support.mjs";
 
 const kPackage = join(root, "tests/e2e/independent/node_modules/@rerun-io/web-viewer");
-const needsRerun = { skip: existsSync(kPackage) ? false : "npm ci in tests/e2e/independent brings the viewer that this needs" };
+const needsRerun = {
+  skip: existsSync(kPackage) ? false : "npm ci in tests/e2e/independent brings the viewer that this needs",
+};
 const kTypes = { ".js": "text/javascript", ".wasm": "application/wasm" };
 const kPage = `<!doctype html><title>Rerun</title><style>body { margin: 0 }</style><script type="module">
   import { WebViewer } from "/index.js";
@@ -28,7 +30,9 @@ async function serveRerun(t) {
     if (name === "") return response.writeHead(200, { "Content-Type": "text/html" }).end(kPage);
     const file = join(kPackage, extname(name) ? name : `${name}.js`); // a module names another one without its ending
     if (!/^[\w.]+$/.test(name) || !existsSync(file)) return response.writeHead(404).end();
-    response.writeHead(200, { "Content-Type": kTypes[extname(file)] ?? "application/octet-stream" }).end(readFileSync(file));
+    response
+      .writeHead(200, { "Content-Type": kTypes[extname(file)] ?? "application/octet-stream" })
+      .end(readFileSync(file));
   });
   await new Promise((listening) => server.listen(0, "localhost", listening));
   atEnd(t, () => server.close());
@@ -43,10 +47,16 @@ test("Rerun opens a session by its address, with all of its time", needsRerun, a
   const address = `http://localhost:${server.port}/logs/independent.mcap`;
   const { page, context } = await open(t, `${rerun}/?url=${encodeURIComponent(address)}`, { software3d: true });
 
-  const recording = await until(() => page.evaluate(() => window.viewer?.ready && window.viewer.get_active_recording_id()), "an active recording");
-  const times = [...readSession(session).values()].flatMap(({ messages }) => messages.map(({ logTime }) => Number(logTime)));
+  const recording = await until(
+    () => page.evaluate(() => window.viewer?.ready && window.viewer.get_active_recording_id()),
+    "an active recording",
+  );
+  const times = [...readSession(session).values()].flatMap(({ messages }) =>
+    messages.map(({ logTime }) => Number(logTime)),
+  );
   // it also has a timeline of its own, log_time, with the times of reading; the one that it shows first differs from run to run
-  const range = () => page.evaluate((recording) => window.viewer.get_time_range(recording, "message_log_time"), recording);
+  const range = () =>
+    page.evaluate((recording) => window.viewer.get_time_range(recording, "message_log_time"), recording);
   const near = (one, other) => Math.abs(one - other) < 1e6; // [ns] a double holds such times to a few hundred ns
   await until(async () => {
     const { min, max } = (await range()) ?? {};
@@ -55,7 +65,12 @@ test("Rerun opens a session by its address, with all of its time", needsRerun, a
   assert.equal((await page.evaluate(() => window.opened)).length, 1);
 
   // the picture has more than one colour
-  const unlike = async () => new Set((await coloursOnScreen(context, page.locator("canvas").first(), 16, 10)).flat().map((colour) => colour.map((value) => Math.round(value / 8)).join())).size;
+  const unlike = async () =>
+    new Set(
+      (await coloursOnScreen(context, page.locator("canvas").first(), 16, 10))
+        .flat()
+        .map((colour) => colour.map((value) => Math.round(value / 8)).join()),
+    ).size;
   await until(async () => (await unlike()) > 8, "a picture with something in it");
   await shoot(page, "rerun");
 });

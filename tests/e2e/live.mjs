@@ -68,7 +68,10 @@ export class Live {
   /** Subscribes to `topics`, as soon as all of them are announced. */
   async subscribe(...topics) {
     await this.until(() => topics.every((topic) => this.channels.has(topic)), `the channels ${topics.join(", ")}`);
-    const subscriptions = topics.map((topic) => ({ id: this.#topics.push(topic) - 1, channelId: this.channels.get(topic).id }));
+    const subscriptions = topics.map((topic) => ({
+      id: this.#topics.push(topic) - 1,
+      channelId: this.channels.get(topic).id,
+    }));
     for (const topic of topics) this.messages.set(topic, this.messages.get(topic) ?? []);
     this.send({ op: "subscribe", subscriptions });
   }
@@ -97,12 +100,24 @@ export class Live {
 
   #text(message) {
     switch (message.op) {
-      case "serverInfo": this.infos.push(message); break;
-      case "advertise": for (const channel of message.channels) this.channels.set(channel.topic, channel); break;
-      case "advertiseServices": for (const { id, name } of message.services) this.services.set(name, id); break;
-      case "status": this.statuses.push(message); break;
-      case "parameterValues": this.values.push(message); break;
-      case "serviceCallFailure": this.failures.push(message); break;
+      case "serverInfo":
+        this.infos.push(message);
+        break;
+      case "advertise":
+        for (const channel of message.channels) this.channels.set(channel.topic, channel);
+        break;
+      case "advertiseServices":
+        for (const { id, name } of message.services) this.services.set(name, id);
+        break;
+      case "status":
+        this.statuses.push(message);
+        break;
+      case "parameterValues":
+        this.values.push(message);
+        break;
+      case "serviceCallFailure":
+        this.failures.push(message);
+        break;
     }
     this.onText?.(message);
     this.#changed();
@@ -110,7 +125,9 @@ export class Live {
 
   #frame(bytes) {
     if (bytes[0] === 1)
-      this.messages.get(this.#topics[bytes.readUInt32LE(1)]).push({ log_ns: bytes.readBigUInt64LE(5), data: bytes.subarray(13) });
+      this.messages
+        .get(this.#topics[bytes.readUInt32LE(1)])
+        .push({ log_ns: bytes.readBigUInt64LE(5), data: bytes.subarray(13) });
     if (bytes[0] === 2) this.times.push(bytes.readBigUInt64LE(1));
     if (bytes[0] === 3) {
       const text = 13 + bytes.readUInt32LE(9);

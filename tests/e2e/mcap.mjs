@@ -15,16 +15,18 @@ const kLz4Magic = 0x184d2204;
 function lz4Frames(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const frames = [];
-  for (let at = 0; at < bytes.length; ) {
+  for (let at = 0; at < bytes.length;) {
     const begin = at;
     if (view.getUint32(at, true) !== kLz4Magic) {
       at += 8 + view.getUint32(at + 4, true);
       continue;
     }
     const flags = view.getUint8(at + 4);
-    const [blockChecksum, contentSize, contentChecksum, dictionary] = [0x10, 0x08, 0x04, 0x01].map((bit) => (flags & bit) !== 0);
+    const [blockChecksum, contentSize, contentChecksum, dictionary] = [0x10, 0x08, 0x04, 0x01].map(
+      (bit) => (flags & bit) !== 0,
+    );
     at += 4 + 2 + (contentSize ? 8 : 0) + (dictionary ? 4 : 0) + 1;
-    for (let size = 1; size !== 0; ) {
+    for (let size = 1; size !== 0;) {
       size = view.getUint32(at, true) & 0x7fffffff;
       at += 4 + size + (blockChecksum && size !== 0 ? 4 : 0);
     }
@@ -60,7 +62,12 @@ class Contents {
   }
 }
 
-const plain = ({ sequence, logTime, publishTime, data }) => ({ sequence, logTime, publishTime, data: Buffer.from(data) });
+const plain = ({ sequence, logTime, publishTime, data }) => ({
+  sequence,
+  logTime,
+  publishTime,
+  data: Buffer.from(data),
+});
 
 /**
  * Reads a whole file from the front, as from a network, and checks every checksum. A file of a killed program has no end, and
@@ -70,7 +77,7 @@ export function readStreamed(bytes, { allowUnfinished = false } = {}) {
   const reader = new McapStreamReader({ includeChunks: true, decompressHandlers, validateCrcs: true });
   const contents = new Contents();
   reader.append(bytes);
-  for (let record; (record = reader.nextRecord()); ) contents.take(record);
+  for (let record; (record = reader.nextRecord());) contents.take(record);
   contents.unfinished = !reader.done();
   if (contents.unfinished && !allowUnfinished) throw new Error("the MCAP has no end");
   return contents;
@@ -84,7 +91,7 @@ export function sumsOf(bytes) {
   const reader = new McapStreamReader({ decompressHandlers, validateCrcs: true });
   const messages = [];
   reader.append(bytes);
-  for (let record; (record = reader.nextRecord()); ) if (record.type === "Message") messages.push(record);
+  for (let record; (record = reader.nextRecord());) if (record.type === "Message") messages.push(record);
   if (!reader.done()) throw new Error("the MCAP has no end");
   messages.sort((left, right) => (left.logTime < right.logTime ? -1 : left.logTime > right.logTime ? 1 : 0));
   let digest = crc32Init();
@@ -105,8 +112,10 @@ export function sumsOf(bytes) {
  */
 export function difference(ours, bytes) {
   if (ours.error) return ours.error;
-  if (ours.shown + ours.left_out !== ours.messages) return `expected ${ours.messages} messages in the streams, got ${ours.shown} and ${ours.left_out} left out`;
-  if (ours.left_out + ours.unreadable > 0 && ours.sentences.length === 0) return "messages are left out without a sentence";
+  if (ours.shown + ours.left_out !== ours.messages)
+    return `expected ${ours.messages} messages in the streams, got ${ours.shown} and ${ours.left_out} left out`;
+  if (ours.left_out + ours.unreadable > 0 && ours.sentences.length === 0)
+    return "messages are left out without a sentence";
   if (ours.messages !== ours.written) return `expected ${ours.written} messages as written, got ${ours.messages}`;
   if (!ours.valid) return undefined; // @mcap/core refuses damaged records
   const theirs = sumsOf(bytes);
@@ -122,7 +131,8 @@ export async function readIndexed(bytes) {
   };
   const reader = await McapIndexedReader.Initialize({ readable, decompressHandlers });
   const messages = new Map([...reader.channelsById.values()].map(({ topic }) => [topic, []]));
-  for await (const message of reader.readMessages()) messages.get(reader.channelsById.get(message.channelId).topic).push(plain(message));
+  for await (const message of reader.readMessages())
+    messages.get(reader.channelsById.get(message.channelId).topic).push(plain(message));
   return messages;
 }
 
@@ -169,7 +179,13 @@ export async function mcapOf(channels, messages, options = {}) {
 export async function writeSession(folder, { name, topic, schema, messages }) {
   mkdirSync(folder);
   const channel = { topic, encoding: "protobuf", schema: { encoding: "protobuf", ...schema } };
-  writeFileSync(join(folder, "stream.mcap"), await mcapOf([channel], messages.map((message) => ({ topic, ...message }))));
+  writeFileSync(
+    join(folder, "stream.mcap"),
+    await mcapOf(
+      [channel],
+      messages.map((message) => ({ topic, ...message })),
+    ),
+  );
   const info = { name, robot: "14/2", team: 14, player: 2, build: "", profile: "full", kept: false, complete: true };
   writeFileSync(join(folder, "session.json"), JSON.stringify({ ...info, start_ns: String(messages[0].logTime) }));
 }

@@ -6,14 +6,31 @@ import { test } from "node:test";
 import { coloursOfYuyv, coloursOnScreen, kPhone, open, shoot } from "./browser.mjs";
 import { decode } from "./live.mjs";
 import { readSession, readStreamed, writeSession } from "./mcap.mjs";
-import { importReal, needsData, play, require, robot, run, sessionsOf, statusOf, synthesize, temporaryFolder, until, within } from "./support.mjs";
+import {
+  importReal,
+  needsData,
+  play,
+  require,
+  robot,
+  run,
+  sessionsOf,
+  statusOf,
+  synthesize,
+  temporaryFolder,
+  until,
+  within,
+} from "./support.mjs";
 
 const { create, createFileRegistry, fromJson, toBinary } = require("@bufbuild/protobuf");
 const { FileDescriptorSetSchema } = require("@bufbuild/protobuf/wkt");
 
 const lastOf = ({ schema, messages }) => decode(schema.name, schema.data, messages.at(-1).data);
 const show = (page, view) => page.getByRole("link", { name: view, exact: true }).click();
-const connected = (page) => page.getByRole("status").filter({ hasText: /^●\s*connected$/ }).waitFor();
+const connected = (page) =>
+  page
+    .getByRole("status")
+    .filter({ hasText: /^●\s*connected$/ })
+    .waitFor();
 
 /** A recording that was played to its end, so that every view stands still at a known moment. */
 async function played(t, session, folder) {
@@ -38,7 +55,11 @@ async function assertPicture(context, page, image) {
   await canvas.waitFor();
   const difference = async () => {
     const seen = await coloursOnScreen(context, canvas, columns, rows);
-    return Math.max(...expected.slice(0, compared).flatMap((row, y) => row.flatMap((cell, x) => cell.map((value, i) => Math.abs(value - seen[y][x][i])))));
+    return Math.max(
+      ...expected
+        .slice(0, compared)
+        .flatMap((row, y) => row.flatMap((cell, x) => cell.map((value, i) => Math.abs(value - seen[y][x][i])))),
+    );
   };
   await until(async () => (await difference()) < 12, "the colours of the recorded picture");
 }
@@ -69,7 +90,8 @@ test("a real recording's picture appears with its colours", needsData, async (t)
 });
 
 /** A field's row in the tree of objects. */
-const fieldRow = (page, field) => page.getByRole("treeitem").filter({ has: page.locator(".name", { hasText: new RegExp(`^\\s*[▾▸]?${field}\\s*$`) }) });
+const fieldRow = (page, field) =>
+  page.getByRole("treeitem").filter({ has: page.locator(".name", { hasText: new RegExp(`^\\s*[▾▸]?${field}\\s*$`) }) });
 
 const valueOf = (page, field) => fieldRow(page, field).first().locator(".value > span").first().textContent();
 const seven = (value) => Number(value.toPrecision(7)); // the digits the page shows of a float
@@ -106,7 +128,11 @@ async function rates(page, object) {
   return until(async () => {
     const heads = await table.locator("thead th").allTextContents();
     const cells = await row.locator("th, td").allTextContents();
-    return cells.length > 0 && cells.length === heads.length && Object.fromEntries(heads.map((head, i) => [head.trim(), cells[i].trim()]));
+    return (
+      cells.length > 0 &&
+      cells.length === heads.length &&
+      Object.fromEntries(heads.map((head, i) => [head.trim(), cells[i].trim()]))
+    );
   }, `the row of ${object}`);
 }
 
@@ -121,7 +147,10 @@ test("rates show the received messages and the counts of the recording's server"
   }, "the server's count, and joints");
   assert.deepEqual([joints.Schema, joints.Dropped], ["foresight.Joints", "0"]);
   assert.ok(Number(joints.Received) <= count); // only messages since the page subscribed
-  await until(async () => (await rates(page, "camera_top/jpeg"))["Rate [Hz]"] === "not shown", "a row of a stream without subscribers");
+  await until(
+    async () => (await rates(page, "camera_top/jpeg"))["Rate [Hz]"] === "not shown",
+    "a row of a stream without subscribers",
+  );
   await shoot(page, "health");
   assert.deepEqual(problems, []);
 });
@@ -137,20 +166,29 @@ test("recordings are listed, and the page downloads them whole, in parts and by 
   await page.getByLabel("From").fill("0:00.3");
   await page.getByLabel("To").fill("0:00.7");
   await shoot(page, "sessions");
-  const [excerpt] = await Promise.all([page.waitForEvent("download"), page.getByRole("link", { name: "Download this part" }).click()]);
+  const [excerpt] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("link", { name: "Download this part" }).click(),
+  ]);
   const of = (streams, topic) => streams.get(topic).messages.map(({ logTime }) => logTime);
   const part = of(readStreamed(readFileSync(await excerpt.path())).topics, "/14/2/joints");
   const from = of(recorded, "/14/2/joints")[0] + 300_000_000n;
   assert.ok(part.some((time) => time >= from && time <= from + 400_000_000n)); // the part also holds other messages of the same chunks
   assert.match(await page.getByRole("link", { name: "Download this part" }).getAttribute("href"), /\?from=\d+&to=\d+$/);
 
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("link", { name: "Download", exact: true }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("link", { name: "Download", exact: true }).click(),
+  ]);
   assert.equal(download.suggestedFilename(), "synthetic.mcap");
   const { topics } = readStreamed(readFileSync(await download.path()));
   assert.deepEqual([...topics.keys()].sort(), [...recorded.keys()].sort());
 
   await page.getByText(/^\d+ streams$/).click();
-  const [stream] = await Promise.all([page.waitForEvent("download"), page.getByRole("link", { name: "/14/2/pose" }).click()]);
+  const [stream] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("link", { name: "/14/2/pose" }).click(),
+  ]);
   assert.deepEqual([...readStreamed(readFileSync(await stream.path())).topics.keys()], ["/14/2/pose"]);
   const foxglove = await page.getByRole("link", { name: "Open in Foxglove" }).getAttribute("href");
   assert.match(foxglove, /^https:\/\/app\.foxglove\.dev\/.*ds\.url=http/);
@@ -167,7 +205,8 @@ test("streams without a description are listed by their files", async (t) => {
   const server = await play(t, folder, session);
   const { page, problems } = await open(t, `${server.http}/#/sessions`);
   await page.getByText(/^\d+ streams$/).click();
-  for (const name of ["one.mcap", "two.mcap", "/14/2/joints"]) await page.getByRole("link", { name, exact: true }).waitFor();
+  for (const name of ["one.mcap", "two.mcap", "/14/2/joints"])
+    await page.getByRole("link", { name, exact: true }).waitFor();
   await shoot(page, "sessions-damaged");
   assert.deepEqual(problems, []);
 });
@@ -209,12 +248,16 @@ test("a page survives the end of its server, and continues without a reload when
   const server = await robot(t, folder, session, "--loop");
   const { page, problems } = await open(t, `${server.http}/#/health`, { breaksConnections: true });
   await connected(page);
-  const jointsCome = () => until(async () => Number((await rates(page, "joints"))["Rate [Hz]"].split(" ")[0]) > 50, "joints");
+  const jointsCome = () =>
+    until(async () => Number((await rates(page, "joints"))["Rate [Hz]"].split(" ")[0]) > 50, "joints");
   await jointsCome();
   await page.evaluate(() => (window.loadedOnce = true));
   server.kill("SIGKILL");
   await within(server.ended, "the end");
-  await page.getByRole("alert").filter({ hasText: /Trying localhost:\d+ again/ }).waitFor();
+  await page
+    .getByRole("alert")
+    .filter({ hasText: /Trying localhost:\d+ again/ })
+    .waitFor();
   await shoot(page, "lost");
 
   await robot(t, folder, session, "--loop", "--port", String(server.port));
@@ -273,22 +316,38 @@ test("an unknown object is shown field by field, and always as text", async (t) 
   await page.getByRole("cell", { name: kHostile }).waitFor();
   assert.equal(await page.locator("img, script").count(), 0);
   assert.equal(await page.title(), "Recordings");
-  assert.deepEqual(problems.filter((problem) => !problem.includes("404")), []);
+  assert.deepEqual(
+    problems.filter((problem) => !problem.includes("404")),
+    [],
+  );
 });
 
 test("on a phone every control can be reached", async (t) => {
   const folder = temporaryFolder(t);
   const server = await robot(t, folder, await synthesize(folder, { seconds: 2 }), "--loop");
-  const { page, problems } = await open(t, server.http, { viewport: kPhone, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
+  const { page, problems } = await open(t, server.http, {
+    viewport: kPhone,
+    hasTouch: true,
+    isMobile: true,
+    deviceScaleFactor: 2,
+  });
   await page.locator("main canvas[aria-label$=' camera']:visible").first().waitFor();
   for (const view of ["field", "camera", "objects", "plot", "decision", "what-if", "health", "log", "sessions"]) {
     await show(page, view);
-    await page.getByRole("region", { name: new RegExp(view.replace("-", "."), "i") }).first().waitFor();
-    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${view} is as wide as the phone`);
+    await page
+      .getByRole("region", { name: new RegExp(view.replace("-", "."), "i") })
+      .first()
+      .waitFor();
+    assert.ok(
+      await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth),
+      `${view} is as wide as the phone`,
+    );
     // nothing that can be pressed is cut off at the side
     const cut = () =>
       [...document.querySelectorAll("header :is(a, button), .bar :is(button, select, input)")]
-        .filter((element) => element.getBoundingClientRect().left < 0 || element.getBoundingClientRect().right > innerWidth)
+        .filter(
+          (element) => element.getBoundingClientRect().left < 0 || element.getBoundingClientRect().right > innerWidth,
+        )
         .map((element) => element.textContent);
     assert.deepEqual(await page.evaluate(cut), [], view);
     await shoot(page, `phone-${view}`);
@@ -298,7 +357,10 @@ test("on a phone every control can be reached", async (t) => {
 
 test("a page watches another server than its own", async (t) => {
   const folder = temporaryFolder(t);
-  const [here, there] = await Promise.all([synthesize(folder, { name: "here" }), synthesize(folder, { name: "there" })]);
+  const [here, there] = await Promise.all([
+    synthesize(folder, { name: "here" }),
+    synthesize(folder, { name: "there" }),
+  ]);
   const near = await play(t, folder, here, "--bind", "127.0.0.1");
   const far = await robot(t, folder, there, "--team", "5", "--player", "1", "--bind", "127.0.0.2", "--loop");
   const { page, problems } = await open(t, `${near.http}/?ws=ws://127.0.0.2:${far.port}`);

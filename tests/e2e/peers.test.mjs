@@ -13,7 +13,19 @@ function foxglove(t, server) {
   const send = ws.send.bind(ws);
   ws.send = (data) => send(data, sent.push(data) && undefined);
   const events = {};
-  for (const name of ["serverInfo", "status", "message", "time", "advertise", "advertiseServices", "parameterValues", "serviceCallResponse", "serviceCallFailure", "error", "close"]) {
+  for (const name of [
+    "serverInfo",
+    "status",
+    "message",
+    "time",
+    "advertise",
+    "advertiseServices",
+    "parameterValues",
+    "serviceCallResponse",
+    "serviceCallFailure",
+    "error",
+    "close",
+  ]) {
     events[name] = [];
     client.on(name, (event) => events[name].push(event));
   }
@@ -33,7 +45,12 @@ async function played(t, { seconds = 1 } = {}) {
 }
 
 const hex = (bytes) => Buffer.from(bytes.buffer ?? bytes, bytes.byteOffset, bytes.byteLength).toString("hex");
-const derivedOf = (topic) => (/camera_(top|bottom)$/.test(topic) ? [`${topic}/raw`, `${topic}/jpeg`] : topic.endsWith("/log") ? [`${topic}/foxglove`] : []);
+const derivedOf = (topic) =>
+  /camera_(top|bottom)$/.test(topic)
+    ? [`${topic}/raw`, `${topic}/jpeg`]
+    : topic.endsWith("/log")
+      ? [`${topic}/foxglove`]
+      : [];
 
 test("both subprotocols introduce the server and offer every stream and its derived streams", async (t) => {
   const { server, recorded, live } = await played(t);
@@ -58,7 +75,12 @@ test("both subprotocols introduce the server and offer every stream and its deri
 
   const about = (topic) => live.channels.get(topic).metadata;
   assert.deepEqual(about("/14/2/odometry"), { delivery: "fifo", robot: "14/2", object: "odometry" });
-  assert.deepEqual(about("/14/2/camera_top/jpeg"), { delivery: "latest", robot: "14/2", object: "camera_top/jpeg", derived: "true" });
+  assert.deepEqual(about("/14/2/camera_top/jpeg"), {
+    delivery: "latest",
+    robot: "14/2",
+    object: "camera_top/jpeg",
+    derived: "true",
+  });
   assert.equal(about("/truth/world").robot, undefined);
   for (const { id, encoding, schemaEncoding } of live.channels.values()) {
     assert.ok(id > 0 && id <= 65535); // MCAP's channel ids
@@ -95,7 +117,9 @@ test("decoded values are in their physical ranges", async (t) => {
   const { live } = await played(t);
   const topics = ["camera_top", "joints", "pose", "game", "inertial"].map((object) => `/14/2/${object}`);
   await live.subscribe(...topics);
-  const [image, joints, pose, game, inertial] = await Promise.all(topics.map(async (topic) => live.decoded(topic, await live.newest(topic))));
+  const [image, joints, pose, game, inertial] = await Promise.all(
+    topics.map(async (topic) => live.decoded(topic, await live.newest(topic))),
+  );
   assert.equal(image.encoding, "ENCODING_YUYV");
   assert.equal(Buffer.from(image.data, "base64").length, 2 * image.width * image.height);
   assert.equal(joints.position.length, 25);
@@ -134,8 +158,15 @@ test("a lossless client gets every message of a pass; when the recording begins 
     await live.until(() => got.length >= start + messages.length, `the pass of ${topic}`);
     assert.ok(start > 0, `${topic}: began again`);
     const pass = got.slice(start, start + messages.length);
-    assert.deepEqual(pass.map(({ log_ns }) => log_ns), messages.map(({ logTime }) => logTime), topic);
-    assert.ok(pass.every(({ data }, i) => data.equals(messages[i].data)), `${topic}: bytes`);
+    assert.deepEqual(
+      pass.map(({ log_ns }) => log_ns),
+      messages.map(({ logTime }) => logTime),
+      topic,
+    );
+    assert.ok(
+      pass.every(({ data }, i) => data.equals(messages[i].data)),
+      `${topic}: bytes`,
+    );
   }
 });
 
@@ -150,7 +181,13 @@ function sizeOfJpeg(bytes) {
 
 test("pictures and log have streams in the formats of Foxglove and Lichtblick", async (t) => {
   const { live, recorded } = await played(t, { seconds: 2 });
-  const topics = ["/14/2/camera_top", "/14/2/camera_top/raw", "/14/2/camera_top/jpeg", "/14/2/log", "/14/2/log/foxglove"];
+  const topics = [
+    "/14/2/camera_top",
+    "/14/2/camera_top/raw",
+    "/14/2/camera_top/jpeg",
+    "/14/2/log",
+    "/14/2/log/foxglove",
+  ];
   await live.subscribe(...topics);
   const last = recorded.get("/14/2/camera_top").messages.at(-1).logTime;
   await live.until(() => live.messages.get("/14/2/camera_top/raw").at(-1)?.log_ns === last, "the last picture");
@@ -159,7 +196,10 @@ test("pictures and log have streams in the formats of Foxglove and Lichtblick", 
 
   assert.equal(live.channels.get(topics[1]).schemaName, "foxglove.RawImage");
   const { timestamp, width, height, encoding, step, frame_id, data } = raw;
-  assert.deepEqual({ width, height, encoding, step, frame_id }, { width: image.width, height: image.height, encoding: "yuyv", step: 2 * image.width, frame_id: "camera_top" });
+  assert.deepEqual(
+    { width, height, encoding, step, frame_id },
+    { width: image.width, height: image.height, encoding: "yuyv", step: 2 * image.width, frame_id: "camera_top" },
+  );
   assert.equal(data, image.data);
   assert.equal(Date.parse(timestamp), Number(messages[1].log_ns / 1000000n));
   assert.equal(messages[1].log_ns, recorded.get("/14/2/camera_top").messages.at(-1).logTime);
@@ -177,7 +217,8 @@ test("parameters are read, set within their ranges, and followed", async (t) => 
   const { client, events } = foxglove(t, server);
   await until(() => events.serverInfo.length > 0, "the introduction");
   client.getParameters([], "all");
-  const answer = async (id) => (await until(() => events.parameterValues.find((event) => event.id === id), `parameters ${id}`)).parameters;
+  const answer = async (id) =>
+    (await until(() => events.parameterValues.find((event) => event.id === id), `parameters ${id}`)).parameters;
   assert.deepEqual(await answer("all"), [
     { name: "jpeg_quality", value: 75 },
     { name: "jpeg_rate_hz", type: "float64", value: 15 },
@@ -188,8 +229,17 @@ test("parameters are read, set within their ranges, and followed", async (t) => 
   live.send({ op: "subscribeParameterUpdates", parameterNames: ["jpeg_width", "none of this name"] });
   live.send({ op: "getParameters", parameterNames: ["jpeg_width"], id: "asked" });
   await live.until(() => live.values.find(({ id }) => id === "asked"), "the answer");
-  client.setParameters([{ name: "jpeg_quality", value: 40 }, { name: "jpeg_width", value: 320 }], "set");
-  assert.deepEqual(await answer("set"), [{ name: "jpeg_quality", value: 40 }, { name: "jpeg_width", value: 320 }]);
+  client.setParameters(
+    [
+      { name: "jpeg_quality", value: 40 },
+      { name: "jpeg_width", value: 320 },
+    ],
+    "set",
+  );
+  assert.deepEqual(await answer("set"), [
+    { name: "jpeg_quality", value: 40 },
+    { name: "jpeg_width", value: 320 },
+  ]);
   await live.until(() => live.values.length >= 2, "the change");
   assert.deepEqual(live.values.slice(1), [{ op: "parameterValues", parameters: [{ name: "jpeg_width", value: 320 }] }]);
 
@@ -216,7 +266,11 @@ test("clock_sync answers as an NTP server would, and a client's measurement beco
   assert.deepEqual(first, { ok: true, sent_ns: "123", received_ns: String(end_ns) });
   await live.call("clock_sync", { sent_ns: "1", offset_ns: "-5", round_trip_ns: "18446744073709551615" });
   const sample = await live.until(
-    () => live.messages.get("/lab/1/clock").map((message) => live.decoded("/lab/1/clock", message)).find(({ source }) => source === "SOURCE_PEER"),
+    () =>
+      live.messages
+        .get("/lab/1/clock")
+        .map((message) => live.decoded("/lab/1/clock", message))
+        .find(({ source }) => source === "SOURCE_PEER"),
     "the sample",
   );
   assert.deepEqual([sample.offset_ns, sample.round_trip_ns], ["-5", "18446744073709551615"]);
@@ -225,12 +279,24 @@ test("clock_sync answers as an NTP server would, and a client's measurement beco
 
 test("a service that refuses gives a normal answer with an error; an unknown service is a failure", async (t) => {
   const { server, live } = await played(t);
-  assert.deepEqual([...live.services.keys()], ["clock_sync", "/foresight/what_if", "/foresight/strategies", "message_beside"]); // a server of a recording records nothing
-  assert.deepEqual(await live.call("clock_sync", {}), { ok: false, error: "clock_sync: 'sent_ns' must be a text with a whole number" });
+  assert.deepEqual(
+    [...live.services.keys()],
+    ["clock_sync", "/foresight/what_if", "/foresight/strategies", "message_beside"],
+  ); // a server of a recording records nothing
+  assert.deepEqual(await live.call("clock_sync", {}), {
+    ok: false,
+    error: "clock_sync: 'sent_ns' must be a text with a whole number",
+  });
   live.send(serviceCall(live.services.get("clock_sync"), 77, "[1]"));
-  assert.equal((await live.until(() => live.answers.get(77), "the answer")).json.error, "clock_sync: expected a JSON object, got something else");
+  assert.equal(
+    (await live.until(() => live.answers.get(77), "the answer")).json.error,
+    "clock_sync: expected a JSON object, got something else",
+  );
   live.send(serviceCall(live.services.get("clock_sync"), 78, "\x01", "cdr"));
-  assert.equal((await live.until(() => live.answers.get(78), "the answer")).json.error, "service: expected the encoding 'json'");
+  assert.equal(
+    (await live.until(() => live.answers.get(78), "the answer")).json.error,
+    "service: expected the encoding 'json'",
+  );
 
   const { client, events } = foxglove(t, server);
   await until(() => events.advertiseServices.length > 0, "the services");
@@ -246,7 +312,8 @@ test("a recording is begun and ended by service or parameter, and all clients se
   const [live, other] = [await Live.open(t, server), await Live.open(t, server)];
   assert.equal(live.infos[0].metadata.body, "replay");
   other.send({ op: "subscribeParameterUpdates", parameterNames: ["recording"] });
-  const heard = (wanted) => other.until(() => other.values.at(-1)?.parameters[0].value === wanted, `recording is ${wanted}`);
+  const heard = (wanted) =>
+    other.until(() => other.values.at(-1)?.parameters[0].value === wanted, `recording is ${wanted}`);
 
   const { ok, session } = await live.call("start_recording", { name: "over <here>", profile: "vision" });
   assert.ok(ok);
@@ -284,11 +351,20 @@ test("nonsense is answered with a sentence, and the connection stays open", asyn
     ["[]", "request: expected a JSON object with 'op', got something else"],
     ["{}", "request: expected a JSON object with 'op', got one without"],
     ['{"op":"subscribe","subscriptions":[{"id":900,"channelId":60000}]}', "subscribe: there is no channel 60000"],
-    ['{"op":"subscribe","subscriptions":[{"id":-1,"channelId":1}]}', "request: 'subscriptions' must be an array of {id, channelId}, both numbers 0 .. 4294967295"],
+    [
+      '{"op":"subscribe","subscriptions":[{"id":-1,"channelId":1}]}',
+      "request: 'subscriptions' must be an array of {id, channelId}, both numbers 0 .. 4294967295",
+    ],
     ['{"op":"unsubscribe","subscriptionIds":[901]}', "unsubscribe: there is no subscription 901"],
     ['{"op":"advertise","channels":[]}', "'advertise' needs a capability that this server does not announce"],
-    ['{"op":"subscribeConnectionGraph"}', "'subscribeConnectionGraph' needs a capability that this server does not announce"],
-    ['{"op":"fetchAsset","uri":"package://a","requestId":1}', "'fetchAsset' needs a capability that this server does not announce"],
+    [
+      '{"op":"subscribeConnectionGraph"}',
+      "'subscribeConnectionGraph' needs a capability that this server does not announce",
+    ],
+    [
+      '{"op":"fetchAsset","uri":"package://a","requestId":1}',
+      "'fetchAsset' needs a capability that this server does not announce",
+    ],
     [Buffer.alloc(0), "request: a binary message is empty"],
     [Buffer.from([9]), "request: the binary opcode 9 is not known"],
     [Buffer.from([2, 1]), "request: a binary message with opcode 2 is cut short at 2 bytes"],
@@ -296,7 +372,10 @@ test("nonsense is answered with a sentence, and the connection stays open", asyn
   ];
   for (const [sent, sentence] of cases) {
     live.send(sent);
-    const { level } = await live.until(() => live.statuses.find(({ message }) => message === sentence), `'${sentence}' after ${sent}`);
+    const { level } = await live.until(
+      () => live.statuses.find(({ message }) => message === sentence),
+      `'${sentence}' after ${sent}`,
+    );
     assert.equal(level, 2);
     live.statuses.length = 0;
   }
@@ -316,11 +395,23 @@ test("a client without a known subprotocol is refused", async (t) => {
 // the vectors are from the Foxglove SDK's own tests; only the numbers differ, because the server chooses them
 test("bytes on the wire are those of the protocol's golden vectors", async (t) => {
   const { server, live, end_ns } = await played(t);
-  const little = (value, size) => Buffer.from(BigInt.asUintN(8 * size, BigInt(value)).toString(16).padStart(2 * size, "0"), "hex").reverse().toString("hex");
+  const little = (value, size) =>
+    Buffer.from(
+      BigInt.asUintN(8 * size, BigInt(value))
+        .toString(16)
+        .padStart(2 * size, "0"),
+      "hex",
+    )
+      .reverse()
+      .toString("hex");
   const time = (ns) => `02${little(ns, 8)}`;
-  const response = (service, call, text) => `03${little(service, 4)}${little(call, 4)}040000006a736f6e${Buffer.from(text).toString("hex")}`;
+  const response = (service, call, text) =>
+    `03${little(service, 4)}${little(call, 4)}040000006a736f6e${Buffer.from(text).toString("hex")}`;
   assert.equal(time(1234567890), "02d202964900000000");
-  assert.equal(response(10, 12, '{"key": "value"}'), "030a0000000c000000040000006a736f6e7b226b6579223a202276616c7565227d");
+  assert.equal(
+    response(10, 12, '{"key": "value"}'),
+    "030a0000000c000000040000006a736f6e7b226b6579223a202276616c7565227d",
+  );
 
   let frame;
   live.onFrame = (bytes) => (frame = bytes[0] === 2 ? bytes : frame);
@@ -329,7 +420,10 @@ test("bytes on the wire are those of the protocol's golden vectors", async (t) =
   const service = live.services.get("clock_sync");
   live.send(serviceCall(service, 12, '{"sent_ns":"7"}'));
   const { raw } = await live.until(() => live.answers.get(12), "the answer");
-  assert.equal(hex(raw), response(service, 12, JSON.stringify({ ok: true, received_ns: String(end_ns), sent_ns: "7" })));
+  assert.equal(
+    hex(raw),
+    response(service, 12, JSON.stringify({ ok: true, received_ns: String(end_ns), sent_ns: "7" })),
+  );
 
   // messages of clients: ours written by hand here, Foxglove's by Foxglove
   const golden = "020a0000000c000000040000006a736f6e7b226b6579223a202276616c7565227d";

@@ -5,7 +5,9 @@ import { Live, playbackControl } from "./live.mjs";
 import { readSession } from "./mcap.mjs";
 import { play, run, synthesize, temporaryFolder } from "./support.mjs";
 
-const kPlaying = 0, kPaused = 1, kEnded = 3;
+const kPlaying = 0,
+  kPaused = 1,
+  kEnded = 3;
 
 const stateOf = (bytes) => ({
   status: bytes[1],
@@ -26,7 +28,10 @@ async function viewer(t, server) {
   const ask = async (wish) => {
     const id = `r${++asked}`;
     live.send(playbackControl({ ...wish, id }));
-    await live.until(() => states.some((state) => state.id === id), `the answer to ${JSON.stringify(wish, (_, v) => String(v))}`);
+    await live.until(
+      () => states.some((state) => state.id === id),
+      `the answer to ${JSON.stringify(wish, (_, v) => String(v))}`,
+    );
     return states.find((state) => state.id === id);
   };
   return { live, states, ask };
@@ -40,10 +45,12 @@ async function twoRobots(t, ...options) {
   const { status, stderr } = await run("foresight-lab", "synthesize", second, "--seconds", "1.5", "--robot", "14/3");
   assert.equal(status, 0, stderr);
   const recorded = new Map();
-  for (const session of [second, first]) for (const [topic, { messages }] of readSession(session)) recorded.set(topic, messages);
+  for (const session of [second, first])
+    for (const [topic, { messages }] of readSession(session)) recorded.set(topic, messages);
   const server = await play(t, folder, first, second, ...options);
   const times = [...recorded.values()].flat().map(({ logTime }) => logTime);
-  const least = (a, b) => (a < b ? a : b), most = (a, b) => (a > b ? a : b);
+  const least = (a, b) => (a < b ? a : b),
+    most = (a, b) => (a > b ? a : b);
   return { server, recorded, start_ns: times.reduce(least), end_ns: times.reduce(most) };
 }
 
@@ -83,7 +90,10 @@ test("a recording plays from a seek to its end, and again on request", async (t)
   const { live, states, ask } = await viewer(t, server);
   const other = await viewer(t, server);
   assert.equal((await ask({ play: false, to_ns: end_ns - 100_000_000n })).status, kPaused);
-  const told = await other.live.until(() => other.states.find(({ didSeek }) => didSeek), "the state at the other viewer");
+  const told = await other.live.until(
+    () => other.states.find(({ didSeek }) => didSeek),
+    "the state at the other viewer",
+  );
   assert.deepEqual(told, { status: kPaused, time_ns: end_ns - 100_000_000n, speed: 1, didSeek: true, id: "" });
 
   const playing = await ask({ play: true, speed: 0.5 });
@@ -101,7 +111,10 @@ test("an impossible request is refused with a sentence", async (t) => {
   const session = await synthesize(folder, { seconds: 1 });
   const { live } = await viewer(t, await play(t, folder, session));
   live.send(playbackControl({ play: true, speed: 0, id: "slow" }));
-  await live.until(() => live.statuses.some(({ message }) => message.startsWith("playback: expected a speed of 0.01 .. 1000, got 0")), "a refusal");
+  await live.until(
+    () => live.statuses.some(({ message }) => message.startsWith("playback: expected a speed of 0.01 .. 1000, got 0")),
+    "a refusal",
+  );
   const { status, stderr } = await run("foresight-lab", "play", session, session);
   assert.equal(status, 2);
   assert.match(stderr, /expected recordings of different robots, .* has no topic beyond those before it/);

@@ -4,14 +4,35 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { open, shoot, shootEach } from "./browser.mjs";
-import { getJson, needsNetwork, own, robot, run, sessionsOf, start, statusOf, synthesize, temporaryFolder, until } from "./support.mjs";
+import {
+  getJson,
+  needsNetwork,
+  own,
+  robot,
+  run,
+  sessionsOf,
+  start,
+  statusOf,
+  synthesize,
+  temporaryFolder,
+  until,
+} from "./support.mjs";
 
 const kViews = ["field", "camera", "objects", "plot", "decision", "what-if", "health", "log", "sessions"];
 const practice = (page) => page.getByRole("status").filter({ hasText: "Not for a match" });
 
 test("with --practice each view says that the wireless network stays open", async (t) => {
   const folder = temporaryFolder(t);
-  const server = await start(t, folder, "foresight-robot", "--body", "attached", "--door", join(folder, "door"), "--practice");
+  const server = await start(
+    t,
+    folder,
+    "foresight-robot",
+    "--body",
+    "attached",
+    "--door",
+    join(folder, "door"),
+    "--practice",
+  );
   assert.equal((await statusOf(server)).game.practice, true);
   const { page, problems } = await open(t, `${server.http}/#/14/2/field`);
   for (const view of kViews) {
@@ -29,7 +50,10 @@ test("a token that was refused is typed on the page", needsNetwork, async (t) =>
   const { page, problems } = await open(t, `http://${own}:${server.port}/#/sessions`);
   const entry = page.getByLabel(`Token of ${own}:${server.port}`);
   const record = page.getByRole("button", { name: "Start recording" });
-  for (const [typed, words] of [["0123456789abcdef", "asks for its token"], [token, "refused this token"]]) {
+  for (const [typed, words] of [
+    ["0123456789abcdef", "asks for its token"],
+    [token, "refused this token"],
+  ]) {
     await record.click();
     await entry.waitFor();
     await page.getByText(words).waitFor();
@@ -55,7 +79,11 @@ test("a recording contains the objects with a tick", async (t) => {
   await ticks.getByLabel("clock", { exact: true }).uncheck();
   await shootEach(page, "objects");
   await page.getByRole("button", { name: "Start recording" }).click();
-  const files = async () => (await sessionsOf(server)).find(({ state }) => state === "recording")?.streams.map(({ topic }) => topic).sort() ?? [];
+  const files = async () =>
+    (await sessionsOf(server))
+      .find(({ state }) => state === "recording")
+      ?.streams.map(({ topic }) => topic)
+      .sort() ?? [];
   await until(async () => (await files()).join() === "/14/2/inertial,/14/2/joints", "the two files", undefined, files);
   assert.equal((await getJson(server, "/api/status")).recording.dropped, 0);
   assert.deepEqual(problems, []);
@@ -63,6 +91,19 @@ test("a recording contains the objects with a tick", async (t) => {
 
 test("an unknown object ends the program with one sentence", async (t) => {
   const folder = temporaryFolder(t);
-  const { status, stderr } = await run("foresight-robot", "--body", "replay", "--session", await synthesize(folder), "--port", "0", "--log-dir", folder, "--record", "--only", "ball,jonts");
+  const { status, stderr } = await run(
+    "foresight-robot",
+    "--body",
+    "replay",
+    "--session",
+    await synthesize(folder),
+    "--port",
+    "0",
+    "--log-dir",
+    folder,
+    "--record",
+    "--only",
+    "ball,jonts",
+  );
   assert.deepEqual([status, stderr], [2, "foresight-robot: --only: no object 'jonts'; did you mean 'joints'?\n"]);
 });

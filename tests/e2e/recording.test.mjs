@@ -13,7 +13,16 @@ import { play, run, synthesize, temporaryFolder, until } from "./support.mjs";
 async function game(t, ...args) {
   const folder = temporaryFolder(t);
   const file = join(folder, "game.mcap");
-  const { status, stderr } = await run("foresight-sim", "match", "--seed", "7", "--rules", "spl2012:2,half_duration=30,ready_duration=5", "--mcap", file);
+  const { status, stderr } = await run(
+    "foresight-sim",
+    "match",
+    "--seed",
+    "7",
+    "--rules",
+    "spl2012:2,half_duration=30,ready_duration=5",
+    "--mcap",
+    file,
+  );
   assert.equal(status, 0, stderr);
   const { topics } = readStreamed(readFileSync(file));
   return { server: await play(t, folder, file, ...args), topics, ...spanOf(topics) };
@@ -28,7 +37,11 @@ async function place(page) {
 }
 const goesOn = (page) => page.getByRole("button", { name: "Freeze time" }).waitFor();
 const stands = (page) => page.getByRole("button", { name: "Go on" }).waitFor();
-const row = (page, name) => page.getByRole("treeitem").filter({ has: page.locator(".name", { hasText: new RegExp(`^\\s*[▾▸]?${name}\\s*$`) }) }).first();
+const row = (page, name) =>
+  page
+    .getByRole("treeitem")
+    .filter({ has: page.locator(".name", { hasText: new RegExp(`^\\s*[▾▸]?${name}\\s*$`) }) })
+    .first();
 const shown = (page, name) => row(page, name).locator(".value > span").first().textContent();
 
 /** Presses the strip at a share of its length, 0 .. 1. */
@@ -78,10 +91,16 @@ test("the strip spans the whole recording; a press anywhere shows the tree of th
     await pressStrip(page, share);
     await stands(page);
     const wanted_ns = first_ns + BigInt(Math.round(share * Number(last_ns - first_ns)));
-    await until(() => at(page) > wanted_ns - 500_000_000n && at(page) < wanted_ns + 500_000_000n, `the moment ${share}`);
+    await until(
+      () => at(page) > wanted_ns - 500_000_000n && at(page) < wanted_ns + 500_000_000n,
+      `the moment ${share}`,
+    );
     const then = messages.findLast(({ logTime }) => logTime <= at(page));
     const { heading } = decode(schema.name, schema.data, then.data);
-    await until(async () => Number(await shown(page, "heading")) === Number(heading.toPrecision(7)), `heading ${heading} at ${share}, not ${await shown(page, "heading")}`);
+    await until(
+      async () => Number(await shown(page, "heading")) === Number(heading.toPrecision(7)),
+      `heading ${heading} at ${share}, not ${await shown(page, "heading")}`,
+    );
   }
 
   // by frames: back to a part that was not played yet, and forward
@@ -94,7 +113,13 @@ test("the strip spans the whole recording; a press anywhere shows the tree of th
   await page.keyboard.press(",");
   const last = truth.findLastIndex((time) => time <= middle);
   /** Waits for the frame `by` frames behind the last one before the middle. */
-  const frame = (by) => until(() => at(page) === truth[last + by], `frame ${by}, ${truth[last + by]}`, undefined, () => `${at(page)}`);
+  const frame = (by) =>
+    until(
+      () => at(page) === truth[last + by],
+      `frame ${by}, ${truth[last + by]}`,
+      undefined,
+      () => `${at(page)}`,
+    );
   await frame(-1);
   for (const ahead of [0, 1, 2]) {
     await page.keyboard.press(".");
@@ -130,7 +155,13 @@ test("steps by frames miss none on a page that misses two of three messages", as
   await until(() => at(page) > first_ns, "a moment in the address");
   const truth = topics.get("/truth/world").messages.map(({ logTime }) => logTime);
   const begin = truth.findLastIndex((time) => time <= at(page));
-  const isFrame = (wanted) => until(() => at(page) === truth[wanted], `frame ${wanted - begin}, ${truth[wanted]}`, undefined, () => `${at(page)}`);
+  const isFrame = (wanted) =>
+    until(
+      () => at(page) === truth[wanted],
+      `frame ${wanted - begin}, ${truth[wanted]}`,
+      undefined,
+      () => `${at(page)}`,
+    );
   let index = begin;
   for (const key of "..,,,,.,..") {
     index += key === "." ? 1 : -1;
@@ -144,7 +175,10 @@ test("steps by frames miss none on a page that misses two of three messages", as
 
 test("all viewers share the server's playback: pause, speed, position; playing backwards is local to a page", async (t) => {
   const { server, first_ns, last_ns } = await game(t);
-  const [one, other] = [await open(t, `${server.http}/#/14/2/field`), await open(t, `${server.http}/#/14/3/plot?plot=/14/2/pose.x`)];
+  const [one, other] = [
+    await open(t, `${server.http}/#/14/2/field`),
+    await open(t, `${server.http}/#/14/3/plot?plot=/14/2/pose.x`),
+  ];
   await Promise.all([goesOn(one.page), goesOn(other.page)]);
   await one.page.keyboard.press(" ");
   await Promise.all([stands(one.page), stands(other.page)]);
@@ -153,7 +187,10 @@ test("all viewers share the server's playback: pause, speed, position; playing b
   await other.page.getByLabel("Pace").selectOption({ label: "0.5 ×" });
   await until(async () => (await one.page.getByLabel("Pace").inputValue()) === "0.5", "the other page shows the pace");
   await pressStrip(other.page, 0.6);
-  await until(() => at(one.page) === at(other.page) && at(one.page) > first_ns + (last_ns - first_ns) / 2n, "the other page shows the place");
+  await until(
+    () => at(one.page) === at(other.page) && at(one.page) > first_ns + (last_ns - first_ns) / 2n,
+    "the other page shows the place",
+  );
 
   // backwards from there, through a part that was never played here
   const from = at(one.page);
@@ -161,7 +198,12 @@ test("all viewers share the server's playback: pause, speed, position; playing b
   await one.page.keyboard.press(" ");
   await goesOn(one.page);
   const begun = await place(one.page);
-  await until(async () => (await place(one.page)) < begun - 2, "two seconds back", undefined, () => elapsed(one.page));
+  await until(
+    async () => (await place(one.page)) < begun - 2,
+    "two seconds back",
+    undefined,
+    () => elapsed(one.page),
+  );
   await one.page.keyboard.press(" ");
   await stands(one.page);
   await until(() => at(one.page) < from - 1_000_000_000n, "time went back");
@@ -218,13 +260,20 @@ test("a picture shows the vision's results for that very picture, and a pixel sh
     drawings.push(await drawn());
   }
   await page.waitForURL((url) => !url.hash.includes("over="));
-  assert.equal(await page.getByLabel("Size of the field").count(), 0, "the recording names its rules, so nobody is asked");
+  assert.equal(
+    await page.getByLabel("Size of the field").count(),
+    0,
+    "the recording names its rules, so nobody is asked",
+  );
 
   // a pixel has the value in the recording at the picture's capture time
   const { schema, messages } = recorded.get("/14/2/camera_top");
   const picture = () => decode(schema.name, schema.data, messages.findLast(({ logTime }) => logTime <= at(page)).data);
   const box = await overlay.boundingBox();
-  for (const [x, y] of [[200, 200], [51, 175]]) {
+  for (const [x, y] of [
+    [200, 200],
+    [51, 175],
+  ]) {
     const { width, height } = picture();
     await page.mouse.move(box.x + ((x + 0.5) / width) * box.width, box.y + ((y + 0.5) / height) * box.height);
     const told = () => {
@@ -242,8 +291,13 @@ test("a picture shows the vision's results for that very picture, and a pixel sh
 test("a search finds a condition in the whole recording, also in parts that no page has played; moments get names", async (t) => {
   const { server, topics, first_ns, last_ns } = await game(t);
   const { schema, messages } = topics.get("/14/2/game");
-  const states = messages.map(({ logTime, data }) => ({ logTime, state: decode(schema.name, schema.data, data).state }));
-  const begins = states.filter(({ state }, i) => state === "STATE_PLAYING" && states[i - 1]?.state !== state).map(({ logTime }) => logTime);
+  const states = messages.map(({ logTime, data }) => ({
+    logTime,
+    state: decode(schema.name, schema.data, data).state,
+  }));
+  const begins = states
+    .filter(({ state }, i) => state === "STATE_PLAYING" && states[i - 1]?.state !== state)
+    .map(({ logTime }) => logTime);
   assert.ok(begins.length >= 2 && begins.at(-1) - begins[0] > 20_000_000_000n, "a game with several kick-offs");
   const first = begins[0];
   const { page, problems } = await open(t, `${server.http}/#/14/2/field?at=${first_ns + 100_000_000n}`);
@@ -288,7 +342,10 @@ test("a search finds a condition in the whole recording, also in parts that no p
   await until(() => at(page) === first, "back to the mark");
   await shoot(page, "moments");
   const colleague = await open(t, page.url());
-  await until(async () => (await colleague.page.getByLabel("Name", { exact: true }).first().inputValue()) === "kick-off, <b>", "the same mark for a colleague");
+  await until(
+    async () => (await colleague.page.getByLabel("Name", { exact: true }).first().inputValue()) === "kick-off, <b>",
+    "the same mark for a colleague",
+  );
   assert.deepEqual([...problems, ...colleague.problems], []);
 });
 
@@ -297,20 +354,36 @@ test("a layout is saved as a file and restores the views; another file is refuse
   const { page, problems } = await open(t, `${server.http}/#/14/2/plot?plot=/14/2/ball.x%20/14/2/pose.y&span=60&at=1`);
   await page.getByText("The moment of this link is not within this recording.").waitFor();
   await page.getByRole("button", { name: "Layout" }).click();
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save as a file" }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: "Save as a file" }).click(),
+  ]);
   const text = readFileSync(await download.path(), "utf8");
-  assert.deepEqual(JSON.parse(text), { foresight_layout: 1, robot: "14/2", view: "plot", settings: { plot: "/14/2/ball.x /14/2/pose.y", span: "60" } });
+  assert.deepEqual(JSON.parse(text), {
+    foresight_layout: 1,
+    robot: "14/2",
+    view: "plot",
+    settings: { plot: "/14/2/ball.x /14/2/pose.y", span: "60" },
+  });
 
   const other = await open(t, `${server.http}/#/14/3/field`);
   const load = async (content) => {
-    await other.page.getByLabel("Load a file").setInputFiles({ name: "layout.json", mimeType: "application/json", buffer: Buffer.from(content) });
+    await other.page
+      .getByLabel("Load a file")
+      .setInputFiles({ name: "layout.json", mimeType: "application/json", buffer: Buffer.from(content) });
   };
   await other.page.getByRole("button", { name: "Layout" }).click();
   await load("{}");
-  await other.page.getByRole("alert").getByText("This is no layout: expected 'foresight_layout' to be 1, got nothing.").waitFor();
+  await other.page
+    .getByRole("alert")
+    .getByText("This is no layout: expected 'foresight_layout' to be 1, got nothing.")
+    .waitFor();
   await shoot(other.page, "layout");
   await load(text);
   await other.page.getByRole("list", { name: "Lines" }).getByText("/14/2/pose.y").waitFor();
-  await until(async () => (await other.page.getByLabel("Robot", { exact: true }).inputValue()) === "14/2", "the layout's robot");
+  await until(
+    async () => (await other.page.getByLabel("Robot", { exact: true }).inputValue()) === "14/2",
+    "the layout's robot",
+  );
   assert.deepEqual([...problems, ...other.problems], []);
 });

@@ -9,7 +9,20 @@ import { decode, Live } from "./live.mjs";
 import { readStreamed } from "./mcap.mjs";
 import { download, robot, run, sessionsOf, start, statusOf, synthesize, temporaryFolder, until } from "./support.mjs";
 
-const simulated = (t, player, ...args) => start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--team", "14", "--player", String(player), "--no-foresight", ...args);
+const simulated = (t, player, ...args) =>
+  start(
+    t,
+    temporaryFolder(t),
+    "foresight-robot",
+    "--body",
+    "sim",
+    "--team",
+    "14",
+    "--player",
+    String(player),
+    "--no-foresight",
+    ...args,
+  );
 
 /** foresight-lab relay of `robots`, each a server or a word; sessions go to a folder of its own. */
 function relay(t, robots, ...args) {
@@ -35,16 +48,34 @@ test("two robots, each over one connection: viewers see all of both, and the rel
   const robots = [await simulated(t, 2, "--seed", "7", "--record"), await simulated(t, 3, "--seed", "8", "--record")];
   const lab = await relay(t, robots, "--record", "--lossless");
   const live = await Live.open(t, lab);
-  await live.until(() => live.channels.has("/14/2/decision") && live.channels.has("/14/3/decision") && live.channels.has("/truth/world"), "the channels of both");
+  await live.until(
+    () =>
+      live.channels.has("/14/2/decision") && live.channels.has("/14/3/decision") && live.channels.has("/truth/world"),
+    "the channels of both",
+  );
 
   // the Foxglove client, which knows nothing of relays
   const { client } = foxgloveClient(t, lab);
-  const channels = new Map(), messages = [];
+  const channels = new Map(),
+    messages = [];
   client.on("advertise", (list) => list.forEach((channel) => channels.set(channel.topic, channel)));
-  client.on("message", ({ subscriptionId, timestamp, data }) => messages.push({ subscriptionId, timestamp, data: Buffer.from(data.buffer, data.byteOffset, data.byteLength) }));
-  await until(() => channels.has("/14/2/decision") && channels.has("/14/3/decision"), "the channels of the Foxglove client");
-  const wanted = new Map(["/14/2/decision", "/14/3/decision", "/truth/world"].map((topic) => [client.subscribe(channels.get(topic).id), topic]));
-  await until(() => [...wanted.keys()].every((id) => messages.filter(({ subscriptionId }) => subscriptionId === id).length > 60), "two seconds of them");
+  client.on("message", ({ subscriptionId, timestamp, data }) =>
+    messages.push({ subscriptionId, timestamp, data: Buffer.from(data.buffer, data.byteOffset, data.byteLength) }),
+  );
+  await until(
+    () => channels.has("/14/2/decision") && channels.has("/14/3/decision"),
+    "the channels of the Foxglove client",
+  );
+  const wanted = new Map(
+    ["/14/2/decision", "/14/3/decision", "/truth/world"].map((topic) => [
+      client.subscribe(channels.get(topic).id),
+      topic,
+    ]),
+  );
+  await until(
+    () => [...wanted.keys()].every((id) => messages.filter(({ subscriptionId }) => subscriptionId === id).length > 60),
+    "two seconds of them",
+  );
   for (const { subscriptionId, data } of messages) {
     const { topic, schemaName, schema } = channels.get(wanted.get(subscriptionId));
     const fields = decode(schemaName, Buffer.from(schema, "base64"), data);
@@ -58,16 +89,26 @@ test("two robots, each over one connection: viewers see all of both, and the rel
     assert.ok(own.length > 10, `${own.length} channels of its own`);
     for (const { topic, encoding, schemaName, schema, schemaEncoding, metadata } of own) {
       const there = live.channels.get(topic);
-      assert.deepEqual([there.encoding, there.schemaName, there.schema, there.schemaEncoding, there.metadata], [encoding, schemaName, schema, schemaEncoding, metadata], topic);
+      assert.deepEqual(
+        [there.encoding, there.schemaName, there.schema, there.schemaEncoding, there.metadata],
+        [encoding, schemaName, schema, schemaEncoding, metadata],
+        topic,
+      );
     }
     direct.socket.terminate();
     await until(async () => (await statusOf(server)).clients === 1, "the relay as the robot's only client");
   }
 
   await live.subscribe("/lab/1/runtime");
-  const links = await live.until(() => newestLink(live, "14/2") && newestLink(live, "14/3") && [newestLink(live, "14/2"), newestLink(live, "14/3")], "statistics");
+  const links = await live.until(
+    () => newestLink(live, "14/2") && newestLink(live, "14/3") && [newestLink(live, "14/2"), newestLink(live, "14/3")],
+    "statistics",
+  );
   for (const link of links) {
-    assert.deepEqual([link.state, link.connections, link.lost, link.message, link.shift_ns], ["STATE_CONNECTED", 1, "0", "", "0"]);
+    assert.deepEqual(
+      [link.state, link.connections, link.lost, link.message, link.shift_ns],
+      ["STATE_CONNECTED", 1, "0", "", "0"],
+    );
     assert.ok(Math.abs(Number(link.clock_offset_ns)) <= Number(link.clock_error_ns) + 1e7, "two clocks of one machine");
   }
 
@@ -88,7 +129,10 @@ test("two robots, each over one connection: viewers see all of both, and the rel
       const length = Math.min(here.length, there.length - begin);
       assert.deepEqual(here.slice(0, length), there.slice(begin, begin + length), topic);
       // numbered without a gap, as on the robot
-      assert.ok(relayed.messages.every(({ sequence }, i) => sequence === relayed.messages[0].sequence + i), topic);
+      assert.ok(
+        relayed.messages.every(({ sequence }, i) => sequence === relayed.messages[0].sequence + i),
+        topic,
+      );
       compared += length;
     }
     assert.ok(compared > 100, `${compared} messages were compared`);
@@ -106,12 +150,19 @@ test("the relay and its page show a robot again that was killed and started agai
   const live = await Live.open(t, lab);
   await live.until(() => live.channels.has("/sim/state"), "the channels");
   await live.subscribe("/sim/state", "/lab/1/runtime");
-  const seeds = () => live.messages.get("/sim/state").slice(-1).map((message) => live.decoded("/sim/state", message).seed);
+  const seeds = () =>
+    live.messages
+      .get("/sim/state")
+      .slice(-1)
+      .map((message) => live.decoded("/sim/state", message).seed);
   await live.until(() => seeds()[0] === "7", "the first game");
 
   first.kill("SIGKILL");
   await first.ended;
-  await live.until(() => newestLink(live, "14/2")?.state === "STATE_CONNECTING" && newestLink(live, "14/2").message !== "", "that it is gone, and why");
+  await live.until(
+    () => newestLink(live, "14/2")?.state === "STATE_CONNECTING" && newestLink(live, "14/2").message !== "",
+    "that it is gone, and why",
+  );
   const again = await simulated(t, 2, "--seed", "99", "--port", String(first.port));
   const since = performance.now();
   await live.until(() => seeds()[0] === "99", "the game of the robot that came back");
@@ -139,12 +190,17 @@ test("pictures come over the relay as JPEG under the robot's own topic, and the 
   const topics = ["/14/2/camera_top", "/14/2/camera_top/jpeg", "/14/2/camera_top/raw"];
   await live.until(() => topics.every((topic) => live.channels.has(topic)), "the pictures");
   await live.subscribe(...topics);
-  const [own, jpeg, raw] = await Promise.all(topics.map(async (topic) => live.decoded(topic, await live.newest(topic))));
+  const [own, jpeg, raw] = await Promise.all(
+    topics.map(async (topic) => live.decoded(topic, await live.newest(topic))),
+  );
   assert.deepEqual([own.encoding, own.width, own.height], ["ENCODING_JPEG", 320, 240]);
   assert.equal(jpeg.format, "jpeg");
   assert.equal(Buffer.from(raw.data, "base64").length, 2 * 320 * 240);
   const { page, problems } = await open(t, `${lab.http}/#/14/2/camera`);
-  await page.getByText(/320 × 240/).first().waitFor();
+  await page
+    .getByText(/320 × 240/)
+    .first()
+    .waitFor();
   await shoot(page, "relay-camera");
   assert.deepEqual(problems, []);
 });
@@ -152,12 +208,21 @@ test("pictures come over the relay as JPEG under the robot's own topic, and the 
 test("robots are found by their names in the robots file", async (t) => {
   const server = await simulated(t, 2);
   const file = join(temporaryFolder(t), "robots.json");
-  writeFileSync(file, JSON.stringify({ team: 14, robots: [{ name: "tim", address: "127.0.0.1", http_port: server.port, model: "nao-v6", player: 2 }] }));
+  writeFileSync(
+    file,
+    JSON.stringify({
+      team: 14,
+      robots: [{ name: "tim", address: "127.0.0.1", http_port: server.port, model: "nao-v6", player: 2 }],
+    }),
+  );
   const live = await Live.open(t, await relay(t, ["tim"], "--robots", file));
   await live.until(() => live.channels.has("/14/2/decision"), "the channels of tim");
   const { status, stderr } = await run("foresight-lab", "relay", "tom", "--robots", file, "--port", "0");
   assert.equal(status, 2);
-  assert.equal(stderr.trim(), `foresight-lab: relay: expected an address such as 10.0.14.22:8765, or one of tim (${file}), got 'tom'`);
+  assert.equal(
+    stderr.trim(),
+    `foresight-lab: relay: expected an address such as 10.0.14.22:8765, or one of tim (${file}), got 'tom'`,
+  );
 });
 
 test("an impossible relay gives one sentence and status 2", async (t) => {
@@ -167,9 +232,15 @@ test("an impossible relay gives one sentence and status 2", async (t) => {
     assert.equal(status, 2, args.join(" "));
     return stderr.trim();
   };
-  assert.match(await refused("10.0.14.22:port"), /^foresight-lab: relay: expected an address such as 10\.0\.14\.22:8765, got '10\.0\.14\.22:port'$/);
+  assert.match(
+    await refused("10.0.14.22:port"),
+    /^foresight-lab: relay: expected an address such as 10\.0\.14\.22:8765, got '10\.0\.14\.22:port'$/,
+  );
   assert.match(await refused("127.0.0.1:1", "127.0.0.1:1"), /expected each robot once, got 127\.0\.0\.1:1 twice$/);
-  assert.match(await refused("127.0.0.1:1", "--max-clock-offset", "-1"), /--max-clock-offset: expected 0 \.\. 1e9 \[s\], got -1/);
+  assert.match(
+    await refused("127.0.0.1:1", "--max-clock-offset", "-1"),
+    /--max-clock-offset: expected 0 \.\. 1e9 \[s\], got -1/,
+  );
   assert.match(await refused("127.0.0.1:1", "--pictures", "painted"), /pictures/);
   assert.match(await refused(), /robots is required/);
 });

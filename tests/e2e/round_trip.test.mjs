@@ -3,7 +3,17 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Live } from "./live.mjs";
 import { readIndexed, readSession, readStreamed } from "./mcap.mjs";
-import { download, importReal, needsData, request, robot, sessionsOf, statusOf, synthesize, temporaryFolder } from "./support.mjs";
+import {
+  download,
+  importReal,
+  needsData,
+  request,
+  robot,
+  sessionsOf,
+  statusOf,
+  synthesize,
+  temporaryFolder,
+} from "./support.mjs";
 
 // foresight-robot writes these objects itself, so those of the recording are left out
 const kOwn = ["/14/2/runtime", "/14/2/clock", "/14/2/log"];
@@ -19,7 +29,9 @@ async function recordAgain(t, folder, session) {
   // the robot's own statistics report when its loggers have written all messages
   const written = () => {
     const newest = live.messages.get("/14/2/runtime").at(-1);
-    const loggers = new Map(newest && live.decoded("/14/2/runtime", newest).loggers.map((logger) => [logger.topic, logger]));
+    const loggers = new Map(
+      newest && live.decoded("/14/2/runtime", newest).loggers.map((logger) => [logger.topic, logger]),
+    );
     return [...original].every(([topic, { messages }]) => Number(loggers.get(topic)?.written) >= messages.length);
   };
   await live.until(written, "all messages to be written");
@@ -32,7 +44,11 @@ async function recordAgain(t, folder, session) {
 
 /** Asserts that `messages` are all those of the original, in order, numbered without a gap. */
 function assertSame(topic, messages, original) {
-  assert.deepEqual(messages.map(({ logTime }) => logTime), original.map(({ logTime }) => logTime), `${topic}: log times`);
+  assert.deepEqual(
+    messages.map(({ logTime }) => logTime),
+    original.map(({ logTime }) => logTime),
+    `${topic}: log times`,
+  );
   for (const [i, { data, sequence }] of messages.entries()) {
     assert.ok(data.equals(original[i].data), `${topic}: bytes of message ${i}`);
     assert.equal(sequence, messages[0].sequence + i, `${topic}: sequence of message ${i}`);
@@ -50,7 +66,10 @@ async function checkRoundTrip(t, session, folder) {
   for (const [topic, { schema, messages }] of original) {
     assertSame(topic, streamed.topics.get(topic).messages, messages);
     // the index gives messages of one time in any order
-    assert.deepEqual(indexed.get(topic).map(({ logTime }) => logTime), messages.map(({ logTime }) => logTime));
+    assert.deepEqual(
+      indexed.get(topic).map(({ logTime }) => logTime),
+      messages.map(({ logTime }) => logTime),
+    );
     assert.equal(streamed.topics.get(topic).schema.name, schema.name);
   }
   assert.ok(kOwn.slice(0, 2).every((topic) => streamed.topics.get(topic).messages.length > 0));

@@ -51,8 +51,17 @@ test("the moment of a recorded game at the playhead is saved, played from and ch
   assert.match(moment.about, /^baseline against baseline, spl2012.*, seed 7, moment \d/);
   const near = (one, other) => Math.abs(one - other) < 1e-3;
   const isAt = ({ ball, robots }) =>
-    near(ball.x, moment.ball.x) && near(ball.y, moment.ball.y) &&
-    robots.every(({ team, player, x, y }) => moment.robots.some((robot) => robot.side === (team === 14 ? "home" : "away") && robot.player === player && near(robot.x, x) && near(robot.y, y)));
+    near(ball.x, moment.ball.x) &&
+    near(ball.y, moment.ball.y) &&
+    robots.every(({ team, player, x, y }) =>
+      moment.robots.some(
+        (robot) =>
+          robot.side === (team === 14 ? "home" : "away") &&
+          robot.player === player &&
+          near(robot.x, x) &&
+          near(robot.y, y),
+      ),
+    );
   assert.ok(truths.some(isAt), text);
 
   // foresight-sim plays from it, and checks it once it has a metric
@@ -61,7 +70,13 @@ test("the moment of a recorded game at the playhead is saved, played from and ch
   const game = JSON.parse(await simulator("match", "--from", saved, ...kShort, "--seconds", "5", "--json"));
   assert.deepEqual(game.score, [moment.score.home, moment.score.away]);
   await simulator("situation", saved, ...kShort, "--rollouts", "4", "--seconds", "5");
-  const check = { rules: kShort[1], seconds: 5, seeds: 4, metrics: { touch: "our touch" }, events: ["at 1 s: penalise 5/2"] };
+  const check = {
+    rules: kShort[1],
+    seconds: 5,
+    seeds: 4,
+    metrics: { touch: "our touch" },
+    events: ["at 1 s: penalise 5/2"],
+  };
   writeFileSync(saved, JSON.stringify({ ...moment, check }));
   assert.match(await simulator("check", saved), /touch/);
   assert.deepEqual(problems, []);

@@ -27,17 +27,32 @@ test("the Foxglove client sees every robot's objects, decisions 30 times a secon
 
   const messages = new Map();
   const topicOf = new Map();
-  client.on("message", ({ subscriptionId, timestamp, data }) => messages.get(topicOf.get(subscriptionId)).push({ log_ns: timestamp, data: Buffer.from(data.buffer, data.byteOffset, data.byteLength) }));
+  client.on("message", ({ subscriptionId, timestamp, data }) =>
+    messages
+      .get(topicOf.get(subscriptionId))
+      .push({ log_ns: timestamp, data: Buffer.from(data.buffer, data.byteOffset, data.byteLength) }),
+  );
   for (const topic of ["/truth/world", "/5/3/decision", "/14/2/pose", "/sim/state"]) {
     messages.set(topic, []);
     topicOf.set(client.subscribe(channels.get(topic).id), topic);
   }
-  await until(() => [...messages.values()].every((list) => list.length >= 60), "two seconds of them", undefined, () => [...messages.values()].map((list) => list.length));
+  await until(
+    () => [...messages.values()].every((list) => list.length >= 60),
+    "two seconds of them",
+    undefined,
+    () => [...messages.values()].map((list) => list.length),
+  );
 
   // most of two seconds' times are a tick apart; a busy machine may skip some, for a while
   const even = () => {
-    const times = messages.get("/truth/world").slice(-60).map(({ log_ns }) => log_ns);
-    return times.slice(1).filter((time, i) => time - times[i] >= 33_333_000n && time - times[i] <= 33_334_000n).length / (times.length - 1);
+    const times = messages
+      .get("/truth/world")
+      .slice(-60)
+      .map(({ log_ns }) => log_ns);
+    return (
+      times.slice(1).filter((time, i) => time - times[i] >= 33_333_000n && time - times[i] <= 33_334_000n).length /
+      (times.length - 1)
+    );
   };
   await until(() => even() > 0.8, "four of five times are 1/30 s apart", undefined, even);
 
@@ -48,12 +63,27 @@ test("the Foxglove client sees every robot's objects, decisions 30 times a secon
   assert.equal(last("/truth/world").robots.length, 8);
   assert.equal(last("/5/3/decision").strategy, "baseline");
   const state = last("/sim/state");
-  assert.deepEqual([state.seed, state.rules, state.home.number, state.away.number, state.field.length], ["7", "spl2012", 14, 5, 6]);
+  assert.deepEqual(
+    [state.seed, state.rules, state.home.number, state.away.number, state.field.length],
+    ["7", "spl2012", 14, 5, 6],
+  );
   assert.deepEqual((await statusOf(server)).robots, ["14/2"]);
 });
 
 test("the services control the game, and memory shows it", async (t) => {
-  const server = await simulated(t, "--seed", "7", "--side", "away", "--player", "3", "--team", "21", "--opponent", "9");
+  const server = await simulated(
+    t,
+    "--seed",
+    "7",
+    "--side",
+    "away",
+    "--player",
+    "3",
+    "--team",
+    "21",
+    "--opponent",
+    "9",
+  );
   const live = await Live.open(t, server);
   await live.subscribe("/sim/state", "/truth/world", "/21/3/ball");
   const shown = async (what, holds) => {
@@ -75,14 +105,21 @@ test("the services control the game, and memory shows it", async (t) => {
     await live.call("/sim/seed", { seed });
     const { tick } = await live.call("/sim/step", { ticks: 300 });
     await shown("the last step", (state) => Number(state.seed) === seed && state.tick === tick);
-    await live.until(() => live.messages.get("/truth/world").at(-1).log_ns === live.messages.get("/sim/state").at(-1).log_ns, "its truth");
+    await live.until(
+      () => live.messages.get("/truth/world").at(-1).log_ns === live.messages.get("/sim/state").at(-1).log_ns,
+      "its truth",
+    );
     return live.decoded("/truth/world", live.messages.get("/truth/world").at(-1));
   };
   const first = await after(11);
   assert.notDeepEqual(await after(12), first);
   assert.deepEqual(await after(11), first);
 
-  const situation = { ball: { x: 1, y: 0.5 }, robots: [{ side: "home", player: 2, x: 0.8, y: 0.5 }], score: { home: 3, away: 1 } };
+  const situation = {
+    ball: { x: 1, y: 0.5 },
+    robots: [{ side: "home", player: 2, x: 0.8, y: 0.5 }],
+    score: { home: 3, away: 1 },
+  };
   const reset = await live.call("/sim/reset", { situation, seed: 5 });
   assert.deepEqual([reset.ok, reset.home.score, reset.away.score, reset.seed], [true, 3, 1, 5]);
 
@@ -121,7 +158,8 @@ test("a simulated game is recorded like any robot", async (t) => {
   assert.equal((await live.call("stop_recording")).ok, true);
   const [session] = await sessionsOf(server);
   const { topics } = readStreamed(await download(server, session.url));
-  for (const topic of ["/truth/world", "/sim/state", "/14/2/decision", "/5/1/pose"]) assert.ok(topics.get(topic)?.messages.length > 20, topic);
+  for (const topic of ["/truth/world", "/sim/state", "/14/2/decision", "/5/1/pose"])
+    assert.ok(topics.get(topic)?.messages.length > 20, topic);
 });
 
 test("an impossible game gives one sentence and status 2", async () => {

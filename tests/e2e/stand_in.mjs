@@ -27,13 +27,20 @@ export async function standIn(t, atEnd, folder, program) {
   const server = http.createServer((request, response) => {
     const file = fileOf(folder, request.url);
     if (file) {
-      response.writeHead(200, { "Content-Type": file.type, "Content-Security-Policy": policy, "Referrer-Policy": "no-referrer" });
+      response.writeHead(200, {
+        "Content-Type": file.type,
+        "Content-Security-Policy": policy,
+        "Referrer-Policy": "no-referrer",
+      });
       return response.end(file.bytes);
     }
-    const asked = http.request({ ...program, path: request.url, method: request.method, headers: request.headers, agent: false }, (answer) => {
-      response.writeHead(answer.statusCode, answer.headers);
-      answer.pipe(response);
-    });
+    const asked = http.request(
+      { ...program, path: request.url, method: request.method, headers: request.headers, agent: false },
+      (answer) => {
+        response.writeHead(answer.statusCode, answer.headers);
+        answer.pipe(response);
+      },
+    );
     asked.on("error", () => request.socket.destroy());
     request.pipe(asked);
   });
@@ -52,7 +59,10 @@ export async function standIn(t, atEnd, folder, program) {
       asked.pipe(socket);
       socket.pipe(asked);
     });
-    for (const [one, other] of [[asked, socket], [socket, asked]]) {
+    for (const [one, other] of [
+      [asked, socket],
+      [socket, asked],
+    ]) {
       one.on("error", () => other.destroy());
       one.on("close", () => other.destroy());
     }

@@ -20,7 +20,9 @@ export const bin = resolve(process.env.FORESIGHT_BIN ?? join(root, "build/dev/bi
 export const require = createRequire(join(root, "viewer-web/package.json"));
 
 /** The option of a test that needs real recordings. */
-export const needsData = { skip: process.env.FORESIGHT_DATA ? false : "FORESIGHT_DATA names no folder of real recordings" };
+export const needsData = {
+  skip: process.env.FORESIGHT_DATA ? false : "FORESIGHT_DATA names no folder of real recordings",
+};
 export const dataFile = (path) => join(process.env.FORESIGHT_DATA, path);
 
 const endings = new WeakMap(); // test -> actions
@@ -31,7 +33,10 @@ export function atEnd(t, action) {
     endings.set(t, []);
     t.after(async () => {
       const failures = [];
-      for (const ending of endings.get(t).reverse()) await Promise.resolve().then(ending).catch((error) => failures.push(error));
+      for (const ending of endings.get(t).reverse())
+        await Promise.resolve()
+          .then(ending)
+          .catch((error) => failures.push(error));
       if (failures.length > 0) throw failures[0];
     });
   }
@@ -39,7 +44,9 @@ export function atEnd(t, action) {
 }
 
 /** An IPv4 address of this machine that is not loopback, or undefined. A test with `needsNetwork` is skipped without it. */
-export const own = Object.values(networkInterfaces()).flat().find(({ family, internal }) => family === "IPv4" && !internal)?.address;
+export const own = Object.values(networkInterfaces())
+  .flat()
+  .find(({ family, internal }) => family === "IPv4" && !internal)?.address;
 export const needsNetwork = { skip: own ? false : "this machine has no address but loopback" };
 
 /** Makes a folder for this test and removes it afterwards. */
@@ -100,7 +107,16 @@ export const synthesize = (folder, { name = "synthetic", seconds = 2 } = {}) =>
 
 /** 33 s of a real Nao of 2009, as robot 14/2. */
 export const importReal = (folder) =>
-  made(join(folder, "real"), "import", "bhuman2009", dataFile("bhuman2009/logfile.log"), "--session", join(folder, "real"), "--robot", "14/2");
+  made(
+    join(folder, "real"),
+    "import",
+    "bhuman2009",
+    dataFile("bhuman2009/logfile.log"),
+    "--session",
+    join(folder, "real"),
+    "--robot",
+    "14/2",
+  );
 
 /**
  * Starts a program that serves, on a free port unless `args` name one, and waits for its address. It is stopped with the
@@ -137,11 +153,19 @@ export async function start(t, folder, command, ...args) {
     throw new Error(`${program} ended with status ${status}: ${server.output}`);
   });
   gone.catch(() => {});
-  const line = until(() => /^http:\/\/[\w.]+:(\d+)\/$/m.exec(server.output), `the address of ${program}`, kPatienceMs, () => server.output);
+  const line = until(
+    () => /^http:\/\/[\w.]+:(\d+)\/$/m.exec(server.output),
+    `the address of ${program}`,
+    kPatienceMs,
+    () => server.output,
+  );
   server.port = Number((await Promise.race([line, gone]))[1]);
   // the viewer inside the program, or a fresh build of it in front
   const viewer = process.env.FORESIGHT_VIEWER;
-  const address = args.includes("--bind") && args[args.indexOf("--bind") + 1] !== "0.0.0.0" ? args[args.indexOf("--bind") + 1] : "localhost";
+  const address =
+    args.includes("--bind") && args[args.indexOf("--bind") + 1] !== "0.0.0.0"
+      ? args[args.indexOf("--bind") + 1]
+      : "localhost";
   server.http = `http://${address}:${viewer ? await standIn(t, atEnd, resolve(viewer), { host: address, port: server.port }) : server.port}`;
   return server;
 }
@@ -160,7 +184,8 @@ export async function playGame(t) {
 }
 
 /** foresight-robot with the body of a recording; sessions go to `folder`/logs. */
-export const robot = (t, folder, session, ...args) => start(t, folder, "foresight-robot", "--body", "replay", "--session", session, ...args);
+export const robot = (t, folder, session, ...args) =>
+  start(t, folder, "foresight-robot", "--body", "replay", "--session", session, ...args);
 
 /** Sends one HTTP request as it is and follows no redirect: returns {status, headers, body}. `options` are those of http.request. */
 export function request(server, path, { address = "127.0.0.1", ...options } = {}) {
@@ -170,7 +195,9 @@ export function request(server, path, { address = "127.0.0.1", ...options } = {}
         const pieces = [];
         response.on("data", (piece) => pieces.push(piece));
         response.on("error", reject);
-        response.on("end", () => resolve({ status: response.statusCode, headers: response.headers, body: Buffer.concat(pieces) }));
+        response.on("end", () =>
+          resolve({ status: response.statusCode, headers: response.headers, body: Buffer.concat(pieces) }),
+        );
       });
       sent.on("error", reject);
       sent.end();

@@ -25,7 +25,10 @@ const at = (page) => BigInt(/[?&]at=(\d+)/.exec(page.url())?.[1] ?? 0);
 const footer = (page) => page.locator("footer");
 const isLive = (page) => footer(page).getByText("● live").waitFor();
 /** Returns a hash of the picture on a canvas. */
-const pictureOf = async (locator) => createHash("sha1").update(await locator.screenshot()).digest("hex");
+const pictureOf = async (locator) =>
+  createHash("sha1")
+    .update(await locator.screenshot())
+    .digest("hex");
 const field = (page) => page.getByLabel("The field from above");
 const paused = (page) => footer(page).getByRole("button", { name: "Go on" }).waitFor();
 /** Waits until the game has gone on for `seconds`; it plays 30 ticks a second. */
@@ -33,12 +36,20 @@ async function goneOn(live, seconds) {
   const { tick } = await live.call("/sim/state");
   await until(async () => (await live.call("/sim/state")).tick >= tick + 30 * seconds, `${seconds} s of the game`);
 }
-const row = (page, name) => page.getByRole("treeitem").filter({ has: page.locator(".name", { hasText: new RegExp(`^\\s*[▾▸]?${name}\\s*$`) }) }).first();
+const row = (page, name) =>
+  page
+    .getByRole("treeitem")
+    .filter({ has: page.locator(".name", { hasText: new RegExp(`^\\s*[▾▸]?${name}\\s*$`) }) })
+    .first();
 
 test("a page can be paused while the robot continues; its address leads to the same moment", async (t) => {
   const { server, live } = await playing(t);
   await live.subscribe("/truth/world", "/sim/state");
-  const { page, problems } = await open(t, `${server.http}/#/14/4/field?layers=truth,belief,error,uncertainty,view,intent,trail,names`, { colorScheme: "dark" });
+  const { page, problems } = await open(
+    t,
+    `${server.http}/#/14/4/field?layers=truth,belief,error,uncertainty,view,intent,trail,names`,
+    { colorScheme: "dark" },
+  );
   await field(page).waitFor();
   await isLive(page);
   await goneOn(live, 6); // the page's history is longer than the steps back below
@@ -79,7 +90,10 @@ test("a page can be paused while the robot continues; its address leads to the s
   await page.getByRole("searchbox").fill("sim/state tick");
   const then = live.messages.get("/sim/state").findLast(({ log_ns }) => log_ns <= shown);
   const { tick } = live.decoded("/sim/state", then);
-  await until(async () => Number(await row(page, "tick").locator(".value > span").first().textContent()) === tick, `tick ${tick} in the tree`);
+  await until(
+    async () => Number(await row(page, "tick").locator(".value > span").first().textContent()) === tick,
+    `tick ${tick} in the tree`,
+  );
 
   await page.getByRole("link", { name: "field", exact: true }).click();
   await shoot(page, "field-past");
@@ -116,7 +130,22 @@ test("a page shows several servers, added by address, and connects again to one 
   const { server } = await playing(t);
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 4 });
-  const replay = (...args) => start(t, folder, "foresight-robot", "--body", "replay", "--session", session, "--loop", "--team", "21", "--player", "3", ...args);
+  const replay = (...args) =>
+    start(
+      t,
+      folder,
+      "foresight-robot",
+      "--body",
+      "replay",
+      "--session",
+      session,
+      "--loop",
+      "--team",
+      "21",
+      "--player",
+      "3",
+      ...args,
+    );
   const other = await replay();
   const { page, problems } = await open(t, server.http, { breaksConnections: true });
   await isLive(page);
@@ -137,11 +166,24 @@ test("a page shows several servers, added by address, and connects again to one 
   await colleague.page.getByLabel("Robot", { exact: true }).getByText("Robot 21/3").waitFor({ state: "attached" });
 
   await page.getByRole("link", { name: "health", exact: true }).click();
-  const rate = async () => Number((await page.getByRole("row").filter({ has: page.getByRole("rowheader", { name: "joints", exact: true }) }).locator("td.number").first().textContent()).split(" ")[0]);
+  const rate = async () =>
+    Number(
+      (
+        await page
+          .getByRole("row")
+          .filter({ has: page.getByRole("rowheader", { name: "joints", exact: true }) })
+          .locator("td.number")
+          .first()
+          .textContent()
+      ).split(" ")[0],
+    );
   await until(async () => (await rate()) > 50, "joints of the other server");
   other.kill("SIGKILL");
   await within(other.ended, "the end");
-  await page.getByRole("alert").filter({ hasText: `Trying localhost:${other.port} again` }).waitFor();
+  await page
+    .getByRole("alert")
+    .filter({ hasText: `Trying localhost:${other.port} again` })
+    .waitFor();
   await replay("--port", String(other.port));
   const back = performance.now();
   await page.getByRole("alert").waitFor({ state: "detached" });
@@ -151,16 +193,27 @@ test("a page shows several servers, added by address, and connects again to one 
   await page.getByRole("button", { name: "Robots and servers" }).click();
   await page.getByRole("button", { name: `Stop watching localhost:${other.port}` }).click();
   await until(() => !page.url().includes("with="), "it is out of the address");
-  assert.deepEqual([...problems, ...colleague.problems].filter((text) => !/WebSocket|REFUSED/.test(text)), []);
+  assert.deepEqual(
+    [...problems, ...colleague.problems].filter((text) => !/WebSocket|REFUSED/.test(text)),
+    [],
+  );
 });
 
-for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)).server], ["a recorded game", playGame]])
+for (const [what, serve] of [
+  ["a simulated game", async (t) => (await playing(t)).server],
+  ["a recorded game", playGame],
+])
   test(`field, plot and decision show ${what}`, async (t) => {
     const server = await serve(t);
     const { page, problems } = await open(t, `${server.http}/#/14/2/field`);
     const name = what.replaceAll(" ", "-");
     await field(page).waitFor();
-    await until(async () => (await page.title()).includes("14/2"), "the robot", undefined, () => page.title());
+    await until(
+      async () => (await page.title()).includes("14/2"),
+      "the robot",
+      undefined,
+      () => page.title(),
+    );
 
     // the field: layers change it, hovering shows details
     const empty = async () => (await page.getByText(/is at x|believes x/).count()) === 0;
@@ -182,19 +235,30 @@ for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)
     // plot: by search, and by dragging from the tree
     await page.getByRole("link", { name: "plot", exact: true }).click();
     await page.getByLabel("Add a number").fill("pose truth");
-    await page.getByRole("list", { name: "Numbers that fit" }).getByRole("button", { name: "/14/2/pose~truth" }).click();
+    await page
+      .getByRole("list", { name: "Numbers that fit" })
+      .getByRole("button", { name: "/14/2/pose~truth" })
+      .click();
     await page.waitForURL(/plot=\/14\/2\/pose~truth/);
     await row(page, "pose").click();
     const number = row(page, "y");
     await number.dragTo(page.getByLabel("Plot", { exact: true }).last());
     await page.getByRole("list", { name: "Lines" }).getByText("/14/2/pose.y").waitFor();
     await page.getByLabel("Add a number").hover(); // at the pointer's time there may be no value yet
-    await until(async () => /\d m/.test(await page.getByRole("list", { name: "Lines" }).locator("li").nth(1).textContent()), "a value with its unit");
-    await until(async () => {
-      const plane = await page.locator("canvas[aria-label=Plot]").boundingBox();
-      await page.mouse.click(plane.x + plane.width - 60, plane.y + 100);
-      return until(() => at(page) > 0n, "a moment after this click", 3000).catch(() => false);
-    }, "the moment under the pointer", undefined, () => page.url());
+    await until(
+      async () => /\d m/.test(await page.getByRole("list", { name: "Lines" }).locator("li").nth(1).textContent()),
+      "a value with its unit",
+    );
+    await until(
+      async () => {
+        const plane = await page.locator("canvas[aria-label=Plot]").boundingBox();
+        await page.mouse.click(plane.x + plane.width - 60, plane.y + 100);
+        return until(() => at(page) > 0n, "a moment after this click", 3000).catch(() => false);
+      },
+      "the moment under the pointer",
+      undefined,
+      () => page.url(),
+    );
     await paused(page);
     await shoot(page, `plot-${name}`);
     await page.keyboard.press(serve === playGame ? " " : "End");
@@ -206,7 +270,11 @@ for (const [what, serve] of [["a simulated game", async (t) => (await playing(t)
     await until(async () => (await tree.locator("li.leaf").count()) > 0, "a leaf");
     await page.keyboard.press(" ");
     await tree.locator("li .name").last().click();
-    await page.getByRole("status").filter({ hasText: /hold|on the taken path|decision reached/ }).first().waitFor();
+    await page
+      .getByRole("status")
+      .filter({ hasText: /hold|on the taken path|decision reached/ })
+      .first()
+      .waitFor();
     await shoot(page, `decision-${name}`);
     assert.deepEqual(problems, []);
   });
@@ -220,7 +288,14 @@ test("? lists the keys, numbers open views, and typing in a field triggers no ke
   await shoot(page, "keys");
   await page.keyboard.press("Escape");
   await page.getByRole("dialog", { name: "Keys" }).waitFor({ state: "detached" });
-  for (const [key, view] of [["7", "Health"], ["6", "What-if"], ["5", "Decision"], ["8", "Log"], ["4", "Plot"], ["3", "Objects"]]) {
+  for (const [key, view] of [
+    ["7", "Health"],
+    ["6", "What-if"],
+    ["5", "Decision"],
+    ["8", "Log"],
+    ["4", "Plot"],
+    ["3", "Objects"],
+  ]) {
     await page.keyboard.press(key);
     await page.getByRole("region", { name: view, exact: true }).waitFor();
   }
@@ -235,7 +310,8 @@ test("? lists the keys, numbers open views, and typing in a field triggers no ke
   await page.getByRole("region", { name: "Field", exact: true }).waitFor();
   // a setting that changes before the page hears of a link that was followed
   await page.evaluate(() => {
-    const named = (selector, name) => [...document.querySelectorAll(selector)].find(({ textContent }) => textContent.trim() === name);
+    const named = (selector, name) =>
+      [...document.querySelectorAll(selector)].find(({ textContent }) => textContent.trim() === name);
     const layer = named("button", "names");
     named("nav a", "objects").click();
     layer.click();
@@ -255,10 +331,21 @@ test("? lists the keys, numbers open views, and typing in a field triggers no ke
 test("a phone shows field and health of a game, dark and light", async (t) => {
   const { server } = await playing(t);
   for (const colorScheme of ["dark", "light"]) {
-    const { page, problems } = await open(t, `${server.http}/#/14/2/field`, { viewport: kPhone, hasTouch: true, isMobile: true, deviceScaleFactor: 2, colorScheme });
+    const { page, problems } = await open(t, `${server.http}/#/14/2/field`, {
+      viewport: kPhone,
+      hasTouch: true,
+      isMobile: true,
+      deviceScaleFactor: 2,
+      colorScheme,
+    });
     await isLive(page);
     let box;
-    await until(async () => (box = await field(page).boundingBox()) && box.height > 1.2 * box.width, "the field stands upright", undefined, () => box);
+    await until(
+      async () => (box = await field(page).boundingBox()) && box.height > 1.2 * box.width,
+      "the field stands upright",
+      undefined,
+      () => box,
+    );
     await shoot(page, `phone-field-${colorScheme}`);
     await page.getByRole("button", { name: "Layers" }).tap();
     await page.getByRole("button", { name: "everyone" }).tap();
@@ -275,8 +362,13 @@ test("the first load takes at most 150 kB, and a game of eight robots is drawn w
   const { server } = await playing(t);
   const { page, problems } = await open(t, "about:blank");
   const bodies = [];
-  page.on("response", (response) => response.url().startsWith(server.http) && bodies.push(response.body().catch(() => Buffer.alloc(0))));
-  await page.goto(`${server.http}/#/14/2/field?layers=truth,belief,error,uncertainty,view,intent,team,trail,names,everyone`);
+  page.on(
+    "response",
+    (response) => response.url().startsWith(server.http) && bodies.push(response.body().catch(() => Buffer.alloc(0))),
+  );
+  await page.goto(
+    `${server.http}/#/14/2/field?layers=truth,belief,error,uncertainty,view,intent,team,trail,names,everyone`,
+  );
   await isLive(page);
   const sizes = (await Promise.all(bodies)).map((body) => gzipSync(body, { level: 9 }).length);
   const total = sizes.reduce((sum, size) => sum + size, 0);
@@ -289,11 +381,24 @@ test("the first load takes at most 150 kB, and a game of eight robots is drawn w
     return [0.5, 0.95].map((share) => 1000 / frames[Math.floor(share * frames.length)]);
   };
   let median, p95;
-  await until(async () => ([median, p95] = await rates()) && median > 25, "more than 25 frames/s", undefined, () => median);
+  await until(
+    async () => ([median, p95] = await rates()) && median > 25,
+    "more than 25 frames/s",
+    undefined,
+    () => median,
+  );
   t.diagnostic(`all layers of eight robots: ${median.toFixed(0)} frames/s median, ${p95.toFixed(0)} at p95`);
 
   await page.getByRole("link", { name: "health", exact: true }).click();
-  const age = async () => /^(\d+) ms$/.exec(await page.getByRole("row").filter({ has: page.getByRole("rowheader", { name: "pose", exact: true }) }).locator("td").nth(2).textContent())?.[1];
+  const age = async () =>
+    /^(\d+) ms$/.exec(
+      await page
+        .getByRole("row")
+        .filter({ has: page.getByRole("rowheader", { name: "pose", exact: true }) })
+        .locator("td")
+        .nth(2)
+        .textContent(),
+    )?.[1];
   const sorted = async () => {
     const ages = [];
     for (let i = 0; i < 20; ++i) {
@@ -304,7 +409,12 @@ test("the first load takes at most 150 kB, and a game of eight robots is drawn w
     return ages.sort((a, b) => a - b);
   };
   let ages;
-  await until(async () => (ages = await sorted())[10] < 500, "a median age below 500 ms", undefined, () => ages);
+  await until(
+    async () => (ages = await sorted())[10] < 500,
+    "a median age below 500 ms",
+    undefined,
+    () => ages,
+  );
   t.diagnostic(`age of a pose: median ${ages[10]} ms, p95 ${ages.at(-2)} ms`);
   assert.deepEqual(problems, []);
 });

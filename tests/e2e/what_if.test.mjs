@@ -18,7 +18,8 @@ function questionsOf(page) {
     socket.on("framesent", ({ payload }) => {
       const text = Buffer.from(payload).toString("latin1");
       const at = text.indexOf('{"robot"');
-      if (at >= 0 && text.includes('"budget_ms"')) questions.push(JSON.parse(Buffer.from(payload).subarray(at).toString()));
+      if (at >= 0 && text.includes('"budget_ms"'))
+        questions.push(JSON.parse(Buffer.from(payload).subarray(at).toString()));
     }),
   );
   return questions;
@@ -30,7 +31,11 @@ async function ask(t, server, address = "#/14/2/what-if", options = {}) {
   const questions = questionsOf(opened.page);
   await opened.page.goto(`${server.http}/${address}${address.includes("?") ? "" : `?${kUsual}`}`);
   // the button, or the reason why there is none
-  await opened.page.getByRole("button", { name: "▶ Ask" }).or(opened.page.getByText("offers no service")).first().waitFor();
+  await opened.page
+    .getByRole("button", { name: "▶ Ask" })
+    .or(opened.page.getByText("offers no service"))
+    .first()
+    .waitFor();
   return { ...opened, questions };
 }
 
@@ -48,17 +53,25 @@ while True:
 
 const strategies = (page) => page.getByRole("list", { name: "Strategies" });
 const advice = (page) => page.getByRole("status", { name: "Advice" });
-const row = (page, name) => strategies(page).getByRole("listitem").filter({ has: page.locator(".name").getByText(name, { exact: true }) });
+const row = (page, name) =>
+  strategies(page)
+    .getByRole("listitem")
+    .filter({ has: page.locator(".name").getByText(name, { exact: true }) });
 const situation = (page) => page.getByLabel("The situation from above");
 const settled = (page) => page.getByRole("button", { name: "▶ Ask" }).waitFor();
 
 /** Where a place of the field [m] is on the screen: the whole carpet of 2012 fits into the canvas, with all robots beyond it. */
 async function onScreen(page, things, { x, y }) {
   const box = await situation(page).boundingBox();
-  const border = Math.min(2, Math.max(0.71, ...things.map((robot) => Math.max(Math.abs(robot.x) - 3, Math.abs(robot.y) - 2) + 0.3)));
+  const border = Math.min(
+    2,
+    Math.max(0.71, ...things.map((robot) => Math.max(Math.abs(robot.x) - 3, Math.abs(robot.y) - 2) + 0.3)),
+  );
   const [length, width] = [6 + 2 * border, 4 + 2 * border];
   const upright = box.height > 1.15 * box.width;
-  const scale = upright ? Math.min(box.height / length, box.width / width) : Math.min(box.width / length, box.height / width);
+  const scale = upright
+    ? Math.min(box.height / length, box.width / width)
+    : Math.min(box.width / length, box.height / width);
   const [right, up] = upright ? [-y, x] : [x, y];
   return { x: box.x + box.width / 2 + scale * right, y: box.y + box.height / 2 - scale * up };
 }
@@ -89,11 +102,22 @@ test("Enter asks; the answer has advice and a row for each strategy; arrow keys 
   await page.keyboard.press("Enter");
   await page.getByRole("progressbar", { name: "Time to the answer" }).waitFor();
   await page.getByText("Your question").waitFor();
-  await advice(page).getByText(/^(Keep|Change to|No advice)/).waitFor();
+  await advice(page)
+    .getByText(/^(Keep|Change to|No advice)/)
+    .waitFor();
   const { forecast } = await live.call(kService, { budget_ms: 10 });
   const names = forecast.strategies.map(({ strategy }) => strategy);
   assert.equal(await strategies(page).getByRole("listitem").count(), names.length);
-  assert.deepEqual(questions, [{ robot: "14/2", measure: "goal_difference", until: "horizon", horizon: 10, budget_ms: 200, ...(questions[0].strategies && { strategies: questions[0].strategies }) }]);
+  assert.deepEqual(questions, [
+    {
+      robot: "14/2",
+      measure: "goal_difference",
+      until: "horizon",
+      horizon: 10,
+      budget_ms: 200,
+      ...(questions[0].strategies && { strategies: questions[0].strategies }),
+    },
+  ]);
   assert.equal(await strategies(page).getByText("plays now").count(), 1);
   assert.equal(await row(page, names[0]).getByText("compared with").count(), 1);
 
@@ -113,10 +137,20 @@ test("Enter asks; the answer has advice and a row for each strategy; arrow keys 
   await until(() => questions.length === 2, "the second question");
   assert.deepEqual(
     { ...questions[1] },
-    { robot: "14/2", strategies: names.filter((name) => name !== names[2]), measure: "concede", until: "half", horizon: 10, budget_ms: 200 },
+    {
+      robot: "14/2",
+      strategies: names.filter((name) => name !== names[2]),
+      measure: "concede",
+      until: "half",
+      horizon: 10,
+      budget_ms: 200,
+    },
   );
   await settled(page);
-  await until(async () => (await strategies(page).getByRole("listitem").count()) === names.length - 1, "one strategy less");
+  await until(
+    async () => (await strategies(page).getByRole("listitem").count()) === names.length - 1,
+    "one strategy less",
+  );
   await page.waitForURL(/by:concede\/until:half/);
   await page.getByText(/left: to the end of the half, [\d:]+.*, by not conceding next/).waitFor();
   await page.keyboard.press("Escape");
@@ -136,12 +170,24 @@ test("the team's strategy comes from memory for every comparison; the advice com
   assert.deepEqual(questions[0].strategies, [other, plays]);
   assert.equal(await row(page, other).getByText("plays now").count(), 0);
   assert.equal(await row(page, other).getByText("compared with").count(), 1);
-  await advice(page).getByText(/^(Nothing clearly beats|No advice)|beats/).first().waitFor();
-  assert.equal(await advice(page).getByText(/^(Keep|Change to)/).count(), 0);
+  await advice(page)
+    .getByText(/^(Nothing clearly beats|No advice)|beats/)
+    .first()
+    .waitFor();
+  assert.equal(
+    await advice(page)
+      .getByText(/^(Keep|Change to)/)
+      .count(),
+    0,
+  );
 
   // an edited score or time makes the answer's rollouts stale
   const stale = page.getByText("as foreseen before the edit");
-  for (const [label, value] of [["Own goals", "3"], ["Their goals", "2"], ["Seconds left of the half", "20"]]) {
+  for (const [label, value] of [
+    ["Own goals", "3"],
+    ["Their goals", "2"],
+    ["Seconds left of the half", "20"],
+  ]) {
     assert.equal(await stale.count(), 0, label);
     await page.getByLabel(label).fill(value);
     await stale.waitFor();
@@ -185,7 +231,9 @@ test("a robot that does not know the ball refuses, until the question says where
   const folder = temporaryFolder(t);
   const door = join(folder, "door");
   const server = await start(t, folder, "foresight-robot", "--body", "attached", "--door", door);
-  const team = spawn("python3", ["-c", kTeamWithoutBall, door], { env: { ...process.env, PYTHONPATH: join(root, "robot/client"), PYTHONDONTWRITEBYTECODE: "1" } });
+  const team = spawn("python3", ["-c", kTeamWithoutBall, door], {
+    env: { ...process.env, PYTHONPATH: join(root, "robot/client"), PYTHONDONTWRITEBYTECODE: "1" },
+  });
   atEnd(t, () => team.kill());
   const { page, problems, questions } = await ask(t, server);
   const things = page.getByLabel("Ball or robot to place");
@@ -230,7 +278,9 @@ test("ball and robots can be dragged, turned and put back; changes go into the q
 
   // an opponent, by numbers to a free place, and turned by the wheel
   const opponent = robots.find(({ side }) => side === "opponent");
-  const free = [-1.5, 0, 1.5].flatMap((y) => [2, 1, 0, -1].map((x) => ({ x, y }))).find((place) => robots.every((one) => !near(one, place, 0.6)));
+  const free = [-1.5, 0, 1.5]
+    .flatMap((y) => [2, 1, 0, -1].map((x) => ({ x, y })))
+    .find((place) => robots.every((one) => !near(one, place, 0.6)));
   await page.getByLabel("Ball or robot to place").selectOption(`opponent ${opponent.player}`);
   await page.getByLabel("x, m").fill(String(free.x));
   await page.getByLabel("x, m").blur();
@@ -245,7 +295,10 @@ test("ball and robots can be dragged, turned and put back; changes go into the q
   await until(() => questions.length === 3, "the third question");
   const { edit } = questions[2];
   assert.deepEqual([edit.own_score, edit.seconds_remaining, edit.robots.length], [1, 90, 1]);
-  assert.deepEqual([edit.robots[0].side, edit.robots[0].player, edit.robots[0].x, edit.robots[0].y], ["opponent", opponent.player, free.x, free.y]);
+  assert.deepEqual(
+    [edit.robots[0].side, edit.robots[0].player, edit.robots[0].x, edit.robots[0].y],
+    ["opponent", opponent.player, free.x, free.y],
+  );
   assert.notEqual(edit.robots[0].heading, Math.round(1000 * opponent.heading) / 1000);
   await settled(page);
   await shoot(page, "what-if-edited");
@@ -267,9 +320,16 @@ test("ball and robots can be dragged, turned and put back; changes go into the q
 
 test("the page shows the sentence of a refusal, and a strategy that the robot does not offer can be removed", async (t) => {
   const { server } = await pausedGame(t);
-  const { page, problems, questions } = await ask(t, server, "#/14/2/what-if?ask=play:%253Cimg%2520src%253Dx%253E,baseline/in:100");
+  const { page, problems, questions } = await ask(
+    t,
+    server,
+    "#/14/2/what-if?ask=play:%253Cimg%2520src%253Dx%253E,baseline/in:100",
+  );
   await page.keyboard.press("Enter");
-  await page.getByRole("alert").getByText(/^⚠ no strategy "<img src=x>"/).waitFor();
+  await page
+    .getByRole("alert")
+    .getByText(/^⚠ no strategy "<img src=x>"/)
+    .waitFor();
   assert.equal(await page.locator("section img").count(), 0);
   await shoot(page, "what-if-refused");
 
@@ -341,7 +401,10 @@ test("forecasts are listed and follow the page's time; the field can show them a
   await page.waitForURL(/at=\d+/);
   await page.getByText("Forecast of 14/2").waitFor();
   await page.getByText("The robot answers from now, not from the moment that is shown.").waitFor();
-  await until(async () => !(await isMarked()) && (await page.locator("li[aria-current]").count()) === 1, "another one held then");
+  await until(
+    async () => !(await isMarked()) && (await page.locator("li[aria-current]").count()) === 1,
+    "another one held then",
+  );
 
   await page.getByRole("link", { name: "field", exact: true }).click();
   const layer = page.getByRole("group", { name: "Layers" }).getByRole("button", { name: "forecast" });
@@ -355,7 +418,13 @@ test("forecasts are listed and follow the page's time; the field can show them a
 test("on a phone the situation is upright and can be moved by finger; the page scrolls beside it", async (t) => {
   const { server, live } = await pausedGame(t);
   for (const colorScheme of ["dark", "light"]) {
-    const { page, problems, questions } = await ask(t, server, undefined, { viewport: kPhone, hasTouch: true, isMobile: true, deviceScaleFactor: 2, colorScheme });
+    const { page, problems, questions } = await ask(t, server, undefined, {
+      viewport: kPhone,
+      hasTouch: true,
+      isMobile: true,
+      deviceScaleFactor: 2,
+      colorScheme,
+    });
     await tapToAsk(page, questions);
     await page.getByText("Your question").waitFor();
     const { ball, robots } = (await live.call(kService, { budget_ms: 10 })).forecast.situation;
@@ -376,7 +445,16 @@ test("the page reports a server without foresight", async (t) => {
   const folder = temporaryFolder(t);
   const { status, stderr } = await run("foresight-lab", "synthesize", join(folder, "session"), "--seconds", "2");
   assert.equal(status, 0, stderr);
-  const server = await start(t, folder, "foresight-robot", "--body", "replay", "--session", join(folder, "session"), "--loop");
+  const server = await start(
+    t,
+    folder,
+    "foresight-robot",
+    "--body",
+    "replay",
+    "--session",
+    join(folder, "session"),
+    "--loop",
+  );
   const live = await Live.open(t, server);
   const { page, problems } = await ask(t, server, "#/14/2/what-if");
   if (!live.services.has(kService)) await page.getByText("offers no service").waitFor();

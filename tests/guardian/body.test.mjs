@@ -19,7 +19,18 @@ async function open(t, objects, ...args) {
 async function join(t, world, objects, ...args) {
   const folder = temporaryFolder(t);
   const door = `${folder}/door`;
-  const server = await start(t, folder, "foresight-robot", "--body", "nao", "--guardian", world.link, "--door", door, ...args);
+  const server = await start(
+    t,
+    folder,
+    "foresight-robot",
+    "--body",
+    "nao",
+    "--guardian",
+    world.link,
+    "--door",
+    door,
+    ...args,
+  );
   const live = await Live.open(t, server);
   await live.until(() => live.channels.has("/14/2/joints"), "the channels");
   await live.subscribe(...objects.map((object) => `/14/2/${object}`));
@@ -44,7 +55,10 @@ def go():
 threading.Thread(target=go, daemon=True).start()
 for line in sys.stdin: newest = bytes.fromhex(line.strip())
 `;
-  const child = spawn("python3", ["-c", program], { stdio: ["pipe", "inherit", "inherit"], env: { ...process.env, FORESIGHT_DOOR: door, PYTHONPATH: `${root}/robot/client` } });
+  const child = spawn("python3", ["-c", program], {
+    stdio: ["pipe", "inherit", "inherit"],
+    env: { ...process.env, FORESIGHT_DOOR: door, PYTHONPATH: `${root}/robot/client` },
+  });
   atEnd(t, () => child.kill("SIGKILL"));
   return (hex) => child.stdin.write(`${hex}\n`);
 }
@@ -69,7 +83,16 @@ const freePort = async () => {
 
 describe("body nao", { concurrency: 4 }, () => {
   test("LoLA's values are in memory, with the robot's identity", async (t) => {
-    const { world, live, newest } = await open(t, ["joints", "inertial", "fsr", "touch", "battery", "sonar", "body", "motion_status"]);
+    const { world, live, newest } = await open(t, [
+      "joints",
+      "inertial",
+      "fsr",
+      "touch",
+      "battery",
+      "sonar",
+      "body",
+      "motion_status",
+    ]);
     for (const object of ["joints", "inertial", "fsr", "touch", "battery", "sonar", "body", "motion_status"])
       await live.until(() => newest(object), object);
     assert.equal(newest("joints").position.length, 25);
@@ -90,8 +113,13 @@ describe("body nao", { concurrency: 4 }, () => {
     await world.play();
     const command = commander(t, door);
     command(kHead(0.8, 0.1));
-    const there = live.until(() => Math.abs(newest("joints").position[0] - 0.8) < 0.01 && Math.abs(newest("joints").position[1] - 0.1) < 0.01, "the head is there");
-    await there.catch((error) => assert.fail(`${error.message}: ${JSON.stringify(newest("body"))} ${JSON.stringify(newest("motion_status"))}`));
+    const there = live.until(
+      () => Math.abs(newest("joints").position[0] - 0.8) < 0.01 && Math.abs(newest("joints").position[1] - 0.1) < 0.01,
+      "the head is there",
+    );
+    await there.catch((error) =>
+      assert.fail(`${error.message}: ${JSON.stringify(newest("body"))} ${JSON.stringify(newest("motion_status"))}`),
+    );
     command(kWalk);
     await live.until(() => newest("body").refused === "body nao does not walk yet: it stands", "the refusal");
     command(kSit);
@@ -128,7 +156,16 @@ describe("body nao", { concurrency: 4 }, () => {
     server.kill("SIGKILL");
     await server.ended;
     const port = await freePort();
-    const again = await join(t, world, ["body", "game"], "--game-controller", "--game-port", String(port), "--port", "0");
+    const again = await join(
+      t,
+      world,
+      ["body", "game"],
+      "--game-controller",
+      "--game-port",
+      String(port),
+      "--port",
+      "0",
+    );
     await again.live.until(() => again.newest("body")?.reason.includes("waits for the GameController"), "it waits");
     // it holds, unless the start took so long on a busy machine that the guardian has sat it down
     if ((await world.state()).stiffness <= 0.8) await world.untilSeated();
@@ -150,8 +187,21 @@ describe("body nao", { concurrency: 4 }, () => {
     await world.startGuardian();
     await world.until(() => world.guardian.errors.includes("it serves one program"), "it is taken");
     const folder = temporaryFolder(t);
-    const server = await start(t, folder, "foresight-robot", "--body", "nao", "--guardian", world.link, "--door", `${folder}/door`);
-    assert.match(server.output, new RegExp(`LoLA at .* belongs to foresight-guard \\(process ${first.pid}\\).*going on as body attached`));
+    const server = await start(
+      t,
+      folder,
+      "foresight-robot",
+      "--body",
+      "nao",
+      "--guardian",
+      world.link,
+      "--door",
+      `${folder}/door`,
+    );
+    assert.match(
+      server.output,
+      new RegExp(`LoLA at .* belongs to foresight-guard \\(process ${first.pid}\\).*going on as body attached`),
+    );
     assert.equal((await statusOf(server)).body, "attached");
   });
 
@@ -171,7 +221,10 @@ function playingPacket() {
   bytes.write("RGme");
   bytes.set([18, 1, 5, 0, 0, 0, 3, 0, 1, 14], 4);
   bytes.writeInt16LE(600, 14);
-  for (const [at, team] of [[18, 14], [68, 5]]) {
+  for (const [at, team] of [
+    [18, 14],
+    [68, 5],
+  ]) {
     bytes[at] = team;
     bytes.writeUInt16LE(1200, at + 8);
   }

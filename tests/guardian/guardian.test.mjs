@@ -131,7 +131,10 @@ describe("the guardian", { concurrency: 6 }, () => {
     await world.untilStanding();
 
     // two halves make no frame, and a too large frame is refused as well
-    for (const [kind, sentence] of [["short", /LoLA: expected|LoLA: \w+: expected/], ["huge", /LoLA: expected/]]) {
+    for (const [kind, sentence] of [
+      ["short", /LoLA: expected|LoLA: \w+: expected/],
+      ["huge", /LoLA: expected/],
+    ]) {
       const told = world.guardian.errors.length;
       world.happen(kind);
       await world.until(() => sentence.test(world.guardian.errors.slice(told)), "it is named");
@@ -179,7 +182,10 @@ describe("the guardian", { concurrency: 6 }, () => {
     await world.startGuardian();
     const { status, stderr } = await run("foresight-guardian", "--lola", world.lola, "--link", world.link);
     assert.equal(status, 2);
-    assert.equal(stderr, `foresight-guardian: guardian: expected nobody to listen at ${world.link}, another guardian does; end it, or choose another --link\n`);
+    assert.equal(
+      stderr,
+      `foresight-guardian: guardian: expected nobody to listen at ${world.link}, another guardian does; end it, or choose another --link\n`,
+    );
   });
 
   test("it sits the robot down before it ends, and reports whether it may be replaced", async (t) => {

@@ -97,12 +97,16 @@ export class World {
   }
 
   untilDoing = (mode, doing) =>
-    until(() => this.runtime.said().mode === mode && this.runtime.said().doing === doing, `the guardian is ${mode}, ${doing}`);
+    until(
+      () => this.runtime.said().mode === mode && this.runtime.said().doing === doing,
+      `the guardian is ${mode}, ${doing}`,
+    );
   untilStanding = () => this.until((state) => state.stiffness > 0.8 && state.knee < 0.85, "it stands");
   untilSeated = () => this.until((state) => state.stiffness === 0 && state.knee > 2, "it sits and is soft");
 
   /** Waits for a sentence of the guardian with `part`, and returns it. */
-  untilSaid = (part) => until(() => this.guardian.errors.includes(part), `the guardian says '${part}'; it said ${this.guardian.errors}`);
+  untilSaid = (part) =>
+    until(() => this.guardian.errors.includes(part), `the guardian says '${part}'; it said ${this.guardian.errors}`);
 
   ended = (process) => within(process.ended, "the end of a process");
 }

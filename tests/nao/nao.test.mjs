@@ -27,12 +27,14 @@ async function serves(t, folder, command) {
 
   const [session] = await sessionsOf(server);
   const { topics } = readStreamed(await download(server, session.url));
-  for (const topic of ["/truth/world", "/14/2/decision", "/5/1/pose"]) assert.ok(topics.get(topic)?.messages.length >= 30, topic);
+  for (const topic of ["/truth/world", "/14/2/decision", "/5/1/pose"])
+    assert.ok(topics.get(topic)?.messages.length >= 30, topic);
   assert.equal((await server.stop()).status, 0);
 }
 
 /** Returns words that run a program with an empty folder as its root. */
-const inEmptyRoot = (folder) => (process.getuid() === 0 ? ["chroot", folder] : ["unshare", "--map-root-user", "chroot", folder]);
+const inEmptyRoot = (folder) =>
+  process.getuid() === 0 ? ["chroot", folder] : ["unshare", "--map-root-user", "chroot", folder];
 
 const canEmptyRoot = () => {
   try {
@@ -50,7 +52,10 @@ for (const preset of chosen) {
   test(`${preset}: one file of ${kMostProgram_mb} MB at most, static, stripped`, (t) => {
     const { bits, size_bytes, isStatic, isStripped } = readElf(program);
     t.diagnostic(`${(size_bytes / 1e6).toFixed(2)} MB`);
-    assert.deepEqual({ bits, isStatic, isStripped }, { bits: preset === "nao-v6" ? 64 : 32, isStatic: true, isStripped: true });
+    assert.deepEqual(
+      { bits, isStatic, isStripped },
+      { bits: preset === "nao-v6" ? 64 : 32, isStatic: true, isStripped: true },
+    );
     assert.ok(size_bytes <= kMostProgram_mb * 1e6, `${size_bytes} bytes`);
   });
 
@@ -58,28 +63,48 @@ for (const preset of chosen) {
     await serves(t, temporaryFolder(t), [...emulator, program]);
   });
 
-  test(`${preset}: it needs no files of the system`, { ...needsMovbe, ...(needsMovbe.skip ? {} : canEmptyRoot()) }, async (t) => {
-    const folder = temporaryFolder(t);
-    for (const name of ["bin", "tmp"]) mkdirSync(join(folder, name));
-    copyFileSync(program, join(folder, "bin/foresight-robot"));
-    await serves(t, "/tmp", [...inEmptyRoot(folder), "/bin/foresight-robot"]);
-  });
+  test(
+    `${preset}: it needs no files of the system`,
+    { ...needsMovbe, ...(needsMovbe.skip ? {} : canEmptyRoot()) },
+    async (t) => {
+      const folder = temporaryFolder(t);
+      for (const name of ["bin", "tmp"]) mkdirSync(join(folder, name));
+      copyFileSync(program, join(folder, "bin/foresight-robot"));
+      await serves(t, "/tmp", [...inEmptyRoot(folder), "/bin/foresight-robot"]);
+    },
+  );
 
   test(`${preset}: a kernel as old as Linux ${kernel} is new enough`, needsMovbe, async (t) => {
     await serves(t, temporaryFolder(t), [join(bin, "old_kernel"), kernel, program]);
   });
 
-  test(`${preset}: ${kMostMemory_mb} MB of memory at most, with pictures watched and recorded`, needsMovbe, async (t) => {
-    const folder = temporaryFolder(t);
-    const session = await recordPictures(folder, await synthesize(folder, { seconds: 1 }), 0.5);
-    const server = await start(t, folder, program, "--body", "replay", "--session", session, "--record", "--profile", "full", "--loop");
-    const live = await Live.open(t, server);
-    const pictures = ["/14/2/camera_top/raw", "/14/2/camera_bottom/jpeg"];
-    await live.until(() => pictures.every((topic) => live.channels.has(topic)), "the channels");
-    await live.subscribe(...pictures);
-    await until(() => pictures.every((topic) => live.messages.get(topic).length >= 20), "pictures");
-    const { now, most } = memoryOf(server.pid);
-    t.diagnostic(`${now.toFixed(1)} MB, ${most.toFixed(1)} MB at most`);
-    assert.ok(most <= kMostMemory_mb, `${most} MB`);
-  });
+  test(
+    `${preset}: ${kMostMemory_mb} MB of memory at most, with pictures watched and recorded`,
+    needsMovbe,
+    async (t) => {
+      const folder = temporaryFolder(t);
+      const session = await recordPictures(folder, await synthesize(folder, { seconds: 1 }), 0.5);
+      const server = await start(
+        t,
+        folder,
+        program,
+        "--body",
+        "replay",
+        "--session",
+        session,
+        "--record",
+        "--profile",
+        "full",
+        "--loop",
+      );
+      const live = await Live.open(t, server);
+      const pictures = ["/14/2/camera_top/raw", "/14/2/camera_bottom/jpeg"];
+      await live.until(() => pictures.every((topic) => live.channels.has(topic)), "the channels");
+      await live.subscribe(...pictures);
+      await until(() => pictures.every((topic) => live.messages.get(topic).length >= 20), "pictures");
+      const { now, most } = memoryOf(server.pid);
+      t.diagnostic(`${now.toFixed(1)} MB, ${most.toFixed(1)} MB at most`);
+      assert.ok(most <= kMostMemory_mb, `${most} MB`);
+    },
+  );
 }

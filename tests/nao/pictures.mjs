@@ -3,7 +3,10 @@ import { renameSync } from "node:fs";
 import { join } from "node:path";
 import { readSession, writeSession } from "../e2e/mcap.mjs";
 
-const kWidth = 640, kHeight = 480, kHz = 30, kYuyv = 1; // as in proto/foresight/camera.proto
+const kWidth = 640,
+  kHeight = 480,
+  kHz = 30,
+  kYuyv = 1; // as in proto/foresight/camera.proto
 const kBegin_ns = 1_800_000_000_000_000_000n;
 
 function varint(number) {
@@ -19,7 +22,10 @@ function image(frame) {
     noise = (noise * 75 + 74) % 65537;
     data[i] = i % 2 ? 128 : ((i >> 3) + 5 * frame + (noise & 15)) & 255;
   }
-  return Buffer.concat([Buffer.from([0x08, kYuyv, 0x10, ...varint(kWidth), 0x18, ...varint(kHeight), 0x22, ...varint(data.length)]), data]);
+  return Buffer.concat([
+    Buffer.from([0x08, kYuyv, 0x10, ...varint(kWidth), 0x18, ...varint(kHeight), 0x22, ...varint(data.length)]),
+    data,
+  ]);
 }
 
 /** Writes `seconds` of them as robot 14/2 into `folder`/pictures; the schema is that of the recording `like`. */
@@ -30,7 +36,8 @@ export async function recordPictures(folder, like, seconds) {
     logTime: kBegin_ns + BigInt(Math.round((frame * 1e9) / kHz)),
     data: image(frame),
   }));
-  const write = (place, camera) => writeSession(place, { name: "pictures", topic: `/14/2/${camera}`, schema, messages });
+  const write = (place, camera) =>
+    writeSession(place, { name: "pictures", topic: `/14/2/${camera}`, schema, messages });
   await write(session, "camera_top");
   await write(join(folder, "bottom"), "camera_bottom");
   renameSync(join(folder, "bottom/stream.mcap"), join(session, "bottom.mcap"));

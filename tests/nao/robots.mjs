@@ -13,15 +13,22 @@ export const robots = { "nao-v6": silvermont, "nao-v5": bonnell, "nao-v4": bonne
 /** The robots whose builds are tested. */
 export const chosen = (process.env.FORESIGHT_NAO ?? "nao-v6").split(" ");
 for (const preset of chosen)
-  if (!(preset in robots)) throw new Error(`FORESIGHT_NAO: expected ${Object.keys(robots).join(", ")}, got '${preset}'`);
+  if (!(preset in robots))
+    throw new Error(`FORESIGHT_NAO: expected ${Object.keys(robots).join(", ")}, got '${preset}'`);
 
 /** Returns the path of the program that was built for that robot. */
 export const built = (preset, program = "foresight-robot") => join(root, "build", preset, "bin", program);
 
 /** Option of a test that runs what was built for a Nao on this machine, at full speed. */
-export const needsMovbe = { skip: / movbe /.test(readFileSync("/proc/cpuinfo", "utf8")) ? false : "this processor lacks MOVBE, which the Naos' have" };
+export const needsMovbe = {
+  skip: / movbe /.test(readFileSync("/proc/cpuinfo", "utf8"))
+    ? false
+    : "this processor lacks MOVBE, which the Naos' have",
+};
 
-const kInterpreter = 3, kDynamic = 2, kSymbols = 2;
+const kInterpreter = 3,
+  kDynamic = 2,
+  kSymbols = 2;
 
 /** Reads an ELF file: its word size, whether it needs shared libraries, whether it has symbols. */
 export function readElf(file) {

@@ -61,7 +61,17 @@ export interface Beliefs {
 }
 
 /** The objects that are read. */
-export const kBeliefs = ["pose", "ball", "game", "team", "opponents", "motion_command", "camera_top_matrix", "joints", "decision"];
+export const kBeliefs = [
+  "pose",
+  "ball",
+  "game",
+  "team",
+  "opponents",
+  "motion_command",
+  "camera_top_matrix",
+  "joints",
+  "decision",
+];
 
 const kForgotten = 10; // [s] an older belief is not shown
 const kHalfView = 0.53; // [rad] of the Nao's cameras, 61° in all (Aldebaran's documentation); a camera matrix has precedence
@@ -100,14 +110,22 @@ export function beliefsOf(memory: Memory, name: RobotName, now: number): Beliefs
 export function inField(fields: Fields, turned: boolean): Pose | undefined {
   const point = pointOf(fields);
   const sign = turned ? -1 : 1;
-  return point && { x: sign * point.x, y: sign * point.y, heading: numberOf(fields, "heading") + (turned ? Math.PI : 0) };
+  return (
+    point && { x: sign * point.x, y: sign * point.y, heading: numberOf(fields, "heading") + (turned ? Math.PI : 0) }
+  );
 }
 
 function poseOf(fields: Fields, age: number | undefined, turned: boolean): PoseBelief | undefined {
   const pose = inField(fields, turned);
   if (!pose || age === undefined || age > kForgotten) return undefined;
   const [a, b] = [numberOf(fields, "deviation_x") || 0, numberOf(fields, "deviation_y") || 0];
-  return { ...pose, age, deviation: Math.max(a, b), uncertainty: { a, b, angle: 0 }, headingDeviation: numberOf(fields, "deviation_heading") || 0 };
+  return {
+    ...pose,
+    age,
+    deviation: Math.max(a, b),
+    uncertainty: { a, b, angle: 0 },
+    headingDeviation: numberOf(fields, "deviation_heading") || 0,
+  };
 }
 
 /** Converts a point from the robot's own frame. */
@@ -137,10 +155,18 @@ function ballOf(object: MemoryObject | undefined, pose: Pose, writtenAge: number
 
 /** Returns the half axes of a covariance, turned with the robot. Without a covariance it is a circle of `deviation`. */
 export function ellipseOf(fields: Fields, deviation: number, heading: number): Ellipse {
-  const [xx, xy, yy] = ["xx", "xy", "yy"].map((name) => numberOf(fields, `covariance_${name}`)) as [number, number, number];
+  const [xx, xy, yy] = ["xx", "xy", "yy"].map((name) => numberOf(fields, `covariance_${name}`)) as [
+    number,
+    number,
+    number,
+  ];
   if (!(xx > 0 && yy > 0) || !Number.isFinite(xy)) return { a: deviation, b: deviation, angle: 0 };
   const [mean, half] = [(xx + yy) / 2, Math.hypot((xx - yy) / 2, xy)];
-  return { a: Math.sqrt(mean + half), b: Math.sqrt(Math.max(0, mean - half)), angle: heading + Math.atan2(2 * xy, xx - yy) / 2 };
+  return {
+    a: Math.sqrt(mean + half),
+    b: Math.sqrt(Math.max(0, mean - half)),
+    angle: heading + Math.atan2(2 * xy, xx - yy) / 2,
+  };
 }
 
 function teammatesOf(object: MemoryObject | undefined, turned: boolean): Teammate[] {
@@ -150,11 +176,17 @@ function teammatesOf(object: MemoryObject | undefined, turned: boolean): Teammat
     const received_ns = mate.get("received_ns");
     if (!pose || told_ns === undefined || typeof received_ns !== "bigint") return [];
     const age = Number(told_ns - received_ns) / 1e9;
-    return age > 3 * kForgotten ? [] : [{ ...pose, player: numberOf(mate, "player"), fallen: mate.get("fallen") === true, age }];
+    return age > 3 * kForgotten
+      ? []
+      : [{ ...pose, player: numberOf(mate, "player"), fallen: mate.get("fallen") === true, age }];
   });
 }
 
-function opponentsOf(object: MemoryObject | undefined, writtenAge: number | undefined, turned: boolean): OpponentBelief[] {
+function opponentsOf(
+  object: MemoryObject | undefined,
+  writtenAge: number | undefined,
+  turned: boolean,
+): OpponentBelief[] {
   const told_ns = object?.shown?.log_ns;
   return listOf(valueOf(object), "opponents").flatMap((opponent) => {
     const place = inField(opponent, turned);
@@ -162,14 +194,25 @@ function opponentsOf(object: MemoryObject | undefined, writtenAge: number | unde
     if (!place || told_ns === undefined || typeof seen_ns !== "bigint") return [];
     const age = Number(told_ns - seen_ns) / 1e9 + (writtenAge ?? 0);
     const player = numberOf(opponent, "player");
-    return age > 3 * kForgotten ? [] : [{ x: place.x, y: place.y, player: Number.isFinite(player) ? player : undefined, deviation: numberOf(opponent, "deviation") || 0, age }];
+    return age > 3 * kForgotten
+      ? []
+      : [
+          {
+            x: place.x,
+            y: place.y,
+            player: Number.isFinite(player) ? player : undefined,
+            deviation: numberOf(opponent, "deviation") || 0,
+            age,
+          },
+        ];
   });
 }
 
 /** Returns the camera's direction: from its matrix, else from the measured head joints, else from the commanded ones. */
 function viewOf(joints: Fields, command: Fields, camera: Fields, pose: Pose): Beliefs["view"] {
   const bearing = ({ x, y }: Point) => Math.atan2(y, x);
-  const entry = (list: Value, index: number) => (Array.isArray(list) && typeof list[index] === "number" ? list[index] : NaN);
+  const entry = (list: Value, index: number) =>
+    Array.isArray(list) && typeof list[index] === "number" ? list[index] : NaN;
   const place = pointOf(fieldsOf(command, "look_to"));
   const yaw = [
     bearing({ x: entry(camera.get("rotation"), 2), y: entry(camera.get("rotation"), 5) }), // the optical axis
@@ -180,7 +223,10 @@ function viewOf(joints: Fields, command: Fields, camera: Fields, pose: Pose): Be
   if (yaw === undefined) return undefined;
   const [width, focal] = [numberOf(camera, "width"), numberOf(camera, "focal_x")];
   // the head turns at most 119.5°
-  return { angle: pose.heading + Math.max(-2.09, Math.min(2.09, yaw)), half: width > 0 && focal > 0 ? Math.atan(width / (2 * focal)) : kHalfView };
+  return {
+    angle: pose.heading + Math.max(-2.09, Math.min(2.09, yaw)),
+    half: width > 0 && focal > 0 ? Math.atan(width / (2 * focal)) : kHalfView,
+  };
 }
 
 function targetOf(walkTo: Fields, pose: Pose): Pose | undefined {

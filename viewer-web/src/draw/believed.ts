@@ -15,14 +15,22 @@ export function believedBy(memory: Memory, robot: RobotName, now: number): Situa
   // the beliefs are in `field`; the half turn is its own inverse
   const turned = valueOf(memory.get(`/${robot}/game`)).get("attacks_positive_x") === false;
   const back = ({ x, y }: Place): Place => (turned ? { x: -x, y: -y } : { x, y });
-  const body = (side: Body["side"], player: number, at: Place & { heading: number }, deviation: number): Body => ({ side, player, ...back(at), heading: at.heading - (turned ? Math.PI : 0), deviation });
+  const body = (side: Body["side"], player: number, at: Place & { heading: number }, deviation: number): Body => ({
+    side,
+    player,
+    ...back(at),
+    heading: at.heading - (turned ? Math.PI : 0),
+    deviation,
+  });
   const shared = pointOf(fieldsOf(valueOf(memory.get(`/${robot}/team`)), "shared_ball"));
   return {
     ball: ball ? { ...back(ball), deviation: ball.deviation || 0 } : shared && { ...shared, deviation: 0 },
     bodies: [
       ...(pose ? [body("own", Number(robot.split("/")[1]), pose, pose.deviation)] : []),
       ...teammates.map((mate) => body("own", mate.player, mate, 0)),
-      ...opponents.flatMap(({ player, deviation, ...at }) => (player ? [body("opponent", player, { ...at, heading: turned ? 0 : Math.PI }, deviation)] : [])),
+      ...opponents.flatMap(({ player, deviation, ...at }) =>
+        player ? [body("opponent", player, { ...at, heading: turned ? 0 : Math.PI }, deviation)] : [],
+      ),
     ],
   };
 }

@@ -3,10 +3,33 @@
 
 import type { Path } from "../memory/forecast";
 import type { BallBelief, Beliefs, Pose, PoseBelief } from "./beliefs";
-import { drawField, fillCircle, fillEllipse, fillSector, strokeArrow, strokeCircle, strokeEllipse, strokeLine, strokePath, toScreen } from "./field";
+import {
+  drawField,
+  fillCircle,
+  fillEllipse,
+  fillSector,
+  strokeArrow,
+  strokeCircle,
+  strokeEllipse,
+  strokeLine,
+  strokePath,
+  toScreen,
+} from "./field";
 import type { Camera, Field, Pen, Point } from "./field";
 import { drawPaths } from "./futures";
-import { ahead, drawFallen, drawNumber, drawOutlined, drawWord, fillBody, kBright, kInk, kRobotRadius, strokeBody, strokeHeading } from "./robot_sign";
+import {
+  ahead,
+  drawFallen,
+  drawNumber,
+  drawOutlined,
+  drawWord,
+  fillBody,
+  kBright,
+  kInk,
+  kRobotRadius,
+  strokeBody,
+  strokeHeading,
+} from "./robot_sign";
 import type { Robot, Scene } from "./scene";
 
 export const kLayers = {
@@ -24,7 +47,16 @@ export const kLayers = {
   everyone: "all this for every robot, not only the chosen one",
 };
 export type Layer = keyof typeof kLayers;
-export const kUsualLayers: Layer[] = ["truth", "belief", "error", "uncertainty", "view", "intent", "opponents", "trail"];
+export const kUsualLayers: Layer[] = [
+  "truth",
+  "belief",
+  "error",
+  "uncertainty",
+  "view",
+  "intent",
+  "opponents",
+  "trail",
+];
 
 /** In the frame `field`. */
 export interface Foreseen {
@@ -52,22 +84,36 @@ export const freshness = (age: number): number => Math.min(1, Math.max(0.15, 1 -
 /** The chosen robot's beliefs are white, to contrast with the bodies. */
 const inkOf = ({ livery }: Robot, front: boolean): string => (front ? kBright : livery.colour);
 
-export function drawScene(pen: Pen, camera: Camera, scene: Scene, { field, chosen, layers, trails, foreseen }: Drawing): void {
+export function drawScene(
+  pen: Pen,
+  camera: Camera,
+  scene: Scene,
+  { field, chosen, layers, trails, foreseen }: Drawing,
+): void {
   const isFront = ({ key }: Robot) => key === chosen;
   const inOrder = [...scene.robots].sort((a, b) => Number(isFront(a)) - Number(isFront(b)));
   const detailed = inOrder.filter((robot) => isFront(robot) || layers.has("everyone"));
   const when = (layer: Layer, draw: () => void) => layers.has(layer) && draw();
 
   drawField(pen, camera, field);
-  when("forecast", () => foreseen && drawPaths(pen, camera, foreseen.paths, { strength: 0.45, colour: foreseen.colour }));
+  when(
+    "forecast",
+    () => foreseen && drawPaths(pen, camera, foreseen.paths, { strength: 0.45, colour: foreseen.colour }),
+  );
   when("view", () => detailed.forEach((robot) => drawView(pen, camera, robot)));
   when("trail", () => drawTrails(pen, camera, scene, trails));
-  when("belief", () => inOrder.filter((robot) => !detailed.includes(robot)).forEach((robot) => drawFaintBeliefs(pen, camera, robot)));
+  when("belief", () =>
+    inOrder.filter((robot) => !detailed.includes(robot)).forEach((robot) => drawFaintBeliefs(pen, camera, robot)),
+  );
   when("team", () => detailed.forEach((robot) => drawTeammates(pen, camera, robot)));
   when("opponents", () => detailed.forEach((robot) => drawOpponents(pen, camera, robot)));
-  when("truth", () => scene.robots.forEach((robot) => robot.truth && drawRobot(pen, camera, robot, robot.truth, isFront(robot))));
+  when("truth", () =>
+    scene.robots.forEach((robot) => robot.truth && drawRobot(pen, camera, robot, robot.truth, isFront(robot))),
+  );
   when("truth", () => scene.ball && drawBall(pen, camera, scene.ball));
-  when("error", () => detailed.forEach((robot) => drawErrors(pen, camera, robot, scene, layers.has("belief") && layers.has("truth"))));
+  when("error", () =>
+    detailed.forEach((robot) => drawErrors(pen, camera, robot, scene, layers.has("belief") && layers.has("truth"))),
+  );
   when("uncertainty", () => detailed.forEach((robot) => drawUncertainty(pen, camera, robot, isFront(robot))));
   when("belief", () => detailed.forEach((robot) => drawBeliefs(pen, camera, robot, isFront(robot))));
   when("intent", () => detailed.forEach((robot) => drawIntent(pen, camera, robot, isFront(robot))));
@@ -186,7 +232,13 @@ function drawIntent(pen: Pen, camera: Camera, robot: Robot, front: boolean): voi
     style(pen, inkOf(robot, front), 1.5, 0.8);
     dashed(pen, () => strokeLine(pen, camera, pose, target));
     const arm = 0.07;
-    for (const side of [-1, 1]) strokeLine(pen, camera, { x: target.x - arm, y: target.y - side * arm }, { x: target.x + arm, y: target.y + side * arm });
+    for (const side of [-1, 1])
+      strokeLine(
+        pen,
+        camera,
+        { x: target.x - arm, y: target.y - side * arm },
+        { x: target.x + arm, y: target.y + side * arm },
+      );
     strokeLine(pen, camera, target, ahead(target, 0.2));
   }
   if (kick) {
@@ -212,7 +264,13 @@ function drawOpponents(pen: Pen, camera: Camera, { opponents, rivals }: Robot): 
   for (const opponent of opponents) {
     style(pen, rivals.colour, 2, 0.9 * freshness(opponent.age / 3));
     const arm = 0.6 * kRobotRadius;
-    for (const side of [-1, 1]) strokeLine(pen, camera, { x: opponent.x - arm, y: opponent.y - side * arm }, { x: opponent.x + arm, y: opponent.y + side * arm });
+    for (const side of [-1, 1])
+      strokeLine(
+        pen,
+        camera,
+        { x: opponent.x - arm, y: opponent.y - side * arm },
+        { x: opponent.x + arm, y: opponent.y + side * arm },
+      );
     style(pen, rivals.colour, 1.5, pen.globalAlpha);
     dashed(pen, () => strokeCircle(pen, camera, opponent, Math.max(kRobotRadius, opponent.deviation)));
     if (opponent.player !== undefined) drawWord(pen, camera, String(opponent.player), beside(opponent), rivals.colour);
@@ -225,7 +283,10 @@ function drawTrails(pen: Pen, camera: Camera, { robots }: Scene, trails: Drawing
     const robot = robots.find((robot) => robot.key === key);
     const colour = kind === "truth" && robot ? robot.livery.colour : kBright;
     for (let part = 0; part < kParts; ++part) {
-      const piece = points.slice(Math.floor((part * (points.length - 1)) / kParts), Math.floor(((part + 1) * (points.length - 1)) / kParts) + 1);
+      const piece = points.slice(
+        Math.floor((part * (points.length - 1)) / kParts),
+        Math.floor(((part + 1) * (points.length - 1)) / kParts) + 1,
+      );
       if (piece.length < 2) continue;
       style(pen, colour, kind === "ball" ? 2 : 1.5, (kind === "belief" ? 0.5 : 0.75) * ((part + 1) / kParts));
       if (kind === "belief") dashed(pen, () => strokePath(pen, camera, piece));
@@ -239,7 +300,10 @@ function drawName(pen: Pen, camera: Camera, robot: Robot, front: boolean): void 
   const words = wordsOf(robot);
   if (!at || !words) return;
   pen.globalAlpha = front ? 1 : 0.85;
-  drawOutlined(pen, toScreen(camera, at), camera.scale * kRobotRadius * 1.8 + 8, words, { colour: front ? kBright : "#dfe9e2", weight: front ? 600 : 400 });
+  drawOutlined(pen, toScreen(camera, at), camera.scale * kRobotRadius * 1.8 + 8, words, {
+    colour: front ? kBright : "#dfe9e2",
+    weight: front ? 600 : 400,
+  });
 }
 
 const wordsOf = ({ role, skill }: Beliefs): string => [role, skill.replaceAll("_", " ")].filter(Boolean).join(" · ");

@@ -6,7 +6,12 @@ import { boxOf, testPen } from "./test_pen";
 const kField = kFields["spl2012"]!;
 test("a point converted to the screen and back is the same point", () => {
   const camera = cameraFor(kField, 900, 600);
-  for (const [x, y] of [[0, 0], [3, -2], [-3.7, 2.7], [0.1, 5]] as const) {
+  for (const [x, y] of [
+    [0, 0],
+    [3, -2],
+    [-3.7, 2.7],
+    [0.1, 5],
+  ] as const) {
     const back = toField(camera, toScreen(camera, { x, y }));
     expect(back.x).toBeCloseTo(x, 9);
     expect(back.y).toBeCloseTo(y, 9);
@@ -22,7 +27,11 @@ test("y is up, x to the right, and a metre has one length in both directions", (
 });
 
 test("the whole carpet is on the canvas, whatever its shape, and touches two of its sides", () => {
-  for (const [width, height] of [[900, 600], [300, 1200], [2000, 200]] as const) {
+  for (const [width, height] of [
+    [900, 600],
+    [300, 1200],
+    [2000, 200],
+  ] as const) {
     const pen = testPen();
     drawField(pen, cameraFor(kField, width, height), kField);
     const box = boxOf(pen);
@@ -34,9 +43,17 @@ test("the whole carpet is on the canvas, whatever its shape, and touches two of 
 test("the field is drawn symmetrically", () => {
   const pen = testPen();
   drawField(pen, { scale: 100, centreX: 0, centreY: 0 }, { ...kField, penaltyAreaLength: 1.65, penaltyAreaWidth: 4 });
-  const points = pen.points.map(({ x, y }) => [x, y].map((value) => value.toFixed(6).replace("-0.000000", "0.000000")).join());
-  for (const [flipX, flipY] of [[-1, 1], [1, -1], [-1, -1]] as const) {
-    const flipped = pen.points.map(({ x, y }) => [flipX * x, flipY * y].map((value) => value.toFixed(6).replace("-0.000000", "0.000000")).join());
+  const points = pen.points.map(({ x, y }) =>
+    [x, y].map((value) => value.toFixed(6).replace("-0.000000", "0.000000")).join(),
+  );
+  for (const [flipX, flipY] of [
+    [-1, 1],
+    [1, -1],
+    [-1, -1],
+  ] as const) {
+    const flipped = pen.points.map(({ x, y }) =>
+      [flipX * x, flipY * y].map((value) => value.toFixed(6).replace("-0.000000", "0.000000")).join(),
+    );
     expect(new Set(flipped)).toEqual(new Set(points));
   }
 });
@@ -45,6 +62,8 @@ test("the fields to choose from are those of the simulator's rules", () => {
   for (const [name, field] of Object.entries(kFields)) {
     const rules = JSON.parse(readFileSync(new URL(`../../../sim/data/rules/${name}.json`, import.meta.url), "utf8"));
     for (const [key, value] of Object.entries(field))
-      expect(rules.field[key.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`)].value, `${name} ${key}`).toBe(value);
+      expect(rules.field[key.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`)].value, `${name} ${key}`).toBe(
+        value,
+      );
   }
 });

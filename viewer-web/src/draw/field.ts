@@ -20,24 +20,71 @@ export interface Field {
 /** Equal to sim/data/rules; a test compares them. */
 export const kFields: Record<string, Field> = {
   spl2012: {
-    length: 6, width: 4, border: 0.71, lineWidth: 0.05, centreCircleRadius: 0.6, goalAreaLength: 0.6, goalAreaWidth: 2.2,
-    penaltyAreaLength: 0, penaltyAreaWidth: 0, penaltyMark: 1.3, goalWidth: 1.4, goalDepth: 0.4,
+    length: 6,
+    width: 4,
+    border: 0.71,
+    lineWidth: 0.05,
+    centreCircleRadius: 0.6,
+    goalAreaLength: 0.6,
+    goalAreaWidth: 2.2,
+    penaltyAreaLength: 0,
+    penaltyAreaWidth: 0,
+    penaltyMark: 1.3,
+    goalWidth: 1.4,
+    goalDepth: 0.4,
   },
   spl2025: {
-    length: 9, width: 6, border: 0.7, lineWidth: 0.05, centreCircleRadius: 0.75, goalAreaLength: 0.6, goalAreaWidth: 2.2,
-    penaltyAreaLength: 1.65, penaltyAreaWidth: 4, penaltyMark: 1.3, goalWidth: 1.6, goalDepth: 0.5,
+    length: 9,
+    width: 6,
+    border: 0.7,
+    lineWidth: 0.05,
+    centreCircleRadius: 0.75,
+    goalAreaLength: 0.6,
+    goalAreaWidth: 2.2,
+    penaltyAreaLength: 1.65,
+    penaltyAreaWidth: 4,
+    penaltyMark: 1.3,
+    goalWidth: 1.6,
+    goalDepth: 0.5,
   },
   hsl2026: {
-    length: 8.95, width: 5.95, border: 1.025, lineWidth: 0.05, centreCircleRadius: 0.725, goalAreaLength: 0.95, goalAreaWidth: 2.95,
-    penaltyAreaLength: 1.95, penaltyAreaWidth: 3.95, penaltyMark: 1.475, goalWidth: 1.9, goalDepth: 0.48,
+    length: 8.95,
+    width: 5.95,
+    border: 1.025,
+    lineWidth: 0.05,
+    centreCircleRadius: 0.725,
+    goalAreaLength: 0.95,
+    goalAreaWidth: 2.95,
+    penaltyAreaLength: 1.95,
+    penaltyAreaWidth: 3.95,
+    penaltyMark: 1.475,
+    goalWidth: 1.9,
+    goalDepth: 0.48,
   },
 };
 
 /** The part of a canvas' context that the drawing uses, so that tests can replace it. */
 export type Pen = Pick<
   CanvasRenderingContext2D,
-  | "fillStyle" | "strokeStyle" | "lineWidth" | "globalAlpha" | "font" | "textAlign" | "textBaseline"
-  | "beginPath" | "moveTo" | "lineTo" | "closePath" | "arc" | "ellipse" | "fill" | "stroke" | "fillRect" | "strokeRect" | "fillText" | "setLineDash"
+  | "fillStyle"
+  | "strokeStyle"
+  | "lineWidth"
+  | "globalAlpha"
+  | "font"
+  | "textAlign"
+  | "textBaseline"
+  | "beginPath"
+  | "moveTo"
+  | "lineTo"
+  | "closePath"
+  | "arc"
+  | "ellipse"
+  | "fill"
+  | "stroke"
+  | "fillRect"
+  | "strokeRect"
+  | "fillText"
+  | "setLineDash"
 >;
 
 /** The conversion from metres to pixels: x to the right, y up, then turned. */
@@ -82,9 +129,16 @@ const kLine = "#e8efe9";
 
 export function drawField(pen: Pen, camera: Camera, field: Field): void {
   const { length, width, border } = field;
-  const [one, other] = [-1, 1].map((side) => toScreen(camera, { x: side * (length / 2 + border), y: side * (width / 2 + border) }));
+  const [one, other] = [-1, 1].map((side) =>
+    toScreen(camera, { x: side * (length / 2 + border), y: side * (width / 2 + border) }),
+  );
   pen.fillStyle = kCarpet;
-  pen.fillRect(Math.min(one!.x, other!.x), Math.min(one!.y, other!.y), Math.abs(other!.x - one!.x), Math.abs(other!.y - one!.y));
+  pen.fillRect(
+    Math.min(one!.x, other!.x),
+    Math.min(one!.y, other!.y),
+    Math.abs(other!.x - one!.x),
+    Math.abs(other!.y - one!.y),
+  );
 
   pen.strokeStyle = kLine;
   pen.lineWidth = Math.max(1, camera.scale * field.lineWidth);
@@ -134,12 +188,18 @@ function trace(pen: Pen, camera: Camera, points: Point[]): void {
   });
 }
 
-export const strokeLine = (pen: Pen, camera: Camera, from: Point, to: Point): void => strokePath(pen, camera, [from, to]);
+export const strokeLine = (pen: Pen, camera: Camera, from: Point, to: Point): void =>
+  strokePath(pen, camera, [from, to]);
 
 /** Draws a box. `corner` has the smallest x and the greatest y. */
 function strokeBox(pen: Pen, camera: Camera, corner: Point, length: number, width: number): void {
   const [one, other] = [toScreen(camera, corner), toScreen(camera, { x: corner.x + length, y: corner.y - width })];
-  pen.strokeRect(Math.min(one.x, other.x), Math.min(one.y, other.y), Math.abs(other.x - one.x), Math.abs(other.y - one.y));
+  pen.strokeRect(
+    Math.min(one.x, other.x),
+    Math.min(one.y, other.y),
+    Math.abs(other.x - one.x),
+    Math.abs(other.y - one.y),
+  );
 }
 
 export function strokeCircle(pen: Pen, camera: Camera, centre: Point, radius: number): void {
@@ -185,11 +245,27 @@ export function fillEllipse(pen: Pen, camera: Camera, centre: Point, size: Ellip
 function ellipse(pen: Pen, camera: Camera, centre: Point, { a, b, angle }: Ellipse): void {
   const { x, y } = toScreen(camera, centre);
   pen.beginPath();
-  pen.ellipse(x, y, Math.max(1, camera.scale * a), Math.max(1, camera.scale * b), toCanvasAngle(camera, angle), 0, 2 * Math.PI);
+  pen.ellipse(
+    x,
+    y,
+    Math.max(1, camera.scale * a),
+    Math.max(1, camera.scale * b),
+    toCanvasAngle(camera, angle),
+    0,
+    2 * Math.PI,
+  );
 }
 
 /** Fills the sector within `half` [rad] of a direction, up to `radius` [m]. */
-export function fillSector(pen: Pen, camera: Camera, from: Point, angle: number, half: number, radius: number, style: string): void {
+export function fillSector(
+  pen: Pen,
+  camera: Camera,
+  from: Point,
+  angle: number,
+  half: number,
+  radius: number,
+  style: string,
+): void {
   const { x, y } = toScreen(camera, from);
   const middle = toCanvasAngle(camera, angle);
   pen.fillStyle = style;
@@ -204,7 +280,10 @@ export function fillSector(pen: Pen, camera: Camera, from: Point, angle: number,
 export function strokeArrow(pen: Pen, camera: Camera, from: Point, to: Point, head = 0.08): void {
   const [length, angle] = [Math.hypot(to.x - from.x, to.y - from.y), Math.atan2(to.y - from.y, to.x - from.x)];
   if (!(length > 0)) return;
-  const barb = (side: number): Point => ({ x: to.x - head * Math.cos(angle + side * 0.5), y: to.y - head * Math.sin(angle + side * 0.5) });
+  const barb = (side: number): Point => ({
+    x: to.x - head * Math.cos(angle + side * 0.5),
+    y: to.y - head * Math.sin(angle + side * 0.5),
+  });
   strokeLine(pen, camera, from, to);
   strokePath(pen, camera, [barb(-1), to, barb(1)]);
 }

@@ -16,25 +16,60 @@ const kSituation: Situation = {
     { side: "opponent", player: 2, x: 1.2, y: 0.5, heading: 0, deviation: 0 },
   ],
 };
-const kPath: Path = { spacing: 0.5, ball: [{ x: 0, y: 0 }, { x: 1, y: 0 }, { x: 1, y: 2 }], robots: [{ player: 2, points: [{ x: -1, y: 0 }, { x: -1, y: 1 }] }] };
+const kPath: Path = {
+  spacing: 0.5,
+  ball: [
+    { x: 0, y: 0 },
+    { x: 1, y: 0 },
+    { x: 1, y: 2 },
+  ],
+  robots: [
+    {
+      player: 2,
+      points: [
+        { x: -1, y: 0 },
+        { x: -1, y: 1 },
+      ],
+    },
+  ],
+};
 const kSides = { own: kLiveries.home, opponent: kLiveries.away };
 const drawn = (more: Partial<Foreseen>) => {
   const pen = testPen();
-  drawForeseen(pen, kCamera, { field: kField, liveries: kSides, believed: kSituation, edit: kNoEdit, heat: undefined, paths: [], at: 0, held: undefined, stale: false, ...more });
+  drawForeseen(pen, kCamera, {
+    field: kField,
+    liveries: kSides,
+    believed: kSituation,
+    edit: kNoEdit,
+    heat: undefined,
+    paths: [],
+    at: 0,
+    held: undefined,
+    stale: false,
+    ...more,
+  });
   return pen;
 };
 
 test("both sides look as on the field, also when the robot that foresees plays away", () => {
   for (const liveries of [kSides, { own: kLiveries.away, opponent: kLiveries.home }]) {
     const pen = drawn({ liveries });
-    const disc = toScreen(kCamera, kSituation.bodies.find(({ side }) => liveries[side].shape === "disc")!);
-    expect(pen.circles.filter(({ filled, radius }) => filled && radius === 15)).toMatchObject([{ ...disc, style: kLiveries.home.colour }]);
+    const disc = toScreen(
+      kCamera,
+      kSituation.bodies.find(({ side }) => liveries[side].shape === "disc")!,
+    );
+    expect(pen.circles.filter(({ filled, radius }) => filled && radius === 15)).toMatchObject([
+      { ...disc, style: kLiveries.home.colour },
+    ]);
     expect(pen.polygons.map(({ style }) => style)).toEqual([kLiveries.away.colour]);
   }
 });
 
 test("deviations are circles of their size, and certain things have none", () => {
-  const radii = (x: number, y: number) => drawn({}).circles.filter((circle) => !circle.filled && circle.x === x && circle.y === y).map(({ radius }) => Math.round(radius));
+  const radii = (x: number, y: number) =>
+    drawn({})
+      .circles.filter((circle) => !circle.filled && circle.x === x && circle.y === y)
+      .map(({ radius }) => Math.round(radius));
   const [ball, own, opponent] = [kSituation.ball!, ...kSituation.bodies].map((at) => toScreen(kCamera, at));
   expect(radii(ball!.x, ball!.y)).toContain(20);
   expect(radii(own!.x, own!.y)).toEqual([10, 15]);
@@ -50,23 +85,45 @@ test("a moved thing is marked at its new place and shows its believed place", ()
 });
 
 test("a robot that was moved onto another one is drawn on top", () => {
-  const { texts } = drawn({ believed: { ...kSituation, bodies: [{ ...kSituation.bodies[0]!, player: 7 }, { ...kSituation.bodies[0]!, player: 8 }] }, edit: moved(kNoEdit, "own 7", { x: -1, y: 0, heading: 0 }) });
+  const { texts } = drawn({
+    believed: {
+      ...kSituation,
+      bodies: [
+        { ...kSituation.bodies[0]!, player: 7 },
+        { ...kSituation.bodies[0]!, player: 8 },
+      ],
+    },
+    edit: moved(kNoEdit, "own 7", { x: -1, y: 0, heading: 0 }),
+  });
   expect(texts.map(({ text }) => text)).toEqual(["8", "7"]);
 });
 
 test("a rollout's marker moves from point to point and stays at the end", () => {
-  expect([0, 0.25, 0.5, 0.75, 1, 9].map((at) => placeAt(kPath.ball, 0.5, at))).toEqual([{ x: 0, y: 0 }, { x: 0.5, y: 0 }, { x: 1, y: 0 }, { x: 1, y: 1 }, { x: 1, y: 2 }, { x: 1, y: 2 }]);
+  expect([0, 0.25, 0.5, 0.75, 1, 9].map((at) => placeAt(kPath.ball, 0.5, at))).toEqual([
+    { x: 0, y: 0 },
+    { x: 0.5, y: 0 },
+    { x: 1, y: 0 },
+    { x: 1, y: 1 },
+    { x: 1, y: 2 },
+    { x: 1, y: 2 },
+  ]);
   expect(placeAt([], 0.5, 1)).toBeUndefined();
   expect(placeAt(kPath.ball, 0, 1)).toEqual({ x: 0, y: 0 });
   expect([lengthOf([kPath]), lengthOf([])]).toEqual([1, 0]);
   const then = drawn({ paths: [kPath], at: 0.75 }).circles.filter(({ filled }) => filled);
-  for (const place of [{ x: 1, y: 1 }, { x: -1, y: 1 }]) expect(then.some(({ x, y }) => x === toScreen(kCamera, place).x && y === toScreen(kCamera, place).y)).toBe(true);
+  for (const place of [
+    { x: 1, y: 1 },
+    { x: -1, y: 1 },
+  ])
+    expect(then.some(({ x, y }) => x === toScreen(kCamera, place).x && y === toScreen(kCamera, place).y)).toBe(true);
 });
 
 test("only part of a long rollout is drawn in full: its beginning, or the part before the shown time", () => {
   const long: Path = { spacing: 1, ball: Array.from({ length: 121 }, (_, i) => ({ x: i / 50, y: 0 })), robots: [] };
   const full = (at: number) => {
-    const ticks = drawn({ believed: { ball: undefined, bodies: [] }, paths: [long], at }).circles.filter(({ filled, style, radius }) => filled && style === "#ffffff" && Math.round(radius) === 3);
+    const ticks = drawn({ believed: { ball: undefined, bodies: [] }, paths: [long], at }).circles.filter(
+      ({ filled, style, radius }) => filled && style === "#ffffff" && Math.round(radius) === 3,
+    );
     return ticks.filter(({ alpha }) => alpha === 1).map(({ x }) => Math.round((x - kCamera.centreX) / 2));
   };
   expect(full(0)).toEqual([5, 10, 15, 20, 25, 30]);
@@ -74,7 +131,8 @@ test("only part of a long rollout is drawn in full: its beginning, or the part b
 });
 
 test("paths with no point or one point are drawn without an error", () => {
-  for (const ball of [[], [{ x: 0, y: 0 }]]) drawn({ paths: [{ spacing: 0.5, ball, robots: [{ player: 1, points: ball }] }], at: 0.3 });
+  for (const ball of [[], [{ x: 0, y: 0 }]])
+    drawn({ paths: [{ spacing: 0.5, ball, robots: [{ player: 1, points: ball }] }], at: 0.3 });
 });
 
 test("heat is strongest where the ball was most often, and zero where it never was", () => {
@@ -105,7 +163,11 @@ test("the nearest thing is gripped, the ball before the robot behind it, and the
 test("nothing can be dragged off the carpet, and things believed beyond it are visible", () => {
   expect(onCarpet(kField, { x: 99, y: -99 })).toEqual({ x: 3.71, y: -2.71 });
   expect(onCarpet(kField, { x: 1, y: 1 })).toEqual({ x: 1, y: 1 });
-  const away = (x: number) => fieldRound(kField, { ball: undefined, bodies: [{ side: "opponent", player: 1, x, y: 0, heading: 0, deviation: 0 }] }).border;
+  const away = (x: number) =>
+    fieldRound(kField, {
+      ball: undefined,
+      bodies: [{ side: "opponent", player: 1, x, y: 0, heading: 0, deviation: 0 }],
+    }).border;
   expect([away(0), away(1e9)]).toEqual([kField.border, 2]);
   expect(away(4)).toBeCloseTo(1.3);
 });

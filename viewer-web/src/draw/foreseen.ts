@@ -4,8 +4,29 @@
 import type { Body, Heat, Path, Situation } from "../memory/forecast";
 import { bodyOf, edited, movedIn, thingOf, type Edit, type Standing, type Thing } from "../memory/question";
 import { drawPaths, placeAt } from "./futures";
-import { drawField, fillCircle, strokeCircle, strokeLine, toField, toScreen, type Camera, type Field, type Pen, type Point } from "./field";
-import { ahead, drawNumber, fillBody, kBright, kInk, kRobotRadius, strokeBody, strokeHeading, type Livery } from "./robot_sign";
+import {
+  drawField,
+  fillCircle,
+  strokeCircle,
+  strokeLine,
+  toField,
+  toScreen,
+  type Camera,
+  type Field,
+  type Pen,
+  type Point,
+} from "./field";
+import {
+  ahead,
+  drawNumber,
+  fillBody,
+  kBright,
+  kInk,
+  kRobotRadius,
+  strokeBody,
+  strokeHeading,
+  type Livery,
+} from "./robot_sign";
 
 const kBallRadius = 0.06; // [m] larger than the real ball, to be visible
 const kHandle = 0.42; // [m] from a robot's middle to the handle that turns it
@@ -33,7 +54,11 @@ export interface Foreseen {
   stale: boolean;
 }
 
-export function drawForeseen(pen: Pen, camera: Camera, { field, liveries, believed, edit, heat, paths, at, held, stale }: Foreseen): void {
+export function drawForeseen(
+  pen: Pen,
+  camera: Camera,
+  { field, liveries, believed, edit, heat, paths, at, held, stale }: Foreseen,
+): void {
   const strength = stale ? 0.3 : 1;
   const now = edited(believed, edit);
   drawField(pen, camera, field);
@@ -54,14 +79,17 @@ const kFine = 4; // each cell is drawn this many times finer, along x and y
 export function warmth({ columns, counts }: Heat): { columns: number; rows: number; values: number[] } {
   const rows = counts.length / columns;
   const most = Math.max(1, ...counts);
-  const at = (column: number, row: number) => counts[Math.min(rows - 1, Math.max(0, row)) * columns + Math.min(columns - 1, Math.max(0, column))]! / most;
+  const at = (column: number, row: number) =>
+    counts[Math.min(rows - 1, Math.max(0, row)) * columns + Math.min(columns - 1, Math.max(0, column))]! / most;
   const values: number[] = [];
   for (let row = 0; row < kFine * rows; ++row)
     for (let column = 0; column < kFine * columns; ++column) {
       const [x, y] = [(column + 0.5) / kFine - 0.5, (row + 0.5) / kFine - 0.5];
       const [left, below] = [Math.floor(x), Math.floor(y)];
       const [right, up] = [x - left, y - below];
-      const mixed = (1 - up) * ((1 - right) * at(left, below) + right * at(left + 1, below)) + up * ((1 - right) * at(left, below + 1) + right * at(left + 1, below + 1));
+      const mixed =
+        (1 - up) * ((1 - right) * at(left, below) + right * at(left + 1, below)) +
+        up * ((1 - right) * at(left, below + 1) + right * at(left + 1, below + 1));
       values.push(mixed ** 0.7);
     }
   return { columns: kFine * columns, rows: kFine * rows, values };
@@ -73,19 +101,35 @@ function drawHeat(pen: Pen, camera: Camera, { length, width }: Field, heat: Heat
   if (!warm.has(heat)) warm.set(heat, warmth(heat));
   const { columns, rows, values } = warm.get(heat)!;
   pen.fillStyle = kHeatColour;
-  const edge = (column: number, row: number) => toScreen(camera, { x: (column / columns - 0.5) * length, y: (row / rows - 0.5) * width });
+  const edge = (column: number, row: number) =>
+    toScreen(camera, { x: (column / columns - 0.5) * length, y: (row / rows - 0.5) * width });
   values.forEach((value, i) => {
     if (value < 0.03) return;
     const [column, row] = [i % columns, Math.floor(i / columns)];
-    const [one, other] = [edge(column, row), edge(column + 1, row + 1)].map(({ x, y }) => ({ x: Math.round(x), y: Math.round(y) }));
+    const [one, other] = [edge(column, row), edge(column + 1, row + 1)].map(({ x, y }) => ({
+      x: Math.round(x),
+      y: Math.round(y),
+    }));
     pen.globalAlpha = 0.72 * strength * value;
-    pen.fillRect(Math.min(one!.x, other!.x), Math.min(one!.y, other!.y), Math.abs(other!.x - one!.x), Math.abs(other!.y - one!.y));
+    pen.fillRect(
+      Math.min(one!.x, other!.x),
+      Math.min(one!.y, other!.y),
+      Math.abs(other!.x - one!.x),
+      Math.abs(other!.y - one!.y),
+    );
   });
 }
 
 // rollouts
 
-function drawThen(pen: Pen, camera: Camera, { spacing, ball, robots }: Path, livery: Livery, at: number, strength: number): void {
+function drawThen(
+  pen: Pen,
+  camera: Camera,
+  { spacing, ball, robots }: Path,
+  livery: Livery,
+  at: number,
+  strength: number,
+): void {
   for (const { player, points } of robots) {
     const place = placeAt(points, spacing, at);
     if (!place) continue;
@@ -103,7 +147,12 @@ function drawThen(pen: Pen, camera: Camera, { spacing, ball, robots }: Path, liv
 
 // situation
 
-function drawSituation(pen: Pen, camera: Camera, { believed, now, edit, liveries }: { believed: Situation; now: Situation; edit: Edit; liveries: Sides }, alpha: number): void {
+function drawSituation(
+  pen: Pen,
+  camera: Camera,
+  { believed, now, edit, liveries }: { believed: Situation; now: Situation; edit: Edit; liveries: Sides },
+  alpha: number,
+): void {
   for (const thing of movedIn(edit)) drawMove(pen, camera, standingOf(believed, thing), standingOf(now, thing));
   const doubt = (at: Point, deviation: number, colour: string) => {
     if (!(deviation > 0)) return;
@@ -204,7 +253,10 @@ export function gripAt(camera: Camera, now: Situation, held: Thing | undefined, 
   const standing = held && held !== "ball" ? standingOf(now, held) : undefined;
   if (held && standing && apart(handleOf(camera, standing)) < 0.7 * reach) return { thing: held, turns: true };
   // the ball is small and often at a robot's feet: it has precedence if both are hit
-  const things = [...(now.ball ? [{ thing: "ball", away: apart(now.ball) - 0.1 }] : []), ...now.bodies.map((body) => ({ thing: thingOf(body), away: apart(body) }))];
+  const things = [
+    ...(now.ball ? [{ thing: "ball", away: apart(now.ball) - 0.1 }] : []),
+    ...now.bodies.map((body) => ({ thing: thingOf(body), away: apart(body) })),
+  ];
   const [nearest] = things.sort((a, b) => a.away - b.away);
   return nearest && nearest.away < reach ? { thing: nearest.thing, turns: false } : undefined;
 }
@@ -213,7 +265,9 @@ const kFarthest = 2; // [m] beyond the lines
 
 /** Returns the field with a border wide enough for all believed places. */
 export function fieldRound(field: Field, { ball, bodies }: Situation): Field {
-  const beyond = [...(ball ? [ball] : []), ...bodies].map(({ x, y }) => Math.max(Math.abs(x) - field.length / 2, Math.abs(y) - field.width / 2) + 2 * kRobotRadius);
+  const beyond = [...(ball ? [ball] : []), ...bodies].map(
+    ({ x, y }) => Math.max(Math.abs(x) - field.length / 2, Math.abs(y) - field.width / 2) + 2 * kRobotRadius,
+  );
   return { ...field, border: Math.min(kFarthest, Math.max(field.border, ...beyond)) };
 }
 

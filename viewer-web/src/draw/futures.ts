@@ -17,7 +17,8 @@ export function placeAt(points: Place[], spacing: number, at: number): Point | u
 }
 
 /** [s] of the longest path. */
-export const lengthOf = (paths: Path[]): number => Math.max(0, ...paths.map(({ spacing, ball }) => spacing * (ball.length - 1)));
+export const lengthOf = (paths: Path[]): number =>
+  Math.max(0, ...paths.map(({ spacing, ball }) => spacing * (ball.length - 1)));
 
 /**
  * [s] The part that is drawn in full: the time before `at`, or the beginning if `at` is 0. It is limited, so that many
@@ -28,9 +29,15 @@ const plainPart = (at: number): [number, number] => (at > 0 ? [Math.max(0, at - 
 /**
  * Draws the part before `at` [s] in full and the rest faintly; with `at` 0, the beginning in full. Robots in `colour`.
  */
-export function drawPaths(pen: Pen, camera: Camera, paths: Path[], { strength, colour, at = 0 }: { strength: number; colour: string; at?: number }): void {
+export function drawPaths(
+  pen: Pen,
+  camera: Camera,
+  paths: Path[],
+  { strength, colour, at = 0 }: { strength: number; colour: string; at?: number },
+): void {
   for (const path of paths) {
-    for (const { points } of path.robots) drawTrack(pen, camera, points, path.spacing, at, { colour, width: 1.5, alpha: 0.75 * strength });
+    for (const { points } of path.robots)
+      drawTrack(pen, camera, points, path.spacing, at, { colour, width: 1.5, alpha: 0.75 * strength });
     drawTrack(pen, camera, path.ball, path.spacing, at, { colour: kInk, width: 5, alpha: 0.55 * strength });
     drawTrack(pen, camera, path.ball, path.spacing, at, { colour: kBright, width: 3, alpha: 0.95 * strength });
     drawTicks(pen, camera, path, at, strength);
@@ -38,7 +45,14 @@ export function drawPaths(pen: Pen, camera: Camera, paths: Path[], { strength, c
   pen.globalAlpha = 1;
 }
 
-function drawTrack(pen: Pen, camera: Camera, points: Place[], spacing: number, at: number, { colour, width, alpha }: { colour: string; width: number; alpha: number }): void {
+function drawTrack(
+  pen: Pen,
+  camera: Camera,
+  points: Place[],
+  spacing: number,
+  at: number,
+  { colour, width, alpha }: { colour: string; width: number; alpha: number },
+): void {
   if (points.length < 2) return;
   pen.strokeStyle = colour;
   pen.lineWidth = width;
@@ -47,7 +61,11 @@ function drawTrack(pen: Pen, camera: Camera, points: Place[], spacing: number, a
     const [first, last] = [Math.floor(begin / spacing) + 1, Math.ceil(end / spacing)];
     if (!(last >= first) || first >= points.length) return;
     pen.globalAlpha = strength;
-    strokePath(pen, camera, [placeAt(points, spacing, begin)!, ...points.slice(first, last), placeAt(points, spacing, end)!]);
+    strokePath(pen, camera, [
+      placeAt(points, spacing, begin)!,
+      ...points.slice(first, last),
+      placeAt(points, spacing, end)!,
+    ]);
   };
   part(0, from, kFaint * alpha);
   part(from, to, alpha);
@@ -71,5 +89,6 @@ function drawTicks(pen: Pen, camera: Camera, { ball, spacing }: Path, at: number
   pen.strokeStyle = kBright;
   pen.lineWidth = 2;
   const arm = 5 / camera.scale;
-  for (const side of [-1, 1]) strokeLine(pen, camera, { x: end.x - arm, y: end.y - side * arm }, { x: end.x + arm, y: end.y + side * arm });
+  for (const side of [-1, 1])
+    strokeLine(pen, camera, { x: end.x - arm, y: end.y - side * arm }, { x: end.x + arm, y: end.y + side * arm });
 }

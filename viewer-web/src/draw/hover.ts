@@ -12,7 +12,8 @@ export interface Facts {
 const kReach = 0.25; // [m] radius of a hit
 const metres = (value: number): string => `${value.toFixed(2)} m`;
 const place = ({ x, y }: Point): string => `x ${x.toFixed(2)}, y ${y.toFixed(2)} m`;
-const degrees = (angle: number): string => `${Math.round((Math.atan2(Math.sin(angle), Math.cos(angle)) * 180) / Math.PI)}°`;
+const degrees = (angle: number): string =>
+  `${Math.round((Math.atan2(Math.sin(angle), Math.cos(angle)) * 180) / Math.PI)}°`;
 const apart = (a: Point, b: Point): number => Math.hypot(a.x - b.x, a.y - b.y);
 const speedOf = ({ x, y }: Point): string => `${Math.hypot(x, y).toFixed(2)} m/s`;
 
@@ -44,27 +45,40 @@ export function factsAt(scene: Scene, point: Point, chosen: string, reach = kRea
         title: `Opponent${player === undefined ? "" : ` ${player}`}, as ${robot.key} believes`,
         lines: [`${place(at)}${deviation > 0 ? ` ± ${metres(deviation)}` : ""}`, `seen ${duration(age)} ago`],
       }));
-    add(robot.target, 0.02, () => ({ title: `Target of ${robot.key}’s walk`, lines: [`${place(robot.target!)}, ${degrees(robot.target!.heading)}`] }));
+    add(robot.target, 0.02, () => ({
+      title: `Target of ${robot.key}’s walk`,
+      lines: [`${place(robot.target!)}, ${degrees(robot.target!.heading)}`],
+    }));
   }
   return found.sort((a, b) => a.distance - b.distance)[0]?.facts();
 }
 
 /** Returns the robot nearest to `point` within `reach`. */
 export function robotAt(scene: Scene, point: Point, reach = kReach): Robot | undefined {
-  const distance = ({ truth, pose }: Robot) => Math.min(...[truth, pose].map((at) => (at ? apart(at, point) : Infinity)));
+  const distance = ({ truth, pose }: Robot) =>
+    Math.min(...[truth, pose].map((at) => (at ? apart(at, point) : Infinity)));
   const [nearest] = [...scene.robots].sort((a, b) => distance(a) - distance(b));
   return nearest && distance(nearest) < reach ? nearest : undefined;
 }
 
 function ballFacts({ ball }: Scene): Facts {
-  return { title: "Ball, as it is", lines: [place(ball!), ...(ball!.velocity ? [`rolls ${speedOf(ball!.velocity)}`] : [])] };
+  return {
+    title: "Ball, as it is",
+    lines: [place(ball!), ...(ball!.velocity ? [`rolls ${speedOf(ball!.velocity)}`] : [])],
+  };
 }
 
 function robotFacts({ key, truth, pose, fallen, role, skill }: Robot): Facts {
   const lines: string[] = [];
   if (role || skill) lines.push([role, skill.replaceAll("_", " ")].filter(Boolean).join(" · "));
-  if (truth) lines.push(`is at ${place(truth)}${Number.isFinite(truth.heading) ? `, ${degrees(truth.heading)}` : ""}${fallen ? ", fallen" : ""}`);
-  if (pose) lines.push(`believes ${place(pose)}, ${degrees(pose.heading)} ± ${metres(pose.deviation)} · ${duration(pose.age)} old`);
+  if (truth)
+    lines.push(
+      `is at ${place(truth)}${Number.isFinite(truth.heading) ? `, ${degrees(truth.heading)}` : ""}${fallen ? ", fallen" : ""}`,
+    );
+  if (pose)
+    lines.push(
+      `believes ${place(pose)}, ${degrees(pose.heading)} ± ${metres(pose.deviation)} · ${duration(pose.age)} old`,
+    );
   if (truth && pose) {
     const turn = Number.isFinite(truth.heading) ? `, ${degrees(pose.heading - truth.heading)}` : "";
     lines.push(`wrong by ${metres(apart(truth, pose))}${turn}`);
@@ -73,7 +87,11 @@ function robotFacts({ key, truth, pose, fallen, role, skill }: Robot): Facts {
 }
 
 function believedBallFacts({ key, ball }: Robot, scene: Scene): Facts {
-  const lines = [`${place(ball!)} ± ${metres(ball!.deviation)}`, `rolls ${speedOf(ball!.velocity)}`, `seen ${duration(ball!.age)} ago`];
+  const lines = [
+    `${place(ball!)} ± ${metres(ball!.deviation)}`,
+    `rolls ${speedOf(ball!.velocity)}`,
+    `seen ${duration(ball!.age)} ago`,
+  ];
   if (scene.ball) lines.push(`wrong by ${metres(apart(ball!, scene.ball))}`);
   return { title: `Ball, as ${key} believes`, lines };
 }

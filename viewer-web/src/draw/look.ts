@@ -56,5 +56,10 @@ export function lookOfText(text: string): Look {
   const [zoom, x, y, mirrored] = text.split(",");
   const number = (part: string | undefined, otherwise: number, most: number) =>
     part !== undefined && part !== "" && Math.abs(Number(part)) <= most ? Number(part) : otherwise;
-  return { zoom: Math.max(0.5, number(zoom, 1, kMostZoom)), x: number(x, 0, 20), y: number(y, 0, 20), mirrored: mirrored === "m" };
+  return {
+    zoom: Math.max(0.5, number(zoom, 1, kMostZoom)),
+    x: number(x, 0, 20),
+    y: number(y, 0, 20),
+    mirrored: mirrored === "m",
+  };
 }

@@ -10,19 +10,25 @@ import type { Robot, Told } from "./scene";
 const read = new WeakMap<Uint8Array, Path[]>(); // each message is read once
 
 /** Returns the offered topics that are read. */
-export const forecastTopicsOf = ({ memory, robots }: Pick<Told, "memory" | "robots">): string[] => robots.map((robot) => `/${robot}/forecast`).filter((topic) => memory.get(topic));
+export const forecastTopicsOf = ({ memory, robots }: Pick<Told, "memory" | "robots">): string[] =>
+  robots.map((robot) => `/${robot}/forecast`).filter((topic) => memory.get(topic));
 
 /** Returns the chosen robot's forecast if there is one, else the newest of another. `robots` have the liveries. */
 export function foreseenBy(told: Told[], robots: Robot[], chosen: string): Foreseen | undefined {
   const all = told.flatMap(({ memory, robots, keyOf }) =>
     robots.flatMap((robot) => {
       const object = memory.get(`/${robot}/forecast`);
-      return object?.shown ? [{ object, key: keyOf(robot), game: memory.get(`/${robot}/game`), at_ns: object.shown.log_ns }] : [];
+      return object?.shown
+        ? [{ object, key: keyOf(robot), game: memory.get(`/${robot}/game`), at_ns: object.shown.log_ns }]
+        : [];
     }),
   );
   const newest = all.find(({ key }) => key === chosen) ?? all.sort((a, b) => Number(b.at_ns - a.at_ns))[0];
   if (!newest) return undefined;
-  return { paths: pathsOf(newest.object, newest.game), colour: (robots.find(({ key }) => key === newest.key)?.livery ?? kLiveries.home).colour };
+  return {
+    paths: pathsOf(newest.object, newest.game),
+    colour: (robots.find(({ key }) => key === newest.key)?.livery ?? kLiveries.home).colour,
+  };
 }
 
 function pathsOf(object: MemoryObject, game: MemoryObject | undefined): Path[] {
@@ -33,7 +39,11 @@ function pathsOf(object: MemoryObject, game: MemoryObject | undefined): Path[] {
   const paths = (fields && chosenOf(forecastOf(fields), "")?.paths) ?? [];
   const turned = wasTurned(game, log_ns);
   const inField = (points: Place[]) => (turned ? points.map(({ x, y }) => ({ x: -x, y: -y })) : points);
-  const placed = paths.map(({ spacing, ball, robots }) => ({ spacing, ball: inField(ball), robots: robots.map(({ player, points }) => ({ player, points: inField(points) })) }));
+  const placed = paths.map(({ spacing, ball, robots }) => ({
+    spacing,
+    ball: inField(ball),
+    robots: robots.map(({ player, points }) => ({ player, points: inField(points) })),
+  }));
   read.set(data, placed);
   return placed;
 }

@@ -7,12 +7,23 @@ function looking(down: number): Optics {
   const [c, s] = [Math.cos(down), Math.sin(down)];
   // columns: right is -y, down is down, forward is ahead
   const rotation = [0, -s, c, -1, 0, 0, 0, -c, -s];
-  return { rotation, at: { x: 0.05, y: 0.01, z: 0.5 }, width: 640, height: 480, focal: { x: 544, y: 544 }, centre: { x: 320, y: 240 } };
+  return {
+    rotation,
+    at: { x: 0.05, y: 0.01, z: 0.5 },
+    width: 640,
+    height: 480,
+    focal: { x: 544, y: 544 },
+    centre: { x: 320, y: 240 },
+  };
 }
 
 test("a ground point projects to the pixel that leads back to it", () => {
   const optics = looking(0.4);
-  for (const place of [{ x: 1, y: 0 }, { x: 2.5, y: -0.8 }, { x: 0.6, y: 0.3 }]) {
+  for (const place of [
+    { x: 1, y: 0 },
+    { x: 2.5, y: -0.8 },
+    { x: 0.6, y: 0.3 },
+  ]) {
     const pixel = toPixel(optics, { ...place, z: 0 })!;
     const back = toGround(optics, pixel)!;
     expect([back.x, back.y]).toEqual([expect.closeTo(place.x, 6), expect.closeTo(place.y, 6)]);
@@ -49,15 +60,34 @@ test("an image of half the size shows the same at half the pixels", () => {
 });
 
 test("an incomplete matrix gives no optics", () => {
-  const fields: Fields = new Map(Object.entries({ rotation: [0, 0, 1, -1, 0, 0, 0, -1, 0], x: 0, y: 0, z: 0.5, width: 640, height: 480, focal_x: 544, focal_y: 544, centre_x: 320, centre_y: 240 }));
+  const fields: Fields = new Map(
+    Object.entries({
+      rotation: [0, 0, 1, -1, 0, 0, 0, -1, 0],
+      x: 0,
+      y: 0,
+      z: 0.5,
+      width: 640,
+      height: 480,
+      focal_x: 544,
+      focal_y: 544,
+      centre_x: 320,
+      centre_y: 240,
+    }),
+  );
   expect(opticsOf(fields)).toMatchObject({ width: 640, at: { z: 0.5 } });
-  for (const name of fields.keys()) expect(opticsOf(new Map([...fields].filter(([other]) => other !== name))), name).toBeUndefined();
+  for (const name of fields.keys())
+    expect(opticsOf(new Map([...fields].filter(([other]) => other !== name))), name).toBeUndefined();
   expect(opticsOf(new Map([...fields, ["focal_x", 0]]))).toBeUndefined();
 });
 
 test("a detection has an outline, else a box, else neither", () => {
   const box: Fields = new Map(Object.entries({ box_left: 10, box_top: 20, box_width: 30, box_height: 40 }));
-  expect(outlineOf(box)).toEqual([{ x: 10, y: 20 }, { x: 40, y: 20 }, { x: 40, y: 60 }, { x: 10, y: 60 }]);
+  expect(outlineOf(box)).toEqual([
+    { x: 10, y: 20 },
+    { x: 40, y: 20 },
+    { x: 40, y: 60 },
+    { x: 10, y: 60 },
+  ]);
   const corner = (x: number) => new Map(Object.entries({ x, y: 1 }));
   expect(outlineOf(new Map([...box, ["outline", [corner(1), corner(2), corner(3)]]]))).toHaveLength(3);
   expect(outlineOf(new Map())).toEqual([]);

@@ -36,13 +36,21 @@ export function opticsOf(matrix: Fields): Optics | undefined {
   };
   const numbers = [...rotation, ...Object.values(optics.at), ...Object.values(optics.centre)];
   const positive = [optics.width, optics.height, optics.focal.x, optics.focal.y];
-  return rotation.length === 9 && numbers.every(Number.isFinite) && positive.every((value) => value > 0) ? optics : undefined;
+  return rotation.length === 9 && numbers.every(Number.isFinite) && positive.every((value) => value > 0)
+    ? optics
+    : undefined;
 }
 
 /** The same camera for images of another size. */
 export function resized(optics: Optics, width: number, height: number): Optics {
   const [x, y] = [width / optics.width, height / optics.height];
-  return { ...optics, width, height, focal: { x: optics.focal.x * x, y: optics.focal.y * y }, centre: { x: optics.centre.x * x, y: optics.centre.y * y } };
+  return {
+    ...optics,
+    width,
+    height,
+    focal: { x: optics.focal.x * x, y: optics.focal.y * y },
+    centre: { x: optics.centre.x * x, y: optics.centre.y * y },
+  };
 }
 
 /** In the camera's own axes: +x right, +y down, +z forward [m]. */
@@ -55,7 +63,10 @@ function inCamera({ rotation: r, at }: Optics, { x, y, z }: Place): Place {
   };
 }
 
-const pixelOf = ({ focal, centre }: Optics, { x, y, z }: Place): Point => ({ x: centre.x + (focal.x * x) / z, y: centre.y + (focal.y * y) / z });
+const pixelOf = ({ focal, centre }: Optics, { x, y, z }: Place): Point => ({
+  x: centre.x + (focal.x * x) / z,
+  y: centre.y + (focal.y * y) / z,
+});
 
 /** Returns the pixel of a place, or undefined if it is not in front of the camera. */
 export function toPixel(optics: Optics, place: Place): Point | undefined {
@@ -93,7 +104,10 @@ export function toGround(optics: Optics, pixel: Point): Point | undefined {
 /** Returns two points of the horizon, at the left and right edge of the image. Undefined if it is vertical. */
 export function horizonOf({ rotation: r, width, focal, centre }: Optics): [Point, Point] | undefined {
   if (Math.abs(r[7]!) < 1e-6) return undefined;
-  const at = (x: number): Point => ({ x, y: centre.y - (focal.y * (r[8]! + (r[6]! * (x - centre.x)) / focal.x)) / r[7]! });
+  const at = (x: number): Point => ({
+    x,
+    y: centre.y - (focal.y * (r[8]! + (r[6]! * (x - centre.x)) / focal.x)) / r[7]!,
+  });
   return [at(0), at(width)];
 }
 
@@ -101,7 +115,14 @@ export function horizonOf({ rotation: r, width, focal, centre }: Optics): [Point
 export function outlineOf(detection: Fields): Point[] {
   const outline = listOf(detection, "outline").map((pixel) => ({ x: numberOf(pixel, "x"), y: numberOf(pixel, "y") }));
   if (outline.length > 1) return outline;
-  const [left, top, width, height] = ["box_left", "box_top", "box_width", "box_height"].map((name) => numberOf(detection, name)) as [number, number, number, number];
+  const [left, top, width, height] = ["box_left", "box_top", "box_width", "box_height"].map((name) =>
+    numberOf(detection, name),
+  ) as [number, number, number, number];
   if (![left, top, width, height].every(Number.isFinite)) return [];
-  return [{ x: left, y: top }, { x: left + width, y: top }, { x: left + width, y: top + height }, { x: left, y: top + height }];
+  return [
+    { x: left, y: top },
+    { x: left + width, y: top },
+    { x: left + width, y: top + height },
+    { x: left, y: top + height },
+  ];
 }

@@ -1,19 +1,51 @@
 import { expect, test } from "vitest";
 import { EnumValue, type Fields, type Value } from "../memory/value";
 import { kFields } from "./field";
-import { drawOverlay, fitOf, linesOf, onField, toCanvas, toImage, yuvAt, yuvOf, type Overlay, type Seen } from "./overlay";
+import {
+  drawOverlay,
+  fitOf,
+  linesOf,
+  onField,
+  toCanvas,
+  toImage,
+  yuvAt,
+  yuvOf,
+  type Overlay,
+  type Seen,
+} from "./overlay";
 import { testPen } from "./test_pen";
 import { rgbaFromYuyv } from "./yuyv";
 
 const fields = (entries: Record<string, Value>): Fields => new Map(Object.entries(entries));
 const kTop = new EnumValue(1, "CAMERA_TOP");
 const field = kFields["spl2012"]!;
-const optics = { rotation: [0, -0.3, 0.954, -1, 0, 0, 0, -0.954, -0.3], at: { x: 0, y: 0, z: 0.5 }, width: 640, height: 480, focal: { x: 544, y: 544 }, centre: { x: 320, y: 240 } };
+const optics = {
+  rotation: [0, -0.3, 0.954, -1, 0, 0, 0, -0.954, -0.3],
+  at: { x: 0, y: 0, z: 0.5 },
+  width: 640,
+  height: 480,
+  focal: { x: 544, y: 544 },
+  centre: { x: 320, y: 240 },
+};
 const vision = fields({
   image_width: 640,
   image_height: 480,
   ball: fields({ detection: fields({ camera: kTop, image_x: 100, image_y: 200, distance: 1.234 }), radius: 10 }),
-  robots: [fields({ side: new EnumValue(2, "SIDE_OPPONENT"), detection: fields({ camera: kTop, image_x: 320, image_y: 100, box_left: 300, box_top: 50, box_width: 40, box_height: 100, distance: 2 }) })],
+  robots: [
+    fields({
+      side: new EnumValue(2, "SIDE_OPPONENT"),
+      detection: fields({
+        camera: kTop,
+        image_x: 320,
+        image_y: 100,
+        box_left: 300,
+        box_top: 50,
+        box_width: 40,
+        box_height: 100,
+        distance: 2,
+      }),
+    }),
+  ],
 });
 const seen: Seen = { vision, camera: 1, optics, pose: { x: 0, y: 0, heading: 0 }, field };
 const drawn = (overlays: Overlay[], more: Partial<Seen> = {}) => {
@@ -29,7 +61,13 @@ test("a detection is drawn at its pixels with word and distance, at any size of 
 });
 
 test("a word never covers its detection", () => {
-  const pen = drawn(["found"], { vision: fields({ image_width: 640, image_height: 480, ball: fields({ detection: fields({ camera: kTop, image_x: 620, image_y: 200 }), radius: 10 }) }) });
+  const pen = drawn(["found"], {
+    vision: fields({
+      image_width: 640,
+      image_height: 480,
+      ball: fields({ detection: fields({ camera: kTop, image_x: 620, image_y: 200 }), radius: 10 }),
+    }),
+  });
   expect(pen.boxes[0]!.x + pen.boxes[0]!.width).toBeLessThan(610);
 });
 

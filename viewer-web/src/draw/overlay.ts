@@ -37,15 +37,35 @@ export function fitOf(image: { width: number; height: number }, width: number, h
   return { ...image, scale, left: (width - scale * image.width) / 2, top: (height - scale * image.height) / 2 };
 }
 
-export const toCanvas = ({ scale, left, top }: Fit, { x, y }: Point): Point => ({ x: left + scale * x, y: top + scale * y });
-export const toImage = ({ scale, left, top }: Fit, { x, y }: Point): Point => ({ x: (x - left) / scale, y: (y - top) / scale });
+export const toCanvas = ({ scale, left, top }: Fit, { x, y }: Point): Point => ({
+  x: left + scale * x,
+  y: top + scale * y,
+});
+export const toImage = ({ scale, left, top }: Fit, { x, y }: Point): Point => ({
+  x: (x - left) / scale,
+  y: (y - top) / scale,
+});
 
 // shapes and words differ too
-export const kOverlayColours = { ball: "#ffb057", own: "#6bb1f5", robot: "#ffffff", post: "#f0e442", corner: "#cc79a7", line: "#f0e442", horizon: "#ffffff", field: "#56b4e9" };
+export const kOverlayColours = {
+  ball: "#ffb057",
+  own: "#6bb1f5",
+  robot: "#ffffff",
+  post: "#f0e442",
+  corner: "#cc79a7",
+  line: "#f0e442",
+  horizon: "#ffffff",
+  field: "#56b4e9",
+};
 const kInk = "#0b0e11";
 const kStep = 0.25; // [m] a long line is drawn in pieces, because its ends may be outside the image
 
-export function drawOverlay(pen: Pen, fit: Fit, overlays: ReadonlySet<Overlay>, { vision, camera, optics, pose, field }: Seen): void {
+export function drawOverlay(
+  pen: Pen,
+  fit: Fit,
+  overlays: ReadonlySet<Overlay>,
+  { vision, camera, optics, pose, field }: Seen,
+): void {
   const sized = optics && resized(optics, fit.width, fit.height);
   if (overlays.has("lines") && sized && pose) drawFieldLines(pen, fit, sized, pose, field);
   if (overlays.has("horizon") && sized) drawHorizon(pen, fit, sized);
@@ -55,7 +75,10 @@ export function drawOverlay(pen: Pen, fit: Fit, overlays: ReadonlySet<Overlay>, 
 
 /** Draws twice, dark and wide below, for contrast on any image. */
 function stroke(pen: Pen, colour: string, width: number, points: Point[], closed = false): void {
-  for (const [style, wide, alpha] of [[kInk, width + 2, 0.55], [colour, width, 1]] as const) {
+  for (const [style, wide, alpha] of [
+    [kInk, width + 2, 0.55],
+    [colour, width, 1],
+  ] as const) {
     pen.strokeStyle = style;
     pen.lineWidth = wide;
     pen.globalAlpha = alpha;
@@ -95,16 +118,32 @@ function drawHorizon(pen: Pen, fit: Fit, optics: Optics): void {
 /** Returns the field's lines in its own frame [m]; circles as many short lines. */
 export function linesOf(field: Field): [Point, Point][] {
   const { length, width, centreCircleRadius: radius } = field;
-  const lines: [Point, Point][] = [[{ x: 0, y: -width / 2 }, { x: 0, y: width / 2 }]];
+  const lines: [Point, Point][] = [
+    [
+      { x: 0, y: -width / 2 },
+      { x: 0, y: width / 2 },
+    ],
+  ];
   const box = (left: number, right: number, wide: number) => {
-    const corners = [{ x: left, y: wide / 2 }, { x: right, y: wide / 2 }, { x: right, y: -wide / 2 }, { x: left, y: -wide / 2 }];
+    const corners = [
+      { x: left, y: wide / 2 },
+      { x: right, y: wide / 2 },
+      { x: right, y: -wide / 2 },
+      { x: left, y: -wide / 2 },
+    ];
     corners.forEach((corner, i) => lines.push([corner, corners[(i + 1) % 4]!]));
   };
   box(-length / 2, length / 2, width);
   for (const side of [-1, 1])
-    for (const [deep, wide] of [[field.goalAreaLength, field.goalAreaWidth], [field.penaltyAreaLength, field.penaltyAreaWidth]] as const)
+    for (const [deep, wide] of [
+      [field.goalAreaLength, field.goalAreaWidth],
+      [field.penaltyAreaLength, field.penaltyAreaWidth],
+    ] as const)
       if (deep > 0) box((side * length) / 2, side * (length / 2 - deep), wide);
-  const on = (i: number): Point => ({ x: radius * Math.cos((i * Math.PI) / 24), y: radius * Math.sin((i * Math.PI) / 24) });
+  const on = (i: number): Point => ({
+    x: radius * Math.cos((i * Math.PI) / 24),
+    y: radius * Math.sin((i * Math.PI) / 24),
+  });
   for (let i = 0; i < 48; ++i) lines.push([on(i), on(i + 1)]);
   return lines;
 }
@@ -122,13 +161,23 @@ export const onField = ({ x, y, heading }: Pose, point: Point): Point => ({
 });
 
 function drawFieldLines(pen: Pen, fit: Fit, optics: Optics, pose: Pose, field: Field): void {
-  const near = ({ x, y }: Point) => x > -optics.width && x < 2 * optics.width && y > -optics.height && y < 2 * optics.height;
+  const near = ({ x, y }: Point) =>
+    x > -optics.width && x < 2 * optics.width && y > -optics.height && y < 2 * optics.height;
   for (const [from, to] of linesOf(field)) {
     const pieces = Math.max(1, Math.round(Math.hypot(to.x - from.x, to.y - from.y) / kStep));
     for (let i = 0; i < pieces; ++i) {
-      const [one, other] = [i, i + 1].map((at) => ({ ...inRobot(pose, { x: from.x + (at / pieces) * (to.x - from.x), y: from.y + (at / pieces) * (to.y - from.y) }), z: 0 }));
+      const [one, other] = [i, i + 1].map((at) => ({
+        ...inRobot(pose, { x: from.x + (at / pieces) * (to.x - from.x), y: from.y + (at / pieces) * (to.y - from.y) }),
+        z: 0,
+      }));
       const ends = lineToPixels(optics, one!, other!);
-      if (ends?.some(near)) stroke(pen, kOverlayColours.field, 1.5, ends.map((end) => toCanvas(fit, end)));
+      if (ends?.some(near))
+        stroke(
+          pen,
+          kOverlayColours.field,
+          1.5,
+          ends.map((end) => toCanvas(fit, end)),
+        );
     }
   }
 }
@@ -145,12 +194,21 @@ function drawFound(pen: Pen, page: Fit, vision: Fields, camera: number): void {
     const ends = ["image_start", "image_end"].map((name) => toCanvas(fit, pixelOf(fieldsOf(line, name))));
     stroke(pen, kOverlayColours.line, 2.5, ends);
   }
-  for (const name of ["corners", "crosses"]) for (const entry of detections(name)) drawSpot(pen, fit, entry, wordOf(entry, "shape").replaceAll("_", " ").toUpperCase() || "mark");
-  for (const post of detections("goal_posts")) drawBox(pen, fit, post, `${textOf(post, "colour")} post`.trim(), kOverlayColours.post);
+  for (const name of ["corners", "crosses"])
+    for (const entry of detections(name))
+      drawSpot(pen, fit, entry, wordOf(entry, "shape").replaceAll("_", " ").toUpperCase() || "mark");
+  for (const post of detections("goal_posts"))
+    drawBox(pen, fit, post, `${textOf(post, "colour")} post`.trim(), kOverlayColours.post);
   for (const robot of detections("robots")) {
     const side = wordOf(robot, "side");
     const known = side && side !== "unspecified" ? `${side} robot` : "robot";
-    drawBox(pen, fit, robot, known, side === "own" ? kOverlayColours.own : side === "opponent" ? kOverlayColours.ball : kOverlayColours.robot);
+    drawBox(
+      pen,
+      fit,
+      robot,
+      known,
+      side === "own" ? kOverlayColours.own : side === "opponent" ? kOverlayColours.ball : kOverlayColours.robot,
+    );
   }
   const ball = fieldsOf(vision, "ball");
   if (ball.size > 0 && isHere(fieldsOf(ball, "detection"))) drawBall(pen, fit, ball);
@@ -161,7 +219,10 @@ const cameraOf = (fields: Fields): number => {
   return typeof camera === "object" && camera !== null && "number" in camera ? (camera.number as number) : 0;
 };
 const pixelOf = (pixel: Fields): Point => ({ x: numberOf(pixel, "x"), y: numberOf(pixel, "y") });
-const centreOf = (detection: Fields): Point => ({ x: numberOf(detection, "image_x"), y: numberOf(detection, "image_y") });
+const centreOf = (detection: Fields): Point => ({
+  x: numberOf(detection, "image_x"),
+  y: numberOf(detection, "image_y"),
+});
 const away = (detection: Fields): string => {
   const distance = numberOf(detection, "distance");
   return Number.isFinite(distance) ? ` ${distance.toFixed(1)} m` : "";
@@ -169,8 +230,14 @@ const away = (detection: Fields): string => {
 
 function drawSpot(pen: Pen, fit: Fit, entry: Fields, word: string): void {
   const { x, y } = toCanvas(fit, centreOf(fieldsOf(entry, "detection")));
-  stroke(pen, kOverlayColours.corner, 2, [{ x: x - 6, y: y - 6 }, { x: x + 6, y: y + 6 }]);
-  stroke(pen, kOverlayColours.corner, 2, [{ x: x - 6, y: y + 6 }, { x: x + 6, y: y - 6 }]);
+  stroke(pen, kOverlayColours.corner, 2, [
+    { x: x - 6, y: y - 6 },
+    { x: x + 6, y: y + 6 },
+  ]);
+  stroke(pen, kOverlayColours.corner, 2, [
+    { x: x - 6, y: y + 6 },
+    { x: x + 6, y: y - 6 },
+  ]);
   label(pen, fit, word, { x: x + 9, y }, kOverlayColours.corner, x - 9);
 }
 
@@ -180,14 +247,23 @@ function drawBox(pen: Pen, fit: Fit, entry: Fields, word: string, colour: string
   const { x, y } = toCanvas(fit, centreOf(detection));
   if (outline.length === 0) return drawSpot(pen, fit, entry, word);
   stroke(pen, colour, 2, outline, true);
-  label(pen, fit, word + away(detection), { x: Math.min(x, ...outline.map((corner) => corner.x)), y: Math.min(y, ...outline.map((corner) => corner.y)) - 10 }, colour);
+  label(
+    pen,
+    fit,
+    word + away(detection),
+    { x: Math.min(x, ...outline.map((corner) => corner.x)), y: Math.min(y, ...outline.map((corner) => corner.y)) - 10 },
+    colour,
+  );
 }
 
 function drawBall(pen: Pen, fit: Fit, ball: Fields): void {
   const detection = fieldsOf(ball, "detection");
   const { x, y } = toCanvas(fit, centreOf(detection));
   const radius = Math.max(3, fit.scale * (numberOf(ball, "radius") || 0));
-  for (const [style, width, alpha] of [[kInk, 4.5, 0.55], [kOverlayColours.ball, 2.5, 1]] as const) {
+  for (const [style, width, alpha] of [
+    [kInk, 4.5, 0.55],
+    [kOverlayColours.ball, 2.5, 1],
+  ] as const) {
     pen.strokeStyle = style;
     pen.lineWidth = width;
     pen.globalAlpha = alpha;

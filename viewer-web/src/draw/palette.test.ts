@@ -21,7 +21,9 @@ function nearest(colours: string[]): { apart: number; who: string } {
 
 test("the measure itself: black and white are far apart, and red and green are near for people without red or green cones", () => {
   for (const sight of Object.values(kSights)) expect(distance(sight, "#000000", "#ffffff")).toBeCloseTo(100, 0);
-  const [all, protanopia, deuteranopia] = ["all colours", "protanopia", "deuteranopia"].map((name) => distance(kSights[name]!, "#cc6644", "#77994a"));
+  const [all, protanopia, deuteranopia] = ["all colours", "protanopia", "deuteranopia"].map((name) =>
+    distance(kSights[name]!, "#cc6644", "#77994a"),
+  );
   expect(all).toBeGreaterThan(55);
   expect(Math.min(protanopia!, deuteranopia!)).toBeLessThan(20);
 });
@@ -29,7 +31,9 @@ test("the measure itself: black and white are far apart, and red and green are n
 test("with every kind of sight, lines of a plot with equal dashes differ", () => {
   const dashes = [...new Set(kLineStyles.map(({ dash }) => dash.join()))];
   for (const dash of dashes) {
-    const { apart, who } = nearest(kLineStyles.filter((style) => style.dash.join() === dash).map(({ colour }) => colour));
+    const { apart, who } = nearest(
+      kLineStyles.filter((style) => style.dash.join() === dash).map(({ colour }) => colour),
+    );
     expect(apart, who).toBeGreaterThan(15);
   }
 });
@@ -41,7 +45,9 @@ test("with every kind of sight, both teams differ from each other and from the c
 
 test("teams differ by brightness and shape too", () => {
   const brightness = (colour: string) => {
-    const [red, green, blue] = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16) / 255).map((value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4));
+    const [red, green, blue] = [1, 3, 5]
+      .map((at) => parseInt(colour.slice(at, at + 2), 16) / 255)
+      .map((value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4));
     return 0.2126 * red! + 0.7152 * green! + 0.0722 * blue! + 0.05; // WCAG 2.1
   };
   const { home, away } = kLiveries;
@@ -51,8 +57,16 @@ test("teams differ by brightness and shape too", () => {
 });
 
 test("jerseys give the sides their colours, unless they are unknown or equal", () => {
-  expect(liveriesOf("red", "black")).toMatchObject({ home: { colour: "#e33b2e", shape: "disc" }, away: { colour: "#20252b", shape: "square" } });
-  for (const [home, away] of [["red", "red"], ["unspecified", "blue"], ["", ""]] as const) expect(liveriesOf(home, away)).toEqual(kLiveries);
+  expect(liveriesOf("red", "black")).toMatchObject({
+    home: { colour: "#e33b2e", shape: "disc" },
+    away: { colour: "#20252b", shape: "square" },
+  });
+  for (const [home, away] of [
+    ["red", "red"],
+    ["unspecified", "blue"],
+    ["", ""],
+  ] as const)
+    expect(liveriesOf(home, away)).toEqual(kLiveries);
 });
 
 test("with every kind of sight, skills differ, and so do the overlays of pictures", () => {

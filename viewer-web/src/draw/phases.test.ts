@@ -3,12 +3,21 @@ import { colourOfSkill, drawPhases, piecesOf } from "./phases";
 import { countOf } from "./timeline";
 import { testPen } from "./test_pen";
 
-const phase = (second: number, skill: string, leaf = skill) => ({ from_ns: BigInt(second) * 1_000_000_000n, skill, leaf, role: "" });
+const phase = (second: number, skill: string, leaf = skill) => ({
+  from_ns: BigInt(second) * 1_000_000_000n,
+  skill,
+  leaf,
+  role: "",
+});
 const seconds = (ns: bigint) => Number(ns) / 1e9;
 
 test("phases become pieces of what is on screen; the same skill from another leaf is one piece", () => {
   const phases = [phase(0, "walk"), phase(2, "kick", "a"), phase(3, "kick", "b"), phase(5, "search")];
-  expect(piecesOf(phases, { from: 1, to: 10 }, seconds).map(({ from, to, skill }) => [from, to, skill])).toEqual([[1, 2, "walk"], [2, 5, "kick"], [5, 10, "search"]]);
+  expect(piecesOf(phases, { from: 1, to: 10 }, seconds).map(({ from, to, skill }) => [from, to, skill])).toEqual([
+    [1, 2, "walk"],
+    [2, 5, "kick"],
+    [5, 10, "search"],
+  ]);
   expect(piecesOf(phases, { from: 2.5, to: 2.7 }, seconds).map(({ skill }) => skill)).toEqual(["kick"]);
   expect(piecesOf([], { from: 0, to: 1 }, seconds)).toEqual([]);
 });
@@ -17,7 +26,15 @@ test("a wide enough piece shows its skill", () => {
   const pen = testPen();
   const colours = { ink: "#000", soft: "#000", line: "#000", fill: "#000", accent: "#000", warn: "#000" };
   const pieces = piecesOf([phase(0, "walk_to_ball"), phase(9, "kick")], { from: 0, to: 10 }, seconds);
-  drawPhases(pen, 400, 50, pieces, ["kick", "walk_to_ball"], { span: { from: 0, to: 10 }, at: 5, count: countOf({ from: 0, to: 10 }, false) }, colours);
+  drawPhases(
+    pen,
+    400,
+    50,
+    pieces,
+    ["kick", "walk_to_ball"],
+    { span: { from: 0, to: 10 }, at: 5, count: countOf({ from: 0, to: 10 }, false) },
+    colours,
+  );
   expect(pen.texts.map(({ text }) => text)).toContain("walk to ball");
   expect(colourOfSkill(["a", "b"], "a")).not.toBe(colourOfSkill(["a", "b"], "b"));
 });

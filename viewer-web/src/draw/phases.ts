@@ -8,7 +8,8 @@ import { ticksOf, xOf, type Colours, type Count, type Span } from "./timeline";
 export const kSkillColours = ["#56b4e9", "#e69f00", "#f0e442", "#7486fe", "#4eee73", "#f84360", "#39aea5", "#5658f2"];
 
 /** A skill always has the same colour, and neighbours in the list have different ones. */
-export const colourOfSkill = (skills: string[], skill: string): string => kSkillColours[Math.max(0, skills.indexOf(skill)) % kSkillColours.length]!;
+export const colourOfSkill = (skills: string[], skill: string): string =>
+  kSkillColours[Math.max(0, skills.indexOf(skill)) % kSkillColours.length]!;
 
 export interface Piece {
   from: number;
@@ -34,7 +35,15 @@ export function piecesOf(phases: Phase[], span: Span, secondsOf: (ns: bigint) =>
   return pieces;
 }
 
-export function drawPhases(pen: Pen, width: number, height: number, pieces: Piece[], skills: string[], { span, at, count: { zero, wordsOf } }: { span: Span; at: number; count: Count }, colours: Colours): void {
+export function drawPhases(
+  pen: Pen,
+  width: number,
+  height: number,
+  pieces: Piece[],
+  skills: string[],
+  { span, at, count: { zero, wordsOf } }: { span: Span; at: number; count: Count },
+  colours: Colours,
+): void {
   const bar = { top: 4, height: height - 24 };
   pen.fillStyle = colours.line;
   pen.fillRect(0, bar.top, width, bar.height);
@@ -54,7 +63,8 @@ export function drawPhases(pen: Pen, width: number, height: number, pieces: Piec
   pen.textAlign = "center";
   const { step, at: ticks } = ticksOf({ from: span.from - zero, to: span.to - zero }, width, 90);
   pen.fillStyle = colours.soft;
-  for (const tick of ticks) pen.fillText(wordsOf(tick, step), Math.min(width - 14, Math.max(18, xOf(span, width, tick + zero))), height - 8);
+  for (const tick of ticks)
+    pen.fillText(wordsOf(tick, step), Math.min(width - 14, Math.max(18, xOf(span, width, tick + zero))), height - 8);
   pen.fillStyle = colours.accent;
   pen.fillRect(Math.min(width - 2, xOf(span, width, at)) - 1, 0, 2.5, bar.top + bar.height + 4);
 }

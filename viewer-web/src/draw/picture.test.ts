@@ -22,5 +22,6 @@ test("an image that cannot be drawn gives the reason", () => {
     [{ ...kYuyv, data: "text" }, "no field 'data'"],
     [{ format: "jpeg", data: new Uint8Array() }, "empty"],
   ];
-  for (const [entries, why] of cases) expect(message(entries)).toMatchObject({ kind: "none", why: expect.stringContaining(why) });
+  for (const [entries, why] of cases)
+    expect(message(entries)).toMatchObject({ kind: "none", why: expect.stringContaining(why) });
 });

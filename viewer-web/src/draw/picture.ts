@@ -3,8 +3,7 @@
 import { numberOf, wordOf, type Fields } from "../memory/value";
 
 export type Picture =
-  | { kind: "yuyv"; width: number; height: number; data: Uint8Array }
-  | { kind: "jpeg"; data: Uint8Array };
+  { kind: "yuyv"; width: number; height: number; data: Uint8Array } | { kind: "jpeg"; data: Uint8Array };
 
 const kMostPixels = 4096 * 4096; // larger than any of our cameras; a larger claim is an error
 
@@ -25,6 +24,8 @@ export function pictureOf(message: Fields): Picture | { kind: "none"; why: strin
   if (!(width > 0 && height > 0 && width % 2 === 0 && width * height <= kMostPixels))
     return none(`Cannot draw YUYV of ${width} x ${height} pixels: the width must be even, at most 16 million pixels.`);
   if (data.length !== 2 * width * height)
-    return none(`YUYV of ${width} x ${height} pixels takes ${2 * width * height} bytes, the message has ${data.length}.`);
+    return none(
+      `YUYV of ${width} x ${height} pixels takes ${2 * width * height} bytes, the message has ${data.length}.`,
+    );
   return { kind: "yuyv", width, height, data };
 }

@@ -4,7 +4,16 @@ import { countOf } from "./timeline";
 import { testPen } from "./test_pen";
 
 function line(values: number[], hz = 30, more: Partial<Line> = {}): Line {
-  return { times: Float64Array.from(values, (_, i) => i / hz), values: Float64Array.from(values), length: values.length, offset: 0, colour: "#000", dash: [], axis: "m", ...more };
+  return {
+    times: Float64Array.from(values, (_, i) => i / hz),
+    values: Float64Array.from(values),
+    length: values.length,
+    offset: 0,
+    colour: "#000",
+    dash: [],
+    axis: "m",
+    ...more,
+  };
 }
 const sine = (count: number) => Array.from({ length: count }, (_, i) => Math.sin(i / 50));
 
@@ -16,7 +25,9 @@ test("a whole half is reduced to the columns on screen, and keeps all extremes",
   expect(columns.length).toBeLessThanOrEqual(801);
   expect(Math.max(...columns.map(({ most }) => most))).toBe(9);
   expect(Math.min(...columns.map(({ least }) => least))).toBe(-9);
-  expect(columns.every(({ least, first, last, most }) => least <= first && least <= last && first <= most && last <= most)).toBe(true);
+  expect(
+    columns.every(({ least, first, last, most }) => least <= first && least <= last && first <= most && last <= most),
+  ).toBe(true);
 });
 
 test("eight lines of a half are drawn in a small part of a frame", () => {
@@ -42,14 +53,23 @@ test("a part of the time shows its values and their neighbours, so that the line
 test("a pause breaks the line, and values that are no number are left out", () => {
   const some = line([1, NaN, 3, 4], 1);
   some.times.set([0, 0.5, 1, 9]);
-  expect(columnsOf(some, { from: 0, to: 10 }, 100).map(({ first, broken }) => [first, broken])).toEqual([[1, true], [3, false], [4, true]]);
+  expect(columnsOf(some, { from: 0, to: 10 }, 100).map(({ first, broken }) => [first, broken])).toEqual([
+    [1, true],
+    [3, false],
+    [4, true],
+  ]);
 });
 
 test("an axis has a margin, also for constant values and without values", () => {
   expect(rangeOf([columnsOf(line([2, 4]), { from: 0, to: 1 }, 10)])).toEqual({ least: 1.88, most: 4.12 });
   expect(rangeOf([columnsOf(line([2, 2]), { from: 0, to: 1 }, 10)])).toEqual({ least: 1, most: 3 });
   expect(rangeOf([])).toEqual({ least: 0, most: 1 });
-  for (const [least, most] of [[0, 1], [-3.3, 7.1], [1e-6, 2e-6], [1e9, 1e9 + 5]] as const) {
+  for (const [least, most] of [
+    [0, 1],
+    [-3.3, 7.1],
+    [1e-6, 2e-6],
+    [1e9, 1e9 + 5],
+  ] as const) {
     const ticks = valueTicks({ least, most }, 8);
     expect(ticks.length).toBeGreaterThan(1);
     expect(ticks.length).toBeLessThanOrEqual(9);
@@ -62,6 +82,12 @@ test("lines of one unit share an axis", () => {
   expect(axesOf(lines)).toEqual(["m", "s"]);
   const pen = testPen();
   const colours = { ink: "#000", soft: "#000", line: "#000", fill: "#000", accent: "#000", warn: "#000" };
-  drawPlot(pen, 600, 300, { lines, span: { from: 0, to: 1 }, at: 0.5, hover: 0.2, count: countOf({ from: 0, to: 1 }, false) }, colours);
+  drawPlot(
+    pen,
+    600,
+    300,
+    { lines, span: { from: 0, to: 1 }, at: 0.5, hover: 0.2, count: countOf({ from: 0, to: 1 }, false) },
+    colours,
+  );
   expect(pen.texts.map(({ text }) => text)).toEqual(expect.arrayContaining(["m", "s", "now", "160", "3"]));
 });

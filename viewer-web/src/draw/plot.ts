@@ -103,7 +103,8 @@ export function valueTicks({ least, most }: Range, count: number): number[] {
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map((factor) => factor * power).find((step) => step >= rough)!;
   const ticks: number[] = [];
-  for (let i = Math.ceil(least / step); i * step <= most && ticks.length < 50; ++i) ticks.push(Number((i * step).toPrecision(12)));
+  for (let i = Math.ceil(least / step); i * step <= most && ticks.length < 50; ++i)
+    ticks.push(Number((i * step).toPrecision(12)));
   return ticks;
 }
 
@@ -128,17 +129,34 @@ export interface Plot {
 
 export const axesOf = (lines: Line[]): string[] => [...new Set(lines.map(({ axis }) => axis))];
 
-export function drawPlot(pen: Pen, width: number, height: number, { lines, span, at, hover, count }: Plot, colours: Colours): void {
+export function drawPlot(
+  pen: Pen,
+  width: number,
+  height: number,
+  { lines, span, at, hover, count }: Plot,
+  colours: Colours,
+): void {
   const axes = axesOf(lines);
   const area = areaOf(width, height, axes.length);
   const x = (time: number) => area.left + xOf(span, area.width, time);
   const drawn = lines.map((line) => ({ line, columns: columnsOf(line, span, area.width) }));
-  const ranges = new Map(axes.map((axis) => [axis, rangeOf(drawn.filter(({ line }) => line.axis === axis).map(({ columns }) => columns))]));
+  const ranges = new Map(
+    axes.map((axis) => [axis, rangeOf(drawn.filter(({ line }) => line.axis === axis).map(({ columns }) => columns))]),
+  );
 
   drawTimes(pen, area, span, count, x, colours);
   axes.forEach((axis, i) => {
     const single = lines.filter((line) => line.axis === axis);
-    drawAxis(pen, area, axis, ranges.get(axis)!, kAxisWidth * (axes.length - i), i === 0, single.length === 1 ? single[0]!.colour : colours.soft, colours);
+    drawAxis(
+      pen,
+      area,
+      axis,
+      ranges.get(axis)!,
+      kAxisWidth * (axes.length - i),
+      i === 0,
+      single.length === 1 ? single[0]!.colour : colours.soft,
+      colours,
+    );
   });
   for (const { line, columns } of drawn) drawLine(pen, area, line, columns, ranges.get(line.axis)!);
 
@@ -149,7 +167,14 @@ export function drawPlot(pen: Pen, width: number, height: number, { lines, span,
 
 type Area = ReturnType<typeof areaOf>;
 
-function drawTimes(pen: Pen, area: Area, span: Span, { zero, wordsOf }: Count, x: (time: number) => number, colours: Colours): void {
+function drawTimes(
+  pen: Pen,
+  area: Area,
+  span: Span,
+  { zero, wordsOf }: Count,
+  x: (time: number) => number,
+  colours: Colours,
+): void {
   const { step, at } = ticksOf({ from: span.from - zero, to: span.to - zero }, area.width, 90);
   pen.font = "11px system-ui, sans-serif";
   pen.textAlign = "center";
@@ -158,11 +183,24 @@ function drawTimes(pen: Pen, area: Area, span: Span, { zero, wordsOf }: Count, x
     pen.fillStyle = colours.line;
     pen.fillRect(Math.round(x(tick + zero)), area.top, 1, area.height);
     pen.fillStyle = colours.soft;
-    pen.fillText(wordsOf(tick, step), Math.min(area.left + area.width - 14, x(tick + zero)), area.top + area.height + 12);
+    pen.fillText(
+      wordsOf(tick, step),
+      Math.min(area.left + area.width - 14, x(tick + zero)),
+      area.top + area.height + 12,
+    );
   }
 }
 
-function drawAxis(pen: Pen, area: Area, name: string, range: Range, right: number, grid: boolean, colour: string, colours: Colours): void {
+function drawAxis(
+  pen: Pen,
+  area: Area,
+  name: string,
+  range: Range,
+  right: number,
+  grid: boolean,
+  colour: string,
+  colours: Colours,
+): void {
   const edge = right; // [px] of its labels
   pen.font = "11px system-ui, sans-serif";
   pen.textAlign = "right";
@@ -181,9 +219,13 @@ function drawAxis(pen: Pen, area: Area, name: string, range: Range, right: numbe
   pen.fillText(name.length > 9 ? `${name.slice(0, 8)}…` : name, edge - 6, area.top - 14);
 }
 
-const tickText = (value: number): string => (Math.abs(value) >= 1e5 || (value !== 0 && Math.abs(value) < 1e-4) ? value.toExponential(1) : String(Number(value.toPrecision(5))));
+const tickText = (value: number): string =>
+  Math.abs(value) >= 1e5 || (value !== 0 && Math.abs(value) < 1e-4)
+    ? value.toExponential(1)
+    : String(Number(value.toPrecision(5)));
 
-const yOf = (area: Area, { least, most }: Range, value: number): number => area.top + area.height * (1 - (value - least) / (most - least));
+const yOf = (area: Area, { least, most }: Range, value: number): number =>
+  area.top + area.height * (1 - (value - least) / (most - least));
 
 function drawLine(pen: Pen, area: Area, line: Line, columns: Column[], range: Range): void {
   pen.strokeStyle = line.colour;

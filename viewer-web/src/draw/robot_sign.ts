@@ -1,7 +1,17 @@
 // The sign of a robot on the field: its side's colour and shape, its number, its heading, and whether it has fallen.
 // All views draw robots with it, so that a side looks the same everywhere.
 
-import { fillPolygon, fillCircle, strokeCircle, strokeLine, strokePolygon, toScreen, type Camera, type Pen, type Point } from "./field";
+import {
+  fillPolygon,
+  fillCircle,
+  strokeCircle,
+  strokeLine,
+  strokePolygon,
+  toScreen,
+  type Camera,
+  type Pen,
+  type Point,
+} from "./field";
 
 /** How the robots of one side look. Shapes differ between sides, for people who do not see the colours' difference. */
 export interface Livery {
@@ -15,12 +25,23 @@ export interface Liveries {
 }
 
 /** Without known jerseys. The brightness of one is twice the other's. */
-export const kLiveries: Liveries = { home: { colour: "#8ec5ff", shape: "disc" }, away: { colour: "#e8500a", shape: "square" } };
+export const kLiveries: Liveries = {
+  home: { colour: "#8ec5ff", shape: "disc" },
+  away: { colour: "#e8500a", shape: "square" },
+};
 
 /** Jerseys by the words of `TeamState.Colour`, bright enough for the carpet. */
 const kJerseys: Record<string, string> = {
-  blue: "#6fb1ff", red: "#e33b2e", yellow: "#ffe04a", black: "#20252b", white: "#f5f7f5",
-  green: "#86e07a", orange: "#ff9430", purple: "#c58bff", brown: "#b07d4c", gray: "#aab2ba",
+  blue: "#6fb1ff",
+  red: "#e33b2e",
+  yellow: "#ffe04a",
+  black: "#20252b",
+  white: "#f5f7f5",
+  green: "#86e07a",
+  orange: "#ff9430",
+  purple: "#c58bff",
+  brown: "#b07d4c",
+  gray: "#aab2ba",
 };
 
 /** Returns the liveries of sides that wear `home` and `away`, words of `TeamState.Colour`. Equal or unknown ones do not count. */
@@ -41,7 +62,10 @@ export interface Sign extends Point {
 }
 
 /** The point `distance` [m] ahead of a robot. */
-export const ahead = ({ x, y, heading }: Sign, distance: number): Point => ({ x: x + distance * Math.cos(heading), y: y + distance * Math.sin(heading) });
+export const ahead = ({ x, y, heading }: Sign, distance: number): Point => ({
+  x: x + distance * Math.cos(heading),
+  y: y + distance * Math.sin(heading),
+});
 
 /** The corners of a square body of about the disc's area. */
 function cornersOf({ x, y, heading }: Sign, radius: number): Point[] {
@@ -92,7 +116,10 @@ const isDark = (colour: string): boolean => {
 export function drawFallen(pen: Pen, camera: Camera, at: Sign): void {
   pen.globalAlpha = 1;
   const bar = 1.5 * kRobotRadius;
-  for (const [colour, width] of [[kInk, 7], [kFallen, 4]] as const) {
+  for (const [colour, width] of [
+    [kInk, 7],
+    [kFallen, 4],
+  ] as const) {
     pen.strokeStyle = colour;
     pen.lineWidth = width;
     strokeCircle(pen, camera, at, bar);
@@ -102,12 +129,23 @@ export function drawFallen(pen: Pen, camera: Camera, at: Sign): void {
 }
 
 /** Draws words `below` [px] a place, with a dark edge, so that they are readable over lines too. */
-export function drawOutlined(pen: Pen, { x, y }: Point, below: number, words: string, { colour, weight }: { colour: string; weight: number }): void {
+export function drawOutlined(
+  pen: Pen,
+  { x, y }: Point,
+  below: number,
+  words: string,
+  { colour, weight }: { colour: string; weight: number },
+): void {
   pen.font = `${weight} 12px system-ui, sans-serif`;
   pen.textAlign = "center";
   pen.textBaseline = "middle";
   pen.fillStyle = kInk;
-  for (const [dx, dy] of [[-1, 0], [1, 0], [0, 1]] as const) pen.fillText(words, x + dx, y + below + dy);
+  for (const [dx, dy] of [
+    [-1, 0],
+    [1, 0],
+    [0, 1],
+  ] as const)
+    pen.fillText(words, x + dx, y + below + dy);
   pen.fillStyle = colour;
   pen.fillText(words, x, y + below);
 }

@@ -41,7 +41,8 @@ export const kTruth = "/truth/world";
 export function topicsOf(memory: Memory, robots: RobotName[]): string[] {
   const topics = [kTruth, kSimulation, ...robots.flatMap((robot) => kBeliefs.map((object) => `/${robot}/${object}`))];
   // the camera's direction comes 30 times a second, the joints 100 times
-  const needless = (topic: string) => topic.endsWith("/joints") && memory.get(topic.replace("joints", "camera_top_matrix"));
+  const needless = (topic: string) =>
+    topic.endsWith("/joints") && memory.get(topic.replace("joints", "camera_top_matrix"));
   return topics.filter((topic) => memory.get(topic) && !needless(topic));
 }
 
@@ -85,7 +86,8 @@ function liveriesIn(told: Told[], homeTeam: number): Liveries {
       const game = valueOf(memory.get(`/${robot}/game`));
       const [own, opponent] = ["own", "opponent"].map((side) => fieldsOf(game, side));
       const [mine, theirs] = [own!, opponent!].map((team) => wordOf(team, "field_colour").replace("colour_", ""));
-      if (mine && theirs) return numberOf(own!, "number") === homeTeam ? liveriesOf(mine, theirs) : liveriesOf(theirs, mine);
+      if (mine && theirs)
+        return numberOf(own!, "number") === homeTeam ? liveriesOf(mine, theirs) : liveriesOf(theirs, mine);
     }
   return kLiveries;
 }
@@ -101,7 +103,9 @@ export function liveriesFor(told: Told[], robot: RobotName): { own: Livery; oppo
 const teamOf = (name: RobotName): number => Number(name.split("/")[0]);
 
 function robotsOf({ memory, robots, keyOf }: Told, world: Fields, { homeTeam, liveries }: Sides, now: number): Robot[] {
-  const truths = new Map(listOf(world, "robots").map((robot) => [`${numberOf(robot, "team")}/${numberOf(robot, "player")}`, robot]));
+  const truths = new Map(
+    listOf(world, "robots").map((robot) => [`${numberOf(robot, "team")}/${numberOf(robot, "player")}`, robot]),
+  );
   const names = [...new Set([...robots, ...truths.keys()])].sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
   return names.map((name) => {
     const truth = truths.get(name);

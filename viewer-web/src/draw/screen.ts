@@ -30,7 +30,9 @@ export class Screen {
       this.#reveal(this.shaded); // first: a drawing of WebGL on a hidden canvas may be lost
       this.#painter.paint(data, width, height);
     } else {
-      this.#showFlat(width, height, (ctx) => ctx.putImageData(new ImageData(rgbaFromYuyv(data, width, height), width, height), 0, 0));
+      this.#showFlat(width, height, (ctx) =>
+        ctx.putImageData(new ImageData(rgbaFromYuyv(data, width, height), width, height), 0, 0),
+      );
     }
     return { width, height };
   }

@@ -24,7 +24,12 @@ interface Standing {
  * where they believe to be. Robots beside the field are listed with the rest of their penalty. A robot of unknown heading
  * faces the ball.
  */
-export function situationOf(scene: Scene, told: Told[], field: Field, about: string): { text: string } | { missing: string } {
+export function situationOf(
+  scene: Scene,
+  told: Told[],
+  field: Field,
+  about: string,
+): { text: string } | { missing: string } {
   const ball = scene.ball ?? believedBall(scene);
   if (!ball) return { missing: "The place of the ball is unknown at this moment." };
   const game = gameOf(scene, told);
@@ -32,7 +37,9 @@ export function situationOf(scene: Scene, told: Told[], field: Field, about: str
   const robots = standing(scene, ball, turned);
   if (robots.length === 0) return { missing: "The place of no robot is known at this moment." };
   const teams = { home: teamOf(scene, true), away: teamOf(scene, false) };
-  const list = [...robots, ...penalised(game, field, robots)].sort((a, b) => a.side.localeCompare(b.side) * -1 || a.player - b.player);
+  const list = [...robots, ...penalised(game, field, robots)].sort(
+    (a, b) => a.side.localeCompare(b.side) * -1 || a.player - b.player,
+  );
   const place = placed(ball, turned);
   const speed = ball.velocity && placed(ball.velocity, turned);
   const lines = {
@@ -46,14 +53,19 @@ export function situationOf(scene: Scene, told: Told[], field: Field, about: str
 }
 
 const rounded = (value: number): number => Math.round(10_000 * value) / 10_000 + 0; // + 0: no negative zero
-const placed = ({ x, y }: Point, turned: boolean): Point => ({ x: rounded(turned ? -x : x), y: rounded(turned ? -y : y) });
+const placed = ({ x, y }: Point, turned: boolean): Point => ({
+  x: rounded(turned ? -x : x),
+  y: rounded(turned ? -y : y),
+});
 
 /** [rad] Wraps into what a situation may hold, after rounding too. */
-const wrapped = (heading: number): number => Math.max(-3.1415, Math.min(3.1415, rounded(Math.atan2(Math.sin(heading), Math.cos(heading)))));
+const wrapped = (heading: number): number =>
+  Math.max(-3.1415, Math.min(3.1415, rounded(Math.atan2(Math.sin(heading), Math.cos(heading)))));
 
 const numberIn = (name: string): number => Number(name.split("/")[1]);
 const teamIn = (name: string): number => Number(name.split("/")[0]);
-const teamOf = ({ robots }: Scene, home: boolean): number => teamIn(robots.find((robot) => robot.home === home)?.name ?? "0");
+const teamOf = ({ robots }: Scene, home: boolean): number =>
+  teamIn(robots.find((robot) => robot.home === home)?.name ?? "0");
 
 /** Returns the ball of the robot that saw it last. */
 function believedBall({ robots }: Scene): Scene["ball"] {
@@ -69,7 +81,9 @@ interface Heard {
 
 /** Returns the game of a robot of the home side, or else of any. */
 function gameOf(scene: Scene, told: Told[]): Heard | undefined {
-  const heard = scene.robots.flatMap((robot) => told.flatMap(({ memory }) => ({ fields: valueOf(memory.get(`/${robot.name}/game`)), robot })));
+  const heard = scene.robots.flatMap((robot) =>
+    told.flatMap(({ memory }) => ({ fields: valueOf(memory.get(`/${robot.name}/game`)), robot })),
+  );
   const games = heard.filter(({ fields }) => fields.size > 0);
   return games.find(({ robot }) => robot.home) ?? games[0];
 }
@@ -95,12 +109,18 @@ function numbered(robots: Robot[]): [Robot, number][] {
 }
 
 function standing(scene: Scene, ball: Point, turned: boolean): Standing[] {
-  const placeOf = (robot: Robot): Pose | undefined => robot.truth ?? (scene.robots.some(({ truth }) => truth) ? undefined : robot.pose);
+  const placeOf = (robot: Robot): Pose | undefined =>
+    robot.truth ?? (scene.robots.some(({ truth }) => truth) ? undefined : robot.pose);
   return [true, false].flatMap((home) =>
     numbered(scene.robots.filter((robot) => robot.home === home && placeOf(robot))).map(([robot, player]) => {
       const { x, y, heading } = placeOf(robot)!;
       const facing = Number.isFinite(heading) ? heading : Math.atan2(ball.y - y, ball.x - x);
-      return { side: home ? "home" : "away", player, ...placed({ x, y }, turned), heading: wrapped(facing + (turned ? Math.PI : 0)) };
+      return {
+        side: home ? "home" : "away",
+        player,
+        ...placed({ x, y }, turned),
+        heading: wrapped(facing + (turned ? Math.PI : 0)),
+      };
     }),
   );
 }
@@ -115,7 +135,16 @@ function penalised(game: Heard | undefined, { length, width }: Field, there: Sta
       const [player, seconds] = [i + 1, numberOf(state, "seconds_till_unpenalised")];
       const known = there.some((robot) => robot.side === side && robot.player === player);
       if (known || state.get("penalised") !== true || !(seconds > 0) || player > kMostPlayers) return [];
-      return [{ side, player, x: rounded((-attack * length) / 4), y: rounded(width / 2 + kWaiting), heading: -1.5708, penalised: rounded(Math.min(3600, seconds)) }];
+      return [
+        {
+          side,
+          player,
+          x: rounded((-attack * length) / 4),
+          y: rounded(width / 2 + kWaiting),
+          heading: -1.5708,
+          penalised: rounded(Math.min(3600, seconds)),
+        },
+      ];
     });
   });
 }
@@ -129,7 +158,10 @@ function setPlayOf(fields: Fields): string {
   if (word && word !== "unspecified") return "kick_in";
   const state = wordOf(fields, "state");
   const coming = ["ready", "set"].includes(state);
-  const on = state === "playing" && numberOf(fields, "secondary_seconds") > 0 && Number.isFinite(numberOf(fields, "kicking_team"));
+  const on =
+    state === "playing" &&
+    numberOf(fields, "secondary_seconds") > 0 &&
+    Number.isFinite(numberOf(fields, "kicking_team"));
   return coming || on ? "kick_off" : "none";
 }
 
@@ -139,7 +171,9 @@ function wordsOf(game: Heard | undefined, scene: Scene): object {
   const { fields, robot } = game;
   const state = wordOf(fields, "state");
   const phase = ["ready", "set", "playing", "finished"].includes(state) ? state : "initial";
-  const [own, opponent] = ["own", "opponent"].map((team) => Math.min(255, numberOf(fieldsOf(fields, team), "score") || 0));
+  const [own, opponent] = ["own", "opponent"].map((team) =>
+    Math.min(255, numberOf(fieldsOf(fields, team), "score") || 0),
+  );
   const kicking = numberOf(fields, "kicking_team");
   const remaining = numberOf(fields, "seconds_remaining");
   return {

@@ -18,7 +18,13 @@ export function testPen(): TestPen {
   let closed = false;
   const points: Point[] = [];
   const box = (x: number, y: number, width: number, height: number) => {
-    for (const [dx, dy] of [[0, 0], [width, 0], [0, height], [width, height]] as const) points.push({ x: x + dx, y: y + dy });
+    for (const [dx, dy] of [
+      [0, 0],
+      [width, 0],
+      [0, height],
+      [width, height],
+    ] as const)
+      points.push({ x: x + dx, y: y + dy });
   };
   const pen: TestPen = {
     points,
@@ -60,7 +66,8 @@ export function testPen(): TestPen {
       if (circle) pen.circles.push({ ...circle, ...look });
       else if (closed) pen.polygons.push({ corners: path, ...look });
     },
-    stroke: () => circle && pen.circles.push({ ...circle, filled: false, style: String(pen.strokeStyle), alpha: pen.globalAlpha }),
+    stroke: () =>
+      circle && pen.circles.push({ ...circle, filled: false, style: String(pen.strokeStyle), alpha: pen.globalAlpha }),
     fillRect(x, y, width, height) {
       box(x, y, width, height);
       pen.boxes.push({ x, y, width, height, style: String(pen.fillStyle) });

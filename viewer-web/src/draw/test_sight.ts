@@ -5,17 +5,31 @@ type Matrix = [Rgb, Rgb, Rgb];
 
 /** Matrices for linear RGB, for a sight without one kind of cones (Machado, Oliveira and Fernandes, 2009). */
 export const kSights: Record<string, Matrix> = {
-  "all colours": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
-  protanopia: [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
-  deuteranopia: [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]],
+  "all colours": [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
+  protanopia: [
+    [0.152286, 1.052583, -0.204868],
+    [0.114503, 0.786281, 0.099216],
+    [-0.003882, -0.048116, 1.051998],
+  ],
+  deuteranopia: [
+    [0.367322, 0.860646, -0.227968],
+    [0.280085, 0.672501, 0.047413],
+    [-0.01182, 0.04294, 0.968881],
+  ],
 };
 
 const linear = (value: number): number => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
 
 /** "#rrggbb" in linear RGB, 0 .. 1. */
-const rgbOf = (colour: string): Rgb => [1, 3, 5].map((at) => linear(parseInt(colour.slice(at, at + 2), 16) / 255)) as Rgb;
+const rgbOf = (colour: string): Rgb =>
+  [1, 3, 5].map((at) => linear(parseInt(colour.slice(at, at + 2), 16) / 255)) as Rgb;
 
-const times = (matrix: Matrix, [r, g, b]: Rgb): Rgb => matrix.map((row) => Math.min(1, Math.max(0, row[0] * r + row[1] * g + row[2] * b))) as Rgb;
+const times = (matrix: Matrix, [r, g, b]: Rgb): Rgb =>
+  matrix.map((row) => Math.min(1, Math.max(0, row[0] * r + row[1] * g + row[2] * b))) as Rgb;
 
 /** CIE L*a*b* for daylight (D65). */
 function labOf([r, g, b]: Rgb): Rgb {

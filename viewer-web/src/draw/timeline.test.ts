@@ -1,6 +1,18 @@
 import { expect, test } from "vitest";
 import { testPen } from "./test_pen";
-import { agoWords, countOf, drawStrip, drawSummary, elapsedWords, spanOf, ticksOf, timeAt, within, xOf, zoomedSpan } from "./timeline";
+import {
+  agoWords,
+  countOf,
+  drawStrip,
+  drawSummary,
+  elapsedWords,
+  spanOf,
+  ticksOf,
+  timeAt,
+  within,
+  xOf,
+  zoomedSpan,
+} from "./timeline";
 
 const kept = { from: 100, to: 400 };
 
@@ -28,29 +40,70 @@ test("ticks are round and far enough apart", () => {
     expect((step / length) * 900).toBeGreaterThanOrEqual(Math.min(76, (3600 / length) * 900));
     for (const time of at) expect(Math.abs(time / step - Math.round(time / step))).toBeLessThan(1e-6);
   }
-  expect([agoWords(0, 10), agoWords(-70, 10), agoWords(-0.5, 0.1), agoWords(-30, 10)]).toEqual(["now", "−1:10", "−0.5 s", "−30 s"]);
+  expect([agoWords(0, 10), agoWords(-70, 10), agoWords(-0.5, 0.1), agoWords(-30, 10)]).toEqual([
+    "now",
+    "−1:10",
+    "−0.5 s",
+    "−30 s",
+  ]);
 });
 
 test("a recording counts from its beginning", () => {
-  expect([elapsedWords(0, 10), elapsedWords(65, 10), elapsedWords(65.26, 0.1), elapsedWords(59.96, 0.1), elapsedWords(1199.6, 1)]).toEqual(["0:00", "1:05", "1:05.3", "1:00.0", "20:00"]);
+  expect([
+    elapsedWords(0, 10),
+    elapsedWords(65, 10),
+    elapsedWords(65.26, 0.1),
+    elapsedWords(59.96, 0.1),
+    elapsedWords(1199.6, 1),
+  ]).toEqual(["0:00", "1:05", "1:05.3", "1:00.0", "20:00"]);
 });
 
 test("a loop and matches are drawn at their places, also short ones", () => {
   const pen = testPen();
   const colours = { ink: "ink", soft: "soft", line: "line", fill: "fill", accent: "accent", warn: "warn" };
-  const strip = { kept, shown: kept, seen: { from: 200, to: 250 }, at: 300, live: false, marks: [], matches: [{ from: 150, to: 150 }], loop: { from: 300, to: 350 }, count: countOf(kept, true), hover: undefined };
+  const strip = {
+    kept,
+    shown: kept,
+    seen: { from: 200, to: 250 },
+    at: 300,
+    live: false,
+    marks: [],
+    matches: [{ from: 150, to: 150 }],
+    loop: { from: 300, to: 350 },
+    count: countOf(kept, true),
+    hover: undefined,
+  };
   drawStrip(pen, 600, 40, strip, colours);
-  const boxes = (colour: string) => pen.boxes.filter(({ style }) => style === colour).map(({ x, width }) => [Math.round(x), Math.round(width)]);
+  const boxes = (colour: string) =>
+    pen.boxes.filter(({ style }) => style === colour).map(({ x, width }) => [Math.round(x), Math.round(width)]);
   expect(boxes("fill")).toEqual([[200, 100]]);
   expect(boxes("warn")).toEqual([[100, 2]]);
-  expect(boxes("accent")).toEqual([[400, 100], [400, 2], [500, 2]]);
+  expect(boxes("accent")).toEqual([
+    [400, 100],
+    [400, 2],
+    [500, 2],
+  ]);
 });
 
 test("a recording's summary has every mark at its place", () => {
   const pen = testPen();
   const colours = { ink: "#000", soft: "#000", line: "#000", fill: "#000", accent: "#000", warn: "#000" };
-  drawSummary(pen, 400, 24, 100, [{ from: 0, to: 50, colour: "red" }], [{ at: 0, kind: "goal", text: "" }, { at: 50, kind: "fall", text: "" }], colours);
-  expect(pen.texts.map(({ text, x }) => [text, x])).toEqual([["G", 4], ["F", 200]]);
+  drawSummary(
+    pen,
+    400,
+    24,
+    100,
+    [{ from: 0, to: 50, colour: "red" }],
+    [
+      { at: 0, kind: "goal", text: "" },
+      { at: 50, kind: "fall", text: "" },
+    ],
+    colours,
+  );
+  expect(pen.texts.map(({ text, x }) => [text, x])).toEqual([
+    ["G", 4],
+    ["F", 200],
+  ]);
   expect(pen.boxes.find(({ style }) => style === "red")).toMatchObject({ x: 0, width: 200 });
 });
 
@@ -58,6 +111,12 @@ test("goals and errors are distinguished by letters", () => {
   const pen = testPen();
   const colours = { ink: "#000", soft: "#000", line: "#000", fill: "#000", accent: "#000", warn: "#000" };
   const marks = (["goal", "error", "state"] as const).map((kind, i) => ({ at: 150 + 50 * i, kind, text: "" }));
-  drawStrip(pen, 800, 40, { kept, shown: kept, at: 300, live: false, marks, count: countOf(kept, false), hover: undefined }, colours);
+  drawStrip(
+    pen,
+    800,
+    40,
+    { kept, shown: kept, at: 300, live: false, marks, count: countOf(kept, false), hover: undefined },
+    colours,
+  );
   expect(pen.texts.filter(({ text }) => ["G", "!"].includes(text)).map(({ x }) => Math.round(x))).toEqual([133, 267]);
 });

@@ -39,7 +39,8 @@ export interface Count {
 }
 
 /** Live data count back from now, a recording counts from its begin. */
-export const countOf = (kept: Span, recorded: boolean): Count => (recorded ? { zero: kept.from, wordsOf: elapsedWords } : { zero: kept.to, wordsOf: agoWords });
+export const countOf = (kept: Span, recorded: boolean): Count =>
+  recorded ? { zero: kept.from, wordsOf: elapsedWords } : { zero: kept.to, wordsOf: agoWords };
 
 export interface Colours {
   ink: string;
@@ -130,14 +131,16 @@ export function drawStrip(pen: Pen, width: number, height: number, strip: Strip,
   fill(seen?.from ?? kept.from, seen?.to ?? at, bar.top, bar.height);
   // when the searched condition holds, also for a short time
   pen.fillStyle = colours.warn;
-  for (const match of strip.matches ?? []) if (match.to >= shown.from && match.from <= shown.to) fill(match.from, match.to, bar.top + bar.height + 1, 4, 2);
+  for (const match of strip.matches ?? [])
+    if (match.to >= shown.from && match.from <= shown.to) fill(match.from, match.to, bar.top + bar.height + 1, 4, 2);
 
   if (loop) {
     pen.fillStyle = colours.accent;
     pen.globalAlpha = 0.18;
     fill(loop.from, loop.to, 0, height);
     pen.globalAlpha = 1;
-    for (const edge of [loop.from, loop.to]) if (edge >= shown.from && edge <= shown.to) pen.fillRect(Math.min(width - 2, x(edge)), 0, 2, height);
+    for (const edge of [loop.from, loop.to])
+      if (edge >= shown.from && edge <= shown.to) pen.fillRect(Math.min(width - 2, x(edge)), 0, 2, height);
   }
 
   pen.font = "11px system-ui, sans-serif";
@@ -170,16 +173,30 @@ export interface Piece extends Span {
 }
 
 /** A whole recording in short [s after its beginning]: the agent's skills as a band, events as marks. */
-export function drawSummary(pen: Pen, width: number, height: number, length: number, pieces: Piece[], marks: Mark[], colours: Colours): void {
+export function drawSummary(
+  pen: Pen,
+  width: number,
+  height: number,
+  length: number,
+  pieces: Piece[],
+  marks: Mark[],
+  colours: Colours,
+): void {
   const whole = { from: 0, to: Math.max(length, 1e-3) };
   const bar = { top: height - 8, height: 8 };
   pen.fillStyle = colours.line;
   pen.fillRect(0, bar.top, width, bar.height);
   for (const { from, to, colour } of pieces) {
     pen.fillStyle = colour;
-    pen.fillRect(xOf(whole, width, from), bar.top, Math.max(0.5, xOf(whole, width, to) - xOf(whole, width, from)), bar.height);
+    pen.fillRect(
+      xOf(whole, width, from),
+      bar.top,
+      Math.max(0.5, xOf(whole, width, to) - xOf(whole, width, from)),
+      bar.height,
+    );
   }
-  for (const mark of marks) drawMark(pen, Math.min(width - 4, Math.max(4, xOf(whole, width, mark.at))), bar.top, mark.kind, colours);
+  for (const mark of marks)
+    drawMark(pen, Math.min(width - 4, Math.max(4, xOf(whole, width, mark.at))), bar.top, mark.kind, colours);
 }
 
 /** Goals and errors are signs with letters, the rest lines: told apart without colour. */

@@ -51,7 +51,11 @@ export class Trails {
 
 const kMost = 64; // [objects] with a kept trail; beyond it all are dropped
 
-function trailOf<T>(trails: Map<MemoryObject, Trail<T>>, object: MemoryObject, read: (fields: Fields) => T | undefined): Trail<T> {
+function trailOf<T>(
+  trails: Map<MemoryObject, Trail<T>>,
+  object: MemoryObject,
+  read: (fields: Fields) => T | undefined,
+): Trail<T> {
   if (!trails.has(object)) {
     if (trails.size >= kMost) trails.clear();
     trails.set(object, new Trail(object, (fields) => read(fields)));

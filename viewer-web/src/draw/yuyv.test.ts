@@ -21,7 +21,9 @@ test("the forward transform of JPEG, undone, is the colour again up to rounding"
     const u = (b - y) / 1.772 + 128;
     const v = (r - y) / 1.402 + 128;
     const back = pixel(Math.round(y), Math.min(255, Math.round(u)), Math.min(255, Math.round(v)));
-    [r, g, b].forEach((colour, channel) => expect(Math.abs(back[channel]! - colour), `case ${i}`).toBeLessThanOrEqual(2));
+    [r, g, b].forEach((colour, channel) =>
+      expect(Math.abs(back[channel]! - colour), `case ${i}`).toBeLessThanOrEqual(2),
+    );
   }
 });
 

@@ -56,7 +56,10 @@ export function yuyvPainter(canvas: HTMLCanvasElement): YuyvPainter | undefined 
 
 function programOf(gl: WebGL2RenderingContext): WebGLProgram | undefined {
   const program = gl.createProgram();
-  for (const [type, source] of [[gl.VERTEX_SHADER, kVertex], [gl.FRAGMENT_SHADER, kFragment]] as const) {
+  for (const [type, source] of [
+    [gl.VERTEX_SHADER, kVertex],
+    [gl.FRAGMENT_SHADER, kFragment],
+  ] as const) {
     const shader = gl.createShader(type)!;
     gl.shaderSource(shader, source);
     gl.compileShader(shader);

@@ -38,7 +38,8 @@ test("comparisons, and, or, not and brackets have their usual meaning", () => {
 });
 
 test("an enum value matches its name with or without prefix, and a text matches its words", () => {
-  for (const name of ["playing", "PLAYING", "STATE_PLAYING", '"playing"', "3"]) expect(holds(`game.state == ${name}`), name).toBe(true);
+  for (const name of ["playing", "PLAYING", "STATE_PLAYING", '"playing"', "3"])
+    expect(holds(`game.state == ${name}`), name).toBe(true);
   expect(holds("game.state == ing")).toBe(false);
   expect(holds("game.state != ready")).toBe(true);
   expect(holds(`game.note == "it's"`)).toBe(true);
@@ -46,13 +47,16 @@ test("an enum value matches its name with or without prefix, and a text matches 
 });
 
 test("an absent value is neither true, nor equal, nor different", () => {
-  for (const text of ["pose.absent", "pose.absent == 0", "pose.absent != 0", "pose.nowhere < 1", "ball.list[9].y < 1"]) expect(holds(text), text).toBe(false);
+  for (const text of ["pose.absent", "pose.absent == 0", "pose.absent != 0", "pose.nowhere < 1", "ball.list[9].y < 1"])
+    expect(holds(text), text).toBe(false);
   const condition = of("ball.x > 2") as Condition;
   expect(condition.holds(() => undefined)).toBe(false);
 });
 
 test("a condition lists each topic that it reads once", () => {
-  expect(of("ball.x > 1 && ball.x < 2 && /14/3/ball.x > pose.deviation_x")).toMatchObject({ topics: ["/14/2/ball", "/14/3/ball", "/14/2/pose"] });
+  expect(of("ball.x > 1 && ball.x < 2 && /14/3/ball.x > pose.deviation_x")).toMatchObject({
+    topics: ["/14/2/ball", "/14/3/ball", "/14/2/pose"],
+  });
 });
 
 test("an invalid condition gives one sentence", () => {
@@ -75,7 +79,28 @@ test("an invalid condition gives one sentence", () => {
 });
 
 test("no text makes the parser throw", () => {
-  const pieces = ["ball.x", "&&", "||", "!", "(", ")", "<", "==", "2", "'a", '"b"', "[", "]", ".", " ", "/14/2/", "\\", "é", "-", "__proto__.x"];
+  const pieces = [
+    "ball.x",
+    "&&",
+    "||",
+    "!",
+    "(",
+    ")",
+    "<",
+    "==",
+    "2",
+    "'a",
+    '"b"',
+    "[",
+    "]",
+    ".",
+    " ",
+    "/14/2/",
+    "\\",
+    "é",
+    "-",
+    "__proto__.x",
+  ];
   let random = 1;
   for (let i = 0; i < 3000; ++i) {
     let text = "";

@@ -41,7 +41,8 @@ interface Token {
 
 function tokensOf(text: string): Token[] {
   const tokens: Token[] = [];
-  const pattern = /\s*(?:(&&|\|\||[=!<>]=|[<>!()])|(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w./]))|"([^"]*)"|'([^']*)'|([\p{L}_/][\p{L}\d_./]*(?:\[[^\]]*\](?:\.[\p{L}\d_.]+)?)*))/uy;
+  const pattern =
+    /\s*(?:(&&|\|\||[=!<>]=|[<>!()])|(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w./]))|"([^"]*)"|'([^']*)'|([\p{L}_/][\p{L}\d_./]*(?:\[[^\]]*\](?:\.[\p{L}\d_.]+)?)*))/uy;
   for (let at = 0; text.slice(at).trim() !== ""; at = pattern.lastIndex) {
     pattern.lastIndex = at;
     const found = pattern.exec(text);
@@ -111,11 +112,15 @@ class Parser {
     const left = this.#operand();
     const how = this.#take(...kComparisons) as Comparison | undefined;
     if (!how) {
-      if ("literal" in left && typeof left.literal !== "boolean") throw new Complaint(`“${left.literal}” must be compared with something.`);
+      if ("literal" in left && typeof left.literal !== "boolean")
+        throw new Complaint(`“${left.literal}” must be compared with something.`);
       return { kind: "holds", of: left };
     }
     const right = this.#operand();
-    if ("literal" in left && "literal" in right) throw new Complaint(`“${left.literal}” and “${right.literal}” never change: one side must be a path such as ball.x.`);
+    if ("literal" in left && "literal" in right)
+      throw new Complaint(
+        `“${left.literal}” and “${right.literal}” never change: one side must be a path such as ball.x.`,
+      );
     return { kind: "compare", how, left, right };
   }
   #operand(): Operand {
@@ -132,8 +137,14 @@ class Parser {
   #reference(text: string): Reference {
     const full = text.startsWith("/") ? text : `/${this.robot}/${text}`;
     const path: Path | undefined = pathOf(full, this.known) ?? pathOf(`/${text}`, this.known);
-    if (!path) throw new Complaint(text.startsWith("/") ? `Nobody tells “${text}”.` : `Robot ${this.robot || "–"} has no object “${text.split(/[.[]/)[0]}”.`);
-    if (path.steps.length === 0) throw new Complaint(`“${text}” is a whole object: name a field of it, such as ${text}.x.`);
+    if (!path)
+      throw new Complaint(
+        text.startsWith("/")
+          ? `Nobody tells “${text}”.`
+          : `Robot ${this.robot || "–"} has no object “${text.split(/[.[]/)[0]}”.`,
+      );
+    if (path.steps.length === 0)
+      throw new Complaint(`“${text}” is a whole object: name a field of it, such as ${text}.x.`);
     this.topics.add(path.topic);
     return path;
   }
@@ -173,7 +184,8 @@ function valueOf(operand: Operand, look: Look): Value {
   return fields && valueAt(fields, operand.reference.steps);
 }
 
-const isTrue = (value: Value): boolean => value === true || (typeof value !== "boolean" && Boolean(value instanceof EnumValue ? value.number : value));
+const isTrue = (value: Value): boolean =>
+  value === true || (typeof value !== "boolean" && Boolean(value instanceof EnumValue ? value.number : value));
 
 function compares(how: Comparison, left: Value, right: Value): boolean {
   if (left === undefined || right === undefined) return false;

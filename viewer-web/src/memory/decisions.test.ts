@@ -6,9 +6,20 @@ import { EnumValue, type Fields, type Value } from "./value";
 
 const fields = (entries: Record<string, Value>): Fields => new Map(Object.entries(entries));
 const condition = (path: string, value: number, threshold: number, result: boolean) =>
-  fields({ kind: new EnumValue(1, "KIND_CONDITION"), name: path.split("/").at(-1)!, path, condition: "ball_distance < $near", feature: "ball_distance", value, threshold, result });
-const skill = (path: string) => fields({ kind: new EnumValue(4, "KIND_SKILL"), name: path.split("/").at(-1)!, path, result: true });
-const trace = (name: string, ...visited: Fields[]) => fields({ strategy: "baseline", role: "chaser", skill: name, visited });
+  fields({
+    kind: new EnumValue(1, "KIND_CONDITION"),
+    name: path.split("/").at(-1)!,
+    path,
+    condition: "ball_distance < $near",
+    feature: "ball_distance",
+    value,
+    threshold,
+    result,
+  });
+const skill = (path: string) =>
+  fields({ kind: new EnumValue(4, "KIND_SKILL"), name: path.split("/").at(-1)!, path, result: true });
+const trace = (name: string, ...visited: Fields[]) =>
+  fields({ strategy: "baseline", role: "chaser", skill: name, visited });
 
 const kKick = trace("kick", condition("t/near", 0.2, 0.3, true), skill("t/near/shoot/kick"));
 const kWalk = trace("walk", condition("t/near", 0.52, 0.3, false), skill("t/walk"));
@@ -16,7 +27,8 @@ const kWalk = trace("walk", condition("t/near", 0.52, 0.3, false), skill("t/walk
 /** Returns an object that holds these traces, 10 per second. */
 function decided(...traces: Fields[]) {
   const history = new History();
-  const add = (i: number, second: number) => history.add({ log_ns: BigInt(Math.round(second * 1e9)), data: Uint8Array.of(i), arrived: second });
+  const add = (i: number, second: number) =>
+    history.add({ log_ns: BigInt(Math.round(second * 1e9)), data: Uint8Array.of(i), arrived: second });
   traces.forEach((_, i) => add(i, i / 10));
   const object = { history, decode: (data: Uint8Array) => ({ fields: traces[data[0]!] }) } as unknown as MemoryObject;
   return { decisions: new Decisions(object), add };
@@ -43,15 +55,23 @@ test("time counts for the chosen leaf and all nodes above it, and a long silence
   expect(decisions.node("t/walk")!.seconds).toBeCloseTo(0.2);
   expect(decisions.node("t/near/shoot/kick")!.seconds).toBeCloseTo(0.1);
   expect(decisions.node("t/near")!.seconds).toBeCloseTo(0.1);
-  expect(decisions.phases.map(({ skill, from_ns }) => [skill, Number(from_ns) / 1e9])).toEqual([["kick", 0], ["walk", 0.1], ["kick", 0.3]]);
+  expect(decisions.phases.map(({ skill, from_ns }) => [skill, Number(from_ns) / 1e9])).toEqual([
+    ["kick", 0],
+    ["walk", 0.1],
+    ["kick", 0.3],
+  ]);
 });
 
 test("a leaf that was not chosen names the condition that failed and by how much", () => {
   const { decisions } = decided(kKick, kWalk);
   decisions.update(100);
   const [kick, walk] = ["t/near/shoot/kick", "t/walk"].map((path) => decisions.node(path)!);
-  expect(whyNot(kick!, decisionOf(kWalk))).toBe("“ball_distance < $near” does not hold: ball_distance 0.52, compared with 0.3. It must hold to reach this node.");
-  expect(whyNot(walk!, decisionOf(kKick))).toBe("“ball_distance < $near” holds: ball_distance 0.2, compared with 0.3. While it holds, an earlier node is chosen.");
+  expect(whyNot(kick!, decisionOf(kWalk))).toBe(
+    "“ball_distance < $near” does not hold: ball_distance 0.52, compared with 0.3. It must hold to reach this node.",
+  );
+  expect(whyNot(walk!, decisionOf(kKick))).toBe(
+    "“ball_distance < $near” holds: ball_distance 0.2, compared with 0.3. While it holds, an earlier node is chosen.",
+  );
   expect(whyNot(kick!, decisionOf(kKick))).toBeUndefined();
   expect(whyNot(kick!, decisionOf(fields({})))).toBe("Nothing was decided.");
 });
@@ -59,7 +79,13 @@ test("a leaf that was not chosen names the condition that failed and by how much
 test("a comparison shows both values, also of two features and when one is unknown", () => {
   const shownOf = (visit: Fields) => comparison(decisionOf(trace("stand", visit)).visited[0]!);
   const two = (entries: Record<string, Value>) =>
-    fields({ kind: new EnumValue(1, "KIND_CONDITION"), path: "t/late", condition: "mates_time_to_ball < time_to_ball", feature: "mates_time_to_ball", ...entries });
+    fields({
+      kind: new EnumValue(1, "KIND_CONDITION"),
+      path: "t/late",
+      condition: "mates_time_to_ball < time_to_ball",
+      feature: "mates_time_to_ball",
+      ...entries,
+    });
   expect(shownOf(two({ value: 1.5, threshold: 2.25 }))).toBe("mates_time_to_ball 1.5, compared with 2.25");
   expect(shownOf(two({ value: 1.5 }))).toBe("mates_time_to_ball 1.5, compared with not known");
   expect(shownOf(two({ threshold: 2.25 }))).toBe("mates_time_to_ball not known, compared with 2.25");

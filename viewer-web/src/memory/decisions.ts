@@ -44,7 +44,10 @@ export function decisionOf(fields: Fields): Decision {
     strategy: textOf(fields, "strategy"),
     role: textOf(fields, "role"),
     skill: textOf(fields, "skill"),
-    arguments: listOf(fields, "arguments").map((argument) => ({ name: textOf(argument, "name"), value: numberOf(argument, "value") })),
+    arguments: listOf(fields, "arguments").map((argument) => ({
+      name: textOf(argument, "name"),
+      value: numberOf(argument, "value"),
+    })),
     visited,
     leaf: visited.findLast(({ kind, result }) => kind === "skill" && result)?.path ?? visited.at(-1)?.path ?? "",
   };
@@ -124,7 +127,8 @@ export class Decisions {
     decision.visited.forEach((visit, i) => this.#grow(visit, decision.visited.slice(0, i)));
     this.#credit(decision, entry.log_ns);
     const before = this.phases.at(-1);
-    if (before?.leaf !== decision.leaf || before.role !== decision.role) this.phases.push({ from_ns: entry.log_ns, leaf: decision.leaf, skill: decision.skill, role: decision.role });
+    if (before?.leaf !== decision.leaf || before.role !== decision.role)
+      this.phases.push({ from_ns: entry.log_ns, leaf: decision.leaf, skill: decision.skill, role: decision.role });
     if (this.phases.length > kMostPhases) this.phases.splice(0, kMostPhases / 10);
   }
 
@@ -137,7 +141,16 @@ export class Decisions {
     }
     if (visit.path === "" || this.#nodes.size >= kMostNodes) return;
     const parent = this.#parentOf(visit.path);
-    const node: Node = { path: visit.path, name: visit.name, kind: visit.kind, condition: visit.condition, parent, children: [], seconds: 0, way: [] };
+    const node: Node = {
+      path: visit.path,
+      name: visit.name,
+      kind: visit.kind,
+      condition: visit.condition,
+      parent,
+      children: [],
+      seconds: 0,
+      way: [],
+    };
     this.#nodes.set(visit.path, node);
     const siblings = parent?.children ?? this.roots;
     const asked = new Set(before.map(({ path }) => path));
@@ -179,7 +192,7 @@ export function whyNot(node: Node, now: Decision): string | undefined {
   for (const then of node.way) {
     const visit = visits.get(then.path);
     if (!visit || visit.result === then.result) continue;
-    const condition = (visit.condition || visit.name);
+    const condition = visit.condition || visit.name;
     const compared = comparison(visit);
     return `“${condition}” ${visit.result ? "holds" : "does not hold"}${compared ? `: ${compared}` : ""}. ${then.result ? "It must hold to reach this node." : "While it holds, an earlier node is chosen."}`;
   }

@@ -28,13 +28,21 @@ test("a message of an unknown schema is shown field by field, in the schema's or
   expect(numberOf(fields, "x")).toBe(1.5);
   expect(wordOf(fields, "side")).toBe("own");
   expect(numberOf(fieldsOf(fields, "centre"), "y")).toBe(-2);
-  expect(listOf(fields, "outline").map((point) => [...point.values()])).toEqual([[3, 0], [0, 4]]);
+  expect(listOf(fields, "outline").map((point) => [...point.values()])).toEqual([
+    [3, 0],
+    [0, 4],
+  ]);
   expect(fields.get("weights")).toEqual([0.5, 0.25]);
   expect(fields.get("data")).toEqual(Uint8Array.of(1, 2));
   expect(textOf(fields, "note")).toBe("hallo");
   expect(fields.get("radius")).toBe(0);
   expect(fields.get("sides")).toEqual([new EnumValue(1, "SIDE_OWN"), new EnumValue(7, undefined)]);
-  expect(fields.get("counts")).toEqual(new Map([["a", 1], ["b", 2]]));
+  expect(fields.get("counts")).toEqual(
+    new Map([
+      ["a", 1],
+      ["b", 2],
+    ]),
+  );
 });
 
 test("in an empty message, optional fields are absent and the others have their defaults", () => {
@@ -70,7 +78,12 @@ test("any JSON value is shown as it is", () => {
   const json = decoderOf({ encoding: "json", schemaName: "", schema: "" });
   const of = (text: string) => json(new TextEncoder().encode(text));
   expect(of('{"x": 1.5, "at": [1, {"y": true}], "__proto__": "name", "none": null}').fields).toEqual(
-    new Map<string, unknown>([["x", 1.5], ["at", [1, new Map([["y", true]])]], ["__proto__", "name"], ["none", undefined]]),
+    new Map<string, unknown>([
+      ["x", 1.5],
+      ["at", [1, new Map([["y", true]])]],
+      ["__proto__", "name"],
+      ["none", undefined],
+    ]),
   );
   expect(of("7").fields).toEqual(new Map([["value", 7]]));
   expect(of('{"x": ').error).toMatch(/^This message is no JSON: /);

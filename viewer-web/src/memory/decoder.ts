@@ -97,6 +97,7 @@ function decodeJson(data: Uint8Array): Decoded {
 
 function ofJson(value: unknown): Value {
   if (Array.isArray(value)) return value.map(ofJson);
-  if (typeof value === "object" && value !== null) return new Map(Object.entries(value).map(([name, inner]) => [name, ofJson(inner)]));
+  if (typeof value === "object" && value !== null)
+    return new Map(Object.entries(value).map(([name, inner]) => [name, ofJson(inner)]));
   return value === null ? undefined : (value as string | number | boolean);
 }

@@ -9,9 +9,12 @@ const kMs = 1_000_000n;
 function setUp() {
   const decode = decoderOf(kPerceptChannel);
   const sources = new Map(["/14/2/a", "/14/2/b"].map((topic) => [topic, { history: new History(), decode }]));
-  const add = (name: string, ms: bigint, x: number) => sources.get(`/14/2/${name}`)!.history.add({ log_ns: ms * kMs, data: percept({ x }), arrived: 0 });
-  const find = (text: string, recorded = false) => new Finder(conditionOf(text, "14/2", sources.keys()) as Condition, sources, recorded);
-  const spans = ({ matches }: Finder) => matches.map(({ from_ns, to_ns }) => [Number(from_ns / kMs), Number(to_ns / kMs)]);
+  const add = (name: string, ms: bigint, x: number) =>
+    sources.get(`/14/2/${name}`)!.history.add({ log_ns: ms * kMs, data: percept({ x }), arrived: 0 });
+  const find = (text: string, recorded = false) =>
+    new Finder(conditionOf(text, "14/2", sources.keys()) as Condition, sources, recorded);
+  const spans = ({ matches }: Finder) =>
+    matches.map(({ from_ns, to_ns }) => [Number(from_ns / kMs), Number(to_ns / kMs)]);
   return { add, find, spans, sources };
 }
 
@@ -20,13 +23,26 @@ test("a match lasts from the message that makes the condition true to the one th
   [0, 1, 3, 4, 0, 5, 0].forEach((x, i) => add("a", BigInt(100 * i), x));
   const finder = find("a.x > 2");
   expect(finder.update(1000)).toBe(true);
-  expect(spans(finder)).toEqual([[200, 400], [500, 600]]);
+  expect(spans(finder)).toEqual([
+    [200, 400],
+    [500, 600],
+  ]);
 });
 
 test("messages of all objects are read in order of capture time, whichever arrived first", () => {
   const { add, find, spans } = setUp();
-  for (const [ms, x] of [[0n, 1], [300n, 0], [1000n, 0]] as const) add("a", ms, x);
-  for (const [ms, x] of [[100n, 1], [200n, 0], [1000n, 0]] as const) add("b", ms, x);
+  for (const [ms, x] of [
+    [0n, 1],
+    [300n, 0],
+    [1000n, 0],
+  ] as const)
+    add("a", ms, x);
+  for (const [ms, x] of [
+    [100n, 1],
+    [200n, 0],
+    [1000n, 0],
+  ] as const)
+    add("b", ms, x);
   const finder = find("a.x == 1 && b.x == 1");
   finder.update(1000);
   expect(spans(finder)).toEqual([[100, 200]]);
@@ -71,5 +87,9 @@ test("matches of a recording stay in order, and a part that is read again gives 
   part(5000n, 0, 1, 1, 0);
   part(1000n, 0, 1, 0);
   part(5200n, 1, 0, 1, 0);
-  expect(spans(finder)).toEqual([[1100, 1200], [5100, 5300], [5400, 5500]]);
+  expect(spans(finder)).toEqual([
+    [1100, 1200],
+    [5100, 5300],
+    [5400, 5500],
+  ]);
 });

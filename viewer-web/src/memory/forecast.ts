@@ -3,10 +3,19 @@
 import type { Fields, Value } from "./value";
 import { fieldsOf, listOf, numberOf, textOf, wordOf } from "./value";
 
-export const kMeasures = { goal_difference: "goal difference", score_next: "scoring next", concede: "not conceding next" };
+export const kMeasures = {
+  goal_difference: "goal difference",
+  score_next: "scoring next",
+  concede: "not conceding next",
+};
 export type Measure = keyof typeof kMeasures;
 
-export const kUntils = { horizon: "for some seconds", next_goal: "to the next goal", half: "to the end of the half", game: "to the end of the game" };
+export const kUntils = {
+  horizon: "for some seconds",
+  next_goal: "to the next goal",
+  half: "to the end of the half",
+  game: "to the end of the game",
+};
 export type Until = keyof typeof kUntils;
 
 /** The asker whom a question without a name has: only a team's process asks so. */
@@ -105,7 +114,8 @@ const finite = (fields: Fields, name: string): number => {
   return Number.isFinite(value) ? value : 0;
 };
 
-const known = <Word extends string>(words: Record<Word, unknown>, word: string, otherwise: Word): Word => (Object.hasOwn(words, word) ? (word as Word) : otherwise);
+const known = <Word extends string>(words: Record<Word, unknown>, word: string, otherwise: Word): Word =>
+  Object.hasOwn(words, word) ? (word as Word) : otherwise;
 const kAdvice = { none: 0, keep: 0, change: 0 };
 
 /** Reads an object or an answer. Missing values become empty or 0. */
@@ -137,7 +147,8 @@ export function forecastOf(fields: Fields): Forecast {
 export function fieldsOfJson(value: unknown): Fields {
   const read = (part: unknown): Value => {
     if (Array.isArray(part)) return part.map(read);
-    if (typeof part === "object" && part !== null) return new Map(Object.entries(part).map(([name, entry]) => [name, read(entry)]));
+    if (typeof part === "object" && part !== null)
+      return new Map(Object.entries(part).map(([name, entry]) => [name, read(entry)]));
     return typeof part === "number" || typeof part === "string" || typeof part === "boolean" ? part : undefined;
   };
   const fields = read(value);
@@ -166,7 +177,10 @@ function strategyOf(fields: Fields): StrategyForecast {
 const pathOf = (fields: Fields): Path => ({
   spacing: finite(fields, "spacing"),
   ball: pointsOf(fields.get("ball")),
-  robots: listOf(fields, "robots").map((robot) => ({ player: finite(robot, "player"), points: pointsOf(robot.get("points")) })),
+  robots: listOf(fields, "robots").map((robot) => ({
+    player: finite(robot, "player"),
+    points: pointsOf(robot.get("points")),
+  })),
 });
 
 /** Returns x, y of each point, up to the first invalid one. */
@@ -184,14 +198,23 @@ function pointsOf(list: Value): Place[] {
 function heatOf(fields: Fields): Heat | undefined {
   const columns = numberOf(fields, "heat_columns");
   const counts = fields.get("heat");
-  const fits = Array.isArray(counts) && counts.length > 0 && Number.isInteger(columns) && columns > 0 && counts.length % columns === 0;
-  return fits ? { columns, counts: counts.map((count) => (typeof count === "number" && count > 0 ? count : 0)) } : undefined;
+  const fits =
+    Array.isArray(counts) &&
+    counts.length > 0 &&
+    Number.isInteger(columns) &&
+    columns > 0 &&
+    counts.length % columns === 0;
+  return fits
+    ? { columns, counts: counts.map((count) => (typeof count === "number" && count > 0 ? count : 0)) }
+    : undefined;
 }
 
 /** Reads the situation. The object has ball_x and bodies, the service has ball.x and robots. */
 function situationOf(fields: Fields): Situation {
   const ball = fieldsOf(fields, "ball");
-  const [x, y, deviation] = ["x", "y", "deviation"].map((name) => (ball.size > 0 ? numberOf(ball, name) : numberOf(fields, `ball_${name}`)));
+  const [x, y, deviation] = ["x", "y", "deviation"].map((name) =>
+    ball.size > 0 ? numberOf(ball, name) : numberOf(fields, `ball_${name}`),
+  );
   const bodies = [...listOf(fields, "bodies"), ...listOf(fields, "robots")];
   return {
     ball: Number.isFinite(x) && Number.isFinite(y) ? { x: x!, y: y!, deviation: deviation || 0 } : undefined,
@@ -208,7 +231,9 @@ function situationOf(fields: Fields): Situation {
 
 function standingOf(situation: Fields): Forecast["standing"] {
   const remaining = numberOf(situation, "seconds_remaining");
-  return Number.isFinite(remaining) ? { score: [finite(situation, "own_score"), finite(situation, "opponent_score")], remaining } : undefined;
+  return Number.isFinite(remaining)
+    ? { score: [finite(situation, "own_score"), finite(situation, "opponent_score")], remaining }
+    : undefined;
 }
 
 /** Whether the situation has neither ball nor robots, as in a refused forecast. */
@@ -216,4 +241,6 @@ export const isEmpty = ({ ball, bodies }: Situation): boolean => !ball && bodies
 
 /** Returns the strategy `name`, else the advised one, else the first. */
 export const chosenOf = ({ strategies, choice }: Forecast, name: string): StrategyForecast | undefined =>
-  strategies.find((strategy) => strategy.name === name) ?? strategies.find((strategy) => strategy.name === choice) ?? strategies[0];
+  strategies.find((strategy) => strategy.name === name) ??
+  strategies.find((strategy) => strategy.name === choice) ??
+  strategies[0];

@@ -61,7 +61,8 @@ function merge(entries: Fields[]): ForecastScore | undefined {
   const merged = (kind: string): Scored => {
     const events = entries.map((entry) => ({ weight: finite(entry, "forecasts"), event: fieldsOf(entry, kind) }));
     const came = events.reduce((sum, { event }) => sum + finite(event, "came"), 0);
-    const mean = (name: string) => events.reduce((sum, { weight, event }) => sum + weight * finite(event, name), 0) / forecasts;
+    const mean = (name: string) =>
+      events.reduce((sum, { weight, event }) => sum + weight * finite(event, name), 0) / forecasts;
     const bins = Array.from({ length: 10 }, (_, index): Bin => {
       const parts = events.map(({ event }) => listOf(event, "bins")[index] ?? new Map());
       const count = parts.reduce((sum, bin) => sum + finite(bin, "forecasts"), 0);
@@ -70,7 +71,13 @@ function merge(entries: Fields[]): ForecastScore | undefined {
       return { forecasts: count, came: rate, foretold, error: Math.sqrt((rate * (1 - rate)) / count) };
     });
     const rate = came / forecasts;
-    return { came, brier: mean("brier"), brierOfRate: rate * (1 - rate), logLoss: mean("log_loss"), bins: bins.filter((bin) => bin.forecasts > 0) };
+    return {
+      came,
+      brier: mean("brier"),
+      brierOfRate: rate * (1 - rate),
+      logLoss: mean("log_loss"),
+      bins: bins.filter((bin) => bin.forecasts > 0),
+    };
   };
   return { forecasts, score: merged("score"), concede: merged("concede") };
 }

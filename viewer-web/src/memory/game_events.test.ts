@@ -6,19 +6,27 @@ import { EnumValue, type Fields, type Value } from "./value";
 const fields = (entries: Record<string, Value>): Fields => new Map(Object.entries(entries));
 const team = (number: number, score: number, ...penalised: boolean[]) =>
   fields({ number, score, players: penalised.map((is) => fields({ penalised: is })) });
-const game = (state: string, own: Fields, opponent: Fields) => fields({ state: new EnumValue(0, `STATE_${state}`), own, opponent });
+const game = (state: string, own: Fields, opponent: Fields) =>
+  fields({ state: new EnumValue(0, `STATE_${state}`), own, opponent });
 const texts = (changes: { text: string }[]) => changes.map(({ text }) => text);
 
 test("a goal, another state and a penalty are reported once, when they happen", () => {
   const before = game("SET", team(14, 0, false, false), team(5, 1, false));
   expect(changesOfGame(before, before)).toEqual([]);
-  expect(texts(changesOfGame(before, game("PLAYING", team(14, 1, false, true), team(5, 1, false))))).toEqual(["playing", "goal of team 14", "14/2 penalised"]);
+  expect(texts(changesOfGame(before, game("PLAYING", team(14, 1, false, true), team(5, 1, false))))).toEqual([
+    "playing",
+    "goal of team 14",
+    "14/2 penalised",
+  ]);
   // the return to the field and a score that the referee corrects are no events
-  expect(changesOfGame(game("SET", team(14, 1, true), team(5, 0)), game("SET", team(14, 0, false), team(5, 0)))).toEqual([]);
+  expect(
+    changesOfGame(game("SET", team(14, 1, true), team(5, 0)), game("SET", team(14, 0, false), team(5, 0))),
+  ).toEqual([]);
 });
 
 test("a simulated game reports goals and new games", () => {
-  const state = (seed: number, tick: number, score: number) => fields({ seed: BigInt(seed), tick, home: team(14, score), away: team(5, 0) });
+  const state = (seed: number, tick: number, score: number) =>
+    fields({ seed: BigInt(seed), tick, home: team(14, score), away: team(5, 0) });
   expect(texts(changesOfSimulation(state(7, 10, 0), state(7, 11, 1)))).toEqual(["goal of team 14"]);
   expect(texts(changesOfSimulation(state(7, 10, 1), state(8, 0, 0)))).toEqual(["new game, seed 8"]);
 });
@@ -27,15 +35,28 @@ test("an event that all robots report happened once, and a senseless message giv
   const events = new GameEvents();
   const states = [game("READY", team(14, 0), team(5, 0)), game("SET", team(14, 0), team(5, 0))];
   const object = (robot: string) =>
-    ({ name: "game", kind: "game", derived: false, robot, channel: { topic: `/${robot}/game` }, decode: (data: Uint8Array) => ({ fields: states[data[0]!] }) }) as unknown as MemoryObject;
-  for (const robot of ["14/1", "14/2"]) for (const i of [0, 1, 9]) events.arrived(object(robot), { log_ns: BigInt(i) * 10n ** 9n, data: Uint8Array.of(i), arrived: i });
+    ({
+      name: "game",
+      kind: "game",
+      derived: false,
+      robot,
+      channel: { topic: `/${robot}/game` },
+      decode: (data: Uint8Array) => ({ fields: states[data[0]!] }),
+    }) as unknown as MemoryObject;
+  for (const robot of ["14/1", "14/2"])
+    for (const i of [0, 1, 9])
+      events.arrived(object(robot), { log_ns: BigInt(i) * 10n ** 9n, data: Uint8Array.of(i), arrived: i });
   expect(events.all()).toEqual([{ log_ns: 10n ** 9n, kind: "state", text: "set", robot: "14/1" }]);
   events.clear();
   expect(events.all()).toEqual([]);
 });
 
 test("a fall is reported once until the robot has stood up again", () => {
-  const motion = (fall: string, side = "UNSPECIFIED"): Fields => new Map<string, Value>([["fall", new EnumValue(0, `FALL_${fall}`)], ["fall_side", new EnumValue(0, `FALL_SIDE_${side}`)]]);
+  const motion = (fall: string, side = "UNSPECIFIED"): Fields =>
+    new Map<string, Value>([
+      ["fall", new EnumValue(0, `FALL_${fall}`)],
+      ["fall_side", new EnumValue(0, `FALL_SIDE_${side}`)],
+    ]);
   const told = (before: Fields, after: Fields) => changesOfMotion(before, after).map(({ text }) => text);
   expect(told(motion("UPRIGHT"), motion("FALLING", "FRONT"))).toEqual(["falls front"]);
   expect(told(motion("FALLING"), motion("FALLEN"))).toEqual([]);

@@ -26,16 +26,20 @@ export function changesOfGame(before: Fields, after: Fields): { kind: EventKind;
   const state = wordOf(after, "state");
   if (state && state !== wordOf(before, "state")) changes.push({ kind: "state", text: state });
   const setPlay = wordOf(after, "set_play");
-  if (setPlay && setPlay !== "unspecified" && setPlay !== wordOf(before, "set_play")) changes.push({ kind: "state", text: setPlay.replaceAll("_", " ") });
+  if (setPlay && setPlay !== "unspecified" && setPlay !== wordOf(before, "set_play"))
+    changes.push({ kind: "state", text: setPlay.replaceAll("_", " ") });
   for (const side of ["own", "opponent"]) {
     const [was, is] = [fieldsOf(before, side), fieldsOf(after, side)];
     if (numberOf(was, "number") !== numberOf(is, "number")) continue;
     const team = numberOf(is, "number");
     const scored = numberOf(is, "score") - numberOf(was, "score");
     if (scored > 0) changes.push({ kind: "goal", text: `goal of team ${team}` });
-    const [wasPenalised, isPenalised] = [was, is].map((fields) => listOf(fields, "players").map((player) => player.get("penalised") === true));
+    const [wasPenalised, isPenalised] = [was, is].map((fields) =>
+      listOf(fields, "players").map((player) => player.get("penalised") === true),
+    );
     for (const [i, penalised] of isPenalised!.slice(0, kMostPlayers).entries())
-      if (penalised && wasPenalised![i] === false) changes.push({ kind: "penalty", text: `${team}/${i + 1} penalised` });
+      if (penalised && wasPenalised![i] === false)
+        changes.push({ kind: "penalty", text: `${team}/${i + 1} penalised` });
   }
   return changes;
 }
@@ -46,7 +50,9 @@ export function changesOfSimulation(before: Fields, after: Fields): { kind: Even
     return [{ kind: "state", text: `new game, seed ${numberOf(after, "seed")}` }];
   return ["home", "away"].flatMap((side) => {
     const [was, is] = [fieldsOf(before, side), fieldsOf(after, side)];
-    return numberOf(is, "score") > numberOf(was, "score") ? [{ kind: "goal" as const, text: `goal of team ${numberOf(is, "number")}` }] : [];
+    return numberOf(is, "score") > numberOf(was, "score")
+      ? [{ kind: "goal" as const, text: `goal of team ${numberOf(is, "number")}` }]
+      : [];
   });
 }
 
@@ -54,11 +60,15 @@ export function changesOfSimulation(before: Fields, after: Fields): { kind: Even
 export function changesOfMotion(before: Fields, after: Fields): { kind: EventKind; text: string }[] {
   const down = ["falling", "fallen"];
   const [was, is] = [wordOf(before, "fall"), wordOf(after, "fall")];
-  return down.includes(is) && !down.includes(was) ? [{ kind: "fall", text: `falls ${wordOf(after, "fall_side").replace("unspecified", "")}`.trim() }] : [];
+  return down.includes(is) && !down.includes(was)
+    ? [{ kind: "fall", text: `falls ${wordOf(after, "fall_side").replace("unspecified", "")}`.trim() }]
+    : [];
 }
 
 /** Returns the function that finds events in an object's messages, or undefined if they contain none. */
-export function changesTold(name: string): ((before: Fields, after: Fields) => { kind: EventKind; text: string }[]) | undefined {
+export function changesTold(
+  name: string,
+): ((before: Fields, after: Fields) => { kind: EventKind; text: string }[]) | undefined {
   return { game: changesOfGame, motion_status: changesOfMotion }[name];
 }
 
@@ -94,10 +104,15 @@ export class GameEvents {
   #logged(object: MemoryObject, { log_ns, data }: Entry): void {
     const fields = object.decode(data).fields;
     const level = fields ? kLogLevels.indexOf(wordOf(fields, "level") as LogLevel) : -1;
-    if (fields && level >= kLogLevels.indexOf("error")) this.#add({ log_ns, kind: "error", text: textOf(fields, "text"), robot: object.robot });
+    if (fields && level >= kLogLevels.indexOf("error"))
+      this.#add({ log_ns, kind: "error", text: textOf(fields, "text"), robot: object.robot });
   }
 
-  #compare(object: MemoryObject, { log_ns, data }: Entry, changes: (before: Fields, after: Fields) => { kind: EventKind; text: string }[]): void {
+  #compare(
+    object: MemoryObject,
+    { log_ns, data }: Entry,
+    changes: (before: Fields, after: Fields) => { kind: EventKind; text: string }[],
+  ): void {
     const fields = object.decode(data).fields;
     if (!fields) return;
     const { topic } = object.channel;
@@ -107,7 +122,11 @@ export class GameEvents {
   }
 
   #add(event: GameEvent): void {
-    const isSame = ({ kind, text, log_ns, robot }: GameEvent) => kind === event.kind && text === event.text && (kind !== "fall" || robot === event.robot) && abs(log_ns - event.log_ns) < kSame_ns;
+    const isSame = ({ kind, text, log_ns, robot }: GameEvent) =>
+      kind === event.kind &&
+      text === event.text &&
+      (kind !== "fall" || robot === event.robot) &&
+      abs(log_ns - event.log_ns) < kSame_ns;
     if (this.#events.some(isSame)) return;
     const after = this.#events.findLastIndex(({ log_ns }) => log_ns <= event.log_ns);
     this.#events.splice(after + 1, 0, event);

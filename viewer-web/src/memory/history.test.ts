@@ -3,7 +3,11 @@ import { History } from "./history";
 import { Past } from "./past";
 
 const bytes = (value: number, size = 4) => new Uint8Array(size).fill(value);
-const entry = (second: number, value = second, size = 4) => ({ log_ns: BigInt(Math.round(second * 1e9)), data: bytes(value, size), arrived: second });
+const entry = (second: number, value = second, size = 4) => ({
+  log_ns: BigInt(Math.round(second * 1e9)),
+  data: bytes(value, size),
+  arrived: second,
+});
 const filled = (count: number, size = 4) => {
   const history = new History();
   for (let i = 0; i < count; ++i) history.add(entry(i, i % 256, size));
@@ -81,5 +85,13 @@ test("the message nearest to a moment is found, unless it is too far away", () =
   const history = new History();
   for (const log_ns of [100n, 200n, 210n]) history.add({ log_ns, data: Uint8Array.of(1), arrived: 0 });
   const near = (log_ns: bigint) => history.near(log_ns, 20n)?.log_ns;
-  expect([near(80n), near(79n), near(120n), near(150n), near(204n), near(206n), near(231n)]).toEqual([100n, undefined, 100n, undefined, 200n, 210n, undefined]);
+  expect([near(80n), near(79n), near(120n), near(150n), near(204n), near(206n), near(231n)]).toEqual([
+    100n,
+    undefined,
+    100n,
+    undefined,
+    200n,
+    210n,
+    undefined,
+  ]);
 });

@@ -107,7 +107,11 @@ export class History {
     const at = this.#place(index);
     if (!at) return undefined;
     const { block, i } = at;
-    return { log_ns: block.times[i]!, data: block.data.subarray(i === 0 ? 0 : block.ends[i - 1], block.ends[i]), arrived: block.arrivals[i]! };
+    return {
+      log_ns: block.times[i]!,
+      data: block.data.subarray(i === 0 ? 0 : block.ends[i - 1], block.ends[i]),
+      arrived: block.arrivals[i]!,
+    };
   }
 
   /**

@@ -21,7 +21,17 @@ test("a moment has data if a place was captured at most two seconds before it", 
   const topics = placesOf(memory, ["14/2"]);
   expect(topics).toEqual(["/14/2/pose"]);
   const kept = (at: number) => (memory.show(second(at)), isKept(memory, topics, second(at)));
-  expect([9, 10, 12, 14, 14.001, 30, 39.9, 40, 42].map(kept)).toEqual([false, true, true, true, false, false, false, true, true]);
+  expect([9, 10, 12, 14, 14.001, 30, 39.9, 40, 42].map(kept)).toEqual([
+    false,
+    true,
+    true,
+    true,
+    false,
+    false,
+    false,
+    true,
+    true,
+  ]);
 });
 
 test("the nearest moment with data is before or after, whichever is nearer", () => {

@@ -7,7 +7,10 @@ const kGap_ns = 2_000_000_000n; // places come at least ten times a second; olde
 
 /** Returns the offered topics with the places of robots and ball, without which a field is empty. */
 export function placesOf(memory: Memory, robots: RobotName[]): string[] {
-  const topics = ["/truth/world", ...robots.flatMap((robot) => ["pose", "ball", "vision"].map((object) => `/${robot}/${object}`))];
+  const topics = [
+    "/truth/world",
+    ...robots.flatMap((robot) => ["pose", "ball", "vision"].map((object) => `/${robot}/${object}`)),
+  ];
   return topics.filter((topic) => memory.get(topic));
 }
 

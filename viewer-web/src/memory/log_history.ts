@@ -56,6 +56,8 @@ export class LogHistory {
   /** Returns the sentences of all robots of the server. */
   all(least: LogLevel, until_ns?: bigint): LogEntry[] {
     const from = kLogLevels.indexOf(least);
-    return this.#entries.filter(({ level, log_ns }) => kLogLevels.indexOf(level) >= from && (until_ns === undefined || log_ns <= until_ns));
+    return this.#entries.filter(
+      ({ level, log_ns }) => kLogLevels.indexOf(level) >= from && (until_ns === undefined || log_ns <= until_ns),
+    );
   }
 }

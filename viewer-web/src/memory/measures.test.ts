@@ -7,7 +7,8 @@ function memory() {
   const memory = new Memory();
   memory.offer(kPerceptChannel);
   memory.offer({ ...kPerceptChannel, topic: "/truth/world" });
-  for (let i = 0; i < 10; ++i) memory.arrived("/14/2/percept", BigInt(i) * 100_000_000n, percept({ x: i, weights: [i, 2 * i] }), i / 10);
+  for (let i = 0; i < 10; ++i)
+    memory.arrived("/14/2/percept", BigInt(i) * 100_000_000n, percept({ x: i, weights: [i, 2 * i] }), i / 10);
   return memory;
 }
 
@@ -20,7 +21,8 @@ test("a path becomes a series that knows its message and field", () => {
 });
 
 test("a path that cannot be plotted gives a sentence", () => {
-  for (const text of ["", "/14/2/nothing.x", "/14/2/percept", "/14/2/percept~truth", "~truth"]) expect(measureOf(memory(), text), text).toEqual({ why: expect.any(String) });
+  for (const text of ["", "/14/2/nothing.x", "/14/2/percept", "/14/2/percept~truth", "~truth"])
+    expect(measureOf(memory(), text), text).toEqual({ why: expect.any(String) });
 });
 
 test("everything that can be plotted is offered, and the topics it needs are listed", () => {

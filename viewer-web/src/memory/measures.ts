@@ -15,7 +15,8 @@ const kError = "~truth";
  * The series of a chosen measure, or the sentence that says why there is none. `message` and `field` lead to the
  * schema's comment.
  */
-export type Measure = { series: Series; field: { message: string; name: string } | undefined; unit: string } | { why: string };
+export type Measure =
+  { series: Series; field: { message: string; name: string } | undefined; unit: string } | { why: string };
 
 export function measureOf(memory: Memory, text: string): Measure {
   if (text.endsWith(kError)) return errorOf(memory, text.slice(0, -kError.length));
@@ -26,7 +27,10 @@ export function measureOf(memory: Memory, text: string): Measure {
   if (path.steps.length === 0) return { why: "this is an object: choose a number in it" };
   const series = new Series(object, (fields) => numberAt(fields, path.steps));
   const steps = path.steps.filter((step): step is string => typeof step === "string");
-  const field = steps.length === path.steps.length && steps.length === 1 ? { message: object.channel.schemaName, name: steps[0]! } : lastField(path.steps);
+  const field =
+    steps.length === path.steps.length && steps.length === 1
+      ? { message: object.channel.schemaName, name: steps[0]! }
+      : lastField(path.steps);
   return { series, field, unit: "" };
 }
 
@@ -85,7 +89,9 @@ function fieldsAt(object: MemoryObject | undefined, log_ns: bigint): Fields | un
 /** Lists everything that can be plotted now, of a robot and of objects without a robot. */
 export function measuresOf(memory: Memory, robot: string): string[] {
   const objects = memory.objectsOf(robot).filter(({ derived, isImage }) => !derived && !isImage);
-  const errors = memory.get(kTruth) ? ["pose", "ball"].filter((what) => memory.get(`/${robot}/${what}`)).map((what) => `/${robot}/${what}${kError}`) : [];
+  const errors = memory.get(kTruth)
+    ? ["pose", "ball"].filter((what) => memory.get(`/${robot}/${what}`)).map((what) => `/${robot}/${what}${kError}`)
+    : [];
   const numbers = objects.flatMap((object) => {
     const fields = object.decoded()?.fields;
     return fields ? numbersIn(fields, object.channel.topic) : [];
@@ -95,7 +101,15 @@ export function measuresOf(memory: Memory, robot: string): string[] {
 
 /** Lists the topics that a measure needs. */
 export const topicsOfMeasure = (memory: Memory, text: string): string[] => {
-  if (!text.endsWith(kError)) return [pathOf(text, [...memory.objects()].map(({ channel }) => channel.topic))?.topic ?? ""].filter(Boolean);
+  if (!text.endsWith(kError))
+    return [
+      pathOf(
+        text,
+        [...memory.objects()].map(({ channel }) => channel.topic),
+      )?.topic ?? "",
+    ].filter(Boolean);
   const robot = /^\/(\d+\/\d+)\//.exec(text)?.[1];
-  return [text.slice(0, -kError.length), kTruth, `/${robot}/pose`, `/${robot}/game`].filter((topic) => memory.get(topic));
+  return [text.slice(0, -kError.length), kTruth, `/${robot}/pose`, `/${robot}/game`].filter((topic) =>
+    memory.get(topic),
+  );
 };

@@ -25,7 +25,8 @@ test("the robot is in the metadata, else in the first two parts of the topic", (
 
 test("robots are sorted by team and player, and share the objects without a robot", () => {
   const memory = new Memory();
-  for (const topic of ["/14/10/ball", "/truth/world", "/lab/1/log", "/14/2/pose", "/14/2/ball", "/3/1/ball"]) memory.offer(channel(topic));
+  for (const topic of ["/14/10/ball", "/truth/world", "/lab/1/log", "/14/2/pose", "/14/2/ball", "/3/1/ball"])
+    memory.offer(channel(topic));
   expect(memory.robots()).toEqual(["3/1", "14/2", "14/10"]);
   expect(memory.objectsOf("14/2").map(({ name }) => name)).toEqual(["ball", "pose", "lab/1/log", "truth/world"]);
 });
@@ -120,7 +121,10 @@ test("a recording that restarts does not remove the past that is being looked at
   const memory = new Memory();
   memory.offer(kPerceptChannel);
   const object = memory.get(kTopic)!;
-  const play = () => [10, 11, 12].forEach((second) => memory.arrived(kTopic, BigInt(second) * 1_000_000_000n, percept({ x: second }), second));
+  const play = () =>
+    [10, 11, 12].forEach((second) =>
+      memory.arrived(kTopic, BigInt(second) * 1_000_000_000n, percept({ x: second }), second),
+    );
   play();
   memory.show(11_000_000_000n);
   memory.restart();
@@ -144,7 +148,12 @@ test("the part of a recording that was seen without a gap is known, and kept aft
   go(100n);
   memory.subscribed(kTopic, true, 0);
   memory.sought(100n);
-  for (const [log_ns, x] of [[95n, 1], [120n, 2], [140n, 3]] as const) memory.arrived(kTopic, log_ns, percept({ x }), 0);
+  for (const [log_ns, x] of [
+    [95n, 1],
+    [120n, 2],
+    [140n, 3],
+  ] as const)
+    memory.arrived(kTopic, log_ns, percept({ x }), 0);
   go(150n);
   expect(memory.seen()).toEqual({ from_ns: 100n, to_ns: 150n });
   expect([99n, 100n, 150n, 151n].map((at_ns) => memory.holds(at_ns))).toEqual([false, true, true, false]);

@@ -39,7 +39,9 @@ export class Memory {
     const returns = log_ns === undefined && this.#moment.ns !== undefined && !this.played;
     this.#moment.ns = log_ns;
     // time has gone back meanwhile: the past that was looked at does not belong to the new messages
-    if (returns) for (const { history, newest } of this.#objects.values()) if (newest && history.goesBack(newest.log_ns)) history.clear();
+    if (returns)
+      for (const { history, newest } of this.#objects.values())
+        if (newest && history.goesBack(newest.log_ns)) history.clear();
   }
 
   /**

@@ -114,6 +114,8 @@ export class MemoryObject {
   /** [s] for which a due message is missing. Undefined while all is well; events are never due. */
   overdue(now: number): number | undefined {
     const isEvent = this.channel.metadata["delivery"] === "reliable";
-    return this.subscribed && !isEvent && !this.moment.still && this.rate.overdue(now) ? this.rate.silence(now) : undefined;
+    return this.subscribed && !isEvent && !this.moment.still && this.rate.overdue(now)
+      ? this.rate.silence(now)
+      : undefined;
   }
 }

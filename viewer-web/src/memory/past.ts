@@ -9,7 +9,8 @@ export interface Caps {
 }
 
 /** About twenty minutes of four robots on a laptop. A phone has less memory. */
-export const capsFor = (small: boolean): Caps => (small ? { values: 48e6, pictures: 24e6 } : { values: 160e6, pictures: 96e6 });
+export const capsFor = (small: boolean): Caps =>
+  small ? { values: 48e6, pictures: 24e6 } : { values: 160e6, pictures: 96e6 };
 
 const kLargePicture = 100_000; // [bytes] larger images are raw, without compression
 const kSpacing = { small: 0.09, large: 0.5 }; // [s] between kept images: ten and two a second
@@ -49,9 +50,10 @@ const sizeOf = (histories: Set<History>): number => [...histories].reduce((sum, 
 
 /** Drops the oldest arrivals until the rest fits. */
 function fit(histories: Set<History>, most_bytes: number): void {
-  for (let total = sizeOf(histories); total > most_bytes; ) {
+  for (let total = sizeOf(histories); total > most_bytes;) {
     let oldest: History | undefined;
-    for (const history of histories) if ((history.oldestArrival() ?? Infinity) < (oldest?.oldestArrival() ?? Infinity)) oldest = history;
+    for (const history of histories)
+      if ((history.oldestArrival() ?? Infinity) < (oldest?.oldestArrival() ?? Infinity)) oldest = history;
     if (!oldest) return;
     const before = oldest.size_bytes;
     oldest.dropOldest();

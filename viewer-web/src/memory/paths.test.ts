@@ -31,12 +31,27 @@ test("a path leads to its number", () => {
 test("topics may contain dots, and an invalid path is refused", () => {
   expect(pathOf("/14/2/ball.filtered.x", kTopics)).toEqual({ topic: "/14/2/ball.filtered", steps: ["x"] });
   expect(pathOf("/14/2/ball.x", kTopics)).toEqual({ topic: "/14/2/ball", steps: ["x"] });
-  for (const text of ["", "/14/2", "/14/2/balls.x", "/14/2/ball..x", "/14/2/ball[x", "/14/2/ball[]", "/14/2/ball[a=]", "/14/2/ball[a=b]"]) expect(pathOf(text, kTopics), text).toBeUndefined();
+  for (const text of [
+    "",
+    "/14/2",
+    "/14/2/balls.x",
+    "/14/2/ball..x",
+    "/14/2/ball[x",
+    "/14/2/ball[]",
+    "/14/2/ball[a=]",
+    "/14/2/ball[a=b]",
+  ])
+    expect(pathOf(text, kTopics), text).toBeUndefined();
 });
 
 test("search finds numbers, but no times since the epoch", () => {
   expect(numbersIn(kWorld, "w")).toEqual([
     ...[0, 1].flatMap((i) => ["team", "player", "x"].map((name) => `w.robots[${i}].${name}`)),
-    "w.ball.x", "w.ball.visible", "w.ball.kind", "w.ball.count", "w.weights[0]", "w.weights[1]",
+    "w.ball.x",
+    "w.ball.visible",
+    "w.ball.kind",
+    "w.ball.count",
+    "w.weights[0]",
+    "w.weights[1]",
   ]);
 });

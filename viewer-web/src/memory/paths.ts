@@ -13,10 +13,11 @@ export interface Path {
 /** Splits a path. Topics may contain dots, so the longest known topic that fits is used. */
 export function pathOf(text: string, topics: Iterable<string>): Path | undefined {
   let topic = "";
-  for (const known of topics) if (known.length > topic.length && (text.startsWith(`${known}.`) || text === known)) topic = known;
+  for (const known of topics)
+    if (known.length > topic.length && (text.startsWith(`${known}.`) || text === known)) topic = known;
   if (topic === "") return undefined;
   const steps: Step[] = [];
-  for (let rest = text.slice(topic.length); rest !== ""; ) {
+  for (let rest = text.slice(topic.length); rest !== "";) {
     const found = /^\.([^.[\]]+)|^\[(\d+)\]|^\[([^\]]+)\]/.exec(rest);
     if (!found) return undefined;
     const step = stepOf(found);
@@ -31,7 +32,8 @@ function stepOf([, name, index, filter]: RegExpExecArray): Step | undefined {
   if (name !== undefined) return name;
   if (index !== undefined) return Number(index);
   const entries = filter!.split(",").map((part) => part.split("=").map((word) => word.trim()));
-  if (entries.some(([key, value]) => !key || value === undefined || value === "" || !Number.isFinite(Number(value)))) return undefined;
+  if (entries.some(([key, value]) => !key || value === undefined || value === "" || !Number.isFinite(Number(value))))
+    return undefined;
   return Object.fromEntries(entries.map(([key, value]) => [key, Number(value)]));
 }
 
@@ -42,7 +44,11 @@ export function valueAt(fields: Fields, steps: Step[]): Value {
     if (typeof step === "string") value = value instanceof Map ? value.get(step) : undefined;
     else if (!Array.isArray(value)) return undefined;
     else if (typeof step === "number") value = value[step];
-    else value = value.find((entry) => entry instanceof Map && Object.entries(step).every(([key, wanted]) => numeric(entry.get(key)) === wanted));
+    else
+      value = value.find(
+        (entry) =>
+          entry instanceof Map && Object.entries(step).every(([key, wanted]) => numeric(entry.get(key)) === wanted),
+      );
   }
   return value;
 }

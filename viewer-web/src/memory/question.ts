@@ -1,6 +1,15 @@
 // A person's question to foresight: the service's request and the text in the page's address.
 
-import { kMeasures, kUntils, type Body, type Measure, type Place, type Side, type Situation, type Until } from "./forecast";
+import {
+  kMeasures,
+  kUntils,
+  type Body,
+  type Measure,
+  type Place,
+  type Side,
+  type Situation,
+  type Until,
+} from "./forecast";
 
 /** "ball", "own 2", "opponent 3" */
 export type Thing = string;
@@ -32,8 +41,22 @@ export interface Question {
   edit: Edit;
 }
 
-export const kNoEdit: Edit = { ball: undefined, robots: new Map(), ownScore: undefined, opponentScore: undefined, secondsRemaining: undefined };
-export const kUsualQuestion: Question = { strategies: [], opponent: "", measure: "goal_difference", until: "horizon", horizon: 30, budgetMs: 1000, edit: kNoEdit };
+export const kNoEdit: Edit = {
+  ball: undefined,
+  robots: new Map(),
+  ownScore: undefined,
+  opponentScore: undefined,
+  secondsRemaining: undefined,
+};
+export const kUsualQuestion: Question = {
+  strategies: [],
+  opponent: "",
+  measure: "goal_difference",
+  until: "horizon",
+  horizon: 30,
+  budgetMs: 1000,
+  edit: kNoEdit,
+};
 
 export const kMostStrategies = 8;
 const kLongestName = 100; // [letters]
@@ -41,7 +64,9 @@ const kLongestName = 100; // [letters]
 export const thingOf = ({ side, player }: Pick<Body, "side" | "player">): Thing => `${side} ${player}`;
 export function bodyOf(thing: Thing): { side: Side; player: number } | undefined {
   const [side, player] = thing.split(" ");
-  return (side === "own" || side === "opponent") && /^\d{1,2}$/.test(player ?? "") ? { side, player: Number(player) } : undefined;
+  return (side === "own" || side === "opponent") && /^\d{1,2}$/.test(player ?? "")
+    ? { side, player: Number(player) }
+    : undefined;
 }
 
 export const isEdited = ({ ball, robots, ownScore, opponentScore, secondsRemaining }: Edit): boolean =>
@@ -49,7 +74,15 @@ export const isEdited = ({ ball, robots, ownScore, opponentScore, secondsRemaini
 
 /** Whether two edits are equal. The order of the moves does not matter. */
 export function sameEdit(one: Edit, other: Edit): boolean {
-  const whole = ({ ball, robots, ownScore, opponentScore, secondsRemaining }: Edit) => JSON.stringify([ball?.x, ball?.y, ownScore, opponentScore, secondsRemaining, ...[...robots].sort(([a], [b]) => (a < b ? -1 : 1)).map(([thing, { x, y, heading }]) => [thing, x, y, heading])]);
+  const whole = ({ ball, robots, ownScore, opponentScore, secondsRemaining }: Edit) =>
+    JSON.stringify([
+      ball?.x,
+      ball?.y,
+      ownScore,
+      opponentScore,
+      secondsRemaining,
+      ...[...robots].sort(([a], [b]) => (a < b ? -1 : 1)).map(([thing, { x, y, heading }]) => [thing, x, y, heading]),
+    ]);
   return whole(one) === whole(other);
 }
 
@@ -73,7 +106,9 @@ export function moved(edit: Edit, thing: Thing, to: Standing): Edit {
 
 /** Returns the edit with the thing back at its believed place. */
 export const putBack = (edit: Edit, thing: Thing): Edit =>
-  thing === "ball" ? { ...edit, ball: undefined } : { ...edit, robots: new Map([...edit.robots].filter(([name]) => name !== thing)) };
+  thing === "ball"
+    ? { ...edit, ball: undefined }
+    : { ...edit, robots: new Map([...edit.robots].filter(([name]) => name !== thing)) };
 
 /** Returns the situation with the edit. Places from the edit are certain. */
 export function edited({ ball, bodies }: Situation, edit: Edit): Situation {
@@ -84,7 +119,13 @@ export function edited({ ball, bodies }: Situation, edit: Edit): Situation {
   });
   return {
     ball: edit.ball ? { ...edit.ball, deviation: 0 } : ball,
-    bodies: [...bodies.map((body) => ({ ...body, ...(edit.robots.has(thingOf(body)) && { ...edit.robots.get(thingOf(body)), deviation: 0 }) })), ...come],
+    bodies: [
+      ...bodies.map((body) => ({
+        ...body,
+        ...(edit.robots.has(thingOf(body)) && { ...edit.robots.get(thingOf(body)), deviation: 0 }),
+      })),
+      ...come,
+    ],
   };
 }
 
@@ -96,12 +137,17 @@ export function believed(answered: Situation, edit: Edit, before: Situation | un
   const known = new Map(before?.bodies.map((body) => [thingOf(body), body]));
   return {
     ball: edit.ball ? before?.ball : answered.ball,
-    bodies: answered.bodies.flatMap((body) => (edit.robots.has(thingOf(body)) ? (known.get(thingOf(body)) ?? []) : body)),
+    bodies: answered.bodies.flatMap((body) =>
+      edit.robots.has(thingOf(body)) ? (known.get(thingOf(body)) ?? []) : body,
+    ),
   };
 }
 
 /** Returns the service's request. The robot fills in missing settings. */
-export function requestOf({ strategies, opponent, measure, until, horizon, budgetMs, edit }: Question, robot: string): Record<string, unknown> {
+export function requestOf(
+  { strategies, opponent, measure, until, horizon, budgetMs, edit }: Question,
+  robot: string,
+): Record<string, unknown> {
   return {
     robot,
     ...(strategies.length > 0 && { strategies }),
@@ -127,7 +173,9 @@ function requestOfEdit({ ball, robots, ownScore, opponentScore, secondsRemaining
 /** The names in an answer of /foresight/strategies: {"ok": true, "strategies": ["baseline", "passing"]}. */
 export function strategiesOf(answer: Record<string, unknown>): string[] {
   const { strategies } = answer;
-  return Array.isArray(strategies) ? [...new Set(strategies.filter((name) => typeof name === "string" && name !== ""))] : [];
+  return Array.isArray(strategies)
+    ? [...new Set(strategies.filter((name) => typeof name === "string" && name !== ""))]
+    : [];
 }
 
 // in the address: "play:baseline,passing/until:half/for:60/ball:1.2,-0.5/own2:1,0,0.3/score:1,0/left:300"
@@ -148,15 +196,19 @@ export function textOfQuestion({ strategies, opponent, measure, until, horizon, 
   if (budgetMs !== usual.budgetMs) parts.push(["in", budgetMs]);
   if (ball) parts.push(["ball", [ball.x, ball.y]]);
   for (const [thing, { x, y, heading }] of robots) parts.push([thing.replace(" ", ""), [x, y, heading]]);
-  if (ownScore !== undefined || opponentScore !== undefined) parts.push(["score", [ownScore ?? "", opponentScore ?? ""]]);
+  if (ownScore !== undefined || opponentScore !== undefined)
+    parts.push(["score", [ownScore ?? "", opponentScore ?? ""]]);
   if (secondsRemaining !== undefined) parts.push(["left", secondsRemaining]);
   return parts.map(([name, value]) => `${name}:${String(value)}`).join("/");
 }
 
 /** Parses any text. Invalid parts become the usual ones. */
 export function questionOfText(text: string): Question {
-  const parts = new Map(text.split("/").map((part) => [part.slice(0, part.indexOf(":")), part.slice(part.indexOf(":") + 1)] as const));
-  const word = <Word extends string>(words: Record<Word, string>, name: string, otherwise: Word): Word => (Object.hasOwn(words, parts.get(name) ?? "") ? (parts.get(name) as Word) : otherwise);
+  const parts = new Map(
+    text.split("/").map((part) => [part.slice(0, part.indexOf(":")), part.slice(part.indexOf(":") + 1)] as const),
+  );
+  const word = <Word extends string>(words: Record<Word, string>, name: string, otherwise: Word): Word =>
+    Object.hasOwn(words, parts.get(name) ?? "") ? (parts.get(name) as Word) : otherwise;
   const number = (name: string, least: number, most: number) => {
     const [value] = numbersOf(parts.get(name) ?? "");
     return value! >= least && value! <= most ? value : undefined;
@@ -184,7 +236,9 @@ function editOf(parts: ReadonlyMap<string, string>, secondsRemaining: number | u
     const values = thing === "ball" ? places(text, 2) : bodyOf(thing) && places(text, 3);
     if (values) edit = moved(edit, thing, { x: values[0]!, y: values[1]!, heading: values[2] ?? 0 });
   }
-  const [own, opponent] = numbersOf(parts.get("score") ?? "").map((goals) => (Number.isInteger(goals) && goals >= 0 && goals <= 255 ? goals : undefined));
+  const [own, opponent] = numbersOf(parts.get("score") ?? "").map((goals) =>
+    Number.isInteger(goals) && goals >= 0 && goals <= 255 ? goals : undefined,
+  );
   return { ...edit, ownScore: own, opponentScore: opponent };
 }
 

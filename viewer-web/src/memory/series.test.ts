@@ -6,7 +6,12 @@ import { numberOf } from "./value";
 
 function filled(count: number) {
   const object = new MemoryObject(kPerceptChannel);
-  const add = (i: number) => object.history.add({ log_ns: 10n ** 18n + (BigInt(i) * 10n ** 9n) / 30n, data: percept({ x: i }), arrived: i / 30 });
+  const add = (i: number) =>
+    object.history.add({
+      log_ns: 10n ** 18n + (BigInt(i) * 10n ** 9n) / 30n,
+      data: percept({ x: i }),
+      arrived: i / 30,
+    });
   for (let i = 0; i < count; ++i) add(i);
   return { object, add, series: new Series(object, (fields) => numberOf(fields, "x")) };
 }
@@ -21,7 +26,9 @@ test("a series has the number of every message at its capture time, however ofte
   add(500);
   expect(series.update(100)).toBe(true);
   for (const i of [0, 1, 250, 500]) expect([series.times[i], series.values[i]]).toEqual([expect.closeTo(i / 30, 6), i]);
-  expect([series.indexAt(-1), series.indexAt(0), series.indexAt(1.0001), series.indexAt(1e9)]).toEqual([-1, 0, 30, 500]);
+  expect([series.indexAt(-1), series.indexAt(0), series.indexAt(1.0001), series.indexAt(1e9)]).toEqual([
+    -1, 0, 30, 500,
+  ]);
   object.history.clear();
   series.update(100);
   expect(series.length).toBe(0);

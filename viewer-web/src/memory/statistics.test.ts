@@ -52,14 +52,43 @@ test("if two report the same stream the first one counts, and streams of only on
   const runtime = (counts: Record<string, number>) =>
     fields({ streams: Object.entries(counts).map(([topic, count]) => fields({ topic, count })) });
   const all = allStreamStatistics([runtime({ "/14/2/ball": 5 }), runtime({ "/14/2/ball": 900, "/14/2/pose": 7 })]);
-  expect([...all].map(([topic, { sequence }]) => `${topic} ${sequence}`).sort()).toEqual(["/14/2/ball 5", "/14/2/pose 7"]);
+  expect([...all].map(([topic, { sequence }]) => `${topic} ${sequence}`).sort()).toEqual([
+    "/14/2/ball 5",
+    "/14/2/pose 7",
+  ]);
 });
 
 test("a relay reports each robot, and unknown values are NaN", () => {
-  const link = fields({ state: new EnumValue(2, "STATE_CONNECTED"), name: "tim", robot: "14/2", received: 7n, lost: 2n, connections: 3, clock_offset_ns: 350_000_000n, shift_ns: -350_000_000n, message: "" });
+  const link = fields({
+    state: new EnumValue(2, "STATE_CONNECTED"),
+    name: "tim",
+    robot: "14/2",
+    received: 7n,
+    lost: 2n,
+    connections: 3,
+    clock_offset_ns: 350_000_000n,
+    shift_ns: -350_000_000n,
+    message: "",
+  });
   const gone = fields({ state: new EnumValue(1, "STATE_CONNECTING"), name: "lea", message: "Connection refused" });
   const [tim, lea] = linkStatistics(fields({ links: [link, gone] }));
-  expect(tim).toEqual({ name: "tim", robot: "14/2", state: "connected", received: 7, lost: 2, connections: 3, clock_offset: 0.35, shift: -0.35, message: "" });
-  expect(lea).toMatchObject({ name: "lea", robot: "", state: "connecting", clock_offset: NaN, message: "Connection refused" });
+  expect(tim).toEqual({
+    name: "tim",
+    robot: "14/2",
+    state: "connected",
+    received: 7,
+    lost: 2,
+    connections: 3,
+    clock_offset: 0.35,
+    shift: -0.35,
+    message: "",
+  });
+  expect(lea).toMatchObject({
+    name: "lea",
+    robot: "",
+    state: "connecting",
+    clock_offset: NaN,
+    message: "Connection refused",
+  });
   expect(linkStatistics(fields({}))).toEqual([]);
 });

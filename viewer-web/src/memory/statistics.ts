@@ -22,7 +22,11 @@ export interface RecordingStatistics {
   message: string;
 }
 
-const none = (): StreamStatistics => ({ rate_hz: NaN, sequence: NaN, dropped: { inside: 0, recording: 0, viewers: 0 } });
+const none = (): StreamStatistics => ({
+  rate_hz: NaN,
+  sequence: NaN,
+  dropped: { inside: 0, recording: 0, viewers: 0 },
+});
 const dropped = (fields: Fields): number => numberOf(fields, "dropped") || 0;
 
 /**

@@ -14,11 +14,17 @@ function setUp(text: string, x: (topic: string, i: number) => number, fetched: s
   const fetch = async (topic: string, from_ns: bigint, to_ns: bigint) => {
     fetched.push(topic);
     const messages: RecordedMessage[] = [];
-    for (let i = 0; i < 10_000; ++i) if (at(i) >= from_ns && at(i) <= to_ns) messages.push({ log_ns: at(i), data: percept({ x: x(topic, i) }) });
+    for (let i = 0; i < 10_000; ++i)
+      if (at(i) >= from_ns && at(i) <= to_ns) messages.push({ log_ns: at(i), data: percept({ x: x(topic, i) }) });
     return messages;
   };
   const condition = conditionOf(text, "14/2", kTopics) as Condition;
-  const finder = new WholeFinder(condition, new Map(kTopics.map((topic) => [topic, decode])), { start_ns: at(0), end_ns: at(9999) }, fetch);
+  const finder = new WholeFinder(
+    condition,
+    new Map(kTopics.map((topic) => [topic, decode])),
+    { start_ns: at(0), end_ns: at(9999) },
+    fetch,
+  );
   let time = 0;
   const run = async () => {
     for (let turn = 0; !finder.done && turn < 10_000; ++turn) {
@@ -26,7 +32,11 @@ function setUp(text: string, x: (topic: string, i: number) => number, fetched: s
       await Promise.resolve();
     }
   };
-  const spans = () => finder.matches.map(({ from_ns, to_ns }) => [Number((from_ns - at(0)) / 100_000_000n), Number((to_ns - at(0)) / 100_000_000n)]);
+  const spans = () =>
+    finder.matches.map(({ from_ns, to_ns }) => [
+      Number((from_ns - at(0)) / 100_000_000n),
+      Number((to_ns - at(0)) / 100_000_000n),
+    ]);
   return { finder, run, spans, fetched };
 }
 
@@ -36,11 +46,17 @@ test("all matches of the whole recording are found, also one that spans two part
   expect(finder.share).toBe(0);
   await run();
   expect(finder.share).toBe(1);
-  expect(spans()).toEqual([[3, 4], [240, 520], [9999, 9999]]);
+  expect(spans()).toEqual([
+    [3, 4],
+    [240, 520],
+    [9999, 9999],
+  ]);
 });
 
 test("objects are read together in order of time, and only those of the condition are fetched", async () => {
-  const { run, spans, fetched } = setUp("a.x == 1 && b.x == 1", (topic, i) => (topic === "/14/2/a" ? Number(i >= 100 && i < 300) : Number(i >= 200 && i < 400)));
+  const { run, spans, fetched } = setUp("a.x == 1 && b.x == 1", (topic, i) =>
+    topic === "/14/2/a" ? Number(i >= 100 && i < 300) : Number(i >= 200 && i < 400),
+  );
   await run();
   expect(spans()).toEqual([[200, 300]]);
   expect(fetched).toHaveLength(80);
@@ -55,7 +71,9 @@ test("nothing is fetched while a person types, and a server's failure is shown",
   finder.update(4, () => 1000);
   finder.update(4, () => 1200);
   expect(fetched).toEqual([]);
-  const failing = new WholeFinder(finder.condition, finder.decoders, finder.range, () => Promise.reject(new Error("No.")));
+  const failing = new WholeFinder(finder.condition, finder.decoders, finder.range, () =>
+    Promise.reject(new Error("No.")),
+  );
   for (let time = 0; !failing.done && time < 10_000; time += 10) {
     failing.update(4, () => time);
     await Promise.resolve();

@@ -48,7 +48,11 @@ export class WholeFinder {
 
   /** True when everything is searched or the maximum number of matches is reached. */
   get done(): boolean {
-    return this.full || this.problem !== "" || (!this.#fetching && this.#read === this.#messages.length && this.#next_ns > this.range.end_ns);
+    return (
+      this.full ||
+      this.problem !== "" ||
+      (!this.#fetching && this.#read === this.#messages.length && this.#next_ns > this.range.end_ns)
+    );
   }
 
   get full(): boolean {
@@ -58,7 +62,9 @@ export class WholeFinder {
   /** Searched share: 0 .. 1. */
   get share(): number {
     const whole = Number(this.range.end_ns - this.range.start_ns);
-    return this.done || whole === 0 ? 1 : Math.max(0, Math.min(1, Number(this.#next_ns - this.#part_ns - this.range.start_ns) / whole));
+    return this.done || whole === 0
+      ? 1
+      : Math.max(0, Math.min(1, Number(this.#next_ns - this.#part_ns - this.range.start_ns) / whole));
   }
 
   /** Continues for at most `milliseconds`. Call it repeatedly until it is done. */
@@ -79,7 +85,11 @@ export class WholeFinder {
     const to_ns = from_ns + this.#part_ns - 1n;
     this.#next_ns = to_ns + 1n;
     try {
-      const parts = await Promise.all(this.condition.topics.map(async (topic) => (await this.fetch(topic, from_ns, to_ns)).map((message) => ({ ...message, topic }))));
+      const parts = await Promise.all(
+        this.condition.topics.map(async (topic) =>
+          (await this.fetch(topic, from_ns, to_ns)).map((message) => ({ ...message, topic })),
+        ),
+      );
       this.#messages = parts.flat().sort((a, b) => (a.log_ns < b.log_ns ? -1 : a.log_ns > b.log_ns ? 1 : 0));
       this.#read = 0;
     } catch (error) {

@@ -3,19 +3,44 @@ import { ago, bytes, clockLength, clockTime, count, duration, hertz, hex, number
 
 test("durations keep three digits or so, and never show a unit's overflow", () => {
   const cases: [number | undefined, string][] = [
-    [undefined, "–"], [NaN, "–"], [0, "0 ms"], [0.0333, "33 ms"], [0.9994, "999 ms"], [0.9996, "1.00 s"],
-    [9.994, "9.99 s"], [9.996, "10.0 s"], [99.94, "99.9 s"], [99.96, "2 min"], [7200, "2 h"], [864000, "10 days"],
+    [undefined, "–"],
+    [NaN, "–"],
+    [0, "0 ms"],
+    [0.0333, "33 ms"],
+    [0.9994, "999 ms"],
+    [0.9996, "1.00 s"],
+    [9.994, "9.99 s"],
+    [9.996, "10.0 s"],
+    [99.94, "99.9 s"],
+    [99.96, "2 min"],
+    [7200, "2 h"],
+    [864000, "10 days"],
   ];
   for (const [seconds, text] of cases) expect(duration(seconds)).toBe(text);
 });
 
 test("lengths of recordings read like a clock", () => {
-  expect([0, 7, 59.6, 600, 3723, -1, NaN].map(clockLength)).toEqual(["0:00", "0:07", "1:00", "10:00", "1:02:03", "–", "–"]);
+  expect([0, 7, 59.6, 600, 3723, -1, NaN].map(clockLength)).toEqual([
+    "0:00",
+    "0:07",
+    "1:00",
+    "10:00",
+    "1:02:03",
+    "–",
+    "–",
+  ]);
 });
 
 test("sizes are decimal and change unit before they show four digits", () => {
   expect([0, 999, 999.6, 1234, 614400, 999499, 999500, 5e15].map(bytes)).toEqual([
-    "0 B", "999 B", "1.0 kB", "1.2 kB", "614 kB", "999 kB", "1.0 MB", "5000 TB",
+    "0 B",
+    "999 B",
+    "1.0 kB",
+    "1.2 kB",
+    "614 kB",
+    "999 kB",
+    "1.0 MB",
+    "5000 TB",
   ]);
 });
 
@@ -26,7 +51,13 @@ test("rates and counts", () => {
 
 test("a float shows the digits it has, not those of its double", () => {
   expect([Math.fround(1.1), Math.fround(-0.3), 16777216, -0, 1e-9, Infinity, NaN].map(number)).toEqual([
-    "1.1", "-0.3", "16777216", "0", "1e-9", "∞", "not a number",
+    "1.1",
+    "-0.3",
+    "16777216",
+    "0",
+    "1e-9",
+    "∞",
+    "not a number",
   ]);
 });
 
@@ -36,7 +67,16 @@ test("bytes show their beginning", () => {
 });
 
 test("a longer age is shown coarsely", () => {
-  expect([-1, 0.4, 1.7, 59.9, 60, 119, 5399, 5400].map(ago)).toEqual(["just now", "just now", "1 s ago", "59 s ago", "1 min ago", "1 min ago", "89 min ago", "2 h ago"]);
+  expect([-1, 0.4, 1.7, 59.9, 60, 119, 5399, 5400].map(ago)).toEqual([
+    "just now",
+    "just now",
+    "1 s ago",
+    "59 s ago",
+    "1 min ago",
+    "1 min ago",
+    "89 min ago",
+    "2 h ago",
+  ]);
 });
 
 test("the time of day has two digits for each part", () => {

@@ -3,8 +3,16 @@ import type { ClientStatistics, RecordingStatistics } from "../memory/statistics
 import { clientSentence, clockFigure, pageFigures, processFigures } from "./health";
 
 const kWell = { cpu: 0.2, resident_bytes: 20e6, disk_free_bytes: 4e9, log_dir_bytes: 1e9, uptime: 90 };
-const kRecording: RecordingStatistics = { state: "recording", session: "", profile: "game", size_bytes: 0, bytes_per_second: 170e3, message: "" };
-const wrong = (process = kWell, recording?: RecordingStatistics) => processFigures(process, recording).flatMap(({ name, wrong }) => (wrong ? [name] : []));
+const kRecording: RecordingStatistics = {
+  state: "recording",
+  session: "",
+  profile: "game",
+  size_bytes: 0,
+  bytes_per_second: 170e3,
+  message: "",
+};
+const wrong = (process = kWell, recording?: RecordingStatistics) =>
+  processFigures(process, recording).flatMap(({ name, wrong }) => (wrong ? [name] : []));
 
 test("only a figure with a problem has a sentence", () => {
   expect(wrong()).toEqual([]);
@@ -19,12 +27,25 @@ test("only a figure with a problem has a sentence", () => {
 test("clocks that differ by more than a frame are reported with the difference", () => {
   expect(clockFigure(0.0001)).toMatchObject({ value: "agrees", wrong: "" });
   expect(clockFigure(0.01)).toMatchObject({ value: "10 ms ahead", wrong: "" });
-  expect(clockFigure(-3.2)).toMatchObject({ value: "3.20 s behind", wrong: expect.stringContaining("differ by 3.20 s") });
+  expect(clockFigure(-3.2)).toMatchObject({
+    value: "3.20 s behind",
+    wrong: expect.stringContaining("differ by 3.20 s"),
+  });
   expect(clockFigure(undefined).wrong).toBe("");
 });
 
 test("a viewer that cannot keep up is reported, and so is a page that draws rarely", () => {
-  const client: ClientStatistics = { id: 1, address: "a:1", agent: "", lossless: false, round_trip: 0.01, channels: 3, sent: 9, dropped: 0, queued_bytes: 0 };
+  const client: ClientStatistics = {
+    id: 1,
+    address: "a:1",
+    agent: "",
+    lossless: false,
+    round_trip: 0.01,
+    channels: 3,
+    sent: 9,
+    dropped: 0,
+    queued_bytes: 0,
+  };
   expect(clientSentence(client, 0)).toBe("");
   expect(clientSentence({ ...client, queued_bytes: 2e6 }, 0)).toContain("2.0 MB wait");
   expect(clientSentence({ ...client, round_trip: 0.5 }, 0)).toContain("500 ms");

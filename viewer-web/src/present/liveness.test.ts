@@ -6,7 +6,8 @@ const words = (flow: Partial<Flow>, now = 101) => livenessOf({ ...kFlow, ...flow
 
 test("only a flow of recent data is live", () => {
   expect(livenessOf(kFlow, 101)).toEqual({ isLive: true, isStale: false, words: "live" });
-  for (const flow of [{ known: false }, { paused: true }, { arrived: undefined }, { arrived: 10 }]) expect(livenessOf({ ...kFlow, ...flow }, 101).isLive).toBe(false);
+  for (const flow of [{ known: false }, { paused: true }, { arrived: undefined }, { arrived: 10 }])
+    expect(livenessOf({ ...kFlow, ...flow }, 101).isLive).toBe(false);
 });
 
 test("each reason has its words, and only a pause is no fault", () => {
@@ -18,5 +19,9 @@ test("each reason has its words, and only a pause is no fault", () => {
   expect(words({}, 400)).toBe("no data for 5 min");
   expect(words({ paused: true }, 112)).toBe("game paused");
   expect(words({ paused: true, connected: false }, 112)).toBe("no data for 12 s");
-  expect([{ paused: true }, { arrived: undefined }, { arrived: 10 }, { known: false }].map((flow) => livenessOf({ ...kFlow, ...flow }, 101).isStale)).toEqual([false, true, true, true]);
+  expect(
+    [{ paused: true }, { arrived: undefined }, { arrived: 10 }, { known: false }].map(
+      (flow) => livenessOf({ ...kFlow, ...flow }, 101).isStale,
+    ),
+  ).toEqual([false, true, true, true]);
 });

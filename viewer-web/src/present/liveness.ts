@@ -26,6 +26,7 @@ export function livenessOf({ connected, known, arrived, paused }: Flow, now: num
   const silence = arrived === undefined ? undefined : now - arrived;
   if (connected && paused) return told("game paused", false);
   if (silence === undefined) return told(connected ? "no data yet" : "not connected", true);
-  if (silence > kQuiet) return told(`no data for ${silence < 120 ? `${Math.floor(silence)} s` : `${Math.floor(silence / 60)} min`}`, true);
+  if (silence > kQuiet)
+    return told(`no data for ${silence < 120 ? `${Math.floor(silence)} s` : `${Math.floor(silence / 60)} min`}`, true);
   return { isLive: true, isStale: false, words: "live" };
 }

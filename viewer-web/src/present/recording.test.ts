@@ -12,20 +12,32 @@ test("start and length are read from decimal strings of ns, whose digits a numbe
 });
 
 test("an empty or impossible recording has no length", () => {
-  for (const times of [{ start_ns: "", end_ns: "" }, { start_ns: "0", end_ns: "0" }, { end_ns: "1" }, { end_ns: "x" }, { end_ns: 7 }])
+  for (const times of [
+    { start_ns: "", end_ns: "" },
+    { start_ns: "0", end_ns: "0" },
+    { end_ns: "1" },
+    { end_ns: "x" },
+    { end_ns: 7 },
+  ])
     expect(lengthOf(sessionsOf({ sessions: [entry(times)] })![0]!)).toBe("–");
 });
 
 test("the newest recording comes first, those without a start last", () => {
   const sessions = sessionsOf({
-    sessions: [entry({ session: "none", start_ns: "" }), entry({ session: "old" }), entry({ session: "new", start_ns: String(kStart_ns + 1n) })],
+    sessions: [
+      entry({ session: "none", start_ns: "" }),
+      entry({ session: "old" }),
+      entry({ session: "new", start_ns: String(kStart_ns + 1n) }),
+    ],
   })!;
   expect(sessions.map(({ session }) => session)).toEqual(["new", "old", "none"]);
 });
 
 test("entries that make no sense are left out, links lead only to the robot itself", () => {
   const urls = ["javascript:alert(1)", "//evil/x", "/\\evil", "https://evil/", 5, "/logs/s.mcap"];
-  const sessions = sessionsOf({ sessions: [5, null, {}, entry({ state: "odd", streams: urls.map((url) => ({ url })) })] })!;
+  const sessions = sessionsOf({
+    sessions: [5, null, {}, entry({ state: "odd", streams: urls.map((url) => ({ url })) })],
+  })!;
   expect(sessions).toHaveLength(1);
   expect(sessions[0]).toMatchObject({ state: "unknown", kept: false });
   expect(sessions[0]!.streams.map(({ url }) => url)).toEqual(["", "", "", "", "", "/logs/s.mcap"]);
@@ -34,7 +46,11 @@ test("entries that make no sense are left out, links lead only to the robot itse
 
 test("other viewers get the file's address; web pages only where they may read it", () => {
   const links = (url: string) => otherViewers(url).map((viewer) => new URL(viewer.url));
-  for (const file of ["http://10.0.14.2:8765/logs/a b.mcap", "http://localhost:8765/logs/s.mcap", "https://lab/logs/s.mcap"])
+  for (const file of [
+    "http://10.0.14.2:8765/logs/a b.mcap",
+    "http://localhost:8765/logs/s.mcap",
+    "https://lab/logs/s.mcap",
+  ])
     for (const link of links(file)) {
       expect(link.searchParams.get("ds")).toBe("remote-file");
       expect(link.searchParams.get("ds.url")).toBe(file);
@@ -45,10 +61,22 @@ test("other viewers get the file's address; web pages only where they may read i
 });
 
 test("a part of a recording is typed in minutes and seconds, and requested in ns", () => {
-  expect(["0:05", "65", "1:05.5", "1:00:00", "", "1:2:3:4", "x", "-1", "1:"].map(secondsOf)).toEqual([5, 65, 65.5, 3600, undefined, undefined, undefined, undefined, undefined]);
+  expect(["0:05", "65", "1:05.5", "1:00:00", "", "1:2:3:4", "x", "-1", "1:"].map(secondsOf)).toEqual([
+    5,
+    65,
+    65.5,
+    3600,
+    undefined,
+    undefined,
+    undefined,
+    undefined,
+    undefined,
+  ]);
   const session = { url: "/logs/s.mcap", start_ns: kStart_ns, end_ns: kStart_ns + 60_000_000_000n };
   expect(partOf(session, "", "")).toEqual({ url: "/logs/s.mcap" });
-  expect(partOf(session, "0:01.5", "10")).toEqual({ url: "/logs/s.mcap?from=1795269732500000000&to=1795269741000000000" });
+  expect(partOf(session, "0:01.5", "10")).toEqual({
+    url: "/logs/s.mcap?from=1795269732500000000&to=1795269741000000000",
+  });
   expect(partOf(session, "", "0:02")).toEqual({ url: "/logs/s.mcap?to=1795269733000000000" });
   expect(partOf(session, "soon", "")).toEqual({ error: "Expected minutes and seconds such as 1:05, got 'soon'." });
   expect(partOf(session, "5", "5")).toEqual({ error: "The part must end after it begins." });

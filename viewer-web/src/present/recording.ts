@@ -6,7 +6,11 @@ import { clockLength } from "./format";
 /** The recording's begin, in the reader's time zone and language: "21 Nov 2026, 14:02:11". */
 export function startOf({ start_ns }: Pick<Session, "start_ns">, locale?: string, timeZone?: string): string {
   if (start_ns === undefined) return "–";
-  const format = new Intl.DateTimeFormat(locale, { dateStyle: "medium", timeStyle: "medium", ...(timeZone && { timeZone }) });
+  const format = new Intl.DateTimeFormat(locale, {
+    dateStyle: "medium",
+    timeStyle: "medium",
+    ...(timeZone && { timeZone }),
+  });
   return format.format(new Date(Number(start_ns / 1_000_000n)));
 }
 
@@ -39,7 +43,9 @@ export function otherViewers(file_url: string): OtherViewer[] {
   const { hostname, protocol } = new URL(file_url);
   const reachable = protocol === "https:" || /^(localhost|127\.\d+\.\d+\.\d+|\[::1\])$/.test(hostname);
   const query = new URLSearchParams({ ds: "remote-file", "ds.url": file_url }).toString();
-  const hint = reachable ? "opens the web version" : "needs the desktop application: their web page may not read from a robot";
+  const hint = reachable
+    ? "opens the web version"
+    : "needs the desktop application: their web page may not read from a robot";
   return [
     {
       name: "Lichtblick",
@@ -61,12 +67,21 @@ export function secondsOf(text: string): number | undefined {
 }
 
 /** Returns the address of a part of a recording. `from` and `to` count from its begin; "" means its ends. */
-export function partOf({ url, start_ns, end_ns }: Pick<Session, "url" | "start_ns" | "end_ns">, from: string, to: string): { url: string } | { error: string } {
+export function partOf(
+  { url, start_ns, end_ns }: Pick<Session, "url" | "start_ns" | "end_ns">,
+  from: string,
+  to: string,
+): { url: string } | { error: string } {
   const [first, last] = [from, to].map((text) => (text.trim() === "" ? null : secondsOf(text)));
-  if (first === undefined || last === undefined) return { error: `Expected minutes and seconds such as 1:05, got '${(first === undefined ? from : to).trim()}'.` };
+  if (first === undefined || last === undefined)
+    return { error: `Expected minutes and seconds such as 1:05, got '${(first === undefined ? from : to).trim()}'.` };
   if (first !== null && last !== null && first! >= last!) return { error: "The part must end after it begins." };
   const after = (seconds: number) => (start_ns ?? 0n) + BigInt(Math.round(seconds * 1e9));
-  if (first !== null && end_ns !== undefined && after(first!) > end_ns) return { error: "The recording is shorter than that." };
-  const query = new URLSearchParams({ ...(first !== null && { from: String(after(first!)) }), ...(last !== null && { to: String(after(last!)) }) }).toString();
+  if (first !== null && end_ns !== undefined && after(first!) > end_ns)
+    return { error: "The recording is shorter than that." };
+  const query = new URLSearchParams({
+    ...(first !== null && { from: String(after(first!)) }),
+    ...(last !== null && { to: String(after(last!)) }),
+  }).toString();
   return { url: query ? `${url}?${query}` : url };
 }

@@ -7,7 +7,13 @@ const fields = (entries: Record<string, Value>) => new Map(Object.entries(entrie
 const kBall: Root = {
   path: "/14/2/ball",
   name: "ball",
-  value: fields({ x: 1.5, seen_ns: 12n, centre: fields({ x: 3 }), side: new EnumValue(1, "SIDE_OWN"), radius: undefined }),
+  value: fields({
+    x: 1.5,
+    seen_ns: 12n,
+    centre: fields({ x: 3 }),
+    side: new EnumValue(1, "SIDE_OWN"),
+    radius: undefined,
+  }),
 };
 const kJoints: Root = {
   path: "/14/2/joints",
@@ -15,7 +21,8 @@ const kJoints: Root = {
   value: fields({ angles: Array.from({ length: 25 }, (_, i) => i / 10), robots: [fields({ x: 1 }), fields({ x: 2 })] }),
 };
 const open = (...paths: string[]) => new Map(paths.map((path) => [path, true]));
-const paths = (roots: Root[], opened = open(), search = "") => rowsOf(roots, opened, wordsOf(search)).map(({ path }) => path);
+const paths = (roots: Root[], opened = open(), search = "") =>
+  rowsOf(roots, opened, wordsOf(search)).map(({ path }) => path);
 const textAt = (root: Root, opened: ReturnType<typeof open>, path: string) =>
   textOfRow(rowsOf([root], opened, []).find((row) => row.path === path)!);
 
@@ -37,14 +44,23 @@ test("a long list is closed until opened, a short one is open, entries have an i
   const shown = paths([kJoints], open("/14/2/joints"));
   expect(shown).not.toContain("/14/2/joints.angles[0]");
   expect(shown).toContain("/14/2/joints.robots[1].x");
-  expect(textAt(kJoints, open("/14/2/joints"), "/14/2/joints.angles")).toBe("25 entries · 0, 0.1, 0.2, 0.3, 0.4, 0.5, …");
+  expect(textAt(kJoints, open("/14/2/joints"), "/14/2/joints.angles")).toBe(
+    "25 entries · 0, 0.1, 0.2, 0.3, 0.4, 0.5, …",
+  );
   expect(paths([kJoints], open("/14/2/joints", "/14/2/joints.angles"))).toContain("/14/2/joints.angles[24]");
 });
 
 test("a search keeps the fields that match all words and the nodes above them, also closed ones", () => {
-  expect(paths([kBall, kJoints], open(), "CENTRE x")).toEqual(["/14/2/ball", "/14/2/ball.centre", "/14/2/ball.centre.x"]);
+  expect(paths([kBall, kJoints], open(), "CENTRE x")).toEqual([
+    "/14/2/ball",
+    "/14/2/ball.centre",
+    "/14/2/ball.centre.x",
+  ]);
   expect(paths([kBall, kJoints], open(), "robots[1]")).toEqual([
-    "/14/2/joints", "/14/2/joints.robots", "/14/2/joints.robots[1]", "/14/2/joints.robots[1].x",
+    "/14/2/joints",
+    "/14/2/joints.robots",
+    "/14/2/joints.robots[1]",
+    "/14/2/joints.robots[1].x",
   ]);
   const closed = new Map([["/14/2/ball.centre", false]]);
   expect(paths([kBall], closed, "centre.x")).toContain("/14/2/ball.centre.x");

@@ -59,7 +59,11 @@ const matches = (path: string, words: string[]): boolean => {
 };
 
 /** The words of the search text. */
-export const wordsOf = (search: string): string[] => search.toLowerCase().split(/\s+/).filter((word) => word !== "");
+export const wordsOf = (search: string): string[] =>
+  search
+    .toLowerCase()
+    .split(/\s+/)
+    .filter((word) => word !== "");
 
 function add(rows: Row[], row: Row, opened: ReadonlyMap<string, boolean>, words: string[]): void {
   const self = matches(row.path, words);
@@ -116,7 +120,8 @@ function* childrenOf(row: Row): Generator<Row> {
     value: inner,
   });
   if (value instanceof Map) for (const [name, inner] of value) yield child(`.${name}`, name, inner);
-  if (Array.isArray(value)) for (const [index, inner] of value.entries()) yield child(`[${index}]`, `[${index}]`, inner);
+  if (Array.isArray(value))
+    for (const [index, inner] of value.entries()) yield child(`[${index}]`, `[${index}]`, inner);
 }
 
 /** Returns the text of the value column: the value, or a glimpse of the contents. */

@@ -47,9 +47,15 @@ test("the silence of a penalised robot or of a paused game is no fault", () => {
   expect(warning(memory, 14)).toMatch("silent");
   const [, team, player] = /^\/(\d+)\/(\d+)\//.exec(kTopic)!;
   const told = (penalised: boolean) => {
-    const players = [...Array(Number(player)).keys()].map((i) => new Map<string, Value>([["penalised", penalised && i === Number(player) - 1]]));
-    const game = new Map<string, Value>([["own_player", Number(player)], ["own", new Map<string, Value>([["players", players]])]]);
-    const get = (topic: string) => (topic === `/${team}/${player}/game` ? { decoded: () => ({ fields: game }) } : undefined);
+    const players = [...Array(Number(player)).keys()].map(
+      (i) => new Map<string, Value>([["penalised", penalised && i === Number(player) - 1]]),
+    );
+    const game = new Map<string, Value>([
+      ["own_player", Number(player)],
+      ["own", new Map<string, Value>([["players", players]])],
+    ]);
+    const get = (topic: string) =>
+      topic === `/${team}/${player}/game` ? { decoded: () => ({ fields: game }) } : undefined;
     return { get, age: () => undefined } as unknown as Memory;
   };
   const object = memory.get(kTopic)!;

@@ -57,8 +57,10 @@ export class Calls {
 
 /** Our services refuse inside a normal answer: {"ok": false, "error": "sentence"}. */
 function accepted(service: string, value: unknown): Answer {
-  if (typeof value !== "object" || value === null) throw new Error(`The robot's answer to '${service}' is not an object.`);
+  if (typeof value !== "object" || value === null)
+    throw new Error(`The robot's answer to '${service}' is not an object.`);
   const answer = value as Answer;
-  if (answer["ok"] === false) throw new Error(String(answer["error"] ?? `The robot refused '${service}' without a reason.`));
+  if (answer["ok"] === false)
+    throw new Error(String(answer["error"] ?? `The robot refused '${service}' without a reason.`));
   return answer;
 }

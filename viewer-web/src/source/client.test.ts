@@ -210,7 +210,12 @@ test("parameters are requested and followed if the server supports them", () => 
 
 test("a server that plays a recording reports its span and answers playback requests", () => {
   expect(client.ask({ play: true, speed: 1 }, "early")).toBe(false);
-  newest().say({ ...kInfo, capabilities: ["playbackControl"], dataStartTime: { sec: 2, nsec: 5 }, dataEndTime: { sec: 9, nsec: 0 } });
+  newest().say({
+    ...kInfo,
+    capabilities: ["playbackControl"],
+    dataStartTime: { sec: 2, nsec: 5 },
+    dataEndTime: { sec: 9, nsec: 0 },
+  });
   expect(client.ask({ play: false, speed: 2, seek_ns: 7n }, "a")).toBe(true);
   expect(newest().sent.at(-1)).toBeInstanceOf(Uint8Array);
   newest().frame(5, 1, 7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 128, 63, 1, 1, 0, 0, 0, 97);

@@ -296,7 +296,8 @@ export class Client {
   /** Subscribes again to all channels, so that the newest message of each object comes again. */
   #resubscribe(): void {
     for (const { topic } of this.#subscriptions.values()) this.listener.subscribed(topic, false);
-    if (this.#subscriptions.size > 0) this.#send({ op: "unsubscribe", subscriptionIds: [...this.#subscriptions.keys()] });
+    if (this.#subscriptions.size > 0)
+      this.#send({ op: "unsubscribe", subscriptionIds: [...this.#subscriptions.keys()] });
     this.#subscriptions.clear();
     this.#sync();
   }
@@ -313,7 +314,11 @@ export class Client {
 }
 
 const sameChannel = (a: Channel | undefined, b: Channel): boolean =>
-  a !== undefined && a.id === b.id && a.encoding === b.encoding && a.schemaName === b.schemaName && a.schema === b.schema;
+  a !== undefined &&
+  a.id === b.id &&
+  a.encoding === b.encoding &&
+  a.schemaName === b.schemaName &&
+  a.schema === b.schema;
 
 /**
  * Returns the likely reason of a closed connection. Browsers give a page almost no information about a refused
@@ -322,5 +327,7 @@ const sameChannel = (a: Channel | undefined, b: Channel): boolean =>
 function closeSentence(wasOpen: boolean, code: number, reason: string): string {
   if (reason) return `The robot closed the connection: ${reason}`;
   if (wasOpen) return "The connection to the robot was lost.";
-  return code === 1006 ? "No robot answers, or it refused this page (token, origin)." : `Connection closed with code ${code}.`;
+  return code === 1006
+    ? "No robot answers, or it refused this page (token, origin)."
+    : `Connection closed with code ${code}.`;
 }

@@ -32,8 +32,15 @@ describe("a clock exchange", () => {
 
   test("continues after a refusal and after a senseless answer", async () => {
     const requests: object[] = [];
-    const answers = [Promise.reject(new Error("no")), Promise.resolve({ received_ns: "x" }), Promise.resolve({ received_ns: "1" })];
-    const exchange = new ClockExchange((request) => (requests.push(request), answers.shift()!), () => 5n);
+    const answers = [
+      Promise.reject(new Error("no")),
+      Promise.resolve({ received_ns: "x" }),
+      Promise.resolve({ received_ns: "1" }),
+    ];
+    const exchange = new ClockExchange(
+      (request) => (requests.push(request), answers.shift()!),
+      () => 5n,
+    );
     for (let i = 0; i < 3; ++i) await exchange.ask();
     expect(requests).toEqual([{ sent_ns: "5" }, { sent_ns: "5" }, { sent_ns: "5" }]);
   });

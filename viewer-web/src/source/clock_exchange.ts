@@ -48,7 +48,10 @@ export class ClockExchange {
   /** Makes one exchange. After a missing or senseless answer the next one follows as usual. */
   async ask(): Promise<void> {
     const sent_ns = this.now();
-    const known = this.#last && { offset_ns: String(this.#last.offset_ns), round_trip_ns: String(this.#last.round_trip_ns) };
+    const known = this.#last && {
+      offset_ns: String(this.#last.offset_ns),
+      round_trip_ns: String(this.#last.round_trip_ns),
+    };
     try {
       const answer = await this.call({ sent_ns: String(sent_ns), ...known });
       this.#last = measured(sent_ns, BigInt(answer["received_ns"] as string), this.now());

@@ -46,7 +46,9 @@ test("a playback wish has the same bytes as from the Foxglove SDK", () => {
   const of = (wish: Parameters<typeof writePlaybackWish>[0]) => hex(writePlaybackWish(wish, "some-id"));
   expect(of({ play: true, speed: 1 })).toBe("03000000803f00000000000000000007000000736f6d652d6964");
   expect(of({ play: false, speed: 1 })).toBe("03010000803f00000000000000000007000000736f6d652d6964");
-  expect(of({ play: true, speed: 1, seek_ns: 123456789n })).toBe("03000000803f0115cd5b070000000007000000736f6d652d6964");
+  expect(of({ play: true, speed: 1, seek_ns: 123456789n })).toBe(
+    "03000000803f0115cd5b070000000007000000736f6d652d6964",
+  );
 });
 
 test("every truncated frame is malformed or has a shorter payload, and never throws", () => {

@@ -61,9 +61,16 @@ export function readFrame(frame: ArrayBuffer): ServerFrame {
       const status = kPlaybackStatus[view.getUint8(1)];
       const requestEnd = 19 + view.getUint32(15, true);
       if (view.byteLength < requestEnd) return short(requestEnd);
-      if (!status) return { kind: "malformed", why: `playback state: expected a status of 0 .. 3, got ${view.getUint8(1)}` };
+      if (!status)
+        return { kind: "malformed", why: `playback state: expected a status of 0 .. 3, got ${view.getUint8(1)}` };
       const request = new TextDecoder().decode(new Uint8Array(frame, 19, requestEnd - 19));
-      const state = { status, time_ns: view.getBigUint64(2, true), speed: view.getFloat32(10, true), didSeek: view.getUint8(14) !== 0, request };
+      const state = {
+        status,
+        time_ns: view.getBigUint64(2, true),
+        speed: view.getFloat32(10, true),
+        didSeek: view.getUint8(14) !== 0,
+        request,
+      };
       return { kind: "playback", state };
     }
     default: {

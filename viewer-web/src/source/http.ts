@@ -30,7 +30,8 @@ export interface Session {
 
 type Json = Record<string, unknown>;
 
-const isObject = (value: unknown): value is Json => typeof value === "object" && value !== null && !Array.isArray(value);
+const isObject = (value: unknown): value is Json =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
 const objects = (value: unknown): Json[] => (Array.isArray(value) ? value.filter(isObject) : []);
 const text = (value: unknown): string => (typeof value === "string" ? value : "");
 const amount = (value: unknown): number => (typeof value === "number" ? value : Number(text(value) || NaN));
@@ -74,7 +75,10 @@ export function sessionsOf(answer: unknown): Session[] | undefined {
 export async function fetchSessions(): Promise<Session[]> {
   let response: Response;
   try {
-    response = await fetch("/api/sessions", { headers: { Accept: "application/json" }, signal: AbortSignal.timeout(10000) });
+    response = await fetch("/api/sessions", {
+      headers: { Accept: "application/json" },
+      signal: AbortSignal.timeout(10000),
+    });
   } catch {
     throw new Error("The robot does not answer.");
   }

@@ -56,7 +56,8 @@ function unpackBlock(block: Uint8Array, out: Uint8Array, end: number): number {
     const offset = block[at]! | (block[at + 1]! << 8);
     at += 2;
     const copied = 4 + lengthOf(token & 15);
-    if (offset === 0 || offset > end || end + copied > out.length) throw new Error("an LZ4 block refers to what is not there");
+    if (offset === 0 || offset > end || end + copied > out.length)
+      throw new Error("an LZ4 block refers to what is not there");
     for (let i = 0; i < copied; ++i, ++end) out[end] = out[end - offset]!; // the copy may overlap its source
   }
   return end;

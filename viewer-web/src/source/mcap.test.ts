@@ -54,11 +54,27 @@ async function written(compression: "" | "lz4" | "zstd", count = 200): Promise<U
     file = longer;
   };
   const packer = { "": undefined, lz4: packed, zstd: (data: Uint8Array) => zstd.compress(data) }[compression];
-  const writer = new McapWriter({ writable: { position: () => BigInt(file.length), write }, chunkSize: 2000, ...(packer && { compressChunk: (data: Uint8Array) => ({ compression, compressedData: packer(data) }) }) });
+  const writer = new McapWriter({
+    writable: { position: () => BigInt(file.length), write },
+    chunkSize: 2000,
+    ...(packer && { compressChunk: (data: Uint8Array) => ({ compression, compressedData: packer(data) }) }),
+  });
   await writer.start({ profile: "", library: "" });
   const schemaId = await writer.registerSchema({ name: "a.B", encoding: "protobuf", data: Uint8Array.of(1, 2, 3) });
-  const channelId = await writer.registerChannel({ topic: "/14/2/game", messageEncoding: "protobuf", schemaId, metadata: new Map() });
-  for (let i = 0; i < count; ++i) await writer.addMessage({ channelId, sequence: i, logTime: BigInt(i), publishTime: 0n, data: new Uint8Array(30).fill(i % 7) });
+  const channelId = await writer.registerChannel({
+    topic: "/14/2/game",
+    messageEncoding: "protobuf",
+    schemaId,
+    metadata: new Map(),
+  });
+  for (let i = 0; i < count; ++i)
+    await writer.addMessage({
+      channelId,
+      sequence: i,
+      logTime: BigInt(i),
+      publishTime: 0n,
+      data: new Uint8Array(30).fill(i % 7),
+    });
   await writer.end();
   return file;
 }
@@ -66,7 +82,13 @@ async function written(compression: "" | "lz4" | "zstd", count = 200): Promise<U
 test("a recording is read exactly as it was written, with each compression", async () => {
   for (const compression of ["", "lz4", "zstd"] as const) {
     const recorded = recordedIn(await written(compression));
-    expect(recorded, compression).toMatchObject({ topic: "/14/2/game", encoding: "protobuf", schemaName: "a.B", schema: "AQID", damage: "" });
+    expect(recorded, compression).toMatchObject({
+      topic: "/14/2/game",
+      encoding: "protobuf",
+      schemaName: "a.B",
+      schema: "AQID",
+      damage: "",
+    });
     expect(recorded.messages.map(({ log_ns }) => Number(log_ns))).toEqual(Array.from({ length: 200 }, (_, i) => i));
     expect(recorded.messages[12]!.data).toEqual(new Uint8Array(30).fill(5));
   }
@@ -89,7 +111,14 @@ test("the readable beginning of a truncated or damaged file is returned, with a 
 test("LZ4 of repeating and of random bytes gives the same bytes again", () => {
   let random = 1;
   const noise = Uint8Array.from({ length: 70_000 }, () => (random = (random * 48271) % 2147483647) & 255);
-  const texts = [new Uint8Array(), Uint8Array.of(7), new Uint8Array(70_000).fill(3), noise, Uint8Array.from(noise, (_, i) => noise[i % 300]!), noise.subarray(0, 100)];
+  const texts = [
+    new Uint8Array(),
+    Uint8Array.of(7),
+    new Uint8Array(70_000).fill(3),
+    noise,
+    Uint8Array.from(noise, (_, i) => noise[i % 300]!),
+    noise.subarray(0, 100),
+  ];
   for (const text of texts) {
     const frame = packed(text);
     const same = (bytes: Uint8Array) => Buffer.compare(bytes, text) === 0;

@@ -44,7 +44,7 @@ class Reader {
   /** Reads records until the data end. */
   records(bytes: Uint8Array): void {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-    for (let at = 0; at < bytes.length; ) {
+    for (let at = 0; at < bytes.length;) {
       if (at + 9 > bytes.length) throw new Error("it is cut short");
       const [op, length] = [view.getUint8(at), Number(view.getBigUint64(at + 1, true))];
       if (op === kOp.dataEnd) return;
@@ -64,7 +64,12 @@ class Reader {
     } else if (op === kOp.channel && this.#channel === undefined) {
       this.#channel = fields.u16();
       const schema = this.#schemas.get(fields.u16());
-      Object.assign(this.found, { topic: fields.text(), encoding: fields.text(), schemaName: schema?.name ?? "", schema: base64Encode(schema?.data ?? new Uint8Array()) });
+      Object.assign(this.found, {
+        topic: fields.text(),
+        encoding: fields.text(),
+        schemaName: schema?.name ?? "",
+        schema: base64Encode(schema?.data ?? new Uint8Array()),
+      });
     } else if (op === kOp.message) {
       if (fields.u16() !== this.#channel) return;
       fields.skip(4);

@@ -5,7 +5,7 @@ import { recordedIn, type Recorded } from "./mcap";
 /** Fetches the messages of `topic` between two capture times [ns] from the page's own server. Rejects with a sentence. */
 export async function fetchPlayed(topic: string, from_ns: bigint, to_ns: bigint): Promise<Recorded["messages"]> {
   const messages: Recorded["messages"] = [];
-  for (let next_ns = from_ns; next_ns <= to_ns; ) {
+  for (let next_ns = from_ns; next_ns <= to_ns;) {
     const part = new URLSearchParams({ topic, from: String(next_ns), to: String(to_ns) });
     let response: Response;
     try {
@@ -18,7 +18,8 @@ export async function fetchPlayed(topic: string, from_ns: bigint, to_ns: bigint)
     if (recorded.damage) throw new Error(`The recording of ${topic} cannot be read: ${recorded.damage}.`);
     for (const message of recorded.messages) messages.push(message);
     const until = response.headers.get("Foresight-Until") ?? "";
-    if (!/^\d{1,20}$/.test(until) || BigInt(until) < next_ns) throw new Error("The server does not report the end of its answer.");
+    if (!/^\d{1,20}$/.test(until) || BigInt(until) < next_ns)
+      throw new Error("The server does not report the end of its answer.");
     next_ns = BigInt(until) + 1n;
   }
   return messages;

@@ -31,7 +31,10 @@ test("a token kept for one robot is not sent to another host", () => {
 });
 
 test("?ws= names another robot, which is then not the page's own host", () => {
-  expect(targetOf("http://lab/?ws=ws://other:8765/", nothing)).toMatchObject({ url: "ws://other:8765/", ownHost: false });
+  expect(targetOf("http://lab/?ws=ws://other:8765/", nothing)).toMatchObject({
+    url: "ws://other:8765/",
+    ownHost: false,
+  });
 });
 
 test("an invalid address is refused with a sentence", () => {
@@ -51,8 +54,21 @@ test("a person adds another robot by a typed or copied address", () => {
   ];
   for (const [typed, host] of cases) expect(addressOf(typed), typed).toEqual({ host, token: "" });
   expect(addressOf("http://robot:8765/?token=s%26cret")).toEqual({ host: "robot:8765", token: "s&cret" });
-  for (const typed of ["", "a b", "javascript:alert(1)", "ftp://robot", "user:word@robot", "robot:port", "<b>", "https://robot"])
+  for (const typed of [
+    "",
+    "a b",
+    "javascript:alert(1)",
+    "ftp://robot",
+    "user:word@robot",
+    "robot:port",
+    "<b>",
+    "https://robot",
+  ])
     expect(addressOf(typed), typed).toEqual({ error: expect.any(String) });
-  expect(targetOfHost("robot:8765", "x&y")).toMatchObject({ url: "ws://robot:8765/live?token=x%26y", host: "robot:8765", ownHost: false });
+  expect(targetOfHost("robot:8765", "x&y")).toMatchObject({
+    url: "ws://robot:8765/live?token=x%26y",
+    host: "robot:8765",
+    ownHost: false,
+  });
   expect(targetOfHost("a b", "")).toBeUndefined();
 });

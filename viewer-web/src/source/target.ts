@@ -36,7 +36,13 @@ export function targetOf(address: string, keptToken: (host: string) => string): 
   url.hash = "";
   const token = given ?? keptToken(url.host);
   if (token) url.searchParams.set("token", token);
-  return { url: url.href, host: url.host, ownHost: url.host === page.host, token, cleanAddress: given === null ? address : page.href };
+  return {
+    url: url.href,
+    host: url.host,
+    ownHost: url.host === page.host,
+    token,
+    cleanAddress: given === null ? address : page.href,
+  };
 }
 
 const kUsualPort = 8765;
@@ -53,7 +59,8 @@ export function addressOf(typed: string): { host: string; token: string } | { er
   } catch {
     return error;
   }
-  if (!["ws:", "wss:", "http:", "https:"].includes(url.protocol) || url.username || !/^[\w.:[\]-]+$/.test(url.hostname)) return error;
+  if (!["ws:", "wss:", "http:", "https:"].includes(url.protocol) || url.username || !/^[\w.:[\]-]+$/.test(url.hostname))
+    return error;
   const secure = url.protocol === "wss:" || url.protocol === "https:";
   const port = url.port || (/:80\/?$/.test(typed.trim()) ? "80" : String(kUsualPort));
   if (secure) return { error: "Other robots are reached without encryption: leave 'https' out." };

@@ -46,12 +46,15 @@ const textOf = (value: unknown): string => (isText(value) ? value : "");
 /** Converts the protocol's {"sec": 1, "nsec": 5} to ns. */
 function timeOf(value: unknown): bigint | undefined {
   const [sec, nsec] = isFields(value) ? [value["sec"], value["nsec"]] : [];
-  const isCount = (part: unknown): part is number => typeof part === "number" && Number.isSafeInteger(part) && part >= 0;
+  const isCount = (part: unknown): part is number =>
+    typeof part === "number" && Number.isSafeInteger(part) && part >= 0;
   return isCount(sec) && isCount(nsec) ? BigInt(sec) * 1_000_000_000n + BigInt(nsec) : undefined;
 }
 const listOf = (value: unknown): unknown[] => (Array.isArray(value) ? value : []);
 const textMapOf = (value: unknown): Record<string, string> =>
-  Object.fromEntries(Object.entries(isFields(value) ? value : {}).filter((entry): entry is [string, string] => isText(entry[1])));
+  Object.fromEntries(
+    Object.entries(isFields(value) ? value : {}).filter((entry): entry is [string, string] => isText(entry[1])),
+  );
 
 function channelOf(value: unknown): Channel[] {
   if (!isFields(value) || !isId(value["id"]) || !isText(value["topic"]) || value["topic"] === "") return [];
@@ -75,7 +78,8 @@ export function readText(text: string): ServerText {
   } catch {
     return { op: "malformed", why: "text frame: not JSON" };
   }
-  if (!isFields(fields) || !isText(fields["op"])) return { op: "malformed", why: "text frame: expected an object with 'op'" };
+  if (!isFields(fields) || !isText(fields["op"]))
+    return { op: "malformed", why: "text frame: expected an object with 'op'" };
 
   switch (fields["op"]) {
     case "serverInfo": {
@@ -114,7 +118,9 @@ export function readText(text: string): ServerText {
       return {
         op: "advertiseServices",
         services: listOf(fields["services"]).flatMap((entry) =>
-          isFields(entry) && isId(entry["id"]) && isText(entry["name"]) ? [{ id: entry["id"], name: entry["name"] }] : [],
+          isFields(entry) && isId(entry["id"]) && isText(entry["name"])
+            ? [{ id: entry["id"], name: entry["name"] }]
+            : [],
         ),
       };
     case "unadvertiseServices":

@@ -19,7 +19,8 @@ export function withAlert(alerts: Alert[], level: Level, text: string, key: stri
   return before ? alerts.map((other) => (other === before ? alert : other)) : [alert, ...alerts].slice(0, kMost);
 }
 
-export const withoutAlerts = (alerts: Alert[], keys: string[]): Alert[] => alerts.filter(({ key }) => !keys.includes(key));
+export const withoutAlerts = (alerts: Alert[], keys: string[]): Alert[] =>
+  alerts.filter(({ key }) => !keys.includes(key));
 
 const kHidden = 300; // [s]
 

@@ -18,7 +18,8 @@ export function bookmarksOf(text: string): Bookmark[] {
   return bookmarks.slice(0, kMost).sort((a, b) => (a.at_ns < b.at_ns ? -1 : 1));
 }
 
-export const textOfBookmarks = (bookmarks: Bookmark[]): string => bookmarks.map(({ at_ns, name }) => `${at_ns}~${name.replaceAll(";", ",").slice(0, kLongest)}`).join(";");
+export const textOfBookmarks = (bookmarks: Bookmark[]): string =>
+  bookmarks.map(({ at_ns, name }) => `${at_ns}~${name.replaceAll(";", ",").slice(0, kLongest)}`).join(";");
 
 /** Adds a bookmark with the first free name. A moment has only one bookmark. */
 export function withBookmark(bookmarks: Bookmark[], at_ns: bigint): Bookmark[] {

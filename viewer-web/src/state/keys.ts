@@ -6,7 +6,10 @@ import type { Viewer } from "./viewer.svelte";
 export interface Key {
   keys: string[];
   does: string;
-  act(viewer: Pick<Viewer, "time" | "moments" | "view" | "go" | "chooseNeighbour">, event: Pick<KeyboardEvent, "key" | "shiftKey">): void;
+  act(
+    viewer: Pick<Viewer, "time" | "moments" | "view" | "go" | "chooseNeighbour">,
+    event: Pick<KeyboardEvent, "key" | "shiftKey">,
+  ): void;
 }
 
 /**
@@ -17,24 +20,68 @@ export function keysOfViews(views: readonly View[]): Key[] {
   const withDigit = views.slice(0, 9);
   const neighbour = (view: View, step: 1 | -1) => views[(views.indexOf(view) + step + views.length) % views.length]!;
   return [
-    { keys: withDigit.map((_, i) => String(i + 1)), does: `choose a view: ${withDigit.join(", ")}`, act: (viewer, { key }) => viewer.go({ view: withDigit[Number(key) - 1]! }) },
-    { keys: ["v", "V"], does: "next or previous view", act: (viewer, { key }) => viewer.go({ view: neighbour(viewer.view, key === "v" ? 1 : -1) }) },
+    {
+      keys: withDigit.map((_, i) => String(i + 1)),
+      does: `choose a view: ${withDigit.join(", ")}`,
+      act: (viewer, { key }) => viewer.go({ view: withDigit[Number(key) - 1]! }),
+    },
+    {
+      keys: ["v", "V"],
+      does: "next or previous view",
+      act: (viewer, { key }) => viewer.go({ view: neighbour(viewer.view, key === "v" ? 1 : -1) }),
+    },
   ];
 }
 
 export const kPageKeys: Key[] = [
   { keys: [" "], does: "pause, or play on from there", act: ({ time }) => time.toggle() },
-  { keys: ["ArrowLeft", "ArrowRight"], does: "one second back or forward; ten with Shift", act: ({ time }, { key, shiftKey }) => time.skip((key === "ArrowLeft" ? -1 : 1) * (shiftKey ? 10 : 1)) },
+  {
+    keys: ["ArrowLeft", "ArrowRight"],
+    does: "one second back or forward; ten with Shift",
+    act: ({ time }, { key, shiftKey }) => time.skip((key === "ArrowLeft" ? -1 : 1) * (shiftKey ? 10 : 1)),
+  },
   { keys: [",", "."], does: "one frame back or forward", act: ({ time }, { key }) => time.step(key === "," ? -1 : 1) },
-  { keys: ["<", ">"], does: "slower or faster; slowest is backwards", act: ({ time }, { key }) => time.pace(key === "<" ? -1 : 1) },
-  { keys: ["Home", "End"], does: "oldest moment, or now (a recording: its end)", act: ({ time }, { key }) => (key === "Home" ? time.begin() : time.now()) },
-  { keys: ["p", "n"], does: "previous or next goal, penalty, fall, change of state, error or bookmark", act: ({ time, moments }, { key }) => time.jump(key === "p" ? -1 : 1, moments.bookmarks.map(({ at_ns }) => at_ns)) },
-  { keys: ["w"], does: "find moments by a condition such as ball.x > 2", act: ({ moments }) => (moments.open = !moments.open) },
-  { keys: ["P", "N"], does: "previous or next match of the condition", act: ({ moments }, { key }) => moments.jump(key === "P" ? -1 : 1) },
+  {
+    keys: ["<", ">"],
+    does: "slower or faster; slowest is backwards",
+    act: ({ time }, { key }) => time.pace(key === "<" ? -1 : 1),
+  },
+  {
+    keys: ["Home", "End"],
+    does: "oldest moment, or now (a recording: its end)",
+    act: ({ time }, { key }) => (key === "Home" ? time.begin() : time.now()),
+  },
+  {
+    keys: ["p", "n"],
+    does: "previous or next goal, penalty, fall, change of state, error or bookmark",
+    act: ({ time, moments }, { key }) =>
+      time.jump(
+        key === "p" ? -1 : 1,
+        moments.bookmarks.map(({ at_ns }) => at_ns),
+      ),
+  },
+  {
+    keys: ["w"],
+    does: "find moments by a condition such as ball.x > 2",
+    act: ({ moments }) => (moments.open = !moments.open),
+  },
+  {
+    keys: ["P", "N"],
+    does: "previous or next match of the condition",
+    act: ({ moments }, { key }) => moments.jump(key === "P" ? -1 : 1),
+  },
   { keys: ["b"], does: "bookmark this moment", act: ({ moments }) => moments.mark() },
-  { keys: ["[", "]"], does: "begin or end of a loop (or drag along the timeline with Shift)", act: ({ time }, { key }) => time.edge(key === "[" ? "begin" : "end") },
+  {
+    keys: ["[", "]"],
+    does: "begin or end of a loop (or drag along the timeline with Shift)",
+    act: ({ time }, { key }) => time.edge(key === "[" ? "begin" : "end"),
+  },
   { keys: ["o"], does: "remove the loop", act: ({ time }) => time.endLoop() },
-  { keys: ["k", "j"], does: "previous or next robot", act: (viewer, { key }) => viewer.chooseNeighbour(key === "k" ? -1 : 1) },
+  {
+    keys: ["k", "j"],
+    does: "previous or next robot",
+    act: (viewer, { key }) => viewer.chooseNeighbour(key === "k" ? -1 : 1),
+  },
   ...keysOfViews(kViews),
 ];
 
@@ -59,13 +106,20 @@ const kNames: Record<string, string> = { " ": "Space", ArrowLeft: "←", ArrowRi
 export const nameOf = (key: string): string => kNames[key] ?? key;
 
 /** Whether the focused element uses the key itself. */
-export function belongsElsewhere(event: Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "altKey" | "defaultPrevented" | "target">): boolean {
+export function belongsElsewhere(
+  event: Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "altKey" | "defaultPrevented" | "target">,
+): boolean {
   if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return true;
   const element = event.target instanceof Element ? event.target : undefined;
-  if (element?.matches("input:not([type=checkbox]):not([type=range]), textarea, select, [contenteditable]")) return true;
-  if (element?.matches("input[type=range], input[type=checkbox], summary, button") && [" ", "Enter"].includes(event.key)) return true;
+  if (element?.matches("input:not([type=checkbox]):not([type=range]), textarea, select, [contenteditable]"))
+    return true;
+  if (
+    element?.matches("input[type=range], input[type=checkbox], summary, button") &&
+    [" ", "Enter"].includes(event.key)
+  )
+    return true;
   // a dialog that has just been closed keeps the focus until the next frame
-  return element?.closest("dialog[open]") != null;
+  return Boolean(element?.closest("dialog[open]"));
 }
 
 /** Runs the key's action. Returns false if the key has none. */

@@ -5,7 +5,14 @@ import type { Route } from "./route";
 const route: Route = {
   robot: "14/2@10.0.14.2:8765",
   view: "plot",
-  settings: new Map([["with", "10.0.14.2:8765"], ["plot", "/14/2/ball.x /14/2/pose~truth"], ["layers", "truth,belief"], ["at", "17"], ["marks", "17~kick"], ["loop", "1-2"]]),
+  settings: new Map([
+    ["with", "10.0.14.2:8765"],
+    ["plot", "/14/2/ball.x /14/2/pose~truth"],
+    ["layers", "truth,belief"],
+    ["at", "17"],
+    ["marks", "17~kick"],
+    ["loop", "1-2"],
+  ]),
 };
 
 test("a layout read again is the same, without its moments", () => {
@@ -14,7 +21,8 @@ test("a layout read again is the same, without its moments", () => {
 });
 
 test("a file that is no layout is refused with one sentence and its reason", () => {
-  const with_ = (more: object) => JSON.stringify({ foresight_layout: 1, robot: "14/2", view: "field", settings: {}, ...more });
+  const with_ = (more: object) =>
+    JSON.stringify({ foresight_layout: 1, robot: "14/2", view: "field", settings: {}, ...more });
   expect(layoutOf(with_({}))).toMatchObject({ view: "field" });
   const cases: [string, string][] = [
     ["", "it is not JSON"],
@@ -26,10 +34,14 @@ test("a file that is no layout is refused with one sentence and its reason", () 
     [with_({ settings: [] }), "'settings' is no object"],
     [with_({ settings: { token: "x" } }), "the setting 'token' is not known"],
     [with_({ settings: { plot: 5 } }), "the setting 'plot' is no text"],
-    [with_({ settings: { with: "robot:8765?token=x" } }), "the server 'robot:8765?token=x' must be host:port and nothing else"],
+    [
+      with_({ settings: { with: "robot:8765?token=x" } }),
+      "the server 'robot:8765?token=x' must be host:port and nothing else",
+    ],
     [with_({ settings: { plot: "x".repeat(30000) } }), "longer than 20000"],
   ];
-  for (const [text, why] of cases) expect(layoutOf(text), text.slice(0, 60)).toEqual({ error: expect.stringContaining(why) });
+  for (const [text, why] of cases)
+    expect(layoutOf(text), text.slice(0, 60)).toEqual({ error: expect.stringContaining(why) });
 });
 
 test("every truncation is refused", () => {

@@ -5,7 +5,20 @@ import { kViews, type Route, type View } from "./route";
 
 const kFormat = 1;
 /** Settings of the address that belong to the arrangement. The others are moments. */
-const kArrangement = ["with", "layers", "look", "follow", "field", "over", "plot", "span", "pin", "find", "ask", "pick"];
+const kArrangement = [
+  "with",
+  "layers",
+  "look",
+  "follow",
+  "field",
+  "over",
+  "plot",
+  "span",
+  "pin",
+  "find",
+  "ask",
+  "pick",
+];
 const kLongest = 20_000; // [letters] of all settings
 
 /** Returns the file's text, which people can read. */
@@ -25,10 +38,14 @@ export function layoutOf(text: string): Route | { error: string } {
   }
   if (typeof file !== "object" || file === null || Array.isArray(file)) return no("expected an object");
   const { foresight_layout: format, robot, view, settings } = file as Record<string, unknown>;
-  if (format !== kFormat) return no(`expected 'foresight_layout' to be ${kFormat}, got ${JSON.stringify(format) ?? "nothing"}`);
-  if (!(kViews as readonly unknown[]).includes(view)) return no(`expected 'view' to be one of ${kViews.join(", ")}, got ${JSON.stringify(view) ?? "nothing"}`);
-  if (typeof robot !== "string" || !/^(\d+\/\d+(@[\w.:[\]-]+)?)?$/.test(robot)) return no(`expected 'robot' to be like 14/2, got ${JSON.stringify(robot) ?? "nothing"}`);
-  if (typeof settings !== "object" || settings === null || Array.isArray(settings)) return no("'settings' is no object");
+  if (format !== kFormat)
+    return no(`expected 'foresight_layout' to be ${kFormat}, got ${JSON.stringify(format) ?? "nothing"}`);
+  if (!(kViews as readonly unknown[]).includes(view))
+    return no(`expected 'view' to be one of ${kViews.join(", ")}, got ${JSON.stringify(view) ?? "nothing"}`);
+  if (typeof robot !== "string" || !/^(\d+\/\d+(@[\w.:[\]-]+)?)?$/.test(robot))
+    return no(`expected 'robot' to be like 14/2, got ${JSON.stringify(robot) ?? "nothing"}`);
+  if (typeof settings !== "object" || settings === null || Array.isArray(settings))
+    return no("'settings' is no object");
   for (const [name, value] of Object.entries(settings)) {
     if (!kArrangement.includes(name)) return no(`the setting '${name}' is not known`);
     if (typeof value !== "string") return no(`the setting '${name}' is no text`);

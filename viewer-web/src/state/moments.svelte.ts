@@ -15,7 +15,13 @@ export class Moments {
   readonly #parsed: Condition | { error: string } | undefined = $derived.by(() => {
     const { server, robot } = this.viewer;
     void server.offers;
-    return this.query.trim() ? conditionOf(this.query, robot, [...server.memory.objects()].map(({ channel }) => channel.topic)) : undefined;
+    return this.query.trim()
+      ? conditionOf(
+          this.query,
+          robot,
+          [...server.memory.objects()].map(({ channel }) => channel.topic),
+        )
+      : undefined;
   });
   /** The mistake in the condition, or "". */
   error: string = $derived(this.#parsed && "error" in this.#parsed ? this.#parsed.error : "");
@@ -23,7 +29,14 @@ export class Moments {
   #finder: Finder | undefined = $derived.by(() => {
     const { memory } = this.viewer.server;
     const { condition } = this;
-    return condition && new Finder(condition, new Map([...memory.objects()].map((object) => [object.channel.topic, object])), memory.played !== undefined);
+    return (
+      condition &&
+      new Finder(
+        condition,
+        new Map([...memory.objects()].map((object) => [object.channel.topic, object])),
+        memory.played !== undefined,
+      )
+    );
   });
   /**
    * The search in the whole recording, if its server supports it. Until then, and otherwise, the seen part is
@@ -35,7 +48,9 @@ export class Moments {
     // the page cannot reach the HTTP interface of other servers
     if (!condition || !played || !target.ownHost) return undefined;
     const fetch: FetchPart = async (...part) => (await import("../source/played_parts")).fetchPlayed(...part);
-    const decoders = new Map([...memory.objects()].map((object) => [object.channel.topic, (data: Uint8Array) => object.decode(data)]));
+    const decoders = new Map(
+      [...memory.objects()].map((object) => [object.channel.topic, (data: Uint8Array) => object.decode(data)]),
+    );
     return new WholeFinder(condition, decoders, played, fetch);
   });
   bookmarks: Bookmark[] = $derived.by(() => bookmarksOf(this.viewer.get("marks")));
@@ -84,7 +99,10 @@ export class Moments {
   jump(by: 1 | -1): void {
     const { time, server } = this.viewer;
     const shift_ns = time.shiftOf(server);
-    time.jumpAmong(by, this.matches.map(({ from_ns }) => from_ns - shift_ns));
+    time.jumpAmong(
+      by,
+      this.matches.map(({ from_ns }) => from_ns - shift_ns),
+    );
   }
 
   mark(): void {

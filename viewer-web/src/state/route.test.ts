@@ -4,10 +4,14 @@ import { hashOf, kViews, routeOf } from "./route";
 const none = new Map<string, string>();
 
 test("robot, view and settings survive the address", () => {
-  const settings = new Map([["with", "10.0.0.2:8765,[::1]:1"], ["plot", "/14/2/ball.x&=?#%+ ü"]]);
+  const settings = new Map([
+    ["with", "10.0.0.2:8765,[::1]:1"],
+    ["plot", "/14/2/ball.x&=?#%+ ü"],
+  ]);
   for (const robot of ["", "14/2", "team a/ü%", "14/2@10.0.0.2:8765"])
     for (const view of kViews)
-      for (const some of [none, settings]) expect(routeOf(hashOf({ robot, view, settings: some }))).toEqual({ robot, view, settings: some });
+      for (const some of [none, settings])
+        expect(routeOf(hashOf({ robot, view, settings: some }))).toEqual({ robot, view, settings: some });
 });
 
 test("an address that makes no sense chooses nothing", () => {

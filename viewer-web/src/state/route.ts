@@ -1,6 +1,16 @@
 // The part of the address after `#`: robot, view and settings. #/14/2/field?with=10.0.14.3:8765&at=…
 
-export const kViews = ["field", "camera", "objects", "plot", "decision", "what-if", "health", "log", "sessions"] as const;
+export const kViews = [
+  "field",
+  "camera",
+  "objects",
+  "plot",
+  "decision",
+  "what-if",
+  "health",
+  "log",
+  "sessions",
+] as const;
 export type View = (typeof kViews)[number];
 
 /** Former names of views. */

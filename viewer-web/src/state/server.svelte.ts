@@ -5,7 +5,13 @@ import type { RobotName } from "../memory/memory_object";
 import { Memory } from "../memory/memory";
 import type { Past } from "../memory/past";
 import { Played } from "../memory/played";
-import { allStreamStatistics, recordingStatistics, runtimesOf, type RecordingStatistics, type StreamStatistics } from "../memory/statistics";
+import {
+  allStreamStatistics,
+  recordingStatistics,
+  runtimesOf,
+  type RecordingStatistics,
+  type StreamStatistics,
+} from "../memory/statistics";
 import { Client, type Connection, type Listener, type Socket } from "../source/client";
 import { livenessOf, type Liveness } from "../present/liveness";
 import { simulationOf } from "../memory/simulation";
@@ -100,7 +106,10 @@ export class Server implements Listener {
   liveness(): Liveness {
     const { memory, info, connectionState } = this;
     const paused = simulationOf(memory)?.paused === true;
-    return livenessOf({ connected: connectionState.state === "open", known: info !== undefined, arrived: memory.arrivedAt, paused }, now());
+    return livenessOf(
+      { connected: connectionState.state === "open", known: info !== undefined, arrived: memory.arrivedAt, paused },
+      now(),
+    );
   }
 
   // the played recording
@@ -149,7 +158,8 @@ export class Server implements Listener {
    */
   async frameBeside(topic: string, from_ns: bigint, by: number): Promise<bigint> {
     const { at_ns } = await this.client.call(kStepService, { topic, from_ns: String(from_ns), by });
-    if (typeof at_ns !== "string" || !/^\d{1,20}$/.test(at_ns)) throw new Error("The server did not name the time of the frame.");
+    if (typeof at_ns !== "string" || !/^\d{1,20}$/.test(at_ns))
+      throw new Error("The server did not name the time of the frame.");
     return BigInt(at_ns);
   }
 
@@ -159,9 +169,16 @@ export class Server implements Listener {
    */
   async nearestTo(topics: string[], at_ns: bigint): Promise<bigint | undefined> {
     if (!this.findsFrames) return nearestKept(this.memory, topics, at_ns);
-    const beside = topics.flatMap((topic) => [-1, 1].map((by) => this.frameBeside(topic, at_ns, by).catch(() => undefined)));
+    const beside = topics.flatMap((topic) =>
+      [-1, 1].map((by) => this.frameBeside(topic, at_ns, by).catch(() => undefined)),
+    );
     // at an end of a stream the answer is the moment itself
-    return nearestOf((await Promise.all(beside)).filter((time_ns) => time_ns !== at_ns), at_ns) ?? nearestKept(this.memory, topics, at_ns);
+    return (
+      nearestOf(
+        (await Promise.all(beside)).filter((time_ns) => time_ns !== at_ns),
+        at_ns,
+      ) ?? nearestKept(this.memory, topics, at_ns)
+    );
   }
 
   /** Pauses at `at_ns`: at once if the page holds the moment, else by a wish. */
@@ -245,7 +262,10 @@ export class Server implements Listener {
     this.memory.reset();
     this.#wishes.clear();
     this.#refused = false;
-    this.memory.played = this.played = info.capabilities.includes("playbackControl") && info.span ? new Played(info.span.start_ns, info.span.end_ns) : undefined;
+    this.memory.played = this.played =
+      info.capabilities.includes("playbackControl") && info.span
+        ? new Played(info.span.start_ns, info.span.end_ns)
+        : undefined;
     this.speaker.dismiss([...this.#alertKeys]);
     this.parameterValues = new Map();
     ++this.#offers;
@@ -271,7 +291,8 @@ export class Server implements Listener {
     }
     ++this.#told;
     const shown_ns = memory.moment_ns;
-    if (shown_ns !== undefined && (shown_ns === state.time_ns || shown_ns === this.#left_ns || !memory.holds(shown_ns))) memory.show(undefined);
+    if (shown_ns !== undefined && (shown_ns === state.time_ns || shown_ns === this.#left_ns || !memory.holds(shown_ns)))
+      memory.show(undefined);
     if (!isOurs) this.speaker.follow(this);
   }
   advertised(channels: Channel[]): void {
@@ -302,7 +323,10 @@ export class Server implements Listener {
     this.speaker.dismiss(ids.map((id) => `${this.target.host} ${id}`));
   }
   parameters(values: { name: string; value: unknown }[]): void {
-    this.parameterValues = new Map([...this.parameterValues, ...values.map(({ name, value }) => [name, value] as const)]);
+    this.parameterValues = new Map([
+      ...this.parameterValues,
+      ...values.map(({ name, value }) => [name, value] as const),
+    ]);
   }
   services(names: string[]): void {
     this.serviceNames = names;

@@ -54,7 +54,8 @@ export class Time {
     const asked = viewer.get("at");
     if (/^\d{1,19}$/.test(asked)) this.#asked_ns = BigInt(asked);
     const [first, last] = viewer.get("loop").split("-");
-    if (/^\d{1,19}$/.test(first ?? "") && /^\d{1,19}$/.test(last ?? "")) this.loop = { first_ns: BigInt(first!), last_ns: BigInt(last!) };
+    if (/^\d{1,19}$/.test(first ?? "") && /^\d{1,19}$/.test(last ?? ""))
+      this.loop = { first_ns: BigInt(first!), last_ns: BigInt(last!) };
   }
 
   get reference(): Server {
@@ -115,7 +116,9 @@ export class Time {
     if (server === reference) return 0n;
     if (reference.played && server.played) return shiftBetween(reference.played, server.played);
     if (!this.live) return this.#shifts.get(server) ?? 0n;
-    const [own, other] = [reference, server].map(({ memory, played }) => (played ? played.at(now()) : memory.clock.now_ns(now())));
+    const [own, other] = [reference, server].map(({ memory, played }) =>
+      played ? played.at(now()) : memory.clock.now_ns(now()),
+    );
     if (own === undefined || other === undefined) return 0n;
     return abs(other - own) < kAgree_ns ? 0n : other - own;
   }
@@ -136,14 +139,16 @@ export class Time {
     // the shown moment may have been dropped from memory
     if (!this.live && this.#at_ns < range.first_ns) this.#at_ns = range.first_ns;
     if (!this.live) this.#show();
-    if (!this.runs && !this.#early && this.#steps === 0 && (!this.live || this.recorded) && time - this.#noted > 0.3) this.#note(String(this.at_ns));
+    if (!this.runs && !this.#early && this.#steps === 0 && (!this.live || this.recorded) && time - this.#noted > 0.3)
+      this.#note(String(this.at_ns));
     else if (this.moves && this.viewer.get("at") && this.recorded) this.#note("");
   }
 
   #advance(by_ns: bigint, { first_ns, last_ns }: TimeRange): void {
     this.#at_ns += by_ns;
     const loop = this.loop;
-    if (loop && (this.#at_ns >= loop.last_ns || this.#at_ns < loop.first_ns)) this.#at_ns = by_ns < 0n ? loop.last_ns - 1n : loop.first_ns;
+    if (loop && (this.#at_ns >= loop.last_ns || this.#at_ns < loop.first_ns))
+      this.#at_ns = by_ns < 0n ? loop.last_ns - 1n : loop.first_ns;
     if (this.#at_ns >= last_ns && !this.recorded) return this.now();
     if (this.#at_ns > first_ns) return;
     this.#at_ns = first_ns;
@@ -208,7 +213,10 @@ export class Time {
 
   /** Chooses the next faster or slower speed. */
   pace(by: 1 | -1): void {
-    const next = by > 0 ? kSpeeds.find((speed) => speed > this.speed * 1.001) : kSpeeds.findLast((speed) => speed < this.speed * 0.999);
+    const next =
+      by > 0
+        ? kSpeeds.find((speed) => speed > this.speed * 1.001)
+        : kSpeeds.findLast((speed) => speed < this.speed * 0.999);
     if (next !== undefined) this.speed = next;
   }
 
@@ -309,7 +317,10 @@ export class Time {
   /** Goes to the next or previous event. `others` are more moments [ns]. */
   jump(by: 1 | -1, others: bigint[]): void {
     const moments = [...this.events().map(({ log_ns }) => log_ns), ...others];
-    this.jumpAmong(by, moments.sort((a, b) => (a < b ? -1 : 1)));
+    this.jumpAmong(
+      by,
+      moments.sort((a, b) => (a < b ? -1 : 1)),
+    );
   }
 
   /** Goes to the next or previous of these sorted moments [ns]. */
@@ -381,7 +392,12 @@ export class Time {
     this.#endSteps();
     const speed = this.#speed > 0 ? this.#speed : this.reference.speed;
     for (const server of this.viewer.servers) {
-      if (server.played) server.ask({ play, speed, seek_ns: seek_ns === undefined ? undefined : server.played.within(seek_ns + this.shiftOf(server)) });
+      if (server.played)
+        server.ask({
+          play,
+          speed,
+          seek_ns: seek_ns === undefined ? undefined : server.played.within(seek_ns + this.shiftOf(server)),
+        });
       else server.memory.show(undefined);
     }
   }
@@ -389,7 +405,10 @@ export class Time {
   /** The object that defines frames: the image, else the world, else the decision or a belief. */
   #beat(server: Server): MemoryObject | undefined {
     const objects = server.memory.objectsOf(this.viewer.robot).filter(({ received }) => received > 0);
-    const wanted = [({ isImage }: MemoryObject) => isImage, ...["truth/world", "decision", "pose", "joints"].map((name) => (object: MemoryObject) => object.name === name)];
+    const wanted = [
+      ({ isImage }: MemoryObject) => isImage,
+      ...["truth/world", "decision", "pose", "joints"].map((name) => (object: MemoryObject) => object.name === name),
+    ];
     for (const is of wanted) {
       const found = objects.find(is);
       if (found) return found;
@@ -405,7 +424,9 @@ export class Time {
     this.#asked_ns = undefined;
     if (asked_ns >= range.first_ns && asked_ns <= range.last_ns) return this.seek(asked_ns);
     this.viewer.set("at", "");
-    const why = this.recorded ? "The moment of this link is not within this recording." : "The moment of this link is older than the data of this page; a recording on the robot may hold it.";
+    const why = this.recorded
+      ? "The moment of this link is not within this recording."
+      : "The moment of this link is older than the data of this page; a recording on the robot may hold it.";
     this.viewer.say("info", why, "asked moment");
   }
 

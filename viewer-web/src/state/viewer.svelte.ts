@@ -35,14 +35,20 @@ export class Viewer implements Speaker {
   readonly moments: Moments;
 
   /** All robots of all servers. */
-  sources: Source[] = $derived(this.servers.flatMap((server) => server.robots.map((robot) => ({ server, robot, key: this.#keyOf(server, robot) }))));
+  sources: Source[] = $derived(
+    this.servers.flatMap((server) =>
+      server.robots.map((robot) => ({ server, robot, key: this.#keyOf(server, robot) })),
+    ),
+  );
   /**
    * The chosen robot while it is available. Otherwise, once all are known, the server's own robot, else the first one.
    */
   source: Source | undefined = $derived.by(() => {
     const named = (key: string | undefined) => this.sources.find((source) => source.key === key);
     const own = this.servers[0];
-    return named(this.route.robot) ?? (own?.toldAll ? (named(own.info?.metadata["robots"]) ?? this.sources[0]) : undefined);
+    return (
+      named(this.route.robot) ?? (own?.toldAll ? (named(own.info?.metadata["robots"]) ?? this.sources[0]) : undefined)
+    );
   });
   /** The chosen robot's server, or the page's own without a robot. */
   server: Server = $derived(this.source?.server ?? this.servers[0]!);
@@ -121,7 +127,11 @@ export class Viewer implements Speaker {
     if (value) settings.set(name, value);
     else settings.delete(name);
     this.route = { ...route, settings };
-    history.replaceState(null, "", hashOf({ ...this.route, robot: this.route.robot, view: this.route.view || this.view }));
+    history.replaceState(
+      null,
+      "",
+      hashOf({ ...this.route, robot: this.route.robot, view: this.route.view || this.view }),
+    );
   }
 
   /** Applies another arrangement at the shown moment. */
@@ -165,7 +175,12 @@ export class Viewer implements Speaker {
   }
 
   remove(server: Server): void {
-    this.set("with", this.#others().filter((host) => host !== server.target.host).join(","));
+    this.set(
+      "with",
+      this.#others()
+        .filter((host) => host !== server.target.host)
+        .join(","),
+    );
     this.#followRoute();
   }
 
@@ -185,7 +200,8 @@ export class Viewer implements Speaker {
         const target = targetOfHost(host, kept("sessionStorage", tokenKey(host)));
         return target ? [new Server(target, this.past, this)] : [];
       });
-    if (gone.length > 0 || come.length > 0) this.servers = [own!, ...others.filter((server) => !gone.includes(server)), ...come];
+    if (gone.length > 0 || come.length > 0)
+      this.servers = [own!, ...others.filter((server) => !gone.includes(server)), ...come];
   }
 
   // sentences

@@ -2,7 +2,17 @@
 
 import { believedBy } from "../draw/believed";
 import { forecastOf, fieldsOfJson, type Forecast, type Situation } from "../memory/forecast";
-import { believed, kMostStrategies, kNoEdit, moved, putBack, questionOfText, requestOf, strategiesOf, textOfQuestion } from "../memory/question";
+import {
+  believed,
+  kMostStrategies,
+  kNoEdit,
+  moved,
+  putBack,
+  questionOfText,
+  requestOf,
+  strategiesOf,
+  textOfQuestion,
+} from "../memory/question";
 import type { Edit, Question, Standing, Thing } from "../memory/question";
 import { now } from "./frame.svelte";
 import type { Server } from "./server.svelte";
@@ -126,7 +136,8 @@ export class WhatIf {
   async #settled(): Promise<void> {
     const { memory, played } = this.server;
     const end = now() + kSettleMs / 1000;
-    const isThere = () => !this.server.asked && (memory.moment_ns === undefined || played!.at(now()) === memory.moment_ns);
+    const isThere = () =>
+      !this.server.asked && (memory.moment_ns === undefined || played!.at(now()) === memory.moment_ns);
     while (played && !isThere() && now() < end) await new Promise((done) => setTimeout(done, 30));
   }
 

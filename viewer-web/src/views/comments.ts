@@ -16,6 +16,8 @@ export function comments(): Promise<Comments> {
 export async function unitOf(message: string, name: string): Promise<string> {
   const all = await comments();
   if (message) return all[message]?.[name]?.[0] ?? "";
-  const units = new Set(Object.values(all).flatMap((fields) => (Object.hasOwn(fields, name) ? [fields[name]![0]] : [])));
+  const units = new Set(
+    Object.values(all).flatMap((fields) => (Object.hasOwn(fields, name) ? [fields[name]![0]] : [])),
+  );
   return units.size === 1 ? [...units][0]! : "";
 }

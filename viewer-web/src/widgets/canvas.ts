@@ -27,7 +27,17 @@ export function coloursOf(element: Element): Colours {
       probe.style.color = `var(${name})`;
       return getComputedStyle(probe).color;
     };
-    known = { key, colours: { ink: colour("--ink"), soft: colour("--soft"), line: colour("--line"), fill: colour("--fill"), accent: colour("--accent"), warn: colour("--warn") } };
+    known = {
+      key,
+      colours: {
+        ink: colour("--ink"),
+        soft: colour("--soft"),
+        line: colour("--line"),
+        fill: colour("--fill"),
+        accent: colour("--accent"),
+        warn: colour("--warn"),
+      },
+    };
     probe.remove();
   }
   return known.colours;
