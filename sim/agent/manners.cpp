@@ -9,11 +9,11 @@ using Body = motion::Command::Body;
 
 constexpr float kMargin = 0.05f;  // [m] tolerance of the distance from the ball
 
-/// Changes the command to walk to `place` [team_field], round robots in the way. The heading stays as commanded.
+/// Changes the command to walk to `place` [team_field]. The heading stays as commanded.
 void divert(const View& view, motion::Command& command, Vec2 place) {
   if (command.body != Body::walk_to) command.turn = 0, command.gain = 1;
   command.body = Body::walk_to;
-  command.walk = round_robots(view, view.to_robot(place));
+  command.walk = view.to_robot(place);
 }
 
 /// Returns the distance [m] that the robot keeps from the ball of the opponents' kick: its habit, at least the rule.
@@ -39,8 +39,15 @@ void keep_clear(const View& view, motion::Command& command) {
   const float clear = clear_of_ball(view);
   if (command.body == Body::kick) command.body = Body::stand;
 
-  // a robot that is too near goes straight away from the ball
-  if (too_near(view)) return divert(view, command, beside_ball(view, view.position - view.ball_in_team, clear));
+  const auto walk_round_ball = [&] {
+    command.walk = round_circle(view, view.ball, clear - kMargin, command.walk, view.mind.search_side);
+  };
+
+  // a robot that is too near goes straight away from the ball, or round it where the field ends
+  if (too_near(view)) {
+    divert(view, command, beside_ball(view, view.position - view.ball_in_team, clear));
+    return walk_round_ball();
+  }
 
   // other robots avoid places that are too near, and walk round the circle
   const Vec2 wanted = command.body == Body::walk_to ? view.to_team(command.walk) : view.position;
@@ -48,9 +55,11 @@ void keep_clear(const View& view, motion::Command& command) {
   const bool inside = squared_length(from_ball) < clear * clear;
   Vec2 place = inside ? beside_ball(view, from_ball, clear) : wanted;
   if (view.game.set_play == Game::SetPlay::kick_off && place.x > -0.2f) place.x = -0.2f;
-  if (!(place == wanted)) divert(view, command, place);
-  if (command.body == Body::walk_to)
-    command.walk = round_circle(view, view.ball, clear - kMargin, command.walk, view.mind.search_side);
+  if (!(place == wanted)) {
+    divert(view, command, place);
+    command.walk = round_robots(view, command.walk);
+  }
+  if (command.body == Body::walk_to) walk_round_ball();
 }
 
 void leave_goal_area(const View& view, motion::Command& command) {
