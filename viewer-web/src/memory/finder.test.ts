@@ -4,6 +4,7 @@ import { decoderOf } from "./decoder";
 import { Finder } from "./finder";
 import { History } from "./history";
 import { kPerceptChannel, percept } from "./test_schema";
+import { topicsOnly } from "./test_vocabulary";
 
 const kMs = 1_000_000n;
 function setUp() {
@@ -12,7 +13,7 @@ function setUp() {
   const add = (name: string, ms: bigint, x: number) =>
     sources.get(`/14/2/${name}`)!.history.add({ log_ns: ms * kMs, data: percept({ x }), arrived: 0 });
   const find = (text: string, recorded = false) =>
-    new Finder(conditionOf(text, "14/2", sources.keys()) as Condition, sources, recorded);
+    new Finder(conditionOf(text, topicsOnly("14/2", sources.keys())) as Condition, sources, recorded);
   const spans = ({ matches }: Finder) =>
     matches.map(({ from_ns, to_ns }) => [Number(from_ns / kMs), Number(to_ns / kMs)]);
   return { add, find, spans, sources };

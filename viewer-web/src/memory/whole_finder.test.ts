@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import { conditionOf, type Condition } from "./condition";
 import { decoderOf } from "./decoder";
 import { kPerceptChannel, percept } from "./test_schema";
+import { topicsOnly } from "./test_vocabulary";
 import { WholeFinder, type RecordedMessage } from "./whole_finder";
 
 const kSecond = 1_000_000_000n;
@@ -18,7 +19,7 @@ function setUp(text: string, x: (topic: string, i: number) => number, fetched: s
       if (at(i) >= from_ns && at(i) <= to_ns) messages.push({ log_ns: at(i), data: percept({ x: x(topic, i) }) });
     return messages;
   };
-  const condition = conditionOf(text, "14/2", kTopics) as Condition;
+  const condition = conditionOf(text, topicsOnly("14/2", kTopics)) as Condition;
   const finder = new WholeFinder(
     condition,
     new Map(kTopics.map((topic) => [topic, decode])),

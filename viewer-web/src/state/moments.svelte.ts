@@ -1,7 +1,9 @@
 // Interesting moments: the matches of a condition, and bookmarks. Both are in the page's address.
 
 import { conditionOf, type Condition } from "../memory/condition";
+import type { Mistake } from "../memory/expression";
 import { Finder, type Match } from "../memory/finder";
+import { vocabularyOf } from "../memory/vocabulary";
 import { WholeFinder, type FetchPart } from "../memory/whole_finder";
 import { bookmarksOf, textOfBookmarks, withBookmark, type Bookmark } from "./bookmarks";
 import type { Viewer } from "./viewer.svelte";
@@ -12,19 +14,13 @@ export class Moments {
   open = $state(false);
 
   query: string = $derived.by(() => this.viewer.get("find"));
-  readonly #parsed: Condition | { error: string } | undefined = $derived.by(() => {
+  readonly #parsed: Condition | Mistake | undefined = $derived.by(() => {
     const { server, robot } = this.viewer;
     void server.offers;
-    return this.query.trim()
-      ? conditionOf(
-          this.query,
-          robot,
-          [...server.memory.objects()].map(({ channel }) => channel.topic),
-        )
-      : undefined;
+    return this.query.trim() ? conditionOf(this.query, vocabularyOf(server.memory, robot)) : undefined;
   });
-  /** The mistake in the condition, or "". */
-  error: string = $derived(this.#parsed && "error" in this.#parsed ? this.#parsed.error : "");
+  /** The mistake in the condition and its place. */
+  mistake: Mistake | undefined = $derived(this.#parsed && "error" in this.#parsed ? this.#parsed : undefined);
   condition: Condition | undefined = $derived(this.#parsed && !("error" in this.#parsed) ? this.#parsed : undefined);
   #finder: Finder | undefined = $derived.by(() => {
     const { memory } = this.viewer.server;
