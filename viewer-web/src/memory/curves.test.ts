@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { curveOf, curvesOf, partsOf } from "./curves";
+import { curveOf, curvesOf, partsOf, titleOf } from "./curves";
 
 test("a setting is split into its curves, as in old links", () => {
   expect(curvesOf("/14/2/ball.x /14/2/pose~truth  /14/3/ball.x@host:1")).toEqual([
@@ -25,4 +25,10 @@ test("only what follows the last @ is a host", () => {
   });
   expect(partsOf(`log.text=="me@home"`)).toEqual({ expression: `log.text=="me@home"`, host: undefined });
   expect(partsOf("ball.x")).toEqual({ expression: "ball.x", host: undefined });
+});
+
+test("a title is written for people", () => {
+  expect(titleOf("distance(ball,truth.ball)@host:1", [])).toBe("distance(ball, truth.ball)@host:1");
+  expect(titleOf("/14/2/joints.position[0]", ["/14/2/joints"])).toBe("/14/2/joints.position[head_yaw]");
+  expect(titleOf("/14/2/pose~truth", ["/14/2/pose"])).toBe("/14/2/pose~truth");
 });

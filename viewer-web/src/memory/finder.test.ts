@@ -49,6 +49,17 @@ test("messages of all objects are read in order of capture time, whichever arriv
   expect(spans(finder)).toEqual([[100, 200]]);
 });
 
+test("a moment is judged when all objects have their values of it", () => {
+  const { add, find, spans } = setUp();
+  [1, 2, 3, 3].forEach((x, i) => {
+    add("a", BigInt(100 * i), x);
+    add("b", BigInt(100 * i), i < 3 ? x : 0);
+  });
+  const finder = find("a.x - b.x != 0");
+  finder.update(1000);
+  expect(spans(finder)).toEqual([[300, 300]]);
+});
+
 test("the finder reads new messages within its time limit, and restarts after the past was forgotten", () => {
   const { add, find, spans, sources } = setUp();
   for (let i = 0; i < 100; ++i) add("a", BigInt(10 * i), i % 20 < 10 ? 1 : 0);

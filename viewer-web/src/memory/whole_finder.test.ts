@@ -88,3 +88,9 @@ test("the search ends at the maximum number of matches", async () => {
   expect(finder.matches).toHaveLength(5000);
   expect(finder.full).toBe(true);
 });
+
+test("a moment is judged when all objects have their values of it", async () => {
+  const { finder, run } = setUp("a.x - b.x != 0", (_, i) => i % 7);
+  await run();
+  expect(finder.matches).toEqual([]);
+});
