@@ -50,7 +50,7 @@ test("a believed place is put on the field by the robot's own pose and direction
   expect(valueOf("field(ball).x")).toBeCloseTo(-1, 9);
   expect(valueOf("field(ball).y")).toBeCloseTo(-3, 9);
   expect(valueOf("field(pose).y")).toBeCloseTo(-2, 9);
-  expect(valueOf("field(/14/3/ball).x")).toBeCloseTo(2.5, 9); // nobody tells this robot's direction of play
+  expect(valueOf("field(/14/3/ball).x")).toBeCloseTo(2.5, 9); // this robot has no object game
   expect(valueOf("field(field(ball)).x")).toBe(valueOf("field(ball).x"));
 });
 
@@ -75,7 +75,7 @@ test("“any” asks all robots that have the objects", () => {
   expect(valueOf("any ball.x > 2")).toBe(true);
   expect(valueOf("any ball.x > 3")).toBe(false);
   expect(valueOf("any ball.x < -8")).toBe(true);
-  expect(valueOf("any (ball.x < -8 && pose.x < 9)")).toBe(false); // 10/1 tells no pose
+  expect(valueOf("any (ball.x < -8 && pose.x < 9)")).toBe(false); // 10/1 reports no pose
   expect(valueOf("any decision.role == chaser", "10/1")).toBe(true);
   expect(compile("any ball.x > 2", gameVocabulary()).topics).toEqual(["/14/2/ball", "/14/3/ball", "/10/1/ball"]);
 });
@@ -116,7 +116,7 @@ test("a mistake that the schemas reveal is told with its place", () => {
     ["distance(ball, game)", "game", "This has no x and y, so it is no place."],
     ["distance(ball, spot)", "spot", "Nothing tells in which frame this place is, so it cannot be put on the field."],
     ["angle(ball, pose)", "ball", "This place has no heading."],
-    ["field(/10/1/ball).x", "/10/1/ball", "Robot 10/1 tells no pose, so this place is not known on the field."],
+    ["field(/10/1/ball).x", "/10/1/ball", "Robot 10/1 reports no pose, so this place is not known on the field."],
     ["field(ball)", "field(ball)", "A place is not one value: write .x, .y or .heading behind it."],
     ["field(ball).z", ".z", "A place on the field has x, y and heading."],
     ["abs(ball.x).y", ".y", "A number has no fields."],

@@ -244,7 +244,7 @@ class Compiler {
     for (const topic of topicsOfFrame(frame, robot))
       if (this.vocabulary.topics.has(topic)) this.topics.add(topic);
       else if (topic.endsWith("/pose"))
-        throw new Missing(`Robot ${robot || "–"} tells no pose, so this place is not known on the field.`, node);
+        throw new Missing(`Robot ${robot || "–"} reports no pose, so this place is not known on the field.`, node);
     return (look) => toField(read(look), frame, robot, look);
   }
 
@@ -426,7 +426,7 @@ function within(shape: Shape, step: Step, so_far: string, part: Part): Shape {
     if (field) return field;
     if (shape.open) return { kind: "unknown" };
     const names = shape.names();
-    const some = names.slice(0, 8).join(", ") + (names.length > 8 ? ", …" : "");
+    const some = names.slice(0, 6).join(", ") + (names.length > 6 ? " and others" : "");
     throw new Complaint(`${quoted(so_far)} has no field ${quoted(step)}, only ${some || "none"}.`, {
       at: part.at + 1,
       end: part.end,

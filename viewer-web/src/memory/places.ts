@@ -25,7 +25,7 @@ const kNested: Record<string, Frame> = {
   "foresight.SharedBall": "team_field",
 };
 
-/** Returns the frame of a message in an object, or undefined if nothing tells it. `inside`: it is not the whole object. */
+/** Returns the frame of a message in an object, or undefined if the frame is not known. `inside`: it is not the whole object. */
 export function frameOf(topic: string, inside: boolean, message: string): Frame | undefined {
   if (topic === kTruthTopic) return "field";
   if (!inside && topic.endsWith("/ball")) return "robot";
@@ -48,8 +48,8 @@ export const topicsOfFrame = (frame: Frame, robot: string): string[] => [
 ];
 
 /**
- * Converts a place of a robot to `field`. Undefined if the robot's pose is not known. While nobody tells the direction
- * of play, `team_field` counts as `field`.
+ * Converts a place of a robot to `field`. Undefined if the robot's pose is not known. While the direction of play is not
+ * known, `team_field` counts as `field`.
  */
 export function toField(place: Place | undefined, frame: Frame, robot: string, look: Look): Place | undefined {
   if (!place || frame === "field") return place;

@@ -1,4 +1,4 @@
-// The shape of a message as its schema tells it: names and kinds of fields, before any message has come.
+// The shape of a message by its schema: names and kinds of fields, before any message has come.
 
 import type { DescField, DescMessage, DescEnum } from "@bufbuild/protobuf";
 import type { Channel } from "../source/texts";

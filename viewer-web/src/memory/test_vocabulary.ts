@@ -3,7 +3,7 @@
 import type { Shape } from "./shape";
 import type { Vocabulary } from "./vocabulary";
 
-/** Nothing tells the fields. */
+/** The fields are not known. */
 export const topicsOnly = (robot: string, topics: Iterable<string>): Vocabulary => ({
   robot,
   topics: new Set(topics),

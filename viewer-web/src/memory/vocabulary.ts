@@ -7,7 +7,7 @@ export interface Vocabulary {
   /** The chosen robot, "14/2", or "" without one. */
   robot: string;
   topics: ReadonlySet<string>;
-  /** "unknown" if nothing tells the fields. */
+  /** "unknown" without a schema and without a message. */
   shapeOf(topic: string): Shape;
 }
 
