@@ -56,7 +56,7 @@ test("a person types a condition with completion, and finds when a belief was wr
     const y = sign * (pose.y + sin * ball.x + cos * ball.y) - truth.y;
     return Math.hypot(x, y) > 0.5;
   });
-  assert.ok(begins.length > 2, `${begins.length} wrong beliefs are no test`);
+  assert.ok(begins.length > 3, `${begins.length} wrong beliefs are no test`);
 
   const first = topics.get("/truth/world").messages[0].logTime;
   const { page, problems } = await open(t, `${server.http}/#/14/2/field?at=${first}`);
@@ -85,6 +85,15 @@ test("a person types a condition with completion, and finds when a belief was wr
     await page.keyboard.press("Shift+N");
     await until(() => at(page) === begin, `the wrong belief at ${begin}, not ${at(page)}`);
   }
+
+  // a breakpoint: time stops where the belief becomes wrong again
+  await page.getByLabel("stop there").check();
+  await page.waitForURL(/stop=yes/);
+  await page.locator("footer").getByRole("button", { name: "Go on" }).click();
+  await until(() => at(page) === begins[3], `time to stop at ${begins[3]}, not ${at(page)}`);
+  await page.getByRole("button", { name: "Go on" }).waitFor();
+  await shoot(page, "language-stopped");
+  await page.getByLabel("stop there").uncheck();
 
   // any robot, and a word of an enum
   const robots = [...topics.keys()].filter((name) => /^\/\d+\/\d+\/ball$/.test(name));

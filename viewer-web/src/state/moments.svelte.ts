@@ -5,6 +5,7 @@ import type { Mistake } from "../memory/expression";
 import { Finder, type Match } from "../memory/finder";
 import { vocabularyOf } from "../memory/vocabulary";
 import { WholeFinder, type FetchPart } from "../memory/whole_finder";
+import { Breakpoint } from "./breakpoint";
 import { bookmarksOf, textOfBookmarks, withBookmark, type Bookmark } from "./bookmarks";
 import type { Viewer } from "./viewer.svelte";
 
@@ -49,6 +50,9 @@ export class Moments {
     );
     return new WholeFinder(condition, decoders, played, fetch);
   });
+  /** Whether time stops when the condition begins to hold. */
+  stops: boolean = $derived.by(() => this.viewer.get("stop") === "yes");
+  #breakpoint = new Breakpoint();
   bookmarks: Bookmark[] = $derived.by(() => bookmarksOf(this.viewer.get("marks")));
 
   constructor(readonly viewer: Viewer) {
@@ -59,6 +63,18 @@ export class Moments {
   update(): void {
     if (this.#searched) this.#searched.update(kBudget);
     else this.#finder?.update(kBudget);
+    if (!this.stops || !this.condition) return this.#breakpoint.clear();
+    const { time } = this.viewer;
+    const stop_ns = this.#breakpoint.stopAt(time.at_ns, time.runs, this.#begins());
+    if (stop_ns === undefined) return;
+    time.seek(stop_ns);
+    time.playing = false;
+  }
+
+  /** The begins of all matches, in the reference's time. */
+  #begins(): bigint[] {
+    const shift_ns = this.viewer.time.shiftOf(this.viewer.server);
+    return this.matches.map(({ from_ns }) => from_ns - shift_ns);
   }
 
   get #searched(): WholeFinder | undefined {
@@ -87,18 +103,17 @@ export class Moments {
     return this.#whole?.problem ?? "";
   }
 
+  stopThere(stops: boolean): void {
+    this.viewer.set("stop", stops ? "yes" : "");
+  }
+
   find(query: string): void {
     this.viewer.set("find", query);
   }
 
   /** Goes to the next or previous begin of a match. */
   jump(by: 1 | -1): void {
-    const { time, server } = this.viewer;
-    const shift_ns = time.shiftOf(server);
-    time.jumpAmong(
-      by,
-      this.matches.map(({ from_ns }) => from_ns - shift_ns),
-    );
+    this.viewer.time.jumpAmong(by, this.#begins());
   }
 
   mark(): void {
