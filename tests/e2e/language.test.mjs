@@ -139,7 +139,8 @@ test("a mistake is marked under its place in the text, also on a phone", async (
     assert.ok(Math.abs(box.width / width - part.length) < 0.3, `${text}: the mark is ${box.width / width} wide`);
   }
   await query(page).fill("ball.x > 2 && ball.z < 1");
-  await shoot(page, "language-mistake");
+  await page.emulateMedia({ colorScheme: "dark" });
+  await shoot(page, "language-mistake-dark");
   await page.emulateMedia({ colorScheme: "light" });
   await shoot(page, "language-mistake-light");
   await page.setViewportSize({ width: 820, height: 1180 });
@@ -187,7 +188,11 @@ test("an expression is a curve of the plot, names stand for joints and enum valu
   const colleague = await open(t, page.url());
   await colleague.page.getByText("distance(ball, truth.ball)", { exact: true }).waitFor();
   await colleague.page.getByText("any(ball.x > 2)", { exact: true }).waitFor();
-  await colleague.page.emulateMedia({ colorScheme: "light" });
-  await shoot(colleague.page, "language-plot-light");
+  await colleague.page.emulateMedia({ colorScheme: "dark" });
+  await until(async () => (await colleague.page.getByText("no value yet").count()) === 0, "values");
+  await shoot(colleague.page, "language-plot-dark");
+  await colleague.page.keyboard.press("?");
+  await colleague.page.getByRole("heading", { name: "expressions" }).scrollIntoViewIfNeeded();
+  await shoot(colleague.page, "language-help-dark");
   assert.deepEqual([...problems, ...colleague.problems], []);
 });
