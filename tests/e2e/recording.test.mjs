@@ -305,7 +305,7 @@ test("a search finds a condition in the whole recording, also in parts that no p
   await page.keyboard.press("w");
   const query = page.getByLabel("Find when");
   await query.fill("game.state =");
-  await page.getByText("I cannot read “=”.").waitFor();
+  await page.getByText("“=” compares nothing").waitFor();
   await query.fill("game.state == playing && pose.x > -9");
   // the page stands at the beginning and has played nothing
   await page.getByText(`${begins.length} times in the whole recording`).waitFor();

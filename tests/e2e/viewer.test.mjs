@@ -236,8 +236,8 @@ for (const [what, serve] of [
     await page.getByRole("link", { name: "plot", exact: true }).click();
     await page.getByLabel("Add a number").fill("pose truth");
     await page
-      .getByRole("list", { name: "Numbers that fit" })
-      .getByRole("button", { name: "/14/2/pose~truth" })
+      .getByRole("listbox", { name: "Numbers that fit" })
+      .getByRole("option", { name: "/14/2/pose~truth" })
       .click();
     await page.waitForURL(/plot=\/14\/2\/pose~truth/);
     await row(page, "pose").click();
