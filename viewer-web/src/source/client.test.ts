@@ -249,3 +249,24 @@ test("a service call that cannot be answered rejects with the reason", async () 
   newest().onclose?.({ code: 1006, reason: "" });
   await expect(lost).rejects.toThrow("lost");
 });
+
+test("parameters are set in one message, while the connection stands", async () => {
+  client.start();
+  const values = new Map<string, number | boolean | string>([
+    ["walk.height", 0.03],
+    ["walk.name", "a"],
+  ]);
+  expect(client.setParameters(values)).toBe(false);
+  newest().say(kInfo);
+  expect(client.setParameters(values)).toBe(true);
+  expect(newest().take("setParameters")).toEqual([
+    {
+      op: "setParameters",
+      id: "set",
+      parameters: [
+        { name: "walk.height", value: 0.03 },
+        { name: "walk.name", value: "a" },
+      ],
+    },
+  ]);
+});

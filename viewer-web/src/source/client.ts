@@ -114,6 +114,16 @@ export class Client {
   }
 
   /**
+   * Sets parameters. The server answers with the values that hold, and with a sentence for each that it refuses. Returns
+   * false if no server is connected.
+   */
+  setParameters(values: ReadonlyMap<string, number | boolean | string>): boolean {
+    const parameters = [...values].map(([name, value]) => ({ name, value }));
+    if (this.#open) this.#send({ op: "setParameters", parameters, id: "set" });
+    return this.#open;
+  }
+
+  /**
    * Sends a wish to a server that plays a recording. The answer carries `request`. Returns false if no server is
    * connected.
    */
