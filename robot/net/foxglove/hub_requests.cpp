@@ -96,7 +96,7 @@ void Hub::handle(Client& client, const foxglove::SetParameters& message) {
   };
   if (const std::string refusal = client.identity.context.refusal(); !refusal.empty() && !names.empty()) {
     const std::string more = names.size() > 1 ? " and " + std::to_string(names.size() - 1) + " more" : "";
-    problems->push_back("parameter '" + names.front().substr(0, 100) + "'" + more + ": " + refusal);
+    refuse(client, "parameter '" + names.front().substr(0, 100) + "'" + more + ": " + refusal);
     return tell(client, "");
   }
   in_turn(
@@ -139,7 +139,7 @@ void Hub::handle(Client& client, const foxglove::ServiceCall& message) {
   context.asked_ns = monotonic_ns();
   // a refusal is sent at once, without waiting in the queue
   if (const std::string refusal = services_.refusal(message.service, context); !refusal.empty())
-    return answer(client, message, failure(refusal).dump());
+    return answer(client, message, refused(refusal, context).dump());
   switch (services_.whom(message.service)) {
     case Services::For::everybody:
       return answer(client, message, services_.call(message.service, message.payload, context));
@@ -192,7 +192,7 @@ void Hub::handle(Client& client, const foxglove::ClientPublish&) {
 void Hub::handle(Client& client, const foxglove::PlaybackControl& message) {
   if (!options_.playback) return complain(client, "playback: this server does not play a recording");
   if (const std::string refusal = client.identity.context.refusal(); !refusal.empty())
-    return complain(client, "playback: " + refusal);
+    return refuse(client, "playback: " + refusal);
   if (!(message.speed >= 0.01F && message.speed <= 1000))
     return complain(client, "playback: expected a speed of 0.01 .. 1000, got " + std::to_string(message.speed));
   client.identity.playback = true;  // a client that controls the playback understands its state

@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { causeOf } from "./calls";
 import { Client, type Connection, type Listener, type Socket } from "./client";
 
 /** The server's end of a connection. `sent` holds the messages of the client. */
@@ -269,4 +270,26 @@ test("parameters are set in one message, while the connection stands", async () 
       ],
     },
   ]);
+});
+
+test("a refusal's cause is a field of the answer and of the status", async () => {
+  const causes: string[] = [];
+  const hears: Listener = { ...listener, status: (_, __, ___, cause) => causes.push(cause ?? "") };
+  client = new Client("ws://robot/", hears, () => {
+    sockets.push(new FakeSocket());
+    return newest();
+  });
+  client.start();
+  newest().say(kInfo, kServices);
+  const refused = client.call("start_recording", {}).catch((error: unknown) => error);
+  newest().frame(...response(0, '{"ok": false, "error": "start: no", "cause": "token"}'));
+  expect(causeOf(await refused)).toBe("token");
+  const failed = client.call("start_recording", {}).catch((error: unknown) => error);
+  newest().frame(...response(1, '{"ok": false, "error": "start: needs the control token"}'));
+  expect(causeOf(await failed)).toBe(""); // words decide nothing
+  newest().say(
+    { op: "status", level: 2, message: "no", cause: "token" },
+    { op: "status", level: 2, message: "no", cause: 3 },
+  );
+  expect(causes).toEqual(["token", ""]);
 });

@@ -33,7 +33,7 @@ export interface Listener {
   message(topic: string, log_ns: bigint, data: Uint8Array): void;
   time(now_ns: bigint): void;
   playback(state: PlaybackState): void;
-  status(level: Level, message: string, id?: string): void;
+  status(level: Level, message: string, id?: string, cause?: string): void;
   removeStatus(ids: string[]): void;
   parameters(values: { name: string; value: unknown }[]): void;
   services(names: string[]): void;
@@ -177,7 +177,7 @@ export class Client {
         this.#withdraw([...this.#channels.values()].filter(({ id }) => text.channelIds.includes(id)));
         break;
       case "status":
-        this.listener.status(text.level, text.message, text.id);
+        this.listener.status(text.level, text.message, text.id, text.cause);
         break;
       case "removeStatus":
         this.listener.removeStatus(text.statusIds);

@@ -430,6 +430,7 @@ TEST_F(HubTest, ControlNeedsTheTokenAndClockSyncDoesNot) {
   hub->on_text(*stranger, R"({"op":"setParameters","parameters":[{"name":"quality","value":50}],"id":"s"})");
   const auto answers = said(*stranger);
   EXPECT_NE(answers.at(0)["message"].get<std::string>().find("needs the control token"), std::string::npos);
+  EXPECT_EQ(answers.at(0)["cause"], "token");
   EXPECT_EQ(answers.at(1)["parameters"][0]["value"], 75);
   hub->on_binary(*stranger, foxglove::to_bytes(foxglove::ServiceCall{1, 5, "json", R"({"sent_ns":"1"})"}));
   EXPECT_NE(said(*stranger).at(0)["bytes"].get<std::string>().find(R"("ok":true,"received_ns":"1000")"),

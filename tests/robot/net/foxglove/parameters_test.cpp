@@ -181,10 +181,12 @@ TEST(Services, AnswerEveryRequestInJson) {
   EXPECT_NE(services.call(1, R"({"number":"x"})", stranger).find(R"("ok":false)"), std::string::npos);
   EXPECT_NE(services.call(1, "{}", stranger).find(R"("ok":false)"), std::string::npos);
   EXPECT_NE(services.call(2, "{}", stranger).find("needs the control token"), std::string::npos);
+  EXPECT_NE(services.call(2, "{}", stranger).find(R"("cause":"token")"), std::string::npos);
   EXPECT_EQ(services.call(2, "", friendly), R"({"ok":true})");
   ClientContext during_a_game{.may_control = true, .match_mode = true};
   EXPECT_NE(services.call(2, "", during_a_game).find("a game is in progress"), std::string::npos);
   EXPECT_NE(services.call(2, "", during_a_game).find("--practice allows it"), std::string::npos);
+  EXPECT_NE(services.call(2, "", during_a_game).find(R"("cause":"game")"), std::string::npos);
   EXPECT_EQ(services.call(1, R"({"number":21})", during_a_game), R"({"ok":true,"result":42})");
   during_a_game.loopback = true;
   EXPECT_EQ(services.call(2, "", during_a_game), R"({"ok":true})");
