@@ -90,6 +90,10 @@ static inline void foresight_put_float(ForesightBytes* to, int field, float valu
   foresight_put(to, field, 5, to->bytes, 0, &value, sizeof value);  // all our processors have protobuf's byte order
 }
 
+static inline void foresight_put_double(ForesightBytes* to, int field, double value) {
+  foresight_put(to, field, 1, to->bytes, 0, &value, sizeof value);
+}
+
 /// Appends a list of floats, such as those of 25 joints.
 static inline void foresight_put_floats(ForesightBytes* to, int field, const float* values, size_t count) {
   foresight_put_bytes(to, field, values, count * sizeof *values);
@@ -136,6 +140,12 @@ static inline float foresight_float(const ForesightField* field) {
   const uint32_t bits = (uint32_t)field->value;
   float value;
   memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+static inline double foresight_double(const ForesightField* field) {
+  double value;
+  memcpy(&value, &field->value, sizeof value);
   return value;
 }
 

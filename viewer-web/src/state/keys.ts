@@ -118,6 +118,7 @@ export function belongsElsewhere(
     [" ", "Enter"].includes(event.key)
   )
     return true;
+  if (element?.matches("input[type=range]") && /^(Arrow|Home$|End$|Page)/.test(event.key)) return true;
   // a dialog that has just been closed keeps the focus until the next frame
   return Boolean(element?.closest("dialog[open]"));
 }

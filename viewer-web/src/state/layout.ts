@@ -18,6 +18,7 @@ const kArrangement = [
   "find",
   "ask",
   "pick",
+  "parameters",
 ];
 const kLongest = 20_000; // [letters] of all settings
 

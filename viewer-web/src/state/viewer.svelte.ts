@@ -10,6 +10,7 @@ import type { Level } from "../source/texts";
 import { Dismissed, withAlert, withoutAlerts, type Alert } from "./alerts";
 import { keep, kept } from "./browser";
 import { now } from "./frame.svelte";
+import { linkOf } from "./link";
 import { Moments } from "./moments.svelte";
 import { hashOf, routeOf, type Route, type View } from "./route";
 import { Server, type Speaker } from "./server.svelte";
@@ -66,6 +67,9 @@ export class Viewer implements Speaker {
   );
   /** The chosen view. Without a choice: camera, or field for a game without a camera. */
   view: View = $derived(this.route.view || (this.#playsBlind() ? "field" : "camera"));
+
+  /** The session that a person asked for last. */
+  wanted = $state("");
 
   #dismissed = new Dismissed();
 
@@ -142,6 +146,27 @@ export class Viewer implements Speaker {
 
   get(name: string): string {
     return this.route.settings.get(name) ?? "";
+  }
+
+  /** The link to the page as it is, with its session and moment. */
+  get link(): string {
+    const { time } = this;
+    const at_ns = time.range() ? time.at_ns : undefined;
+    return linkOf(location.href, this.arrangement, { session: this.server.session, at_ns });
+  }
+
+  /** Watches a session of the page's own server from its begin. */
+  async watch(session: string): Promise<void> {
+    if (!(await this.servers[0]!.watch(session))) return;
+    this.wanted = session;
+    const settings = new Map([...this.route.settings].filter(([name]) => !["at", "marks", "loop"].includes(name)));
+    location.hash = hashOf({ robot: "", view: "", settings: settings.set("session", session) });
+  }
+
+  /** Watches the session of the link that opened this page. */
+  async watchLinked(): Promise<void> {
+    const session = this.get("session");
+    if (await this.server.watch(session)) this.wanted = session;
   }
 
   /** Chooses the next or previous robot of all. */

@@ -14,6 +14,7 @@ import {
   textOfQuestion,
 } from "../memory/question";
 import type { Edit, Question, Standing, Thing } from "../memory/question";
+import { causeOf } from "../source/calls";
 import { now } from "./frame.svelte";
 import type { Server } from "./server.svelte";
 import type { Viewer } from "./viewer.svelte";
@@ -117,7 +118,7 @@ export class WhatIf {
       this.#answered(forecastOf(fieldsOfJson(answer["forecast"])), question.edit, at_ns, before);
     } catch (error) {
       this.problem = (error as Error).message.replace(`${kService}: `, "");
-      this.server.refusedWith(this.problem);
+      this.server.refusedBecause(causeOf(error));
     } finally {
       this.asking = undefined;
     }
