@@ -16,7 +16,7 @@ import {
 import type { Edit, Question, Standing, Thing } from "../memory/question";
 import { now } from "./frame.svelte";
 import type { Server } from "./server.svelte";
-import type { Viewer } from "./viewer.svelte";
+import type { Pane } from "./pane.svelte";
 
 export const kService = "/foresight/what_if";
 export const kStrategiesService = "/foresight/strategies";
@@ -50,7 +50,7 @@ export class WhatIf {
   #note: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
-    readonly viewer: Viewer,
+    readonly viewer: Pane,
     readonly server: Server,
     readonly robot: string,
   ) {}
