@@ -36,7 +36,7 @@ test("a view is split, and panes are dragged, maximised and closed, by mouse", a
   const { page, problems } = await open(t, `${server.http}/#/14/2/field`);
   await shows(page, "Field");
   assert.equal(await page.getByRole("button", { name: "Maximise" }).count(), 0, "one pane has no title");
-  await page.getByRole("button", { name: "Split to the right" }).click();
+  await page.getByRole("button", { name: "Split right" }).click();
   await shows(page, "Field", "Decision");
   await isMarked(page, 2);
   await pane(page, 2).getByRole("button", { name: "Split below" }).click();
@@ -230,4 +230,29 @@ test("the first view has data: a robot without pictures does not open on black c
   const other = await open(t, seeing.http);
   await shows(other.page, "Camera");
   assert.deepEqual([...problems, ...other.problems], []);
+});
+
+test("the team bar shows every robot on every view; a tap chooses one, and a silent one is gone", async (t) => {
+  const server = await simulated(t);
+  const { page, problems } = await open(t, `${server.http}/#/14/2/log`, { breaksConnections: true });
+  const team = page.getByRole("group", { name: "Team" });
+  const tiles = team.getByRole("button");
+  await until(async () => (await tiles.count()) === 8, "a tile for each robot");
+  await team.getByText("ready").first().waitFor();
+  const skill = async () => (await tiles.nth(5).textContent()).includes("get ready");
+  await until(skill, "the skill of 14/2");
+  assert.equal(await tiles.nth(5).getAttribute("aria-pressed"), "true");
+  await tiles.nth(0).click();
+  await page.waitForURL((url) => url.hash.startsWith("#/5/1/log"));
+  await page.keyboard.press("5"); // on another view it stays
+  assert.equal(await tiles.nth(0).getAttribute("aria-pressed"), "true");
+  server.kill("SIGSTOP");
+  await team
+    .getByText(/gone \d+ s/)
+    .first()
+    .waitFor();
+  await shoot(page, "team-gone");
+  server.kill("SIGCONT");
+  await until(async () => (await team.getByText(/gone/).count()) === 0, "all robots back");
+  assert.deepEqual(problems, []);
 });

@@ -238,7 +238,7 @@ export class Server implements Listener {
     const waited = now() - this.#introduced_s > kCounting;
     if (!runtime) return waited ? "yes" : "unknown";
     if (written > 0) return "yes";
-    return waited || processStatistics(runtime).uptime > kCounting ? "no" : "unknown";
+    return waited || (processStatistics(runtime)?.uptime ?? 0) > kCounting ? "no" : "unknown";
   }
 
   recording(): RecordingStatistics | undefined {
