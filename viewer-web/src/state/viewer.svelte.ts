@@ -227,8 +227,8 @@ export class Viewer implements Speaker {
    */
   set(name: string, value: string): void {
     if (this.get(name) === value) return;
-    // may be newer than this.route: the event of a link that was followed comes later
-    this.#replace(withSettings(this.#complete(routeOf(location.hash)), [[name, value]]));
+    const route = routeOf(location.hash); // may be newer than this.route: the event of a link that was followed comes later
+    this.#replace(withSettings(this.settled ? this.#complete(route) : route, [[name, value]]));
   }
   #replace(route: Route): void {
     this.route = route;
