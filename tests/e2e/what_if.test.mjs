@@ -348,7 +348,7 @@ test("the page shows the sentence of a refusal, and a strategy that the robot do
 test("a recording is asked at the moment that the page shows", async (t) => {
   const server = await playGame(t);
   const { page, problems, questions } = await ask(t, server, "#/14/2/what-if", { colorScheme: "light" });
-  await page.locator("footer").getByRole("button", { name: "Freeze time" }).waitFor();
+  await page.locator("footer").getByRole("button", { name: "Freeze view" }).waitFor();
   await page.keyboard.press("Home");
   await page.waitForURL(/at=\d+/);
   const answered = page.getByText("Your question");

@@ -65,12 +65,17 @@ export interface Foreseen {
   colour: string;
 }
 
+export interface TrailPoint extends Point {
+  /** No way leads here from the point before. */
+  leaps?: boolean;
+}
+
 /** Everything that a scene is drawn from. Trails go from old to new. */
 export interface Drawing {
   field: Field;
   chosen: string;
   layers: ReadonlySet<Layer>;
-  trails: { key: string; points: Point[]; kind: "ball" | "truth" | "belief" }[];
+  trails: { key: string; points: TrailPoint[]; kind: "ball" | "truth" | "belief" }[];
   /** The newest forecast's rollouts, and its team's colour. */
   foreseen?: Foreseen | undefined;
 }
@@ -287,12 +292,21 @@ function drawTrails(pen: Pen, camera: Camera, { robots }: Scene, trails: Drawing
         Math.floor((part * (points.length - 1)) / kParts),
         Math.floor(((part + 1) * (points.length - 1)) / kParts) + 1,
       );
-      if (piece.length < 2) continue;
       style(pen, colour, kind === "ball" ? 2 : 1.5, (kind === "belief" ? 0.5 : 0.75) * ((part + 1) / kParts));
-      if (kind === "belief") dashed(pen, () => strokePath(pen, camera, piece));
-      else strokePath(pen, camera, piece);
+      for (const way of waysOf(piece))
+        if (kind === "belief") dashed(pen, () => strokePath(pen, camera, way));
+        else strokePath(pen, camera, way);
     }
   }
+}
+
+/** The parts of a trail without a leap, of two points or more. */
+function waysOf(points: TrailPoint[]): TrailPoint[][] {
+  const ways: TrailPoint[][] = [];
+  for (const point of points)
+    if (point.leaps || ways.length === 0) ways.push([point]);
+    else ways.at(-1)!.push(point);
+  return ways.filter((way) => way.length > 1);
 }
 
 function drawName(pen: Pen, camera: Camera, robot: Robot, front: boolean): void {

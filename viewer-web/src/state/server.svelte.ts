@@ -7,6 +7,7 @@ import type { Past } from "../memory/past";
 import { Played } from "../memory/played";
 import {
   allStreamStatistics,
+  processStatistics,
   recordingStatistics,
   runtimesOf,
   type RecordingStatistics,
@@ -30,6 +31,7 @@ const kStepService = "message_beside";
 const kWatchService = "watch_session";
 const kOutdated = 0.3; // [s] after a seek: an object without a message by then has no value there
 const kIntroduction = 1; // [s] for the introduction of a server without services
+const kCounting = 2; // [s] until a server has written each of its streams and counted it, once a second
 const kSettled = 0.15; // [s] the page waits at a moment before the server seeks it too
 
 /** Receives a server's sentences. */
@@ -243,6 +245,16 @@ export class Server implements Listener {
   /** The server's own statistics of its streams, by topic. Empty before the first `runtime` object. */
   statistics(): Map<string, StreamStatistics> {
     return allStreamStatistics(runtimesOf([...this.memory.objects()]));
+  }
+
+  /** Whether the robot has ever written a stream, by its own count: "unknown" at the beginning. */
+  hasWritten(topic: string): "yes" | "no" | "unknown" {
+    const [runtime] = runtimesOf([...this.memory.objects()]);
+    const written = this.statistics().get(topic)?.sequence ?? 0;
+    const waited = now() - this.#introduced_s > kCounting;
+    if (!runtime) return waited ? "yes" : "unknown";
+    if (written > 0) return "yes";
+    return waited || (processStatistics(runtime)?.uptime ?? 0) > kCounting ? "no" : "unknown";
   }
 
   recording(): RecordingStatistics | undefined {

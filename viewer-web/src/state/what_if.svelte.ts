@@ -17,7 +17,7 @@ import type { Edit, Question, Standing, Thing } from "../memory/question";
 import { causeOf } from "../source/calls";
 import { now } from "./frame.svelte";
 import type { Server } from "./server.svelte";
-import type { Viewer } from "./viewer.svelte";
+import type { Pane } from "./pane.svelte";
 
 export const kService = "/foresight/what_if";
 export const kStrategiesService = "/foresight/strategies";
@@ -51,7 +51,7 @@ export class WhatIf {
   #note: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
-    readonly viewer: Viewer,
+    readonly viewer: Pane,
     readonly server: Server,
     readonly robot: string,
   ) {}
