@@ -173,7 +173,7 @@ test("ready arrangements come by key and by menu; a wide page without a choice b
   const server = await simulated(t);
   const { page, problems } = await open(t, server.http, { viewport: kWide });
   await shows(page, "Field", "Decision", "Plot");
-  await page.getByRole("list", { name: "Lines" }).getByText("/14/2/ball.x").waitFor(); // the plot is not empty
+  await page.getByRole("list", { name: "Lines" }).getByText("ball.x").waitFor(); // the plot is not empty
   await shoot(page, "panes-why");
   await page.keyboard.press("M");
   await shows(page, "Field", "Log", "Health");
