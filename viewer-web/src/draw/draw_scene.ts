@@ -11,6 +11,7 @@ import {
   strokeArrow,
   strokeCircle,
   strokeEllipse,
+  strokeCross,
   strokeLine,
   strokePath,
   toScreen,
@@ -236,14 +237,7 @@ function drawIntent(pen: Pen, camera: Camera, robot: Robot, front: boolean): voi
   if (pose && target) {
     style(pen, inkOf(robot, front), 1.5, 0.8);
     dashed(pen, () => strokeLine(pen, camera, pose, target));
-    const arm = 0.07;
-    for (const side of [-1, 1])
-      strokeLine(
-        pen,
-        camera,
-        { x: target.x - arm, y: target.y - side * arm },
-        { x: target.x + arm, y: target.y + side * arm },
-      );
+    strokeCross(pen, camera, target, 0.07);
     strokeLine(pen, camera, target, ahead(target, 0.2));
   }
   if (kick) {
@@ -268,14 +262,7 @@ const beside = ({ x, y }: Point): Point => ({ x, y: y + 1.9 * kRobotRadius });
 function drawOpponents(pen: Pen, camera: Camera, { opponents, rivals }: Robot): void {
   for (const opponent of opponents) {
     style(pen, rivals.colour, 2, 0.9 * freshness(opponent.age / 3));
-    const arm = 0.6 * kRobotRadius;
-    for (const side of [-1, 1])
-      strokeLine(
-        pen,
-        camera,
-        { x: opponent.x - arm, y: opponent.y - side * arm },
-        { x: opponent.x + arm, y: opponent.y + side * arm },
-      );
+    strokeCross(pen, camera, opponent, 0.6 * kRobotRadius);
     style(pen, rivals.colour, 1.5, pen.globalAlpha);
     dashed(pen, () => strokeCircle(pen, camera, opponent, Math.max(kRobotRadius, opponent.deviation)));
     if (opponent.player !== undefined) drawWord(pen, camera, String(opponent.player), beside(opponent), rivals.colour);

@@ -106,7 +106,6 @@ class Compiler {
       case "truth":
         return { kind: "truth", constant: true, read: () => node.value };
       case "text":
-        return { kind: "text", constant: true, read: () => node.text };
       case "word":
         return { kind: "text", constant: true, read: () => node.text };
       case "path":

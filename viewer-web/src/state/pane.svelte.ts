@@ -2,7 +2,7 @@
 
 import { knownField, type KnownField } from "../draw/known_field";
 import type { Told } from "../draw/scene";
-import { curvesOf } from "../memory/curves";
+import { curvesOf, partsOf } from "../memory/curves";
 import type { Memory } from "../memory/memory";
 import type { MemoryObject, RobotName } from "../memory/memory_object";
 import { leafOf, leavesOf, settingOf } from "./panes";
@@ -75,9 +75,15 @@ export class Pane {
     const { tree } = this.viewer.panes;
     const shown = leavesOf(tree).find(({ view }) => view === "plot");
     const pane = shown ? this.viewer.pane(shown.number) : this;
-    const text = this.server === this.servers[0] ? path : `${path}@${this.server.target.host}`;
-    const others = curvesOf(pane.get("plot"));
-    if (!others.includes(text)) pane.set("plot", [...others, text].join(" "));
+    this.addCurve(path, pane);
     if (!shown) this.go({ view: "plot" });
+  }
+
+  /** Adds a curve of this pane's server to the plot of a pane. */
+  addCurve(path: string, to: Pane = this): void {
+    const isComplete = partsOf(path).host !== undefined || this.server === this.servers[0];
+    const curve = isComplete ? path : `${path}@${this.server.target.host}`;
+    const others = curvesOf(to.get("plot"));
+    if (!others.includes(curve)) to.set("plot", [...others, curve].join(" "));
   }
 }

@@ -161,7 +161,7 @@ function lightened(parts: Split["parts"]): Split["parts"] {
   return parts.map(({ node, weight }) => ({ node, weight: isEven ? 1 : Math.max(1, Math.round(weight * scale)) }));
 }
 
-/** Of a row or column; each part is at least kLeastShare. */
+/** Returns the shares of the parts of a row or column, each at least kLeastShare. */
 function sharesOf({ parts }: Split): number[] {
   const total = parts.reduce((sum, { weight }) => sum + weight, 0);
   const wide = parts.map(({ weight }) => Math.max(kLeastShare, weight / total));

@@ -56,6 +56,8 @@ interface First {
   settings: ReadonlyMap<string, string>;
 }
 
+/** Settings that belong to a session, and not to the arrangement. */
+const kOfMoments = ["at", "marks", "loop"];
 const tokenKey = (host: string): string => `token ${host}`;
 
 export class Viewer implements Speaker {
@@ -300,7 +302,7 @@ export class Viewer implements Speaker {
 
   /** Applies another arrangement at the shown moment. */
   arrange(layout: Route): void {
-    const settings = new Map([...this.route.settings].filter(([name]) => ["at", "marks", "loop"].includes(name)));
+    const settings = new Map([...this.route.settings].filter(([name]) => kOfMoments.includes(name)));
     this.#focus = 1;
     location.hash = hashOf({ ...layout, settings: new Map([...layout.settings, ...settings]) });
   }
@@ -320,7 +322,7 @@ export class Viewer implements Speaker {
   async watch(session: string): Promise<void> {
     if (!(await this.servers[0]!.watch(session))) return;
     this.wanted = session;
-    const settings = new Map([...this.route.settings].filter(([name]) => !["at", "marks", "loop"].includes(name)));
+    const settings = new Map([...this.route.settings].filter(([name]) => !kOfMoments.includes(name)));
     location.hash = hashOf({ robot: "", view: "", settings: settings.set("session", session) });
   }
 
