@@ -305,7 +305,7 @@ test("ball and robots can be dragged, turned and put back; changes go into the q
 
   // a colleague's link holds the same question
   const colleague = await ask(t, server, page.url().slice(page.url().indexOf("#")));
-  await colleague.page.getByRole("button", { name: "ball" }).waitFor();
+  await colleague.page.getByRole("group", { name: "Edited" }).getByRole("button", { name: "ball" }).waitFor();
   await colleague.page.keyboard.press("Enter");
   await until(() => colleague.questions.length === 1, "the colleague's question");
   assert.deepEqual(colleague.questions[0].edit, edit);
