@@ -55,7 +55,6 @@ TEST(AnnouncedParameter, EveryTypeComesBackAsItWasAnnounced) {
 }
 
 TEST(AnnouncedParameter, AWrongOneIsRefusedWithASentence) {
-  using enum LiveParameter::Type;
   const auto number = [](const auto& change) { return refusal(LiveParameter::TYPE_NUMBER, change); };
   EXPECT_EQ(number([](auto& p) { p.set_name(""); }),
             "parameter '': expected a name of 1 to 48 letters, digits, '_', '-' and '.'");
