@@ -46,7 +46,7 @@ static inline ForesightField foresight_fields(const void* bytes, size_t size) {
   ForesightField field;
   memset(&field, 0, sizeof field);
   field.next = (const unsigned char*)bytes;
-  field.end = field.next + size;
+  field.end = size > 0 ? field.next + size : field.next;  // no bytes may be a null pointer
   return field;
 }
 

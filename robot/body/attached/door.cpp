@@ -193,12 +193,12 @@ void Door::refuse(PendingConnection& pending, const std::string& sentence) {
 
 /// Removes the streams whose process has disconnected.
 void Door::clear_away() {
-  std::vector<std::string> ended_topics;
+  std::set<std::string> ended_topics;  // two processes that wrote one topic may end together
   std::erase_if(streams_, [&](const Stream& stream) {
     const bool ended = stream.reader ? stream.reader->gone() : board_.status(stream.id).ended;
     if (!ended) return false;
     board_.stop(stream.id);
-    if (!stream.topic.empty()) ended_topics.push_back(stream.topic);
+    if (!stream.topic.empty()) ended_topics.insert(stream.topic);
     return true;
   });
   if (!options_.on_end) return;
