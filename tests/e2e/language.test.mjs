@@ -110,6 +110,31 @@ test("a person types a condition with completion, and finds when a belief was wr
   assert.deepEqual(problems, []);
 });
 
+test("keys that come faster than the page draws complete the word that was typed", async (t) => {
+  const { server } = await game(t);
+  const { page, problems } = await open(t, `${server.http}/#/14/2/field`);
+  await until(async () => (await page.title()).includes("14/2"), "the robot");
+  await page.keyboard.press("w");
+  await query(page).focus();
+  // all keys within one task, so that nothing is drawn between them
+  const typed = await page.evaluate(() => {
+    const input = document.querySelector(".expression input");
+    const type = (text) => [...text].forEach((one) => document.execCommand("insertText", false, one));
+    const tab = () => input.dispatchEvent(new KeyboardEvent("keydown", { key: "Tab", bubbles: true }));
+    type("dis");
+    tab();
+    type("bal");
+    tab();
+    type(", truth.b");
+    tab();
+    type(") > 0.5");
+    return input.value;
+  });
+  assert.equal(typed, "distance(ball, truth.ball) > 0.5");
+  await page.getByText(/times in the whole recording/).waitFor();
+  assert.deepEqual(problems, []);
+});
+
 test("a mistake is marked under its place in the text, also on a phone", async (t) => {
   const { server } = await game(t);
   const { page, problems } = await open(t, `${server.http}/#/14/2/field`);
