@@ -5,9 +5,7 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { repositoryOf } from "./repository.mjs";
 
-const program = fileURLToPath(
-  new URL("../../scripts/lib-totals.mjs", import.meta.url),
-);
+const program = fileURLToPath(new URL("../../scripts/lib-totals.mjs", import.meta.url));
 
 /** Lines that the program prints for the result files `files`, and its exit status. */
 function totalsOf(t, files, environment = {}) {
@@ -30,8 +28,7 @@ set FORESIGHT_DATA to &lt;folder&gt;
 [  SKIPPED ] Log.Reads (0 ms)</system-out></testcase>
   <testcase name="gone_NOT_BUILT" time="0" status="notrun"><skipped message="Unable to find executable"/></testcase>
 </testsuite>`;
-const tap =
-  "    ok 1 - inner one\n    ok 2 - inner two # SKIP no tc\nok 1 - outer\nnot ok 2 - alone\n1..2\n";
+const tap = "    ok 1 - inner one\n    ok 2 - inner two # SKIP no tc\nok 1 - outer\nnot ok 2 - alone\n1..2\n";
 const vitest = JSON.stringify({
   testResults: [
     {
@@ -47,8 +44,7 @@ const vitest = JSON.stringify({
 });
 
 test("each kind of result is counted test by test", (t) => {
-  const steps =
-    "failed\ttests\tC++\nfailed\ttests\tbrowser\nfailed\ttests\tviewer\n";
+  const steps = "failed\ttests\tC++\nfailed\ttests\tbrowser\nfailed\ttests\tviewer\n";
   const { lines, status } = totalsOf(t, {
     "steps.txt": steps,
     "C++.junit.xml": ctest,
@@ -78,11 +74,9 @@ Expected: (x) &lt; (1), actual: 2 vs 1
 ball_test.cpp:9: Failure
 Failed
 [  FAILED  ] Ball.Stops (0 ms)`;
-  const block = (error) =>
-    `  ---\n  duration_ms: 3\n  ${error}\n  code: 'ERR'\n  ...\n`;
+  const block = (error) => `  ---\n  duration_ms: 3\n  ${error}\n  code: 'ERR'\n  ...\n`;
   const { lines } = totalsOf(t, {
-    "steps.txt":
-      "failed\ttests\tC++\nfailed\ttests\tbrowser\nfailed\ttests\tviewer\n",
+    "steps.txt": "failed\ttests\tC++\nfailed\ttests\tbrowser\nfailed\ttests\tviewer\n",
     "C++.junit.xml": `<testsuite><testcase name="Ball.Stops" time="0" status="fail"><failure message=""/><system-out>${output}</system-out></testcase></testsuite>`,
     "browser.tap": `not ok 1 - short\n${block("error: 'no ball'")}not ok 2 - long\n${block(
       `error: |-\n    first\n    \n${"    more\n".repeat(9)}    last`,
@@ -126,14 +120,11 @@ test("the ten slowest tests are named, the slowest one first, unless they take l
   const json = JSON.stringify({
     testResults: [
       {
-        assertionResults: [
-          { fullName: "draws", status: "passed", duration: 3000 },
-        ],
+        assertionResults: [{ fullName: "draws", status: "passed", duration: 3000 }],
       },
     ],
   });
-  const steps =
-    "passed\ttests\tC++\npassed\ttests\tbrowser\npassed\ttests\tviewer\n";
+  const steps = "passed\ttests\tC++\npassed\ttests\tbrowser\npassed\ttests\tviewer\n";
   const { lines } = totalsOf(t, {
     "steps.txt": steps,
     "C++.junit.xml": junit,
@@ -153,13 +144,9 @@ test("the ten slowest tests are named, the slowest one first, unless they take l
 
 test("a check counts once, a preparation only when it fails", (t) => {
   const { lines, status } = totalsOf(t, {
-    "steps.txt":
-      "passed\tcheck\tlints\npassed\tprepare\tbuild dev\nfailed\tprepare\tbuild asan\n",
+    "steps.txt": "passed\tcheck\tlints\npassed\tprepare\tbuild dev\nfailed\tprepare\tbuild asan\n",
   });
-  assert.deepEqual(lines, [
-    "FAILED: build asan",
-    "1 passed, 1 failed, 0 skipped",
-  ]);
+  assert.deepEqual(lines, ["FAILED: build asan", "1 passed, 1 failed, 0 skipped"]);
   assert.equal(status, 1);
 });
 
@@ -174,8 +161,7 @@ test("a step that fails without a failing test is a failure", (t) => {
 test("with FORESIGHT_REQUIRE_DATA=1 a skip without recordings is a failure, another skip is not", (t) => {
   const files = {
     "steps.txt": "passed\ttests\tbrowser\n",
-    "browser.tap":
-      "ok 1 - a # SKIP set FORESIGHT_DATA\nok 2 - b # SKIP no tc\n",
+    "browser.tap": "ok 1 - a # SKIP set FORESIGHT_DATA\nok 2 - b # SKIP no tc\n",
   };
   assert.equal(totalsOf(t, files).status, 0);
   const { lines, status } = totalsOf(t, files, { FORESIGHT_REQUIRE_DATA: "1" });

@@ -51,6 +51,25 @@ test("an event that all robots report happened once, and a senseless message giv
   expect(events.all()).toEqual([]);
 });
 
+test("events in recalled messages come before the later ones, each once", () => {
+  const events = new GameEvents();
+  const states = ["INITIAL", "READY", "SET", "PLAYING"].map((state) => game(state, team(14, 0), team(5, 0)));
+  const object = {
+    name: "game",
+    kind: "game",
+    derived: false,
+    robot: "14/1",
+    channel: { topic: "/14/1/game" },
+    decode: (data: Uint8Array) => ({ fields: states[data[0]!] }),
+  } as unknown as MemoryObject;
+  const entryOf = (i: number) => ({ log_ns: BigInt(i) * 10n ** 10n, data: Uint8Array.of(i), arrived: i });
+  for (const i of [2, 3]) events.arrived(object, entryOf(i));
+  events.recall(object, [0, 1, 2].map(entryOf));
+  expect(events.all().map(({ text }) => text)).toEqual(["ready", "set", "playing"]);
+  events.recall(object, [0, 1, 2, 3].map(entryOf));
+  expect(events.all()).toHaveLength(3);
+});
+
 test("a fall is reported once until the robot has stood up again", () => {
   const motion = (fall: string, side = "UNSPECIFIED"): Fields =>
     new Map<string, Value>([

@@ -95,3 +95,22 @@ test("the message nearest to a moment is found, unless it is too far away", () =
     undefined,
   ]);
 });
+
+test("recalled messages take the place of those of their time, and the others stay", () => {
+  const history = filled(100);
+  const { generation } = history;
+  const seconds = () => {
+    const found = [];
+    for (let index = history.begin; index < history.end; ++index) found.push(Number(history.timeOf(index)) / 1e9);
+    return found;
+  };
+  history.recall([]);
+  expect(history.generation).toBe(generation);
+  const [begin, end] = [-300, 20];
+  history.recall(Array.from({ length: 2 * (end - begin) + 1 }, (_, i) => entry(begin + i / 2, 7)));
+  expect(history.generation).not.toBe(generation);
+  const half = Array.from({ length: 2 * (end - begin) + 1 }, (_, i) => begin + i / 2);
+  expect(seconds()).toEqual([...half, ...Array.from({ length: 79 }, (_, i) => 21 + i)]);
+  expect(history.at(10_000_000_000n)!.data).toEqual(bytes(7));
+  expect(history.at(50_000_000_000n)!.data).toEqual(bytes(50));
+});

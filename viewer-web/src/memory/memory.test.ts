@@ -204,3 +204,36 @@ test("an object without a value at the time of a seek keeps its history of the p
   memory.show(130n);
   expect(memory.get(kTopic)!.decoded()!.fields!.get("x")).toBe(2);
 });
+
+test("what a server remembers comes before what the page has, in the range, the log and the age", () => {
+  const memory = new Memory();
+  memory.offer(channel("/14/2/ball"));
+  memory.offer(channel("/14/2/log"));
+  const second = (at: number) => BigInt(at) * 1_000_000_000n;
+  for (const topic of ["/14/2/ball", "/14/2/log"])
+    for (let at = 400; at < 410; ++at) memory.arrived(topic, second(at), percept(), at + 7);
+  for (const topic of ["/14/2/ball", "/14/2/log", "/unknown"])
+    memory.recall(
+      topic,
+      Array.from({ length: 304 }, (_, i) => ({ log_ns: second(100 + i), data: percept() })),
+      500,
+    );
+  expect(memory.range()).toEqual({ first_ns: second(100), last_ns: second(409) });
+  const { history, newest } = memory.get("/14/2/ball")!;
+  expect(history.end - history.begin).toBe(310);
+  expect(newest!.log_ns).toBe(second(409));
+  expect(history.at(second(150))!.arrived).toBe(157);
+  expect(memory.log.all("debug")).toHaveLength(310);
+  memory.show(second(200));
+  expect(memory.get("/14/2/ball")!.shown!.log_ns).toBe(second(200));
+});
+
+test("a moment that is shown is found among recalled messages too", () => {
+  const memory = new Memory();
+  memory.offer(channel(kTopic));
+  memory.arrived(kTopic, 400n, percept(), 1);
+  memory.show(300n);
+  expect(memory.get(kTopic)!.shown).toBeUndefined();
+  memory.recall(kTopic, [{ log_ns: 250n, data: percept() }], 2);
+  expect(memory.get(kTopic)!.shown!.log_ns).toBe(250n);
+});

@@ -27,10 +27,12 @@ test("objects are recalled one after the other, also those that are wanted meanw
   all.want("/a");
   all.want("/b");
   all.want("/b");
+  expect(all.busy).toBe(true);
   await settled();
   all.want("/c");
   for (let i = 0; i < 10; ++i) await settled();
   expect(arrived).toEqual(["/a 2", "/b 2", "/c 2"]);
+  expect(all.busy).toBe(false);
   all.want("/a");
   for (let i = 0; i < 4; ++i) await settled();
   expect(arrived.at(-1)).toBe("/a 2");

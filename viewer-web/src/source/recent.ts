@@ -42,9 +42,15 @@ export class Recalls {
     if (!this.#runs) void this.#run();
   }
 
+  /** Whether an answer is to come. */
+  get busy(): boolean {
+    return this.#runs;
+  }
+
   /** Nothing arrives any more. */
   stop(): void {
     this.#stopped = true;
+    this.#runs = false;
     this.#topics.clear();
   }
 

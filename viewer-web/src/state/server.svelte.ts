@@ -303,6 +303,10 @@ export class Server implements Listener {
     this.parameterValues = new Map();
     ++this.#offers;
   }
+  /** Whether earlier messages are on their way from the server's memory. */
+  get recalls(): boolean {
+    return this.#recalls?.busy === true;
+  }
   #recallsFrom(path = ""): Recalls | undefined {
     if (!this.target.ownHost || !/^\/api\/\w+$/.test(path)) return undefined;
     return new Recalls(

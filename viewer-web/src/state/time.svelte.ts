@@ -422,6 +422,7 @@ export class Time {
     if (this.reference.playsAnother(this.viewer.get("session"))) return; // a person may watch that one
     const range = asked_ns === undefined ? undefined : this.range();
     if (asked_ns === undefined || !range || !this.#isThere || (range.last_ns < asked_ns && !this.recorded)) return;
+    if (asked_ns < range.first_ns && this.reference.recalls) return;
     this.#asked_ns = undefined;
     if (asked_ns >= range.first_ns && asked_ns <= range.last_ns) return this.seek(asked_ns);
     this.viewer.set("at", "");
