@@ -6,9 +6,12 @@
 #include "robot/app/build_id.h"
 #include "robot/app/services/recording_service.h"
 #include "robot/app/signals.h"
+#include "robot/bridge/to_messages.h"
 #include "robot/core/attempt.h"
 #include "robot/core/report.h"
+#include "robot/foresight/foreseer.h"
 #include "robot/net/foxglove/derived_channels.h"
+#include "sim/io/rules.h"
 
 namespace robot::app {
 namespace {
@@ -42,6 +45,15 @@ net::ServerOptions server_options(const RuntimeOptions& options, net::AccessOpti
           .wireless = options.server.wireless};
 }
 
+/// Returns the field of `rules`, or of the newest ones if those are unknown here.
+foresight::Field field_of(const std::string& rules) {
+  auto loaded = sim::io::load_rules(rules.empty() ? foreseeing::kNewestRules : rules);
+  if (!loaded) loaded = sim::io::load_rules(foreseeing::kNewestRules);
+  foresight::Field field;
+  if (loaded) bridge::to_proto(loaded->field, field);
+  return field;
+}
+
 }  // namespace
 
 OwnObjects own_objects(memory::Memory& memory) {
@@ -63,7 +75,8 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
           {.name = options_.program, .body = options_.body, .robots = {options_.robot}, .session_id = run_id()}, clock_,
           store_, options_.records ? &recorder_ : nullptr),
       statistics_(channels_, clock_, board_, store_, options_.records ? &recorder_ : nullptr),
-      clock_service_(system_ns() - monotonic_ns()) {
+      clock_service_(system_ns() - monotonic_ns()),
+      scenes_{.channels = channels_, .each_second = own.runtime.info().topic, .field = field_of(options_.rules)} {
   application_.play_by(options_.played);
   net::declare_image_parameters(parameters_);
   if (options_.records) add_recording_service(recorder_, store_, parameters_, services_);
@@ -106,8 +119,8 @@ Result<void> Runtime::start() {
   if (!access) return access.failure();
   server_ = std::make_unique<net::Server>(
       server_options(options_, std::move(*access)), channels_,
-      [this](const memory::ChannelInfo& source) { return net::derived_channels(source, parameters_); }, streams_,
-      clock_, parameters_, services_, application_);
+      [this](const memory::ChannelInfo& source) { return derived_from(source); }, streams_, clock_, parameters_,
+      services_, application_);
   if (game_)  // before the first client can ask for its status
     if (Result<void> listening = game_->start(); !listening) return listening;
   application_.count_clients_by([this] { return server_->statistics().clients.size(); });
@@ -117,6 +130,12 @@ Result<void> Runtime::start() {
   std::printf("http://%s:%u/\n", by_name ? "localhost" : address.c_str(), server_->port());
   std::fflush(stdout);
   return {};
+}
+
+std::vector<net::Derived> Runtime::derived_from(const memory::ChannelInfo& source) const {
+  std::vector<net::Derived> derived = net::derived_channels(source, parameters_);
+  for (net::Derived& scene : net::scene_channels(source, scenes_)) derived.push_back(std::move(scene));
+  return derived;
 }
 
 Result<void> Runtime::record(std::string_view name, std::string_view profile) {

@@ -57,6 +57,7 @@
 #include "robot/memory/memory.h"
 #include "robot/net/foxglove/parameters.h"
 #include "robot/net/foxglove/services.h"
+#include "robot/net/scene/scene_channels.h"
 #include "robot/net/serve/board_streams.h"
 #include "robot/net/serve/server.h"
 
@@ -124,6 +125,7 @@ class Runtime {
  private:
   void every_second();
   void write_log(const Report& report);
+  std::vector<net::Derived> derived_from(const memory::ChannelInfo& source) const;
 
   const RuntimeOptions options_;
   const Clock& clock_;
@@ -140,6 +142,7 @@ class Runtime {
   Application application_;
   StatisticsService statistics_;
   ClockService clock_service_;
+  net::SceneSources scenes_;
   std::optional<GameService> game_;
   std::unique_ptr<net::Server> server_;
 };

@@ -1,0 +1,85 @@
+// Scenes, frames and projections in Foxglove's own client: what its 3D and image panels draw without any set-up.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { foxgloveClient } from "./foxglove.mjs";
+import { decode, Live } from "./live.mjs";
+import { play, start, synthesize, temporaryFolder, until } from "./support.mjs";
+
+const simulation = (t) => start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--seed", "7");
+
+/** Connects Foxglove's client and subscribes to `topics`; returns a function that waits for the newest message of one. */
+async function watch(t, server, topics) {
+  const { client } = foxgloveClient(t, server);
+  const channels = new Map();
+  const subscribed = new Map(); // subscription -> topic
+  const newest = new Map(); // topic -> decoded
+  client.on("advertise", (list) => list.forEach((channel) => channels.set(channel.topic, channel)));
+  client.on("message", ({ subscriptionId, data }) => {
+    const { topic, schemaName, schema } = channels.get(subscribed.get(subscriptionId));
+    newest.set(
+      topic,
+      decode(schemaName, Buffer.from(schema, "base64"), new Uint8Array(data.buffer, data.byteOffset, data.byteLength)),
+    );
+  });
+  await until(() => topics.every((topic) => channels.has(topic)), "the channels");
+  for (const topic of topics) subscribed.set(client.subscribe(channels.get(topic).id), topic);
+  return (topic) => until(() => newest.get(topic), `a message of ${topic}`);
+}
+
+const entity = ({ entities }, id) => entities.find((one) => one.id === id);
+const near = (one, other, tolerance) => Math.hypot(one.x - other.x, one.y - other.y) < tolerance;
+
+test("Foxglove's client sees the field, the truth and the beliefs of a simulated game", async (t) => {
+  const server = await simulation(t);
+  const newest = await watch(t, server, [
+    "/field/scene",
+    "/truth/world/scene",
+    "/14/2/pose/scene",
+    "/14/2/pose/transforms",
+  ]);
+  const field = await newest("/field/scene");
+  assert.deepEqual(field.entities.map(({ id }) => id).sort(), ["carpet", "goals", "lines"]);
+  const truth = await newest("/truth/world/scene");
+  assert.ok(entity(truth, "ball"));
+  assert.ok(truth.entities.filter(({ id }) => /^robot \d+\/\d+$/.test(id)).length > 1);
+  const beliefs = await newest("/14/2/pose/scene");
+  const { transforms } = await newest("/14/2/pose/transforms");
+  assert.deepEqual([transforms[0].parent_frame_id, transforms[0].child_frame_id], ["field", "robot 14/2"]);
+  for (const { frame_id } of [...field.entities, ...truth.entities, ...beliefs.entities])
+    assert.equal(frame_id, "field");
+});
+
+test("the scene of the truth is the truth", async (t) => {
+  const server = await simulation(t);
+  const live = await Live.open(t, server);
+  await live.subscribe("/truth/world", "/truth/world/scene");
+  const of = (topic) => new Map(live.messages.get(topic).map((message) => [message.log_ns, message]));
+  const both = await live.until(() => {
+    const [truths, scenes] = [of("/truth/world"), of("/truth/world/scene")];
+    const time = [...scenes.keys()].find((log_ns) => truths.has(log_ns));
+    return (
+      time && [live.decoded("/truth/world", truths.get(time)), live.decoded("/truth/world/scene", scenes.get(time))]
+    );
+  }, "a truth and its scene");
+  const [truth, scene] = both;
+  assert.ok(near(entity(scene, "ball").spheres[0].pose.position, truth.ball, 1e-5));
+  for (const { team, player, x, y, fallen } of truth.robots) {
+    const { texts } = entity(scene, `robot ${team}/${player}`);
+    assert.ok(near(texts[0].pose.position, { x, y }, 1e-5));
+    assert.equal(texts[0].text, fallen ? `${player} fallen` : `${player}`);
+  }
+});
+
+test("a recording's cameras have a frame and a projection for its images", async (t) => {
+  const folder = temporaryFolder(t);
+  const server = await play(t, folder, await synthesize(folder, { seconds: 1 }));
+  const matrix = "/14/2/camera_top_matrix";
+  const newest = await watch(t, server, [`${matrix}/transforms`, `${matrix}/calibration`, "/14/2/camera_top/jpeg"]);
+  const { transforms } = await newest(`${matrix}/transforms`);
+  const calibration = await newest(`${matrix}/calibration`);
+  const image = await newest("/14/2/camera_top/jpeg");
+  assert.equal(transforms[0].child_frame_id, image.frame_id);
+  assert.equal(calibration.frame_id, image.frame_id);
+  assert.equal(calibration.K.length, 9);
+  assert.ok(calibration.width > 0 && calibration.K[0] > 0);
+});
