@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "robot/app/build_id.h"
+#include "robot/app/foxglove_download.h"
 #include "robot/core/byte_source.h"
 #include "robot/core/json_library.h"
 #include "robot/core/report.h"
@@ -108,8 +109,13 @@ Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
         .body = nullptr, .etag = "", .redirect_until_ns = clock_.now_ns() - logging::Downloads::kLiveMarginNs};
   std::optional<std::string> file;
   if (request.stream) file = *request.stream + ".mcap";
+  logging::Downloads::Extend extend;
+  if (request.foxglove)
+    extend = [&](const std::shared_ptr<const logging::Assembly>& recorded) {
+      return foxglove_file(recorded, store_.folder(), session->info.rules, request.left);
+    };
   const auto assembly = downloads_.open(
-      *session, file, {.from_ns = request.from_ns, .to_ns = request.to_ns, .until_ns = request.until_ns});
+      *session, file, {.from_ns = request.from_ns, .to_ns = request.to_ns, .until_ns = request.until_ns}, extend);
   if (!assembly) return assembly.failure();
   return net::LogFile{.body = *assembly, .etag = (*assembly)->etag(), .redirect_until_ns = {}};
 }

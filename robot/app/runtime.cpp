@@ -4,14 +4,12 @@
 #include <utility>
 
 #include "robot/app/build_id.h"
+#include "robot/app/foxglove_download.h"
 #include "robot/app/services/recording_service.h"
 #include "robot/app/signals.h"
-#include "robot/bridge/to_messages.h"
 #include "robot/core/attempt.h"
 #include "robot/core/report.h"
-#include "robot/foresight/foreseer.h"
 #include "robot/net/foxglove/derived_channels.h"
-#include "sim/io/rules.h"
 
 namespace robot::app {
 namespace {
@@ -43,15 +41,6 @@ net::ServerOptions server_options(const RuntimeOptions& options, net::AccessOpti
                   .playback = options.playback},
           .access = std::move(access),
           .wireless = options.server.wireless};
-}
-
-/// Returns the field of `rules`, or of the newest ones if those are unknown here.
-foresight::Field field_of(const std::string& rules) {
-  auto loaded = sim::io::load_rules(rules.empty() ? foreseeing::kNewestRules : rules);
-  if (!loaded) loaded = sim::io::load_rules(foreseeing::kNewestRules);
-  foresight::Field field;
-  if (loaded) bridge::to_proto(loaded->field, field);
-  return field;
 }
 
 }  // namespace

@@ -69,13 +69,6 @@ void append(const Shape& shape, Wire& entity) {
   }
 }
 
-bool is_drawable(const Entity& entity) {
-  return std::ranges::all_of(entity.shapes, [](const Shape& shape) {
-    return can_be_drawn(shape.place.x, shape.place.y) && can_be_drawn(shape.size.x, shape.size.y) &&
-           std::isfinite(shape.heading);
-  });
-}
-
 }  // namespace
 
 bool can_be_drawn(double x, double y) {
@@ -83,12 +76,19 @@ bool can_be_drawn(double x, double y) {
   return std::abs(x) <= kFar && std::abs(y) <= kFar;
 }
 
+bool can_be_drawn(const Entity& entity) {
+  return std::ranges::all_of(entity.shapes, [](const Shape& shape) {
+    return can_be_drawn(shape.place.x, shape.place.y) && can_be_drawn(shape.size.x, shape.size.y) &&
+           std::isfinite(shape.heading);
+  });
+}
+
 std::string SceneStream::update(const Scene& scene, std::uint64_t capture_ns) {
   const Wire time = timestamp(capture_ns);
   std::set<std::string> present;
   Wire entities;
   for (const Entity& entity : scene) {
-    if (!is_drawable(entity) || !present.insert(entity.id).second) continue;
+    if (!can_be_drawn(entity) || !present.insert(entity.id).second) continue;
     Wire message;
     message.message(1, time).text(2, kFieldFrame).text(3, entity.id);
     message.message(4, Wire().integer(1, 0).integer(2, 0)).integer(5, 0);

@@ -68,5 +68,6 @@ class SceneStream {
 
 /// Reports whether a place can be drawn: finite and within a kilometre.
 bool can_be_drawn(double x, double y);
+bool can_be_drawn(const Entity& entity);
 
 }  // namespace robot::net

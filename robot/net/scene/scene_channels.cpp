@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "robot/net/scene/field_scene.h"
 #include "robot/net/scene/frames.h"
 #include "robot/net/scene/game_scene.h"
+#include "robot/net/scene/points.h"
 #include "robot/net/scene/schemas.h"
 
 namespace robot::net {
@@ -104,35 +106,52 @@ memory::ChannelInfo info_of(std::string topic, std::string_view schema,
           .delivery = delivery};
 }
 
-Derived field_of(const SceneSources& sources) {
-  return {.info = field_channel(), .make_convert = [&sources]() -> Convert {
-            return [&sources, stream = SceneStream()](const memory::Version& version) mutable -> Bytes {
-              return std::optional(stream.update(field_scene(known_field(sources)), version.capture_ns()));
-            };
-          }};
+/// Makes the scene of a version of a channel.
+using MakeScene = std::function<Result<Scene>(const memory::Version& version)>;
+
+MakeScene truth_of(const SceneSources& sources) {
+  return [&sources](const memory::Version& version) -> Result<Scene> {
+    pb::GroundTruth truth;
+    if (auto parsed = parse(version, truth); !parsed) return parsed.failure();
+    return truth_scene(truth, liveries_in(sources.channels, truth));
+  };
 }
 
-Derived truth_of(const memory::ChannelInfo& source, const SceneSources& sources) {
-  return {.info = info_of(source.topic + "/scene", "SceneUpdate"), .make_convert = [&sources]() -> Convert {
-            return [&sources, stream = SceneStream()](const memory::Version& version) mutable -> Bytes {
-              pb::GroundTruth truth;
-              if (auto parsed = parse(version, truth); !parsed) return parsed.failure();
-              const Scene scene = truth_scene(truth, liveries_in(sources.channels, truth));
-              return std::optional(stream.update(scene, version.capture_ns()));
-            };
-          }};
+MakeScene beliefs_of_robot(const memory::ChannelInfo& source, const SceneSources& sources) {
+  return [&sources, robot = std::string(memory::object_name(source.topic).robot)](
+             const memory::Version& version) -> Result<Scene> {
+    Believed believed = beliefs_of(sources.channels, robot);
+    if (auto parsed = parse(version, believed.pose); !parsed) return parsed.failure();
+    return belief_scene(believed, liveries_in(sources.channels), version.capture_ns());
+  };
 }
 
-Derived beliefs_of_robot(const memory::ChannelInfo& source, const SceneSources& sources) {
-  const std::string robot(memory::object_name(source.topic).robot);
-  return {.info = info_of(source.topic + "/scene", "SceneUpdate"), .make_convert = [&sources, robot]() -> Convert {
-            return [&sources, robot, stream = SceneStream()](const memory::Version& version) mutable -> Bytes {
-              Believed believed = beliefs_of(sources.channels, robot);
-              if (auto parsed = parse(version, believed.pose); !parsed) return parsed.failure();
-              const Scene scene = belief_scene(believed, liveries_in(sources.channels), version.capture_ns());
-              return std::optional(stream.update(scene, version.capture_ns()));
-            };
-          }};
+/// Returns the scene that a channel gives, or nothing if it gives none.
+MakeScene scene_of(const memory::ChannelInfo& source, const SceneSources& sources) {
+  if (source.topic == sources.each_second)
+    return [&sources](const memory::Version&) -> Result<Scene> { return field_scene(known_field(sources)); };
+  if (source.schema.name == pb::GroundTruth::descriptor()->full_name()) return truth_of(sources);
+  if (source.schema.name == pb::Pose::descriptor()->full_name()) return beliefs_of_robot(source, sources);
+  return {};
+}
+
+Convert updates_of(const MakeScene& make) {
+  return [make, stream = SceneStream()](const memory::Version& version) mutable -> Bytes {
+    const Result<Scene> scene = make(version);
+    if (!scene) return scene.failure();
+    return std::optional(stream.update(*scene, version.capture_ns()));
+  };
+}
+
+Convert clouds_of(const MakeScene& make) {
+  constexpr std::uint64_t kPeriodNs = kSecond / 5;
+  return [make, next_ns = std::uint64_t{0}](const memory::Version& version) mutable -> Bytes {
+    if (version.capture_ns() < next_ns) return std::optional<std::string>();
+    next_ns = version.capture_ns() + kPeriodNs;
+    const Result<Scene> scene = make(version);
+    if (!scene) return scene.failure();
+    return std::optional(point_cloud(*scene, version.capture_ns()));
+  };
 }
 
 Derived robot_frame_of(const memory::ChannelInfo& source, const SceneSources& sources) {
@@ -188,18 +207,26 @@ memory::ChannelInfo field_channel() { return info_of("/field/scene", "SceneUpdat
 
 std::vector<Derived> scene_channels(const memory::ChannelInfo& source, const SceneSources& sources) {
   if (source.message_encoding != "protobuf") return {};
-  const std::string& schema = source.schema.name;
+  if (source.schema.name == pb::CameraMatrix::descriptor()->full_name()) return of_camera(source);
+  const MakeScene make = scene_of(source, sources);
+  if (!make) return {};
   std::vector<Derived> derived;
-  if (source.topic == sources.each_second) {
-    derived.push_back(field_of(sources));
-  } else if (schema == pb::GroundTruth::descriptor()->full_name()) {
-    derived.push_back(truth_of(source, sources));
-  } else if (schema == pb::Pose::descriptor()->full_name()) {
-    derived.push_back(beliefs_of_robot(source, sources));
+  const bool field = source.topic == sources.each_second;
+  derived.push_back({.info = field ? field_channel() : info_of(source.topic + "/scene", "SceneUpdate"),
+                     .make_convert = [make]() -> Convert { return updates_of(make); }});
+  if (!field && source.schema.name == pb::Pose::descriptor()->full_name())
     derived.push_back(robot_frame_of(source, sources));
-  } else if (schema == pb::CameraMatrix::descriptor()->full_name()) {
-    return of_camera(source);
-  }
+  return derived;
+}
+
+std::vector<Derived> point_channels(const memory::ChannelInfo& source, const SceneSources& sources) {
+  if (source.message_encoding != "protobuf") return {};
+  const MakeScene make = scene_of(source, sources);
+  if (!make) return {};
+  std::vector<Derived> derived;
+  derived.push_back({.info = source.topic == sources.each_second ? info_of("/field/points", "PointCloud")
+                                                                 : info_of(source.topic + "/points", "PointCloud"),
+                     .make_convert = [make]() -> Convert { return clouds_of(make); }});
   return derived;
 }
 

@@ -26,6 +26,10 @@ struct SceneSources {
 /// `sources` is read at each conversion, and outlives the streams.
 std::vector<Derived> scene_channels(const memory::ChannelInfo& source, const SceneSources& sources);
 
+/// Returns the same scenes as points, `<topic>/points` and `/field/points` (foxglove.PointCloud), at most 5 Hz. They are
+/// for files, whose viewers may know no foxglove.SceneUpdate.
+std::vector<Derived> point_channels(const memory::ChannelInfo& source, const SceneSources& sources);
+
 /// Returns the field of the simulation in `sources`, or else that of the rules.
 foresight::Field known_field(const SceneSources& sources);
 

@@ -60,6 +60,7 @@ TEST(Routes, EachKindOfWaitingIsWorkOfItsOwn) {
   EXPECT_EQ(work("/logs/"), Work::status);
   EXPECT_EQ(work("/api/played?topic=/x"), Work::files);
   EXPECT_EQ(work("/logs/a.mcap"), Work::files);
+  EXPECT_EQ(work("/logs/a.mcap?foxglove"), Work::checksums);  // it reads the whole recording
   EXPECT_EQ(work("/api/sessions/a/files"), Work::checksums);
   EXPECT_EQ(work("/api/sessions/a/b/files"), Work::files);
 }
