@@ -3,14 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 #include <set>
 
 #include "robot/core/clock.h"
+#include "robot/core/encoding.h"
 #include "robot/net/scene/field_scene.h"
 #include "robot/net/scene/game_scene.h"
+#include "robot/net/scene/points.h"
 #include "robot/net/scene/scene_channels.h"
+#include "robot/net/scene/schemas.h"
 #include "tests/robot/net/scene/decoded.h"
 
 namespace robot::net {
@@ -280,6 +284,48 @@ TEST(Liveries, AreTheJerseysIfTheGameControllerTellsThem) {
   EXPECT_EQ(liveries_of(5, game).home.red, colour_of(0xe33b2e).red);
   game.mutable_opponent()->set_field_colour(pb::TeamState::COLOUR_RED);
   EXPECT_EQ(liveries_of(14, game).away.red, Liveries().away.red);
+}
+
+/// The places of a cloud.
+std::vector<Point3> points_of(const Scene& scene) {
+  const memory::Schema schema{
+      .name = "foxglove.PointCloud", .encoding = "protobuf", .bytes = std::string(embedded_schema("PointCloud"))};
+  const json cloud = tests::decoded(schema, point_cloud(scene, kSecond));
+  EXPECT_EQ(cloud["frame_id"], "field");
+  EXPECT_EQ(cloud["point_stride"], 16);
+  EXPECT_EQ(cloud["fields"].size(), 7u);
+  const std::string data = *from_base64(cloud["data"].get<std::string>());
+  EXPECT_EQ(data.size() % 16, 0u);
+  std::vector<Point3> points;
+  for (std::size_t at = 0; at + 16 <= data.size(); at += 16) {
+    float place[3];
+    std::memcpy(place, data.data() + at, sizeof place);
+    points.push_back({place[0], place[1], place[2]});
+  }
+  return points;
+}
+
+TEST(PointCloud, LiesOnTheShapes) {
+  for (const Shape::Kind kind : {Shape::Kind::ball, Shape::Kind::cylinder, Shape::Kind::box}) {
+    const std::vector<Point3> points =
+        points_of({{"a", {{.kind = kind, .place = {1, 2, 3}, .size = {0.2, 0.2, 0.2}, .heading = 0.3, .pitch = 0.4}}}});
+    EXPECT_GT(points.size(), 20u);
+    for (const Point3& point : points) {
+      const double away = std::hypot(point.x - 1, point.y - 2, point.z - 3);
+      EXPECT_GT(away, 0.06);
+      EXPECT_LT(away, 0.18);
+    }
+  }
+  const Shape line{
+      .kind = Shape::Kind::lines, .place = {1, 0, 0}, .size = {0, 0, 0.05}, .points = {{0, 0, 0}, {0, 2, 0}}};
+  const std::vector<Point3> points = points_of({{"line", {line}}});
+  EXPECT_GE(points.size(), 39u);
+  for (const Point3& point : points) EXPECT_TRUE(point.x == 1 && point.y >= 0 && point.y <= 2 && point.z == 0);
+}
+
+TEST(PointCloud, LeavesOutWhatCannotBeDrawn) {
+  EXPECT_TRUE(points_of(balls({"a"}, kNan)).empty());
+  EXPECT_TRUE(points_of({}).empty());
 }
 
 }  // namespace
