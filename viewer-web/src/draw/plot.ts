@@ -14,6 +14,8 @@ export interface Line {
   dash: number[];
   /** Lines of one axis share its scale. The axis' name is the unit. */
   axis: string;
+  /** The name of a value, where values are no numbers. Only whole values have names. */
+  wordOf?: ((value: number) => string | undefined) | undefined;
 }
 
 export interface Range {
@@ -155,6 +157,7 @@ export function drawPlot(
       kAxisWidth * (axes.length - i),
       i === 0,
       single.length === 1 ? single[0]!.colour : colours.soft,
+      single.find(({ wordOf }) => wordOf)?.wordOf ?? tickText,
       colours,
     );
   });
@@ -199,6 +202,7 @@ function drawAxis(
   right: number,
   grid: boolean,
   colour: string,
+  textOf: (value: number) => string | undefined,
   colours: Colours,
 ): void {
   const edge = right; // [px] of its labels
@@ -207,12 +211,14 @@ function drawAxis(
   pen.textBaseline = "middle";
   for (const tick of valueTicks(range, area.height / 44)) {
     const y = yOf(area, range, tick);
+    const text = textOf(tick);
+    if (text === undefined) continue;
     if (grid) {
       pen.fillStyle = colours.line;
       pen.fillRect(area.left, Math.round(y), area.width, 1);
     }
     pen.fillStyle = colour;
-    pen.fillText(tickText(tick), edge - 6, y);
+    pen.fillText(text, edge - 6, y, kAxisWidth - 8);
   }
   pen.fillStyle = colour;
   pen.font = "600 11px system-ui, sans-serif";
