@@ -1,10 +1,13 @@
 // The answers of the HTTP API about this process: its state, its sessions and their downloads.
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "robot/app/services/game_service.h"
+#include "robot/core/byte_source.h"
 #include "robot/core/clock.h"
 #include "robot/logging/sessions/checksums.h"
 #include "robot/logging/sessions/downloads.h"
@@ -21,6 +24,11 @@ struct Identity {
   std::vector<std::string> robots;  // "14/2"
   std::string session_id;           // of this run of the server
 };
+
+/// Makes one more file for a download of `recorded`, with what other viewers draw: see foxglove_download.h.
+using FoxgloveFile = std::function<Result<std::shared_ptr<const ByteSource>>(
+    std::shared_ptr<const ByteSource> recorded, const std::filesystem::path& folder, const std::string& rules,
+    const net::ClientLeft& left)>;
 
 /// The backend of the server. Used by any thread.
 class Application final : public net::Backend {
@@ -40,6 +48,10 @@ class Application final : public net::Backend {
   /// Call this before the server starts.
   void play_by(std::function<net::HttpResponse(const net::PlayedRequest&)> played) { played_ = std::move(played); }
 
+  /// Sets the function that makes downloads with `?foxglove`. Without it such requests get 404. Call this before the
+  /// server starts.
+  void draw_downloads_by(FoxgloveFile foxglove_file) { foxglove_file_ = std::move(foxglove_file); }
+
   std::string status_json() override;
   std::string sessions_json() override;
   Result<net::LogFile> open_log(const net::LogRequest& request) override;
@@ -58,6 +70,7 @@ class Application final : public net::Backend {
   std::function<std::size_t()> count_clients_ = [] { return std::size_t{0}; };
   std::function<GameStatus()> game_;
   std::function<net::HttpResponse(const net::PlayedRequest&)> played_;
+  FoxgloveFile foxglove_file_;
   logging::Downloads downloads_;
   logging::Checksums checksums_;
 };

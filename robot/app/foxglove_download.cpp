@@ -8,18 +8,17 @@
 #include <utility>
 #include <vector>
 
-#include "robot/bridge/to_messages.h"
+#include "robot/app/rules_field.h"
 #include "robot/core/clock.h"
 #include "robot/core/scratch_file.h"
-#include "robot/foresight/foreseer.h"
 #include "robot/logging/mcap/mcap_file.h"
 #include "robot/logging/mcap/ordered_reader.h"
 #include "robot/logging/mcap/writer.h"
 #include "robot/memory/channels.h"
 #include "robot/net/foxglove/derived_channels.h"
 #include "robot/net/foxglove/parameters.h"
+#include "robot/net/scene/points.h"
 #include "robot/net/scene/scene_channels.h"
-#include "sim/io/rules.h"
 
 namespace robot::app {
 namespace {
@@ -137,14 +136,6 @@ class Derivation {
 };
 
 }  // namespace
-
-foresight::Field field_of(const std::string& rules) {
-  auto loaded = sim::io::load_rules(rules.empty() ? foreseeing::kNewestRules : rules);
-  if (!loaded) loaded = sim::io::load_rules(foreseeing::kNewestRules);
-  foresight::Field field;
-  if (loaded) bridge::to_proto(loaded->field, field);
-  return field;
-}
 
 Result<std::shared_ptr<const ByteSource>> foxglove_file(std::shared_ptr<const ByteSource> recorded,
                                                         const std::filesystem::path& folder, const std::string& rules,

@@ -5,15 +5,11 @@
 #include <memory>
 #include <string>
 
-#include "proto/foresight/sim.pb.h"
 #include "robot/core/byte_source.h"
 #include "robot/core/result.h"
 #include "robot/net/serve/backend.h"
 
 namespace robot::app {
-
-/// Returns the field of `rules`, or of the newest ones if those are unknown here.
-foresight::Field field_of(const std::string& rules);
 
 /// Returns an MCAP file with the messages that are derived from those of the MCAP file `recorded`. Its channels are those
 /// that a server offers to other viewers, without raw images, and the scenes as points. Their ids differ from those of

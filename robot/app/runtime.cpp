@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "robot/app/build_id.h"
-#include "robot/app/foxglove_download.h"
+#include "robot/app/rules_field.h"
 #include "robot/app/services/recording_service.h"
 #include "robot/app/signals.h"
 #include "robot/core/attempt.h"
@@ -68,6 +68,7 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
       clock_service_(system_ns() - monotonic_ns()),
       scenes_{.channels = channels_, .each_second = own.runtime.info().topic, .field = field_of(options_.rules)} {
   application_.play_by(options_.played);
+  application_.draw_downloads_by(options_.foxglove_file);
   net::declare_image_parameters(parameters_);
   if (options_.records) add_recording_service(recorder_, store_, parameters_, services_);
   net::add_clock_sync(services_, clock_, [this](const net::PeerClock& peer) {

@@ -4,7 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "robot/core/clock.h"
+#include "robot/net/scene/schemas.h"
 #include "robot/net/scene/wire.h"
 
 namespace robot::net {
@@ -93,6 +96,18 @@ Wire field(const char* name, std::uint32_t offset, std::uint64_t type) {
   return Wire().text(1, name).fixed(2, offset).integer(3, type);
 }
 
+Convert clouds_of(const MakeScene& make) {
+  constexpr std::uint64_t kPeriodNs = kSecond / 5;
+  return
+      [make, next_ns = std::uint64_t{0}](const memory::Version& version) mutable -> Result<std::optional<std::string>> {
+        if (version.capture_ns() < next_ns) return std::optional<std::string>();
+        next_ns = version.capture_ns() + kPeriodNs;
+        const Result<Scene> scene = make(version);
+        if (!scene) return scene.failure();
+        return std::optional(point_cloud(*scene, version.capture_ns()));
+      };
+}
+
 }  // namespace
 
 std::string point_cloud(const Scene& scene, std::uint64_t capture_ns) {
@@ -112,6 +127,14 @@ std::string point_cloud(const Scene& scene, std::uint64_t capture_ns) {
   }
   for (const char* name : {"red", "green", "blue", "alpha"}) message.message(5, field(name, offset++, kUint8));
   return message.text(6, cloud.data()).bytes();
+}
+
+std::vector<Derived> point_channels(const memory::ChannelInfo& source, const SceneSources& sources) {
+  const MakeScene make = scene_of(source, sources);
+  if (!make) return {};
+  const std::string of = source.topic == sources.each_second ? "/field" : source.topic;
+  return {{.info = {.topic = of + "/points", .schema = kPointCloud.schema()},
+           .make_convert = [make]() -> Convert { return clouds_of(make); }}};
 }
 
 }  // namespace robot::net

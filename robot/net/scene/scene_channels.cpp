@@ -15,7 +15,6 @@
 #include "robot/net/scene/field_scene.h"
 #include "robot/net/scene/frames.h"
 #include "robot/net/scene/game_scene.h"
-#include "robot/net/scene/points.h"
 #include "robot/net/scene/schemas.h"
 
 namespace robot::net {
@@ -97,17 +96,9 @@ Believed beliefs_of(const memory::Channels& channels, std::string_view robot) {
   return believed;
 }
 
-memory::ChannelInfo info_of(std::string topic, std::string_view schema,
-                            memory::Delivery delivery = memory::Delivery::latest) {
-  return {.topic = std::move(topic),
-          .schema = {.name = "foxglove." + std::string(schema),
-                     .encoding = "protobuf",
-                     .bytes = std::string(embedded_schema(schema))},
-          .delivery = delivery};
+memory::ChannelInfo info_of(std::string topic, const EmbeddedSchema& schema) {
+  return {.topic = std::move(topic), .schema = schema.schema()};
 }
-
-/// Makes the scene of a version of a channel.
-using MakeScene = std::function<Result<Scene>(const memory::Version& version)>;
 
 MakeScene truth_of(const SceneSources& sources) {
   return [&sources](const memory::Version& version) -> Result<Scene> {
@@ -126,15 +117,6 @@ MakeScene beliefs_of_robot(const memory::ChannelInfo& source, const SceneSources
   };
 }
 
-/// Returns the scene that a channel gives, or nothing if it gives none.
-MakeScene scene_of(const memory::ChannelInfo& source, const SceneSources& sources) {
-  if (source.topic == sources.each_second)
-    return [&sources](const memory::Version&) -> Result<Scene> { return field_scene(known_field(sources)); };
-  if (source.schema.name == pb::GroundTruth::descriptor()->full_name()) return truth_of(sources);
-  if (source.schema.name == pb::Pose::descriptor()->full_name()) return beliefs_of_robot(source, sources);
-  return {};
-}
-
 Convert updates_of(const MakeScene& make) {
   return [make, stream = SceneStream()](const memory::Version& version) mutable -> Bytes {
     const Result<Scene> scene = make(version);
@@ -143,20 +125,9 @@ Convert updates_of(const MakeScene& make) {
   };
 }
 
-Convert clouds_of(const MakeScene& make) {
-  constexpr std::uint64_t kPeriodNs = kSecond / 5;
-  return [make, next_ns = std::uint64_t{0}](const memory::Version& version) mutable -> Bytes {
-    if (version.capture_ns() < next_ns) return std::optional<std::string>();
-    next_ns = version.capture_ns() + kPeriodNs;
-    const Result<Scene> scene = make(version);
-    if (!scene) return scene.failure();
-    return std::optional(point_cloud(*scene, version.capture_ns()));
-  };
-}
-
 Derived robot_frame_of(const memory::ChannelInfo& source, const SceneSources& sources) {
   const std::string robot(memory::object_name(source.topic).robot);
-  return {.info = info_of(source.topic + "/transforms", "FrameTransforms"),
+  return {.info = info_of(source.topic + "/transforms", kFrameTransforms),
           .make_convert = [&sources, robot]() -> Convert {
             return [&sources, robot](const memory::Version& version) -> Bytes {
               pb::Pose pose;
@@ -183,11 +154,11 @@ std::vector<Derived> of_camera(const memory::ChannelInfo& source) {
     };
   };
   std::vector<Derived> derived;
-  derived.push_back({.info = info_of(source.topic + "/transforms", "FrameTransforms"),
+  derived.push_back({.info = info_of(source.topic + "/transforms", kFrameTransforms),
                      .make_convert = convert([robot, camera](const pb::CameraMatrix& matrix, std::uint64_t capture_ns) {
                        return camera_transform(robot, camera, matrix, capture_ns);
                      })});
-  derived.push_back({.info = info_of(source.topic + "/calibration", "CameraCalibration"),
+  derived.push_back({.info = info_of(source.topic + "/calibration", kCameraCalibration),
                      .make_convert = convert([camera](const pb::CameraMatrix& matrix, std::uint64_t capture_ns) {
                        return camera_calibration(camera, matrix, capture_ns);
                      })});
@@ -203,30 +174,28 @@ pb::Field known_field(const SceneSources& sources) {
   return known ? simulation.field() : sources.field;
 }
 
-memory::ChannelInfo field_channel() { return info_of("/field/scene", "SceneUpdate"); }
+memory::ChannelInfo field_channel() { return info_of("/field/scene", kSceneUpdate); }
+
+MakeScene scene_of(const memory::ChannelInfo& source, const SceneSources& sources) {
+  if (source.message_encoding != "protobuf") return {};
+  if (source.topic == sources.each_second)
+    return [&sources](const memory::Version&) -> Result<Scene> { return field_scene(known_field(sources)); };
+  if (source.schema.name == pb::GroundTruth::descriptor()->full_name()) return truth_of(sources);
+  if (source.schema.name == pb::Pose::descriptor()->full_name()) return beliefs_of_robot(source, sources);
+  return {};
+}
 
 std::vector<Derived> scene_channels(const memory::ChannelInfo& source, const SceneSources& sources) {
-  if (source.message_encoding != "protobuf") return {};
-  if (source.schema.name == pb::CameraMatrix::descriptor()->full_name()) return of_camera(source);
+  if (source.message_encoding == "protobuf" && source.schema.name == pb::CameraMatrix::descriptor()->full_name())
+    return of_camera(source);
   const MakeScene make = scene_of(source, sources);
   if (!make) return {};
   std::vector<Derived> derived;
   const bool field = source.topic == sources.each_second;
-  derived.push_back({.info = field ? field_channel() : info_of(source.topic + "/scene", "SceneUpdate"),
+  derived.push_back({.info = field ? field_channel() : info_of(source.topic + "/scene", kSceneUpdate),
                      .make_convert = [make]() -> Convert { return updates_of(make); }});
   if (!field && source.schema.name == pb::Pose::descriptor()->full_name())
     derived.push_back(robot_frame_of(source, sources));
-  return derived;
-}
-
-std::vector<Derived> point_channels(const memory::ChannelInfo& source, const SceneSources& sources) {
-  if (source.message_encoding != "protobuf") return {};
-  const MakeScene make = scene_of(source, sources);
-  if (!make) return {};
-  std::vector<Derived> derived;
-  derived.push_back({.info = source.topic == sources.each_second ? info_of("/field/points", "PointCloud")
-                                                                 : info_of(source.topic + "/points", "PointCloud"),
-                     .make_convert = [make]() -> Convert { return clouds_of(make); }});
   return derived;
 }
 

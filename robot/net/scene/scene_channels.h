@@ -1,12 +1,14 @@
 // Channels of scenes, frames and camera projections that other viewers draw. They are made only while somebody watches.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "proto/foresight/sim.pb.h"
 #include "robot/memory/channels.h"
 #include "robot/net/foxglove/web_socket_out_provider.h"
+#include "robot/net/scene/scene.h"
 
 namespace robot::net {
 
@@ -26,9 +28,11 @@ struct SceneSources {
 /// `sources` is read at each conversion, and outlives the streams.
 std::vector<Derived> scene_channels(const memory::ChannelInfo& source, const SceneSources& sources);
 
-/// Returns the same scenes as points, `<topic>/points` and `/field/points` (foxglove.PointCloud), at most 5 Hz. They are
-/// for files, whose viewers may know no foxglove.SceneUpdate.
-std::vector<Derived> point_channels(const memory::ChannelInfo& source, const SceneSources& sources);
+/// Makes the scene of a version of a channel.
+using MakeScene = std::function<Result<Scene>(const memory::Version& version)>;
+
+/// Returns the maker of the scene of `source`, or an empty function if it has none.
+MakeScene scene_of(const memory::ChannelInfo& source, const SceneSources& sources);
 
 /// Returns the field of the simulation in `sources`, or else that of the rules.
 foresight::Field known_field(const SceneSources& sources);

@@ -3,9 +3,18 @@
 
 #include <string_view>
 
+#include "robot/memory/channel.h"
+
 namespace robot::net {
 
-/// Returns the serialised FileDescriptorSet of the message foxglove.<name>, with all imports, or nothing if there is none.
-std::string_view embedded_schema(std::string_view name);
+/// A schema that a program holds if it uses it.
+struct EmbeddedSchema {
+  std::string_view name;   // "foxglove.SceneUpdate"
+  std::string_view bytes;  // a FileDescriptorSet with all imports
+
+  memory::Schema schema() const;
+};
+
+extern const EmbeddedSchema kSceneUpdate, kFrameTransforms, kCameraCalibration, kPointCloud;
 
 }  // namespace robot::net

@@ -118,11 +118,5 @@ TEST_F(FoxgloveFile, OfNoRecordingIsAnError) {
   EXPECT_FALSE(foxglove_file(Recording(1).source(), folder.path() / "missing", "", {}));
 }
 
-TEST(FieldOf, UnknownRulesIsTheNewest) {
-  EXPECT_EQ(field_of("spl2012").length(), 6);
-  EXPECT_EQ(field_of("no such rules").length(), field_of("").length());
-  EXPECT_EQ(field_of("").length(), 9);
-}
-
 }  // namespace
 }  // namespace robot::app

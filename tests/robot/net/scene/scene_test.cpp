@@ -288,9 +288,7 @@ TEST(Liveries, AreTheJerseysIfTheGameControllerTellsThem) {
 
 /// The places of a cloud.
 std::vector<Point3> points_of(const Scene& scene) {
-  const memory::Schema schema{
-      .name = "foxglove.PointCloud", .encoding = "protobuf", .bytes = std::string(embedded_schema("PointCloud"))};
-  const json cloud = tests::decoded(schema, point_cloud(scene, kSecond));
+  const json cloud = tests::decoded(kPointCloud.schema(), point_cloud(scene, kSecond));
   EXPECT_EQ(cloud["frame_id"], "field");
   EXPECT_EQ(cloud["point_stride"], 16);
   EXPECT_EQ(cloud["fields"].size(), 7u);
