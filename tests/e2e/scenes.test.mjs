@@ -7,7 +7,17 @@ import { test } from "node:test";
 import { foxgloveClient } from "./foxglove.mjs";
 import { decode, Live } from "./live.mjs";
 import { readStreamed } from "./mcap.mjs";
-import { download, play, request, root, start, synthesize, temporaryFolder, until } from "./support.mjs";
+import {
+  download,
+  play,
+  recordedSession,
+  request,
+  root,
+  start,
+  synthesize,
+  temporaryFolder,
+  until,
+} from "./support.mjs";
 
 const simulation = (t) => start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--seed", "7");
 
@@ -120,6 +130,24 @@ test("a download with ?foxglove holds the recording and what other viewers draw 
   const part = await request(server, "/logs/synthetic.mcap?foxglove", { headers: { Range: "bytes=100-199" } });
   assert.equal(part.status, 206);
   assert.ok(part.body.equals(file.subarray(100, 200)));
+});
+
+test("the robot's program makes no downloads with ?foxglove, and says who does", async (t) => {
+  const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--seed", "7", "--record");
+  const session = await recordedSession(server);
+  const refused = await request(server, `/logs/${session}.mcap?foxglove`);
+  assert.equal(refused.status, 404);
+  assert.match(
+    refused.body.toString(),
+    new RegExp(
+      `session ${session}: foresight-robot makes no downloads with \\?foxglove; ` +
+        "scripts/logs fetches the session, and foresight-lab play makes them",
+    ),
+  );
+  await until(
+    async () => (await request(server, `/logs/${session}.mcap`)).status === 200,
+    "a download without it, as soon as something is written",
+  );
 });
 
 const kIndependent = join(root, "tests/e2e/independent");
