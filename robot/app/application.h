@@ -9,6 +9,7 @@
 #include "robot/app/services/game_service.h"
 #include "robot/core/byte_source.h"
 #include "robot/core/clock.h"
+#include "robot/logging/recent/recent_past.h"
 #include "robot/logging/sessions/checksums.h"
 #include "robot/logging/sessions/downloads.h"
 #include "robot/logging/sessions/recorder.h"
@@ -52,6 +53,10 @@ class Application final : public net::Backend {
   /// server starts.
   void draw_downloads_by(FoxgloveFile foxglove_file) { foxglove_file_ = std::move(foxglove_file); }
 
+  /// Sets the last minutes of this process, which outlive this. Without them a request gets 404. Call this before the
+  /// server starts.
+  void recall_from(logging::RecentPast& recent) { recent_ = &recent; }
+
   std::string status_json() override;
   std::string sessions_json() override;
   Result<net::LogFile> open_log(const net::LogRequest& request) override;
@@ -60,6 +65,7 @@ class Application final : public net::Backend {
   net::HttpResponse played(const net::PlayedRequest& request) override {
     return played_ ? played_(request) : net::Backend::played(request);
   }
+  net::HttpResponse recent(const std::optional<std::string>& topic) override;
   bool match_mode() const override;
 
  private:
@@ -71,6 +77,7 @@ class Application final : public net::Backend {
   std::function<GameStatus()> game_;
   std::function<net::HttpResponse(const net::PlayedRequest&)> played_;
   FoxgloveFile foxglove_file_;
+  logging::RecentPast* recent_ = nullptr;
   logging::Downloads downloads_;
   logging::Checksums checksums_;
 };

@@ -148,6 +148,10 @@ HttpResponse Routes::answer_data(const HttpRequest& request, const Target& targe
     return backend_.session_files(*session, left);
   if (target.path.starts_with(kLogs)) return answer_log(request, target, left);
   if (target.path == "/api/played") return answer_played(target);
+  if (target.path == "/api/recent") {
+    const std::string topic = target.parameter("topic");
+    return backend_.recent(topic.empty() ? std::nullopt : std::optional(topic));
+  }
   return error_response(404, "there is nothing at this path");
 }
 

@@ -17,6 +17,7 @@ import { causeOf } from "../source/calls";
 import { Client, type Connection, type Listener, type Socket } from "../source/client";
 import { livenessOf, type Liveness } from "../present/liveness";
 import { simulationOf } from "../memory/simulation";
+import { fetchRecent, Recalls } from "../source/recent";
 import { ClockExchange } from "../source/clock_exchange";
 import type { PlaybackState, PlaybackWish } from "../source/frames";
 import type { Target } from "../source/target";
@@ -76,6 +77,7 @@ export class Server implements Listener {
   #settling = { at_ns: undefined as bigint | undefined, since: 0 };
   #offers = $state(0); // counts announced and withdrawn objects
   #alertKeys = new Set<string>();
+  #recalls: Recalls | undefined; // of a live server that remembers its last minutes
 
   robots: RobotName[] = $derived.by(() => (this.#offers, this.memory.robots()));
   /** Such as "a simulation"; "" for a real robot. */
@@ -95,6 +97,7 @@ export class Server implements Listener {
 
   /** Ends the connection and forgets everything. */
   stop(): void {
+    this.#recalls?.stop();
     this.client.stop();
     this.#clock.stop();
     this.memory.reset();
@@ -294,9 +297,19 @@ export class Server implements Listener {
       info.capabilities.includes("playbackControl") && info.span
         ? new Played(info.span.start_ns, info.span.end_ns)
         : undefined;
+    this.#recalls?.stop();
+    this.#recalls = this.#recallsFrom(info.metadata["recent"]);
     this.speaker.dismiss([...this.#alertKeys]);
     this.parameterValues = new Map();
     ++this.#offers;
+  }
+  #recallsFrom(path = ""): Recalls | undefined {
+    if (!this.target.ownHost || !/^\/api\/\w+$/.test(path)) return undefined;
+    return new Recalls(
+      (topic) => fetchRecent(path, topic),
+      (topic, messages) => this.memory.recall(topic, messages, now()),
+      (sentence) => this.status("info", sentence, "recent"),
+    );
   }
   #beginAgain(): void {
     const { played, memory } = this;
@@ -333,6 +346,8 @@ export class Server implements Listener {
   }
   subscribed(topic: string, is: boolean): void {
     this.memory.subscribed(topic, is, now());
+    const object = this.memory.get(topic);
+    if (is && object && !object.derived && !object.isImage) this.#recalls?.want(topic);
   }
   message(topic: string, log_ns: bigint, data: Uint8Array): void {
     this.memory.arrived(topic, log_ns, data, now());
