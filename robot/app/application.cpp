@@ -103,13 +103,22 @@ Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
   const Result<logging::Session> session = store_.find(request.session);
   if (!session) return session.failure();
   if (request.file) return open_file(*session, *request.file);
+  if (request.foxglove && !foxglove_file_)
+    return Error{
+        "session " + request.session + ": " + identity_.name +
+        " makes no downloads with ?foxglove; scripts/logs fetches the session, and foresight-lab play makes them"};
   if (session->state == logging::SessionState::recording && !request.until_ns)
     return net::LogFile{
         .body = nullptr, .etag = "", .redirect_until_ns = clock_.now_ns() - logging::Downloads::kLiveMarginNs};
   std::optional<std::string> file;
   if (request.stream) file = *request.stream + ".mcap";
+  logging::Downloads::Extend extend;
+  if (request.foxglove)
+    extend = [&](const std::shared_ptr<const logging::Assembly>& recorded) {
+      return foxglove_file_(recorded, store_.folder(), session->info.rules, request.left);
+    };
   const auto assembly = downloads_.open(
-      *session, file, {.from_ns = request.from_ns, .to_ns = request.to_ns, .until_ns = request.until_ns});
+      *session, file, {.from_ns = request.from_ns, .to_ns = request.to_ns, .until_ns = request.until_ns}, extend);
   if (!assembly) return assembly.failure();
   return net::LogFile{.body = *assembly, .etag = (*assembly)->etag(), .redirect_until_ns = {}};
 }

@@ -1,10 +1,13 @@
 // The answers of the HTTP API about this process: its state, its sessions and their downloads.
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "robot/app/services/game_service.h"
+#include "robot/core/byte_source.h"
 #include "robot/core/clock.h"
 #include "robot/logging/recent/recent_past.h"
 #include "robot/logging/sessions/checksums.h"
@@ -23,6 +26,11 @@ struct Identity {
   std::string session_id;           // of this run of the server
 };
 
+/// Makes one more file for a download of `recorded`, with what other viewers draw: see foxglove_download.h.
+using FoxgloveFile = std::function<Result<std::shared_ptr<const ByteSource>>(
+    std::shared_ptr<const ByteSource> recorded, const std::filesystem::path& folder, const std::string& rules,
+    const net::ClientLeft& left)>;
+
 /// The backend of the server. Used by any thread.
 class Application final : public net::Backend {
  public:
@@ -40,6 +48,10 @@ class Application final : public net::Backend {
   /// Sets the function that answers requests for parts of the played recording. Without it such requests get 404.
   /// Call this before the server starts.
   void play_by(std::function<net::HttpResponse(const net::PlayedRequest&)> played) { played_ = std::move(played); }
+
+  /// Sets the function that makes downloads with `?foxglove`. Without it such requests get 404. Call this before the
+  /// server starts.
+  void draw_downloads_by(FoxgloveFile foxglove_file) { foxglove_file_ = std::move(foxglove_file); }
 
   /// Sets the last minutes of this process, which outlive this. Without them a request gets 404. Call this before the
   /// server starts.
@@ -64,6 +76,7 @@ class Application final : public net::Backend {
   std::function<std::size_t()> count_clients_ = [] { return std::size_t{0}; };
   std::function<GameStatus()> game_;
   std::function<net::HttpResponse(const net::PlayedRequest&)> played_;
+  FoxgloveFile foxglove_file_;
   logging::RecentPast* recent_ = nullptr;
   logging::Downloads downloads_;
   logging::Checksums checksums_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "robot/app/clock_option.h"
+#include "robot/app/foxglove_download.h"
 #include "robot/app/lab_foresight.h"
 #include "robot/app/lab_objects.h"
 #include "robot/app/played_range.h"
@@ -129,7 +130,8 @@ Result<std::optional<std::filesystem::path>> play_one(PlayOptions& options) {
                    .log_bytes = std::numeric_limits<std::uint64_t>::max(),
                    .records = false,
                    .playback = &playback,
-                   .played = [&replay](const net::PlayedRequest& asked) { return played_range(**replay, asked); }},
+                   .played = [&replay](const net::PlayedRequest& asked) { return played_range(**replay, asked); },
+                   .foxglove_file = foxglove_file},
                   clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed.failure();
   // viewers see the last of them in the log

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "robot/app/clock_option.h"
+#include "robot/app/foxglove_download.h"
 #include "robot/app/lab_objects.h"
 #include "robot/app/robot_name.h"
 #include "robot/app/runtime.h"
@@ -119,6 +120,7 @@ Result<void> relay(const RelayOptions& options) {
                    .log_folder = absolute_path(options.log_folder),
                    .log_bytes = options.log_mb * 1'000'000,
                    .recent = logging::RecentPastLimits{.file = {.bytes = kRecentBytes}},
+                   .foxglove_file = foxglove_file,
                    .add_statistics =
                        [&](foresight::RuntimeStatistics& statistics) {
                          const std::lock_guard guard(lock);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "robot/app/build_id.h"
+#include "robot/app/rules_field.h"
 #include "robot/app/services/recording_service.h"
 #include "robot/app/signals.h"
 #include "robot/core/attempt.h"
@@ -65,8 +66,10 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
           {.name = options_.program, .body = options_.body, .robots = {options_.robot}, .session_id = run_id()}, clock_,
           store_, options_.records ? &recorder_ : nullptr),
       statistics_(channels_, clock_, board_, store_, options_.records ? &recorder_ : nullptr),
-      clock_service_(system_ns() - monotonic_ns()) {
+      clock_service_(system_ns() - monotonic_ns()),
+      scenes_{.channels = channels_, .each_second = own.runtime.info().topic, .field = field_of(options_.rules)} {
   application_.play_by(options_.played);
+  application_.draw_downloads_by(options_.foxglove_file);
   net::declare_image_parameters(parameters_);
   if (options_.records) add_recording_service(recorder_, store_, parameters_, services_);
   net::add_clock_sync(services_, clock_, [this](const net::PeerClock& peer) {
@@ -112,8 +115,8 @@ Result<void> Runtime::start() {
   if (!access) return access.failure();
   server_ = std::make_unique<net::Server>(
       server_options(options_, std::move(*access)), channels_,
-      [this](const memory::ChannelInfo& source) { return net::derived_channels(source, parameters_); }, streams_,
-      clock_, parameters_, services_, application_);
+      [this](const memory::ChannelInfo& source) { return derived_from(source); }, streams_, clock_, parameters_,
+      services_, application_);
   if (game_)  // before the first client can ask for its status
     if (Result<void> listening = game_->start(); !listening) return listening;
   application_.count_clients_by([this] { return server_->statistics().clients.size(); });
@@ -123,6 +126,12 @@ Result<void> Runtime::start() {
   std::printf("http://%s:%u/\n", by_name ? "localhost" : address.c_str(), server_->port());
   std::fflush(stdout);
   return {};
+}
+
+std::vector<net::Derived> Runtime::derived_from(const memory::ChannelInfo& source) const {
+  std::vector<net::Derived> derived = net::derived_channels(source, parameters_);
+  for (net::Derived& scene : net::scene_channels(source, scenes_)) derived.push_back(std::move(scene));
+  return derived;
 }
 
 Result<void> Runtime::record(std::string_view name, std::string_view profile) {

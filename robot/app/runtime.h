@@ -59,6 +59,7 @@
 #include "robot/memory/memory.h"
 #include "robot/net/foxglove/parameters.h"
 #include "robot/net/foxglove/services.h"
+#include "robot/net/scene/scene_channels.h"
 #include "robot/net/serve/board_streams.h"
 #include "robot/net/serve/server.h"
 
@@ -79,6 +80,7 @@ struct RuntimeOptions {
   std::optional<logging::RecentPastLimits> recent;                     // of the last minutes; absent: they are not kept
   net::Playback* playback = nullptr;                                   // of the played recording; outlives the runtime
   std::function<net::HttpResponse(const net::PlayedRequest&)> played;  // serves parts of that recording; may be empty
+  FoxgloveFile foxglove_file;                                          // makes downloads with ?foxglove; may be empty
   std::optional<GameOptions> game;                                     // follow a real game; needs `records`
   std::function<void(foresight::RuntimeStatistics&)> add_statistics;   // adds the program's own entries; may be empty
 };
@@ -129,6 +131,7 @@ class Runtime {
  private:
   void every_second();
   void write_log(const Report& report);
+  std::vector<net::Derived> derived_from(const memory::ChannelInfo& source) const;
 
   const RuntimeOptions options_;
   const Clock& clock_;
@@ -145,6 +148,7 @@ class Runtime {
   Application application_;
   StatisticsService statistics_;
   ClockService clock_service_;
+  net::SceneSources scenes_;
   std::optional<GameService> game_;
   std::optional<logging::RecentPast> recent_;
   std::unique_ptr<net::Server> server_;

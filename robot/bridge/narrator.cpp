@@ -34,21 +34,6 @@ auto news(const sim::agent::Game& game) {
                     game.opponent_score);
 }
 
-void fill(const sim::field::Field& field, foresight::Field& message) {
-  message.set_length(field.length);
-  message.set_width(field.width);
-  message.set_border(field.border);
-  message.set_line_width(field.line_width);
-  message.set_centre_circle_radius(field.centre_circle_radius);
-  message.set_goal_area_length(field.goal_area_length);
-  message.set_goal_area_width(field.goal_area_width);
-  message.set_penalty_area_length(field.penalty_area_length);
-  message.set_penalty_area_width(field.penalty_area_width);
-  message.set_penalty_mark(field.penalty_mark);
-  message.set_goal_width(field.goal_width);
-  message.set_goal_depth(field.goal_depth);
-}
-
 void fill(const SimulatedGame& game, sim::Side side, foresight::SimulatedTeam& message) {
   const sim::Team& team = game.params().teams[static_cast<int>(side)];
   message.set_number(game.names().teams.of(side));
@@ -62,7 +47,7 @@ foresight::Simulation describe(const SimulatedGame& game) {
   simulation.set_rules(game.names().rules);
   fill(game, sim::Side::home, *simulation.mutable_home());
   fill(game, sim::Side::away, *simulation.mutable_away());
-  fill(game.params().rules.field, *simulation.mutable_field());
+  to_proto(game.params().rules.field, *simulation.mutable_field());
   return simulation;
 }
 

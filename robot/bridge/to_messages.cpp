@@ -160,6 +160,21 @@ bool to_proto(const sim::agent::Ball& ball, float deceleration, const Timeline& 
   return true;
 }
 
+void to_proto(const sim::field::Field& field, pb::Field& message) {
+  message.set_length(field.length);
+  message.set_width(field.width);
+  message.set_border(field.border);
+  message.set_line_width(field.line_width);
+  message.set_centre_circle_radius(field.centre_circle_radius);
+  message.set_goal_area_length(field.goal_area_length);
+  message.set_goal_area_width(field.goal_area_width);
+  message.set_penalty_area_length(field.penalty_area_length);
+  message.set_penalty_area_width(field.penalty_area_width);
+  message.set_penalty_mark(field.penalty_mark);
+  message.set_goal_width(field.goal_width);
+  message.set_goal_depth(field.goal_depth);
+}
+
 void to_proto(const sim::agent::Pose& pose, pb::Pose& message) {
   message.Clear();
   message.set_x(pose.pose.position.x);

@@ -14,11 +14,13 @@
 #include "proto/foresight/motion.pb.h"
 #include "proto/foresight/opponents.pb.h"
 #include "proto/foresight/pose.pb.h"
+#include "proto/foresight/sim.pb.h"
 #include "proto/foresight/team.pb.h"
 #include "proto/foresight/truth.pb.h"
 #include "sim/agent/beliefs.h"
 #include "sim/agent/mind.h"
 #include "sim/agent/trace.h"
+#include "sim/field/field.h"
 #include "sim/match/params.h"
 #include "sim/match/state.h"
 #include "sim/motion/command.h"
@@ -81,5 +83,7 @@ void to_proto(const sim::agent::Trace& trace, pb::DecisionTrace& message);
 
 /// Converts everything on the field. Removed robots are left out.
 void to_proto(const sim::World& world, const TeamNumbers& teams, pb::GroundTruth& message);
+
+void to_proto(const sim::field::Field& field, pb::Field& message);
 
 }  // namespace robot::bridge

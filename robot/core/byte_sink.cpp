@@ -32,6 +32,10 @@ FileSink::FileSink(std::filesystem::path path, FileDescriptor file) : path_(std:
 Result<std::unique_ptr<FileSink>> FileSink::create(const std::filesystem::path& path) {
   FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0644));
   if (!file) return file_error("cannot make", path, errno);
+  return of(path, std::move(file));
+}
+
+std::unique_ptr<FileSink> FileSink::of(const std::filesystem::path& path, FileDescriptor file) {
   return std::unique_ptr<FileSink>(new FileSink(path, std::move(file)));
 }
 

@@ -31,6 +31,9 @@ class FileSink final : public ByteSink {
   /// Creates the file at `path`. Returns an Error if it exists, because recordings are never overwritten.
   static Result<std::unique_ptr<FileSink>> create(const std::filesystem::path& path);
 
+  /// Returns a sink that appends to an open file. `path` is its name in sentences.
+  static std::unique_ptr<FileSink> of(const std::filesystem::path& path, FileDescriptor file);
+
   Result<void> append(std::span<const std::string_view> pieces) override;
   Result<void> truncate(std::uint64_t size) override;
 

@@ -40,10 +40,15 @@ Result<std::shared_ptr<const FileSource>> FileSource::open(const std::filesystem
   // O_NONBLOCK: opening a pipe would wait for its writer; it has no effect on files
   const int follow = links == Links::refuse ? O_NOFOLLOW : 0;
   FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | follow));
-  struct stat status {};
   if (!file && errno == ELOOP && links == Links::refuse)
     return Error{"cannot read " + path.string() + ": expected a file, got a symbolic link"};
-  if (!file || ::fstat(file.get(), &status) != 0) return file_error("cannot read", path, errno);
+  if (!file) return file_error("cannot read", path, errno);
+  return of(path, std::move(file));
+}
+
+Result<std::shared_ptr<const FileSource>> FileSource::of(const std::filesystem::path& path, FileDescriptor file) {
+  struct stat status {};
+  if (::fstat(file.get(), &status) != 0) return file_error("cannot read", path, errno);
   if (!S_ISREG(status.st_mode)) return Error{"cannot read " + path.string() + ": expected a file"};
   const auto size = static_cast<std::uint64_t>(status.st_size);
   return std::shared_ptr<const FileSource>(new FileSource(path, std::move(file), size));

@@ -40,6 +40,9 @@ class FileSource final : public ByteSource {
   /// Opens the file at `path`. Returns an Error for a folder, a pipe or a device, without waiting for its other end.
   static Result<std::shared_ptr<const FileSource>> open(const std::filesystem::path& path, Links links = Links::follow);
 
+  /// Returns the bytes of an open file. `path` is its name in sentences. Returns an Error for a folder, a pipe or a device.
+  static Result<std::shared_ptr<const FileSource>> of(const std::filesystem::path& path, FileDescriptor file);
+
   const std::string& name() const override { return name_; }
   std::uint64_t size() const override { return size_; }
   Result<void> read(std::uint64_t offset, std::span<char> into) const override;

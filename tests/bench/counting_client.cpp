@@ -93,7 +93,8 @@ bool Watch::wants(std::string_view topic) const {
   const bool camera =
       topic.find("/camera_top") != std::string_view::npos || topic.find("/camera_bottom") != std::string_view::npos;
   if (topic.ends_with("/jpeg")) return jpeg;
-  if (topic.ends_with("/raw") || topic.ends_with("/foxglove")) return false;
+  for (const std::string_view derived : {"/raw", "/foxglove", "/scene", "/transforms", "/calibration"})
+    if (topic.ends_with(derived)) return false;
   if (camera && !topic.ends_with("_matrix")) return images;
   return objects;
 }

@@ -131,6 +131,7 @@ export const rows = {
     "robot/net/websocket",
     "proto",
   ],
+  "robot/net/scene": ["robot/core", "robot/memory", "robot/net/foxglove", "proto"],
   "robot/net/serve": [
     "robot/core",
     "robot/memory",
@@ -141,7 +142,7 @@ export const rows = {
     "robot/net/websocket",
     "robot/net/foxglove",
   ],
-  "robot/net": ["robot/net/http", "robot/net/websocket", "robot/net/foxglove", "robot/net/serve"],
+  "robot/net": ["robot/net/http", "robot/net/websocket", "robot/net/foxglove", "robot/net/scene", "robot/net/serve"],
   "robot/agent": [
     "robot/core",
     "robot/memory",

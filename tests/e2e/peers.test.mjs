@@ -45,17 +45,21 @@ async function played(t, { seconds = 1 } = {}) {
 }
 
 const hex = (bytes) => Buffer.from(bytes.buffer ?? bytes, bytes.byteOffset, bytes.byteLength).toString("hex");
+const kDerived = [
+  [/camera_(top|bottom)$/, ["raw", "jpeg"]],
+  [/camera_(top|bottom)_matrix$/, ["transforms", "calibration"]],
+  [/\/log$/, ["foxglove"]],
+  [/\/pose$/, ["scene", "transforms"]],
+  [/^\/truth\/world$/, ["scene"]],
+];
 const derivedOf = (topic) =>
-  /camera_(top|bottom)$/.test(topic)
-    ? [`${topic}/raw`, `${topic}/jpeg`]
-    : topic.endsWith("/log")
-      ? [`${topic}/foxglove`]
-      : [];
+  kDerived.filter(([source]) => source.test(topic)).flatMap(([, names]) => names.map((name) => `${topic}/${name}`));
 
 test("both subprotocols introduce the server and offer every stream and its derived streams", async (t) => {
   const { server, recorded, live } = await played(t);
   const own = ["/lab/1/runtime", "/lab/1/clock", "/lab/1/log"];
-  const expected = [...recorded.keys(), ...own].flatMap((topic) => [topic, ...derivedOf(topic)]).sort();
+  const all = [...recorded.keys(), ...own].flatMap((topic) => [topic, ...derivedOf(topic)]);
+  const expected = [...all, "/field/scene"].sort();
 
   for (const subprotocol of kSubprotocols) {
     const peer = await Live.open(t, server, { protocols: [subprotocol] });
@@ -198,14 +202,20 @@ test("pictures and log have streams in the formats of Foxglove and Lichtblick", 
   const { timestamp, width, height, encoding, step, frame_id, data } = raw;
   assert.deepEqual(
     { width, height, encoding, step, frame_id },
-    { width: image.width, height: image.height, encoding: "yuyv", step: 2 * image.width, frame_id: "camera_top" },
+    {
+      width: image.width,
+      height: image.height,
+      encoding: "yuyv",
+      step: 2 * image.width,
+      frame_id: "robot 14/2 camera_top",
+    },
   );
   assert.equal(data, image.data);
   assert.equal(Date.parse(timestamp), Number(messages[1].log_ns / 1000000n));
   assert.equal(messages[1].log_ns, recorded.get("/14/2/camera_top").messages.at(-1).logTime);
 
   assert.equal(live.channels.get(topics[2]).schemaName, "foxglove.CompressedImage");
-  assert.deepEqual([jpeg.format, jpeg.frame_id], ["jpeg", "camera_top"]);
+  assert.deepEqual([jpeg.format, jpeg.frame_id], ["jpeg", "robot 14/2 camera_top"]);
   assert.deepEqual(sizeOfJpeg(Buffer.from(jpeg.data, "base64")), [image.width, image.height]);
 
   assert.equal(live.channels.get(topics[4]).schemaName, "foxglove.Log");

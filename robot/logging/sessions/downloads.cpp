@@ -13,9 +13,9 @@ std::string text(const std::optional<std::uint64_t>& time_ns) { return time_ns ?
 
 Result<std::shared_ptr<const Assembly>> Downloads::open(const Session& session,
                                                         const std::optional<std::string>& stream,
-                                                        const AssemblyOptions& options) {
-  std::string what =
-      session.folder.string() + ' ' + text(options.from_ns) + ' ' + text(options.to_ns) + ' ' + text(options.until_ns);
+                                                        const AssemblyOptions& options, const Extend& extend) {
+  std::string what = std::string(extend ? "extended " : "") + session.folder.string() + ' ' + text(options.from_ns) +
+                     ' ' + text(options.to_ns) + ' ' + text(options.until_ns);
   std::vector<std::filesystem::path> files;
   for (const StreamFile& file : session.streams) {
     if (stream && file.file != *stream) continue;
@@ -37,9 +37,17 @@ Result<std::shared_ptr<const Assembly>> Downloads::open(const Session& session,
     if (!source) return source.failure();
     sources.push_back(std::move(*source));
   }
-  Result<Assembly> assembled = assemble(std::move(sources), options);
+  Result<Assembly> assembled = assemble(sources, options);
   if (!assembled) return assembled.failure();
   auto assembly = std::make_shared<const Assembly>(std::move(*assembled));
+  if (extend) {
+    const auto more = extend(assembly);
+    if (!more) return more.failure();
+    sources.push_back(*more);
+    assembled = assemble(std::move(sources), options);
+    if (!assembled) return assembled.failure();
+    assembly = std::make_shared<const Assembly>(std::move(*assembled));
+  }
   const std::lock_guard guard(lock_);
   kept_.push_front({std::move(what), assembly});
   if (kept_.size() > kKept) kept_.pop_back();

@@ -1,6 +1,7 @@
 // Downloads of sessions: one MCAP file each, assembled on request.
 #pragma once
 
+#include <functional>
 #include <list>
 #include <memory>
 #include <optional>
@@ -20,9 +21,14 @@ class Downloads {
   /// its first message. The other second is for a slow disk or a late message.
   static constexpr std::uint64_t kLiveMarginNs = 2'000'000'000;
 
-  /// Opens the whole of `session`, or its stream in the file `stream` ("14.2.ball.mcap").
+  /// Makes one more file for a download from the recorded ones.
+  using Extend =
+      std::function<Result<std::shared_ptr<const ByteSource>>(const std::shared_ptr<const Assembly>& recorded)>;
+
+  /// Opens the whole of `session`, or its stream in the file `stream` ("14.2.ball.mcap"). With `extend`, its file is part
+  /// of the download.
   Result<std::shared_ptr<const Assembly>> open(const Session& session, const std::optional<std::string>& stream,
-                                               const AssemblyOptions& options);
+                                               const AssemblyOptions& options, const Extend& extend = {});
 
  private:
   static constexpr std::size_t kKept = 4;

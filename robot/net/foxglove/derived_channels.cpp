@@ -118,11 +118,8 @@ memory::ChannelInfo derived_info(const memory::ChannelInfo& source, const char* 
       .topic = source.topic + suffix, .schema = memory::schema_of(*Message::descriptor()), .delivery = source.delivery};
 }
 
-// "/14/2/camera_top" -> "camera_top"
-std::string frame_of(const std::string& topic) { return topic.substr(topic.rfind('/') + 1); }
-
 std::vector<Derived> of_image(const memory::ChannelInfo& source, const Parameters& parameters) {
-  const std::string frame_id = frame_of(source.topic);
+  const std::string frame_id = camera_frame(source.topic);
   Derived raw{.info = derived_info<foxglove::RawImage>(source, "/raw"), .make_convert = [frame_id]() -> Convert {
                 return [frame_id](const memory::Version& version) { return to_raw(version, frame_id); };
               }};
@@ -138,6 +135,14 @@ std::vector<Derived> of_image(const memory::ChannelInfo& source, const Parameter
 }
 
 }  // namespace
+
+std::string robot_frame(std::string_view robot) { return "robot " + std::string(robot); }
+
+std::string camera_frame(std::string_view topic) {
+  const memory::ObjectName name = memory::object_name(topic);
+  const std::string object(name.object);
+  return name.robot.empty() ? object : robot_frame(name.robot) + " " + object;
+}
 
 void declare_image_parameters(Parameters& parameters) {
   parameters.declare("jpeg_quality", std::int64_t{75}, {.min = 1, .max = 100});

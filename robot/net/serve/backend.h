@@ -14,6 +14,9 @@
 
 namespace robot::net {
 
+/// A function that returns whether the client has left, so that nobody needs its answer any more. Any thread.
+using ClientLeft = std::function<bool()>;
+
 /// A request of `GET /logs/…`. Times are capture times [ns since the epoch].
 struct LogRequest {
   std::string session;                          // a safe name: no separators, no leading dot
@@ -21,6 +24,8 @@ struct LogRequest {
   std::optional<std::string> stream;            // file name of one stream without ".mcap"; absent: the whole session
   std::optional<std::uint64_t> from_ns, to_ns;  // only the chunks that overlap this range
   std::optional<std::uint64_t> until_ns;        // of a live session: only records until this time
+  bool foxglove = false;                        // with the scenes, frames and images that other viewers draw
+  ClientLeft left;                              // ends their making early; may be empty
 };
 
 /// The answer to a LogRequest: a file to send, or a redirect.
@@ -38,9 +43,6 @@ struct PlayedRequest {
 
 /// Header of the answer to a PlayedRequest: its end [ns since the epoch]. The client requests the rest separately.
 inline constexpr const char* kPlayedUntil = "Foresight-Until";
-
-/// A function that returns whether the client has left, so that nobody needs its answer any more. Any thread.
-using ClientLeft = std::function<bool()>;
 
 /// The source of status, sessions and recordings. Called by threads of the server that may wait: one for the status, one
 /// for checksums, one for the rest. Functions of different threads run at the same time.

@@ -53,6 +53,8 @@ std::string_view cookie(const HttpRequest& request, std::string_view name) {
   return {};
 }
 
+constexpr const char* kFoxglove = "foxglove";  // ?foxglove
+
 constexpr std::string_view kCookie = "foresight_reader", kMethods = "GET, HEAD, DELETE, OPTIONS";
 
 /// Returns the safe name between `before` and `after` if `path` consists of exactly these three parts.
@@ -85,7 +87,8 @@ Work Routes::work_of(const HttpRequest& request) {
   const auto target = parse_target(request.target);
   if (!target || !is_data(target->path)) return Work::none;
   if (target->path == kStatus || is_list(target->path)) return Work::status;
-  return between(kSessions, target->path, kFilesOfSession) ? Work::checksums : Work::files;
+  if (between(kSessions, target->path, kFilesOfSession)) return Work::checksums;
+  return target->parameters.contains(kFoxglove) ? Work::checksums : Work::files;
 }
 
 HttpResponse Routes::answer(const HttpRequest& request, std::string_view address, const ClientLeft& left) const {
@@ -143,7 +146,7 @@ HttpResponse Routes::answer_data(const HttpRequest& request, const Target& targe
   if (!access.loopback && backend_.match_mode()) return game_in_progress();
   if (const auto session = between(kSessions, target.path, kFilesOfSession))
     return backend_.session_files(*session, left);
-  if (target.path.starts_with(kLogs)) return answer_log(request, target);
+  if (target.path.starts_with(kLogs)) return answer_log(request, target, left);
   if (target.path == "/api/played") return answer_played(target);
   if (target.path == "/api/recent") {
     const std::string topic = target.parameter("topic");
@@ -171,9 +174,10 @@ HttpResponse Routes::answer_sessions(const HttpRequest& request) const {
   return text_response(200, "text/html; charset=utf-8", session_page(sessions));
 }
 
-HttpResponse Routes::answer_log(const HttpRequest& request, const Target& target) const {
+HttpResponse Routes::answer_log(const HttpRequest& request, const Target& target, const ClientLeft& left) const {
   auto log_request = parse_log_request(target);
   if (!log_request) return error_response(404, log_request.error());
+  log_request->left = left;
   auto file = backend_.open_log(*log_request);
   if (!file) return error_response(404, file.error());
   std::string fixed;  // the address of what is sent now, if the recording grows
@@ -244,6 +248,7 @@ Result<LogRequest> parse_log_request(const Target& target) {
     if (!time) return time.failure();
     request.*field = *time;
   }
+  request.foxglove = target.parameters.contains(kFoxglove);
   return request;
 }
 

@@ -42,7 +42,7 @@ enum class Work {
   none,       // it does not wait
   status,     // a tenth of a second at most: status and lists
   files,      // it reads the beginning or the index of files
-  checksums,  // it reads whole files, for minutes
+  checksums,  // it reads whole files, for minutes: checksums, downloads for other viewers
 };
 
 /// The answers to all requests except WebSocket upgrades. Any thread.
@@ -64,7 +64,7 @@ class Routes {
   HttpResponse answer_data(const HttpRequest& request, const Target& target, const Access& access,
                            const ClientLeft& left) const;
   HttpResponse answer_played(const Target& target) const;
-  HttpResponse answer_log(const HttpRequest& request, const Target& target) const;
+  HttpResponse answer_log(const HttpRequest& request, const Target& target, const ClientLeft& left) const;
   HttpResponse delete_session(const HttpRequest& request, const Target& target, const Access& access) const;
   HttpResponse answer_sessions(const HttpRequest& request) const;
   void add_cookie(const Target& target, HttpResponse& response) const;

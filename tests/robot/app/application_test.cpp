@@ -159,6 +159,17 @@ TEST_F(ServedSession, IsNeitherServedNorDeletedDuringItsRecording) {
   EXPECT_EQ(application.delete_session("one").status, 404);
 }
 
+TEST_F(ServedSession, DownloadsForOtherViewersAreMadeByWhoeverSetsTheirMaker) {
+  EXPECT_EQ(application.open_log({.session = "one", .foxglove = true}).error(),
+            "session one: foresight-test makes no downloads with ?foxglove; scripts/logs fetches the session, and "
+            "foresight-lab play makes them");
+  application.draw_downloads_by([](const auto&, const std::filesystem::path&, const std::string&, const auto&) {
+    return Result<std::shared_ptr<const ByteSource>>(Error{"made elsewhere"});
+  });
+  EXPECT_EQ(application.open_log({.session = "one", .foxglove = true}).error(), "made elsewhere");
+  EXPECT_TRUE(application.open_log({.session = "one"}));
+}
+
 TEST_F(ServedSession, AnUnknownSessionOrFileIsNamed) {
   EXPECT_EQ(application.open_log({.session = "two"}).error(), "session: there is none called 'two'");
   EXPECT_EQ(application.open_log({.session = "one", .stream = "b"}).error(),

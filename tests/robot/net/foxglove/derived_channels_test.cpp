@@ -67,7 +67,7 @@ TEST_F(DerivedChannelsTest, RawImagesHoldThePixels) {
   EXPECT_EQ(raw.step(), 16u);
   EXPECT_EQ(raw.encoding(), "yuyv");
   EXPECT_EQ(raw.data(), yuyv(8, 4).data());
-  EXPECT_EQ(raw.frame_id(), "camera_top");
+  EXPECT_EQ(raw.frame_id(), "robot 14/2 camera_top");
 }
 
 TEST_F(DerivedChannelsTest, JpegsFollowTheParameters) {

@@ -61,6 +61,7 @@ TEST(Routes, EachKindOfWaitingIsWorkOfItsOwn) {
   EXPECT_EQ(work("/api/played?topic=/x"), Work::files);
   EXPECT_EQ(work("/api/recent"), Work::files);
   EXPECT_EQ(work("/logs/a.mcap"), Work::files);
+  EXPECT_EQ(work("/logs/a.mcap?foxglove"), Work::checksums);  // it reads the whole recording
   EXPECT_EQ(work("/api/sessions/a/files"), Work::checksums);
   EXPECT_EQ(work("/api/sessions/a/b/files"), Work::files);
 }
