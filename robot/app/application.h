@@ -40,6 +40,11 @@ class Application final : public net::Backend {
   /// Call this before the server starts.
   void play_by(std::function<net::HttpResponse(const net::PlayedRequest&)> played) { played_ = std::move(played); }
 
+  /// Sets the function that answers questions about the whole played recording, likewise.
+  void know_whole_by(std::function<net::HttpResponse(const net::Target&, const net::ClientLeft&)> whole) {
+    whole_ = std::move(whole);
+  }
+
   std::string status_json() override;
   std::string sessions_json() override;
   Result<net::LogFile> open_log(const net::LogRequest& request) override;
@@ -47,6 +52,9 @@ class Application final : public net::Backend {
   net::HttpResponse delete_session(const std::string& session) override;
   net::HttpResponse played(const net::PlayedRequest& request) override {
     return played_ ? played_(request) : net::Backend::played(request);
+  }
+  net::HttpResponse whole(const net::Target& target, const net::ClientLeft& left) override {
+    return whole_ ? whole_(target, left) : net::Backend::whole(target, left);
   }
   bool match_mode() const override;
 
@@ -58,6 +66,7 @@ class Application final : public net::Backend {
   std::function<std::size_t()> count_clients_ = [] { return std::size_t{0}; };
   std::function<GameStatus()> game_;
   std::function<net::HttpResponse(const net::PlayedRequest&)> played_;
+  std::function<net::HttpResponse(const net::Target&, const net::ClientLeft&)> whole_;
   logging::Downloads downloads_;
   logging::Checksums checksums_;
 };

@@ -12,10 +12,12 @@
 #include "robot/app/services/step_service.h"
 #include "robot/app/services/what_if_service.h"
 #include "robot/app/signals.h"
+#include "robot/app/whole_answers.h"
 #include "robot/body/replay/replay.h"
 #include "robot/core/report.h"
 #include "robot/lab/clocks/clock_agreement.h"
 #include "robot/lab/mapping/mapping.h"
+#include "robot/lab/whole/whole_recording.h"
 
 namespace robot::app {
 namespace {
@@ -108,6 +110,7 @@ Result<void> play(const PlayOptions& options) {
   const Clock& clock = (*replay)->clock();
   const auto own = std::make_shared<LabObjects>(clock);
   RecordingPlayback playback(**replay);
+  lab::WholeRecording whole(**replay);
   LabForesight seer(options.foresight);  // outlives the server, which calls it
   Runtime runtime({.program = "foresight-lab",
                    .body = "recording",
@@ -118,7 +121,9 @@ Result<void> play(const PlayOptions& options) {
                    .log_bytes = std::numeric_limits<std::uint64_t>::max(),
                    .records = false,
                    .playback = &playback,
-                   .played = [&replay](const net::PlayedRequest& asked) { return played_range(**replay, asked); }},
+                   .played = [&replay](const net::PlayedRequest& asked) { return played_range(**replay, asked); },
+                   .whole = [&whole](const net::Target& target,
+                                     const net::ClientLeft& left) { return whole_answer(whole, target, left); }},
                   clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
   // viewers see the last of them in the log

@@ -65,6 +65,7 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
       statistics_(channels_, clock_, board_, store_, options_.records ? &recorder_ : nullptr),
       clock_service_(system_ns() - monotonic_ns()) {
   application_.play_by(options_.played);
+  application_.know_whole_by(options_.whole);
   net::declare_image_parameters(parameters_);
   if (options_.records) add_recording_service(recorder_, store_, parameters_, services_);
   net::add_clock_sync(services_, clock_, [this](const net::PeerClock& peer) {

@@ -75,8 +75,10 @@ struct RuntimeOptions {
   bool records = true;                                                 // false: there is no recorder
   net::Playback* playback = nullptr;                                   // of the played recording; outlives the runtime
   std::function<net::HttpResponse(const net::PlayedRequest&)> played;  // serves parts of that recording; may be empty
-  std::optional<GameOptions> game;                                     // follow a real game; needs `records`
-  std::function<void(foresight::RuntimeStatistics&)> add_statistics;   // adds the program's own entries; may be empty
+  std::function<net::HttpResponse(const net::Target&, const net::ClientLeft&)>
+      whole;                                                          // answers about all of it; likewise
+  std::optional<GameOptions> game;                                    // follow a real game; needs `records`
+  std::function<void(foresight::RuntimeStatistics&)> add_statistics;  // adds the program's own entries; may be empty
 };
 
 /// The objects that a process writes about itself.

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "robot/core/byte_source.h"
 #include "robot/core/result.h"
@@ -39,6 +40,9 @@ struct PlayedRequest {
 /// Header of the answer to a PlayedRequest: its end [ns since the epoch]. The client requests the rest separately.
 inline constexpr const char* kPlayedUntil = "Foresight-Until";
 
+/// The beginning of the paths of questions about the whole of the played recording.
+inline constexpr std::string_view kWhole = "/api/whole/";
+
 /// A function that returns whether the client has left, so that nobody needs its answer any more. Any thread.
 using ClientLeft = std::function<bool()>;
 
@@ -68,6 +72,12 @@ class Backend {
   /// they are played. A long range is cut to the first messages; the header kPlayedUntil gives its end.
   /// 404 if no recording is played, or if it has no such topic.
   virtual HttpResponse played(const PlayedRequest& /*request*/) {
+    return error_response(404, "no recording is played here");
+  }
+
+  /// Returns the answer to `GET /api/whole/…`: events, numbers and runs of the whole played recording. It may read every
+  /// byte of the recording, and ends early when the client has left. 404 if no recording is played.
+  virtual HttpResponse whole(const Target& /*target*/, const ClientLeft& /*left*/) {
     return error_response(404, "no recording is played here");
   }
 
