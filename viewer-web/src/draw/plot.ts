@@ -1,6 +1,7 @@
 // Numbers over time on a canvas: any number of lines, one axis per unit. Plain drawing that needs no browser.
 
 import type { Pen } from "./field";
+import { hatch } from "./hatch";
 import { ticksOf, xOf, type Colours, type Count, type Span } from "./timeline";
 
 /** A line of the plot; only the part within the span is read. Times [s] in the plot's own time. */
@@ -14,6 +15,17 @@ export interface Line {
   dash: number[];
   /** Lines of one axis share its scale. The axis' name is the unit. */
   axis: string;
+  /** Summaries of the values, a coarse one of all before a finer one of a part. They are drawn instead of the values. */
+  summaries?: Intervals[];
+}
+
+/** Minimum, maximum and mean per interval [s] of the plot's own time; NaN where there is no value. */
+export interface Intervals {
+  from: number;
+  step: number;
+  least: Float64Array;
+  most: Float64Array;
+  mean: Float64Array;
 }
 
 export interface Range {
@@ -30,6 +42,8 @@ export interface Column {
   last: number;
   /** The line is broken before this column, because no value came for long. */
   broken: boolean;
+  /** Of a summary: its values lie around this one. */
+  mean?: number;
 }
 
 /** Distinguished by brightness and dashes as well as by colour (after Okabe and Ito, 2008). */
@@ -84,6 +98,54 @@ export function columnsOf(line: Line, span: Span, width: number): Column[] {
   return columns;
 }
 
+const endOf = ({ from, step, mean }: Intervals): number => from + step * mean.length;
+
+/** Returns the finest summary of the visible part. */
+function fitting(summaries: Intervals[], { from, to }: Span): Intervals {
+  const whole = summaries[0]!;
+  const covers = (one: Intervals) =>
+    one.from <= Math.max(from, whole.from) + whole.step && endOf(one) >= Math.min(to, endOf(whole)) - whole.step;
+  return summaries.findLast(covers) ?? whole;
+}
+
+/** Converts a summary to columns of pixels. An interval is drawn at its middle. */
+export function columnsOfSummary(summaries: Intervals[], span: Span, width: number): Column[] {
+  const summary = fitting(summaries, span);
+  const { from, step, least, most, mean } = summary;
+  const columns: Column[] = [];
+  const first = Math.max(0, Math.floor((span.from - from) / step) - 1);
+  const end = Math.min(mean.length, Math.ceil((span.to - from) / step) + 1);
+  let column: Column | undefined;
+  let [before, count] = [-Infinity, 0];
+  for (let i = first; i < end; ++i) {
+    const value = mean[i]!;
+    if (Number.isNaN(value)) continue;
+    const x = Math.floor(xOf(span, width, from + (i + 0.5) * step));
+    if (column?.x === x) {
+      column.least = Math.min(column.least, least[i]!);
+      column.most = Math.max(column.most, most[i]!);
+      column.mean! += (value - column.mean!) / ++count;
+    } else {
+      const broken = (i - before - 1) * step > kGap;
+      column = { x, first: value, least: least[i]!, most: most[i]!, last: value, broken, mean: value };
+      columns.push(column);
+      count = 1;
+    }
+    before = i;
+  }
+  return columns;
+}
+
+/** Returns the mean around `time`, of the last interval with a value in the time that breaks no line; else NaN. */
+export function summaryAt(summaries: Intervals[], time: number): number {
+  const { from, step, mean } = fitting(summaries, { from: time, to: time });
+  for (let i = Math.min(mean.length - 1, Math.floor((time - from) / step)); i >= 0; --i) {
+    if (time - from - (i + 1) * step > kGap) break;
+    if (!Number.isNaN(mean[i])) return mean[i]!;
+  }
+  return NaN;
+}
+
 /** Returns the axis' range with a margin, never of zero height. */
 export function rangeOf(columns: Column[][]): Range {
   let [least, most] = [Infinity, -Infinity];
@@ -125,6 +187,8 @@ export interface Plot {
   at: number;
   hover: number | undefined;
   count: Count;
+  /** Parts of the time in which values are missing, because they are not loaded. */
+  unloaded?: Span[];
 }
 
 export const axesOf = (lines: Line[]): string[] => [...new Set(lines.map(({ axis }) => axis))];
@@ -133,17 +197,26 @@ export function drawPlot(
   pen: Pen,
   width: number,
   height: number,
-  { lines, span, at, hover, count }: Plot,
+  { lines, span, at, hover, count, unloaded = [] }: Plot,
   colours: Colours,
 ): void {
   const axes = axesOf(lines);
   const area = areaOf(width, height, axes.length);
   const x = (time: number) => area.left + xOf(span, area.width, time);
-  const drawn = lines.map((line) => ({ line, columns: columnsOf(line, span, area.width) }));
+  const drawn = lines.map((line) => ({
+    line,
+    columns: line.summaries?.length
+      ? columnsOfSummary(line.summaries, span, area.width)
+      : columnsOf(line, span, area.width),
+  }));
   const ranges = new Map(
     axes.map((axis) => [axis, rangeOf(drawn.filter(({ line }) => line.axis === axis).map(({ columns }) => columns))]),
   );
 
+  for (const { from, to } of unloaded) {
+    const [left, right] = [from, to].map((time) => Math.min(area.left + area.width, Math.max(area.left, x(time))));
+    hatch(pen, left!, area.top, right! - left!, area.height, colours.line);
+  }
   drawTimes(pen, area, span, count, x, colours);
   axes.forEach((axis, i) => {
     const single = lines.filter((line) => line.axis === axis);
@@ -227,13 +300,42 @@ const tickText = (value: number): string =>
 const yOf = (area: Area, { least, most }: Range, value: number): number =>
   area.top + area.height * (1 - (value - least) / (most - least));
 
+/** The values of a summary lie in a band around the line of their means. */
+function drawBand(pen: Pen, area: Area, columns: Column[], range: Range): void {
+  const y = (value: number) => yOf(area, range, value);
+  pen.globalAlpha = 0.3;
+  for (let begin = 0; begin < columns.length;) {
+    let end = begin + 1;
+    while (end < columns.length && !columns[end]!.broken) ++end;
+    pen.beginPath();
+    for (let i = begin; i < end; ++i) pen.lineTo(placeOf(area, columns[i]!.x), y(columns[i]!.most));
+    for (let i = end - 1; i >= begin; --i) pen.lineTo(placeOf(area, columns[i]!.x), y(columns[i]!.least));
+    pen.closePath();
+    pen.fill();
+    begin = end;
+  }
+  pen.globalAlpha = 1;
+}
+
+const placeOf = (area: Area, x: number): number =>
+  Math.min(area.left + area.width, Math.max(area.left, area.left + x + 0.5));
+
 function drawLine(pen: Pen, area: Area, line: Line, columns: Column[], range: Range): void {
+  if (line.summaries?.length) {
+    pen.fillStyle = line.colour;
+    drawBand(pen, area, columns, range);
+  }
   pen.strokeStyle = line.colour;
   pen.lineWidth = 1.6;
   pen.setLineDash(line.dash);
   pen.beginPath();
-  for (const { x, first, least, most, last, broken } of columns) {
-    const place = Math.min(area.left + area.width, Math.max(area.left, area.left + x + 0.5));
+  for (const { x, first, least, most, last, broken, mean } of columns) {
+    const place = placeOf(area, x);
+    if (mean !== undefined) {
+      if (broken) pen.moveTo(place - 0.5, yOf(area, range, mean)); // a single interval is a dot
+      pen.lineTo(place + (broken ? 0.5 : 0), yOf(area, range, mean));
+      continue;
+    }
     if (broken) pen.moveTo(place, yOf(area, range, first));
     else pen.lineTo(place, yOf(area, range, first));
     if (most > least) {

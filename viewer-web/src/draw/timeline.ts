@@ -109,6 +109,7 @@ const kShape: Record<Mark["kind"], { letter: string; important: boolean }> = {
   goal: { letter: "G", important: true },
   penalty: { letter: "P", important: false },
   fall: { letter: "F", important: false },
+  kick: { letter: "", important: false },
   state: { letter: "", important: false },
   error: { letter: "!", important: true },
   bookmark: { letter: "◆", important: true },

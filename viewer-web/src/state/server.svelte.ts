@@ -1,5 +1,6 @@
 // One watched server with its connection and memory: a robot, a played recording or a simulated game.
 
+import { knownEvents } from "../memory/game_events";
 import { nearestKept, nearestOf } from "../memory/kept";
 import type { RobotName } from "../memory/memory_object";
 import { Memory } from "../memory/memory";
@@ -15,6 +16,7 @@ import {
 import { Client, type Connection, type Listener, type Socket } from "../source/client";
 import { livenessOf, type Liveness } from "../present/liveness";
 import { simulationOf } from "../memory/simulation";
+import { Summaries, WholeRuns } from "../memory/summaries";
 import { ClockExchange } from "../source/clock_exchange";
 import type { PlaybackState, PlaybackWish } from "../source/frames";
 import type { Target } from "../source/target";
@@ -66,6 +68,8 @@ export class Server implements Listener {
   #refused = false; // true after the server refused a wish: then only moments that the page holds can be shown
   #left_ns: bigint | undefined; // the shown moment when the last wish was sent
   #settling = { at_ns: undefined as bigint | undefined, since: 0 };
+  #summaries: Summaries | undefined;
+  #runs = new Map<string, WholeRuns>(); // by topic and fields
   #offers = $state(0); // counts announced and withdrawn objects
   #alertKeys = new Set<string>();
 
@@ -88,6 +92,7 @@ export class Server implements Listener {
   /** Ends the connection and forgets everything. */
   stop(): void {
     this.client.stop();
+    this.#summaries?.stop();
     this.#clock.stop();
     this.memory.reset();
     this.speaker.dismiss([...this.#alertKeys]);
@@ -269,6 +274,45 @@ export class Server implements Listener {
     this.speaker.dismiss([...this.#alertKeys]);
     this.parameterValues = new Map();
     ++this.#offers;
+    this.#summaries?.stop();
+    this.#summaries = undefined;
+    this.#runs.clear();
+    if (this.summarises) void this.#learnEvents();
+  }
+  /** Whether the server may be asked about the whole of its recording: the page reaches its HTTP interface. */
+  get summarises(): boolean {
+    return this.played !== undefined && this.target.ownHost;
+  }
+  /** Summaries of numbers of the whole recording, if the server makes them. */
+  get summaries(): Summaries | undefined {
+    const { played } = this;
+    if (!played || !this.summarises) return undefined;
+    return (this.#summaries ??= new Summaries({ from_ns: played.start_ns, to_ns: played.end_ns }, async (...question) =>
+      (await import("../source/whole")).fetchNumbers(...question),
+    ));
+  }
+  /** Returns the runs of some fields of `topic` in the whole recording, if the server finds them. */
+  runsOf(topic: string, fields: string[]): WholeRuns | undefined {
+    if (!this.summarises) return undefined;
+    const key = [topic, ...fields].join(" ");
+    let runs = this.#runs.get(key);
+    if (!runs) {
+      runs = new WholeRuns(async () => (await import("../source/whole")).fetchRuns(topic, fields));
+      this.#runs.set(key, runs);
+    }
+    return runs;
+  }
+  /** Learns all events of the recording. Without them the page knows those that it has seen. */
+  async #learnEvents(): Promise<void> {
+    const { played } = this;
+    try {
+      const events = knownEvents(await (await import("../source/whole")).fetchEvents());
+      if (this.played !== played) return;
+      this.memory.events.know(events);
+      ++this.#told;
+    } catch {
+      // an older server: its events become known while they are played
+    }
   }
   #beginAgain(): void {
     const { played, memory } = this;
