@@ -9,6 +9,7 @@ export function hatch(pen: Pen, left: number, top: number, width: number, height
   if (width <= 0 || height <= 0) return;
   pen.strokeStyle = colour;
   pen.lineWidth = 1;
+  pen.globalAlpha = 0.4;
   pen.setLineDash([]);
   pen.beginPath();
   // lines rise to the right; they are fixed to the canvas, so that a moving edge does not move them
@@ -19,4 +20,5 @@ export function hatch(pen: Pen, left: number, top: number, width: number, height
     pen.lineTo(to, top + height - (to - foot));
   }
   pen.stroke();
+  pen.globalAlpha = 1;
 }

@@ -103,8 +103,10 @@ const endOf = ({ from, step, mean }: Intervals): number => from + step * mean.le
 /** Returns the finest summary of the visible part. */
 function fitting(summaries: Intervals[], { from, to }: Span): Intervals {
   const whole = summaries[0]!;
+  // the last interval of the whole may reach beyond the recording
   const covers = (one: Intervals) =>
-    one.from <= Math.max(from, whole.from) + whole.step && endOf(one) >= Math.min(to, endOf(whole)) - whole.step;
+    one.from <= Math.max(from, whole.from) + one.step &&
+    endOf(one) + one.step >= Math.min(to, endOf(whole) - whole.step);
   return summaries.findLast(covers) ?? whole;
 }
 
@@ -215,7 +217,7 @@ export function drawPlot(
 
   for (const { from, to } of unloaded) {
     const [left, right] = [from, to].map((time) => Math.min(area.left + area.width, Math.max(area.left, x(time))));
-    hatch(pen, left!, area.top, right! - left!, area.height, colours.line);
+    hatch(pen, left!, area.top, right! - left!, area.height, colours.soft);
   }
   drawTimes(pen, area, span, count, x, colours);
   axes.forEach((axis, i) => {
