@@ -302,42 +302,71 @@ const tickText = (value: number): string =>
 const yOf = (area: Area, { least, most }: Range, value: number): number =>
   area.top + area.height * (1 - (value - least) / (most - least));
 
-/** The values of a summary lie in a band around the line of their means. */
-function drawBand(pen: Pen, area: Area, columns: Column[], range: Range): void {
+const kWide = 1.6; // [px] of a line
+const kDense = 2; // [px] between columns that are drawn as boxes
+
+/**
+ * Draws the values of a summary: a line of the means, in a band of all values. Dense columns are boxes, which a processor
+ * fills thirty times faster than a path of a thousand corners.
+ */
+function drawSummary(pen: Pen, area: Area, { colour, dash }: Line, columns: Column[], range: Range): void {
   const y = (value: number) => yOf(area, range, value);
+  const pairs = columns.map((column, i) => ({ column, before: column.broken ? undefined : columns[i - 1] }));
+  const dense = pairs.filter(({ column, before }) => column.x - (before?.x ?? column.x) <= kDense);
+  const sparse = pairs.filter(({ column, before }) => before && column.x - before.x > kDense);
+  const widthOf = (column: Column, before: Column | undefined) => Math.max(1, column.x - (before?.x ?? column.x));
+  const period = dash.reduce((sum, part) => sum + part, 0);
+
+  pen.fillStyle = pen.strokeStyle = colour;
   pen.globalAlpha = 0.3;
-  for (let begin = 0; begin < columns.length;) {
-    let end = begin + 1;
-    while (end < columns.length && !columns[end]!.broken) ++end;
-    pen.beginPath();
-    for (let i = begin; i < end; ++i) pen.lineTo(placeOf(area, columns[i]!.x), y(columns[i]!.most));
-    for (let i = end - 1; i >= begin; --i) pen.lineTo(placeOf(area, columns[i]!.x), y(columns[i]!.least));
-    pen.closePath();
-    pen.fill();
-    begin = end;
+  for (const { column, before } of dense) {
+    const width = widthOf(column, before);
+    pen.fillRect(placeOf(area, column.x) + 0.5 - width, y(column.most), width, y(column.least) - y(column.most));
   }
+  pen.beginPath();
+  for (const { column, before } of sparse) {
+    const [left, right] = [placeOf(area, before!.x), placeOf(area, column.x)];
+    pen.moveTo(left, y(before!.most));
+    pen.lineTo(right, y(column.most));
+    pen.lineTo(right, y(column.least));
+    pen.lineTo(left, y(before!.least));
+    pen.closePath();
+  }
+  pen.fill();
   pen.globalAlpha = 1;
+
+  for (const { column, before } of dense) {
+    if (period > 0 && column.x % period >= dash[0]!) continue;
+    const [now, then] = [y(column.mean!), y((before ?? column).mean!)];
+    const width = Math.max(kWide, widthOf(column, before));
+    pen.fillRect(
+      placeOf(area, column.x) + 0.5 - width,
+      Math.min(now, then) - kWide / 2,
+      width,
+      Math.abs(now - then) + kWide,
+    );
+  }
+  pen.lineWidth = kWide;
+  pen.setLineDash(dash);
+  pen.beginPath();
+  for (const { column, before } of sparse) {
+    pen.moveTo(placeOf(area, before!.x), y(before!.mean!));
+    pen.lineTo(placeOf(area, column.x), y(column.mean!));
+  }
+  pen.stroke();
 }
 
 const placeOf = (area: Area, x: number): number =>
   Math.min(area.left + area.width, Math.max(area.left, area.left + x + 0.5));
 
 function drawLine(pen: Pen, area: Area, line: Line, columns: Column[], range: Range): void {
-  if (line.summaries?.length) {
-    pen.fillStyle = line.colour;
-    drawBand(pen, area, columns, range);
-  }
+  if (line.summaries?.length) return drawSummary(pen, area, line, columns, range);
   pen.strokeStyle = line.colour;
-  pen.lineWidth = 1.6;
+  pen.lineWidth = kWide;
   pen.setLineDash(line.dash);
   pen.beginPath();
-  for (const { x, first, least, most, last, broken, mean } of columns) {
+  for (const { x, first, least, most, last, broken } of columns) {
     const place = placeOf(area, x);
-    if (mean !== undefined) {
-      if (broken) pen.moveTo(place - 0.5, yOf(area, range, mean)); // a single interval is a dot
-      pen.lineTo(place + (broken ? 0.5 : 0), yOf(area, range, mean));
-      continue;
-    }
     if (broken) pen.moveTo(place, yOf(area, range, first));
     else pen.lineTo(place, yOf(area, range, first));
     if (most > least) {

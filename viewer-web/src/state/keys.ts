@@ -53,7 +53,7 @@ export const kPageKeys: Key[] = [
   },
   {
     keys: ["p", "n"],
-    does: "previous or next goal, penalty, fall, change of state, error or bookmark",
+    does: "previous or next goal, kick, penalty, fall, phase, error or bookmark",
     act: ({ time, moments }, { key }) =>
       time.jump(
         key === "p" ? -1 : 1,
