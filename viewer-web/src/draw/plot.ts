@@ -338,7 +338,7 @@ function drawSummary(pen: Pen, area: Area, { colour, dash }: Line, columns: Colu
   for (const { column, before } of dense) {
     if (period > 0 && column.x % period >= dash[0]!) continue;
     const [now, then] = [y(column.mean!), y((before ?? column).mean!)];
-    const width = Math.max(kWide, widthOf(column, before));
+    const width = widthOf(column, before);
     pen.fillRect(
       placeOf(area, column.x) + 0.5 - width,
       Math.min(now, then) - kWide / 2,
