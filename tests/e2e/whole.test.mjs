@@ -106,10 +106,10 @@ test("all events of a long recording are listed before it is played; n and p and
   await page.getByLabel("Timeline").click({ position: { x: 2, y: 10 } });
   await until(async () => (await elapsed(page)) < 30, "the beginning");
   for (let i = 0; i < 2 * events.length && (await elapsed(page)) < events[last].at; ++i) {
-    const from = await page.getByLabel("Moment", { exact: true }).textContent();
+    const from = await page.locator('footer [aria-label="Moment"]').textContent();
     await page.locator("body").press("n");
     await until(
-      async () => (await page.getByLabel("Moment", { exact: true }).textContent()) !== from,
+      async () => (await page.locator('footer [aria-label="Moment"]').textContent()) !== from,
       `the event after ${from}`,
     );
   }
