@@ -22,6 +22,8 @@ export default typescript.config(
       "svelte/prefer-svelte-reactivity": "off",
       // {" "} keeps a space that the compiler would remove
       "svelte/no-useless-mustaches": "off",
+      // svelte-check needs some of these comments that ESLint calls unused
+      "svelte/no-unused-svelte-ignore": "off",
     },
   },
   {

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <limits>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "robot/app/clock_option.h"
 #include "robot/app/lab_foresight.h"
@@ -10,6 +12,7 @@
 #include "robot/app/played_range.h"
 #include "robot/app/runtime.h"
 #include "robot/app/services/step_service.h"
+#include "robot/app/services/watch_service.h"
 #include "robot/app/services/what_if_service.h"
 #include "robot/app/signals.h"
 #include "robot/app/whole_answers.h"
@@ -85,9 +88,14 @@ std::vector<body::MadeStream> made_by(const lab::Mapping& mapping) {
   return made;
 }
 
-}  // namespace
+/// Returns the name of the session that is played, or an empty string for several.
+std::string name_of(const std::vector<std::filesystem::path>& sessions) {
+  return sessions.size() == 1 ? logging::plain_path(sessions.front()).filename().string() : std::string();
+}
 
-Result<void> play(const PlayOptions& options) {
+/// Plays until the end of the program, or until a client wants to watch another session, which it returns. Stores the
+/// port in `options`, so that the next session is served at the same address.
+Result<std::optional<std::filesystem::path>> play_one(PlayOptions& options) {
   // until a thread starts, the signals end the process at once, also while it reads a large file
   const auto shifts_ns = shifts_between(options);
   if (!shifts_ns) return shifts_ns.failure();
@@ -110,12 +118,15 @@ Result<void> play(const PlayOptions& options) {
   const Clock& clock = (*replay)->clock();
   const auto own = std::make_shared<LabObjects>(clock);
   RecordingPlayback playback(**replay);
+  // these outlive the server, which calls them
   lab::WholeRecording whole(**replay);
-  LabForesight seer(options.foresight);  // outlives the server, which calls it
+  LabForesight seer(options.foresight);
+  WatchWish wish;
   Runtime runtime({.program = "foresight-lab",
                    .body = "recording",
                    .robot = robot,
                    .rules = (*replay)->rules(),
+                   .session = name_of(options.sessions),
                    .server = options.server,
                    .log_folder = logging::log_folder_of(options.sessions.front()),
                    .log_bytes = std::numeric_limits<std::uint64_t>::max(),
@@ -125,7 +136,7 @@ Result<void> play(const PlayOptions& options) {
                    .whole = [&whole](const net::Target& target,
                                      const net::ClientLeft& left) { return whole_answer(whole, target, left); }},
                   clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
-  if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
+  if (Result<void> listed = list(own, runtime.channels()); !listed) return listed.failure();
   // viewers see the last of them in the log
   for (const std::string& note : (*replay)->notes()) report(Level::warning, "recording", note);
   const auto stream_of = [&replay](const std::string& topic) { return (*replay)->stream_of(topic); };
@@ -134,15 +145,30 @@ Result<void> play(const PlayOptions& options) {
                         return seer.ask(stream_of, whose, question, clock.now_ns());
                       });
   add_step_service(runtime.services(), stream_of);
-  if (Result<void> started = runtime.start(); !started) return started;
-  if (Result<void> started = (*replay)->start(runtime.channels(), runtime.board()); !started) return started;
+  // a mapping fits the recordings of one program
+  if (!mapping) add_watch_service(runtime.services(), runtime.store(), wish);
+  if (Result<void> started = runtime.start(); !started) return started.failure();
+  options.server.port = runtime.server().port();
+  if (Result<void> started = (*replay)->start(runtime.channels(), runtime.board()); !started) return started.failure();
+  bool answered = false;  // the client of a wish has its answer
   runtime.run([&] {
     if ((*replay)->tick() == body::Replay::Tick::began_again) runtime.server().restart_time();
-    return true;  // a recording that has ended still shows its last moment
+    return !(wish.get() && std::exchange(answered, true));  // a recording that has ended still shows its last moment
   });
   (*replay)->stop();
   seer.hurry();
-  return {};
+  return wish.get();
+}
+
+}  // namespace
+
+Result<void> play(PlayOptions options) {
+  while (true) {
+    const auto next = play_one(options);
+    if (!next) return next.failure();
+    if (!*next) return {};
+    options.sessions = {**next};
+  }
 }
 
 }  // namespace robot::app

@@ -24,7 +24,7 @@ struct PlayOptions {
 /// Serves the sessions until SIGINT or SIGTERM. Their common time base is the clock of the first session, as far as the
 /// recorded clock samples allow. The log says which messages of a file are left out, and why. All sessions in the
 /// folder of the first one can be downloaded. Clients may pause, seek, change the speed, and ask foresight for the best
-/// strategy at the current moment.
-Result<void> play(const PlayOptions& options);
+/// strategy at the current moment. The service watch_session plays another session of that folder at the same address.
+Result<void> play(PlayOptions options);
 
 }  // namespace robot::app

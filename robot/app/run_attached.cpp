@@ -7,6 +7,7 @@
 #include "robot/agent/agent_thread.h"
 #include "robot/app/runtime.h"
 #include "robot/app/services/foresight_service.h"
+#include "robot/app/services/live_parameter_service.h"
 #include "robot/app/services/parameter_service.h"
 #include "robot/body/attached/door.h"
 #include "robot/foresight/following.h"
@@ -47,11 +48,15 @@ Result<void> run_attached(const RobotOptions& options, const OwnBody& own) {
   if (Result<void> listed = add_parameter_service(runtime.parameters(), robot.text(), runtime.channels(), clock);
       !listed)
     return listed;
+  const auto live_parameters =
+      LiveParameterService::open(runtime.parameters(), robot.text(), runtime.channels(), clock);
+  if (!live_parameters) return live_parameters.failure();
   std::unique_ptr<body::Door> door;
   if (!options.plan) {
     body::DoorOptions at{.path = options.door.empty() ? body::default_door() : options.door, .robot = robot.text()};
     at.own_objects.merge(written_by_us(options));
     at.own_objects.insert(own.objects.begin(), own.objects.end());
+    at.on_end = [service = live_parameters->get()](const std::string& topic) { service->ended(topic); };
     auto opened = body::Door::open(std::move(at), clock, runtime.channels(), runtime.board());
     if (!opened) return opened.failure();
     door = std::move(*opened);

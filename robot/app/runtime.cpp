@@ -32,6 +32,7 @@ net::ServerOptions server_options(const RuntimeOptions& options, net::AccessOpti
   std::map<std::string, std::string> metadata{
       {"build", std::string(kBuildId)}, {"body", options.body}, {"robots", options.robot}};
   if (!options.rules.empty()) metadata["rules"] = options.rules;
+  if (!options.session.empty()) metadata["session"] = options.session;
   return {.bind = options.server.bind,
           .port = options.server.port,
           .hub = {.name = options.program + " " + options.robot,

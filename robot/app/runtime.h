@@ -68,7 +68,8 @@ struct RuntimeOptions {
   std::string body;     // "replay", …
   std::string robot;    // "14/2"
   int team = 0, player = 0;
-  std::string rules;  // of the game, which give its field: for viewers and sessions; empty: unknown
+  std::string rules;    // of the game, which give its field: for viewers and sessions; empty: unknown
+  std::string session;  // name of the played session, for viewers; empty: none, or several
   ServerSettings server;
   std::filesystem::path log_folder = "logs";
   std::uint64_t log_bytes = 4'000'000'000;                             // all sessions together
@@ -102,6 +103,7 @@ class Runtime {
   memory::Channels& channels() { return channels_; }
   logging::LoggingBoard& board() { return board_; }
   const logging::Recorder& recorder() const { return recorder_; }
+  const logging::SessionStore& store() const { return store_; }
   net::Parameters& parameters() { return parameters_; }
   net::Server& server() { return *server_; }
   net::Services& services() { return services_; }  // complete before start()

@@ -29,8 +29,9 @@ import tempfile
 import time
 
 __all__ = [
-    "Writer", "Reader", "Message", "Adviser", "Advice", "now_ns", "read_forecast", "image", "YUYV", "JPEG", "LATEST", "FIFO",
-    "RELIABLE", "uint_field", "float_field", "bytes_field", "floats_field", "fields", "as_float",
+    "Writer", "Reader", "Message", "Adviser", "Advice", "Parameters", "now_ns", "read_forecast", "image", "YUYV", "JPEG",
+    "LATEST", "FIFO", "RELIABLE", "uint_field", "float_field", "double_field", "bytes_field", "floats_field", "fields",
+    "as_float", "as_double",
 ]
 
 LATEST, FIFO, RELIABLE = 0, 1, 2  # messages that a viewer needs over a slow network: the newest, a short history, all
@@ -390,6 +391,10 @@ def float_field(number, value):
     return _varint(number << 3 | 5) + struct.pack("<f", value)
 
 
+def double_field(number, value):
+    return _varint(number << 3 | 1) + struct.pack("<d", value)
+
+
 def bytes_field(number, value):
     """Returns a field with a text, bytes or a message."""
     raw = value.encode() if isinstance(value, str) else value
@@ -444,6 +449,11 @@ def as_float(value):
     return struct.unpack("<f", value)[0]
 
 
+def as_double(value):
+    """Returns the value of a double field."""
+    return struct.unpack("<d", value)[0]
+
+
 class Advice(collections.namedtuple("Advice", "known change choice reason")):
     """The advice of a forecast. `known`: False if there is none, see `reason`. `change`: another strategy than the first
     is better, with the required certainty. `choice`: the strategy to play. `reason`: one sentence."""
@@ -496,3 +506,147 @@ class Adviser:
             if advice or left_ns <= 0:
                 return advice
             self._forecasts.wait(left_ns / 1e9)
+
+
+_Parameter = collections.namedtuple("_Parameter", "type initial fields")
+_NUMBER, _WHOLE, _YES_NO, _TEXT, _CHOICE = range(1, 6)  # foresight.LiveParameter.Type
+
+
+class Parameters:
+    """Live parameters: people change them in the viewer while this process runs.
+
+        walk = foresight.Parameters("walk")
+        walk.number("step_height", 0.02, range=(0, 0.05), unit="m", text="Height of a foot over the ground.")
+
+        walk.poll()                    # in every cycle
+        lift(walk["step_height"])
+
+    A poll never waits. The runtime checks type, range and choices, so walk[name] is always an allowed value. A value that
+    was set is kept while this process or the runtime lives. The runtime hands it to a process that starts again, and this
+    process hands it to a runtime that starts again. If both end, the values of your own file count again.
+
+    foresight_parameters.h gives the limits. A parameter beyond a limit is refused, the others are taken; `problem` gives
+    the reason."""
+
+    _LOST_NS = 100 * 1000 * 1000  # until the next attempt after a failed announcement
+    _UNHEARD_NS = 1000 * 1000 * 1000  # and after one that the runtime has not answered
+
+    def __init__(self, process, door=None):
+        self._process = process
+        self._announcement = Writer("live_parameters/" + process, "foresight.LiveParameters", door=door)
+        self._heard = Reader("live_parameters", door=door)
+        self._all = {}
+        self._values = {}
+        self._announced = self._known = False
+        self._announce_at_ns = 0
+        self._refusal = ""
+
+    def number(self, name, value, range=None, unit="", text=""):
+        """Adds a number; `value` comes from your file. A range includes both ends."""
+        self._add(_NUMBER, name, float(value), range, unit, text)
+
+    def whole(self, name, value, range=None, unit="", text=""):
+        """Adds a whole number."""
+        self._add(_WHOLE, name, int(value), range, unit, text)
+
+    def yes_no(self, name, value, text=""):
+        """Adds a parameter that is True or False."""
+        self._add(_YES_NO, name, bool(value), None, "", text)
+
+    def text(self, name, value, text=""):
+        """Adds a text of at most 200 bytes."""
+        self._add(_TEXT, name, value, None, "", text)
+
+    def choice(self, name, value, choices, text=""):
+        """Adds a text that is one of `choices`."""
+        self._add(_CHOICE, name, value, None, "", text, choices)
+
+    def __getitem__(self, name):
+        return self._values[name]
+
+    def __iter__(self):
+        return iter(self._values)
+
+    def poll(self):
+        """Takes the values that people set, and announces the parameters where needed. Never waits. Returns the names of
+        the parameters that changed."""
+        message = self._heard.newest()
+        changed = self._hear(message.bytes) if message else []
+        now = now_ns()
+        # the runtime may still know a former process of this name, so the first announcement does not depend on it
+        if self._all and not (self._known and self._announced) and now >= self._announce_at_ns:
+            self._announced = self._announcement.write(now, b"".join(map(self._encoded, self._all)))
+            self._announce_at_ns = now + (self._UNHEARD_NS if self._announced else self._LOST_NS)
+        return changed
+
+    @property
+    def problem(self):
+        """The reason why the runtime refused a parameter or cannot be reached, in one sentence; "" if all is well."""
+        return self._refusal or self._announcement.problem or self._heard.problem
+
+    def close(self):
+        """Closes the connections. Viewers then show the parameters as gone."""
+        self._announcement.close()
+        self._heard.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def _add(self, type, name, value, range, unit, text, choices=()):
+        low, high = range or (0, 0)
+        whole = bytes_field(1, name) + uint_field(2, type) + self._value(5, 6, value)
+        whole += double_field(7, low) + double_field(8, high) + bytes_field(9, unit) + bytes_field(10, text)
+        whole += b"".join(bytes_field(11, choice) for choice in choices)
+        self._all[name] = _Parameter(type, value, whole)
+        self._values[name] = value
+        self._announced = False
+        self._announce_at_ns = 0
+
+    @staticmethod
+    def _value(number, text, value):
+        return bytes_field(text, value) if isinstance(value, str) else double_field(number, value)
+
+    def _encoded(self, name):
+        return bytes_field(1, self._all[name].fields + self._value(3, 4, self._values[name]))
+
+    def _hear(self, message):
+        """Takes the runtime's message, and returns the names of the parameters that changed."""
+        was_known, self._known, self._refusal = self._known, False, ""
+        changed = []
+        for number, value in fields(message):
+            if number == 1 and isinstance(value, bytes):
+                changed += self._take(collections.ChainMap(dict(fields(value)), _ABSENT))
+            elif number == 2 and isinstance(value, bytes):
+                process, _, sentence = value.decode(errors="replace").partition(":")
+                if process == self._process:
+                    self._known, self._refusal = True, "the runtime refuses:" + sentence
+        if was_known and not self._known:
+            self._announce_at_ns = 0
+        return changed
+
+    def _take(self, heard):
+        """Takes one parameter of the runtime's message, and returns its name if it changed."""
+        process, _, name = heard[1].decode(errors="replace").partition(".")
+        if process != self._process or heard[12]:
+            return []
+        self._known = True
+        ours = self._all.get(name)
+        if not ours:
+            return []
+        as_value = {_NUMBER: as_double, _WHOLE: lambda raw: int(as_double(raw)), _YES_NO: lambda raw: as_double(raw) == 1}
+        read = as_value.get(ours.type, bytes.decode)
+        is_text = ours.type in (_TEXT, _CHOICE)
+        # another initial value: this is the answer to a former process's announcement
+        if heard[2] != ours.type or read(heard[6 if is_text else 5]) != ours.initial:
+            return []
+        value = read(heard[4 if is_text else 3])
+        if value == self._values[name]:
+            return []
+        self._values[name] = value
+        return [name]
+
+
+_ABSENT = {1: b"", 2: 0, 3: bytes(8), 4: b"", 5: bytes(8), 6: b"", 12: 0}  # values of absent fields

@@ -46,7 +46,7 @@ static inline ForesightField foresight_fields(const void* bytes, size_t size) {
   ForesightField field;
   memset(&field, 0, sizeof field);
   field.next = (const unsigned char*)bytes;
-  field.end = field.next + size;
+  field.end = size > 0 ? field.next + size : field.next;  // no bytes may be a null pointer
   return field;
 }
 
@@ -88,6 +88,10 @@ static inline void foresight_put_bytes(ForesightBytes* to, int field, const void
 
 static inline void foresight_put_float(ForesightBytes* to, int field, float value) {
   foresight_put(to, field, 5, to->bytes, 0, &value, sizeof value);  // all our processors have protobuf's byte order
+}
+
+static inline void foresight_put_double(ForesightBytes* to, int field, double value) {
+  foresight_put(to, field, 1, to->bytes, 0, &value, sizeof value);
 }
 
 /// Appends a list of floats, such as those of 25 joints.
@@ -136,6 +140,12 @@ static inline float foresight_float(const ForesightField* field) {
   const uint32_t bits = (uint32_t)field->value;
   float value;
   memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+static inline double foresight_double(const ForesightField* field) {
+  double value;
+  memcpy(&value, &field->value, sizeof value);
   return value;
 }
 

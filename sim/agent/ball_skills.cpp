@@ -33,7 +33,7 @@ Vec2 walking_way(const View& view, Mind& mind, const Where& to, float tolerance,
 
 /// Walks to `target` [robot] and faces `heading`, round the ball without coming nearer to it than `room` [m].
 motion::Command approach(const View& view, const Mind& mind, Vec2 target, float heading, float room, float gain) {
-  const Vec2 step = round_circle(view.ball, room, target, mind.search_side);
+  const Vec2 step = round_circle(view, view.ball, room, target, mind.search_side);
   // near the ball the robot fights for it, farther away it goes round other robots
   const bool far = view.ball_distance > 0.6f;
   const Vec2 way = far ? round_robots(view, step) : step;

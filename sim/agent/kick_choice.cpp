@@ -52,7 +52,7 @@ float time_of(const View& view, const Shot& shot) {
   const motion::Kick& kick = view.around.motion->kicks[shot.kick];
   const motion::Walk& walk = view.around.motion->walk;
   const Vec2 place = place_for(kick, view.ball, shot.face, shot.side);
-  const Vec2 first = round_circle(view.ball, room_of(kick.ball_x), place, view.mind.search_side);
+  const Vec2 first = round_circle(view, view.ball, room_of(kick.ball_x), place, view.mind.search_side);
   const float way = length(first), rest = distance(first, place);
   float turning = turning_time(walk, {1, 0}, shot.face);
   if (way > kTurnsFirst) {

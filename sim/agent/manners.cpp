@@ -25,22 +25,41 @@ float clear_of_ball(const View& view) {
 /// Returns whether the robot is too near to the ball of the opponents' kick.
 bool too_near(const View& view) { return view.ball_distance < clear_of_ball(view) - kMargin; }
 
+/// Returns the place [team_field] at `clear` [m] from the ball in the direction `way`, or in its mirror image where that
+/// would be outside the field.
+Vec2 beside_ball(const View& view, Vec2 way, float clear) {
+  const Vec2 ball = view.ball_in_team;
+  Vec2 offset = clear * unit(way);
+  if (std::abs(ball.x + offset.x) > view.half_length) offset.x = -offset.x;
+  if (std::abs(ball.y + offset.y) > view.half_width) offset.y = -offset.y;
+  return ball + offset;
+}
+
 void keep_clear(const View& view, motion::Command& command) {
   const float clear = clear_of_ball(view);
   if (command.body == Body::kick) command.body = Body::stand;
 
-  // a robot that is too near goes straight away from the ball
-  if (too_near(view)) return divert(view, command, view.ball_in_team + clear * unit(view.position - view.ball_in_team));
+  const auto walk_round_ball = [&] {
+    command.walk = round_circle(view, view.ball, clear - kMargin, command.walk, view.mind.search_side);
+  };
+
+  // a robot that is too near goes straight away from the ball, or round it where the field ends
+  if (too_near(view)) {
+    divert(view, command, beside_ball(view, view.position - view.ball_in_team, clear));
+    return walk_round_ball();
+  }
 
   // other robots avoid places that are too near, and walk round the circle
   const Vec2 wanted = command.body == Body::walk_to ? view.to_team(command.walk) : view.position;
   const Vec2 from_ball = wanted - view.ball_in_team;
   const bool inside = squared_length(from_ball) < clear * clear;
-  Vec2 place = inside ? view.ball_in_team + clear * unit(from_ball) : wanted;
+  Vec2 place = inside ? beside_ball(view, from_ball, clear) : wanted;
   if (view.game.set_play == Game::SetPlay::kick_off && place.x > -0.2f) place.x = -0.2f;
-  if (!(place == wanted)) divert(view, command, place);
-  if (command.body == Body::walk_to)
-    command.walk = round_circle(view.ball, clear - kMargin, command.walk, view.mind.search_side);
+  if (!(place == wanted)) {
+    divert(view, command, place);
+    command.walk = round_robots(view, command.walk);
+  }
+  if (command.body == Body::walk_to) walk_round_ball();
 }
 
 void leave_goal_area(const View& view, motion::Command& command) {

@@ -3,6 +3,13 @@
 namespace sim::agent {
 namespace {
 
+// [s/s] The estimate of a chaser falls by this much: the mean of 25,000 intervals of 3 s in games by spl2025. It turns,
+// goes round others and falls on its way.
+constexpr float kProgress = 0.5f;
+// [s] Lead over a mate with a lower number that also says that it chases. Without it, each of the two could leave the ball
+// to the other until the next message, which may be 7 s away.
+constexpr float kSameClaim = 4;
+
 /// A candidate for the roles.
 struct Candidate {
   float time;  // [s] to the ball, minus the hysteresis of the chaser
@@ -46,8 +53,8 @@ float time_of(const View& view, const Mate& mate, Role role) {
     return time_for(view, turned_back(to_ball, facing), length(to_ball), facing);
   }
   const float since = static_cast<float>(view.now - mate.sent) * kTickDuration;
-  const bool nearer = role == Role::chaser && mate.time_to_ball() > since;
-  return nearer ? mate.time_to_ball() - since : mate.time_to_ball();
+  const float progress = role == Role::chaser ? kProgress * since : 0;
+  return mate.time_to_ball() > progress ? mate.time_to_ball() - progress : 0;
 }
 
 void set_role(Mind& mind, Role role, Tick now) {
@@ -84,7 +91,9 @@ void assign_role(const View& view, Mind& mind) {
     const int player = view.player_of_mate(index);
     if (player == 1) return;
     const auto role = static_cast<Role>(mate.role);
-    all[count] = candidate(roles, role, time_of(view, mate, role), mate.pose.position, player);
+    const bool gives_way = role == Role::chaser && mind.role == Role::chaser && view.game.player < player;
+    const float time = time_of(view, mate, role) + (gives_way ? kSameClaim : 0);
+    all[count] = candidate(roles, role, time, mate.pose.position, player);
     if (quicker(all[count], all[chaser])) chaser = count;
     ++count;
   });

@@ -14,7 +14,9 @@ const char* name_of(Role role);
 float time_to_ball(const View& view);
 
 /// Assigns the own role. Player 1 keeps the goal. The quickest robot chases the ball until another is quicker by the
-/// hysteresis. Of the rest, those farthest back defend and the others support. Robots with equal beliefs agree.
+/// hysteresis. Of two that both say that they chase, the one with the higher number leaves the ball to the other.
+/// Otherwise both might leave it until their next messages. Of the rest, those farthest back defend and the others
+/// support. Robots with equal beliefs agree.
 ///
 /// Mind.slot is the lane among the robots of the same role, from right to left: `kMiddleLane` is the middle one, and
 /// neighbours are 2 apart. `lane_of` returns it as a number: 0 is the middle, and neighbours are 1 apart.

@@ -5,6 +5,7 @@ namespace {
 
 constexpr float kLookAhead = 1.5f;     // [m] robots farther away are ignored
 constexpr float kMateMemory = 5;       // [s] a teammate's place is avoided for this time
+constexpr float kCarpetEdge = 0.2f;    // [m] ways stay this far from the edge of the carpet
 constexpr float kNearlyThere = 0.36f;  // tangent of the heading error at which it stands still
 
 /// Returns whether the straight way to `target` comes nearer to `centre` than `radius`.
@@ -15,22 +16,31 @@ bool in_the_way(Vec2 centre, float radius, Vec2 target) {
   return (along > 0) & (along < squared) & (off * off < radius * radius * squared);
 }
 
+/// Returns whether a place [team_field] is on the carpet, and not at its edge.
+bool on_carpet(const View& view, Vec2 place) {
+  const float beyond = view.around.rules->field.border - kCarpetEdge;
+  return std::abs(place.x) < view.half_length + beyond && std::abs(place.y) < view.half_width + beyond;
+}
+
 }  // namespace
 
-Vec2 round_circle(Vec2 centre, float radius, Vec2 target, float side_if_even) {
+Vec2 round_circle(const View& view, Vec2 centre, float radius, Vec2 target, float side_if_even) {
   if (!in_the_way(centre, radius, target)) return target;
   const float far = length(centre);
   const Vec2 to_centre = far > 1e-3f ? (1 / far) * centre : Vec2{1, 0};
   const float offset = cross(centre, target);
-  const float side = offset != 0 ? sign(offset) : side_if_even;
+  const float shorter = offset != 0 ? sign(offset) : side_if_even;
 
   // along the tangent; from inside the circle also outwards
   const float sine = radius < far ? radius / far : 1;
   const float cosine = std::sqrt(1 - sine * sine);
-  const Vec2 tangent = cosine * to_centre + (side * sine) * left_of(to_centre);
   const float way = far * cosine > 0.25f ? far * cosine : 0.25f;
   const Vec2 inside = radius > far ? (radius - far) * to_centre : Vec2{};
-  return way * tangent - inside;
+  const auto step = [&](float side) {
+    return way * (cosine * to_centre + (side * sine) * left_of(to_centre)) - inside;
+  };
+  const Vec2 first = step(shorter);
+  return on_carpet(view, view.to_team(first)) ? first : step(-shorter);
 }
 
 Vec2 round_robots(const View& view, Vec2 target) {
@@ -65,7 +75,7 @@ Vec2 round_robots(const View& view, Vec2 target) {
     consider(mate.pose.position, [&] { return view.believes(mate, ticks(kMateMemory)); });
   }
   if (!found) return target;
-  return round_circle(turned_back(nearest, view.facing), radius, target, view.mind.search_side);
+  return round_circle(view, turned_back(nearest, view.facing), radius, target, view.mind.search_side);
 }
 
 motion::Command walk_in_robot(const View& view, Vec2 target, float heading, float gain) {

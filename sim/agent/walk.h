@@ -22,8 +22,9 @@ motion::Command walk_to_place(const View& view, Vec2 place, Vec2 face, float gai
 
 /// Returns a point beside the nearest robot between here and `target` [robot], or `target` when the way is free.
 Vec2 round_robots(const View& view, Vec2 target);
-/// Returns the next point of a way to `target` that stays `radius` from `centre` [m, robot].
-Vec2 round_circle(Vec2 centre, float radius, Vec2 target, float side_if_even);
+/// Returns the next point of a way to `target` that stays `radius` from `centre` [m, robot]. The way goes round the nearer
+/// side, or round the other one where the nearer would leave the carpet.
+Vec2 round_circle(const View& view, Vec2 centre, float radius, Vec2 target, float side_if_even);
 
 /// Returns the place [m, robot] of a robot that faces `face` and has `ball` where the kick of that leg needs it.
 inline Vec2 place_for(const motion::Kick& kick, Vec2 ball, Vec2 face, float side) {

@@ -6,7 +6,7 @@ import { fileURLToPath } from "node:url";
 import { readSession } from "../e2e/mcap.mjs";
 import { recordPictures } from "../nao/pictures.mjs";
 import { kAtomInstructions, startCounted } from "./atom.mjs";
-import { command, scratch, sleep } from "./programs.mjs";
+import { command, onlySession, scratch, sleep } from "./programs.mjs";
 import { Report, pretty } from "./report.mjs";
 
 const kFrameHz = 30;
@@ -45,7 +45,7 @@ async function instructions({ session, profile, speed, recorded_hz }, seconds) {
   await sleep(seconds);
   robot.stop();
   await robot.output;
-  const recording = join(logs, readdirSync(logs)[0]);
+  const recording = onlySession(logs);
   const status = JSON.parse(command(lab, "info", "--json", recording));
   const recorded = Math.max(
     ...status.streams

@@ -5,7 +5,7 @@ import { kUser, whyNoField } from "../deploy/field.mjs";
 import { World } from "../deploy/world.mjs";
 import { root } from "../e2e/support.mjs";
 import { built, needsMovbe } from "../nao/robots.mjs";
-import { atEnd, command, scratch, sleep, startRobot } from "./programs.mjs";
+import { atEnd, command, onlySession, scratch, sleep, startRobot } from "./programs.mjs";
 import { Report } from "./report.mjs";
 
 const kRobots = ["tim", "lea", "kim", "ben", "eva"];
@@ -43,7 +43,7 @@ async function recordHalf() {
       { logs },
     )
   ).report;
-  return join(logs, readdirSync(logs)[0]);
+  return onlySession(logs);
 }
 
 const sizeOf = (folder) => readdirSync(folder).reduce((sum, name) => sum + statSync(join(folder, name)).size, 0);

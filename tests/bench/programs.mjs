@@ -1,6 +1,6 @@
 // Starts the programs of the benches and reads their reports.
 import { execFileSync, spawn } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -81,6 +81,13 @@ export async function startRobot(args, { address = "127.0.0.1", before = [], log
   const report = robot.report.finally(() => logs || rmSync(folder, { recursive: true, force: true }));
   report.catch(() => {});
   return { ...robot, report, url: (query = "") => `ws://${address}:${port}/?token=${token}${query}` };
+}
+
+/** Returns the folder of the only session below `logs`, beside files of the recorder's own. */
+export function onlySession(logs) {
+  const sessions = readdirSync(logs).filter((name) => !name.startsWith("."));
+  if (sessions.length !== 1) throw new Error(`expected one session in ${logs}, got ${sessions.length}`);
+  return join(logs, sessions[0]);
 }
 
 /**

@@ -86,7 +86,7 @@ async function seeks(report, browser, session) {
     browser,
     `${await lab.address}/#/14/2/field?layers=truth,belief,error,uncertainty,view,intent,team,trail,names,everyone`,
   );
-  await page.getByRole("button", { name: "Freeze time" }).click();
+  await page.getByRole("button", { name: "Freeze view" }).click();
   await stands(page);
   const box = await page.getByLabel("Timeline").boundingBox();
   const times = [];
@@ -174,7 +174,7 @@ async function exact(report, browser, probes) {
   const contents = contentsOf(session);
   const lab = start("foresight-lab", ["play", session, ...state]);
   const { page } = await openPage(browser, `${await lab.address}/#/14/2/objects`);
-  await page.getByRole("button", { name: "Freeze time" }).click();
+  await page.getByRole("button", { name: "Freeze view" }).click();
   await stands(page);
   const box = await page.getByLabel("Timeline").boundingBox();
   const names = ["pose", "odometry", "inertial", "battery", "motion_status"].filter((name) =>

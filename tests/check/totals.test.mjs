@@ -10,7 +10,10 @@ const program = fileURLToPath(new URL("../../scripts/lib-totals.mjs", import.met
 /** Lines that the program prints for the result files `files`, and its exit status. */
 function totalsOf(t, files, environment = {}) {
   const folder = repositoryOf(t, files);
-  const { stdout, status } = spawnSync(process.execPath, [program, folder], { encoding: "utf8", env: environment });
+  const { stdout, status } = spawnSync(process.execPath, [program, folder], {
+    encoding: "utf8",
+    env: environment,
+  });
   return { lines: stdout.trim().split("\n"), status };
 }
 
@@ -53,6 +56,7 @@ test("each kind of result is counted test by test", (t) => {
     "skipped: browser: inner two: no tc",
     "skipped: viewer: later: no reason given",
     "FAILED: C++: Ball.Stops",
+    "    no",
     "FAILED: C++: gone_NOT_BUILT (could not be started)",
     "FAILED: browser: alone",
     "FAILED: viewer: b.test.ts",
@@ -61,12 +65,64 @@ test("each kind of result is counted test by test", (t) => {
   assert.equal(status, 1);
 });
 
+test("a failure is followed by the beginning of what it said", (t) => {
+  const output = `[ RUN      ] Ball.Stops
+chatter
+ball_test.cpp:7: Failure
+Expected: (x) &lt; (1), actual: 2 vs 1
+
+ball_test.cpp:9: Failure
+Failed
+[  FAILED  ] Ball.Stops (0 ms)`;
+  const block = (error) => `  ---\n  duration_ms: 3\n  ${error}\n  code: 'ERR'\n  ...\n`;
+  const { lines } = totalsOf(t, {
+    "steps.txt": "failed\ttests\tC++\nfailed\ttests\tbrowser\nfailed\ttests\tviewer\n",
+    "C++.junit.xml": `<testsuite><testcase name="Ball.Stops" time="0" status="fail"><failure message=""/><system-out>${output}</system-out></testcase></testsuite>`,
+    "browser.tap": `not ok 1 - short\n${block("error: 'no ball'")}not ok 2 - long\n${block(
+      `error: |-\n    first\n    \n${"    more\n".repeat(9)}    last`,
+    )}`,
+    "viewer.vitest.json": JSON.stringify({
+      testResults: [
+        {
+          assertionResults: [
+            {
+              fullName: "draws",
+              status: "failed",
+              failureMessages: ["Error: 1\n  at x"],
+            },
+          ],
+        },
+      ],
+    }),
+  });
+  assert.deepEqual(lines, [
+    "FAILED: C++: Ball.Stops",
+    "    ball_test.cpp:7: Failure",
+    "    Expected: (x) < (1), actual: 2 vs 1",
+    "    ball_test.cpp:9: Failure",
+    "    Failed",
+    "FAILED: browser: short",
+    "    no ball",
+    "FAILED: browser: long",
+    "    first",
+    ...Array(5).fill("    more"),
+    "FAILED: viewer: draws",
+    "    Error: 1",
+    "    at x",
+    "0 passed, 4 failed, 0 skipped",
+  ]);
+});
+
 test("the ten slowest tests are named, the slowest one first, unless they take less than a second", (t) => {
   const junit = `<testsuite>${Array.from({ length: 9 }, (_, i) => `<testcase name="T.${i}" time="${i}.5" status="run"/>`).join("")}</testsuite>`;
   const block = (ms) => `  ---\n  duration_ms: ${ms}\n  ...\n`;
   const slow = `    ok 1 - inner\n    ${block(2000).replace(/\n(?=.)/g, "\n    ")}ok 1 - outer\n${block(9000)}ok 2 - page\n${block(61000)}`;
   const json = JSON.stringify({
-    testResults: [{ assertionResults: [{ fullName: "draws", status: "passed", duration: 3000 }] }],
+    testResults: [
+      {
+        assertionResults: [{ fullName: "draws", status: "passed", duration: 3000 }],
+      },
+    ],
   });
   const steps = "passed\ttests\tC++\npassed\ttests\tbrowser\npassed\ttests\tviewer\n";
   const { lines } = totalsOf(t, {
@@ -95,7 +151,10 @@ test("a check counts once, a preparation only when it fails", (t) => {
 });
 
 test("a step that fails without a failing test is a failure", (t) => {
-  const { lines } = totalsOf(t, { "steps.txt": "failed\ttests\tbrowser\n", "browser.tap": "ok 1 - fine\n" });
+  const { lines } = totalsOf(t, {
+    "steps.txt": "failed\ttests\tbrowser\n",
+    "browser.tap": "ok 1 - fine\n",
+  });
   assert.deepEqual(lines, ["FAILED: browser", "1 passed, 1 failed, 0 skipped"]);
 });
 

@@ -70,7 +70,7 @@ test("both subprotocols introduce the server and offer every stream and its deri
   assert.deepEqual(capabilities, ["time", "parameters", "parametersSubscribe", "services", "playbackControl"]);
   assert.deepEqual(supportedEncodings, ["json"]);
   const { build } = await statusOf(server);
-  assert.deepEqual(metadata, { build, body: "recording", robots: "14/2", rules: "spl2025" });
+  assert.deepEqual(metadata, { build, body: "recording", robots: "14/2", rules: "spl2025", session: "synthetic" });
   assert.match(sessionId, /^\d+$/);
 
   const about = (topic) => live.channels.get(topic).metadata;
@@ -281,7 +281,7 @@ test("a service that refuses gives a normal answer with an error; an unknown ser
   const { server, live } = await played(t);
   assert.deepEqual(
     [...live.services.keys()],
-    ["clock_sync", "/foresight/what_if", "/foresight/strategies", "message_beside"],
+    ["clock_sync", "/foresight/what_if", "/foresight/strategies", "message_beside", "watch_session"],
   ); // a server of a recording records nothing
   assert.deepEqual(await live.call("clock_sync", {}), {
     ok: false,

@@ -18,7 +18,7 @@ import {
   until,
 } from "./support.mjs";
 
-const kViews = ["field", "camera", "objects", "plot", "decision", "what-if", "health", "log", "sessions"];
+const kViews = ["field", "camera", "objects", "plot", "decision", "what-if", "health", "log", "sessions", "parameters"];
 const practice = (page) => page.getByRole("status").filter({ hasText: "Not for a match" });
 
 test("with --practice each view says that the wireless network stays open", async (t) => {

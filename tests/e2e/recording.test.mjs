@@ -35,7 +35,7 @@ async function place(page) {
   const [minutes, seconds] = (await elapsed(page)).split(" / ")[0].split(":").map(Number);
   return 60 * minutes + seconds;
 }
-const goesOn = (page) => page.getByRole("button", { name: "Freeze time" }).waitFor();
+const goesOn = (page) => page.getByRole("button", { name: "Freeze view" }).waitFor();
 const stands = (page) => page.getByRole("button", { name: "Go on" }).waitFor();
 const row = (page, name) =>
   page
@@ -60,7 +60,7 @@ test("a page paused before the first data shows the first data", async (t) => {
     behind.onMessage((message) => void (next = next.then(() => socket.send(message))));
   });
   await page.goto(`${server.http}/#/14/2/objects`);
-  await page.getByRole("button", { name: "Freeze time" }).click();
+  await page.getByRole("button", { name: "Freeze view" }).click();
   await stands(page);
   await page.getByRole("button", { name: "Go on" }).click(); // changed again
   await goesOn(page);
@@ -306,7 +306,7 @@ test("a search finds a condition in the whole recording, also in parts that no p
   await page.keyboard.press("w");
   const query = page.getByLabel("Find when");
   await query.fill("game.state =");
-  await page.getByText("I cannot read “=”.").waitFor();
+  await page.getByText("“=” compares nothing").waitFor();
   await query.fill("game.state == playing && pose.x > -9");
   // the page stands at the beginning and has played nothing
   await page.getByText(`${begins.length} times in the whole recording`).waitFor();

@@ -36,7 +36,7 @@ test("the moment of a recorded game at the playhead is saved, played from and ch
   await page.getByRole("status", { name: "Score" }).waitFor();
   // some seconds of play, then the moment stands still
   await until(async () => /^0:2\d/.test(await page.getByLabel("Elapsed").textContent()), "the play");
-  await page.getByRole("button", { name: "Freeze time" }).click();
+  await page.getByRole("button", { name: "Freeze view" }).click();
   await page.getByRole("button", { name: "Go on" }).waitFor();
   await shoot(page, "save_moment");
   const fits = await button(page).evaluate(({ scrollWidth, clientWidth }) => scrollWidth <= clientWidth);

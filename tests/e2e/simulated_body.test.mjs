@@ -184,8 +184,8 @@ test("the page shows the field of a simulated game, and its buttons pause, step 
   await page.getByRole("region", { name: "Field" }).waitFor();
   const title = "14/2 · field · Foresight"; // the robot's name comes with its first data
   await until(async () => (await page.title()) === title, `the title ${title}`);
-  await page.getByRole("button", { name: "Pause" }).click();
-  await page.getByRole("button", { name: "Play" }).waitFor();
+  await page.getByRole("button", { name: "Pause game" }).click();
+  await page.getByRole("button", { name: "Play game" }).waitFor();
   const { tick } = await live.call("/sim/state");
   await page.getByRole("button", { name: "Step" }).click();
   await until(async () => (await live.call("/sim/state")).tick === tick + 1, "a step");

@@ -100,7 +100,7 @@ test("a page can be paused while the robot continues; its address leads to the s
   await page.keyboard.press("Home");
   await until(() => at(page) < shown - 300_000_000n, "the oldest moment");
   await page.keyboard.press(" ");
-  await until(() => footer(page).getByRole("button", { name: "Freeze time" }).isVisible(), "playing on from there");
+  await until(() => footer(page).getByRole("button", { name: "Freeze view" }).isVisible(), "playing on from there");
   await page.keyboard.press("End");
   await isLive(page);
   assert.equal(at(page), 0n);
@@ -236,8 +236,8 @@ for (const [what, serve] of [
     await page.getByRole("link", { name: "plot", exact: true }).click();
     await page.getByLabel("Add a number").fill("pose truth");
     await page
-      .getByRole("list", { name: "Numbers that fit" })
-      .getByRole("button", { name: "/14/2/pose~truth" })
+      .getByRole("listbox", { name: "Numbers that fit" })
+      .getByRole("option", { name: "/14/2/pose~truth" })
       .click();
     await page.waitForURL(/plot=\/14\/2\/pose~truth/);
     await row(page, "pose").click();

@@ -305,7 +305,7 @@ test("ball and robots can be dragged, turned and put back; changes go into the q
 
   // a colleague's link holds the same question
   const colleague = await ask(t, server, page.url().slice(page.url().indexOf("#")));
-  await colleague.page.getByRole("button", { name: "ball" }).waitFor();
+  await colleague.page.getByRole("group", { name: "Edited" }).getByRole("button", { name: "ball" }).waitFor();
   await colleague.page.keyboard.press("Enter");
   await until(() => colleague.questions.length === 1, "the colleague's question");
   assert.deepEqual(colleague.questions[0].edit, edit);
@@ -348,7 +348,7 @@ test("the page shows the sentence of a refusal, and a strategy that the robot do
 test("a recording is asked at the moment that the page shows", async (t) => {
   const server = await playGame(t);
   const { page, problems, questions } = await ask(t, server, "#/14/2/what-if", { colorScheme: "light" });
-  await page.locator("footer").getByRole("button", { name: "Freeze time" }).waitFor();
+  await page.locator("footer").getByRole("button", { name: "Freeze view" }).waitFor();
   await page.keyboard.press("Home");
   await page.waitForURL(/at=\d+/);
   const answered = page.getByText("Your question");

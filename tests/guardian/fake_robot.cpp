@@ -8,7 +8,8 @@
 //   chest | head | release | fall | upright | lift | down | heat N | cool | battery N | turn N    act on the body
 //   broken | short | huge | reordered | other     form of the next frames: broken numbers, half a frame, one of
 //                                                 10 kB, another order of keys, correct
-//   vanish                                        the connection ends; the next one is served
+//   vanish                                        the connection ends after the next answer, so that none is lost on
+//                                                 the way; the next one is served
 //   state                                         prints {"stiffness", "knee", "chest", "eye", "frames", "answers", …}
 //   end
 //
@@ -165,6 +166,9 @@ class FakeRobot {
       last_ = *answer;
       body_.obey(*answer, 0.012f);
     }
+    if (!vanishes_ || !received_.empty()) return;
+    vanishes_ = false;
+    lose();
   }
 
   void read_input() {
@@ -199,7 +203,7 @@ class FakeRobot {
     if (word == "battery") body_.sensors.battery[0] = number;
     if (word == "turn") body_.sensors.angles[0] = number;
     if (word == "broken" || word == "short" || word == "huge" || word == "reordered" || word == "other") kind_ = word;
-    if (word == "vanish") lose();
+    if (word == "vanish") vanishes_ = true;
     if (word == "state") tell();
     if (word == "end") ended_ = true;
   }
@@ -237,7 +241,7 @@ class FakeRobot {
   tests::FakeBody body_;
   Actuators last_;
   std::string received_, input_, kind_ = "other";
-  bool ended_ = false, input_open_ = true;
+  bool ended_ = false, input_open_ = true, vanishes_ = false;
   const std::uint64_t ends_ns_;
   std::uint64_t due_ns_ = 0;   // the next cycle
   std::uint64_t sent_ns_ = 0;  // the frame that waits for its answer; 0: none

@@ -106,7 +106,12 @@ export class World {
 
   /** Waits for a sentence of the guardian with `part`, and returns it. */
   untilSaid = (part) =>
-    until(() => this.guardian.errors.includes(part), `the guardian says '${part}'; it said ${this.guardian.errors}`);
+    until(
+      () => this.guardian.errors.includes(part),
+      `the guardian says '${part}'`,
+      undefined,
+      () => this.guardian.errors,
+    );
 
   ended = (process) => within(process.ended, "the end of a process");
 }

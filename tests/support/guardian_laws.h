@@ -38,7 +38,7 @@ class GuardianLaws {
   robot::nao::Order order_;
   robot::nao::Cycle extra_;
   robot::nao::Pose last_;
-  std::mt19937 random_;
+  std::minstd_rand random_;  // sown anew in each cycle, which costs it nothing
   std::uint64_t now_ns_ = 1'000'000'000, step_ns_ = 12'000'000;
   bool gives_orders_ = true, readable_ = true;
   int stood_ = 0;

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <variant>
+#include <vector>
 
 namespace robot::app {
 namespace {
@@ -25,7 +26,7 @@ Result<void> add_parameter_service(net::Parameters& parameters, const std::strin
     [[maybe_unused]] const Result<void> written = object->write_bytes(text_of(parameters), clock.now_ns());
   };
   write();
-  parameters.listen([write](const std::string&) { write(); });
+  parameters.listen([write](const std::vector<std::string>&) { write(); });
   return {};
 }
 

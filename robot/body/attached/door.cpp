@@ -167,7 +167,8 @@ void Door::write(PendingConnection& pending, memory::ChannelInfo announced) {
            {.destination =
                 [channel](const memory::ChannelInfo&) { return Result<std::shared_ptr<memory::Channel>>(*channel); },
             .pace = nullptr}),
-       .reader = nullptr});
+       .reader = nullptr,
+       .topic = (*channel)->info().topic});
 }
 
 /// Starts to send the wanted object as soon as its channel exists.
@@ -179,7 +180,8 @@ void Door::serve(PendingConnection& pending) {
   streams_.push_back(
       {.id = board_.start_logger(
            channel, std::make_unique<DoorOutProvider>(pending.connection, clock_.epoch_offset_ns()), kQueueBytes),
-       .reader = pending.connection});
+       .reader = pending.connection,
+       .topic = {}});
 }
 
 void Door::refuse(PendingConnection& pending, const std::string& sentence) {
@@ -191,11 +193,17 @@ void Door::refuse(PendingConnection& pending, const std::string& sentence) {
 
 /// Removes the streams whose process has disconnected.
 void Door::clear_away() {
-  std::erase_if(streams_, [this](const Stream& stream) {
+  std::set<std::string> ended_topics;  // two processes that wrote one topic may end together
+  std::erase_if(streams_, [&](const Stream& stream) {
     const bool ended = stream.reader ? stream.reader->gone() : board_.status(stream.id).ended;
-    if (ended) board_.stop(stream.id);
-    return ended;
+    if (!ended) return false;
+    board_.stop(stream.id);
+    if (!stream.topic.empty()) ended_topics.insert(stream.topic);
+    return true;
   });
+  if (!options_.on_end) return;
+  for (const std::string& topic : ended_topics)
+    if (std::ranges::find(streams_, topic, &Stream::topic) == streams_.end()) options_.on_end(topic);
 }
 
 }  // namespace robot::body

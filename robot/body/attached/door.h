@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -30,9 +31,12 @@ struct DoorOptions {
   std::string robot;           // this robot, such as "14/2"
 
   /// Objects of this robot that only the runtime writes.
-  std::set<std::string> own_objects = {"runtime", "clock", "parameters"};
+  std::set<std::string> own_objects = {"runtime", "clock", "parameters", "live_parameters"};
 
   std::uint64_t first_frame_ns = 5 * kSecond;  // time for the first frame of a connection
+
+  /// Called by the door's thread when no process that writes `topic` is connected any more. Empty: nobody asks.
+  std::function<void(const std::string& topic)> on_end = {};
 };
 
 /// Returns the default path of the door: $FORESIGHT_DOOR, or a name of this user in shared memory. Every process sees
@@ -68,6 +72,7 @@ class Door {
   struct Stream {
     logging::LoggingBoard::StreamId id = 0;
     std::shared_ptr<Connection> reader;  // null: a stream that is written
+    std::string topic;                   // of a stream that is written
   };
 
   Door(DoorOptions options, const SessionClock& clock, memory::Channels& channels, logging::LoggingBoard& board,

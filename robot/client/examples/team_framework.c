@@ -1,7 +1,9 @@
 // A stand-in for a team's framework: it writes its images, joints, pose, ball, team and game state to Foresight, and
-// reads the motion commands. Ends after the given number of seconds.
+// reads the motion commands. People change its path in the viewer: live parameters. Ends after the given number of
+// seconds.
 #include <foresight.h>
 #include <foresight_fields.h>
+#include <foresight_parameters.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,12 +23,19 @@ int main(int argc, char** argv) {
   ForesightWriter* game = foresight_announce("game", "foresight.GameState");
   ForesightReader* command = foresight_want("motion_command");
 
+  double radius = 1;
+  int clockwise = 0;
+  ForesightParameters* path = foresight_parameters("path", NULL);
+  foresight_add_number(path, "radius", &radius, 0.2, 3, "m", "Radius of the circle on which the robot walks.");
+  foresight_add_yes_no(path, "clockwise", &clockwise, "The direction of the walk, seen from above.");
+
   const uint64_t start_ns = foresight_now_ns();
   const double seconds = argc > 1 ? atof(argv[1]) : 10;
   unsigned long commands = 0;
   for (unsigned long cycle = 0; (double)cycle * CYCLE_NS < seconds * 1e9; ++cycle) {
     const uint64_t now_ns = foresight_now_ns();
     const float t = (float)(now_ns - start_ns) * 1e-9f;
+    foresight_poll_parameters(path);
     unsigned char room[256], inner_room[128];
     ForesightBytes message = foresight_bytes(room, sizeof room), inner = foresight_bytes(inner_room, sizeof inner_room);
 
@@ -40,9 +49,10 @@ int main(int argc, char** argv) {
       foresight_write_image(camera, now_ns, FORESIGHT_YUYV, WIDTH, HEIGHT, yuyv, sizeof yuyv);
 
       message.size = 0;  // the robot walks on a circle round the centre of the field
-      foresight_put_float(&message, 1, cosf(t));
-      foresight_put_float(&message, 2, sinf(t));
-      foresight_put_float(&message, 3, remainderf(t + 1.571f, 6.2832f));
+      const float way = clockwise ? -t : t, quarter = clockwise ? -1.571f : 1.571f;
+      foresight_put_float(&message, 1, (float)radius * cosf(way));
+      foresight_put_float(&message, 2, (float)radius * sinf(way));
+      foresight_put_float(&message, 3, remainderf(way + quarter, 6.2832f));
       foresight_write(pose, now_ns, message.bytes, message.size);
 
       message.size = 0;  // the ball, always a metre to its left
@@ -84,5 +94,6 @@ int main(int argc, char** argv) {
   foresight_close(team);
   foresight_close(game);
   foresight_end(command);
+  foresight_end_parameters(path);
   return 0;
 }

@@ -69,8 +69,8 @@ class Importer {
       const auto bytes = block.number("nbytes");
       if (!bytes || *bytes < 0) return damaged("block " + name + ": its header has no number of bytes");
       if (*bytes > static_cast<double>(payload.size()))
-        return damaged("block " + name + ": expected " + std::to_string(static_cast<std::uint64_t>(*bytes)) +
-                       " bytes, the payload has " + std::to_string(payload.size()) + " more");
+        return damaged("block " + name + ": expected " + block.find("nbytes")->atom + " bytes, the payload has " +
+                       std::to_string(payload.size()) + " more");
       const auto size = static_cast<std::size_t>(*bytes);
       const Result<void> read = read_block(name, block, payload.substr(0, size));
       if (!read && sink_failed_) return read.failure();

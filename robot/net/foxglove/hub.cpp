@@ -133,6 +133,11 @@ void Hub::complain(Client& client, std::string_view sentence) {
   say(client, foxglove::status(foxglove::StatusLevel::error, sentence));
 }
 
+/// Reports that the client may not control now.
+void Hub::refuse(Client& client, std::string_view sentence) {
+  say(client, foxglove::status(foxglove::StatusLevel::error, sentence, {}, client.identity.context.cause()));
+}
+
 void Hub::disconnect(Client& client, std::uint16_t close_code, std::string_view sentence) {
   if (client.queue.finished()) return;
   say(client, foxglove::status(foxglove::StatusLevel::error, sentence));

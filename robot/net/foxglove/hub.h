@@ -25,7 +25,7 @@ namespace robot::net {
 
 struct HubOptions {
   std::string name = "foresight";
-  std::map<std::string, std::string> metadata;  // {"build", "body", "robots"}, and "rules" if they are known
+  std::map<std::string, std::string> metadata;  // {"build", "body", "robots"}, and "rules" and "session" if known
   QueueLimits queues;
   Playback* playback = nullptr;                  // of the played recording, if any; outlives the hub
   std::uint64_t pong_timeout_ns = 30 * kSecond;  // without an answer to a ping in this time, the client is gone
@@ -91,6 +91,7 @@ class Hub {
   void say(Client& client, std::string_view text);
   void say_binary(Client& client, std::string_view bytes);
   void complain(Client& client, std::string_view sentence);
+  void refuse(Client& client, std::string_view sentence);
   void push(Client& client, std::uint32_t channel, const memory::VersionPtr& version);
   void note_gap(OfferedChannel& channel, std::uint64_t missing);
   void tell_drops(Client& client, std::uint64_t now_ns);

@@ -84,33 +84,33 @@ void Hub::in_turn(Client& client, std::function<std::string()> work,
       });
 }
 
-/// Sets the values. The answer holds the values afterwards, which differ from the request if one was refused.
+/// Sets the values, all in one turn. The answer holds the values afterwards, which differ from the request if one was
+/// refused.
 void Hub::handle(Client& client, const foxglove::SetParameters& message) {
   std::vector<std::string> names;
-  for (const auto& [name, value] : message.parameters) {
-    names.push_back(name);
-    const std::string who = "parameter '" + name.substr(0, 100) + "': ";
-    if (const std::string refusal = client.identity.context.refusal(); !refusal.empty()) {
-      complain(client, who + refusal);
-    } else if (!value) {
-      complain(client, who + "expected true, false, a number or a text");
-    } else {
-      in_turn(
-          client,
-          [this, name = name, value = *value] {
-            const auto set = parameters_.set(name, value);
-            return set ? std::string() : set.error();
-          },
-          [this](Client& present, const std::string& problem) {
-            if (!problem.empty()) complain(present, problem);
-          });
-    }
+  for (const auto& [name, value] : message.parameters) names.push_back(name);
+  const auto problems = std::make_shared<std::vector<std::string>>();
+  const auto tell = [this, names, problems, id = message.id](Client& present, const std::string&) {
+    for (const std::string& problem : *problems) complain(present, problem);
+    tell_parameters(present, names, id);
+  };
+  if (const std::string refusal = client.identity.context.refusal(); !refusal.empty() && !names.empty()) {
+    const std::string more = names.size() > 1 ? " and " + std::to_string(names.size() - 1) + " more" : "";
+    refuse(client, "parameter '" + names.front().substr(0, 100) + "'" + more + ": " + refusal);
+    return tell(client, "");
   }
   in_turn(
-      client, [] { return std::string(); },
-      [this, names = std::move(names), id = message.id](Client& present, const std::string&) {
-        tell_parameters(present, names, id);
-      });
+      client,
+      [this, wanted = message.parameters, problems] {
+        for (const auto& [name, value] : wanted) {
+          const Result<void> set =
+              value ? parameters_.set(name, *value)
+                    : Error{"parameter '" + name.substr(0, 100) + "': expected true, false, a number or a text"};
+          if (!set) problems->push_back(set.error());
+        }
+        return std::string();
+      },
+      tell);
 }
 
 void Hub::handle(Client& client, const foxglove::WatchParameters& message) {
@@ -139,7 +139,7 @@ void Hub::handle(Client& client, const foxglove::ServiceCall& message) {
   context.asked_ns = monotonic_ns();
   // a refusal is sent at once, without waiting in the queue
   if (const std::string refusal = services_.refusal(message.service, context); !refusal.empty())
-    return answer(client, message, failure(refusal).dump());
+    return answer(client, message, refused(refusal, context).dump());
   switch (services_.whom(message.service)) {
     case Services::For::everybody:
       return answer(client, message, services_.call(message.service, message.payload, context));
@@ -192,7 +192,7 @@ void Hub::handle(Client& client, const foxglove::ClientPublish&) {
 void Hub::handle(Client& client, const foxglove::PlaybackControl& message) {
   if (!options_.playback) return complain(client, "playback: this server does not play a recording");
   if (const std::string refusal = client.identity.context.refusal(); !refusal.empty())
-    return complain(client, "playback: " + refusal);
+    return refuse(client, "playback: " + refusal);
   if (!(message.speed >= 0.01F && message.speed <= 1000))
     return complain(client, "playback: expected a speed of 0.01 .. 1000, got " + std::to_string(message.speed));
   client.identity.playback = true;  // a client that controls the playback understands its state

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdio>
+#include <iterator>
 #include <mutex>
 #include <utility>
 
@@ -17,10 +19,16 @@ Error refused(std::string_view name, const std::string& expected) {
 
 /// Returns a number without trailing zeros: 0.1, not 0.100000.
 std::string shown(double number) {
-  std::string text = std::to_string(number);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", number);
   return text;
+}
+
+/// Returns the range of `rule` in words: "1 .. 5", "at least 1", "a finite number".
+std::string range_of(const ParameterRule& rule) {
+  if (rule.min && rule.max) return shown(*rule.min) + " .. " + shown(*rule.max);
+  if (rule.min) return "at least " + shown(*rule.min);
+  return rule.max ? "at most " + shown(*rule.max) : "a finite number";
 }
 
 /// Returns `value` converted to the type of `like`, or nothing if that is impossible.
@@ -35,16 +43,16 @@ std::optional<ParameterValue> converted(const ParameterValue& value, const Param
   return std::nullopt;
 }
 
-Result<void> check(std::string_view name, const ParameterValue& value, const ParameterRule& rule) {
+}  // namespace
+
+Result<void> check_value(std::string_view name, const ParameterValue& value, const ParameterRule& rule) {
   std::optional<double> number;
   if (const auto* whole = std::get_if<std::int64_t>(&value)) number = static_cast<double>(*whole);
   if (const auto* real = std::get_if<double>(&value)) number = *real;
   // not-a-number is refused, too
   const bool inside =
       !number || (std::isfinite(*number) && !(rule.min && *number < *rule.min) && !(rule.max && *number > *rule.max));
-  if (!inside && rule.min && rule.max)
-    return refused(name, shown(*rule.min) + " .. " + shown(*rule.max) + ", got " + shown(*number));
-  if (!inside) return refused(name, "a number in its range, got " + shown(*number));
+  if (!inside) return refused(name, range_of(rule) + ", got " + shown(*number));
 
   const auto* text = std::get_if<std::string>(&value);
   if (!text || rule.choices.empty() || std::ranges::find(rule.choices, *text) != rule.choices.end()) return {};
@@ -53,13 +61,44 @@ Result<void> check(std::string_view name, const ParameterValue& value, const Par
   return refused(name, "one of " + choices + ", got '" + text->substr(0, 100) + "'");
 }
 
-}  // namespace
-
 void Parameters::declare(std::string name, ParameterValue initial, ParameterRule rule) {
   const std::lock_guard guard(lock_);
   [[maybe_unused]] const bool added =
-      entries_.try_emplace(std::move(name), Entry{std::move(initial), std::move(rule)}).second;
+      entries_.try_emplace(std::move(name), Entry{initial, initial, std::move(rule)}).second;
   assert(added && "a parameter is declared once");
+}
+
+std::vector<std::string> Parameters::offer(std::string_view prefix, std::vector<OfferedParameter> offered) {
+  std::vector<std::string> problems, changed;
+  std::vector<Listener> listeners;
+  {
+    const std::lock_guard guard(lock_);
+    // the former parameters with this prefix stand together
+    const auto first = entries_.lower_bound(prefix);
+    auto last = first;
+    while (last != entries_.end() && last->first.starts_with(prefix)) ++last;
+    std::map<std::string, Entry, std::less<>> former(std::make_move_iterator(first), std::make_move_iterator(last));
+    entries_.erase(first, last);
+
+    for (OfferedParameter& parameter : offered) {
+      assert(parameter.name.starts_with(prefix) && parameter.initial.index() == parameter.present.index());
+      Entry entry{std::move(parameter.present), std::move(parameter.initial), std::move(parameter.rule)};
+      const auto old = former.find(parameter.name);
+      if (old != former.end() && old->second.value != old->second.initial) {
+        auto kept = converted(old->second.value, entry.initial);
+        if (kept && check_value(parameter.name, *kept, entry.rule))
+          entry.value = *std::move(kept);
+        else
+          problems.push_back("parameter '" + parameter.name +
+                             "': the value that was set does not fit the new announcement; the announced value holds");
+      }
+      if (old == former.end() || old->second.value != entry.value) changed.push_back(parameter.name);
+      entries_.insert_or_assign(std::move(parameter.name), std::move(entry));
+    }
+    listeners = listeners_;
+  }
+  for (const auto& listener : listeners) listener(changed);
+  return problems;
 }
 
 Result<void> Parameters::set(std::string_view name, const ParameterValue& value) {
@@ -74,26 +113,31 @@ Result<void> Parameters::set(std::string_view name, const ParameterValue& value)
   auto wanted = converted(value, entry.value);
   if (!wanted)
     return refused(name, std::string(kTypeNames[entry.value.index()]) + ", got " + kTypeNames[value.index()]);
-  if (auto checked = check(name, *wanted, entry.rule); !checked) return checked;
+  if (auto checked = check_value(name, *wanted, entry.rule); !checked) return checked;
   if (entry.rule.apply)
     if (auto applied = entry.rule.apply(*wanted); !applied) return applied;
-  store(std::string(name), *std::move(wanted));
+  if (!store(std::string(name), *std::move(wanted))) return refused(name, "its former announcement, got a new one");
   return {};
 }
 
-void Parameters::update(std::string_view name, ParameterValue value) { store(std::string(name), std::move(value)); }
+void Parameters::update(std::string_view name, ParameterValue value) {
+  [[maybe_unused]] const bool stored = store(std::string(name), std::move(value));
+  assert(stored && "an update keeps the type");
+}
 
-void Parameters::store(const std::string& name, ParameterValue value) {
-  std::vector<std::function<void(const std::string&)>> listeners;
+/// Returns false if there is no parameter of this name and type: it was offered anew meanwhile.
+bool Parameters::store(const std::string& name, ParameterValue value) {
+  std::vector<Listener> listeners;
   {
     const std::lock_guard guard(lock_);
     const auto found = entries_.find(name);
-    assert(found != entries_.end() && found->second.value.index() == value.index());
-    if (found == entries_.end() || found->second.value == value) return;
+    if (found == entries_.end() || found->second.value.index() != value.index()) return false;
+    if (found->second.value == value) return true;
     found->second.value = std::move(value);
     listeners = listeners_;
   }
-  for (const auto& listener : listeners) listener(name);
+  for (const auto& listener : listeners) listener({name});
+  return true;
 }
 
 std::optional<ParameterValue> Parameters::get(std::string_view name) const {
@@ -115,7 +159,7 @@ std::vector<std::string> Parameters::names() const {
   return names;
 }
 
-void Parameters::listen(std::function<void(const std::string&)> listener) {
+void Parameters::listen(Listener listener) {
   const std::lock_guard guard(lock_);
   listeners_.push_back(std::move(listener));
 }

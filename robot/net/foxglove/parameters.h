@@ -27,11 +27,27 @@ struct ParameterRule {
   std::function<Result<void>(const ParameterValue&)> apply = {};
 };
 
+/// A parameter that another part offers while the table is in use.
+struct OfferedParameter {
+  std::string name;
+  ParameterValue initial;  // the default
+  ParameterValue present;  // of the same type; fits the rule
+  ParameterRule rule;
+};
+
+/// Checks the range or the choices of a value; the type is right already. Returns an Error that names the parameter.
+Result<void> check_value(std::string_view name, const ParameterValue& value, const ParameterRule& rule);
+
 /// The table of parameters. Any thread.
 class Parameters {
  public:
   /// Adds a parameter. Call it once for each name, before other threads use the table.
   void declare(std::string name, ParameterValue initial, ParameterRule rule = {});
+
+  /// Replaces all parameters whose names begin with `prefix` by `offered`, whose names begin with it too. A value that was
+  /// set stays: one that differs from the initial value of its parameter so far. Returns a sentence for each value that
+  /// was set and does not fit its parameter any more.
+  std::vector<std::string> offer(std::string_view prefix, std::vector<OfferedParameter> offered);
 
   /// Sets a value for a client or a person: checks its type and range, applies the rule, and notifies the listeners.
   /// Converts a whole number if the parameter is a number, and 3.0 if it is a whole number.
@@ -52,21 +68,23 @@ class Parameters {
   /// Returns all names, in alphabetical order.
   std::vector<std::string> names() const;
 
-  /// Calls `listener` from now on with the name of each parameter that changes, on the thread that changes it.
-  /// The listener reads the value itself. It stays as long as the table.
-  void listen(std::function<void(const std::string& name)> listener);
+  using Listener = std::function<void(const std::vector<std::string>& names)>;
+
+  /// Calls `listener` from now on with the names of the parameters that changed, on the thread that changes them. No names:
+  /// parameters have gone. The listener reads the values itself. It stays as long as the table.
+  void listen(Listener listener);
 
  private:
   struct Entry {
-    ParameterValue value;
+    ParameterValue value, initial;
     ParameterRule rule;
   };
 
-  void store(const std::string& name, ParameterValue value);
+  bool store(const std::string& name, ParameterValue value);
 
   mutable Mutex lock_;
   std::map<std::string, Entry, std::less<>> entries_;
-  std::vector<std::function<void(const std::string&)>> listeners_;
+  std::vector<Listener> listeners_;
 };
 
 }  // namespace robot::net

@@ -11,6 +11,12 @@ using Json = nlohmann::json;
 
 Json failure(std::string_view sentence) { return {{"ok", false}, {"error", sentence}}; }
 
+Json refused(std::string_view sentence, const ClientContext& client) {
+  Json answer = failure(sentence);
+  answer["cause"] = client.cause();
+  return answer;
+}
+
 void Services::add(std::string name, For whom, Handler handler) {
   services_.push_back({std::move(name), whom, std::move(handler)});
 }
@@ -37,8 +43,8 @@ std::string Services::refusal(std::uint32_t id, const ClientContext& client) con
 }
 
 std::string Services::call(std::uint32_t id, std::string_view request, const ClientContext& client) const {
-  const std::string refused = refusal(id, client);
-  const Json said = refused.empty() ? answer(services_.at(id - 1), request, client) : failure(refused);
+  const std::string why = refusal(id, client);
+  const Json said = why.empty() ? answer(services_.at(id - 1), request, client) : refused(why, client);
   return said.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

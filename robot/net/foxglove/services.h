@@ -25,10 +25,16 @@ struct ClientContext {
 
   /// Returns why it may not control now in one sentence, or an empty string if it may.
   std::string refusal() const;
+
+  /// Returns the cause of a refusal for programs: "token" if the right token would help, else "game".
+  std::string_view cause() const { return may_control ? "game" : "token"; }
 };
 
 /// Returns {"ok": false, "error": sentence}, the answer of a service that failed.
 nlohmann::json failure(std::string_view sentence);
+
+/// Returns the answer to a client that may not call a service: a failure with the field "cause".
+nlohmann::json refused(std::string_view sentence, const ClientContext& client);
 
 /// The list of services. It is filled before the server starts, then only read.
 class Services {

@@ -78,9 +78,10 @@ std::string advertise_services(const std::vector<Service>& services) {
   return dump({{"op", "advertiseServices"}, {"services", std::move(list)}});
 }
 
-std::string status(StatusLevel level, std::string_view message, std::string_view id) {
+std::string status(StatusLevel level, std::string_view message, std::string_view id, std::string_view cause) {
   Json json = {{"op", "status"}, {"level", static_cast<int>(level)}, {"message", message}};
   if (!id.empty()) json["id"] = id;
+  if (!cause.empty()) json["cause"] = cause;
   return dump(json);
 }
 

@@ -50,8 +50,9 @@ std::string advertise(const std::vector<std::string>& channels);
 /// Returns the announcement of services that take and return JSON.
 std::string advertise_services(const std::vector<Service>& services);
 
-/// Returns a status. It replaces an earlier one with the same `id`, if that is not empty.
-std::string status(StatusLevel level, std::string_view message, std::string_view id = {});
+/// Returns a status. It replaces an earlier one with the same `id`, if that is not empty. A `cause`, an extension of the
+/// protocol, names the reason of a refusal for programs, see ClientContext::cause().
+std::string status(StatusLevel level, std::string_view message, std::string_view id = {}, std::string_view cause = {});
 /// Returns the message that removes the status `id`.
 std::string remove_status(std::string_view id);
 

@@ -195,8 +195,11 @@ void Server::Core::watch() {
   channels_.watch([this, inbox = inbox_](const std::shared_ptr<memory::Channel>& channel) {
     inbox->post([this, channel] { hub_.add_channel(channel, derive_); });
   });
-  parameters_.listen(
-      [this, inbox = inbox_](const std::string& name) { inbox->post([this, name] { hub_.parameter_changed(name); }); });
+  parameters_.listen([this, inbox = inbox_](const std::vector<std::string>& names) {
+    inbox->post([this, names] {
+      for (const std::string& name : names) hub_.parameter_changed(name);
+    });
+  });
 }
 
 void Server::Core::accept(Acceptor& acceptor) {

@@ -5,10 +5,13 @@
 
 import itertools
 import json
+import math
 import os
 import re
 import resource
 import signal
+import socket
+import struct
 import subprocess
 import sys
 import tempfile
@@ -111,6 +114,61 @@ class Runtime:
         self.output.close()
 
 
+class Page:
+    """A page on this machine that sets parameters: the part of WebSocket and of the Foxglove protocol that this needs."""
+
+    def __init__(self, runtime):
+        port = until(lambda: re.search(r"http://localhost:(\d+)/", runtime.said()), "the address").group(1)
+        self.socket = socket.create_connection(("127.0.0.1", int(port)), PATIENCE)
+        self.socket.sendall(("GET / HTTP/1.1\r\nHost: localhost:%s\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+                             "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+                             "Sec-WebSocket-Protocol: foxglove.sdk.v1\r\n\r\n" % port).encode())
+        self.bytes = b""
+        head = b""
+        while not head.endswith(b"\r\n\r\n"):
+            head += self.take(1)
+        assert b" 101 " in head, head
+
+    def take(self, size):
+        while len(self.bytes) < size:
+            block = self.socket.recv(1 << 16)
+            assert block, "the runtime has closed the connection"
+            self.bytes += block
+        taken, self.bytes = self.bytes[:size], self.bytes[size:]
+        return taken
+
+    def say(self, message):
+        text = json.dumps(message).encode().ljust(126)  # a shorter text has another form
+        assert len(text) < 1 << 16
+        self.socket.sendall(struct.pack(">BBH4x", 0x81, 0xFE, len(text)) + text)  # the mask is 0
+
+    def hear(self):
+        """Returns the next text of the runtime."""
+        while True:
+            kind, size = self.take(2)
+            size = {126: lambda: struct.unpack(">H", self.take(2))[0],
+                    127: lambda: struct.unpack(">Q", self.take(8))[0]}.get(size, lambda: size)()
+            body = self.take(size)
+            if kind == 0x81:
+                return json.loads(body.decode())
+
+    def set(self, **values):
+        """Sets parameters, and returns the values afterwards and the complaints."""
+        names = {name.replace("__", "."): value for name, value in values.items()}
+        self.say({"op": "setParameters", "id": "set",
+                  "parameters": [{"name": name, "value": value} for name, value in names.items()]})
+        complaints = []
+        while True:
+            heard = self.hear()
+            if heard["op"] == "status":
+                complaints.append(heard["message"])
+            if heard["op"] == "parameterValues" and heard.get("id") == "set":
+                return {one["name"]: one.get("value") for one in heard["parameters"]}, complaints
+
+    def close(self):
+        self.socket.close()
+
+
 class Door(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -161,6 +219,142 @@ class Door(unittest.TestCase):
         until(lambda: not writer.write(1, b"{}") and "refuses" in writer.problem, "a refusal")
         self.assertEqual(writer.problem, "the runtime refuses: /14/2/parameters: expected an object of the team's, "
                                          "got one that only the runtime writes")
+
+    def page(self, runtime):
+        page = Page(runtime)
+        self.addCleanup(page.close)
+        return page
+
+    def parameters(self):
+        """Returns the parameters of a process "walk" with the values of its file."""
+        walk = foresight.Parameters("walk")
+        self.addCleanup(walk.close)
+        walk.number("height", 0.02, range=(0, 0.05), unit="m", text="Height of a foot over the ground.")
+        walk.whole("steps", 3, range=(1, 10))
+        walk.yes_no("arms", True)
+        walk.text("name", "Läufer")
+        walk.choice("gait", "slow", ["slow", "fast"])
+        return walk
+
+    def told(self, walk=None):
+        """Returns the parameters that the runtime shows, as {name: (value, gone)}; `walk` is polled meanwhile."""
+        if not hasattr(self, "heard"):
+            self.heard, self.last = self.reader("live_parameters"), {}
+        if walk:
+            walk.poll()
+        message = self.heard.newest()
+        if message:
+            self.last = {}
+            for number, one in foresight.fields(message.bytes):
+                if number == 1:
+                    fields = dict(foresight.fields(one))
+                    value = fields[4].decode() if 4 in fields else foresight.as_double(fields.get(3, bytes(8)))
+                    self.last[fields[1].decode()] = (value, fields.get(12, 0) == 1)
+        return self.last
+
+    def test_people_set_live_parameters(self):
+        runtime = self.start()
+        walk = self.parameters()
+        self.assertEqual(walk["height"], 0.02)
+        until(lambda: len(self.told(walk)) == 5, "the announcement")
+        self.assertEqual(walk.problem, "")
+        self.assertEqual(self.told()["walk.name"], ("Läufer", False))
+        page = self.page(runtime)
+        values, complaints = page.set(walk__height=0.03, walk__steps=4, walk__arms=False, walk__name="a \"b\" ü",
+                                      walk__gait="fast")
+        self.assertEqual(complaints, [])
+        self.assertEqual(values["walk.height"], 0.03)
+        changed = until(walk.poll, "the values")
+        self.assertTrue(set(changed) <= {"height", "steps", "arms", "name", "gait"})
+        until(lambda: walk.poll() or walk["gait"] == "fast", "the last value")
+        self.assertEqual({name: walk[name] for name in walk},
+                         {"height": 0.03, "steps": 4, "arms": False, "name": "a \"b\" ü", "gait": "fast"})
+        values, complaints = page.set(walk__height=0.06, walk__steps=1.5, walk__arms="yes", walk__gait="faster",
+                                      walk__speed=1, other__name=1)
+        self.assertEqual(complaints, ["parameter 'walk.height': expected 0 .. 0.05, got 0.06",
+                                      "parameter 'walk.steps': expected a whole number, got a number",
+                                      "parameter 'walk.arms': expected true or false, got a text",
+                                      "parameter 'walk.gait': expected one of slow, fast, got 'faster'",
+                                      "parameter 'walk.speed': there is no parameter of this name",
+                                      "parameter 'other.name': there is no parameter of this name"])
+        self.assertEqual(values["walk.height"], 0.03)
+
+    def test_values_that_were_set_outlive_the_process_and_the_runtime(self):
+        runtime = self.start()
+        walk = self.parameters()
+        until(lambda: len(self.told(walk)) == 5, "the announcement")
+        self.page(runtime).set(walk__height=0.03)
+        until(lambda: walk.poll(), "the value")
+
+        walk.close()  # the process dies
+        until(lambda: self.told()["walk.height"] == (0.03, True), "that it has gone")
+        complaints = self.page(runtime).set(walk__steps=4)[1]
+        self.assertEqual(complaints, ["parameter 'walk.steps': expected a process that runs, but 'walk' has disconnected"])
+        walk = self.parameters()  # and starts again with the values of its file
+        until(lambda: self.told(walk)["walk.height"] == (0.03, False), "that it is back")
+        until(lambda: walk.poll() or walk["height"] == 0.03, "the value that was set")
+        self.assertEqual(walk["steps"], 3)
+
+        runtime.end(signal.SIGKILL)
+        for _ in range(50):
+            walk.poll()
+        self.assertEqual(walk["height"], 0.03)
+        until(lambda: self.told() and self.heard.problem, "the end of the old runtime")
+        self.last = {}
+        runtime = self.start()
+        until(lambda: self.told(walk).get("walk.height") == (0.03, False) and not walk.problem, "the new runtime")
+        self.assertEqual(self.page(runtime).set(walk__height=0.02)[1], [])
+        until(lambda: walk.poll() or walk["height"] == 0.02, "the value of the file again")
+
+    def test_a_killed_process_gets_its_values_again(self):
+        runtime = self.start()
+        program = ("import sys, time; sys.path.insert(0, sys.argv[1]); import foresight\n"
+                   "p = foresight.Parameters('p'); p.whole('n', 1)\n"
+                   "while True: p.poll(); print(p['n'], flush=True); time.sleep(0.01)")
+        child = self.run_beside(sys.executable, "-c", program, CLIENT)
+        until(lambda: self.told().get("p.n") == (1, False), "the announcement")
+        self.page(runtime).set(p__n=2)
+        until(lambda: child.stdout.readline() == "2\n", "the value")
+        child.kill()
+        child.wait()
+        until(lambda: self.told()["p.n"] == (2, True), "that it has gone")
+        child = self.run_beside(sys.executable, "-c", program, CLIENT)
+        until(lambda: child.stdout.readline() == "2\n", "the value again")
+
+    def test_a_refused_parameter_is_named_and_the_others_are_taken(self):
+        self.start()
+        walk = self.parameters()
+        walk.number("too high", 1)
+        until(lambda: walk.poll() or len(self.told()) == 5, "the announcement")
+        until(lambda: walk.poll() or walk.problem, "the problem")
+        self.assertEqual(walk.problem, "the runtime refuses: parameter 'too high': expected a name of 1 to 48 letters, "
+                                       "digits, '_', '-' and '.'")
+
+    def test_a_poll_does_not_wait_for_a_stopped_runtime(self):
+        runtime = self.start()
+        walk = self.parameters()
+        until(lambda: len(self.told(walk)) == 5, "the announcement")
+        runtime.process.send_signal(signal.SIGSTOP)
+        before = waits()
+        for i in range(1000):
+            walk.number("n%d" % (i % 3), i)  # announces anew
+            walk.poll()
+        self.assertLess(waits() - before, 100, "a poll waits")
+        runtime.process.send_signal(signal.SIGCONT)
+
+    def test_the_framework_in_c_obeys_its_live_parameters(self):
+        runtime = self.start()
+        self.run_beside(os.path.join(PROGRAMS, "example_team_framework"), "60")
+        until(lambda: self.told().get("path.radius") == (1, False), "the announcement")
+        self.assertEqual(self.page(runtime).set(path__radius=2.5)[1], [])
+        pose = self.reader("pose")
+
+        def radius():
+            """Returns the distance of the newest pose from the centre."""
+            message = pose.newest()
+            return message and math.hypot(*(foresight.as_float(dict(foresight.fields(message.bytes))[n]) for n in (1, 2)))
+
+        until(lambda: abs((radius() or 0) - 2.5) < 1e-3, "the new circle")
 
     def test_the_runtime_alone_writes_the_game_when_it_listens_to_the_game_controller(self):
         runtime = self.start("--game-controller", "--game-port", "0")

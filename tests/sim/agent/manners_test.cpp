@@ -34,6 +34,32 @@ TEST(Manners, AtTheOpponentsKickNoRobotKicksOrGoesNearTheBall) {
   }
 }
 
+TEST(Manners, AtTheOpponentsCornerKickPlacesAreInTheField) {
+  const field::Field& field = surroundings().rules->field;
+  const Vec2 corner{-0.5f * field.length, 0.5f * field.width};
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> off(-1.2f, 1.2f), into(0, 1.2f);
+  for (int n = 0; n < 500; ++n) {
+    Scene scene;
+    scene.game.set_play = Game::SetPlay::corner_kick;
+    scene.game.own_kick = false;
+    scene.game.since_phase = 2;
+    // the wanted place is anywhere near the ball, also beyond the lines
+    scene.beliefs.pose.pose.position = corner + Vec2{into(random), -into(random)};
+    scene.see_ball(scene.view().to_robot(corner));
+    const View view = scene.view();
+    motion::Command command;
+    command.body = Body::walk_to;
+    command.walk = view.to_robot(corner + Vec2{off(random), off(random)});
+    const bool needs_place = view.ball_distance < 0.75f || distance(command.walk, view.ball) < 0.75f;
+    mind_manners(view, command);
+    const Vec2 place = view.to_team(command.walk);
+    const float beyond = needs_place ? field.border : 1.2f;
+    EXPECT_LT(std::abs(place.x), 0.5f * field.length + beyond) << n;
+    EXPECT_LT(std::abs(place.y), 0.5f * field.width + beyond) << n;
+  }
+}
+
 TEST(Manners, RulesThatAskForMoreRoomThanTheHabitAreKept) {
   field::Rules rules = *surroundings().rules;
   rules.clear_distance = 1.5f;

@@ -58,6 +58,7 @@ TEST(Roles, AMessageFromBeforeTheSetPlayTellsOfAnotherBall) {
   scene.see_ball({1, 0});
   // the mate was next to the ball when it went out, and is far from it now
   for (const float ago : {3.f, 1.f}) {
+    scene.mind.role = Role::supporter;
     scene.hear(3, {-2.5f, -1.5f}, 0.5f, Role::chaser, ago);
     assign_role(scene.view(), scene.mind);
     EXPECT_EQ(scene.mind.role == Role::chaser, ago > 2) << ago;
@@ -74,6 +75,32 @@ TEST(Roles, TheRobotInTheCircleTakesTheKickOffThoughAMateWasTheChaserBefore) {
   scene.hear(3, {-2.5f, -1.5f}, 0.5f, Role::chaser, 2);
   assign_role(scene.view(), scene.mind);
   EXPECT_EQ(scene.mind.role, Role::chaser);
+}
+
+TEST(Roles, OfTwoThatSayThatTheyChaseTheLowerNumberKeepsTheBallUnlessTheOtherIsFarQuicker) {
+  for (const float lead : {2.f, 4.5f})
+    for (const int own : {2, 4}) {
+      Scene scene;
+      scene.game.player = static_cast<std::uint8_t>(own);
+      scene.mind.role = Role::chaser;
+      scene.see_ball({3, 0});
+      scene.hear(3, {}, time_to_ball(scene.view()) - lead, Role::chaser);
+      assign_role(scene.view(), scene.mind);
+      EXPECT_EQ(scene.mind.role == Role::chaser, own < 3 && lead < 4) << lead << " " << own;
+    }
+}
+
+TEST(Roles, AChaserComesNearerWhileItIsSilentButLessThanItsTimePasses) {
+  // a mate said 8 s ago that it needs 10 s: 6 s are left, not 2 s
+  for (const float own_way : {0.6f, 1.4f}) {
+    Scene scene;
+    scene.see_ball({own_way, 0});
+    const float own = time_to_ball(scene.view());
+    ASSERT_TRUE(own < 6 - 1 || own > 6) << "the hysteresis of the chaser decides between";
+    scene.hear(3, {}, 10, Role::chaser, 8);
+    assign_role(scene.view(), scene.mind);
+    EXPECT_EQ(scene.mind.role == Role::chaser, own < 5) << own;
+  }
 }
 
 TEST(Roles, ThereIsExactlyOneChaserWhenBeliefsAgree) {

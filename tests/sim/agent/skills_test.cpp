@@ -216,13 +216,41 @@ TEST(Walk, RoundsCirclesWithoutEnteringThem) {
     float nearest = 10;
     int steps = 0;
     for (; distance(at, target) > 0.03f && steps < 1000; ++steps) {
-      const Vec2 way = round_circle(centre - at, kRadius, target - at, 1);
+      const Vec2 way = round_circle(Scene().view(), centre - at, kRadius, target - at, 1);
       at += std::min(0.02f, length(way)) * unit(way);
       nearest = std::min(nearest, distance(at, centre));
     }
     EXPECT_LT(steps, 1000) << n;
     EXPECT_GT(nearest, kRadius - 0.02f) << n;
   }
+}
+
+TEST(Walk, RoundsCirclesAtTheEdgeOfTheCarpetOnTheInside) {
+  std::mt19937 random(3);
+  const field::Field& field = surroundings().rules->field;
+  const Vec2 corner{0.5f * field.length, 0.5f * field.width};
+  const Vec2 edge = corner + Vec2{field.border, field.border};
+  std::uniform_real_distribution<float> x(0, corner.x), y(0, corner.y);
+  constexpr float kRadius = 0.9f;
+  int went_round = 0;
+  for (int n = 0; n < 500; ++n) {
+    // the ball of a corner kick, and places in the field
+    const Vec2 centre = corner, target{x(random), y(random)};
+    Scene scene;
+    Vec2& at = scene.beliefs.pose.pose.position = {x(random), y(random)};
+    if (distance(centre, at) < kRadius || distance(centre, target) < kRadius + 0.01f) continue;
+    int steps = 0;
+    for (; distance(at, target) > 0.03f && steps < 2000; ++steps) {
+      const View view = scene.view();
+      const Vec2 way = round_circle(view, view.to_robot(centre), kRadius, view.to_robot(target), 1);
+      went_round += distance(view.to_team(way), target) > 1e-4f;
+      at = view.to_team(std::min(0.02f, length(way)) * unit(way));
+      ASSERT_TRUE(at.x < edge.x && at.y < edge.y) << n;
+      ASSERT_GT(distance(at, centre), kRadius - 0.02f) << n;
+    }
+    EXPECT_LT(steps, 2000) << n;
+  }
+  EXPECT_GT(went_round, 50);
 }
 
 }  // namespace

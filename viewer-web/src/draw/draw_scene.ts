@@ -11,6 +11,7 @@ import {
   strokeArrow,
   strokeCircle,
   strokeEllipse,
+  strokeCross,
   strokeLine,
   strokePath,
   toScreen,
@@ -65,12 +66,17 @@ export interface Foreseen {
   colour: string;
 }
 
+export interface TrailPoint extends Point {
+  /** No way leads here from the point before. */
+  leaps?: boolean;
+}
+
 /** Everything that a scene is drawn from. Trails go from old to new. */
 export interface Drawing {
   field: Field;
   chosen: string;
   layers: ReadonlySet<Layer>;
-  trails: { key: string; points: Point[]; kind: "ball" | "truth" | "belief" }[];
+  trails: { key: string; points: TrailPoint[]; kind: "ball" | "truth" | "belief" }[];
   /** The newest forecast's rollouts, and its team's colour. */
   foreseen?: Foreseen | undefined;
 }
@@ -231,14 +237,7 @@ function drawIntent(pen: Pen, camera: Camera, robot: Robot, front: boolean): voi
   if (pose && target) {
     style(pen, inkOf(robot, front), 1.5, 0.8);
     dashed(pen, () => strokeLine(pen, camera, pose, target));
-    const arm = 0.07;
-    for (const side of [-1, 1])
-      strokeLine(
-        pen,
-        camera,
-        { x: target.x - arm, y: target.y - side * arm },
-        { x: target.x + arm, y: target.y + side * arm },
-      );
+    strokeCross(pen, camera, target, 0.07);
     strokeLine(pen, camera, target, ahead(target, 0.2));
   }
   if (kick) {
@@ -263,14 +262,7 @@ const beside = ({ x, y }: Point): Point => ({ x, y: y + 1.9 * kRobotRadius });
 function drawOpponents(pen: Pen, camera: Camera, { opponents, rivals }: Robot): void {
   for (const opponent of opponents) {
     style(pen, rivals.colour, 2, 0.9 * freshness(opponent.age / 3));
-    const arm = 0.6 * kRobotRadius;
-    for (const side of [-1, 1])
-      strokeLine(
-        pen,
-        camera,
-        { x: opponent.x - arm, y: opponent.y - side * arm },
-        { x: opponent.x + arm, y: opponent.y + side * arm },
-      );
+    strokeCross(pen, camera, opponent, 0.6 * kRobotRadius);
     style(pen, rivals.colour, 1.5, pen.globalAlpha);
     dashed(pen, () => strokeCircle(pen, camera, opponent, Math.max(kRobotRadius, opponent.deviation)));
     if (opponent.player !== undefined) drawWord(pen, camera, String(opponent.player), beside(opponent), rivals.colour);
@@ -287,12 +279,21 @@ function drawTrails(pen: Pen, camera: Camera, { robots }: Scene, trails: Drawing
         Math.floor((part * (points.length - 1)) / kParts),
         Math.floor(((part + 1) * (points.length - 1)) / kParts) + 1,
       );
-      if (piece.length < 2) continue;
       style(pen, colour, kind === "ball" ? 2 : 1.5, (kind === "belief" ? 0.5 : 0.75) * ((part + 1) / kParts));
-      if (kind === "belief") dashed(pen, () => strokePath(pen, camera, piece));
-      else strokePath(pen, camera, piece);
+      for (const way of waysOf(piece))
+        if (kind === "belief") dashed(pen, () => strokePath(pen, camera, way));
+        else strokePath(pen, camera, way);
     }
   }
+}
+
+/** The parts of a trail without a leap, of two points or more. */
+function waysOf(points: TrailPoint[]): TrailPoint[][] {
+  const ways: TrailPoint[][] = [];
+  for (const point of points)
+    if (point.leaps || ways.length === 0) ways.push([point]);
+    else ways.at(-1)!.push(point);
+  return ways.filter((way) => way.length > 1);
 }
 
 function drawName(pen: Pen, camera: Camera, robot: Robot, front: boolean): void {

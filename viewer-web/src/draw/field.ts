@@ -191,6 +191,12 @@ function trace(pen: Pen, camera: Camera, points: Point[]): void {
 export const strokeLine = (pen: Pen, camera: Camera, from: Point, to: Point): void =>
   strokePath(pen, camera, [from, to]);
 
+/** Draws a diagonal cross whose arms reach `arm` [m] along each axis. */
+export function strokeCross(pen: Pen, camera: Camera, { x, y }: Point, arm: number): void {
+  for (const side of [-1, 1])
+    strokeLine(pen, camera, { x: x - arm, y: y - side * arm }, { x: x + arm, y: y + side * arm });
+}
+
 /** Draws a box. `corner` has the smallest x and the greatest y. */
 function strokeBox(pen: Pen, camera: Camera, corner: Point, length: number, width: number): void {
   const [one, other] = [toScreen(camera, corner), toScreen(camera, { x: corner.x + length, y: corner.y - width })];

@@ -1,7 +1,7 @@
 // Draws rollouts of a forecast: the ball's path thick, the robots' thin, a mark every five seconds.
 
 import type { Path, Place } from "../memory/forecast";
-import { fillCircle, strokeLine, strokePath, type Camera, type Pen, type Point } from "./field";
+import { fillCircle, strokeCross, strokePath, type Camera, type Pen, type Point } from "./field";
 import { kBright, kInk } from "./robot_sign";
 
 const kTick = 5; // [s] between marks on a path
@@ -88,7 +88,5 @@ function drawTicks(pen: Pen, camera: Camera, { ball, spacing }: Path, at: number
   pen.globalAlpha = strengthAt(length);
   pen.strokeStyle = kBright;
   pen.lineWidth = 2;
-  const arm = 5 / camera.scale;
-  for (const side of [-1, 1])
-    strokeLine(pen, camera, { x: end.x - arm, y: end.y - side * arm }, { x: end.x + arm, y: end.y + side * arm });
+  strokeCross(pen, camera, end, 5 / camera.scale);
 }

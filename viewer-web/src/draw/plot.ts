@@ -17,6 +17,8 @@ export interface Line {
   axis: string;
   /** Summaries of the values, a coarse one of all before a finer one of a part. They are drawn instead of the values. */
   summaries?: Intervals[];
+  /** The name of a value, where values are no numbers. Only whole values have names. */
+  wordOf?: ((value: number) => string | undefined) | undefined;
 }
 
 /** Minimum, maximum and mean per interval [s] of the plot's own time; NaN where there is no value. */
@@ -230,6 +232,7 @@ export function drawPlot(
       kAxisWidth * (axes.length - i),
       i === 0,
       single.length === 1 ? single[0]!.colour : colours.soft,
+      single.find(({ wordOf }) => wordOf)?.wordOf ?? tickText,
       colours,
     );
   });
@@ -274,6 +277,7 @@ function drawAxis(
   right: number,
   grid: boolean,
   colour: string,
+  textOf: (value: number) => string | undefined,
   colours: Colours,
 ): void {
   const edge = right; // [px] of its labels
@@ -282,12 +286,14 @@ function drawAxis(
   pen.textBaseline = "middle";
   for (const tick of valueTicks(range, area.height / 44)) {
     const y = yOf(area, range, tick);
+    const text = textOf(tick);
+    if (text === undefined) continue;
     if (grid) {
       pen.fillStyle = colours.line;
       pen.fillRect(area.left, Math.round(y), area.width, 1);
     }
     pen.fillStyle = colour;
-    pen.fillText(tickText(tick), edge - 6, y);
+    pen.fillText(text, edge - 6, y, kAxisWidth - 8);
   }
   pen.fillStyle = colour;
   pen.font = "600 11px system-ui, sans-serif";

@@ -6,6 +6,7 @@ import {
   drawStrip,
   drawSummary,
   elapsedWords,
+  pinchedSpan,
   spanOf,
   ticksOf,
   timeAt,
@@ -137,4 +138,26 @@ test("letters of crowded events cover no other letter, and a goal keeps its own"
   expect(letters.slice(1).every(({ x }, i) => x - letters[i]!.x >= 11)).toBe(true);
   // each event has a tick, also without a letter
   expect(pen.boxes.filter(({ width }) => width === 1.5).length).toBe(300);
+});
+
+test("two fingers keep the times under them, within the kept span", () => {
+  const shown = { from: 100, to: 200 };
+  const whole = { from: 0, to: 300 };
+  const under = (x: number) => timeAt(shown, 400, x);
+  const zoomedIn = pinchedSpan(whole, 400, [under(100), under(200)], [50, 250]);
+  expect(zoomedIn.to - zoomedIn.from).toBeCloseTo(50);
+  expect(timeAt(zoomedIn, 400, 50)).toBeCloseTo(under(100));
+  expect(timeAt(zoomedIn, 400, 250)).toBeCloseTo(under(200));
+  const panned = pinchedSpan(whole, 400, [under(100), under(200)], [180, 280]);
+  expect([panned.from, panned.to].map(Math.round)).toEqual([80, 180]);
+  const wide = pinchedSpan(whole, 400, [under(0), under(400)], [199, 201]);
+  expect([wide.from, wide.to]).toEqual([0, 300]);
+  for (const x of [
+    [0, 0],
+    [-1e6, 1e6],
+    [390, 10],
+  ] as [number, number][]) {
+    const { from, to } = pinchedSpan(whole, 400, [150, 150], x);
+    expect(from >= 0 && to <= 300 && from < to).toBe(true);
+  }
 });

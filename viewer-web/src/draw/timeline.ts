@@ -70,6 +70,15 @@ export function zoomedSpan(shown: Span, kept: Span, at: number, factor: number):
   return within({ from: at - share * length, to: at - share * length + length }, kept);
 }
 
+/** Returns the span that has the times `at` under two fingers at `x` [px]: it is pinched and panned at once. */
+export function pinchedSpan(kept: Span, width: number, at: [number, number], x: [number, number]): Span {
+  const apart = Math.max(kLeastApart, Math.abs(x[1] - x[0]));
+  const whole = Math.max(kLeast, kept.to - kept.from);
+  const length = Math.min(whole, Math.max(kLeast, (Math.abs(at[1] - at[0]) / apart) * width));
+  const from = (at[0] + at[1]) / 2 - ((x[0] + x[1]) / 2 / width) * length;
+  return within({ from, to: from + length }, kept);
+}
+
 /** Moves the span into the kept span. */
 export function within({ from, to }: Span, kept: Span): Span {
   const first = Math.min(kept.from, kept.to - kLeast);
@@ -77,6 +86,7 @@ export function within({ from, to }: Span, kept: Span): Span {
   return { from: Math.max(first, from + by), to: to + by };
 }
 
+const kLeastApart = 12; // [px] of two fingers
 const kSteps = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800, 3600];
 
 /** Returns the ticks, at least `least` [px] apart. */

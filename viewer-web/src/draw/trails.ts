@@ -4,30 +4,57 @@ import type { MemoryObject } from "../memory/memory_object";
 import { Trail } from "../memory/trail";
 import { fieldsOf, listOf, numberOf, type Fields } from "../memory/value";
 import { pointOf, valueOf } from "./beliefs";
-import type { Drawing } from "./draw_scene";
+import type { Drawing, TrailPoint } from "./draw_scene";
 import type { Point } from "./field";
 import { kTruth, type Told } from "./scene";
 
 const kSeconds = 6;
 
-interface World {
-  ball: Point | undefined;
-  robots: Map<string, Point>;
+/** A place at a capture time. */
+export interface Timed extends Point {
+  log_ns: bigint;
 }
 
-const worldOf = (fields: Fields): World => ({
-  ball: pointOf(fieldsOf(fields, "ball")),
+interface World {
+  ball: Timed | undefined;
+  robots: Map<string, Timed>;
+}
+
+const timedOf = (fields: Fields, log_ns: bigint): Timed | undefined => {
+  const place = pointOf(fields);
+  return place && { ...place, log_ns };
+};
+
+const worldOf = (fields: Fields, log_ns: bigint): World => ({
+  ball: timedOf(fieldsOf(fields, "ball"), log_ns),
   robots: new Map(
     listOf(fields, "robots").flatMap((robot) => {
-      const place = pointOf(robot);
+      const place = timedOf(robot, log_ns);
       return place ? [[`${numberOf(robot, "team")}/${numberOf(robot, "player")}`, place] as const] : [];
     }),
   ),
 });
 
+/** [m/s] and [m]: more than `speed` times the time, and `slack` for noise, is no way but a leap. */
+const kFastest = {
+  ball: { speed: 8, slack: 0.3 }, // hard kicks of the Nao stay below
+  robot: { speed: 1, slack: 0.2 }, // the Nao walks below 0.5 m/s; a fall adds its length
+};
+
+/** Marks the points that no way leads to: somebody placed the thing there, or a robot corrected its belief. */
+export function withLeaps(points: Timed[], kind: keyof typeof kFastest): TrailPoint[] {
+  const { speed, slack } = kFastest[kind];
+  return points.map(({ x, y, log_ns }, i) => {
+    const before = points[i - 1];
+    const passed = before ? Number(log_ns - before.log_ns) / 1e9 : 0;
+    const leaps = before && (passed < 0 || Math.hypot(x - before.x, y - before.y) > slack + speed * passed);
+    return leaps ? { x, y, leaps } : { x, y };
+  });
+}
+
 export class Trails {
   #worlds = new Map<MemoryObject, Trail<World>>();
-  #poses = new Map<MemoryObject, Trail<Point>>();
+  #poses = new Map<MemoryObject, Trail<Timed>>();
 
   /** Returns the trails of the ball, of the chosen robot, and with `everyone` of all others. */
   of(told: Told[], chosen: string, everyone: boolean): Drawing["trails"] {
@@ -35,14 +62,24 @@ export class Trails {
     for (const { memory, robots, keyOf } of told) {
       const truth = memory.get(kTruth);
       const worlds = truth ? trailOf(this.#worlds, truth, worldOf).points(kSeconds) : [];
-      if (worlds.length > 0) trails.push({ key: "", kind: "ball", points: worlds.flatMap(({ ball }) => ball ?? []) });
+      if (worlds.length > 0)
+        trails.push({
+          key: "",
+          kind: "ball",
+          points: withLeaps(
+            worlds.flatMap(({ ball }) => ball ?? []),
+            "ball",
+          ),
+        });
       for (const robot of robots.filter((robot) => everyone || keyOf(robot) === chosen)) {
         const key = keyOf(robot);
-        trails.push({ key, kind: "truth", points: worlds.flatMap(({ robots }) => robots.get(robot) ?? []) });
+        const places = worlds.flatMap(({ robots }) => robots.get(robot) ?? []);
+        trails.push({ key, kind: "truth", points: withLeaps(places, "robot") });
         const pose = memory.get(`/${robot}/pose`);
         const sign = valueOf(memory.get(`/${robot}/game`)).get("attacks_positive_x") === false ? -1 : 1;
-        const points = pose ? trailOf(this.#poses, pose, pointOf).points(kSeconds) : [];
-        trails.push({ key, kind: "belief", points: points.map(({ x, y }) => ({ x: sign * x, y: sign * y })) });
+        const points = pose ? trailOf(this.#poses, pose, timedOf).points(kSeconds) : [];
+        const turned = points.map(({ x, y, log_ns }) => ({ x: sign * x, y: sign * y, log_ns }));
+        trails.push({ key, kind: "belief", points: withLeaps(turned, "robot") });
       }
     }
     return trails;
@@ -54,11 +91,11 @@ const kMost = 64; // [objects] with a kept trail; beyond it all are dropped
 function trailOf<T>(
   trails: Map<MemoryObject, Trail<T>>,
   object: MemoryObject,
-  read: (fields: Fields) => T | undefined,
+  read: (fields: Fields, log_ns: bigint) => T | undefined,
 ): Trail<T> {
   if (!trails.has(object)) {
     if (trails.size >= kMost) trails.clear();
-    trails.set(object, new Trail(object, (fields) => read(fields)));
+    trails.set(object, new Trail(object, read));
   }
   return trails.get(object)!;
 }

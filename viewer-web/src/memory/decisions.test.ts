@@ -101,3 +101,11 @@ test("another strategy starts another tree, and a seek starts another past", () 
   decisions.update(100);
   expect(decisions.phases).toHaveLength(1);
 });
+
+test("a comparison of a role names it, unless the agent's words are not ours", () => {
+  const asked = (condition: string) =>
+    fields({ kind: new EnumValue(1, "KIND_CONDITION"), condition, feature: "role", value: 2, threshold: 1 });
+  const shownOf = (condition: string) => comparison(decisionOf(trace("stand", asked(condition))).visited[0]!);
+  expect(shownOf("role is chaser")).toBe("role supporter, compared with chaser");
+  expect(shownOf("role is striker")).toBe("role 2, compared with 1");
+});

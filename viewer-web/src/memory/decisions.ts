@@ -179,8 +179,24 @@ export class Decisions {
 const shown = (value: number): string => (Number.isFinite(value) ? String(Number(value.toPrecision(3))) : "not known");
 
 /** Describes the comparison of a visit by both values: "ball_distance 0.52, compared with 0.35". */
-export const comparison = ({ feature, value, threshold }: Visit): string =>
-  feature ? `${feature} ${shown(value)}, compared with ${shown(threshold)}` : "";
+export const comparison = (visit: Visit): string =>
+  visit.feature
+    ? `${visit.feature} ${valueWord(visit, visit.value)}, compared with ${valueWord(visit, visit.threshold)}`
+    : "";
+
+/** The words for the values of features that are no numbers (sim/agent/features.cpp). */
+const kWords: Record<string, string[]> = {
+  role: ["keeper", "chaser", "supporter", "defender"],
+  set_play: ["none", "kick_off", "kick_in", "goal_kick", "corner_kick"],
+};
+
+/** The word for a value. A number if the words are not those of this agent: then its condition names another word. */
+function valueWord({ feature, condition, threshold }: Visit, value: number): string {
+  const words = Object.hasOwn(kWords, feature) ? kWords[feature]! : [];
+  const compared = words[threshold];
+  const known = compared !== undefined && condition.split(/\s+/).includes(compared);
+  return (known ? words[value] : undefined) ?? shown(value);
+}
 
 /**
  * Explains why `now` did not end in `node`: the first condition that differs from the newest decision that did.

@@ -20,7 +20,7 @@ export function decoderOf(channel: Pick<Channel, "encoding" | "schemaName" | "sc
   if (channel.encoding === "json") return decodeJson;
   let schema: DescMessage;
   try {
-    schema = schemaOf(channel);
+    schema = descriptorOf(channel);
   } catch (error) {
     const sentence = `The schema '${channel.schemaName}' cannot be read: ${reason(error)}`;
     return () => ({ error: sentence });
@@ -34,7 +34,12 @@ export function decoderOf(channel: Pick<Channel, "encoding" | "schemaName" | "sc
   };
 }
 
-function schemaOf({ encoding, schemaName, schema }: Pick<Channel, "encoding" | "schemaName" | "schema">): DescMessage {
+/** Returns the descriptor of the channel's schema. Throws an Error with the end of a sentence. */
+export function descriptorOf({
+  encoding,
+  schemaName,
+  schema,
+}: Pick<Channel, "encoding" | "schemaName" | "schema">): DescMessage {
   if (encoding !== "protobuf") throw new Error(`its encoding is '${encoding}', expected protobuf or json`);
   const registry = createFileRegistry(fromBinary(FileDescriptorSetSchema, base64Decode(schema)));
   const message = registry.getMessage(schemaName);

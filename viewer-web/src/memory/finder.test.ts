@@ -4,6 +4,7 @@ import { decoderOf } from "./decoder";
 import { Finder } from "./finder";
 import { History } from "./history";
 import { kPerceptChannel, percept } from "./test_schema";
+import { topicsOnly } from "./test_vocabulary";
 
 const kMs = 1_000_000n;
 function setUp() {
@@ -12,7 +13,7 @@ function setUp() {
   const add = (name: string, ms: bigint, x: number) =>
     sources.get(`/14/2/${name}`)!.history.add({ log_ns: ms * kMs, data: percept({ x }), arrived: 0 });
   const find = (text: string, recorded = false) =>
-    new Finder(conditionOf(text, "14/2", sources.keys()) as Condition, sources, recorded);
+    new Finder(conditionOf(text, topicsOnly("14/2", sources.keys())) as Condition, sources, recorded);
   const spans = ({ matches }: Finder) =>
     matches.map(({ from_ns, to_ns }) => [Number(from_ns / kMs), Number(to_ns / kMs)]);
   return { add, find, spans, sources };
@@ -46,6 +47,17 @@ test("messages of all objects are read in order of capture time, whichever arriv
   const finder = find("a.x == 1 && b.x == 1");
   finder.update(1000);
   expect(spans(finder)).toEqual([[100, 200]]);
+});
+
+test("a moment is judged when all objects have their values of it", () => {
+  const { add, find, spans } = setUp();
+  [1, 2, 3, 3].forEach((x, i) => {
+    add("a", BigInt(100 * i), x);
+    add("b", BigInt(100 * i), i < 3 ? x : 0);
+  });
+  const finder = find("a.x - b.x != 0");
+  finder.update(1000);
+  expect(spans(finder)).toEqual([[300, 300]]);
 });
 
 test("the finder reads new messages within its time limit, and restarts after the past was forgotten", () => {

@@ -59,7 +59,9 @@ export class Finder {
       if (!reading || !entry || entry.log_ns > until_ns) return true;
       ++reading.next;
       reading.fields = reading.source.decode(entry.data).fields;
-      this.#note(entry);
+      // a moment is judged when all objects have their values of it
+      const after = this.#earliest();
+      if (after?.source.history.get(after.next)?.log_ns !== entry.log_ns) this.#note(entry);
     }
   }
 

@@ -1,74 +1,115 @@
-// The values that can be plotted: a number in a message by its path, or the error of a belief against the truth:
-// /14/2/pose~truth.
+// The values that can be plotted: expressions, such as a path or distance(ball, truth.ball), and the former way to write
+// the error of a belief: /14/2/pose~truth.
 
+import { compile, numberOf, type Expression } from "./compile";
+import { orMistake } from "./expression";
 import type { Entry } from "./history";
+import { isByJoint, jointName } from "./joints";
 import type { Memory } from "./memory";
 import type { MemoryObject } from "./memory_object";
-import { numberAt, numbersIn, pathOf, type Step } from "./paths";
+import { numberAt, numbersIn, pathOf, type Path, type Step } from "./paths";
 import { Series } from "./series";
-import { listOf, numberOf, type Fields } from "./value";
+import type { Shape } from "./shape";
+import type { Fields } from "./value";
+import { kTruthTopic, vocabularyOf } from "./vocabulary";
 
-const kTruth = "/truth/world";
 const kError = "~truth";
 
 /**
  * The series of a chosen measure, or the sentence that says why there is none. `message` and `field` lead to the
- * schema's comment.
+ * schema's comment. `path` is set if the measure is a single value of a message. `words` has the names of an enum's values; `truth`: 1 is true and 0 is false.
  */
 export type Measure =
-  { series: Series; field: { message: string; name: string } | undefined; unit: string } | { why: string };
+  | {
+      series: Series;
+      field: { message: string; name: string } | undefined;
+      path: Path | undefined;
+      unit: string;
+      words?: ReadonlyMap<number, string> | undefined;
+      truth?: boolean;
+    }
+  | { why: string };
 
-export function measureOf(memory: Memory, text: string): Measure {
-  if (text.endsWith(kError)) return errorOf(memory, text.slice(0, -kError.length));
-  const topics = [...memory.objects()].map(({ channel }) => channel.topic);
-  const path = pathOf(text, topics);
-  const object = path && memory.get(path.topic);
-  if (!path || !object) return { why: "nothing of this name is offered" };
-  if (path.steps.length === 0) return { why: "this is an object: choose a number in it" };
-  const series = new Series(object, (fields) => numberAt(fields, path.steps));
-  const steps = path.steps.filter((step): step is string => typeof step === "string");
-  const field =
-    steps.length === path.steps.length && steps.length === 1
-      ? { message: object.channel.schemaName, name: steps[0]! }
-      : lastField(path.steps);
-  return { series, field, unit: "" };
+/**
+ * Returns the measure with the given text. Objects without a topic are those of `robot`. The curve has one point for
+ * each message of the object that the text names first; other objects have their newest value of that time.
+ */
+export function measureOf(memory: Memory, text: string, robot = ""): Measure {
+  const expression = expressionOf(memory, text, robot);
+  if ("why" in expression) return expression;
+  const [first] = expression.topics;
+  const objects = expression.topics.flatMap((topic) => memory.get(topic) ?? []);
+  // an object of which nothing has come gives no points
+  const object = objects.find(({ newest }) => newest !== undefined) ?? objects[0];
+  if (first === undefined || !object) return { why: "this never changes: name a path such as ball.x" };
+  if (expression.kind === "text" && !expression.path) return { why: "a text cannot be drawn" };
+  const read = (fields: Fields, { log_ns }: Entry) =>
+    numberOf(
+      expression.value((topic) => (topic === object.channel.topic ? fields : fieldsAt(memory.get(topic), log_ns))),
+    );
+  return {
+    series: new Series(object, read),
+    field: expression.path && fieldOf(object, expression.path.steps),
+    path: expression.path,
+    unit: unitOf(expression),
+    words: expression.words,
+    truth: expression.kind === "truth",
+  };
 }
 
-/** Nested fields are identified by their name alone. */
-const lastField = (steps: Step[]) => {
+type Found = Pick<Expression, "topics" | "kind" | "path" | "words" | "value"> & { node?: Expression["node"] };
+
+function expressionOf(memory: Memory, text: string, robot: string): Found | { why: string } {
+  const rewritten = text.endsWith(kError) ? ofError(text.slice(0, -kError.length)) : text;
+  if (rewritten === undefined)
+    return { why: "only /team/player/pose and /team/player/ball can be compared with the truth" };
+  const vocabulary = vocabularyOf(memory, robot);
+  const expression = orMistake(() => compile(rewritten, vocabulary));
+  if (!("error" in expression)) return expression;
+  const path = pathOf(text, vocabulary.topics);
+  return path && leadsToValue(vocabulary.shapeOf(path.topic), path.steps) ? ofPath(path) : { why: expression.error };
+}
+
+/** The error of a belief, as it was written before there were expressions. */
+function ofError(topic: string): string | undefined {
+  const [, team, player, what] = /^\/(\d+)\/(\d+)\/(pose|ball)$/.exec(topic) ?? [];
+  if (what === undefined) return undefined;
+  return `distance(${topic}, ${what === "ball" ? "truth.ball" : `truth.robots[team=${team},player=${player}]`})`;
+}
+
+/** A field whose name is no name in an expression, such as "a-b", can be plotted by its path alone. */
+const ofPath = (path: Path): Found => ({
+  topics: [path.topic],
+  kind: "unknown",
+  path,
+  words: undefined,
+  value: (look) => {
+    const fields = look(path.topic);
+    return fields && numberAt(fields, path.steps);
+  },
+});
+
+function leadsToValue(shape: Shape, steps: Step[]): boolean {
+  let at: Shape | undefined = shape;
+  for (const step of steps) {
+    if (typeof step !== "string") at = at?.kind === "list" ? at.of : undefined;
+    else at = at?.kind === "message" ? at.field(step) : undefined;
+  }
+  return steps.length > 0 && at !== undefined;
+}
+
+/** "m", "rad", or "" if only the schema can tell the unit. */
+function unitOf({ node }: Found): string {
+  if (node?.kind === "member") return node.name === "heading" ? "rad" : "m";
+  if (node?.kind !== "call") return "";
+  return node.name === "distance" ? "m" : node.name === "angle" ? "rad" : "";
+}
+
+function fieldOf(object: MemoryObject, steps: Step[]): { message: string; name: string } | undefined {
+  if (steps.length === 1 && typeof steps[0] === "string") return { message: object.channel.schemaName, name: steps[0] };
+  // nested fields are identified by their name alone
   const name = steps.findLast((step): step is string => typeof step === "string");
   return name === undefined ? undefined : { message: "", name };
-};
-
-/** [m] Distance between a robot's belief and the truth at the same moment, both in the frame `field`. */
-function errorOf(memory: Memory, topic: string): Measure {
-  const [, robot, what] = /^\/(\d+\/\d+)\/(pose|ball)$/.exec(topic) ?? [];
-  const [object, truth] = [memory.get(topic), memory.get(kTruth)];
-  if (!robot || !object) return { why: "only /team/player/pose and /team/player/ball can be compared with the truth" };
-  if (!truth) return { why: "nobody tells the truth here: /truth/world is missing" };
-  const [team, player] = robot.split("/").map(Number) as [number, number];
-  const read = (fields: Fields, { log_ns }: Entry) => {
-    const world = fieldsAt(truth, log_ns);
-    const turned = fieldsAt(memory.get(`/${robot}/game`), log_ns)?.get("attacks_positive_x") === false;
-    const pose = what === "pose" ? fields : fieldsAt(memory.get(`/${robot}/pose`), log_ns);
-    if (!world || !pose) return NaN;
-    const believed = what === "pose" ? placeOf(fields) : seenFrom(pose, placeOf(fields));
-    const isIt = (entry: Fields) => numberOf(entry, "team") === team && numberOf(entry, "player") === player;
-    const true_place = what === "pose" ? listOf(world, "robots").find(isIt) : world.get("ball");
-    if (!(true_place instanceof Map)) return NaN;
-    const [sign, so] = [turned ? -1 : 1, placeOf(true_place)];
-    return Math.hypot(sign * believed.x - so.x, sign * believed.y - so.y);
-  };
-  return { series: new Series(object, read), field: undefined, unit: "m" };
-}
-
-const placeOf = (fields: Fields) => ({ x: numberOf(fields, "x"), y: numberOf(fields, "y") });
-
-function seenFrom(pose: Fields, { x, y }: { x: number; y: number }) {
-  const heading = numberOf(pose, "heading");
-  const [cos, sin] = [Math.cos(heading), Math.sin(heading)];
-  const { x: px, y: py } = placeOf(pose);
-  return { x: px + cos * x - sin * y, y: py + sin * x + cos * y };
 }
 
 const decoded = new WeakMap<MemoryObject, { index: number; generation: number; fields: Fields | undefined }>();
@@ -89,27 +130,23 @@ function fieldsAt(object: MemoryObject | undefined, log_ns: bigint): Fields | un
 /** Lists everything that can be plotted now, of a robot and of objects without a robot. */
 export function measuresOf(memory: Memory, robot: string): string[] {
   const objects = memory.objectsOf(robot).filter(({ derived, isImage }) => !derived && !isImage);
-  const errors = memory.get(kTruth)
+  const errors = memory.get(kTruthTopic)
     ? ["pose", "ball"].filter((what) => memory.get(`/${robot}/${what}`)).map((what) => `/${robot}/${what}${kError}`)
     : [];
-  const numbers = objects.flatMap((object) => {
-    const fields = object.decoded()?.fields;
-    return fields ? numbersIn(fields, object.channel.topic) : [];
-  });
+  const numbers = objects.flatMap(numbersOf);
   return [...errors, ...numbers];
 }
 
+function numbersOf(object: MemoryObject): string[] {
+  const fields = object.decoded()?.fields;
+  const { topic } = object.channel;
+  return fields
+    ? numbersIn(fields, topic, isByJoint(topic) ? (index, count) => jointName(topic, index, count) : undefined)
+    : [];
+}
+
 /** Lists the topics that a measure needs. */
-export const topicsOfMeasure = (memory: Memory, text: string): string[] => {
-  if (!text.endsWith(kError))
-    return [
-      pathOf(
-        text,
-        [...memory.objects()].map(({ channel }) => channel.topic),
-      )?.topic ?? "",
-    ].filter(Boolean);
-  const robot = /^\/(\d+\/\d+)\//.exec(text)?.[1];
-  return [text.slice(0, -kError.length), kTruth, `/${robot}/pose`, `/${robot}/game`].filter((topic) =>
-    memory.get(topic),
-  );
-};
+export function topicsOfMeasure(memory: Memory, text: string, robot = ""): string[] {
+  const expression = expressionOf(memory, text, robot);
+  return "why" in expression ? [] : expression.topics;
+}

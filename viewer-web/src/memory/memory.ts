@@ -29,6 +29,11 @@ export class Memory {
     return this.#moment.ns;
   }
 
+  /** Whether no message is due, because the recording or the simulated game is paused. */
+  get still(): boolean {
+    return this.#moment.still === true || this.#moment.ns !== undefined;
+  }
+
   /** [s] Arrival of the newest message of a robot or its world. The server's reports on itself do not count. */
   get arrivedAt(): number | undefined {
     return this.#arrived;

@@ -1,6 +1,8 @@
 // Paths to one number: a topic, then steps into its message. /14/2/ball.x, /14/2/vision.robots[0].detection.distance.
-// An entry can be selected by its fields: /truth/world.robots[team=14,player=2].x
+// An entry can be selected by its fields, one of a list by joint by its name: /truth/world.robots[team=14,player=2].x,
+// /14/2/joints.position[head_yaw].
 
+import { jointIndex } from "./joints";
 import { EnumValue, type Fields, type Value } from "./value";
 
 export type Step = string | number | Record<string, number>;
@@ -20,7 +22,7 @@ export function pathOf(text: string, topics: Iterable<string>): Path | undefined
   for (let rest = text.slice(topic.length); rest !== "";) {
     const found = /^\.([^.[\]]+)|^\[(\d+)\]|^\[([^\]]+)\]/.exec(rest);
     if (!found) return undefined;
-    const step = stepOf(found);
+    const step = stepOf(found, topic);
     if (step === undefined) return undefined;
     steps.push(step);
     rest = rest.slice(found[0].length);
@@ -28,14 +30,28 @@ export function pathOf(text: string, topics: Iterable<string>): Path | undefined
   return { topic, steps };
 }
 
-function stepOf([, name, index, filter]: RegExpExecArray): Step | undefined {
+function stepOf([, name, index, filter]: RegExpExecArray, topic: string): Step | undefined {
   if (name !== undefined) return name;
   if (index !== undefined) return Number(index);
+  if (!filter!.includes("=")) return jointIndex(topic, filter!.trim());
   const entries = filter!.split(",").map((part) => part.split("=").map((word) => word.trim()));
   if (entries.some(([key, value]) => !key || value === undefined || value === "" || !Number.isFinite(Number(value))))
     return undefined;
   return Object.fromEntries(entries.map(([key, value]) => [key, Number(value)]));
 }
+
+/** Writes a path as it is parsed; entries by their numbers. */
+export const textOf = ({ topic, steps }: Path): string =>
+  topic +
+  steps
+    .map((step) => {
+      if (typeof step === "string") return `.${step}`;
+      if (typeof step === "number") return `[${step}]`;
+      return `[${Object.entries(step)
+        .map(([key, value]) => `${key}=${value}`)
+        .join(",")}]`;
+    })
+    .join("");
 
 /** Returns the value at the path, or undefined if there is none. */
 export function valueAt(fields: Fields, steps: Step[]): Value {
@@ -65,17 +81,27 @@ function numeric(value: Value): number {
 const kMost = 4000; // [paths] nobody would choose from more
 const kEntries = 8; // of a list
 
-/** Returns all paths to numbers in a message, for search: "ball.velocity_x". Times since the epoch are left out. */
-export function numbersIn(fields: Fields, before: string, found: string[] = []): string[] {
+/** The name of an entry of a list, or undefined if it has an index alone. */
+type EntryName = (index: number, count: number) => string | undefined;
+
+/**
+ * Returns all paths to numbers in a message, for search: "ball.velocity_x". Times since the epoch are left out. Lists
+ * whose entries have names are told whole, other ones only up to a few entries.
+ */
+export function numbersIn(fields: Fields, before: string, nameOf?: EntryName, found: string[] = []): string[] {
   for (const [name, value] of fields) {
     if (found.length >= kMost) break;
-    if (!name.endsWith("_ns")) collect(value, `${before}.${name}`, found);
+    if (!name.endsWith("_ns")) collect(value, `${before}.${name}`, nameOf, found);
   }
   return found;
 }
 
-function collect(value: Value, path: string, found: string[]): void {
-  if (value instanceof Map) numbersIn(value, path, found);
-  else if (Array.isArray(value)) value.slice(0, kEntries).forEach((entry, i) => collect(entry, `${path}[${i}]`, found));
+function collect(value: Value, path: string, nameOf: EntryName | undefined, found: string[]): void {
+  if (value instanceof Map) numbersIn(value, path, nameOf, found);
+  else if (Array.isArray(value))
+    value.forEach((entry, i) => {
+      const name = nameOf?.(i, value.length);
+      if (name !== undefined || i < kEntries) collect(entry, `${path}[${name ?? i}]`, nameOf, found);
+    });
   else if (!Number.isNaN(numeric(value))) found.push(path);
 }

@@ -12,7 +12,7 @@ export class Trail<T> {
 
   constructor(
     readonly object: MemoryObject,
-    readonly read: (fields: Fields) => T | undefined,
+    readonly read: (fields: Fields, log_ns: bigint) => T | undefined,
   ) {}
 
   /** Returns the points of the last `duration` [s] up to the shown message, oldest first. */
@@ -37,7 +37,7 @@ export class Trail<T> {
     if (!this.#points.has(index)) {
       const entry = this.object.history.get(index);
       const fields = entry && this.object.decode(entry.data).fields;
-      this.#points.set(index, fields && this.read(fields));
+      this.#points.set(index, fields && this.read(fields, entry.log_ns));
     }
     return this.#points.get(index);
   }

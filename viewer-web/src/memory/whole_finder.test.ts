@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import { conditionOf, type Condition } from "./condition";
 import { decoderOf } from "./decoder";
 import { kPerceptChannel, percept } from "./test_schema";
+import { topicsOnly } from "./test_vocabulary";
 import { WholeFinder, type RecordedMessage } from "./whole_finder";
 
 const kSecond = 1_000_000_000n;
@@ -18,7 +19,7 @@ function setUp(text: string, x: (topic: string, i: number) => number, fetched: s
       if (at(i) >= from_ns && at(i) <= to_ns) messages.push({ log_ns: at(i), data: percept({ x: x(topic, i) }) });
     return messages;
   };
-  const condition = conditionOf(text, "14/2", kTopics) as Condition;
+  const condition = conditionOf(text, topicsOnly("14/2", kTopics)) as Condition;
   const finder = new WholeFinder(
     condition,
     new Map(kTopics.map((topic) => [topic, decode])),
@@ -86,4 +87,10 @@ test("the search ends at the maximum number of matches", async () => {
   await run();
   expect(finder.matches).toHaveLength(5000);
   expect(finder.full).toBe(true);
+});
+
+test("a moment is judged when all objects have their values of it", async () => {
+  const { finder, run } = setUp("a.x - b.x != 0", (_, i) => i % 7);
+  await run();
+  expect(finder.matches).toEqual([]);
 });

@@ -100,6 +100,8 @@ export class WholeFinder {
 
   #take({ topic, log_ns, data }: Message): void {
     this.#newest.set(topic, this.decoders.get(topic)?.(data).fields);
+    // a moment is judged when all objects have their values of it
+    if (this.#messages[this.#read]?.log_ns === log_ns) return;
     const holds = this.condition.holds((wanted) => this.#newest.get(wanted));
     if (this.#open) this.#open.to_ns = log_ns;
     if (!holds) this.#open = undefined;

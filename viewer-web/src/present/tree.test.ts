@@ -47,7 +47,12 @@ test("a long list is closed until opened, a short one is open, entries have an i
   expect(textAt(kJoints, open("/14/2/joints"), "/14/2/joints.angles")).toBe(
     "25 entries · 0, 0.1, 0.2, 0.3, 0.4, 0.5, …",
   );
-  expect(paths([kJoints], open("/14/2/joints", "/14/2/joints.angles"))).toContain("/14/2/joints.angles[24]");
+  expect(paths([kJoints], open("/14/2/joints", "/14/2/joints.angles"))).toContain("/14/2/joints.angles[r_hand]");
+});
+
+test("the entries of a list by joint have the names of the joints, by which they are found", () => {
+  const rows = rowsOf([kJoints], open(), wordsOf("l_knee"));
+  expect(rows.at(-1)).toMatchObject({ path: "/14/2/joints.angles[l_knee_pitch]", name: "[10] l_knee_pitch", value: 1 });
 });
 
 test("a search keeps the fields that match all words and the nodes above them, also closed ones", () => {

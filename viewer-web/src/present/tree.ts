@@ -1,5 +1,6 @@
 // The object tree as rows: which nodes are open, which match the search, and the text of each line.
 
+import { jointName } from "../memory/joints";
 import { EnumValue, type Value } from "../memory/value";
 import { bytes, hex, number } from "./format";
 
@@ -121,8 +122,15 @@ function* childrenOf(row: Row): Generator<Row> {
   });
   if (value instanceof Map) for (const [name, inner] of value) yield child(`.${name}`, name, inner);
   if (Array.isArray(value))
-    for (const [index, inner] of value.entries()) yield child(`[${index}]`, `[${index}]`, inner);
+    for (const [index, inner] of value.entries()) {
+      const joint = jointOf(path, index, value.length);
+      yield child(`[${joint ?? index}]`, joint ? `[${index}] ${joint}` : `[${index}]`, inner);
+    }
 }
+
+/** The joint of an entry, in a list "…/joints.position". */
+const jointOf = (path: string, index: number, count: number): string | undefined =>
+  jointName(/^(.*)\.[^.[\]]+$/.exec(path)?.[1] ?? "", index, count);
 
 /** Returns the text of the value column: the value, or a glimpse of the contents. */
 export function textOfRow(row: Row): string {

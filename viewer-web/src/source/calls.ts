@@ -11,6 +11,10 @@ interface Call {
 
 export type Answer = Record<string, unknown>;
 
+/** The cause of an error that a service names: "token" if it needs the right token. */
+export const causeOf = (error: unknown): string =>
+  error instanceof Error && typeof error.cause === "string" ? error.cause : "";
+
 export class Calls {
   #pending = new Map<number, Call>();
   #next = 0;
@@ -55,12 +59,14 @@ export class Calls {
   }
 }
 
-/** Our services refuse inside a normal answer: {"ok": false, "error": "sentence"}. */
+/** Our services refuse inside a normal answer: {"ok": false, "error": "sentence", "cause": "token"}. */
 function accepted(service: string, value: unknown): Answer {
   if (typeof value !== "object" || value === null)
     throw new Error(`The robot's answer to '${service}' is not an object.`);
   const answer = value as Answer;
   if (answer["ok"] === false)
-    throw new Error(String(answer["error"] ?? `The robot refused '${service}' without a reason.`));
+    throw new Error(String(answer["error"] ?? `The robot refused '${service}' without a reason.`), {
+      cause: answer["cause"],
+    });
   return answer;
 }

@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { causeOf } from "./calls";
 import { Client, type Connection, type Listener, type Socket } from "./client";
 
 /** The server's end of a connection. `sent` holds the messages of the client. */
@@ -248,4 +249,47 @@ test("a service call that cannot be answered rejects with the reason", async () 
   await expect(refused).rejects.toThrow("Not allowed.");
   newest().onclose?.({ code: 1006, reason: "" });
   await expect(lost).rejects.toThrow("lost");
+});
+
+test("parameters are set in one message, while the connection stands", async () => {
+  client.start();
+  const values = new Map<string, number | boolean | string>([
+    ["walk.height", 0.03],
+    ["walk.name", "a"],
+  ]);
+  expect(client.setParameters(values)).toBe(false);
+  newest().say(kInfo);
+  expect(client.setParameters(values)).toBe(true);
+  expect(newest().take("setParameters")).toEqual([
+    {
+      op: "setParameters",
+      id: "set",
+      parameters: [
+        { name: "walk.height", value: 0.03 },
+        { name: "walk.name", value: "a" },
+      ],
+    },
+  ]);
+});
+
+test("a refusal's cause is a field of the answer and of the status", async () => {
+  const causes: string[] = [];
+  const hears: Listener = { ...listener, status: (_, __, ___, cause) => causes.push(cause ?? "") };
+  client = new Client("ws://robot/", hears, () => {
+    sockets.push(new FakeSocket());
+    return newest();
+  });
+  client.start();
+  newest().say(kInfo, kServices);
+  const refused = client.call("start_recording", {}).catch((error: unknown) => error);
+  newest().frame(...response(0, '{"ok": false, "error": "start: no", "cause": "token"}'));
+  expect(causeOf(await refused)).toBe("token");
+  const failed = client.call("start_recording", {}).catch((error: unknown) => error);
+  newest().frame(...response(1, '{"ok": false, "error": "start: needs the control token"}'));
+  expect(causeOf(await failed)).toBe(""); // words decide nothing
+  newest().say(
+    { op: "status", level: 2, message: "no", cause: "token" },
+    { op: "status", level: 2, message: "no", cause: 3 },
+  );
+  expect(causes).toEqual(["token", ""]);
 });

@@ -33,7 +33,7 @@ export interface Listener {
   message(topic: string, log_ns: bigint, data: Uint8Array): void;
   time(now_ns: bigint): void;
   playback(state: PlaybackState): void;
-  status(level: Level, message: string, id?: string): void;
+  status(level: Level, message: string, id?: string, cause?: string): void;
   removeStatus(ids: string[]): void;
   parameters(values: { name: string; value: unknown }[]): void;
   services(names: string[]): void;
@@ -114,6 +114,16 @@ export class Client {
   }
 
   /**
+   * Sets parameters. The server answers with the values that hold, and with a sentence for each that it refuses. Returns
+   * false if no server is connected.
+   */
+  setParameters(values: ReadonlyMap<string, number | boolean | string>): boolean {
+    const parameters = [...values].map(([name, value]) => ({ name, value }));
+    if (this.#open) this.#send({ op: "setParameters", parameters, id: "set" });
+    return this.#open;
+  }
+
+  /**
    * Sends a wish to a server that plays a recording. The answer carries `request`. Returns false if no server is
    * connected.
    */
@@ -167,7 +177,7 @@ export class Client {
         this.#withdraw([...this.#channels.values()].filter(({ id }) => text.channelIds.includes(id)));
         break;
       case "status":
-        this.listener.status(text.level, text.message, text.id);
+        this.listener.status(text.level, text.message, text.id, text.cause);
         break;
       case "removeStatus":
         this.listener.removeStatus(text.statusIds);

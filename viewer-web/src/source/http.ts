@@ -87,3 +87,10 @@ export async function fetchSessions(): Promise<Session[]> {
   if (!sessions) throw new Error("The robot's list of recordings cannot be read.");
   return sessions;
 }
+
+/** Asks the page's own robot whether a real game is in progress. False without an answer. */
+export async function matchModeOf(): Promise<boolean> {
+  const response = await fetch("/api/status", { signal: AbortSignal.timeout(5000) }).catch(() => undefined);
+  const status: unknown = response?.ok ? await response.json().catch(() => undefined) : undefined;
+  return isObject(status) && isObject(status["game"]) && status["game"]["match_mode"] === true;
+}

@@ -25,7 +25,7 @@ export type ServerText =
   | { op: "serverInfo"; info: ServerInfo }
   | { op: "advertise"; channels: Channel[]; rejected: number }
   | { op: "unadvertise"; channelIds: number[] }
-  | { op: "status"; level: Level; message: string; id?: string }
+  | { op: "status"; level: Level; message: string; id?: string; cause?: string }
   | { op: "removeStatus"; statusIds: string[] }
   | { op: "parameterValues"; parameters: { name: string; value: unknown }[] }
   | { op: "advertiseServices"; services: { id: number; name: string }[] }
@@ -103,7 +103,8 @@ export function readText(text: string): ServerText {
     case "status": {
       const level = ({ 0: "info", 1: "warning" } as const)[Number(fields["level"])] ?? "error";
       const message = textOf(fields["message"]);
-      return { op: "status", level, message, ...(isText(fields["id"]) && { id: fields["id"] }) };
+      const { id, cause } = fields;
+      return { op: "status", level, message, ...(isText(id) && { id }), ...(isText(cause) && { cause }) };
     }
     case "removeStatus":
       return { op: "removeStatus", statusIds: listOf(fields["statusIds"]).filter(isText) };

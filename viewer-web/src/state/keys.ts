@@ -1,5 +1,6 @@
 // The keys of the whole page and of single views, with the texts of the help on `?`.
 
+import { kPresets } from "./panes";
 import { kViews, type View } from "./route";
 import type { Viewer } from "./viewer.svelte";
 
@@ -7,7 +8,19 @@ export interface Key {
   keys: string[];
   does: string;
   act(
-    viewer: Pick<Viewer, "time" | "moments" | "view" | "go" | "chooseNeighbour">,
+    viewer: Pick<
+      Viewer,
+      | "time"
+      | "moments"
+      | "view"
+      | "go"
+      | "chooseNeighbour"
+      | "split"
+      | "close"
+      | "focusNeighbour"
+      | "maximise"
+      | "arrangeAs"
+    >,
     event: Pick<KeyboardEvent, "key" | "shiftKey">,
   ): void;
 }
@@ -83,6 +96,27 @@ export const kPageKeys: Key[] = [
     act: (viewer, { key }) => viewer.chooseNeighbour(key === "k" ? -1 : 1),
   },
   ...keysOfViews(kViews),
+  {
+    keys: ["a", "A"],
+    does: "add a pane to the right, or below",
+    act: (viewer, { key }) => viewer.split(key === "a" ? "row" : "col"),
+  },
+  { keys: ["q"], does: "close the pane", act: (viewer) => viewer.close() },
+  {
+    keys: ["e", "E"],
+    does: "next or previous pane; keys and the choice of a view are for the marked one",
+    act: (viewer, { key }) => viewer.focusNeighbour(key === "e" ? 1 : -1),
+  },
+  {
+    keys: ["z"],
+    does: "the pane alone, or all again (or double-click its title)",
+    act: (viewer) => viewer.maximise(),
+  },
+  ...kPresets.map((preset): Key => ({
+    keys: [preset.key],
+    does: `${preset.name}: ${preset.does}`,
+    act: (viewer) => viewer.arrangeAs(preset),
+  })),
 ];
 
 /** Keys of a single view. */
@@ -122,6 +156,7 @@ export function belongsElsewhere(
     [" ", "Enter"].includes(event.key)
   )
     return true;
+  if (element?.matches("input[type=range]") && /^(Arrow|Home$|End$|Page)/.test(event.key)) return true;
   // a dialog that has just been closed keeps the focus until the next frame
   return Boolean(element?.closest("dialog[open]"));
 }

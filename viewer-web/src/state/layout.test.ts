@@ -9,6 +9,9 @@ const route: Route = {
     ["with", "10.0.14.2:8765"],
     ["plot", "/14/2/ball.x /14/2/pose~truth"],
     ["layers", "truth,belief"],
+    ["panes", "row(plot,col(field,plot):2)"],
+    ["2.layers", "truth"],
+    ["2.robot", "14/3@10.0.14.2:8765"],
     ["at", "17"],
     ["marks", "17~kick"],
     ["loop", "1-2"],
@@ -17,7 +20,7 @@ const route: Route = {
 
 test("a layout read again is the same, without its moments", () => {
   const { settings, ...rest } = route;
-  expect(layoutOf(textOfLayout(route))).toEqual({ ...rest, settings: new Map([...settings].slice(0, 3)) });
+  expect(layoutOf(textOfLayout(route))).toEqual({ ...rest, settings: new Map([...settings].slice(0, 6)) });
 });
 
 test("a file that is no layout is refused with one sentence and its reason", () => {
@@ -38,6 +41,10 @@ test("a file that is no layout is refused with one sentence and its reason", () 
       with_({ settings: { with: "robot:8765?token=x" } }),
       "the server 'robot:8765?token=x' must be host:port and nothing else",
     ],
+    [with_({ settings: { panes: "row(field" } }), `got "row(field"`],
+    [with_({ settings: { "2.robot": "<b>" } }), `expected '2.robot' to be like 14/2, got "<b>"`],
+    [with_({ settings: { "7.layers": "truth" } }), "the setting '7.layers' is not known"],
+    [with_({ settings: { "2.with": "x:1" } }), "the setting '2.with' is not known"],
     [with_({ settings: { plot: "x".repeat(30000) } }), "longer than 20000"],
   ];
   for (const [text, why] of cases)

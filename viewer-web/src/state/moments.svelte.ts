@@ -1,8 +1,11 @@
 // Interesting moments: the matches of a condition, and bookmarks. Both are in the page's address.
 
 import { conditionOf, type Condition } from "../memory/condition";
+import type { Mistake } from "../memory/expression";
 import { Finder, type Match } from "../memory/finder";
+import { vocabularyOf } from "../memory/vocabulary";
 import { WholeFinder, type FetchPart } from "../memory/whole_finder";
+import { Breakpoint } from "./breakpoint";
 import { bookmarksOf, textOfBookmarks, withBookmark, type Bookmark } from "./bookmarks";
 import type { Viewer } from "./viewer.svelte";
 
@@ -12,19 +15,13 @@ export class Moments {
   open = $state(false);
 
   query: string = $derived.by(() => this.viewer.get("find"));
-  readonly #parsed: Condition | { error: string } | undefined = $derived.by(() => {
+  readonly #parsed: Condition | Mistake | undefined = $derived.by(() => {
     const { server, robot } = this.viewer;
     void server.offers;
-    return this.query.trim()
-      ? conditionOf(
-          this.query,
-          robot,
-          [...server.memory.objects()].map(({ channel }) => channel.topic),
-        )
-      : undefined;
+    return this.query.trim() ? conditionOf(this.query, vocabularyOf(server.memory, robot)) : undefined;
   });
-  /** The mistake in the condition, or "". */
-  error: string = $derived(this.#parsed && "error" in this.#parsed ? this.#parsed.error : "");
+  /** The mistake in the condition and its place. */
+  mistake: Mistake | undefined = $derived(this.#parsed && "error" in this.#parsed ? this.#parsed : undefined);
   condition: Condition | undefined = $derived(this.#parsed && !("error" in this.#parsed) ? this.#parsed : undefined);
   #finder: Finder | undefined = $derived.by(() => {
     const { memory } = this.viewer.server;
@@ -53,6 +50,9 @@ export class Moments {
     );
     return new WholeFinder(condition, decoders, played, fetch);
   });
+  /** Whether time stops when the condition begins to hold. */
+  stops: boolean = $derived.by(() => this.viewer.get("stop") === "yes");
+  #breakpoint = new Breakpoint();
   bookmarks: Bookmark[] = $derived.by(() => bookmarksOf(this.viewer.get("marks")));
 
   constructor(readonly viewer: Viewer) {
@@ -63,6 +63,18 @@ export class Moments {
   update(): void {
     if (this.#searched) this.#searched.update(kBudget);
     else this.#finder?.update(kBudget);
+    if (!this.stops || !this.condition) return this.#breakpoint.clear();
+    const { time } = this.viewer;
+    const stop_ns = this.#breakpoint.stopAt(time.at_ns, time.runs, this.#begins());
+    if (stop_ns === undefined) return;
+    time.seek(stop_ns);
+    time.playing = false;
+  }
+
+  /** The begins of all matches, in the reference's time. */
+  #begins(): bigint[] {
+    const shift_ns = this.viewer.time.shiftOf(this.viewer.server);
+    return this.matches.map(({ from_ns }) => from_ns - shift_ns);
   }
 
   get #searched(): WholeFinder | undefined {
@@ -91,18 +103,17 @@ export class Moments {
     return this.#whole?.problem ?? "";
   }
 
+  stopThere(stops: boolean): void {
+    this.viewer.set("stop", stops ? "yes" : "");
+  }
+
   find(query: string): void {
     this.viewer.set("find", query);
   }
 
   /** Goes to the next or previous begin of a match. */
   jump(by: 1 | -1): void {
-    const { time, server } = this.viewer;
-    const shift_ns = time.shiftOf(server);
-    time.jumpAmong(
-      by,
-      this.matches.map(({ from_ns }) => from_ns - shift_ns),
-    );
+    this.viewer.time.jumpAmong(by, this.#begins());
   }
 
   mark(): void {

@@ -10,6 +10,7 @@ export const kViews = [
   "health",
   "log",
   "sessions",
+  "parameters",
 ] as const;
 export type View = (typeof kViews)[number];
 

@@ -8,11 +8,13 @@ import type { Past } from "../memory/past";
 import { Played } from "../memory/played";
 import {
   allStreamStatistics,
+  processStatistics,
   recordingStatistics,
   runtimesOf,
   type RecordingStatistics,
   type StreamStatistics,
 } from "../memory/statistics";
+import { causeOf } from "../source/calls";
 import { Client, type Connection, type Listener, type Socket } from "../source/client";
 import { livenessOf, type Liveness } from "../present/liveness";
 import { simulationOf } from "../memory/simulation";
@@ -28,8 +30,10 @@ import { now } from "./frame.svelte";
 const kBodyWords: Record<string, string> = { recording: "a recording", replay: "a replay", sim: "a simulation" };
 
 const kStepService = "message_beside";
+const kWatchService = "watch_session";
 const kOutdated = 0.3; // [s] after a seek: an object without a message by then has no value there
 const kIntroduction = 1; // [s] for the introduction of a server without services
+const kCounting = 2; // [s] until a server has written each of its streams and counted it, once a second
 const kSettled = 0.15; // [s] the page waits at a moment before the server seeks it too
 
 /** Receives a server's sentences. */
@@ -56,6 +60,10 @@ export class Server implements Listener {
   parameterValues = $state.raw<ReadonlyMap<string, unknown>>(new Map());
   serviceNames = $state.raw<string[]>([]);
   #clock = new ClockExchange((request) => this.client.call("clock_sync", request));
+  /** Name of the session that it plays; "" for a live robot, or for several sessions. */
+  session = $derived(this.info?.metadata["session"] ?? "");
+  /** Whether it can play another session of its folder. */
+  canWatch = $derived(this.serviceNames.includes(kWatchService));
   /** Whether games at this robot are tests, in which the wireless network stays open. */
   practice = $derived(this.parameterValues.get("match_mode") === false);
   /** Whether the server refused something for want of the right token, until a person types one or declines. */
@@ -224,14 +232,34 @@ export class Server implements Listener {
       this.removeStatus([`service ${service}`]);
       return true;
     } catch (error) {
-      this.status("error", (error as Error).message, `service ${service}`);
+      this.status("error", (error as Error).message, `service ${service}`, causeOf(error));
       return false;
     }
+  }
+
+  /** Whether it plays another session than the one of a link. */
+  playsAnother(session: string): boolean {
+    return session !== "" && this.session !== "" && session !== this.session;
+  }
+
+  /** Makes it play another session, for all its viewers. Returns false, with an alert, if it cannot. */
+  async watch(session: string): Promise<boolean> {
+    return this.session === session || (await this.do(kWatchService, { session }));
   }
 
   /** The server's own statistics of its streams, by topic. Empty before the first `runtime` object. */
   statistics(): Map<string, StreamStatistics> {
     return allStreamStatistics(runtimesOf([...this.memory.objects()]));
+  }
+
+  /** Whether the robot has ever written a stream, by its own count: "unknown" at the beginning. */
+  hasWritten(topic: string): "yes" | "no" | "unknown" {
+    const [runtime] = runtimesOf([...this.memory.objects()]);
+    const written = this.statistics().get(topic)?.sequence ?? 0;
+    const waited = now() - this.#introduced_s > kCounting;
+    if (!runtime) return waited ? "yes" : "unknown";
+    if (written > 0) return "yes";
+    return waited || (processStatistics(runtime)?.uptime ?? 0) > kCounting ? "no" : "unknown";
   }
 
   recording(): RecordingStatistics | undefined {
@@ -254,9 +282,9 @@ export class Server implements Listener {
     const answer = await fetch("/api/status", { signal: AbortSignal.timeout(5000) }).catch(() => undefined);
     if (answer?.status === 401) this.wantsToken = true;
   }
-  /** Learns from a refusal's sentence that the token is missing or wrong. */
-  refusedWith(sentence: string): void {
-    if (/needs (the control|its read) token/.test(sentence)) this.wantsToken = true;
+  /** Learns from the cause of a refusal that the token is missing or wrong. */
+  refusedBecause(cause: string): void {
+    if (cause === "token") this.wantsToken = true;
   }
   introduced(info: ServerInfo, fresh: boolean, restarted: boolean): void {
     this.info = info;
@@ -357,8 +385,8 @@ export class Server implements Listener {
     this.memory.clock.heard(now_ns, now());
     this.played?.heard(now_ns, now());
   }
-  status(level: Level, message: string, id: string = message): void {
-    this.refusedWith(message);
+  status(level: Level, message: string, id: string = message, cause = ""): void {
+    this.refusedBecause(cause);
     const key = `${this.target.host} ${id}`;
     this.#alertKeys.add(key);
     this.speaker.say(level, this.speaker.several ? `${this.target.host}: ${message}` : message, key);

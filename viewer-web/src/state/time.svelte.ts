@@ -419,6 +419,7 @@ export class Time {
   /** Shows the moment of a link as soon as it is available, or reports that it is gone. */
   #obeyAddress(): void {
     const asked_ns = this.#asked_ns;
+    if (this.reference.playsAnother(this.viewer.get("session"))) return; // a person may watch that one
     const range = asked_ns === undefined ? undefined : this.range();
     if (asked_ns === undefined || !range || !this.#isThere || (range.last_ns < asked_ns && !this.recorded)) return;
     this.#asked_ns = undefined;

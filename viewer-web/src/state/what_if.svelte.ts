@@ -14,9 +14,10 @@ import {
   textOfQuestion,
 } from "../memory/question";
 import type { Edit, Question, Standing, Thing } from "../memory/question";
+import { causeOf } from "../source/calls";
 import { now } from "./frame.svelte";
 import type { Server } from "./server.svelte";
-import type { Viewer } from "./viewer.svelte";
+import type { Pane } from "./pane.svelte";
 
 export const kService = "/foresight/what_if";
 export const kStrategiesService = "/foresight/strategies";
@@ -50,7 +51,7 @@ export class WhatIf {
   #note: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
-    readonly viewer: Viewer,
+    readonly viewer: Pane,
     readonly server: Server,
     readonly robot: string,
   ) {}
@@ -117,7 +118,7 @@ export class WhatIf {
       this.#answered(forecastOf(fieldsOfJson(answer["forecast"])), question.edit, at_ns, before);
     } catch (error) {
       this.problem = (error as Error).message.replace(`${kService}: `, "");
-      this.server.refusedWith(this.problem);
+      this.server.refusedBecause(causeOf(error));
     } finally {
       this.asking = undefined;
     }

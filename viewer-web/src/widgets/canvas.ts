@@ -2,6 +2,9 @@
 
 import type { Colours } from "../draw/timeline";
 
+/** To people who cannot see it, a canvas is a picture. Spread, because Svelte wrongly takes canvases for controls. */
+export const kPicture = { role: "img" } as const;
+
 /** Sets the canvas to the screen's resolution, clears it, and uses the page's pixels as its unit. */
 export function fitted(canvas: HTMLCanvasElement, pen: CanvasRenderingContext2D): { width: number; height: number } {
   const ratio = window.devicePixelRatio;

@@ -13,11 +13,14 @@
 #include <cstring>
 #include <ctime>
 #include <functional>
+#include <mutex>
 #include <random>
 #include <string>
 
+#include "proto/foresight/live_parameters.pb.h"
 #include "robot/client/foresight.h"
 #include "robot/client/foresight_fields.h"
+#include "robot/client/foresight_parameters.h"
 #include "robot/client/foresight_what_if.h"
 #include "robot/memory/memory.h"
 #include "robot/memory/schema.h"
@@ -39,7 +42,15 @@ struct TheDoor : ::testing::Test {
   }
 
   void open(std::uint64_t first_frame_ns = DoorOptions().first_frame_ns) {
-    auto opened = Door::open({.path = path, .robot = "14/2", .first_frame_ns = first_frame_ns}, clock, channels, board);
+    auto opened = Door::open({.path = path,
+                              .robot = "14/2",
+                              .first_frame_ns = first_frame_ns,
+                              .on_end =
+                                  [this](const std::string& topic) {
+                                    const std::lock_guard guard(ended_lock);
+                                    ended.push_back(topic);
+                                  }},
+                             clock, channels, board);
     ASSERT_TRUE(opened) << opened.error();
     door = std::move(*opened);
   }
@@ -131,6 +142,8 @@ struct TheDoor : ::testing::Test {
   const std::shared_ptr<memory::Memory> memory = std::make_shared<memory::Memory>("14/2", clock);
   memory::Channels channels;
   logging::LoggingBoard board;
+  std::mutex ended_lock;
+  std::vector<std::string> ended;  // topics that no process writes any more
   std::unique_ptr<Door> door;
   float last_x = 0;
 };
@@ -155,6 +168,175 @@ std::string frame(int kind, const std::string& body) {
 std::string ball_channel() {
   return logging::channel_frame(
       {.topic = "ball", .schema = {.name = "foresight.Ball", .encoding = "protobuf", .bytes = ""}});
+}
+
+/// A process with one parameter of each type, and this test as the runtime that answers it.
+struct LiveParametersOfC : TheDoor {
+  LiveParametersOfC() {
+    EXPECT_TRUE(channels.add(told));
+    EXPECT_TRUE(told->write_bytes("", 1));
+    add();
+  }
+  ~LiveParametersOfC() override { foresight_end_parameters(parameters); }
+
+  void add() {
+    static const char* const kGaits[] = {"slow", "fast"};
+    parameters = foresight_parameters("walk", path.c_str());
+    foresight_add_number(parameters, "height", &height, 0, 0.05, "m", "Height of a foot.");
+    foresight_add_whole(parameters, "steps", &steps, 0, 0, "", "");
+    foresight_add_yes_no(parameters, "arms", &arms, "");
+    foresight_add_text(parameters, "name", name, sizeof name, "");
+    foresight_add_choice(parameters, "gait", &gait, kGaits, 2, "");
+  }
+
+  /// Polls until the process has announced something new, and returns it.
+  foresight::LiveParameters announced() {
+    EXPECT_TRUE(tests::eventually([&] {
+      foresight_poll_parameters(parameters);
+      const auto version = newest("/14/2/live_parameters/walk");
+      return version && version->publish_ns() > last_announced_ns;
+    }));
+    const auto version = newest("/14/2/live_parameters/walk");
+    last_announced_ns = version->publish_ns();
+    foresight::LiveParameters message;
+    EXPECT_TRUE(message.ParseFromString(std::string(version->bytes())));
+    return message;
+  }
+
+  void tell(foresight::LiveParameters message, const std::string& process = "walk.") {
+    for (auto& parameter : *message.mutable_parameter()) parameter.set_name(process + parameter.name());
+    EXPECT_TRUE(told->write_bytes(message.SerializeAsString(), 1));
+  }
+
+  /// Polls until a variable changes, and returns the number of changes.
+  int changes() {
+    int changed = 0;
+    EXPECT_TRUE(tests::eventually([&] { return (changed = foresight_poll_parameters(parameters)) > 0; }));
+    return changed;
+  }
+
+  const std::shared_ptr<memory::RawChannel> told = std::make_shared<memory::RawChannel>(
+      memory::ChannelInfo{.topic = "/14/2/live_parameters",
+                          .schema = memory::schema_of(*foresight::LiveParameters::descriptor())},
+      clock);
+  double height = 0.02;
+  int steps = -3, arms = 5, gait = 1;
+  char name[8] = "ab";
+  ForesightParameters* parameters = nullptr;
+  std::uint64_t last_announced_ns = 0;
+};
+
+TEST_F(LiveParametersOfC, AreAnnouncedWithAllFields) {
+  using foresight::LiveParameter;
+  const foresight::LiveParameters message = announced();
+  ASSERT_EQ(message.parameter_size(), 5);
+  EXPECT_EQ(message.parameter(0).ShortDebugString(),
+            R"(name: "height" type: TYPE_NUMBER number: 0.02 initial_number: 0.02 max: 0.05 unit: "m" )"
+            R"(description: "Height of a foot.")");
+  EXPECT_EQ(message.parameter(1).number(), -3);
+  EXPECT_EQ(message.parameter(1).min(), -2147483648.0);
+  EXPECT_EQ(message.parameter(2).ShortDebugString(), R"(name: "arms" type: TYPE_YES_NO number: 1 initial_number: 1)");
+  EXPECT_EQ(message.parameter(3).text(), "ab");
+  EXPECT_EQ(message.parameter(4).ShortDebugString(),
+            R"(name: "gait" type: TYPE_CHOICE text: "fast" initial_text: "fast" choice: "slow" choice: "fast")");
+}
+
+TEST_F(LiveParametersOfC, TakeTheValuesThatPeopleSet) {
+  foresight::LiveParameters message = announced();
+  tell(message, "kick.");
+  message.mutable_parameter(0)->set_number(0.1 + 0.2);
+  message.mutable_parameter(1)->set_number(7);
+  message.mutable_parameter(2)->set_number(0);
+  message.mutable_parameter(3)->set_text("longer than its room");
+  message.mutable_parameter(4)->set_text("slow");
+  tell(message);
+  EXPECT_EQ(changes(), 5);
+  EXPECT_EQ(height, 0.1 + 0.2);  // to the bit
+  EXPECT_EQ(steps, 7);
+  EXPECT_EQ(arms, 0);
+  EXPECT_STREQ(name, "longer ");
+  EXPECT_EQ(gait, 0);
+  EXPECT_STREQ(foresight_parameters_problem(parameters), "");
+  message.mutable_parameter(0)->set_number(0.04);
+  tell(message);
+  EXPECT_EQ(changes(), 1);
+}
+
+TEST_F(LiveParametersOfC, AFormerProcessIsNotHeard) {
+  foresight::LiveParameters message = announced();
+  message.mutable_parameter(0)->set_number(0.01);
+  message.mutable_parameter(0)->set_initial_number(0.03);  // of a former file
+  message.mutable_parameter(1)->set_number(8);
+  message.mutable_parameter(1)->set_gone(true);
+  message.mutable_parameter(4)->set_text("slow");
+  tell(message);
+  EXPECT_EQ(changes(), 1);
+  EXPECT_EQ(height, 0.02);
+  EXPECT_EQ(steps, -3);
+  EXPECT_EQ(gait, 0);
+}
+
+TEST_F(LiveParametersOfC, AreAnnouncedAgainWithTheirValuesToARuntimeThatHasLostThem) {
+  foresight::LiveParameters message = announced();
+  message.mutable_parameter(0)->set_number(0.04);
+  tell(message);
+  EXPECT_EQ(changes(), 1);
+  tell({});
+  const foresight::LiveParameters again = announced();
+  EXPECT_EQ(again.parameter(0).number(), 0.04);
+  EXPECT_EQ(again.parameter(0).initial_number(), 0.02);
+}
+
+TEST_F(LiveParametersOfC, ARefusalIsTheirProblem) {
+  announced();
+  foresight::LiveParameters message;
+  message.add_problem("kick: no");
+  message.add_problem("walk: parameter 'height': expected more");
+  tell(message);
+  EXPECT_TRUE(tests::eventually([&] {
+    foresight_poll_parameters(parameters);
+    return *foresight_parameters_problem(parameters) != 0;
+  }));
+  EXPECT_STREQ(foresight_parameters_problem(parameters), "the runtime refuses: parameter 'height': expected more");
+  static double other = 0;
+  foresight_add_number(parameters, "long", &other, 0, 0, "", std::string(5000, 'a').c_str());
+  EXPECT_STREQ(foresight_parameters_problem(parameters), "parameter 'long': its texts are too long");
+}
+
+TEST_F(LiveParametersOfC, AnyMessageLeavesTheVariablesAllowed) {
+  foresight::LiveParameters message = announced();
+  message.mutable_parameter(4)->set_text("slow");
+  for (auto& parameter : *message.mutable_parameter()) parameter.set_name("walk." + parameter.name());
+  const std::string bytes = message.SerializeAsString();
+  std::mt19937 random(1);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string wrong = bytes;
+    wrong[i] = static_cast<char>(random());
+    EXPECT_TRUE(told->write_bytes(i % 2 ? wrong : bytes.substr(0, i), 1));
+    foresight_poll_parameters(parameters);
+    EXPECT_TRUE(gait == 0 || gait == 1);
+    EXPECT_LT(std::strlen(name), sizeof name);
+  }
+}
+
+TEST_F(TheDoor, TellsWhenNoProcessWritesAnObjectAnyMore) {
+  const auto told = [this] {
+    const std::lock_guard guard(ended_lock);
+    return ended;
+  };
+  Writer first = announce("ball", "foresight.Ball");
+  ASSERT_TRUE(tests::eventually([&] { return write(first, "") && newest("/14/2/ball"); }));
+  Writer second = announce("ball", "foresight.Ball");
+  foresight::Ball seventh;
+  seventh.set_x(7);
+  ASSERT_TRUE(write(second, seventh.SerializeAsString()));  // waits for its turn
+  const Writer pose = announce("pose", "foresight.Pose");
+  ASSERT_TRUE(write(pose, ""));
+  first.reset();
+  ASSERT_TRUE(tests::eventually([&] { return memory->ball.read()->value().x() == 7; }));
+  EXPECT_TRUE(told().empty());
+  second.reset();
+  EXPECT_TRUE(tests::eventually([&] { return told() == std::vector<std::string>{"/14/2/ball"}; }));
 }
 
 TEST_F(TheDoor, MessagesOfAProcessEnterMemoryWithTheirCaptureTimeOfTheEpoch) {

@@ -81,6 +81,17 @@ TEST(Nblog, SaysWhereHeaderAndPayloadDisagree) {
             std::vector<std::string>{"the header says acc_x 1.500000, the payload 1.000000; the payload is taken"});
 }
 
+TEST(Nblog, ABlockLargerThanThePayloadIsDamageWhateverItsSize) {
+  for (const std::string size : {"4", "1e19", "111111111111111111111111111111111111111111111116"}) {
+    NblogWriter writer;
+    writer.block("JointAngles) (nbytes " + size, "robot", 1, "", "xyz");  // the first size counts
+    RecordingSink sink;
+    const auto report = import_nblog(writer.file(), 0, sink);
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->damage, "block JointAngles: expected " + size + " bytes, the payload has 3 more");
+  }
+}
+
 TEST(Nblog, LeavesOutUnknownBlocks) {
   NblogWriter writer;
   writer.block("SonarState", "robot", 1, "", "xyz");

@@ -411,11 +411,26 @@ TEST_F(HubTest, ParametersAreReadSetAndSubscribed) {
   EXPECT_EQ(gist(*client), "");
 }
 
+TEST_F(HubTest, ManyParametersAreSetByOneRequestAndRefusedByOneSentence) {
+  Json request{{"op", "setParameters"}, {"id", "many"}, {"parameters", Json::array()}};
+  for (int i = 0; i < 200; ++i) request["parameters"].push_back({{"name", "quality"}, {"value", i}});
+  const auto client = join(), stranger = join(false, false);
+  hub->on_text(*client, request.dump());
+  const auto answers = said(*client);
+  ASSERT_EQ(answers.size(), 1u + 1 + 99);  // 0 and 101 .. 199 are out of range
+  EXPECT_EQ(answers.back()["parameters"][0]["value"], 100);
+  hub->on_text(*stranger, request.dump());
+  const auto refused = said(*stranger);
+  ASSERT_EQ(refused.size(), 2u);
+  EXPECT_EQ(refused[0]["message"].get<std::string>().find("parameter 'quality' and 199 more: "), 0u);
+}
+
 TEST_F(HubTest, ControlNeedsTheTokenAndClockSyncDoesNot) {
   const auto stranger = join(false, false);
   hub->on_text(*stranger, R"({"op":"setParameters","parameters":[{"name":"quality","value":50}],"id":"s"})");
   const auto answers = said(*stranger);
   EXPECT_NE(answers.at(0)["message"].get<std::string>().find("needs the control token"), std::string::npos);
+  EXPECT_EQ(answers.at(0)["cause"], "token");
   EXPECT_EQ(answers.at(1)["parameters"][0]["value"], 75);
   hub->on_binary(*stranger, foxglove::to_bytes(foxglove::ServiceCall{1, 5, "json", R"({"sent_ns":"1"})"}));
   EXPECT_NE(said(*stranger).at(0)["bytes"].get<std::string>().find(R"("ok":true,"received_ns":"1000")"),

@@ -25,7 +25,9 @@ class ParametersTest : public testing::Test {
                          if (std::get<bool>(value)) return Error{"the disk is full"};
                          return {};
                        }});
-    parameters.listen([this](const std::string& name) { changes += name + " "; });
+    parameters.listen([this](const std::vector<std::string>& names) {
+      for (const std::string& name : names) changes += name + " ";
+    });
   }
   std::string refusal(std::string_view name, const ParameterValue& value) {
     const auto set = parameters.set(name, value);
@@ -67,13 +69,88 @@ TEST_F(ParametersTest, OnlyChangesAreReported) {
   EXPECT_EQ(changes, "recording ");
 }
 
+TEST_F(ParametersTest, ARangeWithOneEndIsNamed) {
+  parameters.declare("low", 1.0, {.min = 0});
+  parameters.declare("high", 1.0, {.max = 1e-7});
+  parameters.declare("any", 1.0);
+  EXPECT_EQ(refusal("low", -0.5), "parameter 'low': expected at least 0, got -0.5");
+  EXPECT_EQ(refusal("high", 2.0), "parameter 'high': expected at most 1e-07, got 2");
+  EXPECT_EQ(refusal("any", std::numeric_limits<double>::infinity()),
+            "parameter 'any': expected a finite number, got inf");
+}
+
+OfferedParameter number(const std::string& name, double initial, double present, ParameterRule rule = {}) {
+  return {.name = name, .initial = initial, .present = present, .rule = std::move(rule)};
+}
+
+TEST_F(ParametersTest, AnOfferReplacesTheParametersOfItsPrefixAlone) {
+  EXPECT_TRUE(parameters.offer("walk.", {number("walk.a", 1, 1), number("walk.b", 2, 3)}).empty());
+  EXPECT_TRUE(parameters.offer("walks.", {number("walks.a", 7, 7)}).empty());
+  EXPECT_EQ(changes, "walk.a walk.b walks.a ");
+  EXPECT_EQ(parameters.number("walk.b"), 3);
+  EXPECT_TRUE(parameters.offer("walk.", {number("walk.c", 1, 1)}).empty());
+  EXPECT_FALSE(parameters.get("walk.a"));
+  EXPECT_EQ(parameters.names(),
+            (std::vector<std::string>{"profile", "quality", "rate", "recording", "walk.c", "walks.a"}));
+}
+
+TEST_F(ParametersTest, AValueThatWasSetOutlivesANewOffer) {
+  EXPECT_TRUE(parameters.offer("walk.", {number("walk.a", 1, 1)}).empty());
+  ASSERT_TRUE(parameters.set("walk.a", 5.0));
+  EXPECT_TRUE(parameters.offer("walk.", {number("walk.a", 1, 2)}).empty());  // two were set: ours holds
+  EXPECT_EQ(parameters.number("walk.a"), 5);
+  EXPECT_TRUE(parameters.offer("walk.", {number("walk.a", 1.5, 1.5)}).empty());
+  EXPECT_EQ(parameters.number("walk.a"), 5);
+  ASSERT_TRUE(parameters.set("walk.a", 1.5));  // the initial value: nothing is set any more
+  EXPECT_TRUE(parameters.offer("walk.", {number("walk.a", 2, 2)}).empty());
+  EXPECT_EQ(parameters.number("walk.a"), 2);
+}
+
+TEST_F(ParametersTest, AValueThatDoesNotFitTheNewOfferIsNamedAndGoes) {
+  EXPECT_TRUE(parameters.offer("walk.", {number("walk.a", 1, 1)}).empty());
+  ASSERT_TRUE(parameters.set("walk.a", 5.0));
+  EXPECT_EQ(
+      parameters.offer("walk.", {number("walk.a", 1, 1, {.min = 0, .max = 2})}),
+      (std::vector<std::string>{"parameter 'walk.a': the value that was set does not fit the new announcement; the "
+                                "announced value holds"}));
+  EXPECT_EQ(parameters.number("walk.a"), 1);
+  // another type: 1.5 is no whole number
+  ASSERT_TRUE(parameters.set("walk.a", 1.5));
+  EXPECT_EQ(
+      parameters
+          .offer("walk.", {{.name = "walk.a", .initial = std::int64_t{4}, .present = std::int64_t{4}, .rule = {}}})
+          .size(),
+      1u);
+  EXPECT_EQ(parameters.integer("walk.a"), 4);
+}
+
+TEST(Parameters, AreOfferedWhileOthersSetThem) {
+  Parameters parameters;
+  std::atomic<bool> done = false;
+  parameters.offer("a.", {number("a.x", 0, 0)});
+  std::thread setter([&] {
+    for (int i = 0; !done; ++i) (void)parameters.set("a.x", static_cast<double>(i % 7));
+  });
+  for (int i = 0; i < 500; ++i) {
+    if (i % 3 == 0)
+      parameters.offer("a.", {});
+    else if (i % 3 == 1)
+      parameters.offer("a.", {{.name = "a.x", .initial = std::string("t"), .present = std::string("t"), .rule = {}}});
+    else
+      parameters.offer("a.", {number("a.x", 0, 0)});
+  }
+  done = true;
+  setter.join();
+  EXPECT_TRUE(std::holds_alternative<std::string>(*parameters.get("a.x")));
+}
+
 TEST(Parameters, AreSetAndReadByManyThreads) {
   Parameters parameters;
   parameters.declare("n", std::int64_t{0}, {.min = 0, .max = 1000});
   std::atomic<int> told = 0;
-  parameters.listen([&](const std::string& name) {
+  parameters.listen([&](const std::vector<std::string>& names) {
     ++told;
-    parameters.integer(name);
+    parameters.integer(names.at(0));
   });
   std::vector<std::thread> threads;
   for (int t = 0; t < 4; ++t)
@@ -104,10 +181,12 @@ TEST(Services, AnswerEveryRequestInJson) {
   EXPECT_NE(services.call(1, R"({"number":"x"})", stranger).find(R"("ok":false)"), std::string::npos);
   EXPECT_NE(services.call(1, "{}", stranger).find(R"("ok":false)"), std::string::npos);
   EXPECT_NE(services.call(2, "{}", stranger).find("needs the control token"), std::string::npos);
+  EXPECT_NE(services.call(2, "{}", stranger).find(R"("cause":"token")"), std::string::npos);
   EXPECT_EQ(services.call(2, "", friendly), R"({"ok":true})");
   ClientContext during_a_game{.may_control = true, .match_mode = true};
   EXPECT_NE(services.call(2, "", during_a_game).find("a game is in progress"), std::string::npos);
   EXPECT_NE(services.call(2, "", during_a_game).find("--practice allows it"), std::string::npos);
+  EXPECT_NE(services.call(2, "", during_a_game).find(R"("cause":"game")"), std::string::npos);
   EXPECT_EQ(services.call(1, R"({"number":21})", during_a_game), R"({"ok":true,"result":42})");
   during_a_game.loopback = true;
   EXPECT_EQ(services.call(2, "", during_a_game), R"({"ok":true})");
