@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
-import { kPhone, open, shoot } from "./browser.mjs";
+import { kDesktop, kPhone, open, shoot, shootEach } from "./browser.mjs";
 import { play, request, run, temporaryFolder, until } from "./support.mjs";
 
 const kSeconds = 1200;
@@ -157,7 +157,9 @@ test("a plot and the decisions show the whole recording at once; what is not loa
   // the value under the pointer is known where nothing was played
   const box = await canvas.boundingBox();
   const value = page.getByRole("list", { name: "Lines" }).locator(".number").first();
-  await page.mouse.move(box.x + 0.7 * box.width, box.y + box.height / 2);
+  const line = (await drawnIn(canvas, 100, kFirstLine)).findLastIndex((count) => count > 0);
+  assert.ok(line > 70, `a line up to ${line} %`);
+  await page.mouse.move(box.x + (line / 100) * box.width, box.y + box.height / 2);
   await until(async () => /^-?[\d.]+ m$/.test((await value.textContent()).trim()), "a value late in the recording");
 
   // the wheel zooms about the pointer, and the server refines
@@ -171,10 +173,29 @@ test("a plot and the decisions show the whole recording at once; what is not loa
   await canvas.dblclick();
   await until(() => !/span=/.test(page.url()), "the whole again");
 
-  // a measure that the server does not summarise is hatched outside the part that was played
-  await page.goto(`${server.http}/#/14/2/plot?plot=/14/2/ball~truth`);
-  await until(async () => (await drawnIn(canvas, 10))[8] > 0, "hatching");
-  await shoot(page, "whole-plot-hatched");
+  // an expression is hatched outside the part that was played: no server summarises it
+  await page.goto(`${server.http}/#/14/2/plot?plot=/14/2/ball.x%20distance(ball,truth.ball)`);
+  await until(async () => (await drawnIn(canvas, 12, kFirstLine))[9] > 0, "the line of a number");
+  const below = (part) => part.slice(Math.floor(0.7 * part.length));
+  await until(async () => below(await drawnIn(canvas, 100)).every((count) => count > 4), "hatching up to the end");
+  await page.mouse.move(box.x + 0.9 * box.width, box.y + box.height / 2);
+  const values = page.getByRole("list", { name: "Lines" }).locator(".number");
+  await until(async () => (await values.nth(1).textContent()).trim() === "not loaded here", "the reason");
+  await shootEach(page, "whole-plot-hatched");
+  await page.setViewportSize(kDesktop);
+  await page.emulateMedia({ colorScheme: "light" });
+  // what is played, is drawn
+  await page.mouse.move(0, 0);
+  await page.locator("body").press("Space");
+  await until(async () => /^[\d.]+ m$/.test((await values.nth(1).textContent()).trim()), "a distance");
+  await page.locator("body").press("Space");
+
+  // an enum is summarised, too
+  await page.goto(`${server.http}/#/14/2/plot?plot=/14/2/game.state`);
+  await until(async () => (await drawnIn(canvas, 12, kFirstLine))[9] > 0, "the line of the states");
+  await page.mouse.move(box.x + 0.9 * box.width, box.y + box.height / 2);
+  await until(async () => (await values.first().textContent()).trim() === "playing", "a state by name");
+  await shoot(page, "whole-plot-states");
 
   // decisions
   await page.goto(`${server.http}/#/14/2/decision`);

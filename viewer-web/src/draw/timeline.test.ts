@@ -136,6 +136,9 @@ test("letters of crowded events cover no other letter, and a goal keeps its own"
   expect(letters.filter(({ text }) => text === "G").map(({ x }) => x)).toEqual([400]);
   expect(letters.length).toBeGreaterThan(30);
   expect(letters.slice(1).every(({ x }, i) => x - letters[i]!.x >= 11)).toBe(true);
+  const times = pen.texts.filter(({ text }) => /\d/.test(text));
+  expect(times.length).toBeGreaterThan(3);
+  for (const { x } of times) expect(letters.every((letter) => Math.abs(letter.x - x) >= 15)).toBe(true);
   // each event has a tick, also without a letter
   expect(pen.boxes.filter(({ width }) => width === 1.5).length).toBe(300);
 });

@@ -126,6 +126,7 @@ const kShape: Record<Mark["kind"], { letter: string; rank: number; above: number
   kick: { letter: "", rank: 3, above: 0, below: 4 },
 };
 const kLetterRoom = 11; // [px]
+const kTextRoom = 22; // [px] on each side of the middle of a time
 
 export function drawStrip(pen: Pen, width: number, height: number, strip: Strip, colours: Colours): void {
   const { shown, kept, seen, at, live, marks, loop } = strip;
@@ -160,19 +161,19 @@ export function drawStrip(pen: Pen, width: number, height: number, strip: Strip,
   pen.textBaseline = "middle";
   pen.textAlign = "center";
   const { step, at: ticks } = ticksOf({ from: shown.from - zero, to: shown.to - zero }, width, 76);
+  const placed = marks.map(({ at, kind }) => ({ x: x(at), kind }));
+  const leads = placed.filter(({ kind }) => kShape[kind].rank === 0);
+  const texts: number[] = []; // the places of times; the letter of a goal displaces one
   for (const tick of ticks) {
     const place = x(tick + zero);
     pen.fillStyle = colours.line;
     pen.fillRect(place, bar.top - 4, 1, 4);
     pen.fillStyle = colours.soft;
-    if (place > 20 && place < width - 20) pen.fillText(wordsOf(tick, step), place, 8);
+    if (place <= 20 || place >= width - 20 || leads.some(({ x }) => Math.abs(x - place) < kTextRoom)) continue;
+    pen.fillText(wordsOf(tick, step), place, 8);
+    texts.push(place);
   }
-  drawMarks(
-    pen,
-    marks.map(({ at, kind }) => ({ x: x(at), kind })),
-    bar.top,
-    colours,
-  );
+  drawMarks(pen, placed, texts, bar.top, colours);
 
   if (strip.hover !== undefined) {
     pen.fillStyle = colours.soft;
@@ -216,13 +217,23 @@ export function drawSummary(
   drawMarks(
     pen,
     marks.map(({ at, kind }) => ({ x: Math.min(width - 4, Math.max(4, xOf(whole, width, at))), kind })),
+    [],
     bar.top,
     colours,
   );
 }
 
-/** Goals and errors are signs with letters, the rest lines: told apart without colour. A letter covers no other one. */
-function drawMarks(pen: Pen, marks: { x: number; kind: Mark["kind"] }[], top: number, colours: Colours): void {
+/**
+ * Goals and errors are signs with letters, the rest lines: told apart without colour. A letter covers no other one, and
+ * no text at the places `texts`.
+ */
+function drawMarks(
+  pen: Pen,
+  marks: { x: number; kind: Mark["kind"] }[],
+  texts: number[],
+  top: number,
+  colours: Colours,
+): void {
   const ranked = [...marks].sort((a, b) => kShape[a.kind].rank - kShape[b.kind].rank);
   const taken: number[] = []; // places of letters, in steps of their room
   pen.textAlign = "center";
@@ -236,8 +247,8 @@ function drawMarks(pen: Pen, marks: { x: number; kind: Mark["kind"] }[], top: nu
   for (const { x, kind } of ranked) {
     const { letter, rank } = kShape[kind];
     const step = Math.floor(x / kLetterRoom);
-    if (!letter || [step - 1, step, step + 1].some((near) => Math.abs((taken[near] ?? Infinity) - x) < kLetterRoom))
-      continue;
+    if (!letter || texts.some((text) => Math.abs(text - x) < kTextRoom)) continue;
+    if ([step - 1, step, step + 1].some((near) => Math.abs((taken[near] ?? Infinity) - x) < kLetterRoom)) continue;
     taken[step] = x;
     pen.fillStyle = kind === "error" ? colours.warn : rank === 0 ? colours.accent : colours.soft;
     pen.font = `${rank === 0 ? 700 : 400} 10px system-ui, sans-serif`;

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { WholeNumbers } from "../source/whole";
-import { Summaries, WholeRuns, type FetchNumbers } from "./summaries";
+import { Summaries, ViewSummaries, WholeRuns, type FetchNumbers } from "./summaries";
 
 const kRange = { from_ns: 1000n * 10n ** 9n, to_ns: 2200n * 10n ** 9n };
 const part = (from: number, to: number) => ({
@@ -47,12 +47,12 @@ function server() {
 
 test("the whole of all fields is fetched at once, and once", async () => {
   const { asked, answer, fetch } = server();
-  const summaries = new Summaries(kRange, fetch);
+  const summaries = new ViewSummaries(new Summaries(kRange, fetch));
   for (let i = 0; i < 3; ++i) summaries.update(["a", "b"], kRange, 800, i);
   expect(asked.map(({ fields, from, to }) => [fields, from, to])).toEqual([[["a", "b"], 0, 1200]]);
-  expect([summaries.reading("a"), summaries.of("a")]).toEqual([true, []]);
+  expect([summaries.whole.reading("a"), summaries.of("a")]).toEqual([true, []]);
   await answer();
-  expect([summaries.reading("a"), summaries.of("a").length]).toEqual([false, 1]);
+  expect([summaries.whole.reading("a"), summaries.of("a").length]).toEqual([false, 1]);
   summaries.update(["a", "b"], kRange, 800, 9);
   summaries.update(["a", "b", "c"], kRange, 800, 10);
   expect(asked.slice(1).map(({ fields }) => fields)).toEqual([["c"]]);
@@ -60,13 +60,13 @@ test("the whole of all fields is fetched at once, and once", async () => {
 
 test("a field without a summary has a reason, and does not cost the others theirs", async () => {
   const { asked, answer, fetch } = server();
-  const summaries = new Summaries(kRange, fetch);
+  const summaries = new ViewSummaries(new Summaries(kRange, fetch));
   summaries.update(["a", "bad", "empty"], kRange, 800, 0);
   await answer();
   await answer();
-  expect([summaries.of("a").length, summaries.problem("a")]).toEqual([1, ""]);
-  expect([summaries.of("bad").length, summaries.problem("bad")]).toEqual([0, "HTTP 400"]);
-  expect(summaries.problem("empty")).toBe("nothing of this name is played");
+  expect([summaries.of("a").length, summaries.whole.problem("a")]).toEqual([1, ""]);
+  expect([summaries.of("bad").length, summaries.whole.problem("bad")]).toEqual([0, "HTTP 400"]);
+  expect(summaries.whole.problem("empty")).toBe("nothing of this name is played");
   const before = asked.length;
   summaries.update(["a", "bad", "empty"], kRange, 800, 1);
   expect(asked.length).toBe(before);
@@ -74,7 +74,7 @@ test("a field without a summary has a reason, and does not cost the others their
 
 test("a zoomed view gets a part of its own with an interval per pixel, and can move in it", async () => {
   const { asked, answer, fetch } = server();
-  const summaries = new Summaries(kRange, fetch);
+  const summaries = new ViewSummaries(new Summaries(kRange, fetch));
   summaries.update(["a"], part(600, 630), 800, 0);
   await answer();
   summaries.update(["a"], part(600, 630), 800, 1);
@@ -89,7 +89,7 @@ test("a zoomed view gets a part of its own with an interval per pixel, and can m
 
 test("while a view is zoomed the requests are few, and an old one is cancelled", async () => {
   const { asked, answer, fetch } = server();
-  const summaries = new Summaries(kRange, fetch);
+  const summaries = new ViewSummaries(new Summaries(kRange, fetch));
   summaries.update(["a"], kRange, 800, 0);
   await answer();
   for (let i = 0; i < 60; ++i) {
@@ -103,9 +103,28 @@ test("while a view is zoomed the requests are few, and an old one is cancelled",
   expect(asked.at(-1)!.signal.aborted).toBe(true);
 });
 
+test("two views share the whole, and each has its own part", async () => {
+  const { asked, answer, fetch } = server();
+  const whole = new Summaries(kRange, fetch);
+  const [one, other] = [new ViewSummaries(whole), new ViewSummaries(whole)];
+  for (const view of [one, other]) view.update(["a"], kRange, 800, 0);
+  expect(asked.length).toBe(1);
+  await answer();
+  for (let i = 0; i < 9; ++i) {
+    one.update(["a"], part(100, 130), 800, 1 + i);
+    other.update(["a"], part(900, 903), 800, 1 + i);
+  }
+  expect(asked.slice(1).map(({ from, signal }) => [from, signal.aborted])).toEqual([
+    [70, false],
+    [897, false],
+  ]);
+  await answer();
+  expect([one, other].map((view) => view.of("a")[1]!.step_ns / 1e9)).toEqual([30 / 800, 3 / 800]);
+});
+
 test("the whole is never asked for in parts where it is fine enough", async () => {
   const { asked, answer, fetch } = server();
-  const summaries = new Summaries(kRange, fetch);
+  const summaries = new ViewSummaries(new Summaries(kRange, fetch));
   summaries.update(["a"], kRange, 800, 0);
   await answer();
   summaries.update(["a"], part(0, 600), 800, 1);

@@ -100,7 +100,6 @@ export class Server implements Listener {
   /** Ends the connection and forgets everything. */
   stop(): void {
     this.client.stop();
-    this.#summaries?.stop();
     this.#clock.stop();
     this.memory.reset();
     this.speaker.dismiss([...this.#alertKeys]);
@@ -302,7 +301,6 @@ export class Server implements Listener {
     this.speaker.dismiss([...this.#alertKeys]);
     this.parameterValues = new Map();
     ++this.#offers;
-    this.#summaries?.stop();
     this.#summaries = undefined;
     this.#runs.clear();
     if (this.summarises) void this.#learnEvents();
