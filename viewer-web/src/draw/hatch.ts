@@ -2,14 +2,14 @@
 
 import type { Pen } from "./field";
 
-const kApart = 8; // [px] between two lines
+const kApart = 10; // [px] between two lines
 
 /** Hatches a rectangle [px] with diagonal lines, which do not leave it. */
 export function hatch(pen: Pen, left: number, top: number, width: number, height: number, colour: string): void {
   if (width <= 0 || height <= 0) return;
   pen.strokeStyle = colour;
   pen.lineWidth = 1;
-  pen.globalAlpha = 0.4;
+  pen.globalAlpha = 0.35;
   pen.setLineDash([]);
   pen.beginPath();
   // lines rise to the right; they are fixed to the canvas, so that a moving edge does not move them

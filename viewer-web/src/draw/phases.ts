@@ -82,7 +82,7 @@ export function drawPhases(
   const { step, at: ticks } = ticksOf({ from: span.from - zero, to: span.to - zero }, width, 90);
   pen.fillStyle = colours.soft;
   for (const tick of ticks)
-    pen.fillText(wordsOf(tick, step), Math.min(width - 14, Math.max(18, xOf(span, width, tick + zero))), height - 8);
+    pen.fillText(wordsOf(tick, step), Math.min(width - 18, Math.max(18, xOf(span, width, tick + zero))), height - 8);
   pen.fillStyle = colours.accent;
   pen.fillRect(Math.min(width - 2, xOf(span, width, at)) - 1, 0, 2.5, bar.top + bar.height + 4);
 }
