@@ -118,7 +118,8 @@ export const rows = {
     "robot/logging/streams",
     "proto",
   ],
-  "robot/logging": ["robot/logging/mcap", "robot/logging/streams", "robot/logging/sessions"],
+  "robot/logging/recent": ["robot/core", "robot/memory", "robot/logging/mcap", "robot/logging/streams"],
+  "robot/logging": ["robot/logging/mcap", "robot/logging/streams", "robot/logging/sessions", "robot/logging/recent"],
   "robot/net/http": ["robot/core"],
   "robot/net/websocket": ["robot/core", "robot/net/http"],
   "robot/net/foxglove": [

@@ -1,0 +1,57 @@
+// The last minutes of a process's objects, for a viewer that comes late.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "robot/core/lock.h"
+#include "robot/core/result.h"
+#include "robot/logging/recent/recent_file.h"
+#include "robot/logging/streams/carrier.h"
+#include "robot/memory/channels.h"
+
+namespace robot::logging {
+
+/// The bounds of the past.
+struct RecentPastLimits {
+  RecentLimits file;
+  std::size_t message_bytes = 16 * 1024;  // larger messages are left out
+};
+
+/// A thread that carries the versions of all channels into a RecentFile, once a second. Channels of camera images are left
+/// out. If the system refuses the thread, there is no past, and a report says so. Any thread.
+class RecentPast {
+ public:
+  /// `channels` outlives it.
+  explicit RecentPast(memory::Channels& channels, const RecentPastLimits& limits = {});
+  ~RecentPast();
+  RecentPast(const RecentPast&) = delete;
+  RecentPast& operator=(const RecentPast&) = delete;
+
+  /// Returns the messages of the last minutes, up to this call, as one MCAP file.
+  Result<std::shared_ptr<const ByteSource>> file();
+
+ private:
+  class Provider;
+
+  void add(const std::shared_ptr<memory::Channel>& channel);
+  void carry();
+  void run();
+
+  memory::Channels& channels_;
+  const RecentPastLimits limits_;
+  memory::Channels::WatcherId watcher_ = 0;
+
+  Mutex carrying_;  // guards the file and the calls of the carriers
+  RecentFile file_;
+
+  Mutex lock_;  // guards the rest; never held while anything is carried
+  Condition changed_;
+  std::vector<std::shared_ptr<Carrier>> carriers_;
+  bool ended_ = false;
+  std::thread thread_;  // declared last, because it uses the others
+};
+
+}  // namespace robot::logging
