@@ -184,7 +184,7 @@ test("a plot and the decisions show the whole recording at once; what is not loa
   await shootEach(page, "whole-plot-hatched");
   await page.setViewportSize(kDesktop);
   await page.emulateMedia({ colorScheme: "light" });
-  // what is played, is drawn
+  // a played part is drawn
   await page.mouse.move(0, 0);
   await page.locator("body").press("Space");
   await until(async () => /^[\d.]+ m$/.test((await values.nth(1).textContent()).trim()), "a distance");
