@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
 import { kDesktop, kPhone, open, shoot, shootEach } from "./browser.mjs";
-import { play, request, run, temporaryFolder, until } from "./support.mjs";
+import { play, request, run, synthesize, temporaryFolder, until } from "./support.mjs";
 
 const kSeconds = 1200;
 
@@ -225,6 +225,66 @@ test("a phone shows the events and the whole plot", async (t) => {
   await shoot(page, "whole-phone");
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
   assert.deepEqual(problems, []);
+});
+
+test("two plots side by side have finer summaries of their own", async (t) => {
+  const { server } = await longGame(t);
+  const address = "#/14/2/plot?panes=row(plot,plot)&plot=/14/2/ball.x&span=30&2.plot=/14/2/pose.x&2.span=120";
+  const { page, problems } = await open(t, "about:blank");
+  const answered = { 30: 0, 120: 0 };
+  page.on("requestfinished", (request) => {
+    const { pathname, searchParams: asked } = new URL(request.url());
+    if (pathname !== "/api/whole/numbers") return;
+    // a view and as much on each side of it, as far as the recording goes
+    const length = Number(BigInt(asked.get("to")) - BigInt(asked.get("from"))) / 1e9;
+    for (const span of [30, 120]) if (length >= span && length <= 3 * span + 1) ++answered[span];
+  });
+  await page.goto(`${server.http}/${address}`);
+  const canvases = page.locator("canvas[aria-label=Plot]");
+  await until(async () => (await canvases.count()) === 2, "two plots");
+  await page.keyboard.press("Space");
+  await until(
+    () => answered[30] > 0 && answered[120] > 0,
+    "both answers",
+    undefined,
+    () => answered,
+  );
+  for (const i of [0, 1])
+    await until(async () => (await drawnIn(canvases.nth(i), 12, kFirstLine)).some((count) => count > 0), `line ${i}`);
+  await shoot(page, "whole-panes");
+  assert.deepEqual(problems, []);
+});
+
+test("after another session is watched, its events are known", async (t) => {
+  const folder = temporaryFolder(t);
+  const first = await synthesize(folder, { name: "first", seconds: 20 });
+  const made = await run("foresight-lab", "synthesize", join(folder, "second"), "--seconds", "8", "--robot", "14/3");
+  assert.equal(made.status, 0, made.stderr);
+  const server = await play(t, folder, first);
+  const { page } = await open(t, `${server.http}/#/14/2/field`, { breaksConnections: true });
+  await page.getByRole("button", { name: "Find moments" }).click();
+  const names = async () => (await listed(page)).map(({ text }) => text);
+  await until(
+    async () => (await names()).includes("goal of team 14"),
+    "the goal of the first session",
+    undefined,
+    names,
+  );
+  const choose = (view) =>
+    page
+      .getByRole("link", { name: view })
+      .or(page.getByRole("button", { name: view }))
+      .click();
+  await choose("Sessions");
+  await page.getByRole("article").filter({ hasText: "robot 14/3" }).getByRole("button", { name: "Watch" }).click();
+  await page.getByText("Robot 14/3").first().waitFor();
+  await choose("Field");
+  await until(
+    async () => (await names()).join() === "ready,set,playing",
+    "the events of the second session",
+    undefined,
+    names,
+  );
 });
 
 test("a wrong question about a recording gets one sentence", async (t) => {

@@ -9,7 +9,7 @@ export function hatch(pen: Pen, left: number, top: number, width: number, height
   if (width <= 0 || height <= 0) return;
   pen.strokeStyle = colour;
   pen.lineWidth = 1;
-  pen.globalAlpha = 0.35;
+  pen.globalAlpha = 0.3;
   pen.setLineDash([]);
   pen.beginPath();
   // lines rise to the right; they are fixed to the canvas, so that a moving edge does not move them

@@ -22,6 +22,13 @@ test("a part stays while it contains the moment, and follows it where it does no
   expect(windowOf(first, 60, { kept, at: 600, atNow: false }).span).toEqual({ from: 570, to: 630 });
 });
 
+test("a part does not leave the available time if that is longer", () => {
+  const spanAt = (at: number, length: number) => windowOf(undefined, length, { kept, at, atNow: false }).span;
+  expect(spanAt(3, 30)).toEqual({ from: 0, to: 30 });
+  expect(spanAt(1199, 30)).toEqual({ from: 1170, to: 1200 });
+  expect(spanAt(600, 1800)).toEqual({ from: -600, to: 1200 });
+});
+
 test("the time under the pointer stays there when zoomed, and the part stays away from the moment", () => {
   const place = { kept, at: 100, atNow: false };
   const { held, length } = zoomed(windowOf(undefined, undefined, place), place, 900, 4);

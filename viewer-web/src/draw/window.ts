@@ -17,16 +17,17 @@ export interface Place {
 
 /**
  * Returns the part of `length` to show: the newest at now, otherwise one around the shown moment. A held part stays as
- * long as it contains the moment or the moment stands still, because a click must not move its own target. Without a
- * length it is the whole.
+ * long as it contains the moment or the moment stands still, because a click must not move its own target. It stays
+ * within the available time if that is longer. Without a length it is the whole.
  */
 export function windowOf(held: Held | undefined, length: number | undefined, { kept, at, atNow }: Place): Held {
   if (length === undefined) return { span: kept, at };
   if (atNow) return { span: { from: kept.to - length, to: kept.to }, at };
   const fits = held && Math.abs(held.span.to - held.span.from - length) < 1e-6 * length;
   if (fits && (at === held.at || (at >= held.span.from && at <= held.span.to))) return held;
-  const to = Math.min(kept.to, at + length / 2);
-  return { span: { from: to - length, to }, at };
+  const span = { from: at - length / 2, to: at + length / 2 };
+  const whole = kept.to - kept.from;
+  return { span: length <= whole ? within(span, kept) : { from: kept.to - length, to: kept.to }, at };
 }
 
 const kLeast = 0.2; // [s] on screen
