@@ -137,6 +137,18 @@ net::HttpResponse Application::delete_session(const std::string& session) {
   return {.status = 204};
 }
 
+net::HttpResponse Application::recent(const std::optional<std::string>& topic) {
+  if (!recent_) return net::Backend::recent(topic);
+  Result<std::shared_ptr<const ByteSource>> file = recent_->file(topic);
+  if (!file) return net::error_response(500, file.error());
+  const std::uint64_t size = (*file)->size();
+  return {.status = 200,
+          .headers = {{"Content-Type", "application/octet-stream"},
+                      {"Content-Disposition", "attachment; filename=\"recent.mcap\""},
+                      {"Cache-Control", "no-store"}},
+          .body = net::BodyPart{.source = std::move(*file), .offset = 0, .size = size}};
+}
+
 bool Application::match_mode() const { return game_ && game_().match_mode; }
 
 }  // namespace robot::app

@@ -6,6 +6,7 @@
 
 #include "robot/app/services/game_service.h"
 #include "robot/core/clock.h"
+#include "robot/logging/recent/recent_past.h"
 #include "robot/logging/sessions/checksums.h"
 #include "robot/logging/sessions/downloads.h"
 #include "robot/logging/sessions/recorder.h"
@@ -45,6 +46,10 @@ class Application final : public net::Backend {
     whole_ = std::move(whole);
   }
 
+  /// Sets the last minutes of this process, which outlive this. Without them a request gets 404. Call this before the
+  /// server starts.
+  void recall_from(logging::RecentPast& recent) { recent_ = &recent; }
+
   std::string status_json() override;
   std::string sessions_json() override;
   Result<net::LogFile> open_log(const net::LogRequest& request) override;
@@ -56,6 +61,7 @@ class Application final : public net::Backend {
   net::HttpResponse whole(const net::Target& target, const net::ClientLeft& left) override {
     return whole_ ? whole_(target, left) : net::Backend::whole(target, left);
   }
+  net::HttpResponse recent(const std::optional<std::string>& topic) override;
   bool match_mode() const override;
 
  private:
@@ -67,6 +73,7 @@ class Application final : public net::Backend {
   std::function<GameStatus()> game_;
   std::function<net::HttpResponse(const net::PlayedRequest&)> played_;
   std::function<net::HttpResponse(const net::Target&, const net::ClientLeft&)> whole_;
+  logging::RecentPast* recent_ = nullptr;
   logging::Downloads downloads_;
   logging::Checksums checksums_;
 };

@@ -18,6 +18,7 @@ namespace robot::app {
 namespace {
 
 constexpr std::uint64_t kAskNs = 2 * kSecond;
+constexpr std::size_t kRecentBytes = 60'000'000;  // of the last minutes of ten robots
 
 using Link = foresight::RuntimeStatistics::Link;
 
@@ -117,6 +118,7 @@ Result<void> relay(const RelayOptions& options) {
                    .server = options.server,
                    .log_folder = absolute_path(options.log_folder),
                    .log_bytes = options.log_mb * 1'000'000,
+                   .recent = logging::RecentPastLimits{.file = {.bytes = kRecentBytes}},
                    .add_statistics =
                        [&](foresight::RuntimeStatistics& statistics) {
                          const std::lock_guard guard(lock);

@@ -33,6 +33,7 @@ net::ServerOptions server_options(const RuntimeOptions& options, net::AccessOpti
       {"build", std::string(kBuildId)}, {"body", options.body}, {"robots", options.robot}};
   if (!options.rules.empty()) metadata["rules"] = options.rules;
   if (!options.session.empty()) metadata["session"] = options.session;
+  if (options.recent) metadata["recent"] = "/api/recent";
   return {.bind = options.server.bind,
           .port = options.server.port,
           .hub = {.name = options.program + " " + options.robot,
@@ -79,6 +80,10 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
     if (peer.round_trip_ns) sample.set_round_trip_ns(*peer.round_trip_ns);
     own_.clock.write(sample, clock_.now_ns());
   });
+  if (options_.recent) {
+    recent_.emplace(channels_, *options_.recent);
+    application_.recall_from(*recent_);
+  }
   if (options_.game) {
     game_.emplace(*options_.game, *own_.robot, clock_, recorder_, parameters_);
     application_.tell_game_by([this] { return game_->status(); });

@@ -12,6 +12,7 @@
 //   net <helper>      Server    starts and stops loggers; control                              on request
 //   net questions     Server    asks foresight for clients and waits for the answer            on request
 //   log <object>      board     carries one memory object to a file                            each version
+//   log recent        RecentPast  keeps the last minutes of all small objects                  once a second
 //   log watched       board     three threads carry the watched memory objects to the server   each version
 //   log bell          board     wakes these threads when versions wait                         250 Hz
 //   parser            board     carries one stream of a recording into memory (replay)         each message
@@ -50,6 +51,7 @@
 #include "robot/core/clock.h"
 #include "robot/core/report.h"
 #include "robot/core/result.h"
+#include "robot/logging/recent/recent_past.h"
 #include "robot/logging/sessions/recorder.h"
 #include "robot/logging/sessions/session_store.h"
 #include "robot/logging/streams/board.h"
@@ -74,6 +76,7 @@ struct RuntimeOptions {
   std::filesystem::path log_folder = "logs";
   std::uint64_t log_bytes = 4'000'000'000;                             // all sessions together
   bool records = true;                                                 // false: there is no recorder
+  std::optional<logging::RecentPastLimits> recent;                     // of the last minutes; absent: they are not kept
   net::Playback* playback = nullptr;                                   // of the played recording; outlives the runtime
   std::function<net::HttpResponse(const net::PlayedRequest&)> played;  // serves parts of that recording; may be empty
   std::function<net::HttpResponse(const net::Target&, const net::ClientLeft&)>
@@ -145,6 +148,7 @@ class Runtime {
   StatisticsService statistics_;
   ClockService clock_service_;
   std::optional<GameService> game_;
+  std::optional<logging::RecentPast> recent_;
   std::unique_ptr<net::Server> server_;
 };
 

@@ -31,6 +31,14 @@ Vec2 walking_way(const View& view, Mind& mind, const Where& to, float tolerance,
   return way;
 }
 
+/// Moves the head on the way to the ball. At the own set play the ball lies where the rules put it. There the robot looks
+/// at its way: eyes on a ball 2 m away do not see a robot less than 0.4 m from the feet, and it would push that one.
+void look_ahead(const View& view, motion::Command& command) {
+  const bool lies_still = view.game.own_kick && view.game.set_play != Game::SetPlay::none;
+  if (view.ball_distance < kEyesOnBall) return keep_eye_on_ball(view, command);
+  lies_still ? scan(view, command, view.settings.habits.look_angle) : look_at_ball(view, command);
+}
+
 /// Walks to `target` [robot] and faces `heading`, round the ball without coming nearer to it than `room` [m].
 motion::Command approach(const View& view, const Mind& mind, Vec2 target, float heading, float room, float gain) {
   const Vec2 step = round_circle(view, view.ball, room, target, mind.search_side);
@@ -41,7 +49,7 @@ motion::Command approach(const View& view, const Mind& mind, Vec2 target, float 
   // others, and the robot turns to its kick early.
   const bool hurries = view.game.own_kick && !(way == step);
   motion::Command command = walk_straight(way, hurries ? angle_of(way) : heading, gain);
-  view.ball_distance < kEyesOnBall ? keep_eye_on_ball(view, command) : look_at_ball(view, command);
+  look_ahead(view, command);
   return command;
 }
 

@@ -1,4 +1,4 @@
-// Skills of a robot that has the ball or goes to it.
+// Skills of a robot that has the ball or goes to it. On the way to the own set play its head scans the way.
 #pragma once
 
 #include <cstdint>

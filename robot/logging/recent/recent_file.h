@@ -40,8 +40,8 @@ class RecentFile {
   /// Takes a message of that channel. After an Error it is lost.
   Result<void> write(std::size_t channel, const OutMessage& message);
 
-  /// Returns all messages as one MCAP file, which later calls do not change.
-  Result<std::shared_ptr<const ByteSource>> file();
+  /// Returns all messages, or those of `topic`, as one MCAP file, which later calls do not change.
+  Result<std::shared_ptr<const ByteSource>> file(const std::optional<std::string>& topic = {});
 
   std::size_t size_bytes() const { return store_.bytes; }  // of the chunks
 

@@ -91,10 +91,10 @@ void RecentPast::run() {
   }
 }
 
-Result<std::shared_ptr<const ByteSource>> RecentPast::file() {
+Result<std::shared_ptr<const ByteSource>> RecentPast::file(const std::optional<std::string>& topic) {
   carry();
   const std::lock_guard guard(carrying_);
-  return file_.file();
+  return file_.file(topic);
 }
 
 }  // namespace robot::logging

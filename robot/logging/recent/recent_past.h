@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -30,8 +32,8 @@ class RecentPast {
   RecentPast(const RecentPast&) = delete;
   RecentPast& operator=(const RecentPast&) = delete;
 
-  /// Returns the messages of the last minutes, up to this call, as one MCAP file.
-  Result<std::shared_ptr<const ByteSource>> file();
+  /// Returns the messages of the last minutes, up to this call, as one MCAP file; with a `topic`, only those of it.
+  Result<std::shared_ptr<const ByteSource>> file(const std::optional<std::string>& topic = {});
 
  private:
   class Provider;

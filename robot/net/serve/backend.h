@@ -81,6 +81,12 @@ class Backend {
     return error_response(404, "no recording is played here");
   }
 
+  /// Returns the answer to `GET /api/recent?topic=…`: an MCAP file with the last minutes of a small object, up to now.
+  /// Without a topic, of all of them. 404 if nothing is kept, as where a recording is played.
+  virtual HttpResponse recent(const std::optional<std::string>& /*topic*/) {
+    return error_response(404, "the last minutes are not kept here");
+  }
+
   /// Returns whether a real game under the league's rules is in progress. Wireless networks then stay silent, and no
   /// other machine controls or downloads anything. Any thread; called ten times a second.
   virtual bool match_mode() const = 0;

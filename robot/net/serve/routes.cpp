@@ -147,6 +147,10 @@ HttpResponse Routes::answer_data(const HttpRequest& request, const Target& targe
   if (target.path.starts_with(kLogs)) return answer_log(request, target);
   if (target.path == "/api/played") return answer_played(target);
   if (target.path.starts_with(kWhole)) return backend_.whole(target, left);
+  if (target.path == "/api/recent") {
+    const std::string topic = target.parameter("topic");
+    return backend_.recent(topic.empty() ? std::nullopt : std::optional(topic));
+  }
   return error_response(404, "there is nothing at this path");
 }
 

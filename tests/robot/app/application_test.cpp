@@ -8,9 +8,11 @@
 #include "robot/core/files.h"
 #include "robot/core/json_library.h"
 #include "robot/logging/mcap/format.h"
+#include "robot/logging/mcap/index.h"
 #include "robot/logging/sessions/owned_folder.h"
 #include "robot/logging/sessions/session_writer.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_channel.h"
 
 namespace robot::app {
 namespace {
@@ -49,6 +51,23 @@ TEST_F(ServedSession, StatusReportsTheGame) {
   game["in_progress"] = game["match_mode"] = true;
   EXPECT_EQ(json::parse(application.status_json())["game"], game);
   EXPECT_TRUE(application.match_mode());
+}
+
+TEST_F(ServedSession, TheLastMinutesAreAnMcapFileOrNotKept) {
+  EXPECT_EQ(application.recent({}).status, 404);
+  memory::Channels channels;
+  const auto channel = tests::make_channel(clock);
+  ASSERT_TRUE(channels.add(channel));
+  logging::RecentPast recent(channels);
+  application.recall_from(recent);
+  ASSERT_TRUE(channel->write_bytes("a value", 5));
+  const net::HttpResponse response = application.recent(channel->info().topic);
+  EXPECT_EQ(response.status, 200);
+  const auto& body = std::get<net::BodyPart>(response.body);
+  EXPECT_EQ(body.size, body.source->size());
+  const auto index = logging::read_index(*body.source);
+  ASSERT_TRUE(index);
+  EXPECT_EQ(index->statistics.messages, 1u);
 }
 
 // a browser's numbers are exact up to 2^53

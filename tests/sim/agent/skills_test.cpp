@@ -205,6 +205,32 @@ TEST(Skills, TheHeadFollowsTheBallAndLooksAwayNowAndThen) {
   EXPECT_GT(right, 100);
 }
 
+TEST(Skills, OnTheWayToTheOwnSetPlayTheHeadLooksAtTheWayAndNearTheBallAtTheBall) {
+  const TreeBehaviour behaviour(tree_of(R"({"name": "k", "tree": {"do": "kick", "with": {"aim": "ahead"}}})"));
+  Scene scene;
+  scene.game.set_play = Game::SetPlay::corner_kick;
+  scene.game.own_kick = true;
+  scene.game.since_phase = 2;
+  scene.beliefs.ball.seen = kNever;
+  scene.mind.ball = {2, 1};  // the corner on the left
+  const Vec2 corner = scene.view().ball_in_team;
+  scene.beliefs.pose.pose = {corner - Vec2{2, 0}, 0};
+  float leftmost = 0, rightmost = 0;
+  for (int n = 0; n < 90; ++n) {
+    ++scene.now;
+    const Command command = scene.decide(behaviour);
+    ASSERT_EQ(command.head, Command::Head::angles);
+    // a robot that touches this one is above the lower edge of the image (1.07 rad), seen from 0.45 m
+    EXPECT_GT(1.07f + command.look[1], std::atan(0.45f / 0.32f));
+    leftmost = std::max(leftmost, command.look[0]), rightmost = std::min(rightmost, command.look[0]);
+  }
+  EXPECT_GT(leftmost, 0.5f);
+  EXPECT_LT(rightmost, -0.5f);
+
+  scene.beliefs.pose.pose = {corner - Vec2{0.5f, 0}, 0};
+  EXPECT_EQ(scene.decide(behaviour).head, Command::Head::look_to);
+}
+
 TEST(Walk, RoundsCirclesWithoutEnteringThem) {
   std::mt19937 random(2);
   std::uniform_real_distribution<float> coordinate(-2, 2);

@@ -128,6 +128,13 @@ export class GameEvents {
     }
   }
 
+  /** Adds the events in the earlier messages `entries` of an object. */
+  recall(object: MemoryObject, entries: readonly Entry[]): void {
+    const earlier = new GameEvents();
+    for (const entry of entries) earlier.arrived(object, entry);
+    for (const event of earlier.#events) this.#add(event);
+  }
+
   #logged(object: MemoryObject, { log_ns, data }: Entry): void {
     const fields = object.decode(data).fields;
     const level = fields ? kLogLevels.indexOf(wordOf(fields, "level") as LogLevel) : -1;

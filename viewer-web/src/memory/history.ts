@@ -102,6 +102,24 @@ export class History {
     ++this.#end;
   }
 
+  /**
+   * Puts `entries`, in order of capture time, in place of all messages from the first of them to the last. Nothing is
+   * forgotten otherwise, but all messages get new numbers, so another generation begins.
+   */
+  recall(entries: readonly Entry[]): void {
+    const [first_ns, last_ns] = [entries[0]?.log_ns, entries.at(-1)?.log_ns];
+    if (first_ns === undefined || last_ns === undefined) return;
+    const kept: Entry[] = [];
+    for (let index = this.begin; index < this.#end; ++index) kept.push(this.get(index)!);
+    const given_up_ns = this.given_up_ns;
+    this.clear();
+    for (const entry of kept) if (entry.log_ns < first_ns) this.add(entry);
+    for (const entry of entries) this.add(entry);
+    for (const entry of kept) if (entry.log_ns > last_ns) this.add(entry);
+    // what was dropped to save memory is here again
+    if (given_up_ns !== undefined && given_up_ns < first_ns) this.given_up_ns = given_up_ns;
+  }
+
   /** Returns the message with this number, or undefined if it was dropped or has not arrived. */
   get(index: number): Entry | undefined {
     const at = this.#place(index);

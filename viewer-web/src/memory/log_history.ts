@@ -33,10 +33,26 @@ export class LogHistory {
     this.#entries = this.#entries.filter(({ log_ns }) => log_ns < at_ns);
   }
 
-  arrived(object: MemoryObject, { log_ns, data }: Entry): void {
+  arrived(object: MemoryObject, entry: Entry): void {
+    this.#entries.push(this.#read(object, entry));
+    if (this.#entries.length > kMost) this.#entries.splice(0, this.#entries.length - kMost);
+  }
+
+  /** Puts the earlier sentences `entries` of an object in place of all from the first of them to the last. */
+  recall(object: MemoryObject, entries: readonly Entry[]): void {
+    const [first_ns, last_ns] = [entries[0]?.log_ns, entries.at(-1)?.log_ns];
+    if (first_ns === undefined || last_ns === undefined) return;
+    this.#entries = this.#entries
+      .filter(({ robot, log_ns }) => robot !== object.robot || log_ns < first_ns || log_ns > last_ns)
+      .concat(entries.map((entry) => this.#read(object, entry)))
+      .sort((a, b) => (a.log_ns < b.log_ns ? -1 : a.log_ns > b.log_ns ? 1 : 0))
+      .slice(-kMost);
+  }
+
+  #read(object: MemoryObject, { log_ns, data }: Entry): LogEntry {
     const { fields, error } = object.decode(data);
     const level = fields ? (wordOf(fields, "level") as LogLevel) : "error";
-    this.#entries.push({
+    return {
       id: this.#next++,
       log_ns,
       robot: object.robot,
@@ -44,8 +60,7 @@ export class LogHistory {
       text: fields ? textOf(fields, "text") : error,
       source: fields ? textOf(fields, "source") : "viewer",
       suppressed: fields ? numberOf(fields, "suppressed") || 0 : 0,
-    });
-    if (this.#entries.length > kMost) this.#entries.splice(0, this.#entries.length - kMost);
+    };
   }
 
   /** Returns the sentences of this robot and of its server up to `until_ns`, newest last. */

@@ -157,6 +157,21 @@ export class Memory {
     this.events.arrived(object, object.newest!);
   }
 
+  /**
+   * Stores the earlier messages of an object that a live server remembers, in order of capture time. They take the place
+   * of all that the page has of this time.
+   */
+  recall(topic: string, messages: readonly { log_ns: bigint; data: Uint8Array }[], now: number): void {
+    const object = this.#objects.get(topic);
+    const newest_ns = messages.at(-1)?.log_ns;
+    if (!object || newest_ns === undefined) return;
+    const lag = this.#leastLag ?? now - Number(newest_ns) / 1e9;
+    const entries = messages.map(({ log_ns, data }) => ({ log_ns, data, arrived: Number(log_ns) / 1e9 + lag }));
+    this.past.recall(object.history, entries);
+    if (isLog(object)) this.log.recall(object, entries);
+    this.events.recall(object, entries);
+  }
+
   /** Stores the newest message. A restarted recording must not remove the past that a person looks at. */
   #keep(object: MemoryObject): void {
     const { history, newest } = object;

@@ -52,7 +52,8 @@ export class MemoryObject {
 
   #decoder: Decoder | undefined; // created on first use: most schemas are never needed
   #decoded: { entry: Entry; value: Decoded } | undefined;
-  #shown: { ns: bigint; end: number; entry: Entry | undefined } | undefined; // the last result of the search in the history
+  // the last result of the search in the history
+  #shown: { ns: bigint; end: number; generation: number; entry: Entry | undefined } | undefined;
 
   constructor(
     readonly channel: Channel,
@@ -82,12 +83,12 @@ export class MemoryObject {
   get shown(): Entry | undefined {
     const { ns } = this.moment;
     if (ns === undefined) return this.newest;
-    const { end } = this.history;
-    if (this.#shown?.ns !== ns || this.#shown.end !== end) {
+    const { end, generation } = this.history;
+    if (this.#shown?.ns !== ns || this.#shown.end !== end || this.#shown.generation !== generation) {
       const entry = this.history.at(ns);
       // the same message stays the same object, so that it is decoded and drawn once
       const same = entry && entry.log_ns === this.#shown?.entry?.log_ns && entry.arrived === this.#shown.entry.arrived;
-      this.#shown = { ns, end, entry: same ? this.#shown!.entry : entry };
+      this.#shown = { ns, end, generation, entry: same ? this.#shown!.entry : entry };
     }
     return this.#shown.entry;
   }

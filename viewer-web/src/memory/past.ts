@@ -38,6 +38,13 @@ export class Past {
     this.#groups[kind].add(history);
     if (history.size_bytes > before) fit(this.#groups[kind], this.caps[kind]);
   }
+
+  /** Stores earlier messages of an object that is no image. */
+  recall(history: History, entries: readonly Entry[]): void {
+    history.recall(entries);
+    this.#groups.values.add(history);
+    fit(this.#groups.values, this.caps.values);
+  }
 }
 
 function tooSoon(history: History, { log_ns, data }: Entry): boolean {

@@ -19,6 +19,7 @@ import { Client, type Connection, type Listener, type Socket } from "../source/c
 import { livenessOf, type Liveness } from "../present/liveness";
 import { simulationOf } from "../memory/simulation";
 import { Summaries, WholeRuns } from "../memory/summaries";
+import { fetchRecent, Recalls } from "../source/recent";
 import { ClockExchange } from "../source/clock_exchange";
 import type { PlaybackState, PlaybackWish } from "../source/frames";
 import type { Target } from "../source/target";
@@ -76,10 +77,13 @@ export class Server implements Listener {
   #refused = false; // true after the server refused a wish: then only moments that the page holds can be shown
   #left_ns: bigint | undefined; // the shown moment when the last wish was sent
   #settling = { at_ns: undefined as bigint | undefined, since: 0 };
+  /** Whether the server is being asked for all events of its recording. */
+  learnsEvents = $state(false);
   #summaries: Summaries | undefined;
   #runs = new Map<string, WholeRuns>(); // by topic and fields
   #offers = $state(0); // counts announced and withdrawn objects
   #alertKeys = new Set<string>();
+  #recalls: Recalls | undefined; // of a live server that remembers its last minutes
 
   robots: RobotName[] = $derived.by(() => (this.#offers, this.memory.robots()));
   /** Such as "a simulation"; "" for a real robot. */
@@ -99,6 +103,7 @@ export class Server implements Listener {
 
   /** Ends the connection and forgets everything. */
   stop(): void {
+    this.#recalls?.stop();
     this.client.stop();
     this.#clock.stop();
     this.memory.reset();
@@ -298,11 +303,14 @@ export class Server implements Listener {
       info.capabilities.includes("playbackControl") && info.span
         ? new Played(info.span.start_ns, info.span.end_ns)
         : undefined;
+    this.#recalls?.stop();
+    this.#recalls = this.#recallsFrom(info.metadata["recent"]);
     this.speaker.dismiss([...this.#alertKeys]);
     this.parameterValues = new Map();
     ++this.#offers;
     this.#summaries = undefined;
     this.#runs.clear();
+    this.learnsEvents = false;
     if (this.summarises) void this.#learnEvents();
   }
   /** Whether the server may be asked about the whole of its recording: the page reaches its HTTP interface. */
@@ -331,6 +339,7 @@ export class Server implements Listener {
   /** Learns all events of the recording. Without them the page knows those that it has seen. */
   async #learnEvents(): Promise<void> {
     const { played } = this;
+    this.learnsEvents = true;
     try {
       const events = knownEvents(await (await import("../source/whole")).fetchEvents());
       if (this.played !== played) return;
@@ -338,7 +347,17 @@ export class Server implements Listener {
       ++this.#told;
     } catch {
       // an older server: its events become known while they are played
+    } finally {
+      if (this.played === played) this.learnsEvents = false;
     }
+  }
+  #recallsFrom(path = ""): Recalls | undefined {
+    if (!this.target.ownHost || !/^\/api\/\w+$/.test(path)) return undefined;
+    return new Recalls(
+      (topic) => fetchRecent(path, topic),
+      (topic, messages) => this.memory.recall(topic, messages, now()),
+      (sentence) => this.status("info", sentence, "recent"),
+    );
   }
   #beginAgain(): void {
     const { played, memory } = this;
@@ -375,6 +394,8 @@ export class Server implements Listener {
   }
   subscribed(topic: string, is: boolean): void {
     this.memory.subscribed(topic, is, now());
+    const object = this.memory.get(topic);
+    if (is && object && !object.derived && !object.isImage) this.#recalls?.want(topic);
   }
   message(topic: string, log_ns: bigint, data: Uint8Array): void {
     this.memory.arrived(topic, log_ns, data, now());

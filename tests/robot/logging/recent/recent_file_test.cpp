@@ -20,8 +20,8 @@ memory::ChannelInfo channel(const std::string& topic) {
 }
 
 /// Reads the file as any program would, and requires it to be whole.
-Messages messages_of(RecentFile& recent) {
-  const auto file = recent.file();
+Messages messages_of(RecentFile& recent, const std::optional<std::string>& topic = {}) {
+  const auto file = recent.file(topic);
   EXPECT_TRUE(file) << (file ? "" : file.error());
   if (!file) return {};
   const auto index = read_index(**file);
@@ -74,6 +74,16 @@ TEST(RecentFile, HoldsEveryMessageOfEachChannelAsItWasWritten) {
     EXPECT_EQ(messages["/14/2/pose"][i - 1],
               (Record{.sequence = 2 * i, .capture_ns = time_ns, .publish_ns = i, .bytes = "pose" + std::to_string(i)}));
   }
+}
+
+TEST(RecentFile, GivesTheMessagesOfOneTopicAlone) {
+  RecentFile recent;
+  const std::size_t ball = recent.add(channel("/ball")), pose = recent.add(channel("/pose"));
+  write(recent, ball, {1, 2, 3});
+  write(recent, pose, {1, 2});
+  EXPECT_EQ(times_of(messages_of(recent, "/pose")["/pose"]), (std::vector<std::uint64_t>{1, 2}));
+  EXPECT_EQ(messages_of(recent, "/pose").size(), 1u);
+  EXPECT_TRUE(messages_of(recent, "/none").empty());
 }
 
 TEST(RecentFile, IsAWholeFileWithoutChannelsAndWithoutMessages) {

@@ -59,6 +59,7 @@ TEST(Routes, EachKindOfWaitingIsWorkOfItsOwn) {
   EXPECT_EQ(work("/api/sessions"), Work::status);
   EXPECT_EQ(work("/logs/"), Work::status);
   EXPECT_EQ(work("/api/played?topic=/x"), Work::files);
+  EXPECT_EQ(work("/api/recent"), Work::files);
   EXPECT_EQ(work("/logs/a.mcap"), Work::files);
   EXPECT_EQ(work("/api/sessions/a/files"), Work::checksums);
   EXPECT_EQ(work("/api/whole/events"), Work::checksums);
@@ -148,6 +149,16 @@ TEST_F(RoutesTest, PartsOfAPlayedRecordingAreServedByTopicAndTime) {
   EXPECT_EQ(get("/api/played?topic=/14/2/ball", {}, "10.0.0.9").status, 401) << "needs the read token";
   backend.game = true;
   EXPECT_EQ(get("/api/played?topic=/14/2/ball&token=r", {}, "10.0.0.9").status, 503);
+}
+
+TEST_F(RoutesTest, TheLastMinutesAreServedToThoseWhoMayWatch) {
+  EXPECT_EQ(text(get("/api/recent")), "all");
+  EXPECT_EQ(text(get("/api/recent?topic=%2F14%2F2%2Fball")), "/14/2/ball");
+  EXPECT_EQ(get("/api/recent", {}, "10.0.0.9").status, 401) << "needs the read token";
+  EXPECT_EQ(get("/api/recent?token=r", {}, "10.0.0.9").status, 200);
+  backend.game = true;
+  EXPECT_EQ(get("/api/recent?token=r", {}, "10.0.0.9").status, 503);
+  EXPECT_EQ(get("/api/recent").status, 200) << "this machine is no network";
 }
 
 TEST_F(RoutesTest, AClientWithControlMayDeleteASession) {
