@@ -53,6 +53,11 @@ class Application final : public net::Backend {
   /// server starts.
   void draw_downloads_by(FoxgloveFile foxglove_file) { foxglove_file_ = std::move(foxglove_file); }
 
+  /// Sets the function that answers questions about the whole played recording, likewise.
+  void know_whole_by(std::function<net::HttpResponse(const net::Target&, const net::ClientLeft&)> whole) {
+    whole_ = std::move(whole);
+  }
+
   /// Sets the last minutes of this process, which outlive this. Without them a request gets 404. Call this before the
   /// server starts.
   void recall_from(logging::RecentPast& recent) { recent_ = &recent; }
@@ -64,6 +69,9 @@ class Application final : public net::Backend {
   net::HttpResponse delete_session(const std::string& session) override;
   net::HttpResponse played(const net::PlayedRequest& request) override {
     return played_ ? played_(request) : net::Backend::played(request);
+  }
+  net::HttpResponse whole(const net::Target& target, const net::ClientLeft& left) override {
+    return whole_ ? whole_(target, left) : net::Backend::whole(target, left);
   }
   net::HttpResponse recent(const std::optional<std::string>& topic) override;
   bool match_mode() const override;
@@ -77,6 +85,7 @@ class Application final : public net::Backend {
   std::function<GameStatus()> game_;
   std::function<net::HttpResponse(const net::PlayedRequest&)> played_;
   FoxgloveFile foxglove_file_;
+  std::function<net::HttpResponse(const net::Target&, const net::ClientLeft&)> whole_;
   logging::RecentPast* recent_ = nullptr;
   logging::Downloads downloads_;
   logging::Checksums checksums_;

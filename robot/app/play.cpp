@@ -16,10 +16,12 @@
 #include "robot/app/services/watch_service.h"
 #include "robot/app/services/what_if_service.h"
 #include "robot/app/signals.h"
+#include "robot/app/whole_answers.h"
 #include "robot/body/replay/replay.h"
 #include "robot/core/report.h"
 #include "robot/lab/clocks/clock_agreement.h"
 #include "robot/lab/mapping/mapping.h"
+#include "robot/lab/whole/whole_recording.h"
 
 namespace robot::app {
 namespace {
@@ -118,6 +120,7 @@ Result<std::optional<std::filesystem::path>> play_one(PlayOptions& options) {
   const auto own = std::make_shared<LabObjects>(clock);
   RecordingPlayback playback(**replay);
   // these outlive the server, which calls them
+  lab::WholeRecording whole(**replay);
   LabForesight seer(options.foresight);
   WatchWish wish;
   Runtime runtime({.program = "foresight-lab",
@@ -131,7 +134,9 @@ Result<std::optional<std::filesystem::path>> play_one(PlayOptions& options) {
                    .records = false,
                    .playback = &playback,
                    .played = [&replay](const net::PlayedRequest& asked) { return played_range(**replay, asked); },
-                   .foxglove_file = foxglove_file},
+                   .foxglove_file = foxglove_file,
+                   .whole = [&whole](const net::Target& target,
+                                     const net::ClientLeft& left) { return whole_answer(whole, target, left); }},
                   clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed.failure();
   // viewers see the last of them in the log

@@ -70,6 +70,7 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
       scenes_{.channels = channels_, .each_second = own.runtime.info().topic, .field = field_of(options_.rules)} {
   application_.play_by(options_.played);
   application_.draw_downloads_by(options_.foxglove_file);
+  application_.know_whole_by(options_.whole);
   net::declare_image_parameters(parameters_);
   if (options_.records) add_recording_service(recorder_, store_, parameters_, services_);
   net::add_clock_sync(services_, clock_, [this](const net::PeerClock& peer) {

@@ -81,8 +81,10 @@ struct RuntimeOptions {
   net::Playback* playback = nullptr;                                   // of the played recording; outlives the runtime
   std::function<net::HttpResponse(const net::PlayedRequest&)> played;  // serves parts of that recording; may be empty
   FoxgloveFile foxglove_file;                                          // makes downloads with ?foxglove; may be empty
-  std::optional<GameOptions> game;                                     // follow a real game; needs `records`
-  std::function<void(foresight::RuntimeStatistics&)> add_statistics;   // adds the program's own entries; may be empty
+  std::function<net::HttpResponse(const net::Target&, const net::ClientLeft&)>
+      whole;                                                          // answers about all of it; likewise
+  std::optional<GameOptions> game;                                    // follow a real game; needs `records`
+  std::function<void(foresight::RuntimeStatistics&)> add_statistics;  // adds the program's own entries; may be empty
 };
 
 /// The objects that a process writes about itself.

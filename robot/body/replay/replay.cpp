@@ -12,7 +12,7 @@
 
 namespace robot::body {
 
-Result<Replay::Recording> Replay::read(const std::filesystem::path& path) {
+Result<Replay::Recording> Replay::open_recording(const std::filesystem::path& path) {
   Result<logging::Session> session = logging::open_session(path);
   if (!session) return session.failure();
   std::uint64_t messages = 0;
@@ -28,7 +28,7 @@ Result<std::unique_ptr<Replay>> Replay::open(const std::vector<std::filesystem::
   std::vector<Recording> recordings;
   std::set<std::string> topics;
   for (const std::filesystem::path& path : paths) {
-    Result<Recording> recording = read(path);
+    Result<Recording> recording = open_recording(path);
     if (!recording) return recording.failure();
     // a topic in several recordings, such as the truth, is played once
     std::erase_if(recording->session.streams, [&](const auto& stream) { return !topics.insert(stream.topic).second; });
@@ -108,9 +108,19 @@ std::unique_ptr<logging::InProvider> Replay::open_stream(const Played& played) c
 
 std::unique_ptr<logging::InProvider> Replay::stream_of(const std::string& topic) const {
   for (const Played& stream : played())
-    if ((stream.made ? stream.made->to : renamed(*stream.recording, stream.file->topic)) == topic)
-      return open_stream(stream);
+    if (name_of(stream) == topic) return open_stream(stream);
   return nullptr;
+}
+
+/// Returns the topic of a stream in the playback.
+std::string Replay::name_of(const Played& stream) const {
+  return stream.made ? stream.made->to : renamed(*stream.recording, stream.file->topic);
+}
+
+std::vector<std::string> Replay::topics() const {
+  std::vector<std::string> topics;
+  for (const Played& stream : played()) topics.push_back(name_of(stream));
+  return topics;
 }
 
 Result<void> Replay::check_made() const {

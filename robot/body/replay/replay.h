@@ -1,6 +1,7 @@
 // Playback of recordings into the channels of this process, as if their robots were live.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -62,6 +63,23 @@ class Replay {
   /// topic. Any thread.
   std::unique_ptr<logging::InProvider> stream_of(const std::string& topic) const;
 
+  /// A message of read().
+  struct Message {
+    std::size_t topic;         // index in the requested topics
+    std::uint64_t capture_ns;  // by the time of the playback
+    const std::string& bytes;
+  };
+
+  /// Returns the topics of all streams with messages.
+  std::vector<std::string> topics() const;
+
+  /// Passes the messages of `topics` that were captured from `from_ns` to `to_ns`, both included, to `visit`, until it
+  /// returns false. Each file is read once. The messages of one topic come in its order; different topics may come one
+  /// after the other. Made streams are read too; topics that are not played have no messages. Returns the number of
+  /// damaged places that were passed over. Any thread, also during the playback.
+  std::uint64_t read(const std::vector<std::string>& topics, std::uint64_t from_ns, std::uint64_t to_ns,
+                     const std::function<bool(const Message&)>& visit) const;
+
   /// Returns a sentence for each recording that is damaged or of which messages are left out.
   std::vector<std::string> notes() const;
 
@@ -110,9 +128,10 @@ class Replay {
     const MadeStream* made;  // the conversion; null: played unchanged
   };
 
-  static Result<Recording> read(const std::filesystem::path& path);
+  static Result<Recording> open_recording(const std::filesystem::path& path);
   bool skipped(const std::string& topic) const;
   std::string renamed(const Recording& from, const std::string& topic) const;
+  std::string name_of(const Played& stream) const;
   std::vector<Played> played() const;
   std::unique_ptr<logging::InProvider> open_stream(const Played& stream) const;
   Result<void> check_made() const;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "robot/core/byte_source.h"
 #include "robot/core/result.h"
@@ -44,6 +45,9 @@ struct PlayedRequest {
 /// Header of the answer to a PlayedRequest: its end [ns since the epoch]. The client requests the rest separately.
 inline constexpr const char* kPlayedUntil = "Foresight-Until";
 
+/// The beginning of the paths of questions about the whole of the played recording.
+inline constexpr std::string_view kWhole = "/api/whole/";
+
 /// The source of status, sessions and recordings. Called by threads of the server that may wait: one for the status, one
 /// for checksums, one for the rest. Functions of different threads run at the same time.
 class Backend {
@@ -73,9 +77,17 @@ class Backend {
     return error_response(404, "no recording is played here");
   }
 
+  /// Returns the answer to `GET /api/whole/…`: events, numbers and runs of the whole played recording. It may read every
+  /// byte of the recording, and ends early when the client has left. 404 if no recording is played.
+  virtual HttpResponse whole(const Target& /*target*/, const ClientLeft& /*left*/) {
+    return error_response(404, "no recording is played here");
+  }
+
   /// Returns the answer to `GET /api/recent?topic=…`: an MCAP file with the last minutes of a small object, up to now.
   /// Without a topic, of all of them. 404 if nothing is kept, as where a recording is played.
-  virtual HttpResponse recent(const std::optional<std::string>& /*topic*/) { return error_response(404, "the last minutes are not kept here"); }
+  virtual HttpResponse recent(const std::optional<std::string>& /*topic*/) {
+    return error_response(404, "the last minutes are not kept here");
+  }
 
   /// Returns whether a real game under the league's rules is in progress. Wireless networks then stay silent, and no
   /// other machine controls or downloads anything. Any thread; called ten times a second.

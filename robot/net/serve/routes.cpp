@@ -87,8 +87,9 @@ Work Routes::work_of(const HttpRequest& request) {
   const auto target = parse_target(request.target);
   if (!target || !is_data(target->path)) return Work::none;
   if (target->path == kStatus || is_list(target->path)) return Work::status;
-  if (between(kSessions, target->path, kFilesOfSession)) return Work::checksums;
-  return target->parameters.contains(kFoxglove) ? Work::checksums : Work::files;
+  const bool whole = between(kSessions, target->path, kFilesOfSession) || target->path.starts_with(kWhole) ||
+                     target->parameters.contains(kFoxglove);
+  return whole ? Work::checksums : Work::files;
 }
 
 HttpResponse Routes::answer(const HttpRequest& request, std::string_view address, const ClientLeft& left) const {
@@ -148,6 +149,7 @@ HttpResponse Routes::answer_data(const HttpRequest& request, const Target& targe
     return backend_.session_files(*session, left);
   if (target.path.starts_with(kLogs)) return answer_log(request, target, left);
   if (target.path == "/api/played") return answer_played(target);
+  if (target.path.starts_with(kWhole)) return backend_.whole(target, left);
   if (target.path == "/api/recent") {
     const std::string topic = target.parameter("topic");
     return backend_.recent(topic.empty() ? std::nullopt : std::optional(topic));

@@ -42,7 +42,7 @@ enum class Work {
   none,       // it does not wait
   status,     // a tenth of a second at most: status and lists
   files,      // it reads the beginning or the index of files
-  checksums,  // it reads whole files, for minutes: checksums, downloads for other viewers
+  checksums,  // it reads whole files, for minutes: checksums, downloads for other viewers, answers about a whole recording
 };
 
 /// The answers to all requests except WebSocket upgrades. Any thread.

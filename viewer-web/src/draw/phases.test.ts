@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { colourOfSkill, drawPhases, piecesOf } from "./phases";
+import { colourOfSkill, drawPhases, piecesOf, piecesOfRuns } from "./phases";
 import { countOf } from "./timeline";
 import { testPen } from "./test_pen";
 
@@ -37,4 +37,14 @@ test("a wide enough piece shows its skill", () => {
   );
   expect(pen.texts.map(({ text }) => text)).toContain("walk to ball");
   expect(colourOfSkill(["a", "b"], "a")).not.toBe(colourOfSkill(["a", "b"], "b"));
+});
+
+test("runs of a whole recording become pieces with the gaps between them", () => {
+  const run = (from: number, to: number, ...words: string[]) => ({ from_ns: BigInt(from), to_ns: BigInt(to), words });
+  const runs = [run(0, 10, "stand", "keeper"), run(10, 20, "walk"), run(50, 60, "kick", "striker"), run(90, 95, "x")];
+  expect(piecesOfRuns(runs, { from: 5, to: 55 }, Number)).toEqual([
+    { from: 5, to: 10, skill: "stand", role: "keeper" },
+    { from: 10, to: 20, skill: "walk", role: "" },
+    { from: 50, to: 55, skill: "kick", role: "striker" },
+  ]);
 });

@@ -1,7 +1,9 @@
 // The agent's skills over time as a strip: one colour and one word per skill.
 
 import type { Phase } from "../memory/decisions";
+import type { WholeRun } from "../source/whole";
 import type { Pen } from "./field";
+import { hatch } from "./hatch";
 import { ticksOf, xOf, type Colours, type Count, type Span } from "./timeline";
 
 /** Bright enough for dark words on them, and of different brightness; the words identify the rest. */
@@ -35,18 +37,34 @@ export function piecesOf(phases: Phase[], span: Span, secondsOf: (ns: bigint) =>
   return pieces;
 }
 
+/** As before, of runs with the words skill and role. Runs that leave a gap were interrupted: the robot was away. */
+export function piecesOfRuns(runs: WholeRun[], span: Span, secondsOf: (ns: bigint) => number): Piece[] {
+  const pieces: Piece[] = [];
+  for (const { from_ns, to_ns, words } of runs) {
+    const [from, to] = [secondsOf(from_ns), secondsOf(to_ns)];
+    if (to < span.from || from > span.to) continue;
+    const [skill, role] = [words[0] ?? "", words[1] ?? ""];
+    pieces.push({ from: Math.max(span.from, from), to: Math.min(span.to, to), skill, role });
+  }
+  return pieces;
+}
+
 export function drawPhases(
   pen: Pen,
   width: number,
   height: number,
   pieces: Piece[],
   skills: string[],
-  { span, at, count: { zero, wordsOf } }: { span: Span; at: number; count: Count },
+  { span, at, count: { zero, wordsOf }, unloaded = [] }: { span: Span; at: number; count: Count; unloaded?: Span[] },
   colours: Colours,
 ): void {
   const bar = { top: 4, height: height - 24 };
   pen.fillStyle = colours.line;
   pen.fillRect(0, bar.top, width, bar.height);
+  for (const { from, to } of unloaded) {
+    const [left, right] = [from, to].map((time) => Math.min(width, Math.max(0, xOf(span, width, time))));
+    hatch(pen, left!, bar.top, right! - left!, bar.height, colours.soft);
+  }
   pen.textBaseline = "middle";
   pen.font = "11px system-ui, sans-serif";
   for (const { from, to, skill } of pieces) {
@@ -64,7 +82,7 @@ export function drawPhases(
   const { step, at: ticks } = ticksOf({ from: span.from - zero, to: span.to - zero }, width, 90);
   pen.fillStyle = colours.soft;
   for (const tick of ticks)
-    pen.fillText(wordsOf(tick, step), Math.min(width - 14, Math.max(18, xOf(span, width, tick + zero))), height - 8);
+    pen.fillText(wordsOf(tick, step), Math.min(width - 18, Math.max(18, xOf(span, width, tick + zero))), height - 8);
   pen.fillStyle = colours.accent;
   pen.fillRect(Math.min(width - 2, xOf(span, width, at)) - 1, 0, 2.5, bar.top + bar.height + 4);
 }

@@ -1,5 +1,16 @@
 import { expect, test } from "vitest";
-import { axesOf, columnsOf, drawPlot, rangeOf, valueTicks, type Line } from "./plot";
+import {
+  areaOf,
+  axesOf,
+  columnsOf,
+  columnsOfSummary,
+  drawPlot,
+  rangeOf,
+  summaryAt,
+  valueTicks,
+  type Intervals,
+  type Line,
+} from "./plot";
 import { countOf } from "./timeline";
 import { testPen } from "./test_pen";
 
@@ -90,4 +101,79 @@ test("lines of one unit share an axis", () => {
     colours,
   );
   expect(pen.texts.map(({ text }) => text)).toEqual(expect.arrayContaining(["m", "s", "now", "160", "3"]));
+});
+
+/** A summary of a value that rises by one in each interval and deviates by a half in it. */
+function intervals(count: number, from: number, step: number): Intervals {
+  const mean = Float64Array.from({ length: count }, (_, i) => i);
+  return { from, step, mean, least: mean.map((value) => value - 0.5), most: mean.map((value) => value + 0.5) };
+}
+
+test("a summary keeps all extremes in the columns on screen", () => {
+  const whole = intervals(2048, 0, 1200 / 2048);
+  whole.most[777] = 9000;
+  whole.least[1234] = -9000;
+  const columns = columnsOfSummary([whole], { from: 0, to: 1200 }, 800);
+  expect(columns.length).toBeLessThanOrEqual(801);
+  expect(Math.max(...columns.map(({ most }) => most))).toBe(9000);
+  expect(Math.min(...columns.map(({ least }) => least))).toBe(-9000);
+  expect(columns.every(({ least, mean, most }) => least <= mean! && mean! <= most)).toBe(true);
+});
+
+test("the finest summary of the visible part is shown, else the whole", () => {
+  const [whole, part] = [intervals(10, 0, 100), intervals(100, 400, 1)];
+  const shown = (from: number, to: number) => columnsOfSummary([whole, part], { from, to }, 1000).length;
+  expect(shown(420, 440)).toBeGreaterThan(15);
+  expect(shown(0, 1000)).toBe(10);
+  expect(shown(480, 530)).toBeLessThan(5);
+  expect(summaryAt([whole, part], 450.5)).toBe(50);
+  expect(summaryAt([whole, part], 150)).toBe(1);
+});
+
+test("intervals without values break the line after a while, and have no value", () => {
+  const some = intervals(10, 0, 1);
+  for (const i of [2, 5, 6, 7]) for (const list of [some.mean, some.least, some.most]) list[i] = NaN;
+  const columns = columnsOfSummary([some], { from: 0, to: 10 }, 100);
+  expect(columns.map(({ mean, broken }) => [mean, broken])).toEqual([
+    [0, true],
+    [1, false],
+    [3, false],
+    [4, false],
+    [8, true],
+    [9, false],
+  ]);
+  expect([2.5, 5.5, 7.5].map((time) => summaryAt([some], time))).toEqual([1, 4, NaN]);
+  expect([-3, 99].map((time) => summaryAt([some], time))).toEqual([NaN, NaN]);
+});
+
+test("parts that are not loaded are hatched, and a summary is drawn from the beginning to the end", () => {
+  const pen = testPen();
+  const colours = { ink: "#000", soft: "#000", line: "#000", fill: "#000", accent: "#000", warn: "#000" };
+  const span = { from: 0, to: 1200 };
+  const plot = { span, at: 0, hover: undefined, count: countOf(span, true) };
+  const area = areaOf(860, 400, 1);
+  const inside = ({ x, y }: { x: number; y: number }) =>
+    x >= area.left - 1 && x <= area.left + area.width + 1 && y >= area.top - 1 && y <= area.top + area.height + 1;
+  drawPlot(pen, 860, 400, { ...plot, lines: [], unloaded: [{ from: 600, to: 9999 }] }, colours);
+  const middle = area.left + area.width / 2;
+  const hatched = pen.points.filter((point) => inside(point) && point.x > middle + 20);
+  expect(hatched.length).toBeGreaterThan(100);
+  const drawn = testPen();
+  const summary = intervals(2048, 0, 1200 / 2048);
+  drawPlot(drawn, 860, 400, { ...plot, lines: [line([], 30, { summaries: [summary], colour: "#123" })] }, colours);
+  const band = drawn.boxes.filter(({ style, ...corner }) => style === "#123" && inside(corner));
+  expect(band.length).toBeGreaterThan(1500); // the band, and the line of the means
+  expect(Math.min(...band.map(({ x }) => x))).toBeLessThan(area.left + 3);
+  expect(Math.max(...band.map(({ x, width }) => x + width))).toBeGreaterThan(area.left + area.width - 3);
+  // few intervals are a line and a band with corners
+  const few = testPen();
+  drawPlot(
+    few,
+    860,
+    400,
+    { ...plot, lines: [line([], 30, { summaries: [intervals(9, 0, 130)], colour: "#123" })] },
+    colours,
+  );
+  expect(few.polygons.length).toBe(1);
+  expect(few.polygons[0]!.corners.every(inside)).toBe(true);
 });

@@ -1,6 +1,7 @@
 // Numbers over time on a canvas: any number of lines, one axis per unit. Plain drawing that needs no browser.
 
 import type { Pen } from "./field";
+import { hatch } from "./hatch";
 import { ticksOf, xOf, type Colours, type Count, type Span } from "./timeline";
 
 /** A line of the plot; only the part within the span is read. Times [s] in the plot's own time. */
@@ -14,8 +15,19 @@ export interface Line {
   dash: number[];
   /** Lines of one axis share its scale. The axis' name is the unit. */
   axis: string;
+  /** Summaries of the values, a coarse one of all before a finer one of a part. They are drawn instead of the values. */
+  summaries?: Intervals[];
   /** The name of a value, where values are no numbers. Only whole values have names. */
   wordOf?: ((value: number) => string | undefined) | undefined;
+}
+
+/** Minimum, maximum and mean per interval [s] of the plot's own time; NaN where there is no value. */
+export interface Intervals {
+  from: number;
+  step: number;
+  least: Float64Array;
+  most: Float64Array;
+  mean: Float64Array;
 }
 
 export interface Range {
@@ -32,6 +44,8 @@ export interface Column {
   last: number;
   /** The line is broken before this column, because no value came for long. */
   broken: boolean;
+  /** Of a summary: its values lie around this one. */
+  mean?: number;
 }
 
 /** Distinguished by brightness and dashes as well as by colour (after Okabe and Ito, 2008). */
@@ -86,6 +100,56 @@ export function columnsOf(line: Line, span: Span, width: number): Column[] {
   return columns;
 }
 
+const endOf = ({ from, step, mean }: Intervals): number => from + step * mean.length;
+
+/** Returns the finest summary of the visible part. */
+function fitting(summaries: Intervals[], { from, to }: Span): Intervals {
+  const whole = summaries[0]!;
+  // the last interval of the whole may reach beyond the recording
+  const covers = (one: Intervals) =>
+    one.from <= Math.max(from, whole.from) + one.step &&
+    endOf(one) + one.step >= Math.min(to, endOf(whole) - whole.step);
+  return summaries.findLast(covers) ?? whole;
+}
+
+/** Converts a summary to columns of pixels. An interval is drawn at its middle. */
+export function columnsOfSummary(summaries: Intervals[], span: Span, width: number): Column[] {
+  const summary = fitting(summaries, span);
+  const { from, step, least, most, mean } = summary;
+  const columns: Column[] = [];
+  const first = Math.max(0, Math.floor((span.from - from) / step) - 1);
+  const end = Math.min(mean.length, Math.ceil((span.to - from) / step) + 1);
+  let column: Column | undefined;
+  let [before, count] = [-Infinity, 0];
+  for (let i = first; i < end; ++i) {
+    const value = mean[i]!;
+    if (Number.isNaN(value)) continue;
+    const x = Math.floor(xOf(span, width, from + (i + 0.5) * step));
+    if (column?.x === x) {
+      column.least = Math.min(column.least, least[i]!);
+      column.most = Math.max(column.most, most[i]!);
+      column.mean! += (value - column.mean!) / ++count;
+    } else {
+      const broken = (i - before - 1) * step > kGap;
+      column = { x, first: value, least: least[i]!, most: most[i]!, last: value, broken, mean: value };
+      columns.push(column);
+      count = 1;
+    }
+    before = i;
+  }
+  return columns;
+}
+
+/** Returns the mean around `time`, of the last interval with a value in the time that breaks no line; else NaN. */
+export function summaryAt(summaries: Intervals[], time: number): number {
+  const { from, step, mean } = fitting(summaries, { from: time, to: time });
+  for (let i = Math.min(mean.length - 1, Math.floor((time - from) / step)); i >= 0; --i) {
+    if (time - from - (i + 1) * step > kGap) break;
+    if (!Number.isNaN(mean[i])) return mean[i]!;
+  }
+  return NaN;
+}
+
 /** Returns the axis' range with a margin, never of zero height. */
 export function rangeOf(columns: Column[][]): Range {
   let [least, most] = [Infinity, -Infinity];
@@ -127,6 +191,8 @@ export interface Plot {
   at: number;
   hover: number | undefined;
   count: Count;
+  /** Parts of the time in which values are missing, because they are not loaded. */
+  unloaded?: Span[];
 }
 
 export const axesOf = (lines: Line[]): string[] => [...new Set(lines.map(({ axis }) => axis))];
@@ -135,17 +201,26 @@ export function drawPlot(
   pen: Pen,
   width: number,
   height: number,
-  { lines, span, at, hover, count }: Plot,
+  { lines, span, at, hover, count, unloaded = [] }: Plot,
   colours: Colours,
 ): void {
   const axes = axesOf(lines);
   const area = areaOf(width, height, axes.length);
   const x = (time: number) => area.left + xOf(span, area.width, time);
-  const drawn = lines.map((line) => ({ line, columns: columnsOf(line, span, area.width) }));
+  const drawn = lines.map((line) => ({
+    line,
+    columns: line.summaries?.length
+      ? columnsOfSummary(line.summaries, span, area.width)
+      : columnsOf(line, span, area.width),
+  }));
   const ranges = new Map(
     axes.map((axis) => [axis, rangeOf(drawn.filter(({ line }) => line.axis === axis).map(({ columns }) => columns))]),
   );
 
+  for (const { from, to } of unloaded) {
+    const [left, right] = [from, to].map((time) => Math.min(area.left + area.width, Math.max(area.left, x(time))));
+    hatch(pen, left!, area.top, right! - left!, area.height, colours.soft);
+  }
   drawTimes(pen, area, span, count, x, colours);
   axes.forEach((axis, i) => {
     const single = lines.filter((line) => line.axis === axis);
@@ -233,13 +308,71 @@ const tickText = (value: number): string =>
 const yOf = (area: Area, { least, most }: Range, value: number): number =>
   area.top + area.height * (1 - (value - least) / (most - least));
 
+const kWide = 1.6; // [px] of a line
+const kDense = 2; // [px] between columns that are drawn as boxes
+
+/**
+ * Draws the values of a summary: a line of the means, in a band of all values. Dense columns are boxes, which a processor
+ * fills thirty times faster than a path of a thousand corners.
+ */
+function drawSummary(pen: Pen, area: Area, { colour, dash }: Line, columns: Column[], range: Range): void {
+  const y = (value: number) => yOf(area, range, value);
+  const pairs = columns.map((column, i) => ({ column, before: column.broken ? undefined : columns[i - 1] }));
+  const dense = pairs.filter(({ column, before }) => column.x - (before?.x ?? column.x) <= kDense);
+  const sparse = pairs.filter(({ column, before }) => before && column.x - before.x > kDense);
+  const widthOf = (column: Column, before: Column | undefined) => Math.max(1, column.x - (before?.x ?? column.x));
+  const period = dash.reduce((sum, part) => sum + part, 0);
+
+  pen.fillStyle = pen.strokeStyle = colour;
+  pen.globalAlpha = 0.3;
+  for (const { column, before } of dense) {
+    const width = widthOf(column, before);
+    pen.fillRect(placeOf(area, column.x) + 0.5 - width, y(column.most), width, y(column.least) - y(column.most));
+  }
+  pen.beginPath();
+  for (const { column, before } of sparse) {
+    const [left, right] = [placeOf(area, before!.x), placeOf(area, column.x)];
+    pen.moveTo(left, y(before!.most));
+    pen.lineTo(right, y(column.most));
+    pen.lineTo(right, y(column.least));
+    pen.lineTo(left, y(before!.least));
+    pen.closePath();
+  }
+  pen.fill();
+  pen.globalAlpha = 1;
+
+  for (const { column, before } of dense) {
+    if (period > 0 && column.x % period >= dash[0]!) continue;
+    const [now, then] = [y(column.mean!), y((before ?? column).mean!)];
+    const width = widthOf(column, before);
+    pen.fillRect(
+      placeOf(area, column.x) + 0.5 - width,
+      Math.min(now, then) - kWide / 2,
+      width,
+      Math.abs(now - then) + kWide,
+    );
+  }
+  pen.lineWidth = kWide;
+  pen.setLineDash(dash);
+  pen.beginPath();
+  for (const { column, before } of sparse) {
+    pen.moveTo(placeOf(area, before!.x), y(before!.mean!));
+    pen.lineTo(placeOf(area, column.x), y(column.mean!));
+  }
+  pen.stroke();
+}
+
+const placeOf = (area: Area, x: number): number =>
+  Math.min(area.left + area.width, Math.max(area.left, area.left + x + 0.5));
+
 function drawLine(pen: Pen, area: Area, line: Line, columns: Column[], range: Range): void {
+  if (line.summaries?.length) return drawSummary(pen, area, line, columns, range);
   pen.strokeStyle = line.colour;
-  pen.lineWidth = 1.6;
+  pen.lineWidth = kWide;
   pen.setLineDash(line.dash);
   pen.beginPath();
   for (const { x, first, least, most, last, broken } of columns) {
-    const place = Math.min(area.left + area.width, Math.max(area.left, area.left + x + 0.5));
+    const place = placeOf(area, x);
     if (broken) pen.moveTo(place, yOf(area, range, first));
     else pen.lineTo(place, yOf(area, range, first));
     if (most > least) {

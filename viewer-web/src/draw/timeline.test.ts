@@ -122,6 +122,27 @@ test("goals and errors are distinguished by letters", () => {
   expect(pen.texts.filter(({ text }) => ["G", "!"].includes(text)).map(({ x }) => Math.round(x))).toEqual([133, 267]);
 });
 
+test("letters of crowded events cover no other letter, and a goal keeps its own", () => {
+  const pen = testPen();
+  const colours = { ink: "ink", soft: "soft", line: "line", fill: "fill", accent: "accent", warn: "warn" };
+  const marks = Array.from({ length: 300 }, (_, i) => ({
+    at: 100 + i,
+    kind: i === 150 ? ("goal" as const) : i % 2 ? ("fall" as const) : ("kick" as const),
+    text: "",
+  }));
+  const strip = { kept, shown: kept, at: 100, live: false, marks, count: countOf(kept, true), hover: undefined };
+  drawStrip(pen, 800, 36, strip, colours);
+  const letters = pen.texts.filter(({ text }) => /^[GFP]$/.test(text)).sort((a, b) => a.x - b.x);
+  expect(letters.filter(({ text }) => text === "G").map(({ x }) => x)).toEqual([400]);
+  expect(letters.length).toBeGreaterThan(30);
+  expect(letters.slice(1).every(({ x }, i) => x - letters[i]!.x >= 11)).toBe(true);
+  const times = pen.texts.filter(({ text }) => /\d/.test(text));
+  expect(times.length).toBeGreaterThan(3);
+  for (const { x } of times) expect(letters.every((letter) => Math.abs(letter.x - x) >= 15)).toBe(true);
+  // each event has a tick, also without a letter
+  expect(pen.boxes.filter(({ width }) => width === 1.5).length).toBe(300);
+});
+
 test("two fingers keep the times under them, within the kept span", () => {
   const shown = { from: 100, to: 200 };
   const whole = { from: 0, to: 300 };

@@ -115,14 +115,18 @@ export function elapsedWords(seconds: number, step: number): string {
   return step < 1 ? `${words}.${tenths % 10}` : words;
 }
 
-const kShape: Record<Mark["kind"], { letter: string; important: boolean }> = {
-  goal: { letter: "G", important: true },
-  penalty: { letter: "P", important: false },
-  fall: { letter: "F", important: false },
-  state: { letter: "", important: false },
-  error: { letter: "!", important: true },
-  bookmark: { letter: "◆", important: true },
+/** Letters where there is room, the most important first; the tick reaches from `above` to `below` the bar's top [px]. */
+const kShape: Record<Mark["kind"], { letter: string; rank: number; above: number; below: number }> = {
+  goal: { letter: "G", rank: 0, above: 6, below: 6 },
+  error: { letter: "!", rank: 0, above: 6, below: 6 },
+  bookmark: { letter: "◆", rank: 0, above: 6, below: 6 },
+  penalty: { letter: "P", rank: 1, above: 4, below: 6 },
+  fall: { letter: "F", rank: 2, above: 4, below: 6 },
+  state: { letter: "", rank: 3, above: 4, below: 6 },
+  kick: { letter: "", rank: 3, above: 0, below: 4 },
 };
+const kLetterRoom = 11; // [px]
+const kTextRoom = 22; // [px] on each side of the middle of a time
 
 export function drawStrip(pen: Pen, width: number, height: number, strip: Strip, colours: Colours): void {
   const { shown, kept, seen, at, live, marks, loop } = strip;
@@ -157,14 +161,19 @@ export function drawStrip(pen: Pen, width: number, height: number, strip: Strip,
   pen.textBaseline = "middle";
   pen.textAlign = "center";
   const { step, at: ticks } = ticksOf({ from: shown.from - zero, to: shown.to - zero }, width, 76);
+  const placed = marks.map(({ at, kind }) => ({ x: x(at), kind }));
+  const leads = placed.filter(({ kind }) => kShape[kind].rank === 0);
+  const texts: number[] = []; // the places of times; the letter of a goal displaces one
   for (const tick of ticks) {
     const place = x(tick + zero);
     pen.fillStyle = colours.line;
     pen.fillRect(place, bar.top - 4, 1, 4);
     pen.fillStyle = colours.soft;
-    if (place > 20 && place < width - 20) pen.fillText(wordsOf(tick, step), place, 8);
+    if (place <= 20 || place >= width - 20 || leads.some(({ x }) => Math.abs(x - place) < kTextRoom)) continue;
+    pen.fillText(wordsOf(tick, step), place, 8);
+    texts.push(place);
   }
-  for (const mark of marks) drawMark(pen, x(mark.at), bar.top, mark.kind, colours);
+  drawMarks(pen, placed, texts, bar.top, colours);
 
   if (strip.hover !== undefined) {
     pen.fillStyle = colours.soft;
@@ -205,18 +214,44 @@ export function drawSummary(
       bar.height,
     );
   }
-  for (const mark of marks)
-    drawMark(pen, Math.min(width - 4, Math.max(4, xOf(whole, width, mark.at))), bar.top, mark.kind, colours);
+  drawMarks(
+    pen,
+    marks.map(({ at, kind }) => ({ x: Math.min(width - 4, Math.max(4, xOf(whole, width, at))), kind })),
+    [],
+    bar.top,
+    colours,
+  );
 }
 
-/** Goals and errors are signs with letters, the rest lines: told apart without colour. */
-function drawMark(pen: Pen, x: number, bottom: number, kind: Mark["kind"], colours: Colours): void {
-  const { letter, important } = kShape[kind];
-  pen.fillStyle = kind === "error" ? colours.warn : important ? colours.accent : colours.soft;
-  pen.fillRect(x - 0.5, bottom - (important ? 6 : 4), 1.5, important ? 12 : 10);
-  if (!letter) return;
-  pen.font = `${important ? 700 : 400} 10px system-ui, sans-serif`;
+/**
+ * Goals and errors are signs with letters, the rest lines: told apart without colour. A letter covers no other one, and
+ * no text at the places `texts`.
+ */
+function drawMarks(
+  pen: Pen,
+  marks: { x: number; kind: Mark["kind"] }[],
+  texts: number[],
+  top: number,
+  colours: Colours,
+): void {
+  const ranked = [...marks].sort((a, b) => kShape[a.kind].rank - kShape[b.kind].rank);
+  const taken: number[] = []; // places of letters, in steps of their room
   pen.textAlign = "center";
   pen.textBaseline = "middle";
-  pen.fillText(letter, x, bottom - 9);
+  // the important ones last, above the others
+  for (const { x, kind } of [...ranked].reverse()) {
+    const { rank, above, below } = kShape[kind];
+    pen.fillStyle = kind === "error" ? colours.warn : rank === 0 ? colours.accent : colours.soft;
+    pen.fillRect(x - 0.5, top - above, 1.5, above + below);
+  }
+  for (const { x, kind } of ranked) {
+    const { letter, rank } = kShape[kind];
+    const step = Math.floor(x / kLetterRoom);
+    if (!letter || texts.some((text) => Math.abs(text - x) < kTextRoom)) continue;
+    if ([step - 1, step, step + 1].some((near) => Math.abs((taken[near] ?? Infinity) - x) < kLetterRoom)) continue;
+    taken[step] = x;
+    pen.fillStyle = kind === "error" ? colours.warn : rank === 0 ? colours.accent : colours.soft;
+    pen.font = `${rank === 0 ? 700 : 400} 10px system-ui, sans-serif`;
+    pen.fillText(letter, x, top - 9);
+  }
 }

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { GameEvents, changesOfGame, changesOfMotion, changesOfSimulation } from "./game_events";
+import { GameEvents, changesOfGame, changesOfMotion, changesOfSimulation, knownEvents } from "./game_events";
 import type { MemoryObject } from "./memory_object";
 import { EnumValue, type Fields, type Value } from "./value";
 
@@ -81,4 +81,44 @@ test("a fall is reported once until the robot has stood up again", () => {
   expect(told(motion("FALLING"), motion("FALLEN"))).toEqual([]);
   expect(told(motion("GETTING_UP"), motion("UPRIGHT"))).toEqual([]);
   expect(told(motion("UPRIGHT"), motion("FALLEN"))).toEqual(["falls"]);
+});
+
+test("a kick is reported once, when it begins, and other movements are none", () => {
+  const moves = (running: string): Fields => fields({ running });
+  const told = (before: string, after: string) => texts(changesOfMotion(moves(before), moves(after)));
+  expect(told("", "walk_forward")).toEqual(["kick walk forward"]);
+  expect(told("walk_forward", "walk_forward")).toEqual([]);
+  expect(told("walk_forward", "")).toEqual([]);
+  for (const movement of ["squat", "stand_up", "sit", "tuck"]) expect(told("", movement)).toEqual([]);
+});
+
+test("a later half and a special phase of the game are reported", () => {
+  const told = (before: Record<string, Value>, after: Record<string, Value>) =>
+    texts(changesOfGame(fields(before), fields(after)));
+  const phase = (name: string) => ({ phase: new EnumValue(0, `PHASE_${name}`) });
+  expect(told({ half: 1 }, { half: 2 })).toEqual(["half 2"]);
+  expect(told({ half: 0 }, { half: 1 })).toEqual([]); // the first packet
+  expect(told(phase("NORMAL"), phase("PENALTY_SHOOT_OUT"))).toEqual(["penalty shoot out"]);
+  expect(told(phase("TIMEOUT"), phase("NORMAL"))).toEqual([]);
+});
+
+test("all events of a recording replace those that were seen, until everything is forgotten", () => {
+  const events = new GameEvents();
+  const goal = { log_ns: 7n, kind: "goal", text: "goal of team 14", robot: "" };
+  events.know(knownEvents([goal, { ...goal, kind: "of a later version" }]));
+  expect([events.complete, events.all()]).toEqual([true, [goal]]);
+  const log = {
+    name: "log",
+    kind: "log",
+    derived: false,
+    robot: "14/2",
+    channel: { topic: "/14/2/log" },
+    decode: () => ({ fields: fields({ level: new EnumValue(4, "LEVEL_ERROR"), text: "hot" }) }),
+  } as unknown as MemoryObject;
+  const message = { log_ns: 8n, data: new Uint8Array(), arrived: 0 };
+  events.arrived(log, message);
+  expect(events.all()).toEqual([goal]);
+  events.clear();
+  events.arrived(log, message);
+  expect([events.complete, texts([...events.all()])]).toEqual([false, ["hot"]]);
 });

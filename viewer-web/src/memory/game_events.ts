@@ -1,4 +1,5 @@
-// Events of the game as moments on the timeline: goals, states, penalties, falls, and errors in the log.
+// Events of the game as moments on the timeline: goals, states, penalties, kicks, falls, and errors in the log. A server
+// that plays a recording finds them by the same rules (robot/lab/whole/recorded_events.cpp) in all of it.
 
 import type { Entry } from "./history";
 import { kLogLevels, type LogLevel } from "./log_history";
@@ -6,7 +7,8 @@ import type { MemoryObject, RobotName } from "./memory_object";
 import { kSimulation } from "./simulation";
 import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "./value";
 
-export type EventKind = "goal" | "state" | "penalty" | "fall" | "error";
+export const kEventKinds = ["goal", "kick", "fall", "penalty", "state", "error"] as const;
+export type EventKind = (typeof kEventKinds)[number];
 
 export interface GameEvent {
   log_ns: bigint;
@@ -18,7 +20,10 @@ export interface GameEvent {
 
 const kMost = 2000;
 const kSame_ns = 5_000_000_000n; // equal reports of several robots within this time are one event
+const kSameGoal_ns = 20_000_000_000n; // as before: the GameController reports goals up to 15 s late
 const kMostPlayers = 20;
+/** Movements that are no kicks, by our motions and by the simulator's. */
+const kNoKicks = ["", "squat", "stand_up", "sit", "tuck", "get_up"];
 
 /** Returns the events between two consecutive messages of `game`. */
 export function changesOfGame(before: Fields, after: Fields): { kind: EventKind; text: string }[] {
@@ -28,6 +33,11 @@ export function changesOfGame(before: Fields, after: Fields): { kind: EventKind;
   const setPlay = wordOf(after, "set_play");
   if (setPlay && setPlay !== "unspecified" && setPlay !== wordOf(before, "set_play"))
     changes.push({ kind: "state", text: setPlay.replaceAll("_", " ") });
+  const phase = wordOf(after, "phase");
+  if (phase && !["unspecified", "normal", wordOf(before, "phase")].includes(phase))
+    changes.push({ kind: "state", text: phase.replaceAll("_", " ") });
+  const [wasHalf, half] = [before, after].map((fields) => numberOf(fields, "half"));
+  if (wasHalf! > 0 && half! > 0 && half !== wasHalf) changes.push({ kind: "state", text: `half ${half}` });
   for (const side of ["own", "opponent"]) {
     const [was, is] = [fieldsOf(before, side), fieldsOf(after, side)];
     if (numberOf(was, "number") !== numberOf(is, "number")) continue;
@@ -59,10 +69,14 @@ export function changesOfSimulation(before: Fields, after: Fields): { kind: Even
 /** Returns the events between two consecutive messages of `motion_status`. */
 export function changesOfMotion(before: Fields, after: Fields): { kind: EventKind; text: string }[] {
   const down = ["falling", "fallen"];
+  const changes: { kind: EventKind; text: string }[] = [];
   const [was, is] = [wordOf(before, "fall"), wordOf(after, "fall")];
-  return down.includes(is) && !down.includes(was)
-    ? [{ kind: "fall", text: `falls ${wordOf(after, "fall_side").replace("unspecified", "")}`.trim() }]
-    : [];
+  if (down.includes(is) && !down.includes(was))
+    changes.push({ kind: "fall", text: `falls ${wordOf(after, "fall_side").replace("unspecified", "")}`.trim() });
+  const movement = textOf(after, "running");
+  if (movement !== textOf(before, "running") && !kNoKicks.includes(movement))
+    changes.push({ kind: "kick", text: `kick ${movement.replaceAll("_", " ")}` });
+  return changes;
 }
 
 /** Returns the function that finds events in an object's messages, or undefined if they contain none. */
@@ -72,11 +86,24 @@ export function changesTold(
   return { game: changesOfGame, motion_status: changesOfMotion }[name];
 }
 
+/** Leaves out events of kinds that this page does not know. */
+export const knownEvents = (events: (Omit<GameEvent, "kind"> & { kind: string })[]): GameEvent[] =>
+  events.filter((event): event is GameEvent => (kEventKinds as readonly string[]).includes(event.kind));
+
 export class GameEvents {
+  /** True if these are all events of a recording, also of parts that were not played. */
+  complete = false;
   #events: GameEvent[] = [];
   #before = new Map<string, Fields>(); // by topic
 
+  /** Takes all events of a recording, in order of time. Those of messages that arrive add nothing. */
+  know(events: GameEvent[]): void {
+    this.#events = events;
+    this.complete = true;
+  }
+
   clear(): void {
+    this.complete = false;
     this.#events = [];
     this.#before.clear();
   }
@@ -92,7 +119,7 @@ export class GameEvents {
   }
 
   arrived(object: MemoryObject, entry: Entry): void {
-    if (object.derived) return;
+    if (object.derived || this.complete) return;
     if (object.kind === "log") this.#logged(object, entry);
     else if (object.channel.topic === kSimulation) this.#compare(object, entry, changesOfSimulation);
     else {
@@ -132,8 +159,8 @@ export class GameEvents {
     const isSame = ({ kind, text, log_ns, robot }: GameEvent) =>
       kind === event.kind &&
       text === event.text &&
-      (kind !== "fall" || robot === event.robot) &&
-      abs(log_ns - event.log_ns) < kSame_ns;
+      (!["fall", "kick"].includes(kind) || robot === event.robot) &&
+      abs(log_ns - event.log_ns) < (kind === "goal" ? kSameGoal_ns : kSame_ns);
     if (this.#events.some(isSame)) return;
     const after = this.#events.findLastIndex(({ log_ns }) => log_ns <= event.log_ns);
     this.#events.splice(after + 1, 0, event);

@@ -17,12 +17,13 @@ const kError = "~truth";
 
 /**
  * The series of a chosen measure, or the sentence that says why there is none. `message` and `field` lead to the
- * schema's comment. `words` has the names of an enum's values; `truth`: 1 is true and 0 is false.
+ * schema's comment. `path` is set if the measure is a single value of a message. `words` has the names of an enum's values; `truth`: 1 is true and 0 is false.
  */
 export type Measure =
   | {
       series: Series;
       field: { message: string; name: string } | undefined;
+      path: Path | undefined;
       unit: string;
       words?: ReadonlyMap<number, string> | undefined;
       truth?: boolean;
@@ -49,6 +50,7 @@ export function measureOf(memory: Memory, text: string, robot = ""): Measure {
   return {
     series: new Series(object, read),
     field: expression.path && fieldOf(object, expression.path.steps),
+    path: expression.path,
     unit: unitOf(expression),
     words: expression.words,
     truth: expression.kind === "truth",

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { numberAt, numbersIn, pathOf } from "./paths";
+import { numberAt, numbersIn, pathOf, textOf } from "./paths";
 import { EnumValue, type Value } from "./value";
 
 const fields = (entries: Record<string, Value>) => new Map(Object.entries(entries));
@@ -26,6 +26,13 @@ test("a path leads to its number", () => {
     ["/truth/world", NaN],
   ];
   for (const [text, value] of cases) expect(numberAt(kWorld, pathOf(text, kTopics)!.steps), text).toBe(value);
+});
+
+test("a path that was written leads to the same place", () => {
+  for (const text of ["/truth/world.ball.x", "/truth/world.weights[1]", "/truth/world.robots[team=14,player=2].x"])
+    expect(textOf(pathOf(text, kTopics)!)).toBe(text);
+  const joint = pathOf("/14/2/joints.position[head_yaw]", ["/14/2/joints"])!;
+  expect(pathOf(textOf(joint), ["/14/2/joints"])).toEqual(joint);
 });
 
 test("topics may contain dots, and an invalid path is refused", () => {

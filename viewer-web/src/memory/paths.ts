@@ -40,6 +40,19 @@ function stepOf([, name, index, filter]: RegExpExecArray, topic: string): Step |
   return Object.fromEntries(entries.map(([key, value]) => [key, Number(value)]));
 }
 
+/** Writes a path as it is parsed; entries by their numbers. */
+export const textOf = ({ topic, steps }: Path): string =>
+  topic +
+  steps
+    .map((step) => {
+      if (typeof step === "string") return `.${step}`;
+      if (typeof step === "number") return `[${step}]`;
+      return `[${Object.entries(step)
+        .map(([key, value]) => `${key}=${value}`)
+        .join(",")}]`;
+    })
+    .join("");
+
 /** Returns the value at the path, or undefined if there is none. */
 export function valueAt(fields: Fields, steps: Step[]): Value {
   let value: Value = fields;

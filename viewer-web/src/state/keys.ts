@@ -66,7 +66,7 @@ export const kPageKeys: Key[] = [
   },
   {
     keys: ["p", "n"],
-    does: "previous or next goal, penalty, fall, change of state, error or bookmark",
+    does: "previous or next goal, kick, penalty, fall, phase, error or bookmark",
     act: ({ time, moments }, { key }) =>
       time.jump(
         key === "p" ? -1 : 1,
@@ -128,7 +128,11 @@ export const kViewKeys: { view: View; keys: string; does: string }[] = [
   { view: "camera", keys: "d h l", does: "show detections, horizon, field lines over the image" },
   { view: "objects", keys: "↑ ↓ ← →", does: "move through the tree, once it has the focus" },
   { view: "objects", keys: "Enter c x g", does: "open; copy the path; pin; plot" },
-  { view: "plot", keys: "+ −", does: "shorter or longer time span" },
+  {
+    view: "plot",
+    keys: "+ −",
+    does: "shorter or longer time span, as the wheel does; a double click: the whole recording",
+  },
   { view: "what-if", keys: "Enter", does: "ask" },
   { view: "what-if", keys: "↑ ↓", does: "show another strategy's rollouts" },
   { view: "what-if", keys: "f", does: "play or stop the rollouts" },

@@ -1,5 +1,6 @@
 // One watched server with its connection and memory: a robot, a played recording or a simulated game.
 
+import { knownEvents } from "../memory/game_events";
 import { nearestKept, nearestOf } from "../memory/kept";
 import type { RobotName } from "../memory/memory_object";
 import { Memory } from "../memory/memory";
@@ -17,6 +18,7 @@ import { causeOf } from "../source/calls";
 import { Client, type Connection, type Listener, type Socket } from "../source/client";
 import { livenessOf, type Liveness } from "../present/liveness";
 import { simulationOf } from "../memory/simulation";
+import { Summaries, WholeRuns } from "../memory/summaries";
 import { fetchRecent, Recalls } from "../source/recent";
 import { ClockExchange } from "../source/clock_exchange";
 import type { PlaybackState, PlaybackWish } from "../source/frames";
@@ -75,6 +77,10 @@ export class Server implements Listener {
   #refused = false; // true after the server refused a wish: then only moments that the page holds can be shown
   #left_ns: bigint | undefined; // the shown moment when the last wish was sent
   #settling = { at_ns: undefined as bigint | undefined, since: 0 };
+  /** Whether the server is being asked for all events of its recording. */
+  learnsEvents = $state(false);
+  #summaries: Summaries | undefined;
+  #runs = new Map<string, WholeRuns>(); // by topic and fields
   #offers = $state(0); // counts announced and withdrawn objects
   #alertKeys = new Set<string>();
   #recalls: Recalls | undefined; // of a live server that remembers its last minutes
@@ -302,6 +308,48 @@ export class Server implements Listener {
     this.speaker.dismiss([...this.#alertKeys]);
     this.parameterValues = new Map();
     ++this.#offers;
+    this.#summaries = undefined;
+    this.#runs.clear();
+    this.learnsEvents = false;
+    if (this.summarises) void this.#learnEvents();
+  }
+  /** Whether the server may be asked about the whole of its recording: the page reaches its HTTP interface. */
+  get summarises(): boolean {
+    return this.played !== undefined && this.target.ownHost;
+  }
+  /** Summaries of numbers of the whole recording, if the server makes them. */
+  get summaries(): Summaries | undefined {
+    const { played } = this;
+    if (!played || !this.summarises) return undefined;
+    return (this.#summaries ??= new Summaries({ from_ns: played.start_ns, to_ns: played.end_ns }, async (...question) =>
+      (await import("../source/whole")).fetchNumbers(...question),
+    ));
+  }
+  /** Returns the runs of some fields of `topic` in the whole recording, if the server finds them. */
+  runsOf(topic: string, fields: string[]): WholeRuns | undefined {
+    if (!this.summarises) return undefined;
+    const key = [topic, ...fields].join(" ");
+    let runs = this.#runs.get(key);
+    if (!runs) {
+      runs = new WholeRuns(async () => (await import("../source/whole")).fetchRuns(topic, fields));
+      this.#runs.set(key, runs);
+    }
+    return runs;
+  }
+  /** Learns all events of the recording. Without them the page knows those that it has seen. */
+  async #learnEvents(): Promise<void> {
+    const { played } = this;
+    this.learnsEvents = true;
+    try {
+      const events = knownEvents(await (await import("../source/whole")).fetchEvents());
+      if (this.played !== played) return;
+      this.memory.events.know(events);
+      ++this.#told;
+    } catch {
+      // an older server: its events become known while they are played
+    } finally {
+      if (this.played === played) this.learnsEvents = false;
+    }
   }
   /** Whether earlier messages are on their way from the server's memory. */
   get recalls(): boolean {

@@ -63,6 +63,7 @@ TEST(Routes, EachKindOfWaitingIsWorkOfItsOwn) {
   EXPECT_EQ(work("/logs/a.mcap"), Work::files);
   EXPECT_EQ(work("/logs/a.mcap?foxglove"), Work::checksums);  // it reads the whole recording
   EXPECT_EQ(work("/api/sessions/a/files"), Work::checksums);
+  EXPECT_EQ(work("/api/whole/events"), Work::checksums);
   EXPECT_EQ(work("/api/sessions/a/b/files"), Work::files);
 }
 
@@ -142,6 +143,8 @@ TEST_F(RoutesTest, PartsOfAPlayedRecordingAreServedByTopicAndTime) {
   EXPECT_EQ(text(get("/api/played?topic=/14/2/ball")), "0..18446744073709551615");
   EXPECT_EQ(get("/api/played?topic=/14/2/x").status, 404);
   EXPECT_EQ(get("/api/played").status, 400);
+  EXPECT_EQ(get("/api/whole/events").status, 404) << "no recording is played here";
+  EXPECT_EQ(get("/api/whole/events", {}, "10.0.0.9").status, 401) << "needs the read token";
   EXPECT_EQ(text(get("/api/played?topic=/14/2/ball&from=noon")),
             "played: 'from' must be a time in ns since the epoch\n");
   EXPECT_EQ(get("/api/played?topic=/14/2/ball", {}, "10.0.0.9").status, 401) << "needs the read token";
