@@ -146,9 +146,9 @@ net::HttpResponse Application::delete_session(const std::string& session) {
   return {.status = 204};
 }
 
-net::HttpResponse Application::recent(const std::optional<std::string>& topic) {
-  if (!recent_) return net::Backend::recent(topic);
-  Result<std::shared_ptr<const ByteSource>> file = recent_->file(topic);
+net::HttpResponse Application::recent(const std::vector<std::string>& topics) {
+  if (!recent_) return net::Backend::recent(topics);
+  Result<std::shared_ptr<const ByteSource>> file = recent_->file(topics);
   if (!file) return net::error_response(500, file.error());
   const std::uint64_t size = (*file)->size();
   return {.status = 200,

@@ -120,13 +120,13 @@ void RecentFile::forget_old() {
   }
 }
 
-Result<std::shared_ptr<const ByteSource>> RecentFile::file(const std::optional<std::string>& topic) {
+Result<std::shared_ptr<const ByteSource>> RecentFile::file(std::span<const std::string> topics) {
   if (!writer_ || open_channels_ < channels_.size())
     if (Result<void> opened = open(); !opened) return opened.failure();
   if (Result<void> flushed = flush(); !flushed) return flushed.failure();
   std::string bytes = store_.head;
   for (const Chunk& chunk : store_.chunks)
-    if (!topic || channels_[chunk.channel].topic == *topic) bytes += chunk.bytes;
+    if (topics.empty() || std::ranges::count(topics, channels_[chunk.channel].topic) > 0) bytes += chunk.bytes;
   Result<Assembly> assembly = assemble({std::make_shared<const MemorySource>(std::move(bytes), "the last minutes")});
   if (!assembly) return assembly.failure();
   return std::shared_ptr<const ByteSource>(std::make_shared<const Assembly>(std::move(*assembly)));

@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ struct RecentLimits {
 };
 
 /// The messages of the last minutes, compressed. When it is full, it forgets the oldest chunk that is not the only one of its
-/// channel, so that the newest value of an object that is rarely written stays. A channel whose capture times go back by more
+/// channel. So the newest value of an object that is rarely written stays. A channel whose capture times go back by more
 /// than a second begins anew, as after the restart of a simulated game. Used by one thread at a time.
 class RecentFile {
  public:
@@ -40,8 +41,8 @@ class RecentFile {
   /// Takes a message of that channel. After an Error it is lost.
   Result<void> write(std::size_t channel, const OutMessage& message);
 
-  /// Returns all messages, or those of `topic`, as one MCAP file, which later calls do not change.
-  Result<std::shared_ptr<const ByteSource>> file(const std::optional<std::string>& topic = {});
+  /// Returns all messages, or those of `topics`, as one MCAP file, which later calls do not change.
+  Result<std::shared_ptr<const ByteSource>> file(std::span<const std::string> topics = {});
 
   std::size_t size_bytes() const { return store_.bytes; }  // of the chunks
 

@@ -91,10 +91,10 @@ void RecentPast::run() {
   }
 }
 
-Result<std::shared_ptr<const ByteSource>> RecentPast::file(const std::optional<std::string>& topic) {
+Result<std::shared_ptr<const ByteSource>> RecentPast::file(std::span<const std::string> topics) {
   carry();
   const std::lock_guard guard(carrying_);
-  return file_.file(topic);
+  return file_.file(topics);
 }
 
 }  // namespace robot::logging

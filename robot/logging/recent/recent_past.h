@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -32,8 +32,8 @@ class RecentPast {
   RecentPast(const RecentPast&) = delete;
   RecentPast& operator=(const RecentPast&) = delete;
 
-  /// Returns the messages of the last minutes, up to this call, as one MCAP file; with a `topic`, only those of it.
-  Result<std::shared_ptr<const ByteSource>> file(const std::optional<std::string>& topic = {});
+  /// Returns the messages of the last minutes, up to this call, as one MCAP file; with `topics`, only those of them.
+  Result<std::shared_ptr<const ByteSource>> file(std::span<const std::string> topics = {});
 
  private:
   class Provider;

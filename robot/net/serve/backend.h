@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "robot/core/byte_source.h"
 #include "robot/core/result.h"
@@ -83,9 +84,9 @@ class Backend {
     return error_response(404, "no recording is played here");
   }
 
-  /// Returns the answer to `GET /api/recent?topic=…`: an MCAP file with the last minutes of a small object, up to now.
-  /// Without a topic, of all of them. 404 if nothing is kept, as where a recording is played.
-  virtual HttpResponse recent(const std::optional<std::string>& /*topic*/) {
+  /// Returns the answer to `GET /api/recent?topics=…`: an MCAP file with the last minutes of small objects, up to now.
+  /// Without topics, of all of them. 404 if nothing is kept, as where a recording is played.
+  virtual HttpResponse recent(const std::vector<std::string>& /*topics*/) {
     return error_response(404, "the last minutes are not kept here");
   }
 

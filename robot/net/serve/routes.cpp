@@ -65,6 +65,17 @@ std::optional<std::string> between(std::string_view before, std::string_view pat
   return std::string(name);
 }
 
+/// Returns the lines of `text` that are not empty.
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (!line.empty()) lines.emplace_back(line);
+    text.remove_prefix(std::min(text.size(), line.size() + 1));
+  }
+  return lines;
+}
+
 HttpResponse game_in_progress() {
   return error_response(
       503, "a game is in progress: recordings can be had when it has finished, or with --practice in a test game");
@@ -150,10 +161,7 @@ HttpResponse Routes::answer_data(const HttpRequest& request, const Target& targe
   if (target.path.starts_with(kLogs)) return answer_log(request, target, left);
   if (target.path == "/api/played") return answer_played(target);
   if (target.path.starts_with(kWhole)) return backend_.whole(target, left);
-  if (target.path == "/api/recent") {
-    const std::string topic = target.parameter("topic");
-    return backend_.recent(topic.empty() ? std::nullopt : std::optional(topic));
-  }
+  if (target.path == "/api/recent") return backend_.recent(lines_of(target.parameter("topics")));
   return error_response(404, "there is nothing at this path");
 }
 

@@ -61,7 +61,7 @@ TEST_F(ServedSession, TheLastMinutesAreAnMcapFileOrNotKept) {
   logging::RecentPast recent(channels);
   application.recall_from(recent);
   ASSERT_TRUE(channel->write_bytes("a value", 5));
-  const net::HttpResponse response = application.recent(channel->info().topic);
+  const net::HttpResponse response = application.recent({channel->info().topic});
   EXPECT_EQ(response.status, 200);
   const auto& body = std::get<net::BodyPart>(response.body);
   EXPECT_EQ(body.size, body.source->size());

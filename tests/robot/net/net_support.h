@@ -64,8 +64,9 @@ class TestBackend final : public robot::net::Backend {
     deleted += session;
     return {.status = 204};
   }
-  robot::net::HttpResponse recent(const std::optional<std::string>& topic) override {
-    return robot::net::text_response(200, "application/octet-stream", topic.value_or("all"));
+  robot::net::HttpResponse recent(const std::vector<std::string>& topics) override {
+    return robot::net::text_response(200, "application/octet-stream",
+                                     topics.empty() ? "all" : topics.front() + "+" + std::to_string(topics.size() - 1));
   }
   robot::net::HttpResponse played(const robot::net::PlayedRequest& request) override {
     if (request.topic != "/14/2/ball") return Backend::played(request);

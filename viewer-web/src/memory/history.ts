@@ -103,8 +103,8 @@ export class History {
   }
 
   /**
-   * Puts `entries`, in order of capture time, in place of all messages from the first of them to the last. Nothing is
-   * forgotten otherwise, but all messages get new numbers, so another generation begins.
+   * Puts `entries`, in order of capture time, in place of all messages from the first of them to the last. All messages
+   * get new numbers: another generation begins.
    */
   recall(entries: readonly Entry[]): void {
     const [first_ns, last_ns] = [entries[0]?.log_ns, entries.at(-1)?.log_ns];
@@ -116,7 +116,7 @@ export class History {
     for (const entry of kept) if (entry.log_ns < first_ns) this.add(entry);
     for (const entry of entries) this.add(entry);
     for (const entry of kept) if (entry.log_ns > last_ns) this.add(entry);
-    // what was dropped to save memory is here again
+    // the server still had what the page dropped to save memory
     if (given_up_ns !== undefined && given_up_ns < first_ns) this.given_up_ns = given_up_ns;
   }
 

@@ -19,27 +19,33 @@ const kMagic = [0x89, 0x4d, 0x43, 0x41, 0x50, 0x30, 0x0d, 0x0a];
 const kOp = { schema: 3, channel: 4, message: 5, chunk: 6, dataEnd: 15 };
 const kMostBytes = 64e6; // [bytes] of a chunk; ours have 256 kB
 
+const kNothing: Recorded = { topic: "", encoding: "", schemaName: "", schema: "", messages: [], damage: "" };
+
 /**
  * Returns the first channel of a file and its messages in file order. Never throws: `damage` describes an unreadable
  * part.
  */
 export function recordedIn(file: Uint8Array): Recorded {
-  const found: Recorded = { topic: "", encoding: "", schemaName: "", schema: "", messages: [], damage: "" };
-  if (!kMagic.every((byte, i) => file[i] === byte)) return { ...found, damage: "it is no MCAP file" };
-  const reader = new Reader(found);
+  const { channels, damage } = channelsIn(file);
+  return { ...(channels[0] ?? kNothing), damage };
+}
+
+/** Returns all channels of a file, likewise. */
+export function channelsIn(file: Uint8Array): { channels: Recorded[]; damage: string } {
+  if (!kMagic.every((byte, i) => file[i] === byte)) return { channels: [], damage: "it is no MCAP file" };
+  const reader = new Reader();
+  let damage = "";
   try {
     reader.records(file.subarray(kMagic.length));
   } catch (error) {
-    found.damage = (error as Error).message;
+    damage = (error as Error).message;
   }
-  return found;
+  return { channels: [...reader.channels.values()], damage };
 }
 
 class Reader {
+  readonly channels = new Map<number, Recorded>();
   #schemas = new Map<number, { name: string; data: Uint8Array }>();
-  #channel: number | undefined;
-
-  constructor(readonly found: Recorded) {}
 
   /** Reads records until the data end. */
   records(bytes: Uint8Array): void {
@@ -61,21 +67,24 @@ class Reader {
       const name = fields.text();
       fields.text(); // the schema's encoding is not used; the channel has it too
       this.#schemas.set(id, { name, data: fields.bytes() });
-    } else if (op === kOp.channel && this.#channel === undefined) {
-      this.#channel = fields.u16();
+    } else if (op === kOp.channel) {
+      const id = fields.u16();
       const schema = this.#schemas.get(fields.u16());
-      Object.assign(this.found, {
+      const known = this.channels.get(id); // a chunk may repeat it
+      this.channels.set(id, {
+        ...kNothing,
         topic: fields.text(),
         encoding: fields.text(),
         schemaName: schema?.name ?? "",
         schema: base64Encode(schema?.data ?? new Uint8Array()),
+        messages: known?.messages ?? [],
       });
     } else if (op === kOp.message) {
-      if (fields.u16() !== this.#channel) return;
+      const channel = this.channels.get(fields.u16());
       fields.skip(4);
       const log_ns = fields.u64();
       fields.skip(8);
-      this.found.messages.push({ log_ns, data: fields.rest() });
+      channel?.messages.push({ log_ns, data: fields.rest() });
     } else if (op === kOp.chunk) this.#chunk(fields);
   }
 

@@ -1,58 +1,64 @@
 import { expect, test } from "vitest";
-import { Recalls } from "./recent";
+import { Recalls, type Remembered } from "./recent";
 
-const message = (log_ns: bigint) => ({ log_ns, data: new Uint8Array([1]) });
 const settled = () => new Promise((resolve) => setTimeout(resolve));
+const remembered = (topic: string): Remembered => ({ topic, messages: [{ log_ns: 1n, data: new Uint8Array([1]) }] });
 
-function recalls(answer: (topic: string) => Promise<{ log_ns: bigint; data: Uint8Array }[] | undefined>) {
+function recalls(answer: (topics: string[]) => Promise<Remembered[] | undefined>) {
   const asked: string[] = [];
   const arrived: string[] = [];
   const failed: string[] = [];
   const all = new Recalls(
-    (topic) => (asked.push(topic), answer(topic)),
-    (topic, messages) => arrived.push(`${topic} ${messages.length}`),
+    (topics) => (asked.push(topics.join()), answer(topics)),
+    ({ topic }) => arrived.push(topic),
     (sentence) => failed.push(sentence),
   );
   return { all, asked, arrived, failed };
 }
 
-test("objects are recalled one after the other, also those that are wanted meanwhile", async () => {
+test("a few objects are recalled at a time, also those that are wanted meanwhile", async () => {
   let atOnce = 0;
-  const { all, arrived, failed } = recalls(async () => {
+  const { all, asked, arrived, failed } = recalls(async (topics) => {
     expect(++atOnce).toBe(1);
     await settled();
     --atOnce;
-    return [message(1n), message(2n)];
+    return topics.map(remembered);
   });
-  all.want("/a");
-  all.want("/b");
-  all.want("/b");
-  expect(all.busy).toBe(true);
+  const topics = Array.from({ length: 10 }, (_, i) => `/${i}`);
+  for (const topic of [...topics, "/0", "/9"]) all.want(topic);
   await settled();
-  all.want("/c");
+  expect([asked, all.busy]).toEqual([[], true]); // not before it begins
+  all.begin();
+  await settled();
+  all.want("/late");
   for (let i = 0; i < 10; ++i) await settled();
-  expect(arrived).toEqual(["/a 2", "/b 2", "/c 2"]);
+  expect(arrived).toEqual([...topics, "/late"]);
+  expect(asked[0]).toBe("/0,/1,/2,/3,/4,/5,/6,/7");
   expect(all.busy).toBe(false);
-  all.want("/a");
+  all.want("/0");
   for (let i = 0; i < 4; ++i) await settled();
-  expect(arrived.at(-1)).toBe("/a 2");
+  expect(arrived.at(-1)).toBe("/0");
   expect(failed).toEqual([]);
 });
 
 test("after a refusal the waiting objects are not asked for", async () => {
   const { all, asked, arrived, failed } = recalls(() => Promise.resolve(undefined));
-  for (const topic of ["/a", "/b", "/c"]) all.want(topic);
+  for (let i = 0; i < 20; ++i) all.want(`/${i}`);
+  all.begin();
   for (let i = 0; i < 4; ++i) await settled();
-  expect([asked, arrived, failed]).toEqual([["/a"], [], []]);
+  expect([asked.length, arrived, failed, all.busy]).toEqual([1, [], [], false]);
 });
 
 test("a failure is told once, and what comes after stop() is not told", async () => {
   const { all, asked, failed } = recalls(() => Promise.reject(new Error("no way")));
-  for (const topic of ["/a", "/b"]) all.want(topic);
+  for (let i = 0; i < 20; ++i) all.want(`/${i}`);
+  all.begin();
   for (let i = 0; i < 4; ++i) await settled();
-  expect([asked, failed]).toEqual([["/a"], ["no way"]]);
+  expect([asked.length, failed]).toEqual([1, ["no way"]]);
   all.want("/c");
   all.stop();
+  all.want("/d");
   for (let i = 0; i < 4; ++i) await settled();
   expect(failed).toEqual(["no way"]);
+  expect(all.busy).toBe(false);
 });

@@ -210,6 +210,8 @@ export class Server implements Listener {
     const time = now();
     this.memory.reached(time);
     if (this.info && !this.toldAll && time - this.#introduced_s > kIntroduction) this.toldAll = true;
+    // its parameters tell whether a game is in progress
+    if (this.toldAll && this.parameterValues.size > 0) this.#recalls?.begin();
     if (this.#sought !== undefined && time - this.#sought > kOutdated) {
       this.#sought = undefined;
       this.memory.dropOutdated();
@@ -358,8 +360,9 @@ export class Server implements Listener {
   #recallsFrom(path = ""): Recalls | undefined {
     if (!this.target.ownHost || !/^\/api\/\w+$/.test(path)) return undefined;
     return new Recalls(
-      (topic) => fetchRecent(path, topic),
-      (topic, messages) => this.memory.recall(topic, messages, now()),
+      // during a game other machines are refused
+      (topics) => (this.parameterValues.get("match_mode") === true ? undefined : fetchRecent(path, topics)),
+      ({ topic, messages }) => this.memory.recall(topic, messages, now()),
       (sentence) => this.status("info", sentence, "recent"),
     );
   }

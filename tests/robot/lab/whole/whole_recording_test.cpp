@@ -116,7 +116,9 @@ TEST_P(WholeRecordingTest, SummarisesTheWholeOfSeveralFields) {
     EXPECT_LE(x[i].least, x[i].mean());
     EXPECT_LE(x[i].mean(), x[i].most);
     EXPECT_EQ(x[i].least, -found[1].grid->intervals()[i].most);
-    if (i > 0) EXPECT_EQ(x[i].least, x[i - 1].most + 1);
+    if (i > 0) {
+      EXPECT_EQ(x[i].least, x[i - 1].most + 1);
+    }
     count += x[i].count;
     sum += x[i].sum;
   }
@@ -264,7 +266,9 @@ TEST(WholeRecordingDamaged, EveryTruncationIsRead) {
     ++opened;
     WholeRecording whole(**replay);
     const auto field = whole.field("/14/2/ball.x");
-    if (field) EXPECT_TRUE(whole.summaries({*field}, 0, UINT64_MAX, 100, never));
+    if (field) {
+      EXPECT_TRUE(whole.summaries({*field}, 0, UINT64_MAX, 100, never));
+    }
     EXPECT_TRUE(whole.events(never));
   }
   EXPECT_GT(opened, 10);

@@ -20,8 +20,8 @@ memory::ChannelInfo channel(const std::string& topic) {
 }
 
 /// Reads the file as any program would, and requires it to be whole.
-Messages messages_of(RecentFile& recent, const std::optional<std::string>& topic = {}) {
-  const auto file = recent.file(topic);
+Messages messages_of(RecentFile& recent, std::vector<std::string> topics = {}) {
+  const auto file = recent.file(topics);
   EXPECT_TRUE(file) << (file ? "" : file.error());
   if (!file) return {};
   const auto index = read_index(**file);
@@ -76,14 +76,15 @@ TEST(RecentFile, HoldsEveryMessageOfEachChannelAsItWasWritten) {
   }
 }
 
-TEST(RecentFile, GivesTheMessagesOfOneTopicAlone) {
+TEST(RecentFile, GivesTheMessagesOfSomeTopicsAlone) {
   RecentFile recent;
   const std::size_t ball = recent.add(channel("/ball")), pose = recent.add(channel("/pose"));
   write(recent, ball, {1, 2, 3});
   write(recent, pose, {1, 2});
-  EXPECT_EQ(times_of(messages_of(recent, "/pose")["/pose"]), (std::vector<std::uint64_t>{1, 2}));
-  EXPECT_EQ(messages_of(recent, "/pose").size(), 1u);
-  EXPECT_TRUE(messages_of(recent, "/none").empty());
+  EXPECT_EQ(times_of(messages_of(recent, {"/pose"})["/pose"]), (std::vector<std::uint64_t>{1, 2}));
+  EXPECT_EQ(messages_of(recent, {"/pose"}).size(), 1u);
+  EXPECT_EQ(messages_of(recent, {"/pose", "/none", "/ball"}).size(), 2u);
+  EXPECT_TRUE(messages_of(recent, {"/none"}).empty());
 }
 
 TEST(RecentFile, IsAWholeFileWithoutChannelsAndWithoutMessages) {

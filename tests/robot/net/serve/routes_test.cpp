@@ -154,7 +154,8 @@ TEST_F(RoutesTest, PartsOfAPlayedRecordingAreServedByTopicAndTime) {
 
 TEST_F(RoutesTest, TheLastMinutesAreServedToThoseWhoMayWatch) {
   EXPECT_EQ(text(get("/api/recent")), "all");
-  EXPECT_EQ(text(get("/api/recent?topic=%2F14%2F2%2Fball")), "/14/2/ball");
+  EXPECT_EQ(text(get("/api/recent?topics=%2F14%2F2%2Fball")), "/14/2/ball+0");
+  EXPECT_EQ(text(get("/api/recent?topics=/14/2/ball%0A/14/2/pose%0A/a,b")), "/14/2/ball+2");
   EXPECT_EQ(get("/api/recent", {}, "10.0.0.9").status, 401) << "needs the read token";
   EXPECT_EQ(get("/api/recent?token=r", {}, "10.0.0.9").status, 200);
   backend.game = true;
