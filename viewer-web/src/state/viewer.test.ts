@@ -1,0 +1,183 @@
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { kPerceptChannel, percept } from "../memory/test_schema";
+import { kPresets } from "./panes";
+import { Viewer } from "./viewer.svelte";
+
+/** The parts of a browser that hold the page's address. A hash that is set is told later, as in a browser. */
+class FakePage {
+  href: string;
+  told: (() => void)[] = [];
+  entries = 0; // in the browser's history
+  wide = false;
+
+  constructor(address: string) {
+    this.href = address;
+    const change = (hash: string) => {
+      this.href = this.href.split("#")[0]! + hash;
+    };
+    const location = Object.defineProperty({ assign: vi.fn(), reload: vi.fn() }, "hash", {
+      get: () => (this.href.includes("#") ? `#${this.href.split("#")[1]}` : ""),
+      set: (hash: string) => {
+        ++this.entries;
+        change(hash);
+      },
+    });
+    Object.defineProperty(location, "href", { get: () => this.href });
+    const storage = new Map<string, string>();
+    const sessionStorage = {
+      getItem: (key: string) => storage.get(key) ?? null,
+      setItem: (key: string, value: string) => void storage.set(key, value),
+    };
+    vi.stubGlobal("location", location);
+    vi.stubGlobal("history", { replaceState: (_: unknown, __: string, hash: string) => change(hash) });
+    vi.stubGlobal("matchMedia", (query: string) => ({
+      matches: query.includes("min-width: 1400px") && this.wide,
+      addEventListener: () => {},
+    }));
+    vi.stubGlobal("window", {
+      sessionStorage,
+      addEventListener: (name: string, listener: () => void) => name === "hashchange" && this.told.push(listener),
+    });
+    vi.stubGlobal(
+      "WebSocket",
+      class {
+        close() {}
+        send() {}
+      },
+    );
+  }
+  /** A person follows a link or goes back. */
+  follow(hash: string) {
+    this.href = this.href.split("#")[0]! + hash;
+    for (const listener of this.told) listener();
+  }
+}
+
+let page: FakePage;
+let viewer: Viewer;
+
+function open(hash = "", wide = false) {
+  page = new FakePage(`http://robot:8765/${hash}`);
+  page.wide = wide;
+  viewer = new Viewer({
+    url: "ws://robot:8765/live",
+    host: "robot:8765",
+    ownHost: true,
+    token: "",
+    cleanAddress: page.href,
+  });
+}
+
+/** The page's server announces these objects, all that it has. */
+function announce(...topics: string[]) {
+  const server = viewer.servers[0]!;
+  server.introduced({ name: "robot", capabilities: [], metadata: {} }, true, false);
+  server.advertised(topics.map((topic, i) => ({ ...kPerceptChannel, id: i + 1, topic, metadata: {} })));
+  server.services(["clock"]);
+  for (const topic of topics) server.message(topic, 10n ** 9n, percept());
+}
+
+beforeEach(() => open());
+afterEach(() => {
+  for (const server of viewer.servers) server.stop();
+  vi.unstubAllGlobals();
+});
+
+test("the robot is that of the address while it is there, else the first one, and the address keeps its wish", () => {
+  open("#/14/3/field");
+  expect([viewer.robot, viewer.source]).toEqual(["", undefined]);
+  announce("/14/2/ball");
+  expect(viewer.robot).toBe("14/2");
+  expect(viewer.arrangement.robot).toBe("14/3");
+  announce("/14/2/ball", "/14/3/ball");
+  expect(viewer.robot).toBe("14/3");
+  viewer.chooseNeighbour(1);
+  expect([viewer.robot, page.href]).toEqual(["14/2", "http://robot:8765/#/14/2/field"]);
+  viewer.chooseNeighbour(-1);
+  expect(viewer.robot).toBe("14/3");
+});
+
+test("a page without a view opens one that has data, and its address names it only when something is chosen", () => {
+  announce("/14/2/percept");
+  viewer.frame();
+  expect([viewer.view, viewer.settled, page.href]).toEqual(["objects", true, "http://robot:8765/"]);
+  viewer.set("team", "yes");
+  expect(page.href).toBe("http://robot:8765/#/objects?team=yes");
+  expect(viewer.get("team")).toBe("yes");
+  expect(page.entries).toBe(0); // a setting is no step that one goes back
+});
+
+test("a wide page without a view begins with several panes", () => {
+  open("", true);
+  announce("/truth/world", "/14/2/pose", "/14/2/decision");
+  viewer.frame();
+  expect(viewer.panes.full).toBeUndefined();
+  expect(viewer.view).toBe("field");
+  expect(viewer.linkTo({ view: "log" })).toContain("panes=");
+});
+
+test("panes are split, closed and maximised, each step but the last one in the browser's history", () => {
+  open("#/14/2/field");
+  announce("/14/2/ball", "/truth/world");
+  viewer.split("row");
+  expect([viewer.focused.number, page.entries]).toEqual([2, 1]);
+  viewer.go({ view: "log" });
+  expect([viewer.pane(1).view, viewer.pane(2).view]).toEqual(["field", "log"]);
+  viewer.maximise();
+  expect([viewer.panes.full, page.entries]).toEqual([2, 2]);
+  viewer.focusNeighbour(1);
+  expect([viewer.panes.full, viewer.focused.number]).toEqual([1, 1]);
+  viewer.maximise();
+  viewer.close(viewer.pane(2));
+  expect([viewer.view, page.href]).toEqual(["field", "http://robot:8765/#/14/2/field"]);
+});
+
+test("a page has six panes at most, and says so", () => {
+  open("#/14/2/field");
+  for (let i = 0; i < 8; ++i) viewer.split(i % 2 ? "col" : "row");
+  expect(viewer.alerts.map(({ text }) => text)).toEqual(["A page has 6 panes at most: close one first."]);
+});
+
+test("a preset keeps the settings of the page, and compares with another robot", () => {
+  open("#/14/2/field?at=5&field.trail=no");
+  announce("/14/2/ball", "/14/3/ball", "/truth/world");
+  viewer.arrangeAs(kPresets.find(({ name }) => name === "Compare")!);
+  expect(viewer.get("at")).toBe("5");
+  const robots = [1, 2, 3].map((number) => viewer.pane(number).robot);
+  expect(new Set(robots)).toEqual(new Set(["14/2", "14/3"]));
+});
+
+test("a pane with a robot of its own leaves the page's robot alone", () => {
+  open("#/14/2/field");
+  announce("/14/2/ball", "/14/3/ball", "/truth/world");
+  viewer.split("row");
+  viewer.focused.set("robot", "14/3");
+  expect([viewer.robot, viewer.pane(1).robot, viewer.pane(2).robot]).toEqual(["14/2", "14/2", "14/3"]);
+  viewer.go({ robot: "14/2" });
+  expect([viewer.pane(2).robot, viewer.pane(2).hasOwnRobot]).toEqual(["14/2", true]);
+  expect(viewer.robot).toBe("14/2");
+});
+
+test("other servers are in the address, each once, and go when they are taken out of it", () => {
+  expect(viewer.add("10.0.14.3")).toBe("");
+  expect(viewer.add("10.0.14.3:8765")).toBe("10.0.14.3:8765 is watched already.");
+  expect(viewer.add("robot:8765")).toBe("robot:8765 is watched already.");
+  expect(viewer.add("http://")).not.toBe("");
+  expect(viewer.servers.map(({ target }) => target.host)).toEqual(["robot:8765", "10.0.14.3:8765"]);
+  expect(viewer.several).toBe(true);
+  const [, other] = viewer.servers;
+  other!.introduced({ name: "robot", capabilities: [], metadata: {} }, true, false);
+  other!.advertised([{ ...kPerceptChannel, topic: "/14/3/ball", metadata: {} }]);
+  expect(viewer.sources.map(({ key }) => key)).toEqual(["14/3@10.0.14.3:8765"]);
+  page.follow("#/14/2/field");
+  expect(viewer.servers).toHaveLength(1);
+});
+
+test("a sentence that a person dismissed stays away for a while", () => {
+  viewer.say("warning", "the disk is full", "disk");
+  viewer.say("warning", "the disk is still full", "disk");
+  expect(viewer.alerts.map(({ text }) => text)).toEqual(["the disk is still full"]);
+  viewer.mute("disk");
+  viewer.say("warning", "the disk is full", "disk");
+  expect(viewer.alerts).toEqual([]);
+});
