@@ -38,9 +38,9 @@ struct Live : ::testing::Test {
     return parameter;
   }
 
-  void announce(const std::string& name, const std::vector<LiveParameter>& parameters) {
+  void announce(const std::string& name, const std::vector<LiveParameter>& announced) {
     LiveParameters message;
-    for (const LiveParameter& parameter : parameters) *message.add_parameter() = parameter;
+    for (const LiveParameter& parameter : announced) *message.add_parameter() = parameter;
     EXPECT_TRUE(process(name)->write_bytes(message.SerializeAsString(), 1));
   }
 
