@@ -12,7 +12,7 @@ namespace robot::logging {
 namespace {
 
 constexpr std::uint64_t kPeriodNs = kSecond;
-constexpr std::size_t kQueueBytes = 256 * 1024;  // some seconds of an object at 100 Hz
+constexpr std::size_t kQueueBytes = 4 << 20;  // a second of a game that is simulated at 100 times the speed of time
 
 }  // namespace
 
