@@ -8,6 +8,8 @@ import { play, request, run, synthesize, temporaryFolder, until } from "./suppor
 
 const kSeconds = 1200;
 
+const kPatienceForSummaries_ms = 180_000; // a debug build reads the whole recording on a busy machine
+
 /** A game of ten robots for 20 minutes, recorded: its server, paused at the beginning, and its goals. */
 async function longGame(t) {
   const folder = temporaryFolder(t);
@@ -147,6 +149,7 @@ test("a plot and the decisions show the whole recording at once; what is not loa
   await until(
     async () => (await drawnIn(canvas, 12, kFirstLine)).slice(1, 11).filter((count) => count > 0).length >= 8,
     "a line from the beginning to the end",
+    kPatienceForSummaries_ms,
   );
   await page.getByText("summarising the recording…").waitFor({ state: "detached" });
   const whole = await drawnIn(canvas, 10);
