@@ -19,7 +19,6 @@ namespace robot::app {
 namespace {
 
 constexpr std::uint64_t kAskNs = 2 * kSecond;
-constexpr std::size_t kRecentBytes = 60'000'000;  // of the last minutes of ten robots
 
 using Link = foresight::RuntimeStatistics::Link;
 
@@ -119,7 +118,7 @@ Result<void> relay(const RelayOptions& options) {
                    .server = options.server,
                    .log_folder = absolute_path(options.log_folder),
                    .log_bytes = options.log_mb * 1'000'000,
-                   .recent = logging::RecentPastLimits{.file = {.bytes = kRecentBytes}},
+                   .recent = logging::RecentPastLimits{.file = {.bytes = logging::kRecentBytesOfTeams}},
                    .foxglove_file = foxglove_file,
                    .add_statistics =
                        [&](foresight::RuntimeStatistics& statistics) {

@@ -9,8 +9,6 @@
 namespace robot::app {
 namespace {
 
-constexpr std::size_t kRecentBytesOfTeams = 60'000'000;  // of the last minutes of all robots of a game
-
 void add_body_options(CLI::App& app, RobotOptions& options) {
   app.add_option("--body", options.body, "source of sensor data: attached, nao, replay or sim")
       ->check(CLI::IsMember({"attached", "nao", "replay", "sim"}))
@@ -157,7 +155,7 @@ RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
                          .log_bytes = options.log_mb * 1'000'000};
   // a replay is looked at in its recording
   if (options.body != "replay") runtime.recent = logging::RecentPastLimits{};
-  if (options.body == "sim") runtime.recent->file.bytes = kRecentBytesOfTeams;
+  if (options.body == "sim") runtime.recent->file.bytes = logging::kRecentBytesOfTeams;
   const bool may_hear = options.body == "attached" || options.body == "nao";
   if (!options.game_controller && !may_hear) return runtime;
   const auto team = static_cast<std::uint32_t>(robot.team), player = static_cast<std::uint32_t>(robot.player);

@@ -16,6 +16,9 @@
 
 namespace robot::logging {
 
+/// Room for the chunks of ten robots.
+inline constexpr std::size_t kRecentBytesOfTeams = 60'000'000;
+
 /// The bounds of the past.
 struct RecentPastLimits {
   RecentLimits file;

@@ -1,8 +1,10 @@
 #include "robot/net/serve/routes.h"
+#include "robot/core/text.h"
 
 #include <algorithm>
 #include <charconv>
 
+#include "robot/core/text.h"
 #include "robot/net/http/asset_files.h"
 #include "robot/net/serve/session_page.h"
 
@@ -68,11 +70,8 @@ std::optional<std::string> between(std::string_view before, std::string_view pat
 /// Returns the lines of `text` that are not empty.
 std::vector<std::string> lines_of(std::string_view text) {
   std::vector<std::string> lines;
-  while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find('\n'));
+  for (const std::string_view line : split(text, "\n"))
     if (!line.empty()) lines.emplace_back(line);
-    text.remove_prefix(std::min(text.size(), line.size() + 1));
-  }
   return lines;
 }
 

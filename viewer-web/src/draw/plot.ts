@@ -44,7 +44,7 @@ export interface Column {
   last: number;
   /** The line is broken before this column, because no value came for long. */
   broken: boolean;
-  /** Of a summary: its values lie around this one. */
+  /** The mean of the values; only a summary has it. */
   mean?: number;
 }
 

@@ -1,5 +1,6 @@
 // The recent log sentences of the robots. Unlike with other objects, the older messages matter too.
 
+import { byTime } from "../source/by_time";
 import type { Entry } from "./history";
 import type { MemoryObject, RobotName } from "./memory_object";
 import { numberOf, textOf, wordOf } from "./value";
@@ -45,7 +46,7 @@ export class LogHistory {
     this.#entries = this.#entries
       .filter(({ robot, log_ns }) => robot !== object.robot || log_ns < first_ns || log_ns > last_ns)
       .concat(entries.map((entry) => this.#read(object, entry)))
-      .sort((a, b) => (a.log_ns < b.log_ns ? -1 : a.log_ns > b.log_ns ? 1 : 0))
+      .sort(byTime)
       .slice(-kMost);
   }
 

@@ -1,5 +1,6 @@
 // A short summary of a recording: its events and the agent's skills, from its small objects.
 
+import { byTime } from "../source/by_time";
 import { recordedIn, type Recorded } from "../source/mcap";
 import { decoderOf } from "./decoder";
 import { changesTold, type EventKind } from "./game_events";
@@ -26,7 +27,7 @@ export function summaryOf(files: { name: string; file: Uint8Array }[]): Summary 
     if (name === "decision") readSkills(recorded, summary);
     else readEvents(name, recorded, summary);
   }
-  summary.events.sort((a, b) => (a.log_ns < b.log_ns ? -1 : a.log_ns > b.log_ns ? 1 : 0));
+  summary.events.sort(byTime);
   summary.events.splice(kMostEvents);
   return summary;
 }

@@ -1,6 +1,7 @@
 // Finds when a condition held in the whole recording that a server plays. Its objects are fetched and searched part by
 // part, also parts that this page has not shown.
 
+import { byTime } from "../source/by_time";
 import type { Condition } from "./condition";
 import type { Decoded } from "./decoder";
 import type { Match } from "./finder";
@@ -90,7 +91,7 @@ export class WholeFinder {
           (await this.fetch(topic, from_ns, to_ns)).map((message) => ({ ...message, topic })),
         ),
       );
-      this.#messages = parts.flat().sort((a, b) => (a.log_ns < b.log_ns ? -1 : a.log_ns > b.log_ns ? 1 : 0));
+      this.#messages = parts.flat().sort(byTime);
       this.#read = 0;
     } catch (error) {
       this.problem = (error as Error).message;

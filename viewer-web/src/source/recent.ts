@@ -1,5 +1,6 @@
 // The last minutes of a live server, which remembers its small objects for pages that come late.
 
+import { byTime } from "./by_time";
 import { channelsIn, type Recorded } from "./mcap";
 
 const kMostSeconds = 20; // [s] for one answer
@@ -24,8 +25,7 @@ export async function fetchRecent(path: string, topics: string[]): Promise<Remem
   }
   const { channels, damage } = channelsIn(bytes);
   if (damage) throw new Error(`The last minutes of ${topics[0]} cannot be read: ${damage}.`);
-  for (const { messages } of channels)
-    messages.sort((a, b) => (a.log_ns < b.log_ns ? -1 : a.log_ns > b.log_ns ? 1 : 0));
+  for (const { messages } of channels) messages.sort(byTime);
   return channels;
 }
 
