@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 
-#include "robot/core/text.h"
 #include "robot/net/http/asset_files.h"
 #include "robot/net/serve/session_page.h"
 
