@@ -1,9 +1,9 @@
 #include "robot/net/serve/routes.h"
-#include "robot/core/text.h"
 
 #include <algorithm>
 #include <charconv>
 
+#include "robot/core/text.h"
 #include "robot/net/http/asset_files.h"
 #include "robot/net/serve/session_page.h"
 
