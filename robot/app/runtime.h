@@ -12,7 +12,7 @@
 //   net <helper>      Server    starts and stops loggers; control                              on request
 //   net questions     Server    asks foresight for clients and waits for the answer            on request
 //   log <object>      board     carries one memory object to a file                            each version
-//   log recent        RecentPast  keeps the last minutes of all small objects                  once a second
+//   log recent        RecentPast  keeps the last minutes of all small objects                  five times a second
 //   log watched       board     three threads carry the watched memory objects to the server   each version
 //   log bell          board     wakes these threads when versions wait                         250 Hz
 //   parser            board     carries one stream of a recording into memory (replay)         each message

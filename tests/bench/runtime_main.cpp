@@ -25,7 +25,7 @@ using robot::Result;
 
 struct Options {
   Load::Options load;
-  bool no_objects = false, no_costs = false;
+  bool no_objects = false, no_costs = false, no_recent = false;
   double seconds = 10, warm_up = 0, cool_down = 0;
   robot::app::ServerSettings server;
   std::filesystem::path log_folder = "logs";
@@ -204,7 +204,10 @@ Result<json> run(const Options& options) {
                                .server = options.server,
                                .log_folder = options.log_folder,
                                .log_bytes = options.log_mb * 1'000'000,
-                               .records = false},
+                               .records = false,
+                               .recent = options.no_recent
+                                             ? std::nullopt
+                                             : std::optional<robot::logging::RecentPastLimits>{std::in_place}},
                               clock, {.runtime = memory->runtime, .clock = memory->clock, .log = memory->log});
   if (auto listed = list(memory, runtime.channels()); !listed) return Error{listed.error()};
   if (auto started = runtime.start(); !started) return Error{started.error()};
@@ -275,6 +278,7 @@ int main(int argc, char** argv) {
   app.add_option("--cameras", options.load.cameras, "0, 1 or 2, raw 640x480 YUYV at 30 Hz");
   app.add_flag("--no-objects", options.no_objects, "nothing but images");
   app.add_flag("--no-costs", options.no_costs, "do not measure what each write costs");
+  app.add_flag("--no-recent", options.no_recent, "do not keep the last minutes, as a robot does");
   app.add_option("--truth-hz", options.load.truth_hz, "ground truth");
   app.add_option("--work", options.load.work, "[cores] that cognition computes, such as 0.7");
   app.add_option("--speed", options.load.speed, "everything, time itself too, so many times as fast");

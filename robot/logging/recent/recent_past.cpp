@@ -11,7 +11,8 @@
 namespace robot::logging {
 namespace {
 
-constexpr std::uint64_t kPeriodNs = kSecond;
+// The versions that wait must still be in the caches: a period of 1 s cost the process 10 % instead of 4 %.
+constexpr std::uint64_t kPeriodNs = kSecond / 5;
 constexpr std::size_t kQueueBytes = 4 << 20;  // a second of a game that is simulated at 100 times the speed of time
 
 }  // namespace

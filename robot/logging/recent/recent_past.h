@@ -25,7 +25,7 @@ struct RecentPastLimits {
   std::size_t message_bytes = 16 * 1024;  // larger messages are left out
 };
 
-/// A thread that carries the versions of all channels into a RecentFile, once a second. Channels of camera images are left
+/// A thread that carries the versions of all channels into a RecentFile, five times a second. Channels of camera images are left
 /// out. If the system refuses the thread, there is no past, and a report says so. Any thread.
 class RecentPast {
  public:
