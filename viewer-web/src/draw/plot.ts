@@ -197,13 +197,14 @@ export interface Plot {
 
 export const axesOf = (lines: Line[]): string[] => [...new Set(lines.map(({ axis }) => axis))];
 
+/** Draws the lines. Returns the range of each axis. */
 export function drawPlot(
   pen: Pen,
   width: number,
   height: number,
   { lines, span, at, hover, count, unloaded = [] }: Plot,
   colours: Colours,
-): void {
+): Map<string, Range> {
   const axes = axesOf(lines);
   const area = areaOf(width, height, axes.length);
   const x = (time: number) => area.left + xOf(span, area.width, time);
@@ -241,6 +242,7 @@ export function drawPlot(
   pen.setLineDash([]);
   if (hover !== undefined) drawCursor(pen, area, x(hover), colours.soft, 1);
   drawCursor(pen, area, x(at), colours.accent, 2);
+  return ranges;
 }
 
 type Area = ReturnType<typeof areaOf>;
