@@ -60,7 +60,7 @@ export interface LineStyle {
  * colour, so words in it are readable too.
  */
 export const kLineStyles: LineStyle[] = [
-  { dark: "#56b4e9", light: "#0a6fc2", dash: [] },
+  { dark: "#56b4e9", light: "#007aad", dash: [] },
   { dark: "#e69f00", light: "#a86200", dash: [] },
   { dark: "#009e73", light: "#007a4d", dash: [] },
   { dark: "#cc79a7", light: "#8b2f6e", dash: [] },
