@@ -1,5 +1,5 @@
-// Judges a page as it is drawn: the contrast of its texts, its names for people who cannot see it, the size of its
-// targets, and texts that are cut off.
+// Judges a page as it is drawn: contrast of texts, names for people who cannot see it, size of targets, and texts that
+// are cut off.
 
 /**
  * Returns a sentence for each fault of the page. It runs in the page, so it refers to nothing outside. `finger`: targets

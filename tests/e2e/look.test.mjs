@@ -1,5 +1,5 @@
-// Every view in both themes, on a desktop, an upright tablet and a phone: readable texts, names for people who cannot see
-// it, targets for fingers, a visible focus, nothing cut off.
+// Every view in both themes, on a desktop, an upright tablet and a phone. Texts are readable and whole, controls have names
+// and a visible focus, and fingers find large targets.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { faultsOf, unmarkedFocus } from "./audit.mjs";
@@ -80,7 +80,10 @@ test("on a phone, header, team and time take at most a quarter of the height, an
   const team = page.getByRole("group", { name: "Team" });
   await team.getByRole("button").nth(5).waitFor();
   const titles = await team.getByRole("button").evaluateAll((all) => all.map(({ title }) => title.split("/")[0]));
-  assert.deepEqual(titles, [...titles].sort((one, other) => Number(other === "14") - Number(one === "14")));
+  assert.deepEqual(
+    titles,
+    [...titles].sort((one, other) => Number(other === "14") - Number(one === "14")),
+  );
   assert.equal(titles[0], "14");
   const heights = await page
     .locator("#app > :is(header, .team, footer)")
