@@ -167,6 +167,8 @@ std::string reason(const Forecast& forecast, const Question& question, const std
     return text("keeps %s: %s would gain %.2f ± %.2f %s, too little for a change, which costs %.2f (%d futures)",
                 kept.c_str(), name.c_str(), best.gain, reach, unit, static_cast<double>(question.switching_cost),
                 best.rollouts);
+  if (std::abs(best.gain) < kAlike && reach < kAlike)
+    return text("keeps %s: no difference from %s was seen in %d futures", kept.c_str(), name.c_str(), best.rollouts);
   if (std::abs(best.gain) < kAlike)
     return text("keeps %s: %s comes to the same, within %.2f %s (%d futures)", kept.c_str(), name.c_str(), reach, unit,
                 best.rollouts);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kStyle = R"(
 :root { color-scheme: light dark; --page: #f6f7f9; --card: #fff; --ink: #14181f; --soft: #5b6472; --line: #dfe3e9;
-  --b: #1769d2; --a: #c2570c; --even: #9aa3b0; --good: #137a4b; --bad: #b3261e; --open: #8a6100; --code: #eef1f5; }
+  --b: #1769d2; --a: #b8500a; --even: #9aa3b0; --good: #137a4b; --bad: #b3261e; --open: #8a6100; --code: #eef1f5; }
 @media (prefers-color-scheme: dark) {
   :root { --page: #10141a; --card: #181d25; --ink: #e8ecf2; --soft: #9aa5b5; --line: #2b323d;
     --b: #6aa8ff; --a: #f0974f; --even: #5f6978; --good: #4fc38a; --bad: #ff8a80; --open: #e3b341; --code: #222934; } }
@@ -27,7 +27,7 @@ p, td, li { font-variant-numeric: tabular-nums; } .soft, h2 + p { color: var(--s
 .chip { display: inline-block; padding: 2px 12px; border-radius: 99px; font-weight: 600; font-size: 13.5px;
   color: var(--card); background: var(--open); }
 .chip.better { background: var(--good); } .chip.not-better { background: var(--bad); }
-.chip.identical { background: var(--even); }
+.chip.identical { background: var(--soft); }
 .facts { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: 12px; margin: 22px 0 16px; }
 .card { background: var(--card); border: 1px solid var(--line); border-radius: 10px; padding: 14px 16px; min-width: 0; }
 .facts b { display: block; font-size: 23px; line-height: 1.25; font-weight: 650; white-space: nowrap; }
@@ -188,7 +188,7 @@ std::string goals_table(const Json& report) {
   row("goals for, per game", figure("a.goals", "%.3f", a.at("goals")), figure("b.goals", "%.3f", b.at("goals")));
   row("goals against, per game", figure("a.conceded", "%.3f", a.at("conceded")),
       figure("b.conceded", "%.3f", b.at("conceded")));
-  row("a decision costs, us", figure("decision_us.0", "%.2f", report.at("decision_us").at(0)),
+  row("a decision costs [µs]", figure("decision_us.0", "%.2f", report.at("decision_us").at(0)),
       figure("decision_us.1", "%.2f", report.at("decision_us").at(1)));
   return all + "</table></div>\n";
 }

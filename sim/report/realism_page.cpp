@@ -93,8 +93,8 @@ std::string page_of(const Realism& realism, const std::string& about) {
              "Bar: the interval of real games (%s); line: their mean; dot: the %s mean of %zu windows ± one standard "
              "error.",
              escaped(realism.name).c_str(), escaped(realism.measured).c_str(), realism.windows) +
-         "</p>\n<div class=\"card\"><table>\n<tr><th>figure</th><th>from 0</th><th>real</th><th>" +
-         escaped(realism.measured) + "</th><th>unit</th><th></th></tr>\n";
+         "</p>\n<div class=\"card\"><table>\n<tr><th>figure</th><th>drawn from 0</th><th>real</th><th>" +
+         escaped(realism.measured) + "</th><th>unit</th><th>verdict</th></tr>\n";
   for (const RealismRow& row : realism.rows) all += row_of(row);
   return all + "</table></div>\n</main></body></html>\n";
 }

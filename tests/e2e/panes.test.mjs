@@ -239,13 +239,13 @@ test("the team bar shows every robot on every view; a tap chooses one, and a sil
   const tiles = team.getByRole("button");
   await until(async () => (await tiles.count()) === 8, "a tile for each robot");
   await team.getByText("ready").first().waitFor();
-  const skill = async () => (await tiles.nth(5).textContent()).includes("get ready");
+  const skill = async () => (await tiles.nth(1).textContent()).includes("get ready");
   await until(skill, "the skill of 14/2");
-  assert.equal(await tiles.nth(5).getAttribute("aria-pressed"), "true");
-  await tiles.nth(0).click();
+  assert.equal(await tiles.nth(1).getAttribute("aria-pressed"), "true"); // the own team comes first
+  await tiles.nth(4).click();
   await page.waitForURL((url) => url.hash.startsWith("#/5/1/log"));
   await page.keyboard.press("5"); // on another view it stays
-  assert.equal(await tiles.nth(0).getAttribute("aria-pressed"), "true");
+  assert.equal(await tiles.nth(4).getAttribute("aria-pressed"), "true");
   server.kill("SIGSTOP");
   await team
     .getByText(/gone \d+ s/)

@@ -66,7 +66,7 @@ const drawnIn = (canvas, parts, colour) =>
     },
     { parts, colour },
   );
-const kFirstLine = [0x56, 0xb4, 0xe9]; // src/draw/plot.ts
+const kFirstLine = [0x00, 0x7a, 0xad]; // in the light theme: src/draw/plot.ts
 
 test("all events of a long recording are listed before it is played; n and p and a click reach each", async (t) => {
   const { server, goals } = await longGame(t);

@@ -33,6 +33,13 @@ TEST(Wording, AReturnToTheDefaultNamesTheForecastOfThePlayedStrategy) {
   EXPECT_EQ(reason_of(foretold(0, 1), "old", "baseline"), "back to baseline: old was not asked about");
 }
 
+TEST(Wording, NoDifferenceIsASentenceInsteadOfZeros) {
+  EXPECT_EQ(reason_of(foretold(0, 0), "kick_now", "baseline"),
+            "back to baseline: no difference from kick_now was seen in 100 futures");
+  EXPECT_EQ(reason_of(foretold(0.002f, 0.004f), "kick_now", "kick_now"),
+            "stays with kick_now: no difference from baseline was seen in 100 futures");
+}
+
 TEST(Wording, StayingWithTheDefaultGivesTheForecastsReason) {
   EXPECT_EQ(reason_of(foretold(0.25f, 0.5f), "baseline", "baseline"), foretold(0, 0).reason());
 }

@@ -107,6 +107,11 @@ TEST(Forecast, ATieIsReportedAsATie) {
   EXPECT_NEAR(told.standings[0].best, 0.5, 0.05);
 }
 
+TEST(Forecast, NoDifferenceIsASentenceInsteadOfZeros) {
+  const Forecast told = forecast(statistics_of(std::vector<std::vector<double>>(400, {1, 1})), {}, kKey);
+  EXPECT_EQ(reason(told, {}, kNames), "keeps baseline: no difference from passing was seen in 400 futures");
+}
+
 TEST(Forecast, AnEventAbsentFromAFewRolloutsIsNotImpossible) {
   // of 20 futures without an event, the 95 % interval of its rate reaches 0.12 at most (Jeffreys)
   const Question question{.measure = Measure::concede};

@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import { contrast, wordsOn } from "./contrast";
 import { kEditColour, kHeatColour } from "./foreseen";
 import { kOverlayColours } from "./overlay";
 import { kSkillColours } from "./phases";
@@ -28,14 +29,24 @@ test("the measure itself: black and white are far apart, and red and green are n
   expect(Math.min(protanopia!, deuteranopia!)).toBeLessThan(20);
 });
 
-test("with every kind of sight, lines of a plot with equal dashes differ", () => {
+const kThemes = ["dark", "light"] as const;
+const kPanels = { dark: "#1a2027", light: "#ffffff" }; // --panel of base.css
+
+test("with every kind of sight and in both themes, lines of a plot with equal dashes differ", () => {
   const dashes = [...new Set(kLineStyles.map(({ dash }) => dash.join()))];
-  for (const dash of dashes) {
-    const { apart, who } = nearest(
-      kLineStyles.filter((style) => style.dash.join() === dash).map(({ colour }) => colour),
-    );
-    expect(apart, who).toBeGreaterThan(15);
-  }
+  for (const theme of kThemes)
+    for (const dash of dashes) {
+      const { apart, who } = nearest(
+        kLineStyles.filter((style) => style.dash.join() === dash).map((style) => style[theme]),
+      );
+      expect(apart, who).toBeGreaterThan(15);
+    }
+});
+
+test("lines and the words of their axes are readable in both themes, and so are the words on skills", () => {
+  for (const theme of kThemes)
+    for (const style of kLineStyles) expect(contrast(style[theme], kPanels[theme])).toBeGreaterThan(4.5);
+  for (const colour of kSkillColours) expect(contrast(wordsOn(colour), colour)).toBeGreaterThan(4.5);
 });
 
 test("with every kind of sight, both teams differ from each other and from the carpet", () => {
@@ -44,15 +55,9 @@ test("with every kind of sight, both teams differ from each other and from the c
 });
 
 test("teams differ by brightness and shape too", () => {
-  const brightness = (colour: string) => {
-    const [red, green, blue] = [1, 3, 5]
-      .map((at) => parseInt(colour.slice(at, at + 2), 16) / 255)
-      .map((value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4));
-    return 0.2126 * red! + 0.7152 * green! + 0.0722 * blue! + 0.05; // WCAG 2.1
-  };
   const { home, away } = kLiveries;
-  expect(brightness(home.colour) / brightness(away.colour)).toBeGreaterThan(2);
-  expect(brightness(away.colour) / brightness("#23523a")).toBeGreaterThan(2);
+  expect(contrast(home.colour, away.colour)).toBeGreaterThan(2);
+  expect(contrast(away.colour, "#23523a")).toBeGreaterThan(2);
   expect(home.shape).not.toBe(away.shape);
 });
 

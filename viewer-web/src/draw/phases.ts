@@ -2,11 +2,12 @@
 
 import type { Phase } from "../memory/decisions";
 import type { WholeRun } from "../source/whole";
+import { wordsOn } from "./contrast";
 import type { Pen } from "./field";
 import { hatch } from "./hatch";
 import { ticksOf, xOf, type Colours, type Count, type Span } from "./timeline";
 
-/** Bright enough for dark words on them, and of different brightness; the words identify the rest. */
+/** Of different brightness; the words on them identify the rest. */
 export const kSkillColours = ["#56b4e9", "#e69f00", "#f0e442", "#7486fe", "#4eee73", "#f84360", "#39aea5", "#5658f2"];
 
 /** A skill always has the same colour, and neighbours in the list have different ones. */
@@ -69,11 +70,12 @@ export function drawPhases(
   pen.font = "11px system-ui, sans-serif";
   for (const { from, to, skill } of pieces) {
     const [left, right] = [xOf(span, width, from), xOf(span, width, Math.min(to, span.to))];
-    pen.fillStyle = colourOfSkill(skills, skill);
+    const colour = colourOfSkill(skills, skill);
+    pen.fillStyle = colour;
     pen.fillRect(left, bar.top, Math.max(1, right - left), bar.height);
     const word = skill.replaceAll("_", " ");
     if (right - left > 6.2 * word.length + 8) {
-      pen.fillStyle = "#10161c";
+      pen.fillStyle = wordsOn(colour);
       pen.textAlign = "left";
       pen.fillText(word, left + 4, bar.top + bar.height / 2);
     }

@@ -93,13 +93,17 @@ test("lines of one unit share an axis", () => {
   expect(axesOf(lines)).toEqual(["m", "s"]);
   const pen = testPen();
   const colours = { ink: "#000", soft: "#000", line: "#000", fill: "#000", accent: "#000", warn: "#000" };
-  drawPlot(
+  const ranges = drawPlot(
     pen,
     600,
     300,
     { lines, span: { from: 0, to: 1 }, at: 0.5, hover: 0.2, count: countOf({ from: 0, to: 1 }, false) },
     colours,
   );
+  expect([...ranges].map(([axis, { least, most }]) => [axis, least.toFixed(2), most.toFixed(2)])).toEqual([
+    ["m", "0.82", "4.18"],
+    ["s", "94.00", "206.00"],
+  ]);
   expect(pen.texts.map(({ text }) => text)).toEqual(expect.arrayContaining(["m", "s", "now", "160", "3"]));
 });
 

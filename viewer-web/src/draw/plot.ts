@@ -48,16 +48,26 @@ export interface Column {
   mean?: number;
 }
 
-/** Distinguished by brightness and dashes as well as by colour (after Okabe and Ito, 2008). */
-export const kLineStyles: { colour: string; dash: number[] }[] = [
-  { colour: "#56b4e9", dash: [] },
-  { colour: "#e69f00", dash: [] },
-  { colour: "#009e73", dash: [] },
-  { colour: "#cc79a7", dash: [] },
-  { colour: "#d55e00", dash: [6, 3] },
-  { colour: "#8f7fe0", dash: [6, 3] },
-  { colour: "#b3a100", dash: [2, 3] },
-  { colour: "#7f8c99", dash: [2, 3] },
+/** The look of a line in each theme. */
+export interface LineStyle {
+  dark: string;
+  light: string;
+  dash: number[];
+}
+
+/**
+ * Distinguished by brightness and dashes as well as by colour (after Okabe and Ito, 2008). An axis of one line has its
+ * colour, so words in it are readable too.
+ */
+export const kLineStyles: LineStyle[] = [
+  { dark: "#56b4e9", light: "#007aad", dash: [] },
+  { dark: "#e69f00", light: "#a86200", dash: [] },
+  { dark: "#009e73", light: "#007a4d", dash: [] },
+  { dark: "#cc79a7", light: "#8b2f6e", dash: [] },
+  { dark: "#e0690f", light: "#bf4300", dash: [6, 3] },
+  { dark: "#8f7fe0", light: "#6a4fd0", dash: [6, 3] },
+  { dark: "#b3a100", light: "#756900", dash: [2, 3] },
+  { dark: "#7f8c99", light: "#5d6a76", dash: [2, 3] },
 ];
 
 const kGap = 1.5; // [s] without a value breaks a line
@@ -197,13 +207,14 @@ export interface Plot {
 
 export const axesOf = (lines: Line[]): string[] => [...new Set(lines.map(({ axis }) => axis))];
 
+/** Draws the lines. Returns the range of each axis. */
 export function drawPlot(
   pen: Pen,
   width: number,
   height: number,
   { lines, span, at, hover, count, unloaded = [] }: Plot,
   colours: Colours,
-): void {
+): Map<string, Range> {
   const axes = axesOf(lines);
   const area = areaOf(width, height, axes.length);
   const x = (time: number) => area.left + xOf(span, area.width, time);
@@ -241,6 +252,7 @@ export function drawPlot(
   pen.setLineDash([]);
   if (hover !== undefined) drawCursor(pen, area, x(hover), colours.soft, 1);
   drawCursor(pen, area, x(at), colours.accent, 2);
+  return ranges;
 }
 
 type Area = ReturnType<typeof areaOf>;

@@ -28,6 +28,7 @@ test("robots are sorted by team and player, and share the objects without a robo
   for (const topic of ["/14/10/ball", "/truth/world", "/lab/1/log", "/14/2/pose", "/14/2/ball", "/3/1/ball"])
     memory.offer(channel(topic));
   expect(memory.robots()).toEqual(["3/1", "14/2", "14/10"]);
+  expect(memory.robots("14/10")).toEqual(["14/2", "14/10", "3/1"]);
   expect(memory.objectsOf("14/2").map(({ name }) => name)).toEqual(["ball", "pose", "lab/1/log", "truth/world"]);
 });
 

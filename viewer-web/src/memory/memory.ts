@@ -218,10 +218,12 @@ export class Memory {
     return first === undefined || last === undefined ? undefined : { first_ns: first, last_ns: last };
   }
 
-  /** All robots that offer an object, sorted by team and player. */
-  robots(): RobotName[] {
+  /** All robots that offer an object, sorted by team and player; the team of the robot `own` is first. */
+  robots(own: RobotName = ""): RobotName[] {
     const names = new Set([...this.#objects.values()].map(({ robot }) => robot).filter((robot) => robot !== ""));
-    return [...names].sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
+    const [team] = own.split("/");
+    const other = (name: RobotName) => Number(name.split("/")[0] !== team);
+    return [...names].sort((a, b) => other(a) - other(b) || a.localeCompare(b, "en", { numeric: true }));
   }
 
   /** The robot's own objects by name, then those without a robot. */

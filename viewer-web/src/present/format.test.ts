@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { ago, bytes, clockLength, clockTime, count, duration, hertz, hex, number } from "./format";
+import { ago, bytes, clockLength, clockTime, count, duration, hertz, hex, number, numberWithin } from "./format";
 
 test("durations keep three digits or so, and never show a unit's overflow", () => {
   const cases: [number | undefined, string][] = [
@@ -59,6 +59,26 @@ test("a float shows the digits it has, not those of its double", () => {
     "∞",
     "not a number",
   ]);
+});
+
+test("a value on an axis shows steps of at most a five-hundredth of the axis, always as many digits", () => {
+  const cases: [value: number, span: number, text: string][] = [
+    [1.2345678, 9, "1.23"],
+    [-0.3333333, 1, "-0.333"],
+    [36.641237, 120, "36.6"],
+    [0.0123456, 0.02, "0.01235"],
+    [4321.987, 5000, "4322"],
+    [-0.0001, 9, "0.00"],
+    [1.5, 9, "1.50"],
+    [12, 9, "12"],
+    [0.1, 0, "0.1"],
+    [NaN, 9, "not a number"],
+  ];
+  for (const [value, span, text] of cases) expect(numberWithin(value, span)).toBe(text);
+  for (let span = 1e-6; span < 1e6; span *= 3) {
+    const decimals = numberWithin(span / 7, span).split(".")[1]?.length ?? 0;
+    expect(10 ** -decimals).toBeLessThanOrEqual(Math.max(1, span / 500) * 1.001);
+  }
 });
 
 test("bytes show their beginning", () => {

@@ -68,6 +68,17 @@ export function number(value: number): string {
   return String(Number(value.toPrecision(7)));
 }
 
+/**
+ * The digits that matter on an axis of the length `span`: steps of at most a five-hundredth of it, always as many, so that
+ * the text does not jump. Whole numbers stay whole.
+ */
+export function numberWithin(value: number, span: number): string {
+  if (!(span > 0) || !Number.isFinite(value) || Number.isInteger(value)) return number(value);
+  const decimals = Math.min(12, Math.max(0, Math.ceil(Math.log10(500 / span))));
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? text.replace("-", "") : text;
+}
+
 const twoHex = (byte: number): string => byte.toString(16).padStart(2, "0");
 
 /** The first `most` bytes in hex. */

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { fieldsOfJson, forecastOf } from "../memory/forecast";
-import { amount, axesOf, axisOf, headline, percent, reach, shareOf, size } from "./gauges";
+import { amount, axesOf, axisOf, headline, isNothing, percent, reach, shareOf, size } from "./gauges";
 
 test("an axis holds zero and all values, and always has a length", () => {
   for (const values of [[], [0], [1, 2], [-3, -1], [-0.001, 0.002], [5, -5]]) {
@@ -35,6 +35,13 @@ test("gains are goals or chances, zero has no sign", () => {
   expect([0.125, -0.05].map((value) => amount("score_next", value))).toEqual(["+12.5 %", "−5.0 %"]);
   expect([size("goal_difference", 0.05), size("concede", 0.012)]).toEqual(["0.050", "1.2 %"]);
   expect([0, 0.001, 0.62, 1].map(percent)).toEqual(["0 %", "< 1 %", "62 %", "100 %"]);
+});
+
+test("a gain that would be written as zeros is nothing", () => {
+  const nothing = { gain: 0, gainLow: -0.0004, gainHigh: 0.0004 };
+  expect(isNothing("goal_difference", nothing)).toBe(true);
+  expect(isNothing("goal_difference", { ...nothing, gainHigh: 0.001 })).toBe(false);
+  expect(isNothing("concede", { ...nothing, gainLow: -0.01 })).toBe(false);
 });
 
 test("the horizon is shown in seconds, and a long one in minutes", () => {

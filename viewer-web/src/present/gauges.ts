@@ -52,6 +52,11 @@ export const amount = (measure: Measure, value: number): string =>
 /** "0.052", "1.2 %" */
 export const size = (measure: Measure, value: number): string => amount(measure, Math.abs(value)).replace("+", "");
 
+/** Whether a gain and its interval would be written as zeros. */
+export const isNothing = (measure: Measure, { gain, gainLow, gainHigh }: Gain): boolean =>
+  [gain, gainLow, gainHigh].every((value) => amount(measure, value) === amount(measure, 0));
+type Gain = Pick<Forecast["strategies"][number], "gain" | "gainLow" | "gainHigh">;
+
 /** "62 %"; a forecast is not more precise than one per cent. */
 export const percent = (share: number): string =>
   share > 0 && share < 0.005 ? "< 1 %" : `${Math.round(100 * share)} %`;

@@ -85,7 +85,7 @@ export class Server implements Listener {
   #alertKeys = new Set<string>();
   #recalls: Recalls | undefined; // of a live server that remembers its last minutes
 
-  robots: RobotName[] = $derived.by(() => (this.#offers, this.memory.robots()));
+  robots: RobotName[] = $derived.by(() => (this.#offers, this.memory.robots(this.info?.metadata["robots"])));
   /** Such as "a simulation"; "" for a real robot. */
   body = $derived(kBodyWords[this.info?.metadata["body"] ?? ""] ?? "");
 

@@ -164,6 +164,9 @@ test("robots, session, body and practice are those that the server tells", () =>
   server.introduced(infoOf({ metadata: { body: "sim", session: "final" } }), true, false);
   server.advertised([channelOf("/14/2/ball"), channelOf("/5/1/ball", 2), channelOf("/truth/world", 3)]);
   expect([server.robots, server.session, server.body]).toEqual([["5/1", "14/2"], "final", "a simulation"]);
+  server.introduced(infoOf({ metadata: { body: "sim", session: "final", robots: "14/2" } }), true, false);
+  server.advertised([channelOf("/14/2/ball"), channelOf("/5/1/ball", 2), channelOf("/truth/world", 3)]);
+  expect(server.robots).toEqual(["14/2", "5/1"]); // its own team first
   server.unadvertised([channelOf("/5/1/ball", 2)]);
   expect(server.robots).toEqual(["14/2"]);
   server.parameters([{ name: "match_mode", value: false }]);
