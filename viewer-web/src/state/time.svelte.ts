@@ -59,7 +59,7 @@ interface Watched {
 
 export class Time {
   #state: TimeState;
-  // what components see of it; the moment changes with each frame, so they read it while drawing
+  // the parts that components react to; they read the moment while drawing, because it changes with each frame
   #phase = $state<Phase["is"]>("live");
   #speed = $state(1);
   #loop = $state.raw<TimeRange>();

@@ -17,7 +17,7 @@ import {
 
 const kNoteEvery = 0.3; // [s] between two changes of the address
 
-/** What a frame sees beyond the facts. */
+/** The facts of a frame. */
 export interface FrameFacts extends Facts {
   /** [s] since the last frame. */
   passed: number;

@@ -173,7 +173,7 @@ test("other servers are in the address, each once, and go when they are taken ou
   expect(viewer.servers).toHaveLength(1);
 });
 
-/** The server announces a recording, and tells whose playhead the connection has. */
+/** The server announces a recording, and reports whose playhead the connection has. */
 function record(own: boolean) {
   const server = viewer.servers[0]!;
   const metadata = { own_playheads: "yes" };
