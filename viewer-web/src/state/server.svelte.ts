@@ -321,13 +321,16 @@ export class Server implements Listener {
     if (this.lost === "") void this.#lookForRefusal();
     this.lost = connection.why;
   }
-  /** Remembers the state of the playhead, so that the next connection goes on from there. */
+  /** Remembers the state of the playhead, which ends with its connection, so that the next one goes on from there. */
   #leave(): void {
     const { played } = this;
     if (this.connectionState.state !== "open" || !this.own || !played?.known) return;
     const { start_ns, end_ns } = played;
     const at_ns = this.memory.moment_ns ?? this.place();
     this.#left = { play: this.goes, speed: this.wantedSpeed, at_ns, start_ns, end_ns };
+    this.#wishes.clear(); // nobody answers them
+    played.told({ status: "paused", time_ns: at_ns, speed: this.#left.speed }, now());
+    ++this.#told;
   }
   /** Keeps the state of the playhead for this tab, because the page ends. */
   keepPlayhead(): void {

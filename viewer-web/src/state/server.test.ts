@@ -219,6 +219,7 @@ test("a playhead of its own survives a lost connection: place, speed, and whethe
   server.ask({ play: true, speed: 4, seek_ns: 30n * kSecond });
   server.playback(stateOf(30n, { status: "playing", speed: 4, didSeek: true, request: "page 1" }));
   expect(BigInt(connectAgain()!)).toBeGreaterThanOrEqual(30n * kSecond);
+  expect(server.runs).toBe(false); // nothing plays without a connection
   opens(recorded());
   server.playback(stateOf(30n));
   expect(told.begun.at(-1)).toMatchObject({ play: true, speed: 4 });
