@@ -11,6 +11,7 @@
 #include "robot/app/lab_foresight.h"
 #include "robot/app/lab_objects.h"
 #include "robot/app/played_range.h"
+#include "robot/app/recording_playback.h"
 #include "robot/app/runtime.h"
 #include "robot/app/services/step_service.h"
 #include "robot/app/services/watch_service.h"
@@ -25,38 +26,6 @@
 
 namespace robot::app {
 namespace {
-
-/// The playback of a Replay as clients control it.
-class RecordingPlayback final : public net::Playback {
- public:
-  explicit RecordingPlayback(body::Replay& replay) : replay_(replay) {}
-
-  std::uint64_t start_ns() const override { return replay_.start_ns(); }
-  std::uint64_t end_ns() const override { return replay_.end_ns(); }
-
-  State state() const override {
-    using Status = net::foxglove::Playback;
-    const body::PlaybackClock& clock = replay_.clock();
-    const std::uint64_t now_ns = clock.now_ns();
-    const Status running = now_ns < end_ns() ? Status::playing : Status::ended;
-    return {.status = clock.running() ? running : Status::paused,
-            .time_ns = now_ns,
-            .speed = static_cast<float>(clock.speed())};
-  }
-
-  bool control(const net::foxglove::PlaybackControl& wish) override {
-    body::PlaybackClock& clock = replay_.clock();
-    // "play" at the end of the recording begins again at its start
-    const bool again = wish.play && !wish.seek_ns && clock.now_ns() >= end_ns();
-    // set before seek: a paused clock then stays exactly at the time of the seek
-    clock.set(wish.play, static_cast<double>(wish.speed));
-    if (wish.seek_ns || again) clock.seek(wish.seek_ns.value_or(start_ns()));
-    return wish.seek_ns || again;
-  }
-
- private:
-  body::Replay& replay_;
-};
 
 /// Returns the shift [ns] to add to the times of each session, and prints the reasons. Empty for a single session.
 Result<std::vector<std::int64_t>> shifts_between(const PlayOptions& options) {
@@ -118,7 +87,7 @@ Result<std::optional<std::filesystem::path>> play_one(PlayOptions& options) {
   const std::string robot = mapping ? mapping->robot : (*replay)->robots().front();
   const Clock& clock = (*replay)->clock();
   const auto own = std::make_shared<LabObjects>(clock);
-  RecordingPlayback playback(**replay);
+  RecordingPlayback playback(**replay, options.speed, options.loop);
   // these outlive the server, which calls them
   lab::WholeRecording whole(**replay);
   LabForesight seer(options.foresight);
@@ -142,10 +111,11 @@ Result<std::optional<std::filesystem::path>> play_one(PlayOptions& options) {
   // viewers see the last of them in the log
   for (const std::string& note : (*replay)->notes()) report(Level::warning, "recording", note);
   const auto stream_of = [&replay](const std::string& topic) { return (*replay)->stream_of(topic); };
-  add_what_if_service(runtime.services(), robot, seer.strategies(),
-                      [&](const std::string& whose, const foresight::WhatIf& question) {
-                        return seer.ask(stream_of, whose, question, clock.now_ns());
-                      });
+  add_what_if_service(
+      runtime.services(), robot, seer.strategies(),
+      [&](const std::string& whose, const foresight::WhatIf& question, std::optional<std::uint64_t> playhead_ns) {
+        return seer.ask(stream_of, whose, question, playhead_ns.value_or(clock.now_ns()));
+      });
   add_step_service(runtime.services(), stream_of);
   // a mapping fits the recordings of one program
   if (!mapping) add_watch_service(runtime.services(), runtime.store(), wish);

@@ -35,6 +35,7 @@ net::ServerOptions server_options(const RuntimeOptions& options, net::AccessOpti
   if (!options.rules.empty()) metadata["rules"] = options.rules;
   if (!options.session.empty()) metadata["session"] = options.session;
   if (options.recent) metadata["recent"] = "/api/recent";
+  if (options.playback) metadata["own_playheads"] = "yes";
   return {.bind = options.server.bind,
           .port = options.server.port,
           .hub = {.name = options.program + " " + options.robot,

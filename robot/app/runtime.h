@@ -16,6 +16,7 @@
 //   log watched       board     three threads carry the watched memory objects to the server   each version
 //   log bell          board     wakes these threads when versions wait                         250 Hz
 //   parser            board     carries one stream of a recording into memory (replay)         each message
+//   playhead          ClientPlayhead  plays a recording for one page with its own time (play)  each message
 //   door              Door      accepts processes of the team, removes those that have ended   on connect; 10 Hz
 //   parser            board     carries one object that such a process writes into memory      each message
 //   log <object>      board     carries one object to such a process that reads it             each version

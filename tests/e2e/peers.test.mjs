@@ -74,7 +74,14 @@ test("both subprotocols introduce the server and offer every stream and its deri
   assert.deepEqual(capabilities, ["time", "parameters", "parametersSubscribe", "services", "playbackControl"]);
   assert.deepEqual(supportedEncodings, ["json"]);
   const { build } = await statusOf(server);
-  assert.deepEqual(metadata, { build, body: "recording", robots: "14/2", rules: "spl2025", session: "synthetic" });
+  assert.deepEqual(metadata, {
+    build,
+    body: "recording",
+    own_playheads: "yes",
+    robots: "14/2",
+    rules: "spl2025",
+    session: "synthetic",
+  });
   assert.match(sessionId, /^\d+$/);
 
   const about = (topic) => live.channels.get(topic).metadata;

@@ -1,5 +1,4 @@
-// A recording in the viewer, in Chromium: the whole of it on one strip of time, which the server plays and all who watch
-// share.
+// A recording in the viewer, in Chromium: the whole of it on one strip of time. Pages that follow share its playback.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -174,11 +173,11 @@ test("steps by frames miss none on a page that misses two of three messages", as
   assert.deepEqual(problems, []);
 });
 
-test("all viewers share the server's playback: pause, speed, position; playing backwards is local to a page", async (t) => {
+test("pages that follow share the playback: pause, speed, position; playing backwards is local to a page", async (t) => {
   const { server, first_ns, last_ns } = await game(t);
   const [one, other] = [
-    await open(t, `${server.http}/#/14/2/field`),
-    await open(t, `${server.http}/#/14/3/plot?plot=/14/2/pose.x`),
+    await open(t, `${server.http}/#/14/2/field?follow`),
+    await open(t, `${server.http}/#/14/3/plot?plot=/14/2/pose.x&follow=yes`),
   ];
   await Promise.all([goesOn(one.page), goesOn(other.page)]);
   await one.page.keyboard.press(" ");

@@ -44,8 +44,8 @@ ForesightService::ForesightService(std::unique_ptr<foreseeing::Foreseer> foresee
   advisor_ = std::make_unique<foreseeing::Advisor>(std::move(foreseer), memory, runtime.channels(), robot, now_ns,
                                                    [&parameters = runtime.parameters()] { return asking(parameters); });
   add_what_if_service(runtime.services(), robot, advisor_->foreseer().strategies(),
-                      [this, own = robot, now_ns, &channels = runtime.channels()](const std::string& asked,
-                                                                                  const foresight::WhatIf& question) {
+                      [this, own = robot, now_ns, &channels = runtime.channels()](
+                          const std::string& asked, const foresight::WhatIf& question, std::optional<std::uint64_t>) {
                         if (asked == own) return advisor_->ask(question);
                         return ask_for(advisor_->foreseer(), channels, asked, question, now_ns(),
                                        foreseeing::whose(asked, own));

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,10 @@
 
 namespace robot::app {
 
-/// Answers a question from the current knowledge of the robot of that name ("14/2"). Blocks until the answer is there.
-using AskForesight = std::function<Result<foresight::Forecast>(const std::string& robot, const foresight::WhatIf&)>;
+/// Answers a question from the current knowledge of the robot of that name ("14/2"). Of a recording, from its knowledge at
+/// the time of the asker's own playhead [ns], if it has one. Blocks until the answer is there.
+using AskForesight = std::function<Result<foresight::Forecast>(const std::string& robot, const foresight::WhatIf&,
+                                                               std::optional<std::uint64_t> playhead_ns)>;
 
 /// Adds /foresight/what_if and /foresight/strategies. A request of the first is a question
 /// (robot/foresight/question.h). Its entry "robot" is needed only for another robot than `robot`:

@@ -41,6 +41,13 @@ void PlaybackClock::seek(std::uint64_t to_ns) {
   set_position(move_.to_ns);
 }
 
+void PlaybackClock::look_again() {
+  const std::lock_guard guard(lock_);
+  move_ = {.count = move_.count + 1, .to_ns = position_ns()};
+  at_end_ = 0;
+  changed_.notify_all();
+}
+
 bool PlaybackClock::running() const {
   const std::lock_guard guard(lock_);
   return running_;

@@ -31,6 +31,9 @@ class PlaybackClock final : public Clock, public logging::Pace {
   /// Moves the playhead and every parser to `to_ns`, limited to the range of the recording.
   void seek(std::uint64_t to_ns);
 
+  /// Ends the waits of all parsers, as a move to the present time does.
+  void look_again();
+
   bool running() const;
   double speed() const;
 

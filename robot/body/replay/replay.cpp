@@ -107,9 +107,14 @@ std::unique_ptr<logging::InProvider> Replay::open_stream(const Played& played) c
 }
 
 std::unique_ptr<logging::InProvider> Replay::stream_of(const std::string& topic) const {
+  const std::optional<Played> stream = find(topic);
+  return stream ? open_stream(*stream) : nullptr;
+}
+
+std::optional<Replay::Played> Replay::find(const std::string& topic) const {
   for (const Played& stream : played())
-    if (name_of(stream) == topic) return open_stream(stream);
-  return nullptr;
+    if (name_of(stream) == topic) return stream;
+  return std::nullopt;
 }
 
 /// Returns the topic of a stream in the playback.

@@ -1,16 +1,21 @@
 // Playback of recordings into the channels of this process, as if their robots were live.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "robot/body/replay/file_player.h"
 #include "robot/body/replay/playback_clock.h"
+#include "robot/body/replay/track.h"
+#include "robot/core/lock.h"
 #include "robot/core/result.h"
 #include "robot/logging/sessions/session.h"
 #include "robot/logging/streams/board.h"
@@ -80,6 +85,15 @@ class Replay {
   std::uint64_t read(const std::vector<std::string>& topics, std::uint64_t from_ns, std::uint64_t to_ns,
                      const std::function<bool(const Message&)>& visit) const;
 
+  /// Returns the name of the track that holds `topic`, or nothing if the topic is not played. The topics of a file with
+  /// many topics share a track, so that one reader reads the file once. Any thread.
+  std::optional<std::string> track_name(const std::string& topic) const;
+
+  /// Opens a reader of `topics`, which share a track. Returns an Error if the file cannot be read. It ends early when
+  /// `cancelled` becomes true. Any thread, also during the playback.
+  Result<std::unique_ptr<Track>> open_track(const std::vector<std::string>& topics,
+                                            const std::atomic<bool>& cancelled) const;
+
   /// Returns a sentence for each recording that is damaged or of which messages are left out.
   std::vector<std::string> notes() const;
 
@@ -134,6 +148,8 @@ class Replay {
   std::string name_of(const Played& stream) const;
   std::vector<Played> played() const;
   std::unique_ptr<logging::InProvider> open_stream(const Played& stream) const;
+  std::optional<Played> find(const std::string& topic) const;
+  Result<std::shared_ptr<const logging::McapFile>> file_of(const Played& stream) const;
   Result<void> check_made() const;
   Result<void> start_file(const Recording& recording);
   Result<std::shared_ptr<memory::Channel>> destination(const Recording& from, memory::ChannelInfo info);
@@ -146,6 +162,9 @@ class Replay {
   logging::LoggingBoard* board_ = nullptr;
   std::vector<logging::LoggingBoard::StreamId> parsers_;
   std::vector<std::unique_ptr<FilePlayer>> players_;
+
+  mutable Mutex files_lock_;
+  mutable std::map<std::filesystem::path, std::weak_ptr<const logging::McapFile>> files_;  // open for tracks
 };
 
 }  // namespace robot::body

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "robot/net/foxglove/client_queue.h"
+#include "robot/net/foxglove/playback.h"
 #include "robot/net/foxglove/services.h"
 
 namespace robot::net {
@@ -20,6 +21,9 @@ struct ClientIdentity {
   bool lossless = false;  // it gets every message or is disconnected
   bool numbered = false;  // it receives the numbers of the messages, an extension of the protocol
   bool playback = false;  // it receives the state of the playback, which older clients take for an error
+  /// It wants a playhead of its own in a recording, from this capture time [ns] or, with 0, from the start. Absent: it
+  /// shares the playback.
+  std::optional<std::uint64_t> playhead = {};
 };
 
 struct Client : std::enable_shared_from_this<Client> {
@@ -29,6 +33,10 @@ struct Client : std::enable_shared_from_this<Client> {
   ClientIdentity identity;
   ClientQueue queue;
   std::map<std::uint32_t, std::uint32_t> channel_of;  // by subscription id
+
+  std::unique_ptr<OwnPlayhead> own;                       // null: it shares the playback, if there is one
+  std::map<std::uint32_t, std::uint64_t> own_streams;     // streams from its own playhead, by channel
+  foxglove::Playback told = foxglove::Playback::playing;  // the status of its own playhead that was sent last
 
   int waiting_requests = 0;  // that run in the background and are not answered yet
 

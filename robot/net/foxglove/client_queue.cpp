@@ -34,12 +34,13 @@ void ClientQueue::unsubscribe(std::uint32_t channel) {
   clear(*slot);
 }
 
-ClientQueue::Pushed ClientQueue::push(std::uint32_t channel, const memory::VersionPtr& version) {
+ClientQueue::Pushed ClientQueue::push(std::uint32_t channel, const memory::VersionPtr& version,
+                                      std::optional<std::uint64_t> time_ns) {
   Slot* slot = find(channel);
   if (!slot || !slot->subscribed || finished_ || version->sequence() <= slot->last_sequence) return Pushed::known;
   if (!make_room(*slot, version->size_bytes())) return Pushed::overflow;
   slot->last_sequence = version->sequence();
-  slot->waiting.push_back(version);
+  slot->waiting.push_back({version, time_ns.value_or(version->capture_ns())});
   slot->bytes += version->size_bytes();
   ++messages_;
   message_bytes_ += version->size_bytes();
@@ -67,13 +68,13 @@ void ClientQueue::drop_oldest(Slot& slot) {
   ++slot.dropped;
 }
 
-memory::VersionPtr ClientQueue::pop(Slot& slot) {
-  memory::VersionPtr version = std::move(slot.waiting.front());
+ClientQueue::Waiting ClientQueue::pop(Slot& slot) {
+  Waiting first = std::move(slot.waiting.front());
   slot.waiting.pop_front();
-  slot.bytes -= version->size_bytes();
-  message_bytes_ -= version->size_bytes();
+  slot.bytes -= first.version->size_bytes();
+  message_bytes_ -= first.version->size_bytes();
   --messages_;
-  return version;
+  return first;
 }
 
 void ClientQueue::clear(Slot& slot) {
@@ -141,7 +142,7 @@ bool ClientQueue::take_control(Batch& batch) {
 void ClientQueue::line_up(Slot& slot) {
   if (slot.in_lane) return;
   slot.in_lane = true;
-  const bool is_large = slot.waiting.front()->size_bytes() >= kLargeBytes;
+  const bool is_large = slot.waiting.front().version->size_bytes() >= kLargeBytes;
   lanes_[slot.delivery == memory::Delivery::reliable ? events : is_large ? large : small].push_back(&slot);
 }
 
@@ -149,7 +150,7 @@ void ClientQueue::line_up(Slot& slot) {
 bool ClientQueue::take_message(Batch& batch, std::deque<Slot*>& lane) {
   Slot& slot = *lane.front();
   if (!slot.waiting.empty()) {
-    const std::size_t size = slot.waiting.front()->size_bytes();
+    const std::size_t size = slot.waiting.front().version->size_bytes();
     const std::size_t copied = kFrameHeaderBytes + foxglove::kNumberedDataHeaderBytes + (size < kLargeBytes ? size : 0);
     if (!batch.bytes.empty() && batch.bytes.size() + copied > kBatchBytes) return false;
     take_front(batch, slot);
@@ -161,17 +162,17 @@ bool ClientQueue::take_message(Batch& batch, std::deque<Slot*>& lane) {
 }
 
 void ClientQueue::take_front(Batch& batch, Slot& slot) {
-  const memory::VersionPtr version = pop(slot);
+  const auto [version, time_ns] = pop(slot);
   ++slot.sent;
 
   const std::string_view payload = version->bytes();
   const std::size_t header = numbered_ ? foxglove::kNumberedDataHeaderBytes : foxglove::kMessageDataHeaderBytes;
   append_frame_header(batch.bytes, Opcode::binary, header + payload.size());
   if (numbered_)
-    foxglove::append_numbered_data_header(batch.bytes, slot.subscription, version->capture_ns(),
+    foxglove::append_numbered_data_header(batch.bytes, slot.subscription, time_ns,
                                           {.sequence = version->sequence(), .publish_ns = version->publish_ns()});
   else
-    foxglove::append_message_data_header(batch.bytes, slot.subscription, version->capture_ns());
+    foxglove::append_message_data_header(batch.bytes, slot.subscription, time_ns);
   if (payload.size() < kLargeBytes) {
     batch.bytes += payload;
     return;

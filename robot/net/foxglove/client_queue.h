@@ -55,8 +55,8 @@ class ClientQueue {
   /// Drops the waiting messages of `channel`, and takes no more. Its counts remain.
   void unsubscribe(std::uint32_t channel);
 
-  /// Takes a version of `channel`.
-  Pushed push(std::uint32_t channel, const memory::VersionPtr& version);
+  /// Takes a version of `channel`. It is sent with its capture time, or with `time_ns` instead.
+  Pushed push(std::uint32_t channel, const memory::VersionPtr& version, std::optional<std::uint64_t> time_ns = {});
 
   /// Counts `messages` of `channel` that were lost before they reached the queue.
   void count_lost(std::uint32_t channel, std::uint64_t messages);
@@ -94,12 +94,17 @@ class ClientQueue {
  private:
   enum Lane { events, small, large, kLanes };
 
+  struct Waiting {
+    memory::VersionPtr version;
+    std::uint64_t time_ns = 0;
+  };
+
   struct Slot {
     std::uint32_t channel = 0, subscription = 0;
     memory::Delivery delivery = memory::Delivery::latest;
     bool subscribed = false;
     bool in_lane = false;
-    std::deque<memory::VersionPtr> waiting;
+    std::deque<Waiting> waiting;
     std::size_t bytes = 0;
     std::uint64_t last_sequence = 0, sent = 0, dropped = 0;
   };
@@ -108,7 +113,7 @@ class ClientQueue {
   bool make_room(Slot& slot, std::size_t bytes);
   void drop_oldest(Slot& slot);
   void clear(Slot& slot);
-  memory::VersionPtr pop(Slot& slot);
+  Waiting pop(Slot& slot);
   void line_up(Slot& slot);
   bool take_control(Batch& batch);
   bool take_message(Batch& batch, std::deque<Slot*>& lane);

@@ -91,6 +91,11 @@ Result<ClientMessage> parse_op(const std::string& op, const Json& message) {
     if (op == "getParameters") return ClientMessage(GetParameters{std::move(*names), request_id(message)});
     return ClientMessage(WatchParameters{op.starts_with('s'), std::move(*names)});
   }
+  if (op == "playhead") {
+    const Json own = message.value("own", Json());
+    if (!own.is_boolean()) return wrong("'own' must be true or false");
+    return ClientMessage(ChoosePlayhead{own.get<bool>()});
+  }
   for (const char* known :
        {"advertise", "unadvertise", "subscribeConnectionGraph", "unsubscribeConnectionGraph", "fetchAsset"})
     if (op == known) return ClientMessage(Unsupported{op});

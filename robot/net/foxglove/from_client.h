@@ -62,13 +62,19 @@ struct PlaybackControl {
   std::string request_id;
 };
 
+/// An extension of the protocol, for clients that watch a recording: a playhead of one's own, or the shared playback. A
+/// playhead of one's own goes on where the shared one is. The answer is the server's message of the same op.
+struct ChoosePlayhead {
+  bool own = false;
+};
+
 /// A request of the protocol that needs a capability we do not announce.
 struct Unsupported {
   std::string op;
 };
 
 using ClientMessage = std::variant<Subscribe, Unsubscribe, GetParameters, SetParameters, WatchParameters, ServiceCall,
-                                   ClientPublish, PlaybackControl, Unsupported>;
+                                   ClientPublish, PlaybackControl, ChoosePlayhead, Unsupported>;
 
 /// Reads a text message. Returns an Error that says why it is wrong.
 Result<ClientMessage> parse_client_text(std::string_view text);

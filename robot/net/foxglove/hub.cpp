@@ -84,7 +84,15 @@ std::shared_ptr<Client> Hub::join(ClientIdentity identity) {
   }
   if (!advertisements.empty()) say(*client, foxglove::advertise(advertisements));
   if (const auto services = services_.list(); !services.empty()) say(*client, foxglove::advertise_services(services));
-  if (options_.playback && client->identity.playback) say_binary(*client, playback_state(false, ""));
+  if (!options_.playback) return client;
+  if (const auto from_ns = client->identity.playhead) {
+    client->own = own_playhead(*client, *from_ns);
+    say(*client, foxglove::playhead(client->own != nullptr));
+  }
+  if (client->own)
+    tell_own(*client, false, "");
+  else if (client->identity.playback)
+    say_binary(*client, playback_state(*options_.playback, false, ""));
   return client;
 }
 
@@ -94,8 +102,9 @@ void Hub::set_match_mode(bool match_mode) {
 }
 
 void Hub::leave(Client& client) {
-  for (const auto& [subscription, channel] : client.channel_of) remove_subscriber(*channels_.find(channel), client);
+  for (const auto& [subscription, channel] : client.channel_of) end_carrying(client, *channels_.find(channel));
   client.channel_of.clear();
+  if (client.own) streams_.discard(std::move(client.own));
   if (!questions_.empty())  // the first is running
     questions_.erase(
         std::remove_if(questions_.begin() + 1, questions_.end(),
@@ -146,52 +155,53 @@ void Hub::disconnect(Client& client, std::uint16_t close_code, std::string_view 
 
 void Hub::deliver(const Inbox::Item& item) {
   OfferedChannel* channel = channels_.find(item.channel);
-  if (!channel || channel->stream != item.stream) return;  // of a stream that has been stopped
-
+  if (!channel) return;
   const std::uint64_t sequence = item.version->sequence();
-  if (channel->last_sequence != 0 && sequence > channel->last_sequence + 1)
-    note_gap(*channel, sequence - channel->last_sequence - 1);
-  channel->last_sequence = sequence;
+  const auto missing_after = [&](std::uint64_t& last) {
+    const std::uint64_t missing = last != 0 && sequence > last + 1 ? sequence - last - 1 : 0;
+    last = sequence;
+    return missing;
+  };
+  if (const auto own = own_streams_.find(item.stream); own != own_streams_.end()) {
+    Client& client = *own->second.client;
+    if (const auto missing = missing_after(own->second.last_sequence)) note_gap(client, *channel, missing);
+    return push(client, channel->id, item.version);
+  }
+  if (channel->stream != item.stream) return;  // of a stream that has been stopped
+
+  const std::uint64_t missing = missing_after(channel->last_sequence);
   if (channel->derived) channel->newest = item.version;
-  for (Client* client : channel->subscribers) push(*client, channel->id, item.version);
+  for (Client* client : channel->subscribers) {
+    if (missing > 0) note_gap(*client, *channel, missing);
+    push_shared(*client, channel->id, item.version);
+  }
 }
 
-void Hub::push(Client& client, std::uint32_t channel, const memory::VersionPtr& version) {
-  if (client.queue.push(channel, version) != ClientQueue::Pushed::overflow) return;
+void Hub::push(Client& client, std::uint32_t channel, const memory::VersionPtr& version,
+               std::optional<std::uint64_t> time_ns) {
+  if (client.queue.push(channel, version, time_ns) != ClientQueue::Pushed::overflow) return;
   disconnect(client, kPolicyViolation,
              "the connection is too slow for " + channels_.find(channel)->info.topic +
                  ", whose messages must not be dropped: it is closed, connect again to go on");
 }
 
-/// Counts messages that were lost because the logger's queue was full, and disconnects lossless clients.
-void Hub::note_gap(OfferedChannel& channel, std::uint64_t missing) {
-  for (Client* client : channel.subscribers) {
-    client->queue.count_lost(channel.id, missing);
-    if (client->identity.lossless)
-      disconnect(*client, kPolicyViolation,
-                 std::to_string(missing) + " messages of " + channel.info.topic +
-                     " were lost on the robot, but this connection must get all: it is closed, connect again to go on");
-  }
+/// Counts messages that were lost because the logger's queue was full, and disconnects a lossless client.
+void Hub::note_gap(Client& client, const OfferedChannel& channel, std::uint64_t missing) {
+  client.queue.count_lost(channel.id, missing);
+  if (client.identity.lossless)
+    disconnect(client, kPolicyViolation,
+               std::to_string(missing) + " messages of " + channel.info.topic +
+                   " were lost on the robot, but this connection must get all: it is closed, connect again to go on");
 }
 
 void Hub::send_time() {
   if (options_.playback && options_.playback->state().status != told_) tell_playback(false, nullptr, "");
   last_time_ns_ = std::max(last_time_ns_, clock_.now_ns());
-  for (const auto& client : clients_)
-    if (!client->queue.finished()) client->queue.push_time(last_time_ns_);
-}
-
-std::string Hub::playback_state(bool did_seek, std::string_view request_id) const {
-  const Playback::State state = options_.playback->state();
-  return foxglove::playback_state(state.status, state.time_ns, state.speed, did_seek, request_id);
-}
-
-/// Sends the state of the playback to clients that understand it. The message to `asker` carries the request's id.
-void Hub::tell_playback(bool did_seek, const Client* asker, const std::string& request_id) {
-  told_ = options_.playback->state().status;
-  for (const auto& client : clients_)
-    if (client->identity.playback)
-      say_binary(*client, playback_state(did_seek, client.get() == asker ? request_id : std::string_view()));
+  for (const auto& client : clients_) {
+    if (client->queue.finished()) continue;
+    if (client->own) follow_own(*client);
+    client->queue.push_time(client->own ? client->own->state().time_ns : last_time_ns_);
+  }
 }
 
 void Hub::restart_time() {
@@ -199,6 +209,7 @@ void Hub::restart_time() {
   last_time_ns_ = 0;
   const std::string info = server_info();
   for (const auto& client : clients_) {
+    if (client->own) continue;
     client->queue.forget();
     say(*client, info);
   }

@@ -65,7 +65,8 @@ class Hub {
   /// Sends the time to all clients. It goes back only after restart_time() or when a client moved the playback.
   void send_time();
 
-  /// Begins another time line (playback went back). All clients get a new session id and may see a smaller time.
+  /// Begins another time line (playback went back). All clients that share it get a new session id and may see a smaller
+  /// time.
   void restart_time();
 
   /// Begins or ends match mode, see ClientContext::refusal().
@@ -92,12 +93,19 @@ class Hub {
   void say_binary(Client& client, std::string_view bytes);
   void complain(Client& client, std::string_view sentence);
   void refuse(Client& client, std::string_view sentence);
-  void push(Client& client, std::uint32_t channel, const memory::VersionPtr& version);
-  void note_gap(OfferedChannel& channel, std::uint64_t missing);
+  void push(Client& client, std::uint32_t channel, const memory::VersionPtr& version,
+            std::optional<std::uint64_t> time_ns = {});
+  void note_gap(Client& client, const OfferedChannel& channel, std::uint64_t missing);
   void tell_drops(Client& client, std::uint64_t now_ns);
   void remove_subscriber(OfferedChannel& channel, Client& client);
-  std::string playback_state(bool did_seek, std::string_view request_id) const;
   void tell_playback(bool did_seek, const Client* asker, const std::string& request_id);
+  void tell_own(Client& client, bool did_seek, std::string_view request_id);
+  void follow_own(Client& client);
+  std::unique_ptr<OwnPlayhead> own_playhead(Client& client, std::optional<std::uint64_t> from_ns);
+  void change_playhead(Client& client, std::unique_ptr<OwnPlayhead> own);
+  void begin_carrying(Client& client, OfferedChannel& channel);
+  void end_carrying(Client& client, OfferedChannel& channel);
+  void push_shared(Client& client, std::uint32_t channel, const memory::VersionPtr& version);
   void tell_parameters(Client& client, const std::vector<std::string>& names, const std::optional<std::string>& id);
 
   // requests of a client
@@ -115,6 +123,7 @@ class Hub {
   void handle(Client& client, const foxglove::ServiceCall& message);
   void handle(Client& client, const foxglove::ClientPublish& message);
   void handle(Client& client, const foxglove::PlaybackControl& message);
+  void handle(Client& client, const foxglove::ChoosePlayhead& message);
   void handle(Client& client, const foxglove::Unsupported& message);
   void subscribe(Client& client, const foxglove::Subscribe::Item& item);
 
@@ -131,12 +140,21 @@ class Hub {
   bool match_mode_ = false;
   std::uint64_t session_ = 0;  // [ms since the epoch] begin of the time line
   std::uint64_t last_time_ns_ = 0;
-  foxglove::Playback told_ = foxglove::Playback::playing;  // the state of the playback that was sent last
+  foxglove::Playback told_ = foxglove::Playback::playing;  // the state of the shared playback that was sent last
+
+  /// A stream from the playhead of one client.
+  struct OwnStream {
+    Client* client = nullptr;
+    std::uint32_t channel = 0;
+    std::uint64_t last_sequence = 0;
+  };
+  std::map<std::uint64_t, OwnStream> own_streams_;  // by the number of the stream
 
   struct PendingCall {
     std::weak_ptr<Client> client;
     foxglove::ServiceCall call;
-    std::uint64_t asked_ns = 0;  // [monotonic]
+    std::uint64_t asked_ns = 0;                     // [monotonic]
+    std::optional<std::uint64_t> playhead_ns = {};  // of the client's own playhead
   };
   std::deque<PendingCall> questions_;  // of all clients: the first runs, one more may wait
 };

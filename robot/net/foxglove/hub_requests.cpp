@@ -6,6 +6,13 @@
 #include "robot/net/foxglove/hub.h"
 
 namespace robot::net {
+namespace {
+
+std::string follows_shared(const std::string& topic) {
+  return "subscribe: " + topic + " is of the shared playback only, and this client has a playhead of its own";
+}
+
+}  // namespace
 
 void Hub::on_text(Client& client, std::string_view text) { handle(client, foxglove::parse_client_text(text)); }
 
@@ -26,20 +33,14 @@ void Hub::subscribe(Client& client, const foxglove::Subscribe::Item& item) {
   if (!channel) return complain(client, "subscribe: there is no channel " + std::to_string(item.channel));
   if (client.channel_of.contains(item.subscription))
     return complain(client, "subscribe: the subscription id " + std::to_string(item.subscription) + " is in use");
-  if (std::ranges::find(channel->subscribers, &client) != channel->subscribers.end())
+  if (std::ranges::any_of(client.channel_of, [&](const auto& taken) { return taken.second == channel->id; }))
     return complain(client, "subscribe: " + channel->info.topic + " is subscribed already");
+  if (client.own && channel->derived && channel->derived->needs_others)
+    return complain(client, follows_shared(channel->info.topic));
 
   client.channel_of[item.subscription] = channel->id;
   client.queue.subscribe(channel->id, item.subscription, channel->info.delivery);
-  channel->subscribers.push_back(&client);
-
-  // a new stream begins with the newest message; for a running one it is sent here
-  if (channel->stream == 0) {
-    channel->last_sequence = 0;
-    channel->stream = streams_.start(channel->id, channel->source, channel->derived ? &*channel->derived : nullptr);
-  } else if (const memory::VersionPtr newest = channel->last_value()) {
-    push(client, channel->id, newest);
-  }
+  begin_carrying(client, *channel);
 }
 
 void Hub::handle(Client& client, const foxglove::Unsubscribe& message) {
@@ -50,7 +51,7 @@ void Hub::handle(Client& client, const foxglove::Unsubscribe& message) {
       continue;
     }
     client.queue.unsubscribe(found.mapped());
-    remove_subscriber(*channels_.find(found.mapped()), client);
+    end_carrying(client, *channels_.find(found.mapped()));
   }
 }
 
@@ -137,6 +138,7 @@ void Hub::handle(Client& client, const foxglove::ServiceCall& message) {
     return answer(client, message, failure("service: expected the encoding 'json'").dump());
   ClientContext context = client.identity.context;
   context.asked_ns = monotonic_ns();
+  if (client.own) context.playhead_ns = client.own->state().time_ns;
   // a refusal is sent at once, without waiting in the queue
   if (const std::string refusal = services_.refusal(message.service, context); !refusal.empty())
     return answer(client, message, refused(refusal, context).dump());
@@ -159,6 +161,7 @@ void Hub::ask(Client& client, const foxglove::ServiceCall& question) {
                           ": another question is running and one more waits: ask again when they are answered")
                       .dump());
   questions_.push_back({.client = client.weak_from_this(), .call = question, .asked_ns = monotonic_ns()});
+  if (client.own) questions_.back().playhead_ns = client.own->state().time_ns;
   if (questions_.size() == 1) run_question();
 }
 
@@ -167,6 +170,7 @@ void Hub::run_question() {
   const std::shared_ptr<Client> asker = questions_.front().client.lock();
   ClientContext context = asker ? asker->identity.context : ClientContext();  // as it is now: a game may have begun
   context.asked_ns = questions_.front().asked_ns;
+  context.playhead_ns = questions_.front().playhead_ns;
   const auto text = std::make_shared<std::string>();
   in_background_(
       Kind::question,
@@ -187,21 +191,6 @@ void Hub::answer(Client& client, const foxglove::ServiceCall& call, const std::s
 
 void Hub::handle(Client& client, const foxglove::ClientPublish&) {
   complain(client, "this server takes no messages from clients");
-}
-
-void Hub::handle(Client& client, const foxglove::PlaybackControl& message) {
-  if (!options_.playback) return complain(client, "playback: this server does not play a recording");
-  if (const std::string refusal = client.identity.context.refusal(); !refusal.empty())
-    return refuse(client, "playback: " + refusal);
-  if (!(message.speed >= 0.01F && message.speed <= 1000))
-    return complain(client, "playback: expected a speed of 0.01 .. 1000, got " + std::to_string(message.speed));
-  client.identity.playback = true;  // a client that controls the playback understands its state
-  const bool did_seek = options_.playback->control(message);
-  if (did_seek) {
-    last_time_ns_ = 0;
-    for (const auto& each : clients_) each->queue.forget();  // waiting messages are from the time before the move
-  }
-  tell_playback(did_seek, &client, message.request_id);
 }
 
 void Hub::handle(Client& client, const foxglove::Unsupported& message) {

@@ -22,6 +22,7 @@ struct ClientContext {
   bool may_control = false;    // it is on loopback or gave the token
   bool match_mode = false;     // a real game is in progress: only clients on this machine may control; all may ask
   std::uint64_t asked_ns = 0;  // [monotonic] arrival of the call
+  std::optional<std::uint64_t> playhead_ns = {};  // the time of its own playhead in a recording, at the call
 
   /// Returns why it may not control now in one sentence, or an empty string if it may.
   std::string refusal() const;

@@ -25,6 +25,10 @@ void StreamControl::stop(std::uint64_t stream) {
   });
 }
 
+void StreamControl::discard(std::shared_ptr<void> thing) {
+  worker_.post([thing = std::move(thing)]() mutable { thing.reset(); });
+}
+
 void StreamControl::finish() {
   worker_.post([this] {
     for (const auto& [stream, id] : std::exchange(running_, {})) streams_.stop(id);

@@ -32,6 +32,9 @@ class StreamControl {
 
   void stop(std::uint64_t stream);
 
+  /// Destroys `thing`, whose destruction may wait, on the thread that starts and stops streams.
+  void discard(std::shared_ptr<void> thing);
+
   /// Stops all streams. Close the inbox before, because loggers may wait for room in it.
   void finish();
 

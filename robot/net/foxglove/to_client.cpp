@@ -98,6 +98,8 @@ std::string parameter_values(const std::vector<std::pair<std::string, ParameterV
   return dump(json);
 }
 
+std::string playhead(bool own) { return dump({{"op", "playhead"}, {"own", own}}); }
+
 std::string service_call_failure(std::uint32_t service, std::uint32_t call, std::string_view message) {
   return dump({{"op", "serviceCallFailure"}, {"serviceId", service}, {"callId", call}, {"message", message}});
 }

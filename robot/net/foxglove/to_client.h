@@ -59,6 +59,10 @@ std::string remove_status(std::string_view id);
 std::string parameter_values(const std::vector<std::pair<std::string, ParameterValue>>& parameters,
                              const std::optional<std::string>& id);
 
+/// Returns the message that says whether the client has a playhead of its own in the recording. It extends the protocol,
+/// for clients that ask for one.
+std::string playhead(bool own);
+
 std::string service_call_failure(std::uint32_t service, std::uint32_t call, std::string_view message);
 
 // the binary messages

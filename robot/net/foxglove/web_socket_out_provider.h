@@ -42,6 +42,7 @@ using Convert = std::function<Result<std::optional<std::string>>(const memory::V
 struct Derived {
   memory::ChannelInfo info;
   std::function<Convert()> make_convert;  // called for each stream; its result is used by one thread at a time
+  bool needs_others = false;              // it reads the newest values of other channels too
 };
 
 /// Returns the channels that are derived from a channel, possibly none.

@@ -196,6 +196,7 @@ std::vector<Derived> scene_channels(const memory::ChannelInfo& source, const Sce
                      .make_convert = [make]() -> Convert { return updates_of(make); }});
   if (!field && source.schema.name == pb::Pose::descriptor()->full_name())
     derived.push_back(robot_frame_of(source, sources));
+  for (Derived& one : derived) one.needs_others = true;
   return derived;
 }
 

@@ -6,6 +6,7 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 #include <cerrno>
+#include <charconv>
 
 #include "robot/net/http/response_head.h"
 #include "robot/net/serve/web_socket_connection.h"
@@ -16,6 +17,15 @@ namespace {
 using boost::system::error_code;
 
 constexpr std::size_t kPieceBytes = 64 << 10;  // of a recording: read and written in turns
+
+/// Returns the playhead that `?playhead=own` or `?playhead=TIME` asks for, see ClientIdentity.
+std::optional<std::uint64_t> playhead_in(const Target& target) {
+  if (!target.parameters.contains("playhead")) return std::nullopt;
+  const std::string text = target.parameter("playhead");
+  std::uint64_t from_ns = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), from_ns);
+  return error == std::errc() && end == text.data() + text.size() ? from_ns : 0;
+}
 
 }  // namespace
 
@@ -107,7 +117,8 @@ void HttpConnection::upgrade(const HttpRequest& request) {
       .subprotocol = agreed->subprotocol,
       .lossless = target->parameter("delivery") == "lossless",
       .numbered = target->parameters.contains("numbered"),
-      .playback = target->parameters.contains("playback")};
+      .playback = target->parameters.contains("playback"),
+      .playhead = playhead_in(*target)};
   auto connection = std::make_shared<WebSocketConnection>(std::move(socket_), context_);
   context_.web_sockets.insert(connection);
   connection->start(std::move(identity), agreed->response, parser_.take_rest());

@@ -45,6 +45,7 @@ const listener: Listener = {
   subscribed: (topic, is) => events.push(`${is ? "subscribed" : "unsubscribed"} ${topic}`),
   message: (topic, log_ns, data) => events.push(`message ${topic} ${log_ns} [${data}]`),
   time: (now_ns) => events.push(`time ${now_ns}`),
+  playhead: (own) => events.push(own ? "own playhead" : "shared playhead"),
   playback: ({ status, time_ns, request }) => events.push(`playback ${status} ${time_ns} ${request}`),
   status: (level, message) => events.push(`${level}: ${message}`),
   removeStatus: (ids) => events.push(`removeStatus ${ids}`),
@@ -59,10 +60,14 @@ beforeEach(() => {
   vi.useFakeTimers();
   sockets = [];
   events = [];
-  client = new Client("ws://robot/live", listener, () => {
-    sockets.push(new FakeSocket());
-    return newest();
-  });
+  client = new Client(
+    () => "ws://robot/live",
+    listener,
+    () => {
+      sockets.push(new FakeSocket());
+      return newest();
+    },
+  );
   client.start();
 });
 afterEach(() => vi.useRealTimers());
@@ -209,6 +214,34 @@ test("parameters are requested and followed if the server supports them", () => 
   expect(events.at(-1)).toBe("parameters recording=true");
 });
 
+test("a playhead is chosen by a message, and the server says whose it is", () => {
+  expect(client.choosePlayhead(true)).toBe(false); // nobody is connected
+  newest().say(kInfo);
+  expect(client.choosePlayhead(true)).toBe(true);
+  expect(newest().take("playhead")).toEqual([{ op: "playhead", own: true }]);
+  newest().say({ op: "playhead", own: true }, { op: "playhead", own: "yes" });
+  expect(events.slice(-2)).toEqual(["own playhead", "shared playhead"]);
+});
+
+test("each try to connect has an address of its own", async () => {
+  let tries = 0;
+  const addresses: string[] = [];
+  client.stop();
+  client = new Client(
+    () => `ws://robot/${++tries}`,
+    listener,
+    (url) => {
+      addresses.push(url);
+      sockets.push(new FakeSocket());
+      return newest();
+    },
+  );
+  client.start();
+  newest().onclose?.({ code: 1006, reason: "" });
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(addresses).toEqual(["ws://robot/1", "ws://robot/2"]);
+});
+
 test("a server that plays a recording reports its span and answers playback requests", () => {
   expect(client.ask({ play: true, speed: 1 }, "early")).toBe(false);
   newest().say({
@@ -275,10 +308,14 @@ test("parameters are set in one message, while the connection stands", async () 
 test("a refusal's cause is a field of the answer and of the status", async () => {
   const causes: string[] = [];
   const hears: Listener = { ...listener, status: (_, __, ___, cause) => causes.push(cause ?? "") };
-  client = new Client("ws://robot/", hears, () => {
-    sockets.push(new FakeSocket());
-    return newest();
-  });
+  client = new Client(
+    () => "ws://robot/",
+    hears,
+    () => {
+      sockets.push(new FakeSocket());
+      return newest();
+    },
+  );
   client.start();
   newest().say(kInfo, kServices);
   const refused = client.call("start_recording", {}).catch((error: unknown) => error);

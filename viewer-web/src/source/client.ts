@@ -32,6 +32,8 @@ export interface Listener {
   subscribed(topic: string, is: boolean): void;
   message(topic: string, log_ns: bigint, data: Uint8Array): void;
   time(now_ns: bigint): void;
+  /** Whether this connection has a playhead of its own in the recording. The playhead's state follows. */
+  playhead(own: boolean): void;
   playback(state: PlaybackState): void;
   status(level: Level, message: string, id?: string, cause?: string): void;
   removeStatus(ids: string[]): void;
@@ -63,7 +65,8 @@ export class Client {
   #calls = new Calls();
 
   constructor(
-    readonly url: string,
+    /** Returns the address of the next try. */
+    readonly address: () => string,
     readonly listener: Listener,
     readonly openSocket: (url: string, subprotocols: string[]) => Socket,
   ) {}
@@ -72,7 +75,7 @@ export class Client {
     this.listener.connection({ state: "connecting" });
     let socket: Socket;
     try {
-      socket = this.openSocket(this.url, kSubprotocols);
+      socket = this.openSocket(this.address(), kSubprotocols);
     } catch (error) {
       this.#retry(`The browser refused to connect: ${(error as Error).message}`);
       return;
@@ -129,6 +132,15 @@ export class Client {
    */
   ask(wish: PlaybackWish, request: string): boolean {
     if (this.#open) this.#socket?.send(writePlaybackWish(wish, request));
+    return this.#open;
+  }
+
+  /**
+   * Asks for a playhead of this connection's own in the recording, or for the shared one. Returns false if no server is
+   * connected.
+   */
+  choosePlayhead(own: boolean): boolean {
+    if (this.#open) this.#send({ op: "playhead", own });
     return this.#open;
   }
 
@@ -192,6 +204,9 @@ export class Client {
       case "unadvertiseServices":
         for (const [name, id] of this.#services) if (text.serviceIds.includes(id)) this.#services.delete(name);
         this.listener.services([...this.#services.keys()]);
+        break;
+      case "playhead":
+        this.listener.playhead(text.own);
         break;
       case "serviceCallFailure":
         this.#calls.fail(text.call, text.message || "The robot refused without a reason.");

@@ -31,6 +31,7 @@ export type ServerText =
   | { op: "advertiseServices"; services: { id: number; name: string }[] }
   | { op: "unadvertiseServices"; serviceIds: number[] }
   | { op: "serviceCallFailure"; call: number; message: string }
+  | { op: "playhead"; own: boolean }
   | { op: "unknown"; name: string }
   | { op: "malformed"; why: string };
 
@@ -129,6 +130,8 @@ export function readText(text: string): ServerText {
     case "serviceCallFailure":
       if (!isId(fields["callId"])) return { op: "malformed", why: "serviceCallFailure: 'callId' is not a number" };
       return { op: "serviceCallFailure", call: fields["callId"], message: textOf(fields["message"]) };
+    case "playhead":
+      return { op: "playhead", own: fields["own"] === true };
     default:
       return { op: "unknown", name: fields["op"] };
   }

@@ -20,6 +20,7 @@ export interface Key {
       | "focusNeighbour"
       | "maximise"
       | "arrangeAs"
+      | "setFollows"
     >,
     event: Pick<KeyboardEvent, "key" | "shiftKey">,
   ): void;
@@ -90,6 +91,11 @@ export const kPageKeys: Key[] = [
     act: ({ time }, { key }) => time.edge(key === "[" ? "begin" : "end"),
   },
   { keys: ["o"], does: "remove the loop", act: ({ time }) => time.endLoop() },
+  {
+    keys: ["t"],
+    does: "follow the shared playback of a recording, or go on in your own time",
+    act: (viewer) => viewer.setFollows(!viewer.time.shared),
+  },
   {
     keys: ["k", "j"],
     does: "previous or next robot",

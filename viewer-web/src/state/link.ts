@@ -14,7 +14,7 @@ export interface Place {
 export function linkOf(address: string, route: Route, { session, at_ns }: Place): string {
   const url = new URL(address);
   url.searchParams.delete("token");
-  const settings = new Map([...route.settings].filter(([name]) => !["session", "at"].includes(name)));
+  const settings = new Map([...route.settings].filter(([name]) => !["session", "at", "follow"].includes(name)));
   if (session) settings.set("session", session);
   if (at_ns !== undefined) settings.set("at", String(at_ns));
   url.hash = hashOf({ ...route, settings });

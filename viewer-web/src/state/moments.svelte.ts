@@ -68,7 +68,7 @@ export class Moments {
     const stop_ns = this.#breakpoint.stopAt(time.at_ns, time.runs, this.#begins());
     if (stop_ns === undefined) return;
     time.seek(stop_ns);
-    time.playing = false;
+    time.hold();
   }
 
   /** The begins of all matches, in the reference's time. */

@@ -25,7 +25,9 @@ import type { PlaybackState, PlaybackWish } from "../source/frames";
 import type { Target } from "../source/target";
 import type { Channel, Level, ServerInfo } from "../source/texts";
 import { Wishes } from "../source/wishes";
+import { keep, kept } from "./browser";
 import { now } from "./frame.svelte";
+import { leftIn, textOfLeft, type Left } from "./left";
 
 /** Bodies that are no real robot; the page names them, so that nobody takes them for live. */
 const kBodyWords: Record<string, string> = { recording: "a recording", replay: "a replay", sim: "a simulation" };
@@ -45,6 +47,12 @@ export interface Speaker {
   dismiss(keys: string[]): void;
   /** Called when somebody else moved the played recording, or when it cannot be moved. */
   follow(server: Server): void;
+  /** Whether a connection follows the shared playback of a recording. Otherwise it has a playhead of its own. */
+  readonly follows: boolean;
+  /** The moment [ns] that the page's address asks for, or undefined. */
+  readonly asked_ns: bigint | undefined;
+  /** Called when a new connection has a playhead of its own, with the state in which an earlier one was lost. */
+  opened(server: Server, left: Left | undefined): void;
 }
 
 export class Server implements Listener {
@@ -65,17 +73,23 @@ export class Server implements Listener {
   session = $derived(this.info?.metadata["session"] ?? "");
   /** Whether it can play another session of its folder. */
   canWatch = $derived(this.serviceNames.includes(kWatchService));
+  /** The recording that this server plays, or undefined. */
+  played = $state.raw<Played>();
+  /** Whether its recording may have a playhead for each connection. */
+  offersOwn = $derived(this.played !== undefined && this.info?.metadata["own_playheads"] === "yes");
   /** Whether games at this robot are tests, in which the wireless network stays open. */
   practice = $derived(this.parameterValues.get("match_mode") === false);
   /** Whether the server refused something for want of the right token, until a person types one or declines. */
   wantsToken = $state(false);
-  /** The recording that this server plays, or undefined. */
-  played = $state.raw<Played>();
   #told = $state(0); // counts changes of the playback
   #wishes = new Wishes((wish, request) => this.client.ask(wish, request));
   #sought: number | undefined; // [s] time of the last seek
   #refused = false; // true after the server refused a wish: then only moments that the page holds can be shown
   #left_ns: bigint | undefined; // the shown moment when the last wish was sent
+  /** Whether this connection has a playhead of its own in the recording. */
+  own = $state(false);
+  #opens = false; // a new connection has not told its playhead yet
+  #left: Left | undefined; // of the lost connection
   #settling = { at_ns: undefined as bigint | undefined, since: 0 };
   /** Whether the server is being asked for all events of its recording. */
   learnsEvents = $state(false);
@@ -95,10 +109,24 @@ export class Server implements Listener {
     readonly speaker: Speaker,
   ) {
     this.memory = new Memory(past);
-    const url = new URL(target.url);
-    url.searchParams.set("playback", "yes"); // asks for the playback state
-    this.client = new Client(url.href, this, (url, subprotocols) => new WebSocket(url, subprotocols) as Socket);
+    // a link that names a moment does not go on from the last one
+    if (speaker.asked_ns === undefined) this.#left = leftIn(kept("sessionStorage", `playhead ${target.host}`));
+    this.client = new Client(
+      () => this.#address(),
+      this,
+      (url, subprotocols) => new WebSocket(url, subprotocols) as Socket,
+    );
     this.client.start();
+  }
+
+  /** The address of the next connection. A playhead of its own begins where the last one was, or where a link says. */
+  #address(): string {
+    const { speaker } = this;
+    const url = new URL(this.target.url);
+    url.searchParams.set("playback", "yes"); // asks for the playback state
+    const at_ns = this.#left?.at_ns ?? speaker.asked_ns;
+    if (!speaker.follows) url.searchParams.set("playhead", at_ns === undefined ? "own" : String(at_ns));
+    return url.href;
   }
 
   /** Ends the connection and forgets everything. */
@@ -144,6 +172,11 @@ export class Server implements Listener {
     return (void this.#told, this.played?.speed ?? 1);
   }
 
+  /** As speed, or that of a pending wish. */
+  get wantedSpeed(): number {
+    return this.#wishes.pending?.speed ?? this.speed;
+  }
+
   /** The playhead, or the place of a pending wish. */
   place(): bigint {
     return this.#wishes.pending?.seek_ns ?? this.played?.at(now()) ?? 0n;
@@ -162,6 +195,11 @@ export class Server implements Listener {
   ask(wish: PlaybackWish): void {
     this.#left_ns = this.memory.moment_ns;
     this.#wishes.ask(wish, now());
+  }
+
+  /** Asks for a playhead of its own, which goes on from the shared one, or for the shared one. */
+  choose(own: boolean): void {
+    if (this.offersOwn && own !== this.own) this.client.choosePlayhead(own);
   }
 
   /** Whether it plays a recording and finds its messages by time. */
@@ -202,7 +240,7 @@ export class Server implements Listener {
   stand(at_ns: bigint): void {
     if (this.memory.holds(at_ns)) this.memory.show(at_ns);
     else if (this.#refused) this.speaker.follow(this);
-    else this.ask({ play: false, speed: this.speed, seek_ns: at_ns });
+    else this.ask({ play: false, speed: this.wantedSpeed, seek_ns: at_ns });
   }
 
   /** Called before each drawing. */
@@ -228,7 +266,7 @@ export class Server implements Listener {
     const at_ns = this.played && this.memory.moment_ns;
     if (at_ns !== this.#settling.at_ns) this.#settling = { at_ns, since: time };
     if (at_ns === undefined || time - this.#settling.since < kSettled || this.asked || this.#refused) return;
-    this.#wishes.ask({ play: false, speed: this.speed, seek_ns: at_ns }, time);
+    this.#wishes.ask({ play: false, speed: this.wantedSpeed, seek_ns: at_ns }, time);
   }
 
   /** Calls a service and shows a failure as an alert. Returns true on success. */
@@ -276,11 +314,28 @@ export class Server implements Listener {
   // events of the client
 
   connection(connection: Connection): void {
+    if (connection.state === "waiting") this.#leave();
     this.connectionState = connection;
     if (connection.state === "open") this.lost = "";
     if (connection.state !== "waiting") return;
     if (this.lost === "") void this.#lookForRefusal();
     this.lost = connection.why;
+  }
+  /** Remembers the state of the playhead, which ends with its connection, so that the next one goes on from there. */
+  #leave(): void {
+    const { played } = this;
+    if (this.connectionState.state !== "open" || !this.own || !played?.known) return;
+    const { start_ns, end_ns } = played;
+    const at_ns = this.memory.moment_ns ?? this.place();
+    this.#left = { play: this.goes, speed: this.wantedSpeed, at_ns, start_ns, end_ns };
+    this.#wishes.clear(); // nobody answers them
+    played.told({ status: "paused", time_ns: at_ns, speed: this.#left.speed }, now());
+    ++this.#told;
+  }
+  /** Keeps the state of the playhead for this tab, because the page ends. */
+  keepPlayhead(): void {
+    this.#leave();
+    keep("sessionStorage", `playhead ${this.target.host}`, this.#left && this.own ? textOfLeft(this.#left) : "");
   }
   /** Asks by HTTP whether the connection was refused for want of a token, because a browser does not say it. */
   async #lookForRefusal(): Promise<void> {
@@ -295,6 +350,9 @@ export class Server implements Listener {
   introduced(info: ServerInfo, fresh: boolean, restarted: boolean): void {
     this.info = info;
     if (restarted) return this.#beginAgain();
+    this.#opens = true;
+    const left = this.#left;
+    if (left?.start_ns !== info.span?.start_ns || left?.end_ns !== info.span?.end_ns) this.#left = undefined;
     if (!fresh) return;
     this.toldAll = false;
     this.#introduced_s = now();
@@ -373,6 +431,10 @@ export class Server implements Listener {
     memory.sought(played.start_ns);
     this.#sought = now();
   }
+  playhead(own: boolean): void {
+    this.own = own;
+    if (!own) this.#left = undefined;
+  }
   playback(state: PlaybackState): void {
     const { played, memory } = this;
     if (!played) return;
@@ -389,7 +451,13 @@ export class Server implements Listener {
     const shown_ns = memory.moment_ns;
     if (shown_ns !== undefined && (shown_ns === state.time_ns || shown_ns === this.#left_ns || !memory.holds(shown_ns)))
       memory.show(undefined);
-    if (!isOurs) this.speaker.follow(this);
+    if (!isOurs && !this.own) this.speaker.follow(this);
+    if (this.own && this.#opens) {
+      const left = this.#left;
+      this.#left = undefined;
+      this.speaker.opened(this, left);
+    }
+    this.#opens = false;
   }
   advertised(channels: Channel[]): void {
     for (const channel of channels) this.memory.offer(channel);

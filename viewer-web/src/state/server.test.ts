@@ -3,6 +3,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { kPerceptChannel, percept } from "../memory/test_schema";
 import { Past } from "../memory/past";
 import type { Channel, Level, ServerInfo } from "../source/texts";
+import type { Left } from "./left";
 import { Server, type Speaker } from "./server.svelte";
 
 const kSecond = 1_000_000_000n;
@@ -28,11 +29,18 @@ class Told implements Speaker {
   follow() {
     ++this.followed;
   }
+  follows = false;
+  asked_ns: bigint | undefined;
+  begun: (Left | undefined)[] = [];
+  opened(_: Server, left: Left | undefined) {
+    this.begun.push(left);
+  }
 }
 
 let told: Told;
 let server: Server;
 let asked: string[];
+let addresses: URL[]; // of all connections
 
 /** A recording of one message of each topic, by another library. */
 async function recording(topics: string[], log_ns: bigint): Promise<Uint8Array<ArrayBuffer>> {
@@ -59,9 +67,13 @@ async function recording(topics: string[], log_ns: bigint): Promise<Uint8Array<A
 }
 
 beforeEach(() => {
+  addresses = [];
   vi.stubGlobal(
     "WebSocket",
     class {
+      constructor(url: string) {
+        addresses.push(new URL(url));
+      }
       close() {}
       send() {}
     },
@@ -157,6 +169,108 @@ test("a server with a span and the capability plays a recording; a fresh introdu
   server.introduced(infoOf(), true, false);
   expect(server.memory.get("/14/2/ball")).toBeUndefined();
   expect(server.played).toBeUndefined();
+});
+
+const kSpan = { start_ns: 5n * kSecond, end_ns: 90n * kSecond };
+const recorded = (more: Partial<ServerInfo> = {}): ServerInfo =>
+  infoOf({ capabilities: ["playbackControl"], span: kSpan, metadata: { own_playheads: "yes" }, ...more });
+const stateOf = (at: bigint, more: object = {}) =>
+  ({ status: "paused", time_ns: at * kSecond, speed: 1, didSeek: false, request: "", ...more }) as const;
+/** Loses the connection, and makes the next one. */
+function connectAgain() {
+  server.connection({ state: "waiting", why: "lost" });
+  server.client.start();
+  return addresses.at(-1)!.searchParams.get("playhead");
+}
+/** A connection to a recording with a playhead of its own. */
+function opens(info: ServerInfo, fresh = true) {
+  server.connection({ state: "open" });
+  server.introduced(info, fresh, false);
+  server.playhead(true);
+}
+
+test("a page asks for a playhead of its own, at the moment of a link, or follows", () => {
+  expect(addresses.at(-1)!.searchParams.get("playhead")).toBe("own");
+  told.asked_ns = 7n;
+  expect(connectAgain()).toBe("7");
+  told.follows = true;
+  expect(connectAgain()).toBeNull();
+  expect(addresses.at(-1)!.searchParams.get("playback")).toBe("yes");
+});
+
+test("a new playhead of its own is reported once, when its state is known", () => {
+  opens(recorded());
+  expect([server.own, server.offersOwn, told.begun]).toEqual([true, true, []]);
+  server.playback(stateOf(5n));
+  server.playback(stateOf(5n));
+  expect([told.begun, told.followed]).toEqual([[undefined], 0]);
+});
+
+test("a playhead of its own survives a lost connection: place, speed, and whether it plays", () => {
+  opens(recorded());
+  server.playback(stateOf(20n, { speed: 2 }));
+  expect(connectAgain()).toBe(String(20n * kSecond));
+  expect(connectAgain()).toBe(String(20n * kSecond)); // the next try too
+  opens(recorded(), false);
+  server.playback(stateOf(20n));
+  expect(told.begun.at(-1)).toEqual({ play: false, speed: 2, at_ns: 20n * kSecond, ...kSpan });
+
+  // a server that was started again
+  server.ask({ play: true, speed: 4, seek_ns: 30n * kSecond });
+  server.playback(stateOf(30n, { status: "playing", speed: 4, didSeek: true, request: "page 1" }));
+  expect(BigInt(connectAgain()!)).toBeGreaterThanOrEqual(30n * kSecond);
+  expect(server.runs).toBe(false); // nothing plays without a connection
+  opens(recorded());
+  server.playback(stateOf(30n));
+  expect(told.begun.at(-1)).toMatchObject({ play: true, speed: 4 });
+
+  // another recording begins at its begin
+  connectAgain();
+  opens(recorded({ span: { start_ns: 6n * kSecond, end_ns: 7n * kSecond } }));
+  server.playback(stateOf(6n));
+  expect(told.begun.at(-1)).toBeUndefined();
+});
+
+test("a page that is loaded again goes on where it was, unless a link asks for a moment", () => {
+  const stored = new Map<string, string>();
+  vi.stubGlobal("window", {
+    sessionStorage: {
+      getItem: (key: string) => stored.get(key) ?? null,
+      setItem: (key: string, value: string) => void stored.set(key, value),
+      removeItem: (key: string) => void stored.delete(key),
+    },
+  });
+  opens(recorded());
+  server.playback(stateOf(20n, { speed: 2 }));
+  server.keepPlayhead();
+  const again = () => {
+    server.stop();
+    server = new Server(server.target, new Past(), told);
+    return addresses.at(-1)!.searchParams.get("playhead");
+  };
+  expect(again()).toBe(String(20n * kSecond));
+  opens(recorded());
+  server.playback(stateOf(20n));
+  expect(told.begun.at(-1)).toMatchObject({ play: false, speed: 2 });
+  told.asked_ns = 7n;
+  expect(again()).toBe("7");
+});
+
+test("a moment that the page shows by itself survives a lost connection", () => {
+  opens(recorded());
+  server.playback(stateOf(20n));
+  server.memory.show(12n * kSecond);
+  expect(connectAgain()).toBe(String(12n * kSecond));
+});
+
+test("who shares the playback is moved by others; a playhead of its own is moved by nobody else", () => {
+  server.introduced(recorded(), true, false);
+  server.playhead(false);
+  server.playback(stateOf(20n, { didSeek: true }));
+  expect([told.followed, told.begun]).toEqual([1, []]);
+  server.playhead(true);
+  server.playback(stateOf(20n, { didSeek: true }));
+  expect(told.followed).toBe(1);
 });
 
 test("robots, session, body and practice are those that the server tells", () => {

@@ -1,61 +1,77 @@
 // The one time that all views show: now, a moment of the last minutes, or any moment of a played recording. It is
 // capture time of the reference: the first server that sends data. The others show the same moment by their own clocks.
+// The states and their transitions are in time_state.ts, time_moves.ts and time_frame.ts.
 
 import type { GameEvent } from "../memory/game_events";
-import type { MemoryObject } from "../memory/memory_object";
+import { ClockShifts, type Clocked } from "./clock_shifts";
 import { now } from "./frame.svelte";
+import { beatOf, FrameSteps } from "./frame_steps";
+import type { Left } from "./left";
 import type { Server } from "./server.svelte";
+import { ask, release, show, type Shown } from "./time_effects";
+import { frame, obeyAddress } from "./time_frame";
+import {
+  followServer,
+  goToNow,
+  hold,
+  pause,
+  play,
+  repeat,
+  seek,
+  setEdge,
+  setLoop,
+  setSpeed,
+  toggle,
+} from "./time_moves";
+import {
+  atOf,
+  isLive,
+  moves,
+  opening,
+  runs,
+  type Change,
+  type Effect,
+  type Facts,
+  type Phase,
+  type TimeRange,
+  type TimeState,
+} from "./time_state";
+
+export type { TimeRange } from "./time_state";
 
 /** 1 is real time, negative is backwards. */
 export const kSpeeds = [-20, -10, -5, -2, -1, -0.5, -0.1, 0.01, 0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20];
 
-/** Clocks that differ by less count as equal. Over wireless, the page measures no better than the robots do. */
-const kAgree_ns = 250_000_000n;
-const kLongestStep = 100; // frames that the server finds at once
-const kLeastLoop_ns = 20_000_000n; // a shorter one is a click, not a range
-
 export const seconds = (duration_ns: bigint): number => Number(duration_ns) / 1e9;
 const nanoseconds = (duration: number): bigint => BigInt(Math.round(duration * 1e9));
-const abs = (value: bigint): bigint => (value < 0n ? -value : value);
-
-export interface TimeRange {
-  first_ns: bigint;
-  last_ns: bigint;
-}
 
 /** The part of the viewer that time uses. */
 interface Watched {
   readonly servers: Server[];
   readonly server: Server;
   readonly robot: string;
+  /** Whether the page follows the shared playback of a recording. */
+  readonly follows: boolean;
   get(setting: string): string;
   set(setting: string, value: string): void;
   say(level: "info", text: string, key: string): void;
 }
 
 export class Time {
-  /** New data are shown as they arrive: of a robot the newest, of a recording the server's playhead. */
-  live = $state(true);
-  /** Time advances from the chosen moment by the page's clock. */
-  playing = $state(false);
-  /** The repeated range. */
-  loop = $state.raw<TimeRange>();
+  #state: TimeState;
+  // the parts that components react to; they read the moment while drawing, because it changes with each frame
+  #phase = $state<Phase["is"]>("live");
   #speed = $state(1);
-  #early = $state(false); // paused before the first data
-  #at_ns = 0n;
+  #loop = $state.raw<TimeRange>();
   #frame = now();
-  #shifts = new Map<Server, bigint>(); // [ns] offset of each clock to the reference when the page stopped following
-  #asked_ns: bigint | undefined; // requested by the address, until it is shown
-  #noted = 0; // [s] time of the last change of the address
-  #steps = 0; // frames to go, negative backwards
-  #search: object | undefined; // the server's search for the frame of some of these steps
+  readonly #shifts = new ClockShifts();
+  readonly #steps: FrameSteps;
 
   constructor(readonly viewer: Watched) {
-    const asked = viewer.get("at");
-    if (/^\d{1,19}$/.test(asked)) this.#asked_ns = BigInt(asked);
-    const [first, last] = viewer.get("loop").split("-");
-    if (/^\d{1,19}$/.test(first ?? "") && /^\d{1,19}$/.test(last ?? ""))
-      this.loop = { first_ns: BigInt(first!), last_ns: BigInt(last!) };
+    // a page that follows must not move the others
+    this.#state = opening(viewer.follows ? "" : viewer.get("at"), viewer.get("loop"));
+    this.#loop = this.#state.loop;
+    this.#steps = this.#stepsOf(viewer);
   }
 
   get reference(): Server {
@@ -63,9 +79,14 @@ export class Time {
     return servers.find(({ memory }) => memory.range()) ?? servers[0]!;
   }
 
-  /** Whether the timeline is a recording's, which all its viewers share. */
+  /** Whether the timeline is a recording's. */
   get recorded(): boolean {
     return this.reference.played !== undefined;
+  }
+
+  /** Whether all pages that follow share the playhead of the recording. */
+  get shared(): boolean {
+    return this.recorded && !this.reference.own;
   }
 
   /** Capture times from the oldest kept value to now, or of a whole recording. Undefined without data. */
@@ -73,25 +94,43 @@ export class Time {
     return this.reference.memory.range();
   }
 
-  /** Whether there are data and the playhead of a recording is known. */
-  get #isThere(): boolean {
-    return this.range() !== undefined && (!this.recorded || this.reference.played!.known);
+  get #facts(): Facts {
+    const { reference } = this;
+    const { played } = reference;
+    return {
+      now: now(),
+      get range() {
+        return reference.memory.range(); // looks at all objects: only if it is needed
+      },
+      recorded: played !== undefined,
+      known: played?.known === true,
+      plays: reference.runs,
+      place_ns: played ? reference.place() : 0n,
+      speed: played ? reference.wantedSpeed : 1,
+      pending: reference.asked,
+    };
   }
 
   /** The shown moment. */
   get at_ns(): bigint {
-    if (!this.live) return this.#at_ns;
-    return this.recorded ? this.reference.place() : (this.range()?.last_ns ?? 0n);
+    return atOf(this.#state, this.#facts);
+  }
+
+  /** Whether new data are shown as they arrive: of a robot the newest, of a recording the server's playhead. */
+  get live(): boolean {
+    return this.#phase === "live" || this.#phase === "early";
   }
 
   /** Whether new data are shown as they arrive and more are expected. */
   get moves(): boolean {
-    return this.live && (!this.recorded || this.reference.runs);
+    void this.#phase;
+    return moves(this.#state, this.#facts);
   }
 
   /** Whether time advances, in either way. */
   get runs(): boolean {
-    return (this.moves || this.playing) && !this.#early;
+    void this.#phase;
+    return runs(this.#state, this.#facts);
   }
 
   /** Whether now is shown and nothing lies after it. */
@@ -99,29 +138,25 @@ export class Time {
     return this.live && !this.recorded;
   }
 
+  /** The repeated range. */
+  get loop(): TimeRange | undefined {
+    return this.#loop;
+  }
+
   /** 1 is real time, negative is backwards. For a recording the server's speed. */
   get speed(): number {
     return this.recorded && this.#speed > 0 ? this.reference.speed : this.#speed;
   }
   set speed(speed: number) {
-    this.#speed = speed;
-    if (!this.recorded) return;
-    if (speed < 0 && this.runs) this.play();
-    else if (speed > 0) this.#ask(this.runs, this.live ? undefined : this.#at_ns);
+    this.#do(setSpeed(this.#state, this.#facts, speed));
   }
 
   /** [ns] to add to the reference's time to get this server's. */
-  shiftOf(server: Server): bigint {
-    const { reference } = this;
-    if (server === reference) return 0n;
-    if (reference.played && server.played) return shiftBetween(reference.played, server.played);
-    if (!this.live) return this.#shifts.get(server) ?? 0n;
-    const [own, other] = [reference, server].map(({ memory, played }) =>
-      played ? played.at(now()) : memory.clock.now_ns(now()),
-    );
-    if (own === undefined || other === undefined) return 0n;
-    return abs(other - own) < kAgree_ns ? 0n : other - own;
+  shiftOf(server: Clocked): bigint {
+    return this.#shifts.of(server, this.reference, isLive(this.#state), now());
   }
+
+  // transitions
 
   /** Called before each drawing. */
   frame(): void {
@@ -129,86 +164,54 @@ export class Time {
     const passed = time - this.#frame;
     this.#frame = time;
     for (const server of this.viewer.servers) server.frame();
-    this.#obeyAddress();
-    this.#makeSteps();
-    const range = this.range();
-    if (!range) return this.live ? undefined : this.now();
-    if (this.#early && this.#isThere) this.pause();
-    if (this.playing) this.#advance(nanoseconds(passed * this.#speed), range);
-    else if (this.moves) this.#repeat();
-    // the shown moment may have been dropped from memory
-    if (!this.live && this.#at_ns < range.first_ns) this.#at_ns = range.first_ns;
-    if (!this.live) this.#show();
-    if (!this.runs && !this.#early && this.#steps === 0 && (!this.live || this.recorded) && time - this.#noted > 0.3)
-      this.#note(String(this.at_ns));
-    else if (this.moves && this.viewer.get("at") && this.recorded) this.#note("");
-  }
-
-  #advance(by_ns: bigint, { first_ns, last_ns }: TimeRange): void {
-    this.#at_ns += by_ns;
-    const loop = this.loop;
-    if (loop && (this.#at_ns >= loop.last_ns || this.#at_ns < loop.first_ns))
-      this.#at_ns = by_ns < 0n ? loop.last_ns - 1n : loop.first_ns;
-    if (this.#at_ns >= last_ns && !this.recorded) return this.now();
-    if (this.#at_ns > first_ns) return;
-    this.#at_ns = first_ns;
-    this.playing = false;
-  }
-
-  /** Returns to the loop's begin when its end is reached. */
-  #repeat(): void {
-    const { loop, reference, at_ns } = this;
-    if (!loop || reference.asked || (at_ns < loop.last_ns && at_ns >= loop.first_ns)) return;
-    if (this.recorded) return this.#ask(true, loop.first_ns);
-    this.seek(loop.first_ns);
-    this.playing = true;
+    const { recalls } = this.reference;
+    const playsAnother = this.reference.playsAnother(this.viewer.get("session"));
+    this.#do(obeyAddress(this.#state, { ...this.#facts, recalls, playsAnother }));
+    this.#steps.make();
+    const [steps, addressAt] = [this.#steps.underWay, this.viewer.get("at")];
+    this.#do(frame(this.#state, { ...this.#facts, passed, steps, addressAt }));
   }
 
   /** Goes to now, or to a recording's end. */
   now(): void {
-    const range = this.range();
-    if (this.recorded && range) return this.seek(range.last_ns);
-    this.live = true;
-    this.playing = false;
-    this.#setLoop(undefined);
-    for (const { memory } of this.viewer.servers) memory.show(undefined);
-    this.#note("");
+    this.#do(goToNow(this.#state, this.#facts));
   }
 
   /** Shows a recording where its server plays it; another viewer may have moved it. */
   follow(server: Server): void {
-    if (server !== this.reference || this.live) return;
-    this.live = true;
-    this.playing = false;
-    for (const { memory } of this.viewer.servers) memory.show(undefined);
+    if (server === this.reference) this.#do(followServer(this.#state));
+  }
+
+  /**
+   * A connection has a new playhead of its own, which is paused. It goes on as the lost one was `left`. A page that opens
+   * plays, unless a person has paused it already or a link asks for a moment.
+   */
+  opened(server: Server, left: Left | undefined): void {
+    if (left) {
+      if (left.play) server.ask({ play: true, speed: left.speed });
+      return;
+    }
+    const { phase, asked_ns } = this.#state;
+    const shows = asked_ns !== undefined && !server.playsAnother(this.viewer.get("session"));
+    if (phase.is === "live" && !shows) server.ask({ play: true, speed: server.speed });
   }
 
   /** Before the first data: pauses as soon as they arrive. */
   pause(): void {
-    this.#early = !this.#isThere;
-    if (this.#early) return;
-    this.playing = false;
-    if (this.recorded) {
-      if (this.moves) this.#ask(false);
-    } else if (this.live) this.seek(this.at_ns);
+    this.#do(pause(this.#state, this.#facts));
   }
 
   play(): void {
-    this.#early = false;
-    if (!this.range()) return;
-    if (!this.recorded || this.#speed < 0) {
-      this.pause();
-      this.#begin();
-      this.playing = true;
-      return;
-    }
-    this.playing = false;
-    this.#ask(true, this.live ? undefined : this.#at_ns);
+    this.#do(play(this.#state, this.#facts));
   }
 
   toggle(): void {
-    if (this.runs) this.pause();
-    else this.play();
+    this.#do(toggle(this.#state, this.#facts));
+  }
+
+  /** Ends an advance by the page's clock. */
+  hold(): void {
+    this.#commit(hold(this.#state));
   }
 
   /** Chooses the next faster or slower speed. */
@@ -220,28 +223,15 @@ export class Time {
     if (next !== undefined) this.speed = next;
   }
 
-  /** Pauses at a moment, or at the nearest kept one. */
+  /** Goes to a moment, or to the nearest kept one. */
   seek(at_ns: bigint): void {
-    const range = this.range();
-    if (!range) return;
-    this.#begin();
-    this.#asked_ns = undefined;
-    this.#endSteps();
-    this.#at_ns = at_ns < range.first_ns ? range.first_ns : at_ns > range.last_ns ? range.last_ns : at_ns;
-    this.#show();
-  }
-
-  /** Stops following the newest data. */
-  #begin(): void {
-    if (!this.live) return;
-    this.#shifts = new Map(this.viewer.servers.map((server) => [server, this.shiftOf(server)]));
-    this.#at_ns = this.at_ns;
-    this.live = false;
+    this.#steps.end();
+    this.#do(seek(this.#state, this.#facts, at_ns));
   }
 
   skip(duration: number): void {
     this.seek(this.at_ns + nanoseconds(duration));
-    this.playing = false;
+    this.hold();
   }
 
   begin(): void {
@@ -251,56 +241,8 @@ export class Time {
 
   /** Goes to the next or previous frame of the most even object of the chosen robot or its world. */
   step(by: 1 | -1): void {
-    if (this.#steps === 0) this.pause();
-    this.#steps += by;
-    this.#makeSteps();
-  }
-
-  #endSteps(): void {
-    this.#steps = 0;
-    this.#search = undefined;
-  }
-
-  #makeSteps(): void {
-    const { server } = this.viewer;
-    // a server that is about to pause has not reported the place yet
-    if (this.#steps === 0 || this.#search || (this.live && server.asked)) return;
-    const object = this.#beat(server);
-    if (!object) return this.#endSteps();
-    if (server.findsFrames) void this.#searchFrame(server, object);
-    else this.#stepInHistory(server, object);
-  }
-
-  /**
-   * Asks the server of a recording for the frame, because the page misses messages: those of places that it has not
-   * shown, and any while it is slow. Steps that are made meanwhile come next.
-   */
-  async #searchFrame(server: Server, object: MemoryObject): Promise<void> {
-    const search = (this.#search = {});
-    const [shift_ns, by] = [this.shiftOf(server), Math.max(-kLongestStep, Math.min(this.#steps, kLongestStep))];
-    try {
-      const frame_ns = await server.frameBeside(object.channel.topic, this.at_ns + shift_ns, by);
-      if (this.#search !== search) return;
-      const left = this.#steps - by;
-      this.seek(frame_ns - shift_ns);
-      this.#steps = left;
-    } catch (error) {
-      if (this.#search !== search) return;
-      if (!this.#stepInHistory(server, object)) server.status("warning", (error as Error).message, "step");
-    }
-  }
-
-  /** Makes all steps among the messages that the page holds. Returns false if it does not hold them. */
-  #stepInHistory(server: Server, { history }: MemoryObject): boolean {
-    const [steps, shift_ns] = [this.#steps, this.shiftOf(server)];
-    this.#endSteps();
-    const at_ns = this.at_ns + shift_ns;
-    const index = history.indexAt(at_ns);
-    const isBetween = history.timeOf(index) !== at_ns;
-    const frame_ns = history.timeOf(index + steps + (isBetween && steps < 0 ? 1 : 0));
-    if (frame_ns === undefined || (server.played && !server.memory.holds(frame_ns))) return false;
-    this.seek(frame_ns - shift_ns);
-    return true;
+    if (!this.#steps.underWay) this.pause();
+    this.#steps.add(by);
   }
 
   /** All events of all servers, in the reference's time, oldest first. */
@@ -327,119 +269,92 @@ export class Time {
   jumpAmong(by: 1 | -1, moments: bigint[]): void {
     const at_ns = this.at_ns;
     const range = this.range();
-    const within = moments.filter((moment) => range && moment >= range.first_ns && moment <= range.last_ns);
-    const next = by > 0 ? within.find((moment) => moment > at_ns) : within.findLast((moment) => moment < at_ns);
+    const inside = moments.filter((moment) => range && moment >= range.first_ns && moment <= range.last_ns);
+    const next = by > 0 ? inside.find((moment) => moment > at_ns) : inside.findLast((moment) => moment < at_ns);
     if (next !== undefined) this.seek(next);
-    this.playing = false;
+    this.hold();
   }
 
   // the repeated range
 
   /** Repeats the range between two moments, in either order. An empty range ends the loop. */
   repeat(one_ns: bigint, other_ns: bigint): void {
-    this.setLoop(one_ns, other_ns);
-    if (!this.loop) return;
-    if (this.#speed < 0) this.#speed = 1;
-    this.seek(this.loop.first_ns);
-    this.play();
+    this.#steps.end();
+    this.#do(repeat(this.#state, this.#facts, one_ns, other_ns));
   }
 
   /** Like repeat(), but does not change how time advances. */
   setLoop(one_ns: bigint, other_ns: bigint): void {
-    const [first_ns, last_ns] = one_ns < other_ns ? [one_ns, other_ns] : [other_ns, one_ns];
-    this.#setLoop(last_ns - first_ns < kLeastLoop_ns ? undefined : { first_ns, last_ns });
+    this.#commit(setLoop(this.#state, one_ns, other_ns));
   }
 
   /** Sets the loop's begin or end to the shown moment. */
   edge(which: "begin" | "end"): void {
-    const range = this.range();
-    if (!range) return;
-    const at_ns = this.at_ns;
-    const { first_ns, last_ns } = this.loop ?? range;
-    if (which === "begin") this.#setLoop({ first_ns: at_ns, last_ns: last_ns > at_ns ? last_ns : range.last_ns });
-    else this.#setLoop({ first_ns: first_ns < at_ns ? first_ns : range.first_ns, last_ns: at_ns });
+    this.#commit(setEdge(this.#state, this.#facts, which));
   }
 
   endLoop(): void {
-    this.#setLoop(undefined);
+    this.#commit({ ...this.#state, loop: undefined });
   }
 
-  #setLoop(loop: TimeRange | undefined): void {
-    this.loop = loop;
-    this.viewer.set("loop", loop ? `${loop.first_ns}-${loop.last_ns}` : "");
+  // the state and the effects
+
+  #do({ state, effects }: Change): void {
+    this.#commit(state);
+    for (const effect of effects) this.#carryOut(effect);
   }
 
-  #show(): void {
-    for (const server of this.viewer.servers) {
-      const at_ns = this.#at_ns + this.shiftOf(server);
-      if (!server.played) server.memory.show(at_ns);
-      else this.#stand(server, server.played.within(at_ns));
+  #commit(state: TimeState): void {
+    const { viewer } = this;
+    // the offsets of the clocks hold from the moment on at which the page leaves the live time
+    if (isLive(this.#state) && !isLive(state)) this.#shifts.keep(viewer.servers, this.reference, now());
+    const { loop } = state;
+    const changesLoop = loop !== this.#state.loop;
+    this.#state = state;
+    this.#phase = state.phase.is;
+    this.#speed = state.speed;
+    this.#loop = loop;
+    if (changesLoop) viewer.set("loop", loop ? `${loop.first_ns}-${loop.last_ns}` : "");
+  }
+
+  #carryOut(effect: Effect): void {
+    const { viewer } = this;
+    switch (effect.do) {
+      case "ask":
+        this.#steps.end();
+        return ask(this.#shown, effect);
+      case "show":
+        return show(this.#shown, this.at_ns);
+      case "release":
+        return release(this.#shown);
+      case "note":
+        if (this.#state.asked_ns === undefined) viewer.set("at", effect.at);
+        return;
+      case "say":
+        viewer.say("info", effect.text, "asked moment");
     }
   }
 
-  /** Pauses the server at `at_ns`, unless it is there or under way. */
-  #stand(server: Server, at_ns: bigint): void {
-    const { moment_ns } = server.memory;
-    if (moment_ns === at_ns) return;
-    const goesThere = server.place() === at_ns && !server.goes && (moment_ns === undefined || server.asked);
-    if (!goesThere) server.stand(at_ns);
+  get #shown(): Shown {
+    return { servers: this.viewer.servers, shiftOf: (server) => this.shiftOf(server) };
   }
 
-  /** Sends a wish to all servers that play recordings, and follows them from then on. */
-  #ask(play: boolean, seek_ns?: bigint): void {
-    this.live = true;
-    this.playing = false;
-    this.#endSteps();
-    const speed = this.#speed > 0 ? this.#speed : this.reference.speed;
-    for (const server of this.viewer.servers) {
-      if (server.played)
-        server.ask({
-          play,
-          speed,
-          seek_ns: seek_ns === undefined ? undefined : server.played.within(seek_ns + this.shiftOf(server)),
-        });
-      else server.memory.show(undefined);
-    }
+  #stepsOf(viewer: Watched): FrameSteps {
+    const shift = () => this.shiftOf(viewer.server);
+    const isLiveNow = () => isLive(this.#state);
+    return new FrameSteps({
+      get waits() {
+        return isLiveNow() && viewer.server.asked;
+      },
+      get finds() {
+        return viewer.server.findsFrames;
+      },
+      beat: () => beatOf(viewer.server.memory.objectsOf(viewer.robot)),
+      find: (object, from_ns, by) => viewer.server.frameBeside(object.channel.topic, from_ns, by),
+      holds: (at_ns) => !viewer.server.played || viewer.server.memory.holds(at_ns),
+      at_ns: () => this.at_ns + shift(),
+      go: (at_ns) => this.#do(seek(this.#state, this.#facts, at_ns - shift())),
+      warn: (sentence) => viewer.server.status("warning", sentence, "step"),
+    });
   }
-
-  /** The object that defines frames: the image, else the world, else the decision or a belief. */
-  #beat(server: Server): MemoryObject | undefined {
-    const objects = server.memory.objectsOf(this.viewer.robot).filter(({ received }) => received > 0);
-    const wanted = [
-      ({ isImage }: MemoryObject) => isImage,
-      ...["truth/world", "decision", "pose", "joints"].map((name) => (object: MemoryObject) => object.name === name),
-    ];
-    for (const is of wanted) {
-      const found = objects.find(is);
-      if (found) return found;
-    }
-    return objects.sort((a, b) => b.history.end - b.history.begin - (a.history.end - a.history.begin))[0];
-  }
-
-  /** Shows the moment of a link as soon as it is available, or reports that it is gone. */
-  #obeyAddress(): void {
-    const asked_ns = this.#asked_ns;
-    if (this.reference.playsAnother(this.viewer.get("session"))) return; // a person may watch that one
-    const range = asked_ns === undefined ? undefined : this.range();
-    if (asked_ns === undefined || !range || !this.#isThere || (range.last_ns < asked_ns && !this.recorded)) return;
-    if (asked_ns < range.first_ns && this.reference.recalls) return;
-    this.#asked_ns = undefined;
-    if (asked_ns >= range.first_ns && asked_ns <= range.last_ns) return this.seek(asked_ns);
-    this.viewer.set("at", "");
-    const why = this.recorded
-      ? "The moment of this link is not within this recording."
-      : "The moment of this link is older than the data of this page; a recording on the robot may hold it.";
-    this.viewer.say("info", why, "asked moment");
-  }
-
-  #note(at: string): void {
-    this.#noted = now();
-    if (this.#asked_ns === undefined) this.viewer.set("at", at);
-  }
-}
-
-/** [ns] 0 between recordings of one game, whose clocks agree; otherwise the shift that aligns their begins. */
-function shiftBetween(one: { start_ns: bigint; end_ns: bigint }, other: { start_ns: bigint; end_ns: bigint }): bigint {
-  const overlap = one.start_ns <= other.end_ns && other.start_ns <= one.end_ns;
-  return overlap ? 0n : other.start_ns - one.start_ns;
 }

@@ -9,6 +9,7 @@ import type { Level } from "../source/texts";
 import { Dismissed, withAlert, withoutAlerts, type Alert } from "./alerts";
 import { keep, kept } from "./browser";
 import { now } from "./frame.svelte";
+import type { Left } from "./left";
 import { linkOf } from "./link";
 import { Moments } from "./moments.svelte";
 import { Pane } from "./pane.svelte";
@@ -58,6 +59,8 @@ interface First {
 
 /** Settings that belong to a session, and not to the arrangement. */
 const kOfMoments = ["at", "marks", "loop"];
+/** Settings that another arrangement keeps. */
+const kOfTime = [...kOfMoments, "follow"];
 const tokenKey = (host: string): string => `token ${host}`;
 
 export class Viewer implements Speaker {
@@ -122,6 +125,7 @@ export class Viewer implements Speaker {
     this.time = new Time(this);
     this.moments = new Moments(this);
     this.#followRoute();
+    window.addEventListener("pagehide", () => this.servers.forEach((server) => server.keepPlayhead()));
     window.addEventListener("hashchange", () => {
       this.route = routeOf(location.hash);
       this.#followRoute();
@@ -232,7 +236,7 @@ export class Viewer implements Speaker {
    * history.
    */
   set(name: string, value: string): void {
-    if (this.get(name) === value) return;
+    if (this.get(name) === value && (value || !this.route.settings.has(name))) return;
     const route = routeOf(location.hash); // may be newer than this.route: the event of a link that was followed comes later
     this.#replace(withSettings(this.settled ? this.#complete(route) : route, [[name, value]]));
   }
@@ -302,7 +306,7 @@ export class Viewer implements Speaker {
 
   /** Applies another arrangement at the shown moment. */
   arrange(layout: Route): void {
-    const settings = new Map([...this.route.settings].filter(([name]) => kOfMoments.includes(name)));
+    const settings = new Map([...this.route.settings].filter(([name]) => kOfTime.includes(name)));
     this.#focus = 1;
     location.hash = hashOf({ ...layout, settings: new Map([...layout.settings, ...settings]) });
   }
@@ -390,6 +394,7 @@ export class Viewer implements Speaker {
       });
     if (gone.length > 0 || come.length > 0)
       this.servers = [own!, ...others.filter((server) => !gone.includes(server)), ...come];
+    this.#choosePlayhead();
   }
 
   // sentences
@@ -401,6 +406,26 @@ export class Viewer implements Speaker {
 
   follow(server: Server): void {
     this.time?.follow(server);
+  }
+  opened(server: Server, left: Left | undefined): void {
+    this.time?.opened(server, left);
+  }
+
+  /** Whether the page follows the shared playback of a recording. Otherwise it has a playhead of its own. */
+  get follows(): boolean {
+    return this.route.settings.has("follow");
+  }
+  get asked_ns(): bigint | undefined {
+    const at = this.get("at");
+    return /^\d{1,19}$/.test(at) ? BigInt(at) : undefined;
+  }
+  /** Follows the shared playback of a recording, or goes on with a playhead of the page's own. */
+  setFollows(follows: boolean): void {
+    this.set("follow", follows ? "yes" : "");
+    this.#choosePlayhead();
+  }
+  #choosePlayhead(): void {
+    for (const server of this.servers) server.choose(!this.follows);
   }
 
   /** Dismisses a sentence for a person. A warning that comes again and again then stays away for a while. */

@@ -173,6 +173,67 @@ test("other servers are in the address, each once, and go when they are taken ou
   expect(viewer.servers).toHaveLength(1);
 });
 
+/** The server announces a recording, and reports whose playhead the connection has. */
+function record(own: boolean) {
+  const server = viewer.servers[0]!;
+  const metadata = { own_playheads: "yes" };
+  const span = { start_ns: 0n, end_ns: 100n * 10n ** 9n };
+  server.introduced({ name: "lab", capabilities: ["playbackControl"], metadata, span }, true, false);
+  server.advertised([{ ...kPerceptChannel, topic: "/14/2/ball", metadata: {} }]);
+  server.services(["clock"]);
+  server.playhead(own);
+  server.playback({ status: "paused", time_ns: 0n, speed: 1, didSeek: false, request: "" });
+  return server;
+}
+
+test("a page has its own time of a recording, and plays when it opens, unless a link asks for a moment", () => {
+  for (const [hash, plays] of [
+    ["#/14/2/field", true],
+    ["#/14/2/field?at=5000000000", false],
+  ] as const) {
+    open(hash);
+    const server = viewer.servers[0]!;
+    const wishes = vi.spyOn(server, "ask").mockImplementation(() => {});
+    record(true);
+    expect([viewer.follows, viewer.time.shared, wishes.mock.calls.length > 0]).toEqual([false, false, plays]);
+    viewer.frame();
+    expect(viewer.time.at_ns).toBe(plays ? 0n : 5n * 10n ** 9n);
+  }
+});
+
+test("a page that was paused before the first data stays paused", () => {
+  open("#/14/2/field");
+  viewer.time.toggle();
+  const wishes = vi.spyOn(viewer.servers[0]!, "ask");
+  record(true);
+  viewer.frame();
+  expect([wishes.mock.calls, viewer.time.runs]).toEqual([[], false]);
+});
+
+test("a page follows by its address or a button, and goes on in its own time by the same button", () => {
+  open("#/14/2/field?follow&at=5000000000");
+  const server = record(false);
+  const chosen = vi.spyOn(server.client, "choosePlayhead");
+  viewer.frame();
+  expect([viewer.follows, viewer.time.shared, viewer.time.live]).toEqual([true, true, true]);
+  viewer.setFollows(false);
+  expect([page.href.includes("follow"), chosen.mock.lastCall]).toEqual([false, [true]]);
+  server.playhead(true);
+  expect(viewer.time.shared).toBe(false);
+  viewer.setFollows(true);
+  expect([page.href.includes("follow=yes"), chosen.mock.lastCall]).toEqual([true, [false]]);
+  server.playhead(false);
+  page.follow("#/14/2/field"); // a link without it
+  expect(chosen.mock.lastCall).toEqual([true]);
+});
+
+test("a copied link opens at its moment and not in the shared time", () => {
+  open("#/14/2/field?follow=yes");
+  record(false);
+  expect(viewer.link).toContain("at=0");
+  expect(viewer.link).not.toContain("follow");
+});
+
 test("a sentence that a person dismissed stays away for a while", () => {
   viewer.say("warning", "the disk is full", "disk");
   viewer.say("warning", "the disk is still full", "disk");

@@ -14,12 +14,14 @@ using nlohmann::json;
 
 struct WhatIfService : ::testing::Test {
   WhatIfService() {
-    add_what_if_service(services, "14/2", {"baseline", "a, b"},
-                        [this](const std::string& robot, const foresight::WhatIf& question) {
-                          asked_robot = robot;
-                          asked = question;
-                          return answer;
-                        });
+    add_what_if_service(
+        services, "14/2", {"baseline", "a, b"},
+        [this](const std::string& robot, const foresight::WhatIf& question, std::optional<std::uint64_t> playhead_ns) {
+          asked_robot = robot;
+          asked = question;
+          asked_at_ns = playhead_ns;
+          return answer;
+        });
   }
 
   json call(const std::string& request, net::ClientContext asker = {.loopback = true, .may_control = true}) const {
@@ -37,6 +39,7 @@ struct WhatIfService : ::testing::Test {
   std::uint64_t came_ns = monotonic_ns();
   std::string asked_robot;
   std::optional<foresight::WhatIf> asked;
+  std::optional<std::uint64_t> asked_at_ns;
 };
 
 TEST_F(WhatIfService, AsksForItsOwnRobotByDefault) {
@@ -53,6 +56,13 @@ TEST_F(WhatIfService, AsksForItsOwnRobotByDefault) {
   EXPECT_EQ(call(R"({"robot": "14/3"})")["robot"], "14/3");
   EXPECT_EQ(asked_robot, "14/3");
   EXPECT_EQ(call("")["robot"], "14/2");
+}
+
+TEST_F(WhatIfService, AsksAtTheTimeOfTheAskersOwnPlayhead) {
+  call("{}");
+  EXPECT_EQ(asked_at_ns, std::nullopt);
+  call("{}", {.loopback = true, .may_control = true, .playhead_ns = 7});
+  EXPECT_EQ(asked_at_ns, 7u);
 }
 
 TEST_F(WhatIfService, AnsweredMsCountsFromTheArrivalOfTheQuestion) {

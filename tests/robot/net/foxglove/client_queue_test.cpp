@@ -60,6 +60,18 @@ TEST_F(ClientQueueTest, LatestKeepsTheNewestAndCountsTheOthers) {
   EXPECT_TRUE(queue.empty());
 }
 
+TEST_F(ClientQueueTest, AVersionIsSentWithItsCaptureTimeOrWithAnother) {
+  for (const std::optional<std::uint64_t> time_ns : {std::optional<std::uint64_t>(), {7}}) {
+    const memory::VersionPtr version = state.write("a");
+    queue.push(1, version, time_ns);
+    Batch batch;
+    ASSERT_TRUE(queue.fill(batch));
+    const auto data = foxglove::parse_message_data(std::string_view(batch.bytes).substr(2));
+    ASSERT_TRUE(data && *data);
+    EXPECT_EQ((*data)->log_time_ns, time_ns.value_or(version->capture_ns()));
+  }
+}
+
 TEST_F(ClientQueueTest, FifoKeepsTheLastFewInOrder) {
   for (const char* text : {"a", "b", "c", "d", "e"}) queue.push(2, sensor.write(text));
   EXPECT_EQ(drained(queue), "12:c 12:d 12:e");

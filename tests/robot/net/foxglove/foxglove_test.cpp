@@ -105,6 +105,15 @@ TEST(Foxglove, ASubscribeOfOurClientIsRead) {
   EXPECT_EQ(std::get<Subscribe>(*message).subscriptions.at(0).subscription, 7u);
 }
 
+TEST(Foxglove, AChoiceOfAPlayheadIsRead) {
+  for (const bool own : {true, false}) {
+    const auto message = parse_client_text(playhead(own));
+    ASSERT_TRUE(message) << message.error();
+    EXPECT_EQ(std::get<ChoosePlayhead>(*message).own, own);
+  }
+  EXPECT_EQ(parse_client_text(R"({"op":"playhead","own":1})").error(), "request: 'own' must be true or false");
+}
+
 TEST(Foxglove, WrongTextsAreNamed) {
   const std::pair<const char*, const char*> cases[] = {
       {"", "request: expected JSON, got something else"},
