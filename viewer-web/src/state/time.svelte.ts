@@ -3,6 +3,7 @@
 
 import type { GameEvent } from "../memory/game_events";
 import type { MemoryObject } from "../memory/memory_object";
+import type { RobotObject } from "../memory/schema";
 import { now } from "./frame.svelte";
 import type { Server } from "./server.svelte";
 
@@ -407,7 +408,9 @@ export class Time {
     const objects = server.memory.objectsOf(this.viewer.robot).filter(({ received }) => received > 0);
     const wanted = [
       ({ isImage }: MemoryObject) => isImage,
-      ...["truth/world", "decision", "pose", "joints"].map((name) => (object: MemoryObject) => object.name === name),
+      ...["truth/world", ...(["decision", "pose", "joints"] satisfies RobotObject[])].map(
+        (name) => (object: MemoryObject) => object.name === name,
+      ),
     ];
     for (const is of wanted) {
       const found = objects.find(is);
